@@ -1,0 +1,33 @@
+# `make report` and `make test` are all a newcomer needs: both create the environment first.
+PYTHON ?= $(shell command -v python3.11 || command -v python3 || command -v python)
+VENV   ?= .venv
+OUT    ?= report
+BIN    := $(VENV)/bin
+READY  := $(VENV)/.installed
+
+.PHONY: help install report test verify lint clean
+help:            ## list the targets
+	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
+
+install: $(READY) ## create the environment and install the lab into it
+$(READY): pyproject.toml constraints.txt
+	$(PYTHON) -m venv $(VENV)
+	PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[engines,dev]'
+	touch $(READY)
+
+report: $(READY) ## compare the three implementations and write the report
+	$(BIN)/collisions report --out $(OUT)
+
+test: $(READY)   ## the tests, in a few minutes
+	$(BIN)/python -m pytest
+
+lint: $(READY)   ## style and types
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report
+	$(BIN)/python -m pytest -m slow --timeout=1200
+
+clean:           ## remove the environment and what was built
+	rm -rf $(VENV) $(OUT) .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -1,0 +1,74 @@
+"""Checks of single values that enter the lab; each error names the value and what would do."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from reference.errors import InvalidInput
+
+Vector = tuple[float, float, float]
+Quaternion = tuple[float, float, float, float]
+
+
+def finite(name: str, value: float) -> float:
+    """Return `value` as a float; refuse NaN, infinities and anything that is no number."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"{name} is {value!r}; it must be a number") from None
+    if not math.isfinite(number):
+        raise InvalidInput(f"{name} is {value!r}; it must be a finite number")
+    return number
+
+
+def positive(name: str, value: float) -> float:
+    """Return `value` if it is finite and above zero."""
+    number = finite(name, value)
+    if number <= 0:
+        raise InvalidInput(f"{name} is {value!r}; it must be above zero")
+    return number
+
+
+def not_negative(name: str, value: float) -> float:
+    """Return `value` if it is finite and at least zero."""
+    number = finite(name, value)
+    if number < 0:
+        raise InvalidInput(f"{name} is {value!r}; it must not be negative")
+    return number
+
+
+def fraction(name: str, value: float) -> float:
+    """Return `value` if it lies in the closed interval from 0 to 1."""
+    number = finite(name, value)
+    if not 0 <= number <= 1:
+        raise InvalidInput(f"{name} is {value!r}; it must lie between 0 and 1")
+    return number
+
+
+def vector(name: str, values: Sequence[float]) -> Vector:
+    """Return three finite numbers as a tuple."""
+    if isinstance(values, str) or not hasattr(values, "__len__") or len(values) != 3:
+        raise InvalidInput(f"{name} is {values!r}; it must hold three numbers")
+    x, y, z = (finite(f"{name}[{axis}]", value) for axis, value in enumerate(values))
+    return x, y, z
+
+
+def unit_vector(name: str, values: Sequence[float]) -> Vector:
+    """Return a direction scaled to unit length; refuse the zero vector, which has none."""
+    x, y, z = vector(name, values)
+    length = math.sqrt(x * x + y * y + z * z)
+    if length == 0:
+        raise InvalidInput(f"{name} is {values!r}; a direction must not be zero")
+    return x / length, y / length, z / length
+
+
+def unit_quaternion(name: str, values: Sequence[float]) -> Quaternion:
+    """Return an orientation (w, x, y, z) scaled to unit length; refuse the zero quaternion."""
+    if isinstance(values, str) or not hasattr(values, "__len__") or len(values) != 4:
+        raise InvalidInput(f"{name} is {values!r}; it must hold four numbers, w x y z")
+    w, x, y, z = (finite(f"{name}[{part}]", value) for part, value in enumerate(values))
+    length = math.sqrt(w * w + x * x + y * y + z * z)
+    if length == 0:
+        raise InvalidInput(f"{name} is {values!r}; an orientation must not be zero")
+    return w / length, x / length, y / length, z / length

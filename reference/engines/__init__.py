@@ -1,0 +1,59 @@
+"""The engines, found by file: `handwritten.py` and every `…_engine.py` in this folder, or any file by its path.
+
+A new engine is one file that ends in `ENGINE = MyEngine`, a subclass of `reference.engines.base.Engine`.
+"""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import importlib.util
+import pkgutil
+from pathlib import Path
+from types import ModuleType
+
+from reference.engines.base import Engine
+from reference.errors import InvalidInput, UnknownName
+from reference.implementation import Implementation
+
+__all__ = ["Engine", "engine_names", "load_engine"]
+
+
+def load_engine(name: str, implementation: Implementation | None = None) -> Engine:
+    """Return the engine of that name, or the one that a `.py` file defines."""
+    if name.endswith(".py"):
+        return _engine_class(_load_file(Path(name)))(implementation)
+    classes = _found()
+    if name not in classes:
+        raise UnknownName("engine", name, classes)
+    return classes[name](implementation)
+
+
+def engine_names() -> tuple[str, ...]:
+    """Names of all engines in the order of the tables, installed or not."""
+    return tuple(_found())
+
+
+@functools.cache
+def _found() -> dict[str, type[Engine]]:
+    modules = (info.name for info in pkgutil.iter_modules(__path__))
+    wanted = [name for name in modules if name == "handwritten" or name.endswith("_engine")]
+    classes = [_engine_class(importlib.import_module(f"{__name__}.{name}")) for name in wanted]
+    return {engine.name: engine for engine in sorted(classes, key=lambda engine: (engine.order, engine.name))}
+
+
+def _load_file(path: Path) -> ModuleType:
+    if not path.is_file():
+        raise InvalidInput(f"no engine file {str(path)!r}; an engine is a name ({', '.join(_found())}) or a .py file")
+    spec = importlib.util.spec_from_file_location(f"_engine_{path.stem}", path)
+    assert spec is not None and spec.loader is not None  # a .py file always has both
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def _engine_class(module: ModuleType) -> type[Engine]:
+    engine = getattr(module, "ENGINE", None)
+    if not (isinstance(engine, type) and issubclass(engine, Engine)):
+        raise InvalidInput(f"{module.__file__} does not define ENGINE, a subclass of reference.engines.base.Engine")
+    return engine

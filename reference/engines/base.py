@@ -1,0 +1,111 @@
+"""What an engine is to the lab: something that derives settings from a scenario and runs it. It translates, no more."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.metadata
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import ModuleType
+from typing import ClassVar
+
+from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, UnknownName
+from reference.implementation import Implementation
+from reference.scenario import Scenario
+from reference.settings import Settings
+from reference.trajectory import Trajectory
+
+EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
+
+
+@dataclass(frozen=True)
+class Method:
+    """How an engine treats the instant at which a force changes; expectations know what each kind does to a quantity.
+
+    kind: it solves for the instant (`EXACT`), interpolates it as the slide does (`INTERPOLATED`), notices it at the
+    next step of semi-implicit Euler (`AT_STEP`) or spreads the force over a stiff contact (`COMPLIANT`).
+    recovery: share of the overlap that is taken back in the step of the response without adding speed.
+    stiffness: of a compliant contact, per unit mass, 1/s².
+    rest_speed: a rebound slower than this is taken for rest, m/s.
+    """
+
+    kind: str
+    recovery: float = 0.0
+    stiffness: float = math.inf
+    rest_speed: float = 0.0
+
+
+class Engine(ABC):
+    """One implementation of rigid-body motion.
+
+    name: as typed on the command line. title: as printed. order: place in tables. package: the distribution that it
+    needs, None for ours. extra: the extra of this project that installs it. implementation: which hand-written code
+    answers; only the hand-written engine reads it.
+    """
+
+    name: ClassVar[str]
+    title: ClassVar[str]
+    order: ClassVar[int] = 100
+    package: ClassVar[str | None] = None
+    extra: ClassVar[str | None] = None
+
+    def __init__(self, implementation: Implementation | None = None) -> None:
+        self.implementation = implementation or Implementation()
+
+    def profiles(self, scenario: Scenario) -> Mapping[str, str]:
+        """Name → one-line description of each set of settings that makes sense here; `tuned` and `stock` at least."""
+        return {"tuned": "says what the scenario means", "stock": "what a user gets who sets nothing"}
+
+    @abstractmethod
+    def settings(self, scenario: Scenario, profile: str) -> Settings:
+        """Derive the settings of a profile for a scenario; `UnknownName` for a profile that there is not."""
+
+    @abstractmethod
+    def method(self, scenario: Scenario, settings: Settings) -> Method:
+        """How the engine treats the instant at which a force changes, with these settings."""
+
+    @abstractmethod
+    def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
+        """Run a scenario and return its trajectory, first sample at time 0."""
+
+    def run_many(self, scenarios: Sequence[Scenario], settings: Settings) -> list[Trajectory]:
+        """Run several scenarios with the same settings; an engine that can do so at once overrides this."""
+        return [self.run(scenario, settings) for scenario in scenarios]
+
+    def version(self) -> str:
+        """Version of the engine's package, or of this project for our own; `EngineNotInstalled` where it is missing."""
+        try:
+            return importlib.metadata.version(self.package or "collisions-lab")
+        except importlib.metadata.PackageNotFoundError:
+            raise self._missing("no such package") from None
+
+    def module(self) -> ModuleType:
+        """Import the engine's package, late; `EngineNotInstalled` says how to get it."""
+        try:
+            return importlib.import_module(self.package or "reference")
+        except ImportError as error:
+            raise self._missing(str(error)) from None
+
+    def _missing(self, why: str) -> EngineNotInstalled:
+        how = f'pip install -e ".[{self.extra}]"' if self.extra else f"pip install {self.package}"
+        return EngineNotInstalled(f"{self.title} is not installed here ({why}); to get it: {how}")
+
+    def check_profile(self, scenario: Scenario, profile: str) -> None:
+        """Refuse a profile that this engine does not have for this scenario, naming those it has."""
+        if profile not in self.profiles(scenario):
+            raise UnknownName(f"profile of {self.title} for {scenario.name}", profile, self.profiles(scenario))
+
+    def check_settings(self, scenario: Scenario, settings: Settings) -> int:
+        """Return the number of whole steps that cover the scenario; refuse a timestep that is longer than it."""
+        if settings.timestep * settings.sample_every > scenario.duration:
+            raise InvalidInput(
+                f"timestep {settings.timestep:g} s × {settings.sample_every} steps a sample is longer than"
+                f" {scenario.name}, which lasts {scenario.duration:g} s"
+            )
+        return -int(-scenario.duration // settings.timestep)  # rounded up
+
+    def cannot(self, scenario: Scenario, what: str) -> CannotExpress:
+        """Make the error for a scenario that this engine has no words for."""
+        return CannotExpress(f"{self.title} cannot express {scenario.name}: {what}")

@@ -1,0 +1,229 @@
+"""Step loops for single bodies, batch first: N scenarios of one kind run side by side in arrays (N, 3).
+
+All physics is asked of the implementation's functions; the loops only say when.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference import geometry
+from reference.errors import InvalidInput
+from reference.implementation import Implementation
+from reference.scenario import Box, HalfSpace, Pair, Scenario, Sphere
+from reference.settings import Settings
+from reference.trajectory import Event, Trajectory
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+_FLAT = 1e-9  # how far a box may be off its face, m, and still slide as a point does
+
+
+def kind(scenario: Scenario) -> type[Sphere] | type[Box] | None:
+    """Sphere for a ball above one plane, Box for a box flat on one, None for what needs a rigid-body world."""
+    movable = [body for body in scenario.bodies if not body.immovable]
+    fixed = [body for body in scenario.bodies if body.immovable]
+    if len(movable) != 1 or len(fixed) != 1 or not isinstance(fixed[0].shape, HalfSpace) or not scenario.pairs:
+        return None
+    body, plane = movable[0], fixed[0].shape
+    if any(body.angular_velocity):
+        return None
+    if isinstance(body.shape, Sphere):
+        slides = np.linalg.norm(np.cross(body.velocity, plane.normal)) > 0
+        return None if slides and scenario.pairs[0].kinetic_friction > 0 else Sphere
+    place = np.array([body.position]), np.array([body.orientation])
+    gap = geometry.separation(scenario, body.name, fixed[0].name, *place)[0]
+    return Box if abs(gap) < _FLAT and abs(np.dot(body.velocity, plane.normal)) < _FLAT else None
+
+
+class _Batch:
+    """The single movable body of each scenario and the plane below it, as arrays over the scenarios."""
+
+    def __init__(self, scenarios: Sequence[Scenario]) -> None:
+        self.bodies = [next(body for body in scenario.bodies if not body.immovable) for scenario in scenarios]
+        planes = [next(body for body in scenario.bodies if body.immovable) for scenario in scenarios]
+        self.position = np.array([body.position for body in self.bodies])
+        self.velocity = np.array([body.velocity for body in self.bodies])
+        self.mass = np.array([body.mass for body in self.bodies])
+        self.gravity = np.array([scenario.gravity for scenario in scenarios])
+        self.normal = np.array([plane.shape.normal for plane in planes])  # type: ignore[union-attr]
+        self.offset = -np.sum(self.normal * np.array([plane.position for plane in planes]), axis=1)
+        self.pairs: list[Pair] = [scenario.pairs[0] for scenario in scenarios]
+        self.events: list[list[Event]] = [[] for _ in scenarios]
+
+    def report(self, mask: Mask, time: Array, kind: str) -> None:
+        """Note an event at `time` (N,) for the members in the mask."""
+        for member in np.flatnonzero(mask):
+            self.events[member].append(Event(float(time[member]), kind, self.bodies[member].name))
+
+
+def bounce(
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: int, implementation: Implementation
+) -> list[Trajectory]:
+    """Balls that fall on a plane, bounce and come to rest; no friction."""
+    signed_distance = implementation.function("signed_distance")
+    is_colliding = implementation.function("is_colliding")
+    interpolated = implementation.function("time_of_impact_interpolated")
+    exact_root = implementation.function("time_of_impact_exact")
+    respond = implementation.function("kinematic_response")
+    weight = implementation.function("uniform_gravity")
+    fly = implementation.function("ballistic_motion")
+    euler = implementation.function("semi_implicit_euler")
+
+    batch, dt = _Batch(scenarios), settings.timestep
+    every_dt = np.full(len(scenarios), dt)
+    radius = np.array([body.shape.radius for body in batch.bodies])  # type: ignore[union-attr]
+    restitution = np.array([pair.restitution for pair in batch.pairs])
+    acceleration = weight(batch.mass, batch.gravity) / batch.mass[:, None]
+    normal_acceleration = np.sum(acceleration * batch.normal, axis=1)
+    rest_speed = settings.number("shortest_flight") * dt * -normal_acceleration / 2
+    resting = np.zeros(len(scenarios), dtype=bool)
+
+    def separation(position: Array) -> Array:
+        return np.asarray(signed_distance(position, batch.normal, batch.offset - radius))
+
+    def after(move: Callable[..., tuple[Array, Array]], duration: Array) -> tuple[Array, Array]:
+        position, velocity = move(batch.position, batch.velocity, acceleration, duration)
+        still = resting[:, None]
+        return np.where(still, batch.position, position), np.where(still, batch.velocity, velocity)
+
+    def answer(struck: Mask, time: Array) -> None:
+        answered = respond(batch.velocity, batch.normal, restitution)
+        batch.velocity = np.where(struck[:, None], answered, batch.velocity)
+        leaving = np.sum(batch.velocity * batch.normal, axis=1)
+        to_rest = struck & (leaving <= rest_speed)
+        batch.velocity = np.where(to_rest[:, None], batch.velocity - leaving[:, None] * batch.normal, batch.velocity)
+        resting[to_rest] = True
+        batch.report(struck, time, "impact")
+        batch.report(to_rest, time, "rest")
+
+    def until_exact_root(remaining: Array) -> Array:
+        normal_velocity = np.sum(batch.velocity * batch.normal, axis=1)
+        return np.asarray(exact_root(separation(batch.position), normal_velocity, normal_acceleration))
+
+    def until_slides_t(remaining: Array) -> Array:
+        start = np.maximum(separation(batch.position), 0.0)  # left on the plane, it may be behind it by rounding
+        return np.asarray(interpolated(start, separation(after(fly, remaining)[0]), 0.0, remaining))
+
+    def step_through_impacts(time: float, until_impact: Callable[[Array], Array]) -> None:
+        remaining = every_dt
+        while True:
+            impact = np.where(resting, np.inf, until_impact(remaining))
+            struck = impact <= remaining
+            passed = np.minimum(impact, remaining)
+            batch.position, batch.velocity = after(fly, passed)
+            remaining = remaining - passed
+            if not struck.any():
+                return
+            answer(struck, time + dt - remaining)
+
+    def respond_or_step(time: float) -> None:
+        approaching = np.sum(batch.velocity * batch.normal, axis=1) < 0
+        behind = is_colliding(separation(batch.position)) & approaching & ~resting
+        answer(behind, np.full(len(scenarios), time))
+        free = ~(behind | resting)
+        batch.position, batch.velocity = euler(batch.position, batch.velocity, free[:, None] * acceleration, every_dt)
+
+    policies: dict[str, Callable[[float], None]] = {
+        "exact_root": lambda time: step_through_impacts(time, until_exact_root),
+        "interpolated": lambda time: step_through_impacts(time, until_slides_t),
+        "at_step": respond_or_step,
+    }
+    return _record(engine, batch, scenarios, settings, steps, _policy(policies, settings))
+
+
+def slide(
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: int, implementation: Implementation
+) -> list[Trajectory]:
+    """Boxes flat on a plane that slide in a straight line and stop, or hold."""
+    weight = implementation.function("uniform_gravity")
+    friction_force = implementation.function("friction_force")
+    sliding_motion = implementation.function("sliding_motion")
+
+    batch, dt = _Batch(scenarios), settings.timestep
+    pull = weight(batch.mass, batch.gravity)
+    normal_force = -np.sum(pull * batch.normal, axis=1)
+    push = pull + normal_force[:, None] * batch.normal
+    friction = [
+        np.array(values) for values in zip(*((p.static_friction, p.kinetic_friction) for p in batch.pairs), strict=True)
+    ]
+
+    def step_exactly(time: float) -> None:
+        batch.position, batch.velocity, stop = sliding_motion(
+            batch.position, batch.velocity, push, normal_force, *friction, batch.mass, dt
+        )
+        batch.report(np.isfinite(stop), time + stop, "stop")
+
+    def step_semi_implicitly(time: float) -> None:
+        force = push + friction_force(push, batch.velocity, normal_force, *friction)
+        velocity = batch.velocity + force / batch.mass[:, None] * dt
+        reversed_ = (np.sum(velocity * batch.velocity, axis=1) <= 0) & np.any(batch.velocity != 0, axis=1)
+        batch.velocity = np.where(reversed_[:, None], 0.0, velocity)  # friction stops a body; it cannot push it back
+        batch.position = batch.position + batch.velocity * dt
+
+    policies = {"exact_root": step_exactly, "at_step": step_semi_implicitly}
+    return _record(engine, batch, scenarios, settings, steps, _policy(policies, settings))
+
+
+def _policy(policies: dict[str, Callable[[float], None]], settings: Settings) -> Callable[[float], None]:
+    name = str(settings["policy"])
+    if name not in policies:
+        raise InvalidInput(f"policy is {name!r}; here it is one of {', '.join(policies)}")
+    return policies[name]
+
+
+def _record(
+    engine: str,
+    batch: _Batch,
+    scenarios: Sequence[Scenario],
+    settings: Settings,
+    steps: int,
+    step: Callable[[float], None],
+) -> list[Trajectory]:
+    """Step, sample, and hand every scenario its own trajectory, cut at its own duration."""
+    times, positions, velocities = [0.0], [batch.position], [batch.velocity]
+    for number in range(steps):
+        step(number * settings.timestep)
+        if (number + 1) % settings.sample_every == 0:
+            times.append((number + 1) * settings.timestep)
+            positions.append(batch.position)
+            velocities.append(batch.velocity)
+    history = np.array(positions), np.array(velocities)
+    return [
+        _trajectory(engine, scenario, settings, np.array(times), *(values[:, member] for values in history), events)
+        for member, (scenario, events) in enumerate(zip(scenarios, batch.events, strict=True))
+    ]
+
+
+def _trajectory(
+    engine: str,
+    scenario: Scenario,
+    settings: Settings,
+    times: Array,
+    position: Array,
+    velocity: Array,
+    events: list[Event],
+) -> Trajectory:
+    count = int(np.searchsorted(times, scenario.duration + settings.timestep))
+    moving = next(place for place, body in enumerate(scenario.bodies) if not body.immovable)
+    states: dict[str, Any] = {
+        name: np.repeat(np.array([[getattr(body, name) for body in scenario.bodies]]), count, axis=0)
+        for name in ("position", "orientation", "velocity", "angular_velocity")
+    }
+    states["position"][:, moving], states["velocity"][:, moving] = position[:count], velocity[:count]
+    kept = tuple(event for event in events if event.time <= times[count - 1])
+    return Trajectory(
+        scenario,
+        settings,
+        engine,
+        times[:count],
+        states["position"],
+        states["orientation"],
+        states["velocity"],
+        states["angular_velocity"],
+        events=kept,
+    )

@@ -1,0 +1,198 @@
+"""MuJoCo as an engine: units, frames and how a pair's coefficients are said in its contact model.
+
+MuJoCo has no coefficient of restitution. A contact is a spring and a dashpot, `solref = (−stiffness, −damping)`, that
+sets the acceleration along the normal to −stiffness·r − damping·ṙ (with an impedance d near 1) and never pulls.
+
+`contact = "one step"` (tuned): under Euler a damping of (1 + e)/dt turns the normal velocity v into −e v in exactly
+one step, which is Newton's restitution; a small stiffness brings back what overlap is left.
+`contact = "spring"`: the textbook reading, an elastic contact resolved over many steps; ζ follows from e.
+`contact = "default"` (stock): what a user gets who only sets the friction of the geoms. Restitution goes unsaid.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from reference import geometry, truth
+from reference.engines.base import AT_STEP, COMPLIANT, Engine, Method
+from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.settings import Settings, steps_per_sample
+from reference.trajectory import Recorder, Trajectory
+
+SPRING_STIFFNESS = 1e6
+"""Stiffness per unit mass of the `spring` profile, 1/s²: a contact lasts about π ms and a 1 m drop sinks in 4.4 mm."""
+
+
+class MuJoCo(Engine):
+    """DeepMind's MuJoCo, through its own Python package."""
+
+    name = "mujoco"
+    title = "MuJoCo"
+    order = 20
+    package = "mujoco"
+    extra = "mujoco"
+
+    def profiles(self, scenario: Scenario) -> Mapping[str, str]:
+        """`spring`, the resolved contact of the textbooks, joins where something bounces."""
+        found = {"tuned": "one-step contact"}
+        if any(pair.restitution > 0 for pair in scenario.pairs):
+            found["spring"] = "spring–dashpot contact"
+        return found | {"stock": "defaults, friction set"}
+
+    def settings(self, scenario: Scenario, profile: str) -> Settings:
+        """Derive the settings of a profile; every option is a number that MuJoCo gets, under its own name."""
+        self.check_profile(scenario, profile)
+        if profile == "stock":
+            return Settings(2e-3, options={"contact": "default", "integrator": "Euler", "cone": "pyramidal"})
+        if profile == "spring":
+            # √stiffness · timestep = 0.2 gives some sixteen steps a contact. RK4: Euler is first order here.
+            return Settings(
+                2e-4,
+                steps_per_sample(2e-4),
+                {
+                    "contact": "spring",
+                    "integrator": "RK4",
+                    "cone": "elliptic",
+                    "impedance": 0.9999,
+                    "stiffness": SPRING_STIFFNESS,
+                },
+            )
+        restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
+        sliding = restitution == 0 and geometry.starts_in_contact(scenario)
+        options = {
+            "contact": "one step",
+            "integrator": "Euler",
+            "cone": "elliptic",
+            "impedance": 0.9999,
+            # Share of the overlap that the spring takes back in a step. What an impact leaves, up to v dt, comes back as
+            # speed, so it must be small there and vanish with e → 1; a body that starts in contact needs it firm.
+            "overlap_recovery": 0.1 if sliding else min(1e-4, 0.01 * (1 - restitution) ** 2),
+            # MuJoCo's convex cone lifts a sliding contact. A tiny impratio takes friction out of the main solver, and
+            # the noslip passes put Coulomb's cone back, without the lift.
+            "impratio": 1e-10,
+            "noslip_iterations": 5,
+        }
+        return Settings(1e-4, steps_per_sample(1e-4), options)
+
+    def method(self, scenario: Scenario, settings: Settings) -> Method:
+        """A resolved spring is compliant; all else answers at the step."""
+        if settings["contact"] == "spring":
+            return Method(COMPLIANT, stiffness=settings.number("stiffness"))
+        return Method(AT_STEP)
+
+    def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
+        """Build the model, step it in C between samples and read positions and velocities at the samples."""
+        mujoco: Any = self.module()
+        steps = self.check_settings(scenario, settings)
+        mujoco.set_mju_user_warning(lambda message: None)  # a bad state is found in the samples; write no log file
+        model = self._model(mujoco, scenario, settings)
+        state = mujoco.MjData(model)
+        movable = [place for place, body in enumerate(scenario.bodies) if not body.immovable]
+        for slot, place in enumerate(movable):
+            _set_velocity(state, slot, scenario.bodies[place])
+        recorder = Recorder(self.name, scenario, settings)
+        fixed = [
+            [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies
+        ]
+        recorder.sample(_state(state, movable, fixed))
+        for _ in range(steps // settings.sample_every):
+            mujoco.mj_step(model, state, nstep=settings.sample_every)
+            recorder.sample(_state(state, movable, fixed))
+            if state.ncon:
+                _keep_contacts(recorder, state.contact)
+        return recorder.trajectory(spin_in_body_frame=True)
+
+    def _model(self, mujoco: Any, scenario: Scenario, settings: Settings) -> Any:
+        spec = mujoco.MjSpec()
+        spec.option.timestep = settings.timestep
+        spec.option.gravity = scenario.gravity
+        spec.option.integrator = _choice(mujoco.mjtIntegrator, "mjINT_", str(settings["integrator"]))
+        spec.option.cone = _choice(mujoco.mjtCone, "mjCONE_", str(settings["cone"]))
+        spec.option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_AUTORESET)  # or a bad state restarts the run
+        if "impratio" in settings.options:
+            spec.option.impratio = settings.number("impratio")
+            spec.option.noslip_iterations = int(settings.number("noslip_iterations"))
+            spec.option.noslip_tolerance = 0.0
+        stock = settings["contact"] == "default"
+        for body in scenario.bodies:
+            self._add_body(mujoco, spec, scenario, body, stock)
+        if not stock:
+            for pair in scenario.pairs:
+                _add_pair(spec, pair, settings)
+        return spec.compile()
+
+    def _add_body(self, mujoco: Any, spec: Any, scenario: Scenario, body: Body, stock: bool) -> None:
+        orientation: Any = body.orientation
+        if isinstance(body.shape, HalfSpace):
+            orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), np.array(body.shape.normal))
+        frame = spec.worldbody.add_body(name=body.name, pos=body.position, quat=orientation)
+        kind, size = _geom(mujoco, body.shape)
+        options: dict[str, Any] = {"contype": 0, "conaffinity": 0}  # only the pairs that are listed collide
+        if stock:
+            friction = max(
+                (p.kinetic_friction for p in scenario.pairs if body.name in (p.body_a, p.body_b)), default=1.0
+            )
+            options = {"friction": [friction, 0.005, 0.0001]}  # the two others are MuJoCo's defaults
+        if not body.immovable:
+            frame.add_freejoint()
+            options["mass"] = body.mass
+        frame.add_geom(name=body.name, type=kind, size=size, **options)
+
+
+def _add_pair(spec: Any, pair: Pair, settings: Settings) -> None:
+    """Say a pair's restitution and friction as an explicit contact pair."""
+    dt, restitution, friction = settings.timestep, pair.restitution, pair.kinetic_friction
+    impedance = settings.number("impedance")
+    options: dict[str, Any] = {"solimp": [impedance, impedance, 0.001, 0.5, 2]}
+    if settings["contact"] == "one step":
+        options["solref"] = [-settings.number("overlap_recovery") / dt**2, -(1 + restitution) / dt]
+        options["solreffriction"] = [0, -1 / dt]  # takes away the whole slip in a step, as far as Coulomb allows
+    else:
+        stiffness = settings.number("stiffness")
+        ratio = min(truth.damping_ratio(restitution), 5.0)  # e = 0 has no finite one; 5 rebounds with 1 % of the speed
+        options["solref"] = [-stiffness, -2 * ratio * math.sqrt(stiffness)]
+    spec.add_pair(
+        geomname1=pair.body_a, geomname2=pair.body_b, condim=3, friction=[friction, friction, 0, 0, 0], **options
+    )
+
+
+def _choice(enumeration: Any, prefix: str, name: str) -> Any:
+    return getattr(enumeration, prefix + name.upper())
+
+
+def _geom(mujoco: Any, shape: Sphere | Box | HalfSpace) -> tuple[Any, list[float]]:
+    if isinstance(shape, Sphere):
+        return mujoco.mjtGeom.mjGEOM_SPHERE, [shape.radius, 0, 0]
+    if isinstance(shape, Box):
+        return mujoco.mjtGeom.mjGEOM_BOX, list(shape.half_extents)
+    return mujoco.mjtGeom.mjGEOM_PLANE, [0, 0, 1]  # infinite
+
+
+def _set_velocity(state: Any, slot: int, body: Body) -> None:
+    """A free joint's velocity: linear in the world frame, angular in the body's own."""
+    conjugate = np.array(body.orientation) * np.array([1, -1, -1, -1])
+    state.qvel[6 * slot : 6 * slot + 3] = body.velocity
+    state.qvel[6 * slot + 3 : 6 * slot + 6] = geometry.rotate(conjugate, np.array(body.angular_velocity))
+
+
+def _state(state: Any, movable: list[int], fixed: list[list[float]]) -> list[float]:
+    """The 13 numbers of every body in the scenario's order; the spin stays in the body's frame, as MuJoCo keeps it."""
+    numbers = list(fixed)
+    poses, velocities = state.qpos.tolist(), state.qvel.tolist()
+    for slot, place in enumerate(movable):
+        numbers[place] = poses[7 * slot : 7 * slot + 7] + velocities[6 * slot : 6 * slot + 6]
+    return [number for values in numbers for number in values]
+
+
+def _keep_contacts(recorder: Recorder, contact: Any) -> None:
+    """Keep the contacts of the latest step. MuJoCo's normal points from its first geom to its second: A is the second."""
+    columns = (contact.geom, contact.pos, contact.frame[:, :3], contact.dist)
+    for (first, second), position, normal, separation in zip(*(column.tolist() for column in columns), strict=True):
+        recorder.contact(second, first, position, normal, separation)  # one geom a body, in the bodies' order
+
+
+ENGINE = MuJoCo

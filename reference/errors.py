@@ -1,0 +1,55 @@
+"""The errors that the lab raises on purpose: each names the value that was refused and the choices there are."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class CollisionsError(Exception):
+    """Anything the lab refuses or fails to do; `exit_code` is what the command line ends with."""
+
+    exit_code = 3
+
+
+class InvalidInput(CollisionsError, ValueError):
+    """A value that cannot be used: a negative mass, a restitution above one, an unknown name."""
+
+    exit_code = 2
+
+
+class UnknownName(InvalidInput):
+    """A name that is not among the choices; the closest one is suggested."""
+
+    def __init__(self, kind: str, value: object, choices: Iterable[str]) -> None:
+        self.kind, self.value, self.choices = kind, value, tuple(choices)
+        close = difflib.get_close_matches(str(value), self.choices, n=1, cutoff=0.5)
+        hint = f" Did you mean {close[0]!r}?" if close else ""
+        super().__init__(f"unknown {kind} {str(value)!r}.{hint} Choices: {', '.join(self.choices) or 'none'}.")
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return UnknownName, (self.kind, self.value, self.choices)
+
+
+class EngineNotInstalled(CollisionsError):
+    """The engine's package is missing on this machine; the message says how to get it."""
+
+
+class CannotExpress(CollisionsError):
+    """The engine has no words for this scenario; the message says which part and why."""
+
+
+class NeedsFunction(CollisionsError):
+    """The hand-written side lacks a function that the scenario needs."""
+
+
+class RunFailed(CollisionsError):
+    """The run gave no usable answer: an exception, a non-finite state, a function that failed."""
+
+
+class WorkerCrashed(RunFailed):
+    """The worker process died while it ran the job."""
+
+
+class WorkerTimeout(RunFailed):
+    """The job went past its time limit and its worker process was stopped."""

@@ -1,0 +1,201 @@
+"""One job in a worker process with a time limit: a crash or a hang costs that job and nothing else.
+
+`run_isolated` is called from the threads of any `concurrent.futures.Executor`, which only schedules. Each call takes
+an idle worker process, or starts one; a worker that died or went past its limit is replaced by a new one. Jobs and
+results are pickled over the worker's own pipes: this is for code that we trust not to attack us, only not to fail.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import traceback
+from collections.abc import Callable
+from typing import Any, BinaryIO, ParamSpec, TypeVar
+
+from reference.errors import CollisionsError, RunFailed, WorkerCrashed, WorkerTimeout
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+_THREAD_LIMITS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+_HEADER = 8  # bytes that hold a message's length
+
+_idle: list[_Worker] = []
+_lock = threading.Lock()
+
+
+def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, **named: P.kwargs) -> T:
+    """Run an importable function in a worker process and return its result.
+
+    Parameters
+    ----------
+    function : a function that pickles, so one at module level
+    timeout : s of wall-clock time
+
+    Raises
+    ------
+    WorkerTimeout
+        If the job went past its limit.
+    WorkerCrashed
+        If the process died.
+    CollisionsError
+        As the function raised it; any other exception arrives as `RunFailed` with its last line.
+    """
+    with _lock:
+        worker = _idle.pop() if _idle else None
+    worker = worker or _Worker()
+    result: T
+    try:
+        result = worker.call(function, arguments, named, timeout)
+    except (WorkerCrashed, WorkerTimeout):
+        worker.stop()
+        raise
+    except BaseException:
+        _return(worker)
+        raise
+    _return(worker)
+    return result
+
+
+def close_workers() -> None:
+    """Stop every idle worker process."""
+    with _lock:
+        workers, _idle[:] = list(_idle), []
+    for worker in workers:
+        worker.stop()
+
+
+atexit.register(close_workers)
+
+
+def _return(worker: _Worker) -> None:
+    if worker.between_jobs:
+        with _lock:
+            _idle.append(worker)
+    else:  # interrupted in the middle of a message
+        worker.stop()
+
+
+class _Worker:
+    """A child process that answers one job after another."""
+
+    def __init__(self) -> None:
+        environment = os.environ | dict.fromkeys(_THREAD_LIMITS, "1") | {"MPLBACKEND": "Agg"}
+        environment["PYTHONPATH"] = os.pathsep.join(path for path in sys.path if path)
+        self._process = subprocess.Popen(
+            [sys.executable, "-P", "-m", "reference.isolate"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env=environment,
+            start_new_session=os.name == "posix",
+        )
+        self.between_jobs = True
+
+    def call(self, function: Callable[..., Any], arguments: Any, named: Any, timeout: float) -> Any:
+        message = pickle.dumps((function, arguments, named))
+        assert self._process.stdin is not None and self._process.stdout is not None
+        expired = threading.Event()
+
+        def expire() -> None:
+            expired.set()
+            self._kill()
+
+        timer = threading.Timer(timeout, expire)
+        timer.daemon = True
+        timer.start()
+        self.between_jobs = False
+        try:
+            _write(self._process.stdin, message)
+            answer = _read(self._process.stdout)
+        except (OSError, EOFError):
+            answer = None
+        finally:
+            timer.cancel()
+        if expired.is_set():
+            raise WorkerTimeout(f"no answer within {timeout:g} s; its process was stopped")
+        if answer is None:
+            raise WorkerCrashed(f"its process died ({_describe_exit(self._process.wait())})")
+        self.between_jobs = True
+        succeeded, value = pickle.loads(answer)
+        if succeeded:
+            return value
+        raise value
+
+    def stop(self) -> None:
+        self._kill()
+        self._process.wait()
+        for stream in (self._process.stdin, self._process.stdout):
+            if stream is not None:
+                with contextlib.suppress(OSError):
+                    stream.close()
+
+    def _kill(self) -> None:
+        with contextlib.suppress(OSError):
+            if os.name == "posix":
+                os.killpg(self._process.pid, signal.SIGKILL)  # and whatever it started
+            else:
+                self._process.kill()
+
+
+def _describe_exit(code: int) -> str:
+    if code < 0:
+        with contextlib.suppress(ValueError):
+            return signal.Signals(-code).name
+    return f"exit code {code}"
+
+
+def _write(stream: BinaryIO | Any, message: bytes) -> None:
+    stream.write(len(message).to_bytes(_HEADER, "big") + message)
+    stream.flush()
+
+
+def _read(stream: BinaryIO | Any) -> bytes:
+    length = int.from_bytes(_read_exactly(stream, _HEADER), "big")
+    return _read_exactly(stream, length)
+
+
+def _read_exactly(stream: BinaryIO | Any, length: int) -> bytes:
+    data: bytes = stream.read(length)
+    if len(data) < length:
+        raise EOFError
+    return data
+
+
+def _portable(error: Exception) -> CollisionsError:
+    """Return an error that can be pickled and raised in the parent."""
+    if isinstance(error, CollisionsError):
+        with contextlib.suppress(Exception):
+            pickle.loads(pickle.dumps(error))
+            return error
+        return RunFailed(str(error))
+    return RunFailed(traceback.format_exception_only(error)[-1].strip())
+
+
+def _serve() -> None:
+    """Answer jobs until the parent closes the pipe."""
+    jobs, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # an engine that prints must not write into the answers
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides when to stop
+    while True:
+        try:
+            message = _read(jobs)
+        except EOFError:
+            return
+        try:
+            function, arguments, named = pickle.loads(message)
+            answer = pickle.dumps((True, function(*arguments, **named)))
+        except Exception as error:
+            answer = pickle.dumps((False, _portable(error)))
+        _write(answers, answer)
+
+
+if __name__ == "__main__":
+    _serve()

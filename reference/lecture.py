@@ -1,0 +1,144 @@
+"""What the lab teaches: the lecture "Collisions" by Rick Parent, CIS 682.
+
+This module is the single truth for the order of the topics, for the thirty statements of the slides and for the
+functions that belong to them. Notebooks, checks, report and documentation read it and repeat none of it.
+
+Conventions, here and in the whole lab: SI units, right-handed axes, z up. The contact normal `n` is a unit vector from
+B to A. The relative velocity is u = ṗ_A − ṗ_B, and u_n = n·u is negative when approaching. An impulse acts as j n on A
+and as −j n on B. Quaternions are w, x, y, z. A separation is signed, negative when overlapping.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from reference.errors import UnknownName
+from reference.statements import STATEMENTS, Statement
+
+__all__ = [
+    "FUNCTIONS",
+    "STATEMENTS",
+    "TOPICS",
+    "Function",
+    "Role",
+    "Statement",
+    "Topic",
+    "function",
+    "functions_of",
+    "statement",
+    "topic",
+]
+
+Role = Literal["written", "given", "read"]
+"""A function is written by the student, given to them to use, or shown for them to read."""
+
+
+@dataclass(frozen=True)
+class Topic:
+    """One lab: `name` is its module and its notebook, `title` its heading."""
+
+    name: str
+    title: str
+
+
+TOPICS: tuple[Topic, ...] = (
+    Topic("detection", "Detecting a collision"),
+    Topic("response", "Bouncing off a plane"),
+    Topic("friction", "Friction, sticking and sliding"),
+    Topic("impulse", "Impulses between rigid bodies"),
+    Topic("polyhedra", "Points, edges and polyhedra"),
+    Topic("sweeping", "Swept volumes"),
+    Topic("forces", "Gravity, viscosity and springs"),
+    Topic("meshes", "Spring meshes"),
+    Topic("avoidance", "Avoiding a collision"),
+    Topic("world", "Everything in one world"),
+)
+"""The topics in the order of teaching."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """One function of the hand-written side.
+
+    name: as it is called. topic: the name of the topic whose module holds it. step: its place in that topic, from 1.
+    statement: the number of the statement that it puts into code. role: who writes it.
+    """
+
+    name: str
+    topic: str
+    step: int
+    statement: int
+    role: Role
+
+
+_FUNCTIONS = (
+    Function("signed_distance", "detection", 1, 4, "written"),
+    Function("is_colliding", "detection", 2, 4, "written"),
+    Function("time_of_impact_interpolated", "detection", 3, 5, "written"),
+    Function("time_of_impact_exact", "detection", 4, 5, "written"),
+    Function("kinematic_response", "response", 1, 7, "written"),
+    Function("holds", "friction", 1, 24, "written"),
+    Function("friction_force", "friction", 2, 24, "written"),
+    Function("sliding_motion", "friction", 3, 24, "written"),
+    Function("uniform_gravity", "forces", 1, 25, "given"),
+    Function("ballistic_motion", "forces", 2, 25, "given"),
+    Function("semi_implicit_euler", "forces", 3, 30, "given"),
+)
+
+FUNCTIONS: dict[str, Function] = {entry.name: entry for entry in _FUNCTIONS}
+"""The functions of the hand-written side by name."""
+
+
+def statement(number: int) -> Statement:
+    """Return the statement of that number, 1 to 30.
+
+    Raises
+    ------
+    UnknownName
+        If no statement has that number.
+    """
+    for entry in STATEMENTS:
+        if entry.number == number:
+            return entry
+    raise UnknownName("statement", number, (str(entry.number) for entry in STATEMENTS))
+
+
+def function(name: str) -> Function:
+    """Return the function of that name.
+
+    Raises
+    ------
+    UnknownName
+        If the lecture has no such function.
+    """
+    try:
+        return FUNCTIONS[name]
+    except KeyError:
+        raise UnknownName("function", name, FUNCTIONS) from None
+
+
+def topic(name: str) -> Topic:
+    """Return the topic of that name.
+
+    Raises
+    ------
+    UnknownName
+        If the lecture has no such topic.
+    """
+    for entry in TOPICS:
+        if entry.name == name:
+            return entry
+    raise UnknownName("topic", name, (entry.name for entry in TOPICS))
+
+
+def functions_of(topic_name: str) -> tuple[Function, ...]:
+    """Return the functions of a topic in the order of its steps; none where the topic has no functions yet.
+
+    Raises
+    ------
+    UnknownName
+        If the lecture has no such topic.
+    """
+    name = topic(topic_name).name
+    return tuple(sorted((entry for entry in _FUNCTIONS if entry.topic == name), key=lambda entry: entry.step))

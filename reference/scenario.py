@@ -1,0 +1,169 @@
+"""A scenario: what is there, how it starts and how long it runs, in SI units and in no engine's words.
+
+Conventions of the whole lab: right-handed, z up, quaternions w x y z, the contact normal points from B to A,
+and the coefficients of restitution and friction belong to a *pair* of bodies, never to one.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from reference import checks
+from reference.checks import Quaternion, Vector
+from reference.errors import InvalidInput, UnknownName
+
+GRAVITY = 9.81
+"""Acceleration of free fall in every scenario, m/s². The published cases that we compare with use this figure."""
+
+
+@dataclass(frozen=True)
+class Sphere:
+    """A solid sphere of the given radius, m."""
+
+    radius: float
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "radius", checks.positive("radius", self.radius))
+
+    def inertia_per_mass(self) -> Vector:
+        """Principal moments of inertia per unit mass, m²: 2/5 r² about every axis."""
+        moment = 0.4 * self.radius**2
+        return moment, moment, moment
+
+
+@dataclass(frozen=True)
+class Box:
+    """A solid box; `half_extents` are its half lengths along its own x, y and z axes, m."""
+
+    half_extents: Vector
+
+    def __post_init__(self) -> None:
+        extents = checks.vector("half_extents", self.half_extents)
+        for axis, extent in zip("xyz", extents, strict=True):
+            checks.positive(f"half extent {axis}", extent)
+        object.__setattr__(self, "half_extents", extents)
+
+    def inertia_per_mass(self) -> Vector:
+        """Principal moments of inertia per unit mass, m²: (b² + c²)/3 for half lengths b and c."""
+        a, b, c = self.half_extents
+        return (b * b + c * c) / 3, (c * c + a * a) / 3, (a * a + b * b) / 3
+
+
+@dataclass(frozen=True)
+class HalfSpace:
+    """Everything below a plane through the body's position; `normal` points out of the solid, world frame, unit."""
+
+    normal: Vector = (0.0, 0.0, 1.0)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "normal", checks.unit_vector("normal", self.normal))
+
+
+Shape = Sphere | Box | HalfSpace
+
+
+@dataclass(frozen=True)
+class Body:
+    """One rigid body and its state at the start.
+
+    mass: kg, `math.inf` for an immovable one. position: centre of mass, m. orientation: unit quaternion w x y z,
+    body to world. velocity: m/s. angular_velocity: rad/s, world frame.
+    """
+
+    name: str
+    shape: Shape
+    mass: float = math.inf
+    position: Vector = (0.0, 0.0, 0.0)
+    orientation: Quaternion = (1.0, 0.0, 0.0, 0.0)
+    velocity: Vector = (0.0, 0.0, 0.0)
+    angular_velocity: Vector = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        if not self.name:
+            raise InvalidInput("a body's name is empty; rows and plots need one")
+        label = f"{self.name}:"
+        if self.mass != math.inf:
+            object.__setattr__(self, "mass", checks.positive(f"{label} mass", self.mass))
+        elif any((*self.velocity, *self.angular_velocity)):
+            raise InvalidInput(f"{label} an immovable body (mass inf) has velocity {self.velocity}")
+        if isinstance(self.shape, HalfSpace) and self.mass != math.inf:
+            raise InvalidInput(f"{label} a half-space has mass {self.mass}; only inf makes sense")
+        for name in ("position", "velocity", "angular_velocity"):
+            object.__setattr__(self, name, checks.vector(f"{label} {name}", getattr(self, name)))
+        orientation = checks.unit_quaternion(f"{label} orientation", self.orientation)
+        object.__setattr__(self, "orientation", orientation)
+
+    @property
+    def immovable(self) -> bool:
+        """Whether nothing can move this body."""
+        return self.mass == math.inf
+
+    @property
+    def inverse_mass(self) -> float:
+        """1/mass, 1/kg; zero for an immovable body."""
+        return 0.0 if self.immovable else 1 / self.mass
+
+
+@dataclass(frozen=True)
+class Pair:
+    """The coefficients of one pair of bodies, none with a unit.
+
+    restitution: 0 to 1. static_friction: at least kinetic_friction; the same as it where it is not given.
+    """
+
+    body_a: str
+    body_b: str
+    restitution: float = 0.0
+    kinetic_friction: float = 0.0
+    static_friction: float | None = None
+
+    def __post_init__(self) -> None:
+        label = f"pair {self.body_a}–{self.body_b}:"
+        if self.body_a == self.body_b:
+            raise InvalidInput(f"{label} a body cannot be paired with itself")
+        kinetic = checks.not_negative(f"{label} kinetic_friction", self.kinetic_friction)
+        static = kinetic if self.static_friction is None else self.static_friction
+        static = checks.not_negative(f"{label} static_friction", static)
+        if static < kinetic:
+            raise InvalidInput(f"{label} static_friction {static} is below kinetic_friction {kinetic}")
+        object.__setattr__(self, "restitution", checks.fraction(f"{label} restitution", self.restitution))
+        object.__setattr__(self, "kinetic_friction", kinetic)
+        object.__setattr__(self, "static_friction", static)
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """A complete set-up. duration: s. gravity: acceleration, m/s². Pairs that are not listed do not collide."""
+
+    name: str
+    bodies: tuple[Body, ...]
+    pairs: tuple[Pair, ...]
+    duration: float
+    gravity: Vector = field(default=(0.0, 0.0, -GRAVITY))
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "duration", checks.positive(f"{self.name}: duration", self.duration))
+        object.__setattr__(self, "gravity", checks.vector(f"{self.name}: gravity", self.gravity))
+        names = [body.name for body in self.bodies]
+        if len(set(names)) != len(names):
+            raise InvalidInput(f"{self.name}: two bodies share a name in {names}")
+        seen = set()
+        for pair in self.pairs:
+            for name in (pair.body_a, pair.body_b):
+                self.body(name)
+            key = frozenset((pair.body_a, pair.body_b))
+            if key in seen:
+                raise InvalidInput(f"{self.name}: the pair {sorted(key)} is given twice")
+            seen.add(key)
+
+    def body(self, name: str) -> Body:
+        """Return the body of that name."""
+        return self.bodies[self.index(name)]
+
+    def index(self, name: str) -> int:
+        """Return the body's place in `bodies`, and so in a trajectory's arrays."""
+        for place, body in enumerate(self.bodies):
+            if body.name == name:
+                return place
+        raise UnknownName("body", name, (body.name for body in self.bodies))

@@ -1,0 +1,117 @@
+"""Closed forms: what theory says, and what a known method must do to it, each with its derivation.
+
+Symbols: h drop height of the gap, e restitution, g gravity, v speed, μ friction, θ slope, dt timestep; SI throughout.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def fall_time(drop_height: float, gravity: float) -> float:
+    """Time to fall from rest, s: h = g t²/2."""
+    return math.sqrt(2 * drop_height / gravity)
+
+
+def impact_speed(drop_height: float, gravity: float) -> float:
+    """Speed after falling from rest, m/s: m v²/2 = m g h."""
+    return math.sqrt(2 * gravity * drop_height)
+
+
+def apex_ratio(restitution: float, bounces: int = 1) -> float:
+    """Height of the n-th rebound over the drop height: each impact scales the speed by e, so the height by e²."""
+    return restitution ** (2 * bounces)
+
+
+def bounce_times(drop_height: float, restitution: float, gravity: float, count: int) -> NDArray[np.float64]:
+    """Instants of the first impacts, (count,), s: t1 (1 + 2e + 2e² + …), as the flight after impact n lasts 2 eⁿ t1."""
+    flights = 2 * restitution ** np.arange(count, dtype=float)
+    flights[0] = 1.0
+    return np.asarray(fall_time(drop_height, gravity) * np.cumsum(flights))
+
+
+def bounce_end(drop_height: float, restitution: float, gravity: float) -> float:
+    """When a bouncing ball comes to rest, s: the geometric series t1 (1 + 2e/(1 − e)) = t1 (1 + e)/(1 − e)."""
+    return fall_time(drop_height, gravity) * (1 + restitution) / (1 - restitution)
+
+
+def at_step_apex_shift(drop_height: float, restitution: float, gravity: float, timestep: float) -> float:
+    """Mean shift of the first apex, m, when a step method responds at the first step that ends in overlap.
+
+    Semi-implicit Euler falls by v²/(2g) + v dt/2, so the speed at depth d obeys v²/(2g) = h + d − v dt/2. Over evenly
+    spread drops the mean depth is v dt/2 and the mean speed is the true one. The rebound starts at −d, mean −v dt/2, with
+    e v, and its steps rise by (e v)²/(2g) + e v dt/2. Together: −(1 − e) v dt/2.
+    """
+    return -(1 - restitution) * impact_speed(drop_height, gravity) * timestep / 2
+
+
+def interpolated_earliness(gravity: float, timestep: float, speed: float) -> float:
+    """By how much the slide's T is early at the most, s: the chord of a parabola cuts the plane g dt²/(8 v) too soon."""
+    return gravity * timestep**2 / (8 * speed)
+
+
+def stopping_distance(speed: float, friction: float, gravity: float) -> float:
+    """Way that a sliding block goes on the level, m: m v²/2 = μ m g d."""
+    return speed**2 / (2 * friction * gravity)
+
+
+def stopping_time(speed: float, friction: float, gravity: float) -> float:
+    """Time that a sliding block takes to stop on the level, s: v = μ g t."""
+    return speed / (friction * gravity)
+
+
+def semi_implicit_stopping_shift(speed: float, timestep: float) -> float:
+    """Shift of the stopping distance in a step method that moves with the already slowed velocity, m.
+
+    The way is Σ v_i dt over i = 1 … N with v_i = v0 (1 − i/N): v0 dt (N − 1)/2 = v0²/(2μg) − v0 dt/2.
+    """
+    return -speed * timestep / 2
+
+
+def incline_holds(friction: float, slope: float) -> bool:
+    """Whether a block at rest stays at rest on a slope (rad): m g sin θ ≤ μ m g cos θ, so tan θ ≤ μ."""
+    return math.tan(slope) <= friction
+
+
+def incline_acceleration(friction: float, slope: float, gravity: float) -> float:
+    """Acceleration down the slope, m/s²: g (sin θ − μ cos θ) where the block slides, 0 where it holds."""
+    if incline_holds(friction, slope):
+        return 0.0
+    return gravity * (math.sin(slope) - friction * math.cos(slope))
+
+
+def semi_implicit_sliding_shift(acceleration: float, timestep: float, duration: float) -> float:
+    """Shift of the way that starts from rest in a step method, m: Σ a i dt² = a t²/2 + a t dt/2."""
+    return acceleration * duration * timestep / 2
+
+
+def spring_dashpot_restitution(damping_ratio: float) -> float:
+    """Restitution of a contact made of a spring and a dashpot that never pulls; ζ = c/(2√(k m)), gravity left out.
+
+    m x″ + c x′ + k x = 0 from x = 0, x′ = −v; contact ends when the force −k x − c x′ reaches zero, before x does. With
+    s = √|1 − ζ²| that happens at ω s t = π − atan2(2ζs, 1 − 2ζ²), or artanh(2ζs/(2ζ² − 1)) in the overdamped case, and
+    in every case the speed ratio there is exp(−ζ ω t).
+    """
+    zeta = damping_ratio
+    s = math.sqrt(abs(1 - zeta * zeta))
+    if s < 1e-9:
+        return math.exp(-2.0)
+    if zeta < 1:
+        return math.exp(-(zeta / s) * (math.pi - math.atan2(2 * zeta * s, 1 - 2 * zeta * zeta)))
+    return math.exp(-(zeta / s) * math.atanh(2 * zeta * s / (2 * zeta * zeta - 1)))
+
+
+def damping_ratio(restitution: float) -> float:
+    """The ζ whose spring–dashpot contact has the given restitution, by bisection; infinity for e = 0."""
+    if restitution <= 0:
+        return math.inf
+    low, high = 0.0, 1.0
+    while spring_dashpot_restitution(high) > restitution:
+        high *= 2
+    for _ in range(200):
+        middle = (low + high) / 2
+        low, high = (middle, high) if spring_dashpot_restitution(middle) > restitution else (low, middle)
+    return (low + high) / 2

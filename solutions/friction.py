@@ -1,0 +1,104 @@
+"""Dry friction on a supporting plane: what holds, what slides, and where it stops (slide 24)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+
+def holds(push: ArrayLike, normal_force: ArrayLike, static_friction: ArrayLike) -> NDArray[np.bool_]:
+    """Whether static friction can hold a body at rest: ‖push‖ ≤ μ_s N (slide 24).
+
+    The slide's F_s = μ_s F_N is only the largest value that static friction can take.
+
+    Parameters
+    ----------
+    push : (..., 3), sum of the other forces along the surface, N
+    normal_force : (...), N, not negative
+    static_friction : (...), μ_s
+
+    Returns
+    -------
+    (...), bool
+    """
+    return np.asarray(np.linalg.norm(push, axis=-1) <= np.asarray(static_friction) * np.asarray(normal_force))
+
+
+def friction_force(
+    push: ArrayLike,
+    tangent_velocity: ArrayLike,
+    normal_force: ArrayLike,
+    static_friction: ArrayLike,
+    kinetic_friction: ArrayLike,
+) -> Array:
+    """Friction on a body: −μ_k N along the sliding velocity, or −push while it is held (slide 24).
+
+    A body at rest whose push is above μ_s N starts to slide along the push, and friction opposes that with μ_k N.
+
+    Parameters
+    ----------
+    push : (..., 3), sum of the other forces along the surface, N
+    tangent_velocity : (..., 3), velocity along the surface, relative to it, m/s
+    normal_force : (...), N, not negative
+    static_friction, kinetic_friction : (...), μ_s and μ_k, μ_s ≥ μ_k
+
+    Returns
+    -------
+    (..., 3), N
+    """
+    push, velocity = np.asarray(push, dtype=float), np.asarray(tangent_velocity, dtype=float)
+    speed = np.linalg.norm(velocity, axis=-1)[..., None]
+    size = np.linalg.norm(push, axis=-1)[..., None]
+    along_velocity = velocity / np.where(speed > 0, speed, 1.0)
+    along_push = push / np.where(size > 0, size, 1.0)
+    kinetic = (np.asarray(kinetic_friction) * np.asarray(normal_force))[..., None]
+    held = holds(push, normal_force, static_friction)[..., None]
+    return np.where(speed > 0, -kinetic * along_velocity, np.where(held, -push, -kinetic * along_push))
+
+
+def sliding_motion(
+    position: ArrayLike,
+    tangent_velocity: ArrayLike,
+    push: ArrayLike,
+    normal_force: ArrayLike,
+    static_friction: ArrayLike,
+    kinetic_friction: ArrayLike,
+    mass: ArrayLike,
+    dt: ArrayLike,
+) -> tuple[Array, Array, Array]:
+    """Motion over dt of a body that slides in a straight line or rests, exact even when it stops within the step.
+
+    While it slides the acceleration is constant. Where it would turn the velocity around, the body stops at
+    t = v/a, and from there static friction holds it or it slides on along the push.
+
+    Parameters
+    ----------
+    position, tangent_velocity, push : (..., 3), m, m/s, N; push along the velocity or against it, or no velocity
+    normal_force : (...), N, not negative
+    static_friction, kinetic_friction : (...), μ_s ≥ μ_k
+    mass : (...), kg
+    dt : (...), s
+
+    Returns
+    -------
+    position, tangent_velocity : (..., 3), m, m/s
+    stopping_time : (...), s from now; infinity where the body does not stop within the step
+    """
+    p, v, f = (np.asarray(value, dtype=float) for value in (position, tangent_velocity, push))
+    m, dt = np.asarray(mass, dtype=float)[..., None], np.asarray(dt, dtype=float)
+
+    def acceleration(velocity: Array) -> Array:
+        return (f + friction_force(f, velocity, normal_force, static_friction, kinetic_friction)) / m
+
+    a = acceleration(v)
+    speed_squared, closing = np.sum(v * v, axis=-1), -np.sum(v * a, axis=-1)
+    stops = (speed_squared > 0) & (speed_squared <= closing * dt)
+    stopping_time = np.where(stops, speed_squared / np.where(stops, closing, 1.0), np.inf)
+    first = np.minimum(stopping_time, dt)[..., None]
+    p = p + v * first + a * first**2 / 2
+    v = np.where(stops[..., None], 0.0, v + a * first)
+    rest = dt[..., None] - first
+    after = np.where(stops[..., None], acceleration(v), 0.0)
+    return p + after * rest**2 / 2, v + after * rest, stopping_time
