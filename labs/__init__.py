@@ -1,0 +1,1 @@
+"""What a student opens, and what checks their work."""

@@ -38,14 +38,17 @@ def bounce_end(drop_height: float, restitution: float, gravity: float) -> float:
     return fall_time(drop_height, gravity) * (1 + restitution) / (1 - restitution)
 
 
-def at_step_apex_shift(drop_height: float, restitution: float, gravity: float, timestep: float) -> float:
-    """Mean shift of the first apex, m, when a step method responds at the first step that ends in overlap.
+def at_step_apex_shift(
+    drop_height: float, restitution: float, gravity: float, timestep: float, recovery: float = 0.0
+) -> float:
+    """Mean shift of the first apex, m, when a step method responds at the first step that begins in overlap.
 
     Semi-implicit Euler falls by v²/(2g) + v dt/2, so the speed at depth d obeys v²/(2g) = h + d − v dt/2. Over evenly
-    spread drops the mean depth is v dt/2 and the mean speed is the true one. The rebound starts at −d, mean −v dt/2, with
-    e v, and its steps rise by (e v)²/(2g) + e v dt/2. Together: −(1 − e) v dt/2.
+    spread drops the mean depth is v dt/2 and the mean speed is the true one. The rebound starts at −d, so v dt/2 too
+    low, with e v, and its steps rise by (e v)²/(2g) + e v dt/2. A method that also takes back a share c of the overlap,
+    without adding speed, starts c v dt/2 higher. Together: −(1 − e − c) v dt/2.
     """
-    return -(1 - restitution) * impact_speed(drop_height, gravity) * timestep / 2
+    return -(1 - restitution - recovery) * impact_speed(drop_height, gravity) * timestep / 2
 
 
 def interpolated_earliness(gravity: float, timestep: float, speed: float) -> float:
@@ -115,3 +118,12 @@ def damping_ratio(restitution: float) -> float:
         middle = (low + high) / 2
         low, high = (middle, high) if spring_dashpot_restitution(middle) > restitution else (low, middle)
     return (low + high) / 2
+
+
+def spring_dashpot_exit_depth(damping_ratio: float, speed: float, stiffness: float) -> float:
+    """Depth, m, at which a spring–dashpot contact that cannot pull lets go; stiffness per unit mass, 1/s².
+
+    The depth is v/(s ω) exp(−ζ ω t) sin(s ω t) at the instant of `spring_dashpot_restitution`, with ω = √k; sinh in the
+    overdamped case. There the force k x + c x′ is zero, so with the rebound speed e v the depth is 2 ζ e v/ω.
+    """
+    return 2 * damping_ratio * spring_dashpot_restitution(damping_ratio) * speed / math.sqrt(stiffness)

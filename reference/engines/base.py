@@ -55,7 +55,7 @@ class Engine(ABC):
         self.implementation = implementation or Implementation()
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
-        """Name → one-line description of each set of settings that makes sense here; `tuned` and `stock` at least."""
+        """Name → one-line description of each set of settings that makes sense here: `tuned` first, `stock` last."""
         return {"tuned": "says what the scenario means", "stock": "what a user gets who sets nothing"}
 
     @abstractmethod

@@ -37,9 +37,9 @@ class MuJoCo(Engine):
     extra = "mujoco"
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
-        """`spring`, the resolved contact of the textbooks, joins where something bounces."""
+        """`spring`, the resolved contact of the textbooks, joins where something falls."""
         found = {"tuned": "one-step contact"}
-        if any(pair.restitution > 0 for pair in scenario.pairs):
+        if not geometry.starts_in_contact(scenario):
             found["spring"] = "spring–dashpot contact"
         return found | {"stock": "defaults, friction set"}
 

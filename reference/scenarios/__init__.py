@@ -1,0 +1,30 @@
+"""The catalogue: one module per topic, each with its `FAMILIES`. A new family is an entry there and nothing else."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import pkgutil
+
+from reference import lecture
+from reference.errors import UnknownName
+from reference.family import Case, Family
+
+
+@functools.cache
+def catalogue() -> dict[str, Family]:
+    """All families by name, in the order of teaching."""
+    modules = [importlib.import_module(f"{__name__}.{info.name}") for info in pkgutil.iter_modules(__path__)]
+    order = {topic.name: place for place, topic in enumerate(lecture.TOPICS)}
+    families = [family for module in modules for family in module.FAMILIES]
+    return {family.name: family for family in sorted(families, key=lambda family: order[family.topic])}
+
+
+def find(name: str) -> tuple[Family, Case | None]:
+    """Return the family, or the family and one of its cases, that `family` or `family/case` names."""
+    family_name, slash, case_name = name.partition("/")
+    families = catalogue()
+    if family_name not in families:
+        raise UnknownName("scenario", name, families)
+    family = families[family_name]
+    return family, family.case(case_name) if slash else None

@@ -1,0 +1,150 @@
+"""Measured against expected: rows with a verdict, each with the reason for its tolerance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+
+import numpy as np
+
+from reference.engines.base import Engine
+from reference.errors import CannotExpress, EngineNotInstalled, NeedsFunction, RunFailed, WorkerCrashed, WorkerTimeout
+from reference.family import Case, Expectation, Family, Quantity
+from reference.settings import Settings
+from reference.trajectory import Trajectory
+
+TUNED = "tuned"
+ALL_CASES = "all"
+"""What a row says as its case when it speaks of a whole run."""
+
+
+class Verdict(StrEnum):
+    """How a measured number stands to what is expected of it."""
+
+    PASS = "pass"
+    KNOWN_DEVIATION = "known deviation"
+    FAIL = "fail"
+    CANNOT_EXPRESS = "cannot express"
+    NEEDS = "needs"
+    NOT_AVAILABLE = "not available"
+    CRASHED = "crashed"
+    SHOWN = "shown"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One number of one case in one implementation and profile.
+
+    expected, shift, tolerance and scale as in `Expectation` and `Quantity`; spread: standard deviation over an
+    ensemble; note: why there is no number, or why it deviates. Numbers in `unit`, None where there is none.
+    """
+
+    family: str
+    case: str
+    engine: str
+    profile: str
+    quantity: str
+    unit: str
+    verdict: Verdict
+    measured: float | None = None
+    spread: float | None = None
+    expected: float | None = None
+    tolerance: float | None = None
+    reason: str = ""
+    shift: float = 0.0
+    note: str = ""
+    scale: float | None = None
+    settings: str = field(default="", compare=False)
+
+    @property
+    def error(self) -> float | None:
+        """Measured minus expected, in the row's unit; None where either is missing."""
+        if self.measured is None or self.expected is None:
+            return None
+        return self.measured - self.expected
+
+    @property
+    def relative_error(self) -> float | None:
+        """The error as a share of the scale; None where the quantity has none, or it is zero."""
+        if self.error is None or not self.scale:
+            return None
+        return self.error / self.scale
+
+
+def judge(measured: float, expectation: Expectation) -> Verdict:
+    """Say how a number stands: within tolerance of theory, or of what the method is known to make of theory."""
+    if not math.isfinite(measured):
+        return Verdict.FAIL
+    if abs(measured - expectation.value) <= expectation.tolerance:
+        return Verdict.PASS
+    deviation = abs(measured - expectation.value - expectation.shift)
+    if expectation.shift and deviation <= expectation.shift_tolerance:
+        return Verdict.KNOWN_DEVIATION
+    return Verdict.FAIL
+
+
+def compare_case(
+    family: Family, case: Case, engine: Engine, profile: str, settings: Settings
+) -> tuple[list[Row], list[Trajectory]]:
+    """Run one case in one engine; return its rows, and the trajectories for whoever wants to plot them."""
+    blank = Row(family.name, case.name, engine.name, profile, "", "", Verdict.SHOWN, settings=settings.describe())
+    try:
+        trajectories = engine.run_many(case.scenarios, settings)
+    except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
+        return [replace(blank, verdict=verdict_of(error), note=str(error))], []
+    method = engine.method(case.scenarios[0], settings)
+    rows = []
+    for quantity in family.quantities:
+        expectation = quantity.expect(case, settings, method) if quantity.expect else None
+        scale = quantity.scale(case) if quantity.scale else None
+        row = replace(blank, quantity=quantity.name, unit=quantity.unit, scale=scale)
+        if expectation is not None:
+            row = replace(
+                row,
+                expected=expectation.value,
+                tolerance=expectation.tolerance,
+                reason=expectation.reason,
+                shift=expectation.shift,
+            )
+        rows.append(_measured(row, quantity, trajectories, expectation))
+    return rows, trajectories
+
+
+def _measured(row: Row, quantity: Quantity, trajectories: Sequence[Trajectory], expectation: Expectation | None) -> Row:
+    try:
+        values = np.array([quantity.measure(trajectory) for trajectory in trajectories])
+    except RunFailed as error:  # the run is there, but it has no such number: a body that still moves has not stopped
+        return replace(row, verdict=Verdict.FAIL, note=str(error))
+    mean = float(np.mean(values))
+    spread = float(np.std(values)) if len(values) > 1 and np.all(np.isfinite(values)) else None
+    row = replace(row, measured=mean, spread=spread)
+    if expectation is None:
+        return row
+    verdict = judge(mean, expectation)
+    note = expectation.shift_reason if verdict is Verdict.KNOWN_DEVIATION else ""
+    return replace(row, verdict=verdict, note=note)
+
+
+def verdict_of(error: Exception) -> Verdict:
+    """The verdict that stands for a run that gave no trajectory."""
+    kinds: tuple[tuple[type[Exception], Verdict], ...] = (
+        (NeedsFunction, Verdict.NEEDS),
+        (CannotExpress, Verdict.CANNOT_EXPRESS),
+        (EngineNotInstalled, Verdict.NOT_AVAILABLE),
+        (WorkerTimeout, Verdict.CRASHED),
+        (WorkerCrashed, Verdict.CRASHED),
+        (RunFailed, Verdict.CRASHED),
+    )
+    return next(verdict for kind, verdict in kinds if isinstance(error, kind))
+
+
+def failures(rows: Sequence[Row]) -> list[Row]:
+    """The rows that count against a comparison: tuned ones that failed."""
+    return [row for row in rows if row.profile == TUNED and row.verdict is Verdict.FAIL]
+
+
+def without_answer(rows: Sequence[Row]) -> list[Row]:
+    """The rows whose run crashed, hung or gave no usable state."""
+    return [row for row in rows if row.verdict is Verdict.CRASHED]

@@ -1,0 +1,111 @@
+"""A family: one question asked in several cases, what is measured, what is expected and why."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from reference.engines.base import Method
+from reference.errors import UnknownName
+from reference.scenario import Scenario
+from reference.settings import Settings
+from reference.trajectory import Array, Trajectory
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """What theory says of one quantity, and how near is near enough.
+
+    value: the closed form. tolerance: accepted distance from it, with its reason. shift: what the method at hand is
+    known to do to the value, with its derivation in a few words; shift_tolerance: accepted distance from value + shift.
+    All in the quantity's unit.
+    """
+
+    value: float
+    tolerance: float
+    reason: str
+    shift: float = 0.0
+    shift_reason: str = ""
+    shift_tolerance: float = 0.0
+
+
+@dataclass(frozen=True)
+class Case:
+    """One setting of the parameters. Several scenarios make an ensemble, of which the mean is taken."""
+
+    name: str
+    scenarios: tuple[Scenario, ...]
+    parameters: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One number that is measured in every case.
+
+    measure: trajectory → number. expect: case, settings and the engine's method → expectation; None where theory has
+    no figure and the number is only shown. scale: what a deviation is judged against when it is printed in percent,
+    None to print it as it is.
+    """
+
+    name: str
+    title: str
+    unit: str
+    measure: Callable[[Trajectory], float]
+    expect: Callable[[Case, Settings, Method], Expectation] | None
+    scale: Callable[[Case], float] | None = None
+
+
+@dataclass(frozen=True)
+class Curve:
+    """What is plotted of one case: a time series of its first scenario."""
+
+    case: str
+    title: str
+    y_label: str
+    values: Callable[[Trajectory], Array]
+    until: float | None = None
+    """End of the plotted time, s."""
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """Error of one quantity in one case against the timestep."""
+
+    case: str
+    quantity: str
+    factors: tuple[float, ...] = (4.0, 2.0, 1.0, 0.5)
+
+
+@dataclass(frozen=True)
+class Family:
+    """A family of cases and all that the report says about it.
+
+    statements: numbers of the lecture's statements. about: what it is. expected: the expected value and why.
+    why: why the implementations differ.
+    """
+
+    name: str
+    title: str
+    topic: str
+    statements: tuple[int, ...]
+    about: str
+    expected: str
+    why: tuple[str, ...]
+    cases: tuple[Case, ...]
+    quantities: tuple[Quantity, ...]
+    curve: Curve
+    convergence: Convergence
+
+    def case(self, name: str) -> Case:
+        """Return the case of that name."""
+        for case in self.cases:
+            if case.name == name:
+                return case
+        raise UnknownName(f"case of {self.name}", name, (case.name for case in self.cases))
+
+    def quantity(self, name: str) -> Quantity:
+        """Return the quantity of that name."""
+        for quantity in self.quantities:
+            if quantity.name == name:
+                return quantity
+        raise UnknownName(f"quantity of {self.name}", name, (quantity.name for quantity in self.quantities))

@@ -1,0 +1,217 @@
+"""Bouncing: a dropped ball, and a ball that comes to rest (slides 3 to 7)."""
+
+from __future__ import annotations
+
+import math
+
+from reference import measure, truth
+from reference.engines.base import AT_STEP, COMPLIANT, EXACT, INTERPOLATED, Method
+from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
+from reference.settings import Settings
+from reference.trajectory import Array, Trajectory
+
+RADIUS = 0.1
+"""Radius of the ball, m."""
+DROP_HEIGHT = 1.0
+"""Gap below the ball at the start, m; the mean one where drops are jittered."""
+DROPS = 101
+"""Drops in an ensemble, a prime: whatever the timestep, their phases within a step come out evenly spread."""
+SPREAD = 4e-3
+"""The fall times of an ensemble span this, s: a whole number of steps for every timestep that divides it."""
+WINDOW = 5.0
+"""How long a ball at rest is watched, s."""
+MILLIMETRE = 1e-3
+
+
+def falling_ball(name: str, restitution: float, drop_height: float, duration: float) -> Scenario:
+    """A ball let go above the floor; drop_height is the gap, m."""
+    ball = Body("ball", Sphere(RADIUS), mass=1.0, position=(0.0, 0.0, RADIUS + drop_height))
+    floor = Body("floor", HalfSpace())
+    return Scenario(name, (floor, ball), (Pair("ball", "floor", restitution=restitution),), duration)
+
+
+def drop_height(scenario: Scenario) -> float:
+    """Gap below the ball at the start, m."""
+    return scenario.body("ball").position[2] - RADIUS
+
+
+def _dropped(restitution: float) -> Case:
+    """Drops whose fall times are spread evenly over `SPREAD`, so that no result hangs on the phase within a step."""
+    fall = truth.fall_time(DROP_HEIGHT, GRAVITY)
+    times = [fall + SPREAD * (drop - DROPS // 2) / DROPS for drop in range(DROPS)]
+    heights = sorted((GRAVITY * time**2 / 2 for time in times), key=lambda height: abs(height - DROP_HEIGHT))
+    name = f"e={restitution:g}"
+    duration = fall * (1 + restitution) + 0.05  # just past the first apex
+    scenarios = tuple(falling_ball(f"dropped-ball/{name}", restitution, height, duration) for height in heights)
+    return Case(name, scenarios, {"restitution": restitution})
+
+
+def _rebound(trajectory: Trajectory) -> float:
+    return measure.first_apex(trajectory, "ball", "floor") / drop_height(trajectory.scenario)
+
+
+def _expect_rebound(case: Case, settings: Settings, method: Method) -> Expectation:
+    restitution, dt = case.parameters["restitution"], settings.timestep
+    speed = truth.impact_speed(DROP_HEIGHT, GRAVITY)
+    exact = truth.apex_ratio(restitution)
+    if method.kind == EXACT:
+        return Expectation(exact, 1e-9, "rounding only: the parabola is solved, not stepped")
+    if method.kind == INTERPOLATED:
+        early = GRAVITY * dt**2 / 8 / DROP_HEIGHT
+        reason = "the slide's T is early by g dt²/(8v): the ball answers up to g dt²/8 too high"
+        return Expectation(exact, early + 1e-12, reason)
+    overlap = speed * dt / DROP_HEIGHT
+    if restitution == 0:
+        return Expectation(0.0, overlap, "an overlap of up to v dt is taken back")
+    reason = "1 %: what can be read off a plot"
+    if method.kind == COMPLIANT:
+        ratio = truth.damping_ratio(restitution)
+        shift = -truth.spring_dashpot_exit_depth(ratio, speed, method.stiffness) / DROP_HEIGHT
+        why = "a contact that cannot pull lets go before the spring is back at its rest length"
+        return Expectation(exact, 0.01 * exact, reason, shift, why, abs(shift) / 4 + 0.001 * exact)
+    shift = truth.at_step_apex_shift(DROP_HEIGHT, restitution, GRAVITY, dt, method.recovery) / DROP_HEIGHT
+    why = "−(1 − e − c) v dt/2: the answer comes half a step late, a share c of the overlap is taken back"
+    # The mean of a sawtooth as high as the overlap over N even phases is out by less than 1/N of it; then second order.
+    near = overlap / DROPS + 2 * GRAVITY * dt**2 / DROP_HEIGHT
+    return Expectation(exact, 0.01 * exact, reason, shift, why, near)
+
+
+def _sink(trajectory: Trajectory) -> float:
+    return measure.deepest_penetration(trajectory, "ball", "floor")
+
+
+def _gap(trajectory: Trajectory) -> Array:
+    return measure.separation(trajectory, "ball", "floor")
+
+
+DROPPED_BALL = Family(
+    name="dropped-ball",
+    title="Dropped ball: bounce heights",
+    topic="response",
+    statements=(3, 5, 6, 7, 12),
+    about=f"A ball falls freely from a gap of about {DROP_HEIGHT:g} m onto the floor and rebounds. Every figure is the"
+    f" mean over {DROPS} drops whose fall times differ by fractions of a step, because a single drop's error hangs on"
+    " where in a step the ball meets the floor.",
+    expected="The first rebound reaches e² of the drop height: the impact scales the speed by e, and the height goes with"
+    " the speed squared.",
+    why=(
+        "A step method notices the floor only when the ball is already inside it: at a depth d between 0 and v dt, half of"
+        " v dt on the average. It then sends the ball back with the right speed from the wrong place, and the mean apex is"
+        " out by −(1 − e) v dt/2. Hand-written code that responds at the step shows exactly this, and so do MuJoCo's"
+        " one-step contact and PyBullet without overlap recovery.",
+        "PyBullet, tuned, takes a share c = 1 − e of the overlap back through split impulses, which move the ball without"
+        " adding speed. Its mean error vanishes; the single drop still scatters by e (1 − e) v dt/√12.",
+        "PyBullet, stock, makes contacts while the ball is still above the floor, within 0.02 of its radius, and subtracts"
+        " gap/dt from the rebound. The smaller the step, the larger that loss: it gets worse where every other method"
+        " gets better, until nothing bounces at all.",
+        "MuJoCo has no coefficient of restitution, so its stock contact does not bounce, whatever e was meant. Its tuned"
+        " contact has a damping of (1 + e)/dt, which turns v into −e v in one step. The spring–dashpot contact of the"
+        " textbooks gives e through its damping ratio, but lets go of the ball at a depth of order v/√k, since a contact"
+        " cannot pull: that part of the error does not go away with the timestep, only with the stiffness.",
+    ),
+    cases=tuple(_dropped(restitution) for restitution in (0.0, 0.2, 0.5, 0.8, 0.95, 1.0)),
+    quantities=(
+        Quantity(
+            "rebound",
+            "first rebound ÷ drop height",
+            "",
+            _rebound,
+            _expect_rebound,
+            lambda case: case.parameters["restitution"] ** 2,
+        ),
+        Quantity("sink", "deepest penetration", "m", _sink, None),
+    ),
+    curve=Curve("e=0.5", "One drop at e = 0.5", "gap below the ball, m", _gap),
+    convergence=Convergence("e=0.5", "rebound"),
+)
+
+
+def _to_rest(restitution: float) -> Case:
+    name = f"e={restitution:g}"
+    end = truth.bounce_end(DROP_HEIGHT, restitution, GRAVITY)
+    scenario = falling_ball(f"ball-to-rest/{name}", restitution, DROP_HEIGHT, end + WINDOW + 0.25)
+    return Case(name, (scenario,), {"restitution": restitution})
+
+
+def _expect_rest_time(case: Case, settings: Settings, method: Method) -> Expectation:
+    restitution, dt = case.parameters["restitution"], settings.timestep
+    end = truth.bounce_end(DROP_HEIGHT, restitution, GRAVITY)
+    if method.kind == EXACT:
+        return Expectation(end, 1e-9, "rounding only: the bounces are followed down to nothing")
+    slowest = max(method.rest_speed, GRAVITY * dt, measure.REST_SPEED)
+    bounces = math.log(truth.impact_speed(DROP_HEIGHT, GRAVITY) / slowest) / math.log(1 / restitution)
+    early = 2 * restitution * slowest / (GRAVITY * (1 - restitution))
+    late = bounces * dt * (1 + restitution) / (2 * restitution)
+    reason = "bounces slower than the rest threshold are cut off, and each impact is noticed up to a step late"
+    return Expectation(end, early + late, reason)
+
+
+def _expect_zero(tolerance: float, reason: str) -> Expectation:
+    return Expectation(0.0, tolerance, reason)
+
+
+def _expect_rest(case: Case, settings: Settings, method: Method) -> Expectation:
+    if method.kind == EXACT:
+        return _expect_zero(1e-9, "rounding only")
+    return _expect_zero(MILLIMETRE, "1 mm: nobody sees it in a scene of metres")
+
+
+def _expect_still(case: Case, settings: Settings, method: Method) -> Expectation:
+    return _expect_zero(measure.REST_SPEED, "1 mm/s: what counts as rest")
+
+
+BALL_TO_REST = Family(
+    name="ball-to-rest",
+    title="Ball coming to rest",
+    topic="response",
+    statements=(3, 5, 6, 7, 22),
+    about=f"The same ball bounces until it rests, and is watched for {WINDOW:g} s more.",
+    expected="The flights between the impacts last 2 eⁿ t₁ with t₁ = √(2h/g). Infinitely many of them take the finite"
+    " time t₁ (1 + e)/(1 − e): 8.579 s for h = 1 m, e = 0.9. Then the ball lies on the floor and does not move.",
+    why=(
+        "No step method can follow infinitely many bounces. Each engine has a speed below which it lets a contact rest;"
+        " the bounces that are left out would have taken 2 e v/(g (1 − e)) more, and each impact before that was noticed"
+        " up to a step late. Tuned PyBullet rests below 3 g dt. Its stock threshold of 0.2 m/s ends the bounces early.",
+        "A resolved spring–dashpot contact lasts some π/√k, where the rigid one takes no time. Over the dozens of impacts"
+        " before rest these add up to the delay of MuJoCo's spring profile, and its last oscillations die out slowly.",
+        "The hand-written code that uses the slide's T cannot see a flight that starts and ends within one step, as both"
+        " ends lie on the plane. It takes such a flight for rest.",
+    ),
+    cases=tuple(_to_rest(restitution) for restitution in (0.5, 0.8, 0.9)),
+    quantities=(
+        Quantity(
+            "rest_time",
+            "time of rest",
+            "s",
+            lambda trajectory: measure.rest_time(trajectory, "ball"),
+            _expect_rest_time,
+            lambda case: truth.bounce_end(DROP_HEIGHT, case.parameters["restitution"], GRAVITY),
+        ),
+        Quantity(
+            "rest_height",
+            "gap at rest",
+            "m",
+            lambda trajectory: measure.rest_height(trajectory, "ball", "floor"),
+            _expect_rest,
+        ),
+        Quantity(
+            "residual_speed",
+            f"speed in the last {WINDOW:g} s",
+            "m/s",
+            lambda trajectory: measure.residual_speed(trajectory, "ball", WINDOW),
+            _expect_still,
+        ),
+        Quantity(
+            "drift",
+            f"drift in the last {WINDOW:g} s",
+            "m",
+            lambda trajectory: measure.drift(trajectory, "ball", WINDOW),
+            _expect_rest,
+        ),
+    ),
+    curve=Curve("e=0.8", "The bounces at e = 0.8", "gap below the ball, m", _gap, until=5.0),
+    convergence=Convergence("e=0.5", "rest_time"),
+)
+
+FAMILIES = (DROPPED_BALL, BALL_TO_REST)

@@ -1,0 +1,217 @@
+"""Many runs: jobs of one family × engine × profile, each isolated, scheduled by whatever executor one has."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor, Future, as_completed
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from reference.compare import ALL_CASES, Row, Verdict, compare_case, verdict_of
+from reference.engines import load_engine
+from reference.engines.base import Engine
+from reference.errors import CannotExpress, CollisionsError, EngineNotInstalled, InvalidInput, NeedsFunction, RunFailed
+from reference.family import Family
+from reference.implementation import Implementation
+from reference.isolate import run_isolated
+from reference.scenarios import catalogue
+from reference.settings import Option
+from reference.trajectory import Trajectory
+
+TIME_LIMIT = 300.0
+"""Wall-clock limit of one job, s."""
+ROUNDING = 1e-9
+"""Errors below this share of the value are rounding: no order can be read off them."""
+PLOTTED_POINTS = 600
+
+
+@dataclass(frozen=True)
+class Job:
+    """One family × engine × profile. cases: names, all when empty. changes: settings to change, by name."""
+
+    family: str
+    engine: str
+    profile: str
+    cases: tuple[str, ...] = ()
+    implementation: str = "solutions"
+    changes: tuple[tuple[str, Option], ...] = ()
+    with_studies: bool = False
+
+
+@dataclass(frozen=True)
+class Series:
+    """A plotted curve: times in s, values in the unit of the family's curve."""
+
+    times: tuple[float, ...]
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Error against timestep. order: slope of the log–log line, None where every error is rounding."""
+
+    timesteps: tuple[float, ...]
+    errors: tuple[float, ...]
+    order: float | None
+
+
+@dataclass(frozen=True)
+class JobResult:
+    """All that a job gives back; plain data."""
+
+    job: Job
+    title: str
+    description: str
+    rows: tuple[Row, ...]
+    settings: str = ""
+    version: str = ""
+    series: Series | None = None
+    convergence: Errors | None = None
+    seconds: float = field(default=0.0, compare=False)
+
+
+def plan(
+    families: Iterable[Family],
+    engines: Sequence[str],
+    profiles: Sequence[str] = (),
+    cases: Mapping[str, tuple[str, ...]] | None = None,
+    implementation: str = "solutions",
+    changes: Mapping[str, Option] | None = None,
+    with_studies: bool = False,
+) -> list[Job]:
+    """List the jobs that compare these families in these engines; with no profiles named, in all that each one has.
+
+    Raises
+    ------
+    UnknownName
+        If no engine has a profile that is asked for, or an engine has no setting that is to be changed.
+    """
+    jobs = []
+    for family in families:
+        scenario = family.cases[0].scenarios[0]
+        for name in engines:
+            engine = load_engine(name, Implementation(implementation))
+            has = profiles_of(engine, family)
+            for profile in profiles or has:
+                if profile not in has and any(profile in profiles_of(load_engine(other), family) for other in engines):
+                    continue  # another engine's word
+                settings = engine.settings(scenario, profile).change(**(changes or {}))
+                engine.check_settings(scenario, settings)
+                wanted = (cases or {}).get(family.name, ())
+                fixed = tuple(sorted((changes or {}).items()))
+                jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies))
+    return jobs
+
+
+def profiles_of(engine: Engine, family: Family) -> Mapping[str, str]:
+    """The profiles that an engine has for a family, tuned first, with a line on each."""
+    return engine.profiles(family.cases[0].scenarios[0])
+
+
+def run_jobs(jobs: Sequence[Job], executor: Executor, timeout: float = TIME_LIMIT) -> Iterator[JobResult]:
+    """Run jobs through an executor and yield their results as they come; what fails comes as a row that says so."""
+    waiting: list[Future[JobResult]] = [executor.submit(run_safely, job, timeout) for job in jobs]
+    try:
+        for future in as_completed(waiting):
+            yield future.result()
+    finally:
+        for future in waiting:
+            future.cancel()
+
+
+def run_safely(job: Job, timeout: float = TIME_LIMIT) -> JobResult:
+    """Run a job in a worker process; a crash, a hang or a missing engine becomes one row."""
+    start = time.perf_counter()
+    try:
+        return run_isolated(run_job, timeout, job)
+    except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
+        title, description = _titles(job)
+        row = Row(job.family, ALL_CASES, job.engine, job.profile, "", "", verdict_of(error), note=str(error))
+        return JobResult(job, title, description, (row,), seconds=time.perf_counter() - start)
+
+
+def _titles(job: Job) -> tuple[str, str]:
+    try:
+        engine = load_engine(job.engine)
+    except CollisionsError:
+        return job.engine, job.profile
+    return engine.title, profiles_of(engine, catalogue()[job.family]).get(job.profile, job.profile)
+
+
+def run_job(job: Job) -> JobResult:
+    """Run a job here and now: every case, the plotted one, and error against timestep if it is asked for."""
+    start = time.perf_counter()
+    family = catalogue()[job.family]
+    engine = load_engine(job.engine, Implementation(job.implementation))
+    version, has = engine.version(), profiles_of(engine, family)
+    rows: list[Row] = []
+    series, shown = None, ""
+    for case in family.cases:
+        if job.cases and case.name not in job.cases:
+            continue
+        settings = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
+        found, trajectories = compare_case(family, case, engine, job.profile, settings)
+        rows += found
+        if case.name == family.curve.case or not shown:
+            shown = settings.describe()
+        if case.name == family.curve.case and trajectories:
+            series = _series(family, trajectories[0])
+    convergence = _convergence(family, engine, job) if job.with_studies else None
+    return JobResult(
+        job,
+        engine.title,
+        has[job.profile],
+        tuple(rows),
+        shown,
+        version,
+        series,
+        convergence,
+        time.perf_counter() - start,
+    )
+
+
+def _series(family: Family, trajectory: Trajectory) -> Series:
+    end = family.curve.until or trajectory.times[-1]
+    times, values = trajectory.times, family.curve.values(trajectory)
+    inside = np.flatnonzero(times <= end)
+    kept = inside[:: max(1, len(inside) // PLOTTED_POINTS)]
+    return Series(tuple(np.round(times[kept], 6).tolist()), tuple(np.round(values[kept], 7).tolist()))
+
+
+def _convergence(family: Family, engine: Engine, job: Job) -> Errors | None:
+    """Root mean square error of one quantity over a case's scenarios, for several timesteps."""
+    study = family.convergence
+    case, quantity = family.case(study.case), family.quantity(study.quantity)
+    if quantity.expect is None:
+        raise InvalidInput(f"{family.name}: {quantity.name} has no expected value to converge to")
+    base = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
+    timesteps, errors, value = [], [], 0.0
+    for factor in study.factors:
+        settings = base.change(timestep=base.timestep * factor)
+        value = quantity.expect(case, settings, engine.method(case.scenarios[0], settings)).value
+        try:
+            trajectories = engine.run_many(case.scenarios, settings)
+            measured = np.array([quantity.measure(trajectory) for trajectory in trajectories])
+        except CollisionsError:
+            continue  # with this timestep there is no such number; the curve has a gap
+        if np.all(np.isfinite(measured)):
+            timesteps.append(settings.timestep)
+            errors.append(float(np.sqrt(np.mean((measured - value) ** 2))))
+    return Errors(tuple(timesteps), tuple(errors), order_of(timesteps, errors, value)) if timesteps else None
+
+
+def order_of(timesteps: Sequence[float], errors: Sequence[float], value: float) -> float | None:
+    """Slope of log error against log timestep, over the errors that stand above rounding; None with fewer than two."""
+    pairs = [(dt, error) for dt, error in zip(timesteps, errors, strict=True) if error > ROUNDING * abs(value)]
+    if len(pairs) < 2:
+        return None
+    steps, sizes = np.log(np.array(pairs)).T
+    return float(np.polyfit(steps, sizes, 1)[0])
+
+
+def verdict_counts(rows: Iterable[Row]) -> dict[Verdict, int]:
+    """How often each verdict occurs, in the order in which they are defined, zeros left out."""
+    found = [row.verdict for row in rows]
+    return {verdict: found.count(verdict) for verdict in Verdict if verdict in found}
