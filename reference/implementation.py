@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-import importlib.util
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -46,28 +46,31 @@ class Implementation:
             return _load_file(path)
         name = f"{self.source}.{topic}"
         try:
-            return importlib.import_module(name)
+            if all(part.isidentifier() for part in self.source.split(".")):
+                return importlib.import_module(name)
         except ModuleNotFoundError as missing:
             if missing.name == name:
                 return None
-            if missing.name == self.source.partition(".")[0]:
-                choices = "a package such as 'solutions', or the path of a .py file"
-                raise InvalidInput(f"no implementation {self.source!r}; give {choices}") from None
-            raise
+            if not f"{self.source}.".startswith(f"{missing.name}."):
+                raise  # something that the implementation itself imports
+        choices = "a package such as 'solutions', or the path of a .py file"
+        raise InvalidInput(f"no implementation {self.source!r}; give {choices}")
 
 
-_FILES: dict[Path, ModuleType] = {}
+_FILES: dict[tuple[Path, bytes], ModuleType] = {}
 
 
 def _load_file(path: Path) -> ModuleType:
-    """Import a file by path, once per process."""
+    """Import a file by path, once per process and text: a worker process outlives many an edit of the file."""
     path = path.resolve()
-    if path not in _FILES:
-        if not path.is_file():
-            raise InvalidInput(f"no implementation {str(path)!r}: there is no such file")
-        spec = importlib.util.spec_from_file_location(f"_implementation_{len(_FILES)}", path)
-        assert spec is not None and spec.loader is not None  # a .py file always has both
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
-        _FILES[path] = module
-    return _FILES[path]
+    if not path.is_file():
+        raise InvalidInput(f"no implementation {str(path)!r}: there is no such file")
+    text = path.read_bytes()
+    if (path, text) not in _FILES:
+        name = f"_implementation_{len(_FILES)}"
+        module = ModuleType(name)
+        module.__file__ = str(path)
+        sys.modules[name] = module  # as any import does; a dataclass in the file looks itself up there
+        exec(compile(text, path, "exec"), module.__dict__)  # not by a loader, which may take stale bytecode for it
+        _FILES[path, text] = module
+    return _FILES[path, text]

@@ -48,9 +48,7 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
     CollisionsError
         As the function raised it; any other exception arrives as `RunFailed` with its last line.
     """
-    with _lock:
-        worker = _idle.pop() if _idle else None
-    worker = worker or _Worker()
+    worker = _take()
     result: T
     try:
         result = worker.call(function, arguments, named, timeout)
@@ -73,6 +71,16 @@ def close_workers() -> None:
 
 
 atexit.register(close_workers)
+
+
+def _take() -> _Worker:
+    with _lock:
+        while _idle:
+            worker = _idle.pop()
+            if worker.alive:
+                return worker
+            worker.stop()  # something killed it while it waited
+    return _Worker()
 
 
 def _return(worker: _Worker) -> None:
@@ -99,9 +107,14 @@ class _Worker:
         )
         self.between_jobs = True
 
+    @property
+    def alive(self) -> bool:
+        return self._process.poll() is None
+
     def call(self, function: Callable[..., Any], arguments: Any, named: Any, timeout: float) -> Any:
         message = pickle.dumps((function, arguments, named))
-        assert self._process.stdin is not None and self._process.stdout is not None
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
         expired = threading.Event()
 
         def expire() -> None:
@@ -119,12 +132,16 @@ class _Worker:
             answer = None
         finally:
             timer.cancel()
+            timer.join()  # it fires before this line or never: an idle worker must not be killed
         if expired.is_set():
             raise WorkerTimeout(f"no answer within {timeout:g} s; its process was stopped")
         if answer is None:
             raise WorkerCrashed(f"its process died ({_describe_exit(self._process.wait())})")
         self.between_jobs = True
-        succeeded, value = pickle.loads(answer)
+        try:
+            succeeded, value = pickle.loads(answer)
+        except Exception as error:
+            raise RunFailed(f"its answer cannot be read here: {error}") from None
         if succeeded:
             return value
         raise value
@@ -181,7 +198,8 @@ def _portable(error: Exception) -> CollisionsError:
 
 def _serve() -> None:
     """Answer jobs until the parent closes the pipe."""
-    jobs, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    jobs, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)  # code that asks for input must not read the jobs
     os.dup2(2, 1)  # an engine that prints must not write into the answers
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides when to stop
     while True:

@@ -1,20 +1,22 @@
 """Numbers taken from a trajectory, in the same way whoever produced it.
 
 Bounces are read from flight parabolas, not from samples: two neighbouring samples in free flight and the known
-gravity fix the parabola s(t) = s_i + w (t − t_i) − g_n (t − t_i)(t − t_{i+1})/2, w = (s_{i+1} − s_i)/(t_{i+1} − t_i). The
-samples of a semi-implicit Euler flight lie on such a parabola just as those of the exact flight do, so the apex and
-the instant of impact are those of the flight itself, however coarse the samples.
+gravity fix the parabola s(t) = s_i + w (t − t_i) − g_n (t − t_i)(t − t_{i+1})/2, w = (s_{i+1} − s_i)/(t_{i+1} − t_i).
+The samples of a semi-implicit Euler flight lie on such a parabola just as those of the exact flight do, so the apex
+and the instant of impact are those of the flight itself, however coarse the samples.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from reference import geometry
 from reference.errors import RunFailed
+from reference.scenario import HalfSpace
 from reference.trajectory import Trajectory
 
 Array = NDArray[np.float64]
@@ -96,10 +98,12 @@ def apex_heights(trajectory: Trajectory, body: str, plane: str) -> Array:
 
 def first_apex(trajectory: Trajectory, body: str, plane: str) -> float:
     """Height of the first rebound, m; 0 where there was none. A body that never came down is an error."""
+    apexes = apex_heights(trajectory, body, plane)
+    if len(apexes):
+        return float(apexes[0])
     if np.min(separation(trajectory, body, plane)) > _fallen(trajectory, body, plane):
         raise RunFailed(f"{body} never reached {plane}: there is no rebound to measure")
-    apexes = apex_heights(trajectory, body, plane)
-    return float(apexes[0]) if len(apexes) else 0.0
+    return 0.0
 
 
 def _fallen(trajectory: Trajectory, body: str, plane: str) -> float:
@@ -111,30 +115,30 @@ def impact_times(trajectory: Trajectory, body: str, plane: str) -> Array:
     """Instants at which a flight ends on the plane, s."""
     end = trajectory.times[-1]
     landings = np.array([flight.landing_time for flight in flights(trajectory, body, plane)])
-    return landings[landings <= end]
+    return np.asarray(landings[landings <= end])
 
 
 def restitution_coefficients(trajectory: Trajectory, body: str, plane: str) -> Array:
     """Speed after over speed before each impact, from the parabolas of the flights on both sides."""
     found = flights(trajectory, body, plane)
-    return np.array(
-        [after.launch_speed / before.landing_speed for before, after in zip(found, found[1:], strict=False)]
-    )
+    return np.array([after.launch_speed / before.landing_speed for before, after in pairwise(found)])
 
 
 def rest_time(trajectory: Trajectory, body: str, speed: float = REST_SPEED) -> float:
     """When the body comes to rest for good, s; infinity if it has not by the end.
 
-    An event-driven implementation solves for this instant and reports it. For all others it is the first sample of the
-    final stretch in which the body stays slower than `speed`, m/s.
+    An event-driven implementation solves for this instant and reports it; what moves on afterwards, down a slope or
+    along a floor, does not rest. For all others it is the first sample of the final stretch in which the body stays
+    slower than `speed`, m/s.
     """
-    for event in trajectory.events:
-        if event.kind in ("rest", "stop") and event.body == body:
-            return event.time
+    times = trajectory.times
     moving = np.flatnonzero(np.linalg.norm(trajectory.velocity(body), axis=1) > speed)
-    if len(moving) == 0:
-        return float(trajectory.times[0])
-    return float(trajectory.times[moving[-1] + 1]) if moving[-1] + 1 < len(trajectory.times) else float("inf")
+    last_moving = float(times[moving[-1]]) if len(moving) else -np.inf
+    for event in trajectory.events:
+        if event.kind in ("rest", "stop") and event.body == body and event.time >= last_moving:
+            return event.time
+    later = times[times > last_moving]
+    return float(later[0]) if len(later) else float("inf")
 
 
 def rest_height(trajectory: Trajectory, body: str, plane: str) -> float:
@@ -179,7 +183,9 @@ def energy(trajectory: Trajectory, body: str) -> Array:
     index = trajectory.scenario.index(body)
     velocity, position = trajectory.velocities[:, index], trajectory.positions[:, index]
     spin = _into_body(trajectory.orientations[:, index], trajectory.angular_velocities[:, index])
-    inertia = entry.mass * np.array(_inertia_per_mass(trajectory, body))
+    if entry.immovable or isinstance(entry.shape, HalfSpace):
+        raise RunFailed(f"{body} is immovable: it has no energy to measure")
+    inertia = entry.mass * np.array(entry.shape.inertia_per_mass())
     translation = entry.mass * np.sum(velocity**2, axis=1) / 2
     potential = -entry.mass * position @ np.array(trajectory.scenario.gravity)
     return np.asarray(translation + np.sum(inertia * spin**2, axis=1) / 2 + potential)
@@ -189,13 +195,6 @@ def momentum(trajectory: Trajectory) -> Array:
     """Total linear momentum of all movable bodies at each sample, (n, 3), kg m/s."""
     masses = np.array([0.0 if body.immovable else body.mass for body in trajectory.scenario.bodies])
     return np.asarray(np.einsum("b,nbi->ni", masses, trajectory.velocities))
-
-
-def _inertia_per_mass(trajectory: Trajectory, body: str) -> tuple[float, float, float]:
-    shape = trajectory.scenario.body(body).shape
-    if not hasattr(shape, "inertia_per_mass"):
-        raise RunFailed(f"{body} is immovable: it has no energy to measure")
-    return shape.inertia_per_mass()
 
 
 def _into_body(orientation: Array, vector: Array) -> Array:

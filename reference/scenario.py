@@ -6,6 +6,7 @@ and the coefficients of restitution and friction belong to a *pair* of bodies, n
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass, field
 
@@ -85,12 +86,14 @@ class Body:
         label = f"{self.name}:"
         if self.mass != math.inf:
             object.__setattr__(self, "mass", checks.positive(f"{label} mass", self.mass))
-        elif any((*self.velocity, *self.angular_velocity)):
-            raise InvalidInput(f"{label} an immovable body (mass inf) has velocity {self.velocity}")
-        if isinstance(self.shape, HalfSpace) and self.mass != math.inf:
+        if isinstance(self.shape, HalfSpace) and not self.immovable:
             raise InvalidInput(f"{label} a half-space has mass {self.mass}; only inf makes sense")
         for name in ("position", "velocity", "angular_velocity"):
             object.__setattr__(self, name, checks.vector(f"{label} {name}", getattr(self, name)))
+        for name in ("velocity", "angular_velocity"):
+            value = getattr(self, name)
+            if self.immovable and any(value):
+                raise InvalidInput(f"{label} an immovable body (mass inf) has {name} {value}; only 0 makes sense")
         orientation = checks.unit_quaternion(f"{label} orientation", self.orientation)
         object.__setattr__(self, "orientation", orientation)
 
@@ -145,6 +148,8 @@ class Scenario:
     def __post_init__(self) -> None:
         object.__setattr__(self, "duration", checks.positive(f"{self.name}: duration", self.duration))
         object.__setattr__(self, "gravity", checks.vector(f"{self.name}: gravity", self.gravity))
+        object.__setattr__(self, "bodies", tuple(self.bodies))
+        object.__setattr__(self, "pairs", tuple(self.pairs))
         names = [body.name for body in self.bodies]
         if len(set(names)) != len(names):
             raise InvalidInput(f"{self.name}: two bodies share a name in {names}")
@@ -160,6 +165,12 @@ class Scenario:
     def body(self, name: str) -> Body:
         """Return the body of that name."""
         return self.bodies[self.index(name)]
+
+    def unlisted_pairs(self) -> list[tuple[str, str]]:
+        """Names of every two bodies that do not collide, whatever an engine does by default."""
+        listed = {frozenset((pair.body_a, pair.body_b)) for pair in self.pairs}
+        names = [body.name for body in self.bodies]
+        return [two for two in itertools.combinations(names, 2) if frozenset(two) not in listed]
 
     def index(self, name: str) -> int:
         """Return the body's place in `bodies`, and so in a trajectory's arrays."""

@@ -79,7 +79,7 @@ def steps_per_sample(timestep: float) -> int:
 
 
 def _same_kind(name: str, value: Option, present: Option) -> Option:
-    """Return `value` as the kind of option that is there: a switch, a word or a number."""
+    """Return `value` as the kind of option that is there: a switch, a word, a count or a number."""
     if isinstance(present, bool):
         if value in (True, False, "true", "false", "1", "0"):
             return value in (True, "true", "1")
@@ -87,4 +87,8 @@ def _same_kind(name: str, value: Option, present: Option) -> Option:
     if isinstance(present, str):
         return str(value)
     number = checks.finite(name, value)  # type: ignore[arg-type]
-    return int(number) if isinstance(present, int) and number.is_integer() else number
+    if not isinstance(present, int):
+        return number
+    if not number.is_integer():
+        raise InvalidInput(f"{name} is {value!r}; it must be a whole number")
+    return int(number)

@@ -86,22 +86,29 @@ def plan(
     Raises
     ------
     UnknownName
-        If no engine has a profile that is asked for, or an engine has no setting that is to be changed.
+        If none of these engines has a profile that is asked for in any of these families, an engine has no setting
+        that is to be changed, or a family has no such case.
+    InvalidInput
+        If a case cannot be run with the changed settings.
     """
+    families, changes = list(families), dict(changes or {})
+    loaded = {name: load_engine(name, Implementation(implementation)) for name in engines}
+    known = {profile for engine in loaded.values() for family in families for profile in profiles_of(engine, family)}
     jobs = []
     for family in families:
-        scenario = family.cases[0].scenarios[0]
-        for name in engines:
-            engine = load_engine(name, Implementation(implementation))
+        wanted = (cases or {}).get(family.name, ())
+        chosen = [family.case(case) for case in wanted] or family.cases
+        for name, engine in loaded.items():
             has = profiles_of(engine, family)
             for profile in profiles or has:
-                if profile not in has and any(profile in profiles_of(load_engine(other), family) for other in engines):
-                    continue  # another engine's word
-                settings = engine.settings(scenario, profile).change(**(changes or {}))
-                engine.check_settings(scenario, settings)
-                wanted = (cases or {}).get(family.name, ())
-                fixed = tuple(sorted((changes or {}).items()))
-                jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies))
+                if profile in known and profile not in has:
+                    continue  # another engine's word, or another family's
+                for case in chosen:
+                    settings = engine.settings(case.scenarios[0], profile).change(**changes)
+                    for scenario in case.scenarios:
+                        engine.check_settings(scenario, settings)
+                fixed = tuple(sorted(changes.items()))
+                jobs.append(Job(family.name, name, profile, tuple(wanted), implementation, fixed, with_studies))
     return jobs
 
 
@@ -127,17 +134,10 @@ def run_safely(job: Job, timeout: float = TIME_LIMIT) -> JobResult:
     try:
         return run_isolated(run_job, timeout, job)
     except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
-        title, description = _titles(job)
-        row = Row(job.family, ALL_CASES, job.engine, job.profile, "", "", verdict_of(error), note=str(error))
-        return JobResult(job, title, description, (row,), seconds=time.perf_counter() - start)
-
-
-def _titles(job: Job) -> tuple[str, str]:
-    try:
         engine = load_engine(job.engine)
-    except CollisionsError:
-        return job.engine, job.profile
-    return engine.title, profiles_of(engine, catalogue()[job.family]).get(job.profile, job.profile)
+        row = Row(job.family, ALL_CASES, engine.name, job.profile, "", "", verdict_of(error), note=str(error))
+        description = profiles_of(engine, catalogue()[job.family]).get(job.profile, job.profile)
+        return JobResult(job, engine.title, description, (row,), seconds=time.perf_counter() - start)
 
 
 def run_job(job: Job) -> JobResult:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,6 +63,8 @@ class Trajectory:
 
     def __post_init__(self) -> None:
         count, bodies = len(self.times), len(self.scenario.bodies)
+        if count < 2:
+            raise InvalidInput(f"{self.engine}: a trajectory needs two or more samples; it has {count}")
         shapes = {
             "times": (count,),
             "positions": (count, bodies, 3),
@@ -81,8 +83,11 @@ class Trajectory:
             values = values.view()
             values.flags.writeable = False
             object.__setattr__(self, name, values)
-        if count < 2 or np.any(np.diff(self.times) <= 0):
-            raise InvalidInput(f"{self.engine}: a trajectory needs two or more samples at increasing times")
+        if np.any(np.diff(self.times) <= 0):
+            raise InvalidInput(f"{self.engine}: the times of a trajectory must increase")
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Trajectory, tuple(getattr(self, entry.name) for entry in fields(self))  # read-only on the other side too
 
     def position(self, body: str) -> Array:
         """Positions of one body, (n, 3), m."""
@@ -117,15 +122,15 @@ class Recorder:
         states = np.array(self._states, dtype=np.float64).reshape(len(self._states), bodies, 13)
         spin = states[..., 10:13]
         table = np.array(self._contacts, dtype=np.float64).reshape(-1, 10)
-        indices = (table[:, column].astype(np.int64) for column in range(3))
+        sample, body_a, body_b = table[:, :3].T.astype(np.int64)
         return Trajectory(
             self._scenario,
             settings,
             self._engine,
-            np.arange(len(states)) * settings.sample_every * settings.timestep,
+            np.arange(len(states), dtype=np.float64) * settings.sample_every * settings.timestep,
             states[..., 0:3],
             states[..., 3:7],
             states[..., 7:10],
             geometry.rotate(states[..., 3:7], spin) if spin_in_body_frame else spin,
-            Contacts(*indices, table[:, 3:6], table[:, 6:9], table[:, 9]),
+            Contacts(sample, body_a, body_b, table[:, 3:6], table[:, 6:9], table[:, 9]),
         )

@@ -52,7 +52,7 @@ def at_step_apex_shift(
 
 
 def interpolated_earliness(gravity: float, timestep: float, speed: float) -> float:
-    """By how much the slide's T is early at the most, s: the chord of a parabola cuts the plane g dt²/(8 v) too soon."""
+    """By how much the slide's T is early at most, s: the chord of a parabola cuts the plane g dt²/(8 v) too soon."""
     return gravity * timestep**2 / (8 * speed)
 
 
@@ -96,7 +96,7 @@ def spring_dashpot_restitution(damping_ratio: float) -> float:
 
     m x″ + c x′ + k x = 0 from x = 0, x′ = −v; contact ends when the force −k x − c x′ reaches zero, before x does. With
     s = √|1 − ζ²| that happens at ω s t = π − atan2(2ζs, 1 − 2ζ²), or artanh(2ζs/(2ζ² − 1)) in the overdamped case, and
-    in every case the speed ratio there is exp(−ζ ω t).
+    in every case the speed ratio there is exp(−ζ ω t). That artanh is 2 arcosh ζ, which keeps its digits at a large ζ.
     """
     zeta = damping_ratio
     s = math.sqrt(abs(1 - zeta * zeta))
@@ -104,7 +104,7 @@ def spring_dashpot_restitution(damping_ratio: float) -> float:
         return math.exp(-2.0)
     if zeta < 1:
         return math.exp(-(zeta / s) * (math.pi - math.atan2(2 * zeta * s, 1 - 2 * zeta * zeta)))
-    return math.exp(-(zeta / s) * math.atanh(2 * zeta * s / (2 * zeta * zeta - 1)))
+    return math.exp(-(zeta / s) * 2 * math.acosh(zeta))
 
 
 def damping_ratio(restitution: float) -> float:

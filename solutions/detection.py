@@ -72,6 +72,7 @@ def time_of_impact_interpolated(separation_0: ArrayLike, separation_1: ArrayLike
     through has T = t.
     """
     s0, s1 = np.asarray(separation_0, dtype=float), np.asarray(separation_1, dtype=float)
+    t, dt = np.asarray(t, dtype=float), np.asarray(dt, dtype=float)
     crosses = (s0 >= 0) & (s1 < 0)
     fraction = s0 / np.where(crosses, s0 - s1, 1.0)
     return np.where(crosses, t + dt * fraction, np.inf)

@@ -90,7 +90,7 @@ def sliding_motion(
     m, dt = np.asarray(mass, dtype=float)[..., None], np.asarray(dt, dtype=float)
 
     def acceleration(velocity: Array) -> Array:
-        return (f + friction_force(f, velocity, normal_force, static_friction, kinetic_friction)) / m
+        return np.asarray((f + friction_force(f, velocity, normal_force, static_friction, kinetic_friction)) / m)
 
     a = acceleration(v)
     speed_squared, closing = np.sum(v * v, axis=-1), -np.sum(v * a, axis=-1)

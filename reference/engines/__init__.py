@@ -9,6 +9,7 @@ import functools
 import importlib
 import importlib.util
 import pkgutil
+import sys
 from pathlib import Path
 from types import ModuleType
 
@@ -46,8 +47,10 @@ def _load_file(path: Path) -> ModuleType:
     if not path.is_file():
         raise InvalidInput(f"no engine file {str(path)!r}; an engine is a name ({', '.join(_found())}) or a .py file")
     spec = importlib.util.spec_from_file_location(f"_engine_{path.stem}", path)
-    assert spec is not None and spec.loader is not None  # a .py file always has both
+    assert spec is not None  # a .py file always has one, and a loader
+    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # as any import does; a dataclass in the file looks itself up there
     spec.loader.exec_module(module)
     return module
 

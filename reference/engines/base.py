@@ -18,6 +18,8 @@ from reference.settings import Settings
 from reference.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
+ROUNDING = 1e-9
+"""A duration that is a whole number of samples but for this share of one needs no further sample."""
 
 
 @dataclass(frozen=True)
@@ -27,12 +29,14 @@ class Method:
     kind: it solves for the instant (`EXACT`), interpolates it as the slide does (`INTERPOLATED`), notices it at the
     next step of semi-implicit Euler (`AT_STEP`) or spreads the force over a stiff contact (`COMPLIANT`).
     recovery: share of the overlap that is taken back in the step of the response without adding speed.
+    speed_recovery: share of the overlap that this step makes into speed, so that the next ones take it back.
     stiffness: of a compliant contact, per unit mass, 1/s².
     rest_speed: a rebound slower than this is taken for rest, m/s.
     """
 
     kind: str
     recovery: float = 0.0
+    speed_recovery: float = 0.0
     stiffness: float = math.inf
     rest_speed: float = 0.0
 
@@ -98,13 +102,21 @@ class Engine(ABC):
             raise UnknownName(f"profile of {self.title} for {scenario.name}", profile, self.profiles(scenario))
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
-        """Return the number of whole steps that cover the scenario; refuse a timestep that is longer than it."""
-        if settings.timestep * settings.sample_every > scenario.duration:
+        """Return how many steps cover the scenario, in whole samples; refuse a timestep that is longer than it."""
+        interval = settings.timestep * settings.sample_every
+        if interval > scenario.duration:
             raise InvalidInput(
                 f"timestep {settings.timestep:g} s × {settings.sample_every} steps a sample is longer than"
                 f" {scenario.name}, which lasts {scenario.duration:g} s"
             )
-        return -int(-scenario.duration // settings.timestep)  # rounded up
+        return settings.sample_every * math.ceil(scenario.duration / interval - ROUNDING)
+
+    def check_friction(self, scenario: Scenario) -> None:
+        """Refuse a pair whose static friction is not its kinetic friction, for an engine that has one coefficient."""
+        for pair in scenario.pairs:
+            if pair.static_friction != pair.kinetic_friction:
+                two = f"static {pair.static_friction:g} and kinetic {pair.kinetic_friction:g}"
+                raise self.cannot(scenario, f"it has one coefficient of friction, not {two}")
 
     def cannot(self, scenario: Scenario, what: str) -> CannotExpress:
         """Make the error for a scenario that this engine has no words for."""

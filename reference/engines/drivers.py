@@ -14,30 +14,53 @@ from numpy.typing import NDArray
 from reference import geometry
 from reference.errors import InvalidInput
 from reference.implementation import Implementation
-from reference.scenario import Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Event, Trajectory
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-_FLAT = 1e-9  # how far a box may be off its face, m, and still slide as a point does
+_ROUNDING = 1e-9  # lengths, speeds and sines below this are zero
 
 
 def kind(scenario: Scenario) -> type[Sphere] | type[Box] | None:
-    """Sphere for a ball above one plane, Box for a box flat on one, None for what needs a rigid-body world."""
+    """Sphere for a ball that nothing makes spin, Box for a box that slides as a point does, both over one plane.
+
+    None for what needs a rigid-body world.
+    """
     movable = [body for body in scenario.bodies if not body.immovable]
     fixed = [body for body in scenario.bodies if body.immovable]
     if len(movable) != 1 or len(fixed) != 1 or not isinstance(fixed[0].shape, HalfSpace) or not scenario.pairs:
         return None
-    body, plane = movable[0], fixed[0].shape
+    body, normal = movable[0], np.array(fixed[0].shape.normal)
     if any(body.angular_velocity):
         return None
     if isinstance(body.shape, Sphere):
-        slides = np.linalg.norm(np.cross(body.velocity, plane.normal)) > 0
-        return None if slides and scenario.pairs[0].kinetic_friction > 0 else Sphere
+        along = [np.linalg.norm(np.cross(vector, normal)) for vector in (body.velocity, scenario.gravity)]
+        return None if max(along) > _ROUNDING and _friction(scenario) > 0 else Sphere
     place = np.array([body.position]), np.array([body.orientation])
     gap = geometry.separation(scenario, body.name, fixed[0].name, *place)[0]
-    return Box if abs(gap) < _FLAT and abs(np.dot(body.velocity, plane.normal)) < _FLAT else None
+    flat = abs(gap) < _ROUNDING and _stands_on_a_face(body, normal)
+    return Box if flat and _slides_straight(scenario, body, normal) else None
+
+
+def _friction(scenario: Scenario) -> float:
+    pair = scenario.pairs[0]
+    return max(pair.kinetic_friction, pair.static_friction or 0.0)
+
+
+def _stands_on_a_face(body: Body, normal: Array) -> bool:
+    """Whether the normal lies along one of the body's own axes."""
+    across = geometry.rotate(np.array(body.orientation) * np.array([1.0, -1.0, -1.0, -1.0]), normal)
+    return bool(np.sort(np.abs(across))[1] < _ROUNDING)
+
+
+def _slides_straight(scenario: Scenario, body: Body, normal: Array) -> bool:
+    """Whether the body is pressed on, not thrown off, and its weight pulls along its way if at all."""
+    velocity, gravity = np.array(body.velocity), np.array(scenario.gravity)
+    pull = gravity - (gravity @ normal) * normal
+    leaves = abs(velocity @ normal) > _ROUNDING or gravity @ normal > 0
+    return not leaves and bool(np.linalg.norm(np.cross(velocity, pull)) < _ROUNDING)
 
 
 class _Batch:
@@ -62,7 +85,7 @@ class _Batch:
 
 
 def bounce(
-    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: int, implementation: Implementation
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
 ) -> list[Trajectory]:
     """Balls that fall on a plane, bounce and come to rest; no friction."""
     signed_distance = implementation.function("signed_distance")
@@ -80,6 +103,7 @@ def bounce(
     restitution = np.array([pair.restitution for pair in batch.pairs])
     acceleration = weight(batch.mass, batch.gravity) / batch.mass[:, None]
     normal_acceleration = np.sum(acceleration * batch.normal, axis=1)
+    along_plane = acceleration - normal_acceleration[:, None] * batch.normal  # what is left to a ball on the plane
     rest_speed = settings.number("shortest_flight") * dt * -normal_acceleration / 2
     resting = np.zeros(len(scenarios), dtype=bool)
 
@@ -87,9 +111,7 @@ def bounce(
         return np.asarray(signed_distance(position, batch.normal, batch.offset - radius))
 
     def after(move: Callable[..., tuple[Array, Array]], duration: Array) -> tuple[Array, Array]:
-        position, velocity = move(batch.position, batch.velocity, acceleration, duration)
-        still = resting[:, None]
-        return np.where(still, batch.position, position), np.where(still, batch.velocity, velocity)
+        return move(batch.position, batch.velocity, np.where(resting[:, None], along_plane, acceleration), duration)
 
     def answer(struck: Mask, time: Array) -> None:
         answered = respond(batch.velocity, batch.normal, restitution)
@@ -107,7 +129,9 @@ def bounce(
 
     def until_slides_t(remaining: Array) -> Array:
         start = np.maximum(separation(batch.position), 0.0)  # left on the plane, it may be behind it by rounding
-        return np.asarray(interpolated(start, separation(after(fly, remaining)[0]), 0.0, remaining))
+        time = np.asarray(interpolated(start, separation(after(fly, remaining)[0]), 0.0, remaining))
+        moves_away = np.sum(batch.velocity * batch.normal, axis=1) > 0  # and back within the step: a chord cannot tell
+        return np.where((start == 0) & moves_away, np.inf, time)
 
     def step_through_impacts(time: float, until_impact: Callable[[Array], Array]) -> None:
         remaining = every_dt
@@ -125,8 +149,8 @@ def bounce(
         approaching = np.sum(batch.velocity * batch.normal, axis=1) < 0
         behind = is_colliding(separation(batch.position)) & approaching & ~resting
         answer(behind, np.full(len(scenarios), time))
-        free = ~(behind | resting)
-        batch.position, batch.velocity = euler(batch.position, batch.velocity, free[:, None] * acceleration, every_dt)
+        supported = np.where((behind | resting)[:, None], along_plane, acceleration)
+        batch.position, batch.velocity = euler(batch.position, batch.velocity, supported, every_dt)
 
     policies: dict[str, Callable[[float], None]] = {
         "exact_root": lambda time: step_through_impacts(time, until_exact_root),
@@ -137,7 +161,7 @@ def bounce(
 
 
 def slide(
-    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: int, implementation: Implementation
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
 ) -> list[Trajectory]:
     """Boxes flat on a plane that slide in a straight line and stop, or hold."""
     weight = implementation.function("uniform_gravity")
@@ -165,7 +189,7 @@ def slide(
         batch.velocity = np.where(reversed_[:, None], 0.0, velocity)  # friction stops a body; it cannot push it back
         batch.position = batch.position + batch.velocity * dt
 
-    policies = {"exact_root": step_exactly, "at_step": step_semi_implicitly}
+    policies: dict[str, Callable[[float], None]] = {"exact_root": step_exactly, "at_step": step_semi_implicitly}
     return _record(engine, batch, scenarios, settings, steps, _policy(policies, settings))
 
 
@@ -181,22 +205,24 @@ def _record(
     batch: _Batch,
     scenarios: Sequence[Scenario],
     settings: Settings,
-    steps: int,
+    steps: list[int],
     step: Callable[[float], None],
 ) -> list[Trajectory]:
-    """Step, sample, and hand every scenario its own trajectory, cut at its own duration."""
+    """Step, sample, and hand every scenario its own trajectory, cut after its own number of steps."""
     times, positions, velocities = [0.0], [batch.position], [batch.velocity]
-    for number in range(steps):
+    for number in range(max(steps)):
         step(number * settings.timestep)
         if (number + 1) % settings.sample_every == 0:
             times.append((number + 1) * settings.timestep)
             positions.append(batch.position)
             velocities.append(batch.velocity)
-    history = np.array(positions), np.array(velocities)
-    return [
-        _trajectory(engine, scenario, settings, np.array(times), *(values[:, member] for values in history), events)
-        for member, (scenario, events) in enumerate(zip(scenarios, batch.events, strict=True))
-    ]
+    time, position, velocity = np.array(times), np.array(positions), np.array(velocities)
+    found = []
+    for member, scenario in enumerate(scenarios):
+        count = 1 + steps[member] // settings.sample_every
+        states = position[:count, member], velocity[:count, member]
+        found.append(_trajectory(engine, scenario, settings, time[:count], *states, batch.events[member]))
+    return found
 
 
 def _trajectory(
@@ -208,19 +234,18 @@ def _trajectory(
     velocity: Array,
     events: list[Event],
 ) -> Trajectory:
-    count = int(np.searchsorted(times, scenario.duration + settings.timestep))
     moving = next(place for place, body in enumerate(scenario.bodies) if not body.immovable)
     states: dict[str, Any] = {
-        name: np.repeat(np.array([[getattr(body, name) for body in scenario.bodies]]), count, axis=0)
+        name: np.repeat(np.array([[getattr(body, name) for body in scenario.bodies]]), len(times), axis=0)
         for name in ("position", "orientation", "velocity", "angular_velocity")
     }
-    states["position"][:, moving], states["velocity"][:, moving] = position[:count], velocity[:count]
-    kept = tuple(event for event in events if event.time <= times[count - 1])
+    states["position"][:, moving], states["velocity"][:, moving] = position, velocity
+    kept = tuple(event for event in events if event.time <= times[-1])
     return Trajectory(
         scenario,
         settings,
         engine,
-        times[:count],
+        times,
         states["position"],
         states["orientation"],
         states["velocity"],

@@ -1,4 +1,4 @@
-"""The hand-written side as an engine: it picks the driver and the policy, `solutions` (or a student) does the physics."""
+"""The hand-written side as an engine: it picks driver and policy, `solutions` (or a student) does the physics."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from reference.engines import drivers
 from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
-from reference.errors import NeedsFunction
+from reference.errors import InvalidInput, NeedsFunction
 from reference.scenario import Box, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Trajectory
@@ -44,8 +44,8 @@ class Handwritten(Engine):
         policy = {"tuned": "exact_root", "slide": "interpolated", "stock": "at_step"}[profile]
         options: dict[str, float | str] = {"policy": policy}
         if drivers.kind(scenario) is Sphere:
-            # The exact root follows the bounces down to rounding. A flight within one step starts and ends on the plane:
-            # the slide's T cannot see it. At the step, even a flight of two steps is lost in the overlap.
+            # The exact root follows the bounces down to rounding. A flight within one step starts and ends on the
+            # plane: the slide's T cannot see it. At the step, even a flight of two steps is lost in the overlap.
             options["shortest_flight"] = {"exact_root": 1e-9, "interpolated": 1.0, "at_step": 2.0}[policy]
         return Settings(1e-3, options=options)
 
@@ -55,19 +55,27 @@ class Handwritten(Engine):
         gravity = float(np.linalg.norm(scenario.gravity))
         return Method(POLICIES[str(settings["policy"])], rest_speed=steps * settings.timestep * gravity / 2)
 
+    def check_settings(self, scenario: Scenario, settings: Settings) -> int:
+        """Refuse also a `shortest_flight` below the one step that the slide's T can see."""
+        if settings["policy"] == "interpolated" and drivers.kind(scenario) is Sphere:
+            shortest = settings.number("shortest_flight")
+            if shortest < 1:
+                raise InvalidInput(f"shortest_flight is {shortest:g}; with the policy interpolated it is at least 1")
+        return super().check_settings(scenario, settings)
+
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
         """Run one scenario as a batch of one."""
         return self.run_many([scenario], settings)[0]
 
     def run_many(self, scenarios: Sequence[Scenario], settings: Settings) -> list[Trajectory]:
         """Run a batch of scenarios of one kind side by side, in arrays."""
-        steps = max(self.check_settings(scenario, settings) for scenario in scenarios)
-        drive = _DRIVERS.get(drivers.kind(scenarios[0]))
-        if drive is None or any(drivers.kind(scenario) is not drivers.kind(scenarios[0]) for scenario in scenarios):
-            raise NeedsFunction("needs a rigid-body world (world)")
-        return drive(self.name, scenarios, settings, steps, self.implementation)
+        steps = [self.check_settings(scenario, settings) for scenario in scenarios]
+        kinds = {drivers.kind(scenario) for scenario in scenarios}
+        if kinds == {Sphere}:
+            return drivers.bounce(self.name, scenarios, settings, steps, self.implementation)
+        if kinds == {Box}:
+            return drivers.slide(self.name, scenarios, settings, steps, self.implementation)
+        raise NeedsFunction("needs a rigid-body world (world)")
 
-
-_DRIVERS = {Sphere: drivers.bounce, Box: drivers.slide}
 
 ENGINE = Handwritten

@@ -20,7 +20,7 @@ import numpy as np
 from reference import geometry, truth
 from reference.engines.base import AT_STEP, COMPLIANT, Engine, Method
 from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
-from reference.settings import Settings, steps_per_sample
+from reference.settings import Option, Settings, steps_per_sample
 from reference.trajectory import Recorder, Trajectory
 
 SPRING_STIFFNESS = 1e6
@@ -63,13 +63,13 @@ class MuJoCo(Engine):
             )
         restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
         sliding = restitution == 0 and geometry.starts_in_contact(scenario)
-        options = {
+        options: dict[str, Option] = {
             "contact": "one step",
             "integrator": "Euler",
             "cone": "elliptic",
             "impedance": 0.9999,
-            # Share of the overlap that the spring takes back in a step. What an impact leaves, up to v dt, comes back as
-            # speed, so it must be small there and vanish with e → 1; a body that starts in contact needs it firm.
+            # Share of the overlap that the spring takes back in a step. What an impact leaves, up to v dt, comes back
+            # as speed, so it must be small there and vanish with e → 1; a body that starts in contact needs it firm.
             "overlap_recovery": 0.1 if sliding else min(1e-4, 0.01 * (1 - restitution) ** 2),
             # MuJoCo's convex cone lifts a sliding contact. A tiny impratio takes friction out of the main solver, and
             # the noslip passes put Coulomb's cone back, without the lift.
@@ -79,14 +79,16 @@ class MuJoCo(Engine):
         return Settings(1e-4, steps_per_sample(1e-4), options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
-        """A resolved spring is compliant; all else answers at the step."""
+        """A resolved spring is compliant; all else answers at the step, and overlap comes back as speed."""
         if settings["contact"] == "spring":
             return Method(COMPLIANT, stiffness=settings.number("stiffness"))
-        return Method(AT_STEP)
+        share = settings.number("overlap_recovery") if "overlap_recovery" in settings.options else 0.0
+        return Method(AT_STEP, speed_recovery=share)
 
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
         """Build the model, step it in C between samples and read positions and velocities at the samples."""
         mujoco: Any = self.module()
+        self.check_friction(scenario)
         steps = self.check_settings(scenario, settings)
         mujoco.set_mju_user_warning(lambda message: None)  # a bad state is found in the samples; write no log file
         model = self._model(mujoco, scenario, settings)
@@ -123,6 +125,9 @@ class MuJoCo(Engine):
         if not stock:
             for pair in scenario.pairs:
                 _add_pair(spec, pair, settings)
+        else:
+            for first, second in scenario.unlisted_pairs():
+                spec.add_exclude(bodyname1=first, bodyname2=second)
         return spec.compile()
 
     def _add_body(self, mujoco: Any, spec: Any, scenario: Scenario, body: Body, stock: bool) -> None:
@@ -189,7 +194,7 @@ def _state(state: Any, movable: list[int], fixed: list[list[float]]) -> list[flo
 
 
 def _keep_contacts(recorder: Recorder, contact: Any) -> None:
-    """Keep the contacts of the latest step. MuJoCo's normal points from its first geom to its second: A is the second."""
+    """Keep the contacts of the latest step. MuJoCo's normal points from its first geom to its second: A is that."""
     columns = (contact.geom, contact.pos, contact.frame[:, :3], contact.dist)
     for (first, second), position, normal, separation in zip(*(column.tolist() for column in columns), strict=True):
         recorder.contact(second, first, position, normal, separation)  # one geom a body, in the bodies' order

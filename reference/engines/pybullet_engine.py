@@ -18,8 +18,8 @@ import numpy as np
 
 from reference import geometry
 from reference.engines.base import AT_STEP, Engine, Method
-from reference.scenario import Body, Box, HalfSpace, Scenario, Sphere
-from reference.settings import Settings
+from reference.scenario import Body, Box, Pair, Scenario, Sphere
+from reference.settings import Option, Settings
 from reference.trajectory import Recorder, Trajectory
 
 STOCK_TIMESTEP = 1 / 240
@@ -40,11 +40,11 @@ class PyBullet(Engine):
         if profile == "stock":
             return Settings(STOCK_TIMESTEP, options={"coordinates": "multibody"})
         restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
-        damping = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
+        damping: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
         if restitution == 0 and geometry.starts_in_contact(scenario):
-            options = {"coordinates": "multibody", **damping, "solver_iterations": 200, "solver_residual": 0.0}
-            return Settings(1e-3, options=options)
-        options = {
+            firm: dict[str, Option] = {"solver_iterations": 200, "solver_residual": 0.0}
+            return Settings(1e-3, options={"coordinates": "multibody", **damping, **firm})
+        options: dict[str, Option] = {
             "coordinates": "maximal",
             **damping,
             # Rebounds slower than this many steps of gravity are taken for rest. Without it micro-bounces go on and on.
@@ -75,6 +75,7 @@ class PyBullet(Engine):
             bullet.disconnect(client)
 
     def _run(self, bullet: Any, client: int, scenario: Scenario, settings: Settings) -> Trajectory:
+        self.check_friction(scenario)
         steps = self.check_settings(scenario, settings)
         bullet.resetSimulation(physicsClientId=client)
         self._set_world(bullet, client, scenario, settings)
@@ -84,6 +85,9 @@ class PyBullet(Engine):
             for body, pair in zip(scenario.bodies, coefficients, strict=True)
         ]
         places = {number: place for place, number in enumerate(numbers)}
+        for first, second in scenario.unlisted_pairs():
+            apart = numbers[scenario.index(first)], numbers[scenario.index(second)]
+            bullet.setCollisionFilterPair(*apart, -1, -1, 0, physicsClientId=client)
         recorder = Recorder(self.name, scenario, settings)
         recorder.sample(_state(bullet, client, numbers))
         for number in range(1, steps + 1):
@@ -125,15 +129,12 @@ class PyBullet(Engine):
         self, bullet: Any, client: int, body: Body, settings: Settings, restitution: float, friction: float
     ) -> int:
         here = {"physicsClientId": client}
-        orientation = np.array(body.orientation)
-        if isinstance(body.shape, HalfSpace):
-            orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), np.array(body.shape.normal))
         shape = _collision_shape(bullet, body, here)
         number: int = bullet.createMultiBody(
             0.0 if body.immovable else body.mass,
             shape,
             basePosition=body.position,
-            baseOrientation=np.roll(orientation, -1).tolist(),  # x y z w
+            baseOrientation=(*body.orientation[1:], body.orientation[0]),  # x y z w
             useMaximalCoordinates=settings["coordinates"] == "maximal",
             **here,
         )
@@ -153,9 +154,13 @@ class PyBullet(Engine):
 
     def _coefficients(self, scenario: Scenario) -> list[tuple[float, float]]:
         """One restitution and friction per body such that every pair's product is what the scenario asks for."""
-        shared = [math.sqrt(value) for value in (scenario.pairs[0].restitution, scenario.pairs[0].kinetic_friction)]
-        for pick in (lambda body: shared, lambda body: self._own_or_one(scenario, body)):
-            chosen = {body.name: tuple(pick(body)) for body in scenario.bodies}
+        if not scenario.pairs:
+            return [(0.0, 0.0)] * len(scenario.bodies)
+        first = scenario.pairs[0]
+        shared = math.sqrt(first.restitution), math.sqrt(first.kinetic_friction)
+        alike = {body.name: shared for body in scenario.bodies}
+        one_sided = {body.name: self._own_or_one(scenario, body) for body in scenario.bodies}
+        for chosen in (alike, one_sided):
             if all(_product_is_right(chosen, pair) for pair in scenario.pairs):
                 return [chosen[body.name] for body in scenario.bodies]
         raise self.cannot(scenario, "Bullet multiplies the coefficients of two bodies, and no choice gives all pairs")
@@ -165,11 +170,13 @@ class PyBullet(Engine):
         """Everything on the movable body and 1 on the immovable one, as its makers advise."""
         if body.immovable:
             return 1.0, 1.0
-        pair = next(pair for pair in scenario.pairs if body.name in (pair.body_a, pair.body_b))
-        return pair.restitution, pair.kinetic_friction
+        for pair in scenario.pairs:
+            if body.name in (pair.body_a, pair.body_b):
+                return pair.restitution, pair.kinetic_friction
+        return 0.0, 0.0  # it touches nothing
 
 
-def _product_is_right(chosen: Mapping[str, tuple[float, ...]], pair: Any) -> bool:
+def _product_is_right(chosen: Mapping[str, tuple[float, float]], pair: Pair) -> bool:
     products = (a * b for a, b in zip(chosen[pair.body_a], chosen[pair.body_b], strict=True))
     wanted = (pair.restitution, pair.kinetic_friction)
     return all(math.isclose(product, value, abs_tol=1e-15) for product, value in zip(products, wanted, strict=True))
@@ -182,7 +189,8 @@ def _collision_shape(bullet: Any, body: Body, here: dict[str, int]) -> int:
     elif isinstance(shape, Box):
         number = bullet.createCollisionShape(bullet.GEOM_BOX, halfExtents=shape.half_extents, **here)
     else:
-        number = bullet.createCollisionShape(bullet.GEOM_PLANE, **here)
+        own_frame = geometry.rotate(np.array(body.orientation) * np.array([1, -1, -1, -1]), np.array(shape.normal))
+        number = bullet.createCollisionShape(bullet.GEOM_PLANE, planeNormal=own_frame.tolist(), **here)
     return number
 
 

@@ -1,0 +1,1 @@
+"""Rows and studies to terminal, page, files and figures."""

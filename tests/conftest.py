@@ -1,0 +1,30 @@
+"""What every test may use: engines through `installed`, so that the suite passes where one is missing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from hypothesis import settings
+
+from reference.engines import Engine, load_engine
+from reference.errors import EngineNotInstalled
+
+# The same examples in every run, and no limit on the time of one: a busy machine must not fail a test.
+settings.register_profile("lab", derandomize=True, deadline=None)
+settings.load_profile("lab")
+
+
+@pytest.fixture(scope="session")
+def installed() -> Callable[[str], Engine]:
+    """Load an engine by name or by file; where its package is missing, the test is skipped and says so."""
+
+    def load(name: str) -> Engine:
+        engine = load_engine(name)
+        try:
+            engine.module()
+        except EngineNotInstalled as error:
+            pytest.skip(str(error))
+        return engine
+
+    return load

@@ -1,0 +1,422 @@
+"""Many runs: what is planned, what comes back, and that a job which fails costs that job and nothing else."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import textwrap
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from reference.compare import ALL_CASES, Verdict
+from reference.engines import engine_names, load_engine
+from reference.errors import InvalidInput, UnknownName
+from reference.isolate import close_workers
+from reference.scenarios import catalogue
+from reference.study import Job, JobResult, order_of, plan, run_job, run_jobs, run_safely
+
+DROPPED, SLIDING = catalogue()["dropped-ball"], catalogue()["sliding-slab"]
+GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
+ENOUGH = 60.0  # s: any honest job here takes one, on a busy machine too
+
+ENGINE_FILE = """
+import os, signal, sys, threading, time
+
+from reference.engines.base import Engine, Method
+from reference.errors import CannotExpress
+from reference.settings import Settings
+from reference.trajectory import Recorder
+
+
+class Odd(Engine):
+    name = "odd"
+    title = "an odd one"
+    package = {package!r}
+
+    def settings(self, scenario, profile):
+        self.check_profile(scenario, profile)
+        return Settings(0.01)
+
+    def method(self, scenario, settings):
+        return Method("at step")
+
+    def run(self, scenario, settings):
+        recorder = Recorder(self.name, scenario, settings)
+        state = [n for b in scenario.bodies for n in (*b.position, *b.orientation, *b.velocity, *b.angular_velocity)]
+        steps = self.check_settings(scenario, settings)
+{body}
+        return recorder.trajectory()
+
+
+ENGINE = Odd
+"""
+
+
+def engine_file(folder: Path, name: str, body: str = "pass", package: str | None = None) -> str:
+    """Write an engine to a file of its own; `body` is what its run does before it hands in its samples."""
+    path = folder / f"{name}.py"
+    path.write_text(ENGINE_FILE.format(body=textwrap.indent(textwrap.dedent(body), " " * 8), package=package))
+    return str(path)
+
+
+def run_all(jobs: list[Job], timeout: float = ENOUGH) -> dict[Job, JobResult]:
+    with ThreadPoolExecutor(2) as executor:
+        return {result.job: result for result in run_jobs(jobs, executor, timeout)}
+
+
+# Planning
+
+
+def planned(jobs: list[Job]) -> list[tuple[str, str, str]]:
+    return [(job.family, job.engine, job.profile) for job in jobs]
+
+
+def test_without_profiles_named_every_engine_runs_all_that_it_has_tuned_first():
+    assert planned(plan([DROPPED], engine_names())) == [
+        ("dropped-ball", "handwritten", "tuned"),
+        ("dropped-ball", "handwritten", "slide"),
+        ("dropped-ball", "handwritten", "stock"),
+        ("dropped-ball", "pybullet", "tuned"),
+        ("dropped-ball", "pybullet", "stock"),
+        ("dropped-ball", "mujoco", "tuned"),
+        ("dropped-ball", "mujoco", "spring"),
+        ("dropped-ball", "mujoco", "stock"),
+    ]
+
+
+def test_the_whole_grid_has_no_missing_cell():
+    jobs = planned(plan(catalogue().values(), engine_names()))
+    assert len(set(jobs)) == len(jobs)
+    for name in engine_names():
+        for family in catalogue().values():
+            for profile in load_engine(name).profiles(family.cases[0].scenarios[0]):
+                assert (family.name, name, profile) in jobs
+
+
+def test_a_profile_that_one_engine_has_is_planned_for_that_engine():
+    jobs = plan([DROPPED], engine_names(), ["spring", "tuned"])
+    assert planned(jobs) == [
+        ("dropped-ball", "handwritten", "tuned"),
+        ("dropped-ball", "pybullet", "tuned"),
+        ("dropped-ball", "mujoco", "spring"),
+        ("dropped-ball", "mujoco", "tuned"),
+    ]
+
+
+def test_a_profile_that_one_family_has_is_planned_for_that_family():
+    assert planned(plan([SLIDING, DROPPED], ["handwritten"], ["slide"])) == [("dropped-ball", "handwritten", "slide")]
+
+
+def test_families_may_come_from_a_generator():
+    jobs = plan((family for family in (DROPPED, SLIDING)), ["handwritten"], ["tuned"])
+    assert [job.family for job in jobs] == ["dropped-ball", "sliding-slab"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "wrong", "choice"),
+    [
+        ({"profiles": ["tunde"]}, "tunde", "tuned"),
+        ({"engines": ["pybulet"]}, "pybulet", "pybullet"),
+        ({"profiles": ["tuned"], "changes": {"polcy": "at_step"}}, "polcy", "policy"),
+        ({"cases": {"dropped-ball": ("e=0.7",)}}, "e=0.7", "e=0.5"),
+    ],
+)
+def test_a_plan_with_a_name_that_there_is_not_is_refused_with_those_there_are(arguments, wrong, choice):
+    with pytest.raises(UnknownName) as refused:
+        plan(**({"families": [DROPPED], "engines": ["handwritten"]} | arguments))
+    assert refused.value.value == wrong
+    assert choice in refused.value.choices
+
+
+def test_a_profile_that_no_engine_of_the_plan_has_is_refused():
+    with pytest.raises(UnknownName):
+        plan([DROPPED], ["handwritten", "pybullet"], ["spring"])
+
+
+def test_a_plan_whose_timestep_is_longer_than_a_case_is_refused_before_anything_runs():
+    shortest, longest = DROPPED.cases[0], DROPPED.cases[-1]
+    between = (shortest.scenarios[0].duration + longest.scenarios[0].duration) / 2
+    for cases in ({"dropped-ball": (shortest.name,)}, {}):
+        with pytest.raises(InvalidInput, match="longer than"):
+            plan([DROPPED], ["handwritten"], ["tuned"], cases, changes={"timestep": between})
+    assert plan([DROPPED], ["handwritten"], ["tuned"], {"dropped-ball": (longest.name,)}, changes={"timestep": between})
+
+
+def test_a_plan_carries_cases_changes_and_implementation_into_every_job():
+    changes = {"timestep": 2e-3, "sample_every": 2}
+    jobs = plan(
+        [DROPPED, SLIDING],
+        ["handwritten", "pybullet"],
+        ["tuned"],
+        cases={"dropped-ball": ("e=0.5", "e=1")},
+        implementation="mine.py",
+        changes=changes,
+        with_studies=True,
+    )
+    assert [job.cases for job in jobs] == [("e=0.5", "e=1")] * 2 + [()] * 2
+    assert all(dict(job.changes) == changes for job in jobs)
+    assert all(job.implementation == "mine.py" and job.with_studies for job in jobs)
+
+
+# One job
+
+
+def test_a_job_runs_the_cases_that_it_names_and_all_where_it_names_none():
+    all_cases = run_job(Job("dropped-ball", "handwritten", "tuned")).rows
+    assert [row.case for row in all_cases if row.quantity == "rebound"] == [case.name for case in DROPPED.cases]
+    two = run_job(Job("dropped-ball", "handwritten", "tuned", ("e=1", "e=0.5"))).rows
+    assert set(two) == {row for row in all_cases if row.case in ("e=0.5", "e=1")}
+
+
+def test_a_job_runs_with_the_settings_that_it_changes():
+    plain = run_job(Job("dropped-ball", "handwritten", "stock", ("e=0.5",)))
+    coarse = run_job(Job("dropped-ball", "handwritten", "stock", ("e=0.5",), changes=(("timestep", 4e-3),)))
+    (fine_row, _), (coarse_row, _) = plain.rows, coarse.rows
+    assert "timestep 0.004 s" in coarse.settings
+    assert coarse_row.error == pytest.approx(4 * fine_row.error, rel=0.02)  # first order, up to a term of second
+
+
+def test_a_job_says_what_ran_and_how_long():
+    result = run_job(GOOD)
+    assert result.title == "hand-written"
+    assert result.description == "exact root"
+    assert result.version
+    assert result.seconds > 0
+    assert "policy exact_root" in result.settings
+    assert {row.verdict for row in result.rows} == {Verdict.PASS}
+
+
+def test_a_job_of_the_plotted_case_brings_the_curve_and_any_other_none():
+    curve = DROPPED.curve
+    assert run_job(Job("dropped-ball", "handwritten", "tuned", ("e=1",))).series is None
+    series = run_job(Job("dropped-ball", "handwritten", "tuned", (curve.case,))).series
+    assert len(series.times) == len(series.values)
+    assert 300 <= len(series.times) <= 1200  # enough for a smooth line, few enough for a page
+    assert series.times[0] == 0
+    assert series.values[0] == pytest.approx(1.0, abs=1e-6)  # the gap at the start; curves are rounded to 1e-7 m
+    until = catalogue()["ball-to-rest"].curve.until
+    assert run_job(replace(GOOD, cases=("e=0.8",))).series.times[-1] <= until
+
+
+def test_convergence_is_studied_only_where_it_is_asked_for():
+    assert run_job(GOOD).convergence is None
+    found = run_job(replace(GOOD, profile="stock", with_studies=True)).convergence
+    assert found.timesteps == pytest.approx([4e-3, 2e-3, 1e-3, 5e-4])
+    assert len(found.errors) == 4
+
+
+def test_a_timestep_that_gives_no_number_leaves_a_gap_in_the_convergence(tmp_path):
+    picky = engine_file(tmp_path, "picky", "if settings.timestep > 0.02: raise CannotExpress('too coarse')\n" + FALLING)
+    found = run_job(Job("dropped-ball", picky, "tuned", ("e=0.5",), with_studies=True)).convergence
+    assert found.timesteps == pytest.approx([0.02, 0.01, 0.005])
+
+
+FALLING = """
+z = state[15]  # the ball is the second body: 13 numbers of the floor, then x, y, z
+for number in range(steps + 1):
+    t = number * settings.timestep
+    fall, down = (2 * (z - 0.1) / 9.81) ** 0.5, 9.81 * t
+    height = z - 9.81 * t * t / 2 if t < fall else 0.1 + 4.429 * 0.5 * (t - fall) - 9.81 * (t - fall) ** 2 / 2
+    state[15], state[22] = height, (-down if t < fall else 4.429 * 0.5 - 9.81 * (t - fall))
+    recorder.sample(list(state))
+"""
+
+
+def test_an_isolated_job_gives_the_rows_that_it_gives_here_and_now():
+    here, isolated = run_job(GOOD), run_safely(GOOD)
+    assert isolated == here
+    assert [row.measured for row in isolated.rows] == [row.measured for row in here.rows]
+
+
+def test_a_result_can_be_pickled():
+    result = run_job(replace(GOOD, with_studies=True))
+    assert pickle.loads(pickle.dumps(result)) == result
+
+
+# Order of convergence
+
+
+@pytest.mark.parametrize("order", [0.5, 1, 2, 4])
+def test_the_order_is_the_slope_of_error_against_timestep(order):
+    steps = [4e-3, 2e-3, 1e-3, 5e-4]
+    assert order_of(steps, [1e5 * dt**order for dt in steps], 1.0) == pytest.approx(order)  # a line: rounding only
+
+
+def test_errors_that_are_rounding_have_no_order():
+    assert order_of([4e-3, 2e-3, 1e-3], [1e-16, 3e-16, 2e-16], 1.0) is None
+    assert order_of([4e-3, 2e-3, 1e-3], [0.0, 0.0, 0.0], 0.0) is None
+
+
+def test_the_order_is_read_off_the_errors_that_stand_above_rounding():
+    steps = [4e-3, 2e-3, 1e-3, 5e-4]
+    assert order_of(steps, [1.6e-7, 4e-8, 1e-8, 1e-13], 1.0) == pytest.approx(2)
+    assert order_of(steps, [1.6e-7, 1e-13, 1e-13, 1e-13], 1.0) is None, "one point makes no line"
+    assert order_of([1e-3], [1e-3], 1.0) is None
+
+
+def test_errors_that_grow_as_the_timestep_shrinks_have_a_negative_order():
+    assert order_of([4e-3, 2e-3, 1e-3], [1.0, 2.0, 4.0], 1.0) == pytest.approx(-1)
+
+
+# Jobs that fail
+
+DEATHS = {
+    "exits": ("os._exit(3)", "exit code 3"),
+    "leaves": ("sys.exit()", "exit code 0"),
+    "raises": ("raise ZeroDivisionError('by the moon')", "ZeroDivisionError: by the moon"),
+    "nan": (
+        "recorder.sample(state)\nrecorder.sample([float('nan')] * len(state))",
+        "positions is not finite from t = 0.01 s on",
+    ),
+}
+if os.name == "posix":  # where a process can be killed by a signal
+    DEATHS["killed"] = ("os.kill(os.getpid(), signal.SIGKILL)", "SIGKILL")
+
+
+def test_jobs_that_fail_give_one_row_each_that_says_how_and_the_others_finish(tmp_path):
+    odd = {
+        Job("dropped-ball", engine_file(tmp_path, name, body), "tuned", ("e=0.5",)): note
+        for name, (body, note) in DEATHS.items()
+    }
+    results = run_all([GOOD, *odd, replace(GOOD, profile="stock")])
+    assert len(results) == len(odd) + 2
+    for job, note in odd.items():
+        (row,) = results[job].rows
+        assert row.verdict is Verdict.CRASHED, note
+        assert note in row.note
+        assert (row.family, row.engine, row.profile) == ("dropped-ball", "odd", "tuned")
+        assert row.case in (ALL_CASES, "e=0.5")
+        assert row.measured is None
+        assert results[job].title == "an odd one"
+        assert results[job].description == "says what the scenario means"
+    for job in (GOOD, replace(GOOD, profile="stock")):
+        assert [row.verdict for row in results[job].rows] == [Verdict.PASS] * 4
+
+
+def test_a_job_that_hangs_is_stopped_and_the_others_finish(tmp_path):
+    hung = Job("dropped-ball", engine_file(tmp_path, "hung", "threading.Event().wait()"), "tuned", ("e=0.5",))
+    results = run_all([hung, GOOD], timeout=8.0)  # s: the good one takes one or two, its process's start included
+    (row,) = results[hung].rows
+    assert row.verdict is Verdict.CRASHED
+    assert "no answer within 8 s" in row.note
+    assert results[hung].seconds >= 8
+    assert [row.verdict for row in results[GOOD].rows] == [Verdict.PASS] * 4
+
+
+def test_a_worker_that_was_given_up_leaves_no_trace_in_the_next_job(tmp_path):
+    for name in ("first", "second"):
+        bad = Job("dropped-ball", engine_file(tmp_path, name, "os._exit(1)"), "tuned", ("e=0.5",))
+        assert run_safely(bad, ENOUGH).rows[0].verdict is Verdict.CRASHED
+        assert {row.verdict for row in run_safely(GOOD, ENOUGH).rows} == {Verdict.PASS}
+
+
+def test_results_come_as_they_are_ready(tmp_path):
+    slow = Job("dropped-ball", engine_file(tmp_path, "slow", "time.sleep(2); os._exit(0)"), "tuned", ("e=0.5",))
+    run_safely(GOOD)  # so that a worker is there already
+    with ThreadPoolExecutor(2) as executor:
+        order = [result.job for result in run_jobs([slow, GOOD], executor, ENOUGH)]
+    assert order == [GOOD, slow]
+
+
+def test_jobs_that_nobody_waits_for_any_more_are_not_started():
+    started = []
+
+    class Counting(ThreadPoolExecutor):
+        def submit(self, function, /, *arguments, **named) -> Future:
+            def counted() -> object:
+                started.append(arguments)
+                return function(*arguments, **named)
+
+            return super().submit(counted)
+
+    with Counting(1) as executor:
+        results = run_jobs([GOOD] * 5, executor, ENOUGH)
+        next(results)
+        results.close()
+    assert len(started) < 5
+
+
+def test_any_executor_will_do():
+    class AtOnce(Executor):
+        def submit(self, function, /, *arguments) -> Future:
+            future: Future = Future()
+            future.set_result(function(*arguments))
+            return future
+
+    assert list(run_jobs([GOOD], AtOnce(), ENOUGH)) == [run_job(GOOD)]
+
+
+def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_it(tmp_path):
+    missing = Job("dropped-ball", engine_file(tmp_path, "missing", package="no_such_package"), "tuned")
+    results = run_all([missing, GOOD])
+    (row,) = results[missing].rows
+    assert (row.verdict, row.case) == (Verdict.NOT_AVAILABLE, ALL_CASES)
+    assert "an odd one is not installed here" in row.note
+    assert "pip install no_such_package" in row.note
+    assert {row.verdict for row in results[GOOD].rows} == {Verdict.PASS}
+
+
+@pytest.mark.parametrize("name", ["pybullet", "mujoco"])
+def test_an_engine_that_cannot_be_imported_gives_one_row_that_says_how_to_get_it(name, tmp_path, monkeypatch):
+    (tmp_path / f"{name}.py").write_text("raise ImportError('a library of it is missing')\n")
+    monkeypatch.syspath_prepend(tmp_path)  # workers get this path too
+    close_workers()  # those that are idle have the old one
+    try:
+        result = run_safely(Job("dropped-ball", name, "tuned", ("e=0.5",)), ENOUGH)
+    finally:
+        close_workers()
+    (row,) = result.rows
+    assert row.verdict is Verdict.NOT_AVAILABLE
+    assert f'pip install -e ".[{name}]"' in row.note
+
+
+# Hand-written code that is not finished
+
+EVERYTHING = "".join(f"from solutions.{topic} import *\n" for topic in ("detection", "response", "forces", "friction"))
+
+
+@pytest.mark.parametrize(
+    "missing", ["del kinematic_response\n", "def kinematic_response(*arguments):\n    raise NotImplementedError\n"]
+)
+def test_a_function_that_is_not_written_yet_is_named_in_one_row_and_the_others_finish(missing, tmp_path):
+    path = tmp_path / "homework.py"
+    path.write_text(EVERYTHING + missing)
+    unfinished = Job("dropped-ball", "handwritten", "tuned", ("e=0.5",), str(path))
+    not_needed = Job("sliding-slab", "handwritten", "tuned", ("μ=0.7,v=1",), str(path))
+    results = run_all([unfinished, not_needed, GOOD])
+    (row,) = results[unfinished].rows
+    assert (row.verdict, row.note) == (Verdict.NEEDS, "needs kinematic_response (response, step 1)")
+    for job in (not_needed, GOOD):
+        assert {row.verdict for row in results[job].rows} == {Verdict.PASS}
+
+
+def test_a_finished_file_of_functions_answers_as_the_solutions_do(tmp_path):
+    path = tmp_path / "homework.py"
+    path.write_text(EVERYTHING)
+    assert run_safely(replace(GOOD, implementation=str(path)), ENOUGH).rows == run_job(GOOD).rows
+
+
+def test_hand_written_code_with_a_bug_fails_and_with_a_wrong_sign_is_found_out(tmp_path):
+    broken, wrong = tmp_path / "broken.py", tmp_path / "wrong.py"
+    broken.write_text(EVERYTHING + "def kinematic_response(v, n, e):\n    return v[1000000]\n")
+    wrong.write_text(
+        EVERYTHING + "def kinematic_response(v, n, e):\n    return v - 2 * (v * n).sum(-1, keepdims=True) * n\n"
+    )
+    jobs = [Job("dropped-ball", "handwritten", "tuned", ("e=0.5",), str(path)) for path in (broken, wrong)]
+    results = run_all(jobs)
+    (row,) = results[jobs[0]].rows
+    assert row.verdict is Verdict.CRASHED
+    assert "IndexError" in row.note
+    rebound = next(row for row in results[jobs[1]].rows if row.quantity == "rebound")
+    assert rebound.verdict is Verdict.FAIL
+    assert rebound.measured == pytest.approx(1.0, abs=1e-9)  # the slide's formula is the case e = 1
+    assert np.isfinite(rebound.error)
+
+
+def test_an_implementation_that_there_is_not_is_the_callers_mistake():
+    with pytest.raises(InvalidInput, match="no such file"):
+        run_safely(replace(GOOD, implementation="no/such/homework.py"), ENOUGH)

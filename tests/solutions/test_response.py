@@ -1,0 +1,141 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from solutions.response import kinematic_response
+
+RNG_SEED = 7
+COMPONENT = st.floats(-100, 100)
+VELOCITY = st.tuples(COMPONENT, COMPONENT, COMPONENT).map(np.array)
+DIRECTION = st.tuples(*[st.floats(-1, 1)] * 3).map(np.array).filter(lambda n: np.linalg.norm(n) > 1e-3)
+NORMAL = DIRECTION.map(lambda n: n / np.linalg.norm(n))
+RESTITUTION = st.floats(0, 1)
+ROUNDING = 1e-12
+"""Some ten roundings of velocities up to 200 m/s; a normal is a unit vector to 1e-16 only."""
+UP = (0.0, 0.0, 1.0)
+
+
+def test_a_ball_that_drops_on_the_floor_leaves_with_e_times_its_speed():
+    assert kinematic_response((0.0, 0.0, -4.0), UP, 0.75).tolist() == [0.0, 0.0, 3.0]
+
+
+def test_only_the_component_along_the_normal_is_reversed():
+    # Normal (0.6, 0, 0.8): the velocity 5 (−0.6, 0, −0.8) + 10 (0.8, 0, −0.6) + (0, 2, 0) comes in at 5 m/s.
+    after = kinematic_response((5.0, 2.0, -10.0), (0.6, 0.0, 0.8), 0.5)
+    assert after == pytest.approx([8 + 1.5, 2, -6 + 2], abs=1e-14)  # a few roundings of numbers up to 10
+
+
+def test_the_elastic_response_is_the_slides_mirror():
+    velocity, normal = np.array([3.0, -1.0, -2.0]), np.array([0.0, 0.6, 0.8])
+    mirrored = velocity - 2 * (velocity @ normal) * normal
+    assert kinematic_response(velocity, normal, 1.0) == pytest.approx(mirrored, abs=1e-15)
+
+
+def test_without_restitution_the_body_slides_on_along_the_plane():
+    assert kinematic_response((3.0, -1.0, -2.0), UP, 0.0).tolist() == [3.0, -1.0, 0.0]
+
+
+@given(VELOCITY, NORMAL, RESTITUTION)
+def test_what_comes_in_leaves_with_e_times_the_normal_speed_and_the_same_tangential_velocity(velocity, normal, e):
+    before, after = velocity @ normal, kinematic_response(velocity, normal, e) @ normal
+    assert after == pytest.approx(-e * before if before < 0 else before, abs=ROUNDING)
+    along = velocity - before * normal
+    assert kinematic_response(velocity, normal, e) - after * normal == pytest.approx(along, abs=ROUNDING)
+
+
+@given(VELOCITY, NORMAL, RESTITUTION)
+def test_a_body_that_already_moves_away_or_along_is_left_alone(velocity, normal, e):
+    leaving = velocity + (ROUNDING - min(velocity @ normal, 0.0)) * normal  # by a little more than rounding can undo
+    assert np.array_equal(kinematic_response(leaving, normal, e), leaving)
+
+
+def test_a_grazing_body_is_left_alone_and_so_is_a_resting_one():
+    assert kinematic_response((3.0, -4.0, 0.0), UP, 0.5).tolist() == [3.0, -4.0, 0.0]
+    assert kinematic_response((0.0, 0.0, 0.0), UP, 0.5).tolist() == [0.0, 0.0, 0.0]
+
+
+@given(VELOCITY, NORMAL, RESTITUTION)
+def test_answering_the_same_collision_twice_changes_nothing_more(velocity, normal, e):
+    once = kinematic_response(velocity, normal, e)
+    assert kinematic_response(once, normal, e) == pytest.approx(once, abs=ROUNDING)
+
+
+@given(VELOCITY, NORMAL, RESTITUTION)
+def test_a_collision_takes_the_share_one_minus_e_squared_of_the_energy_along_the_normal(velocity, normal, e):
+    approach = min(velocity @ normal, 0.0)
+    after = kinematic_response(velocity, normal, e)
+    lost = (velocity @ velocity - after @ after) / 2  # J per kg
+    # Energies up to 1.5e4 J/kg are differences of squares, rounded to some 1e-16 of that
+    assert lost == pytest.approx((1 - e**2) * approach**2 / 2, abs=1e-10)
+
+
+@given(VELOCITY, NORMAL)
+def test_an_elastic_collision_runs_backwards_as_well(velocity, normal):
+    incoming = velocity - 2 * max(velocity @ normal, 0.0) * normal
+    back = -kinematic_response(-kinematic_response(incoming, normal, 1.0), normal, 1.0)
+    assert back == pytest.approx(incoming, abs=ROUNDING)
+
+
+@given(VELOCITY, NORMAL, RESTITUTION, VELOCITY)
+def test_an_observer_who_moves_along_the_plane_sees_the_same_collision(velocity, normal, e, boost):
+    along = boost - (boost @ normal) * normal
+    seen = kinematic_response(velocity + along, normal, e) - along
+    assert seen == pytest.approx(kinematic_response(velocity, normal, e), abs=ROUNDING)
+
+
+@given(VELOCITY, NORMAL, RESTITUTION, VELOCITY)
+def test_seen_from_the_ground_a_moving_plane_reverses_the_relative_velocity(velocity, normal, e, plane):
+    # The function takes the velocity relative to the plane; the plane's own comes back on top.
+    after = kinematic_response(velocity - plane, normal, e) + plane
+    relative = (velocity - plane) @ normal
+    assert (after - plane) @ normal == pytest.approx(-e * relative if relative < 0 else relative, abs=ROUNDING)
+
+
+@given(VELOCITY, NORMAL, RESTITUTION, st.integers(0, 99))
+def test_turning_the_whole_scene_turns_the_answer(velocity, normal, e, seed):
+    turn, _ = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))
+    turned = kinematic_response(turn @ velocity, turn @ normal, e)
+    assert turned == pytest.approx(turn @ kinematic_response(velocity, normal, e), abs=ROUNDING)
+
+
+def test_the_other_side_of_the_plane_is_another_collision():
+    assert kinematic_response((0.0, 0.0, 2.0), (0.0, 0.0, -1.0), 0.5).tolist() == [0.0, 0.0, -1.0]
+
+
+def test_a_bouncing_ball_loses_height_as_e_to_the_power_two_n():
+    e, velocity, heights = 0.8, np.array([0.0, 0.0, -1.0]), []
+    for _ in range(5):
+        velocity = kinematic_response(velocity, UP, e)
+        heights.append(velocity[2] ** 2)  # v²/(2g) over v0²/(2g)
+        velocity = -velocity  # the flight brings the speed back, downwards
+    assert heights == pytest.approx([e ** (2 * n) for n in range(1, 6)], rel=1e-14)  # ten roundings
+
+
+def test_many_collisions_at_once_are_the_same_as_one_after_another():
+    rng = np.random.default_rng(RNG_SEED)
+    velocities, normals = rng.normal(size=(2, 4, 5, 3))
+    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    e = rng.uniform(size=(4, 5))
+    together = kinematic_response(velocities, normals, e)
+    assert together.shape == (4, 5, 3)
+    for at in np.ndindex(4, 5):
+        # Sums over the last axis may be grouped differently in a batch
+        assert together[at] == pytest.approx(kinematic_response(velocities[at], normals[at], e[at]), abs=1e-15)
+
+
+def test_one_plane_answers_many_bodies_and_one_body_many_coefficients():
+    assert kinematic_response([(0, 0, -2), (1, 0, 2)], UP, 0.5).tolist() == [[0, 0, 1], [1, 0, 2]]
+    assert kinematic_response((0, 0, -2), UP, [0.0, 0.5, 1.0])[:, 2].tolist() == [0, 1, 2]
+
+
+def test_answering_a_collision_changes_none_of_its_inputs():
+    arrays = [np.array([[0.0, 1.0, -2.0]]), np.array([[0.0, 0.0, 1.0]]), np.array([0.5])]
+    kept = [array.copy() for array in arrays]
+    for array in arrays:
+        array.flags.writeable = False  # writing to one would raise
+    answer = kinematic_response(*arrays)
+    assert all(np.array_equal(array, copy) for array, copy in zip(arrays, kept, strict=True))
+    assert not np.shares_memory(answer, arrays[0])

@@ -1,0 +1,130 @@
+"""Who may import whom: read off the syntax trees of all modules, so an import within a function counts as well."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+LATE = {"mujoco", "pybullet", "matplotlib"}
+"""Engines and plotting: imported within functions, so that a machine without them runs everything else."""
+OURS = {"solutions", "reference", "labs", "tests"}
+MAY_IMPORT = {"solutions": {"solutions"}, "reference": {"reference"}, "labs": {"labs", "reference"}}
+"""Which of our own packages each package may import."""
+
+
+@dataclass(frozen=True)
+class Import:
+    """One import: what, in which line, and whether it happens as soon as the module is loaded."""
+
+    module: str
+    line: int
+    at_module_level: bool
+
+    @property
+    def top(self) -> str:
+        return self.module.partition(".")[0]
+
+
+def imports(text: str, package: str) -> Iterator[Import]:
+    """All imports of a module that lies in `package` (dotted), the dynamic ones with a literal name included."""
+
+    def visit(node: ast.AST, outside: bool) -> Iterator[Import]:
+        if isinstance(node, ast.Import):
+            yield from (Import(alias.name, node.lineno, outside) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            above = package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
+            yield Import(".".join([*above, node.module] if node.module else above), node.lineno, outside)
+        elif isinstance(node, ast.Call) and _name(node.func) in ("import_module", "__import__", "run_module"):
+            yield from (
+                Import(argument.value, node.lineno, outside)
+                for argument in node.args[:1]
+                if isinstance(argument, ast.Constant)
+            )
+        inside = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        for child in ast.iter_child_nodes(node):
+            yield from visit(child, outside and not inside)
+
+    return visit(ast.parse(text), True)
+
+
+def _name(called: ast.expr) -> str:
+    return called.attr if isinstance(called, ast.Attribute) else getattr(called, "id", "")
+
+
+def violations(root: Path, package: str) -> list[str]:
+    """What the modules of a package import and may not, one line each."""
+    found = []
+    for file in sorted((root / package).rglob("*.py")):
+        place = ".".join(file.relative_to(root).parent.parts)
+        for entry in imports(file.read_text(encoding="utf-8"), place):
+            if entry.top in OURS and entry.top not in MAY_IMPORT[package]:
+                why = f"{package} must not import {entry.top}"
+            elif package == "solutions" and entry.top not in {"numpy", *OURS, *sys.stdlib_module_names}:
+                why = "solutions needs nothing but the standard library and NumPy"
+            elif entry.at_module_level and entry.top in LATE:
+                why = f"{entry.top} is imported late, within a function"
+            else:
+                continue
+            found.append(f"{file.relative_to(root).as_posix()}:{entry.line}: {entry.module}: {why}")
+    return found
+
+
+@pytest.mark.parametrize("package", [name for name in MAY_IMPORT if (ROOT / name).is_dir()])  # a release lacks some
+def test_every_import_goes_the_way_it_may(package):
+    assert list((ROOT / package).rglob("*.py"))
+    assert violations(ROOT, package) == []
+
+
+@pytest.mark.parametrize(
+    ("package", "line", "complaint"),
+    [
+        ("solutions", "import reference", "solutions must not import reference"),
+        ("solutions", "from labs import cli", "solutions must not import labs"),
+        ("solutions", "import scipy.linalg", "nothing but the standard library and NumPy"),
+        ("solutions", "def f():\n    import matplotlib", "nothing but the standard library and NumPy"),
+        ("reference", "import solutions", "reference must not import solutions"),
+        ("reference", "from solutions.detection import signed_distance", "reference must not import solutions"),
+        ("reference", "def f():\n    import labs.cli", "reference must not import labs"),
+        ("reference", "from tests import conftest", "reference must not import tests"),
+        ("reference", "import pybullet", "imported late"),
+        ("reference", "from mujoco import MjSpec", "imported late"),
+        ("reference", "class A:\n    import matplotlib.pyplot as plt", "imported late"),
+        ("reference", "try:\n    import mujoco\nexcept ImportError:\n    mujoco = None", "imported late"),
+        ("reference", "import importlib\nimportlib.import_module('solutions.forces')", "must not import solutions"),
+        ("reference", "def f():\n    return __import__('labs')", "reference must not import labs"),
+        ("labs", "import solutions.response", "labs must not import solutions"),
+        ("labs", "import tests.conftest", "labs must not import tests"),
+        ("labs", "import matplotlib", "imported late"),
+    ],
+)
+def test_an_import_that_goes_the_wrong_way_is_found(package, line, complaint, tmp_path):
+    (tmp_path / package / "deep").mkdir(parents=True)
+    (tmp_path / package / "deep" / "planted.py").write_text(f"import math\n{line}\n")
+    (found,) = violations(tmp_path, package)
+    assert found.startswith(f"{package}/deep/planted.py:")
+    assert complaint in found
+
+
+@pytest.mark.parametrize(
+    ("package", "line"),
+    [
+        ("solutions", "import numpy as np\nfrom solutions.detection import signed_distance\nimport dataclasses"),
+        ("solutions", "from . import world"),
+        ("reference", "from reference import truth\nimport numpy"),
+        ("reference", "def f():\n    import mujoco"),
+        ("reference", "source = 'solutions'"),  # which code runs is said by data
+        ("reference", "from ..engines import base"),
+        ("labs", "from reference import lecture\nfrom labs import cli"),
+        ("labs", "async def f():\n    from matplotlib import pyplot"),
+    ],
+)
+def test_an_import_that_goes_the_right_way_is_let_through(package, line, tmp_path):
+    (tmp_path / package / "deep").mkdir(parents=True)
+    (tmp_path / package / "deep" / "planted.py").write_text(f"{line}\n")
+    assert violations(tmp_path, package) == []
