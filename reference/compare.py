@@ -9,8 +9,18 @@ from enum import StrEnum
 
 import numpy as np
 
+from reference import checks
 from reference.engines.base import Engine
-from reference.errors import CannotExpress, EngineNotInstalled, NeedsFunction, RunFailed, WorkerCrashed, WorkerTimeout
+from reference.errors import (
+    CannotExpress,
+    EngineNotInstalled,
+    NeedsFunction,
+    RunFailed,
+    Unforeseen,
+    WorkerCrashed,
+    WorkerTimeout,
+    as_failed_run,
+)
 from reference.family import Case, Expectation, Family, Quantity
 from reference.settings import Settings
 from reference.trajectory import Trajectory
@@ -18,6 +28,7 @@ from reference.trajectory import Trajectory
 TUNED = "tuned"
 ALL_CASES = "all"
 """What a row says as its case when it speaks of a whole run."""
+NOTHING_FINITE = "no finite number: what is asked for did not happen before the run ended"
 
 
 class Verdict(StrEnum):
@@ -38,7 +49,7 @@ class Row:
     """One number of one case in one implementation and profile.
 
     expected, shift, tolerance and scale as in `Expectation` and `Quantity`; spread: standard deviation over an
-    ensemble; note: why there is no number, or why it deviates. Numbers in `unit`, None where there is none.
+    ensemble; note: why there is no number, or why it deviates. Numbers in `unit` and finite, None where there is none.
     """
 
     family: str
@@ -57,6 +68,11 @@ class Row:
     note: str = ""
     scale: float | None = None
     settings: str = field(default="", compare=False)
+
+    def __post_init__(self) -> None:
+        for name in ("measured", "spread", "expected", "tolerance", "shift", "scale"):
+            if (value := getattr(self, name)) is not None:
+                checks.finite(f"{self.family}/{self.case}, {self.quantity}: {name}", value)
 
     @property
     def error(self) -> float | None:
@@ -88,13 +104,17 @@ def judge(measured: float, expectation: Expectation) -> Verdict:
 def compare_case(
     family: Family, case: Case, engine: Engine, profile: str, settings: Settings
 ) -> tuple[list[Row], list[Trajectory]]:
-    """Run one case in one engine; return its rows, and the trajectories for whoever wants to plot them."""
+    """Run one case in one engine; return its rows, and the trajectories for whoever wants to plot them.
+
+    Whatever an engine or hand-written code raises becomes a row, but for `InvalidInput`: that is the caller's mistake.
+    """
     blank = Row(family.name, case.name, engine.name, profile, "", "", Verdict.SHOWN, settings=settings.describe())
     try:
-        trajectories = engine.run_many(case.scenarios, settings)
+        with as_failed_run():
+            trajectories = engine.run_many(case.scenarios, settings)
+            method = engine.method(case.scenarios[0], settings)
     except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
         return [replace(blank, verdict=verdict_of(error), note=str(error))], []
-    method = engine.method(case.scenarios[0], settings)
     rows = []
     for quantity in family.quantities:
         expectation = quantity.expect(case, settings, method) if quantity.expect else None
@@ -113,18 +133,30 @@ def compare_case(
 
 
 def _measured(row: Row, quantity: Quantity, trajectories: Sequence[Trajectory], expectation: Expectation | None) -> Row:
+    without_number = Verdict.FAIL if expectation else Verdict.SHOWN
     try:
-        values = np.array([quantity.measure(trajectory) for trajectory in trajectories])
+        with as_failed_run():
+            values = [float(quantity.measure(trajectory)) for trajectory in trajectories]
+    except Unforeseen as error:
+        return replace(row, verdict=Verdict.CRASHED, note=str(error))
     except RunFailed as error:  # the run is there, but it has no such number: a body that still moves has not stopped
-        return replace(row, verdict=Verdict.FAIL, note=str(error))
-    mean = float(np.mean(values))
-    spread = float(np.std(values)) if len(values) > 1 and np.all(np.isfinite(values)) else None
+        return replace(row, verdict=without_number, note=str(error))
+    mean, spread = _mean_and_spread(values)
+    if mean is None:
+        return replace(row, verdict=without_number, note=NOTHING_FINITE)
     row = replace(row, measured=mean, spread=spread)
     if expectation is None:
         return row
     verdict = judge(mean, expectation)
     note = expectation.shift_reason if verdict is Verdict.KNOWN_DEVIATION else ""
     return replace(row, verdict=verdict, note=note)
+
+
+def _mean_and_spread(values: Sequence[float]) -> tuple[float | None, float | None]:
+    """Mean and standard deviation, None for one that is not finite; a single value has no spread."""
+    with np.errstate(over="ignore", invalid="ignore"):  # of ∞ − ∞, or of numbers whose squares are none
+        mean, spread = float(np.mean(values)), float(np.std(values))
+    return mean if math.isfinite(mean) else None, spread if len(values) > 1 and math.isfinite(spread) else None
 
 
 def verdict_of(error: Exception) -> Verdict:

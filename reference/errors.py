@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import difflib
-from collections.abc import Iterable
+import traceback
+from collections.abc import Iterable, Iterator
 
 
 class CollisionsError(Exception):
@@ -47,9 +49,29 @@ class RunFailed(CollisionsError):
     """The run gave no usable answer: an exception, a non-finite state, a function that failed."""
 
 
+class Unforeseen(RunFailed):
+    """An exception that nobody foresaw: of an engine, of hand-written code, or of a measurement."""
+
+
 class WorkerCrashed(RunFailed):
     """The worker process died while it ran the job."""
 
 
 class WorkerTimeout(RunFailed):
     """The job went past its time limit and its worker process was stopped."""
+
+
+@contextlib.contextmanager
+def as_failed_run() -> Iterator[None]:
+    """Let the lab's own errors pass, and turn any other exception into `Unforeseen`."""
+    try:
+        yield
+    except CollisionsError:
+        raise
+    except Exception as error:
+        raise Unforeseen(one_line(error)) from error
+
+
+def one_line(error: Exception) -> str:
+    """The exception's type and message, as Python prints them last: `ZeroDivisionError: division by zero`."""
+    return " ".join(traceback.format_exception_only(error)[-1].split())

@@ -69,11 +69,16 @@ class Curve:
 
 @dataclass(frozen=True)
 class Convergence:
-    """Error of one quantity in one case against the timestep."""
+    """Error of one quantity in one case against the timestep.
+
+    factors: the timesteps, as multiples of a profile's own. every_step: sample every step, for a quantity that is read
+    from samples and would otherwise show their interval.
+    """
 
     case: str
     quantity: str
     factors: tuple[float, ...] = (4.0, 2.0, 1.0, 0.5)
+    every_step: bool = False
 
 
 @dataclass(frozen=True)

@@ -9,17 +9,18 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import logging
 import os
 import pickle
 import signal
 import subprocess
 import sys
 import threading
-import traceback
 from collections.abc import Callable
 from typing import Any, BinaryIO, ParamSpec, TypeVar
 
-from reference.errors import CollisionsError, RunFailed, WorkerCrashed, WorkerTimeout
+from reference import checks
+from reference.errors import CollisionsError, RunFailed, WorkerCrashed, WorkerTimeout, one_line
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -27,6 +28,8 @@ T = TypeVar("T")
 _THREAD_LIMITS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 _HEADER = 8  # bytes that hold a message's length
 
+_log = logging.getLogger(__name__)
+_workers: set[_Worker] = set()
 _idle: list[_Worker] = []
 _lock = threading.Lock()
 
@@ -37,22 +40,26 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
     Parameters
     ----------
     function : a function that pickles, so one at module level
-    timeout : s of wall-clock time
+    timeout : s of wall-clock time, above zero
 
     Raises
     ------
+    InvalidInput
+        If the limit is no time.
     WorkerTimeout
         If the job went past its limit.
     WorkerCrashed
-        If the process died.
+        If the process died, or was stopped by `stop_workers`.
     CollisionsError
         As the function raised it; any other exception arrives as `RunFailed` with its last line.
     """
+    checks.positive("timeout", timeout)
     worker = _take()
     result: T
     try:
         result = worker.call(function, arguments, named, timeout)
-    except (WorkerCrashed, WorkerTimeout):
+    except (WorkerCrashed, WorkerTimeout) as error:
+        _log.log(logging.INFO if worker.unwanted else logging.WARNING, "worker %d is lost: %s", worker.pid, error)
         worker.stop()
         raise
     except BaseException:
@@ -62,32 +69,44 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
     return result
 
 
-def close_workers() -> None:
-    """Stop every idle worker process."""
+def stop_workers() -> None:
+    """Stop every worker process, idle or busy, whosever job it runs; that job fails with `WorkerCrashed`."""
     with _lock:
-        workers, _idle[:] = list(_idle), []
-    for worker in workers:
+        idle, _idle[:] = list(_idle), []
+        for worker in _workers:
+            worker.unwanted = True
+            worker.kill()  # the thread that waits for a busy one's answer sees it end, and does the rest
+    for worker in idle:
         worker.stop()
 
 
-atexit.register(close_workers)
+atexit.register(stop_workers)
 
 
 def _take() -> _Worker:
+    while (worker := _pop_idle()) is not None:
+        if worker.alive:
+            return worker
+        _log.warning("worker %d died while it was idle", worker.pid)
+        worker.stop()
+    worker = _Worker()
     with _lock:
-        while _idle:
-            worker = _idle.pop()
-            if worker.alive:
-                return worker
-            worker.stop()  # something killed it while it waited
-    return _Worker()
+        _workers.add(worker)
+    _log.info("worker %d started", worker.pid)
+    return worker
+
+
+def _pop_idle() -> _Worker | None:
+    with _lock:
+        return _idle.pop() if _idle else None
 
 
 def _return(worker: _Worker) -> None:
-    if worker.between_jobs:
-        with _lock:
+    with _lock:
+        usable = worker.between_jobs and not worker.unwanted
+        if usable:
             _idle.append(worker)
-    else:  # interrupted in the middle of a message
+    if not usable:  # interrupted in the middle of a message, or killed at the end of its job
         worker.stop()
 
 
@@ -106,6 +125,11 @@ class _Worker:
             start_new_session=os.name == "posix",
         )
         self.between_jobs = True
+        self.unwanted = False
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
 
     @property
     def alive(self) -> bool:
@@ -119,7 +143,7 @@ class _Worker:
 
         def expire() -> None:
             expired.set()
-            self._kill()
+            self.kill()
 
         timer = threading.Timer(timeout, expire)
         timer.daemon = True
@@ -135,6 +159,8 @@ class _Worker:
             timer.join()  # it fires before this line or never: an idle worker must not be killed
         if expired.is_set():
             raise WorkerTimeout(f"no answer within {timeout:g} s; its process was stopped")
+        if answer is None and self.unwanted:
+            raise WorkerCrashed("its process was stopped before it could answer")
         if answer is None:
             raise WorkerCrashed(f"its process died ({_describe_exit(self._process.wait())})")
         self.between_jobs = True
@@ -147,14 +173,16 @@ class _Worker:
         raise value
 
     def stop(self) -> None:
-        self._kill()
+        self.kill()
+        with _lock:
+            _workers.discard(self)
         self._process.wait()
         for stream in (self._process.stdin, self._process.stdout):
             if stream is not None:
                 with contextlib.suppress(OSError):
                     stream.close()
 
-    def _kill(self) -> None:
+    def kill(self) -> None:
         with contextlib.suppress(OSError):
             if os.name == "posix":
                 os.killpg(self._process.pid, signal.SIGKILL)  # and whatever it started
@@ -193,7 +221,7 @@ def _portable(error: Exception) -> CollisionsError:
             pickle.loads(pickle.dumps(error))
             return error
         return RunFailed(str(error))
-    return RunFailed(traceback.format_exception_only(error)[-1].strip())
+    return RunFailed(one_line(error))
 
 
 def _serve() -> None:

@@ -26,6 +26,8 @@ FLIGHT_TOLERANCE = 0.1
 free flight. Wide enough for an engine's built-in drag (PyBullet's default takes 2 % at 5 m/s), and far below what an
 impact does to it: a rebound at speed v changes the mean acceleration of a 1 ms sample by v/(0.001 s), which is below
 a tenth of gravity only for v < 1 mm/s."""
+ROUNDING = 1e-9
+"""A gap smaller than this, m, is rounding."""
 REST_SPEED = 1e-3
 """A body slower than this, m/s, counts as at rest."""
 
@@ -119,9 +121,21 @@ def impact_times(trajectory: Trajectory, body: str, plane: str) -> Array:
 
 
 def restitution_coefficients(trajectory: Trajectory, body: str, plane: str) -> Array:
-    """Speed after over speed before each impact, from the parabolas of the flights on both sides."""
-    found = flights(trajectory, body, plane)
-    return np.array([after.launch_speed / before.landing_speed for before, after in pairwise(found)])
+    """Speed after over speed before each impact, from the parabolas of the flights on both sides.
+
+    A flight too short to hold two samples is not seen, so the flights on both sides of it have two impacts between
+    them: where a sample in between shows the body off the plane, this pair is left out. A flight that fits between two
+    samples leaves no trace, but the next one is no longer than it, where no impact adds speed, and is not seen either.
+    """
+    found, gap = flights(trajectory, body, plane), separation(trajectory, body, plane)
+    high = trajectory.times[gap > ROUNDING]
+    return np.array(
+        [
+            after.launch_speed / before.landing_speed
+            for before, after in pairwise(found)
+            if not np.any((before.landing_time < high) & (high < after.launch_time))
+        ]
+    )
 
 
 def rest_time(trajectory: Trajectory, body: str, speed: float = REST_SPEED) -> float:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import logging
+import math
 import time
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor, Future, as_completed
+from collections.abc import Generator, Iterable, Mapping, Sequence
+from concurrent.futures import Executor, Future, as_completed, wait
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -12,10 +14,20 @@ import numpy as np
 from reference.compare import ALL_CASES, Row, Verdict, compare_case, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
-from reference.errors import CannotExpress, CollisionsError, EngineNotInstalled, InvalidInput, NeedsFunction, RunFailed
-from reference.family import Family
+from reference.errors import (
+    CannotExpress,
+    CollisionsError,
+    EngineNotInstalled,
+    InvalidInput,
+    NeedsFunction,
+    RunFailed,
+    UnknownName,
+    as_failed_run,
+    one_line,
+)
+from reference.family import Case, Family
 from reference.implementation import Implementation
-from reference.isolate import run_isolated
+from reference.isolate import run_isolated, stop_workers
 from reference.scenarios import catalogue
 from reference.settings import Option
 from reference.trajectory import Trajectory
@@ -25,6 +37,10 @@ TIME_LIMIT = 300.0
 ROUNDING = 1e-9
 """Errors below this share of the value are rounding: no order can be read off them."""
 PLOTTED_POINTS = 600
+_STOP_INTERVAL = 0.05
+"""Time between two rounds of stopping workers, s: enough for a thread to see that its worker is gone."""
+
+_log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -38,6 +54,9 @@ class Job:
     implementation: str = "solutions"
     changes: tuple[tuple[str, Option], ...] = ()
     with_studies: bool = False
+
+    def __str__(self) -> str:
+        return f"{self.family} in {self.engine}, {self.profile}"
 
 
 @dataclass(frozen=True)
@@ -81,7 +100,9 @@ def plan(
     changes: Mapping[str, Option] | None = None,
     with_studies: bool = False,
 ) -> list[Job]:
-    """List the jobs that compare these families in these engines; with no profiles named, in all that each one has.
+    """List the jobs that compare these families in these engines, each job once.
+
+    Where no profiles are named an engine runs in all that it has, and where no cases are, a family runs all of its own.
 
     Raises
     ------
@@ -93,23 +114,36 @@ def plan(
     """
     families, changes = list(families), dict(changes or {})
     loaded = {name: load_engine(name, Implementation(implementation)) for name in engines}
-    known = {profile for engine in loaded.values() for family in families for profile in profiles_of(engine, family)}
+    known = [profile for engine in loaded.values() for family in families for profile in profiles_of(engine, family)]
+    for profile in profiles if known else ():
+        if profile not in known:
+            raise UnknownName("profile", profile, dict.fromkeys(known))
     jobs = []
     for family in families:
-        wanted = (cases or {}).get(family.name, ())
+        wanted = tuple(dict.fromkeys((cases or {}).get(family.name, ())))
         chosen = [family.case(case) for case in wanted] or family.cases
         for name, engine in loaded.items():
             has = profiles_of(engine, family)
             for profile in profiles or has:
-                if profile in known and profile not in has:
-                    continue  # another engine's word, or another family's
-                for case in chosen:
-                    settings = engine.settings(case.scenarios[0], profile).change(**changes)
-                    for scenario in case.scenarios:
-                        engine.check_settings(scenario, settings)
-                fixed = tuple(sorted(changes.items()))
-                jobs.append(Job(family.name, name, profile, tuple(wanted), implementation, fixed, with_studies))
-    return jobs
+                if profile in has:  # or it is another engine's word, or another family's
+                    _check(engine, profile, chosen, changes)
+                    fixed = tuple(sorted(changes.items()))
+                    jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies))
+    return list(dict.fromkeys(jobs))
+
+
+def _check(engine: Engine, profile: str, cases: Iterable[Case], changes: Mapping[str, Option]) -> None:
+    """Refuse settings that are no use before anything runs. What else an engine gets wrong, its own job will show."""
+    for case in cases:
+        try:
+            settings = engine.settings(case.scenarios[0], profile).change(**changes)
+            for scenario in case.scenarios:
+                engine.check_settings(scenario, settings)
+        except InvalidInput:
+            raise
+        except Exception as error:
+            _log.warning("%s has no settings for %s: %s", engine.title, case.name, one_line(error))
+            return
 
 
 def profiles_of(engine: Engine, family: Family) -> Mapping[str, str]:
@@ -117,27 +151,46 @@ def profiles_of(engine: Engine, family: Family) -> Mapping[str, str]:
     return engine.profiles(family.cases[0].scenarios[0])
 
 
-def run_jobs(jobs: Sequence[Job], executor: Executor, timeout: float = TIME_LIMIT) -> Iterator[JobResult]:
-    """Run jobs through an executor and yield their results as they come; what fails comes as a row that says so."""
-    waiting: list[Future[JobResult]] = [executor.submit(run_safely, job, timeout) for job in jobs]
+def run_jobs(jobs: Sequence[Job], executor: Executor, timeout: float = TIME_LIMIT) -> Generator[JobResult, None, None]:
+    """Run jobs through an executor and yield their results as they come; what fails comes as a row that says so.
+
+    Whoever leaves early, by closing the generator or by an interrupt, stops every worker process and waits for no job.
+    """
+    waiting: list[Future[JobResult]] = []
     try:
+        waiting.extend(executor.submit(run_safely, job, timeout) for job in jobs)
         for future in as_completed(waiting):
             yield future.result()
     finally:
-        for future in waiting:
-            future.cancel()
+        _abandon(waiting)
+
+
+def _abandon(futures: Iterable[Future[JobResult]]) -> None:
+    """Cancel the jobs that have not started and stop the workers of those that have, until none is left."""
+    running = {future for future in futures if not (future.cancel() or future.done())}
+    while running:  # again and again: a thread may be just about to start a worker
+        stop_workers()
+        running = wait(running, _STOP_INTERVAL).not_done
 
 
 def run_safely(job: Job, timeout: float = TIME_LIMIT) -> JobResult:
     """Run a job in a worker process; a crash, a hang or a missing engine becomes one row."""
     start = time.perf_counter()
+    _log.info("%s: started", job)
     try:
-        return run_isolated(run_job, timeout, job)
+        result = run_isolated(run_job, timeout, job)
     except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
-        engine = load_engine(job.engine)
-        row = Row(job.family, ALL_CASES, engine.name, job.profile, "", "", verdict_of(error), note=str(error))
-        description = profiles_of(engine, catalogue()[job.family]).get(job.profile, job.profile)
-        return JobResult(job, engine.title, description, (row,), seconds=time.perf_counter() - start)
+        result = _without_answer(job, error, time.perf_counter() - start)
+    _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)
+    return result
+
+
+def _without_answer(job: Job, error: CollisionsError, seconds: float) -> JobResult:
+    """The result of a job that gave none: one row that says why."""
+    engine = load_engine(job.engine)
+    row = Row(job.family, ALL_CASES, engine.name, job.profile, "", "", verdict_of(error), note=str(error))
+    description = profiles_of(engine, catalogue()[job.family]).get(job.profile, job.profile)
+    return JobResult(job, engine.title, description, (row,), seconds=seconds)
 
 
 def run_job(job: Job) -> JobResult:
@@ -175,7 +228,7 @@ def run_job(job: Job) -> JobResult:
 def _series(family: Family, trajectory: Trajectory) -> Series:
     end = family.curve.until or trajectory.times[-1]
     times, values = trajectory.times, family.curve.values(trajectory)
-    inside = np.flatnonzero(times <= end)
+    inside = np.flatnonzero((times <= end) & np.isfinite(values))
     kept = inside[:: max(1, len(inside) // PLOTTED_POINTS)]
     return Series(tuple(np.round(times[kept], 6).tolist()), tuple(np.round(values[kept], 7).tolist()))
 
@@ -190,15 +243,20 @@ def _convergence(family: Family, engine: Engine, job: Job) -> Errors | None:
     timesteps, errors, value = [], [], 0.0
     for factor in study.factors:
         settings = base.change(timestep=base.timestep * factor)
-        value = quantity.expect(case, settings, engine.method(case.scenarios[0], settings)).value
+        if study.every_step:
+            settings = settings.change(sample_every=1)
         try:
-            trajectories = engine.run_many(case.scenarios, settings)
-            measured = np.array([quantity.measure(trajectory) for trajectory in trajectories])
+            with as_failed_run():
+                value = quantity.expect(case, settings, engine.method(case.scenarios[0], settings)).value
+                trajectories = engine.run_many(case.scenarios, settings)
+                measured = np.array([quantity.measure(trajectory) for trajectory in trajectories])
         except CollisionsError:
             continue  # with this timestep there is no such number; the curve has a gap
-        if np.all(np.isfinite(measured)):
+        with np.errstate(over="ignore", invalid="ignore"):  # of numbers whose squares are none
+            error = float(np.sqrt(np.mean((measured - value) ** 2)))
+        if math.isfinite(error):
             timesteps.append(settings.timestep)
-            errors.append(float(np.sqrt(np.mean((measured - value) ** 2))))
+            errors.append(error)
     return Errors(tuple(timesteps), tuple(errors), order_of(timesteps, errors, value)) if timesteps else None
 
 

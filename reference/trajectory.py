@@ -4,16 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from reference import geometry
-from reference.errors import InvalidInput, RunFailed
+from reference.errors import RunFailed
 from reference.scenario import Scenario
 from reference.settings import Settings
 
 Array = NDArray[np.float64]
+
+
+def _read_only(values: NDArray[Any]) -> NDArray[Any]:
+    """A view that cannot be written through; the array itself stays as it was."""
+    view = values.view()
+    view.flags.writeable = False
+    return view
 
 
 @dataclass(frozen=True)
@@ -25,12 +33,13 @@ class Event:
     body: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # == of arrays is no yes or no
 class Contacts:
     """The contacts that the implementation itself reported, one row each, n rows in all.
 
     sample: (n,) index into the trajectory's times. body_a, body_b: (n,) indices into the scenario's bodies.
-    position: (n, 3), m. normal: (n, 3), unit, from B to A. separation: (n,), m, negative when overlapping.
+    position: (n, 3), midpoint between the two surfaces, m. normal: (n, 3), unit, from B to A. separation: (n,), m,
+    negative when overlapping. Arrays are read-only.
     """
 
     sample: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
@@ -40,14 +49,22 @@ class Contacts:
     normal: Array = field(default_factory=lambda: np.zeros((0, 3)))
     separation: Array = field(default_factory=lambda: np.zeros(0))
 
+    def __post_init__(self) -> None:
+        for entry in fields(self):
+            object.__setattr__(self, entry.name, _read_only(getattr(self, entry.name)))
 
-@dataclass(frozen=True)
+    def __reduce__(self) -> tuple[object, ...]:
+        return Contacts, tuple(getattr(self, entry.name) for entry in fields(self))  # read-only on the other side too
+
+
+@dataclass(frozen=True, eq=False)
 class Trajectory:
     """The states of all bodies at the sample times.
 
     times: (n,), s, increasing. positions: (n, b, 3), centres of mass, m. orientations: (n, b, 4), w x y z.
     velocities: (n, b, 3), m/s. angular_velocities: (n, b, 3), rad/s, world frame. The bodies stand in the scenario's
-    order. Arrays are read-only.
+    order. Arrays are read-only. What an engine hands over in another shape, or with times that do not increase, is a
+    failed run.
     """
 
     scenario: Scenario
@@ -64,7 +81,7 @@ class Trajectory:
     def __post_init__(self) -> None:
         count, bodies = len(self.times), len(self.scenario.bodies)
         if count < 2:
-            raise InvalidInput(f"{self.engine}: a trajectory needs two or more samples; it has {count}")
+            raise RunFailed(f"{self.engine}: a trajectory needs two or more samples; it has {count}")
         shapes = {
             "times": (count,),
             "positions": (count, bodies, 3),
@@ -75,16 +92,14 @@ class Trajectory:
         for name, shape in shapes.items():
             values = np.asarray(getattr(self, name), dtype=np.float64)
             if values.shape != shape:
-                raise InvalidInput(f"{self.engine}: {name} has shape {values.shape}; expected {shape}")
+                raise RunFailed(f"{self.engine}: {name} has shape {values.shape}; expected {shape}")
             finite = np.isfinite(values).reshape(count, -1).all(axis=1)
             if not finite.all():
                 first = int(np.argmin(finite))
                 raise RunFailed(f"{self.engine}: {name} is not finite from t = {self.times[first]:.6g} s on")
-            values = values.view()
-            values.flags.writeable = False
-            object.__setattr__(self, name, values)
+            object.__setattr__(self, name, _read_only(values))
         if np.any(np.diff(self.times) <= 0):
-            raise InvalidInput(f"{self.engine}: the times of a trajectory must increase")
+            raise RunFailed(f"{self.engine}: the times of a trajectory must increase")
 
     def __reduce__(self) -> tuple[object, ...]:
         return Trajectory, tuple(getattr(self, entry.name) for entry in fields(self))  # read-only on the other side too

@@ -34,7 +34,12 @@ def bounce_times(drop_height: float, restitution: float, gravity: float, count: 
 
 
 def bounce_end(drop_height: float, restitution: float, gravity: float) -> float:
-    """When a bouncing ball comes to rest, s: the geometric series t1 (1 + 2e/(1 − e)) = t1 (1 + e)/(1 − e)."""
+    """When a bouncing ball comes to rest, s: the geometric series t1 (1 + 2e/(1 − e)) = t1 (1 + e)/(1 − e).
+
+    An elastic ball, e = 1, bounces for ever: infinity.
+    """
+    if restitution >= 1:
+        return math.inf
     return fall_time(drop_height, gravity) * (1 + restitution) / (1 - restitution)
 
 
@@ -108,9 +113,11 @@ def spring_dashpot_restitution(damping_ratio: float) -> float:
 
 
 def damping_ratio(restitution: float) -> float:
-    """The ζ whose spring–dashpot contact has the given restitution, by bisection; infinity for e = 0."""
+    """The ζ whose spring–dashpot contact has the given restitution, by bisection; infinite for e = 0, 0 for e = 1."""
     if restitution <= 0:
         return math.inf
+    if restitution >= 1:
+        return 0.0
     low, high = 0.0, 1.0
     while spring_dashpot_restitution(high) > restitution:
         high *= 2

@@ -46,11 +46,16 @@ def imports(text: str, package: str) -> Iterator[Import]:
                 for argument in node.args[:1]
                 if isinstance(argument, ast.Constant)
             )
-        inside = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        inside = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) or _for_types_only(node)
         for child in ast.iter_child_nodes(node):
             yield from visit(child, outside and not inside)
 
     return visit(ast.parse(text), True)
+
+
+def _for_types_only(node: ast.AST) -> bool:
+    """Whether nothing in it ever runs: it is read by the type checker alone."""
+    return isinstance(node, ast.If) and _name(node.test) == "TYPE_CHECKING" and not node.orelse
 
 
 def _name(called: ast.expr) -> str:
@@ -96,6 +101,7 @@ def test_every_import_goes_the_way_it_may(package):
         ("reference", "from mujoco import MjSpec", "imported late"),
         ("reference", "class A:\n    import matplotlib.pyplot as plt", "imported late"),
         ("reference", "try:\n    import mujoco\nexcept ImportError:\n    mujoco = None", "imported late"),
+        ("reference", "if TYPE_CHECKING:\n    pass\nelse:\n    import mujoco", "imported late"),
         ("reference", "import importlib\nimportlib.import_module('solutions.forces')", "must not import solutions"),
         ("reference", "def f():\n    return __import__('labs')", "reference must not import labs"),
         ("labs", "import solutions.response", "labs must not import solutions"),
@@ -118,6 +124,7 @@ def test_an_import_that_goes_the_wrong_way_is_found(package, line, complaint, tm
         ("solutions", "from . import world"),
         ("reference", "from reference import truth\nimport numpy"),
         ("reference", "def f():\n    import mujoco"),
+        ("reference", "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import matplotlib"),
         ("reference", "source = 'solutions'"),  # which code runs is said by data
         ("reference", "from ..engines import base"),
         ("labs", "from reference import lecture\nfrom labs import cli"),

@@ -1,1 +1,5 @@
-"""The command line, one file per command."""
+"""The command line `collisions`, one file a command."""
+
+from labs.cli.app import app, main
+
+__all__ = ["app", "main"]

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import ModuleType
 
 from reference.engines.base import Engine
-from reference.errors import InvalidInput, UnknownName
+from reference.errors import InvalidInput, UnknownName, one_line
 from reference.implementation import Implementation
 
 __all__ = ["Engine", "engine_names", "load_engine"]
@@ -51,7 +51,10 @@ def _load_file(path: Path) -> ModuleType:
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module  # as any import does; a dataclass in the file looks itself up there
-    spec.loader.exec_module(module)
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:
+        raise InvalidInput(f"the engine file {str(path)!r} cannot be loaded: {one_line(error)}") from error
     return module
 
 

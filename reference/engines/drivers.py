@@ -11,56 +11,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from reference import geometry
 from reference.errors import InvalidInput
 from reference.implementation import Implementation
-from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scenario import Pair, Scenario
 from reference.settings import Settings
 from reference.trajectory import Event, Trajectory
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 _ROUNDING = 1e-9  # lengths, speeds and sines below this are zero
-
-
-def kind(scenario: Scenario) -> type[Sphere] | type[Box] | None:
-    """Sphere for a ball that nothing makes spin, Box for a box that slides as a point does, both over one plane.
-
-    None for what needs a rigid-body world.
-    """
-    movable = [body for body in scenario.bodies if not body.immovable]
-    fixed = [body for body in scenario.bodies if body.immovable]
-    if len(movable) != 1 or len(fixed) != 1 or not isinstance(fixed[0].shape, HalfSpace) or not scenario.pairs:
-        return None
-    body, normal = movable[0], np.array(fixed[0].shape.normal)
-    if any(body.angular_velocity):
-        return None
-    if isinstance(body.shape, Sphere):
-        along = [np.linalg.norm(np.cross(vector, normal)) for vector in (body.velocity, scenario.gravity)]
-        return None if max(along) > _ROUNDING and _friction(scenario) > 0 else Sphere
-    place = np.array([body.position]), np.array([body.orientation])
-    gap = geometry.separation(scenario, body.name, fixed[0].name, *place)[0]
-    flat = abs(gap) < _ROUNDING and _stands_on_a_face(body, normal)
-    return Box if flat and _slides_straight(scenario, body, normal) else None
-
-
-def _friction(scenario: Scenario) -> float:
-    pair = scenario.pairs[0]
-    return max(pair.kinetic_friction, pair.static_friction or 0.0)
-
-
-def _stands_on_a_face(body: Body, normal: Array) -> bool:
-    """Whether the normal lies along one of the body's own axes."""
-    across = geometry.rotate(np.array(body.orientation) * np.array([1.0, -1.0, -1.0, -1.0]), normal)
-    return bool(np.sort(np.abs(across))[1] < _ROUNDING)
-
-
-def _slides_straight(scenario: Scenario, body: Body, normal: Array) -> bool:
-    """Whether the body is pressed on, not thrown off, and its weight pulls along its way if at all."""
-    velocity, gravity = np.array(body.velocity), np.array(scenario.gravity)
-    pull = gravity - (gravity @ normal) * normal
-    leaves = abs(velocity @ normal) > _ROUNDING or gravity @ normal > 0
-    return not leaves and bool(np.linalg.norm(np.cross(velocity, pull)) < _ROUNDING)
 
 
 class _Batch:
@@ -77,6 +36,11 @@ class _Batch:
         self.offset = -np.sum(self.normal * np.array([plane.position for plane in planes]), axis=1)
         self.pairs: list[Pair] = [scenario.pairs[0] for scenario in scenarios]
         self.events: list[list[Event]] = [[] for _ in scenarios]
+
+    def state(self) -> tuple[bytes, bytes, int]:
+        """All that a step can change: positions, velocities and the number of events."""
+        position, velocity = np.asarray(self.position), np.asarray(self.velocity)  # hand-written code may give lists
+        return position.tobytes(), velocity.tobytes(), sum(map(len, self.events))
 
     def report(self, mask: Mask, time: Array, kind: str) -> None:
         """Note an event at `time` (N,) for the members in the mask."""
@@ -209,19 +173,22 @@ def _record(
     step: Callable[[float], None],
 ) -> list[Trajectory]:
     """Step, sample, and hand every scenario its own trajectory, cut after its own number of steps."""
-    times, positions, velocities = [0.0], [batch.position], [batch.velocity]
+    every, samples = settings.sample_every, [(batch.position, batch.velocity)]
     for number in range(max(steps)):
+        before = batch.state()
         step(number * settings.timestep)
-        if (number + 1) % settings.sample_every == 0:
-            times.append((number + 1) * settings.timestep)
-            positions.append(batch.position)
-            velocities.append(batch.velocity)
-    time, position, velocity = np.array(times), np.array(positions), np.array(velocities)
+        if (number + 1) % every == 0:
+            samples.append((batch.position, batch.velocity))
+        if batch.state() == before:
+            break  # forces hang on the state alone: where a step changes nothing, no later one will
+    samples += [(batch.position, batch.velocity)] * (1 + max(steps) // every - len(samples))
+    states: Array = np.array(samples, dtype=np.float64)  # (samples, position and velocity, scenarios, 3)
+    times: Array = np.arange(len(samples), dtype=np.float64) * every * settings.timestep
     found = []
     for member, scenario in enumerate(scenarios):
-        count = 1 + steps[member] // settings.sample_every
-        states = position[:count, member], velocity[:count, member]
-        found.append(_trajectory(engine, scenario, settings, time[:count], *states, batch.events[member]))
+        count = 1 + steps[member] // every
+        position, velocity = states[:count, 0, member], states[:count, 1, member]
+        found.append(_trajectory(engine, scenario, settings, times[:count], position, velocity, batch.events[member]))
     return found
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from reference.engines import drivers
 from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
+from reference.engines.kinds import kind
 from reference.errors import InvalidInput, NeedsFunction
 from reference.scenario import Box, Scenario, Sphere
 from reference.settings import Settings
@@ -34,7 +35,7 @@ class Handwritten(Engine):
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
         """Exact root as `tuned`, the plainest policy as `stock`; the slide's T where something falls on a plane."""
         found = {"tuned": "exact root"}
-        if drivers.kind(scenario) is Sphere:
+        if kind(scenario) is Sphere:
             found["slide"] = "the slide's T"
         return found | {"stock": "respond at the step"}
 
@@ -43,7 +44,7 @@ class Handwritten(Engine):
         self.check_profile(scenario, profile)
         policy = {"tuned": "exact_root", "slide": "interpolated", "stock": "at_step"}[profile]
         options: dict[str, float | str] = {"policy": policy}
-        if drivers.kind(scenario) is Sphere:
+        if kind(scenario) is Sphere:
             # The exact root follows the bounces down to rounding. A flight within one step starts and ends on the
             # plane: the slide's T cannot see it. At the step, even a flight of two steps is lost in the overlap.
             options["shortest_flight"] = {"exact_root": 1e-9, "interpolated": 1.0, "at_step": 2.0}[policy]
@@ -57,7 +58,7 @@ class Handwritten(Engine):
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
         """Refuse also a `shortest_flight` below the one step that the slide's T can see."""
-        if settings["policy"] == "interpolated" and drivers.kind(scenario) is Sphere:
+        if settings["policy"] == "interpolated" and kind(scenario) is Sphere:
             shortest = settings.number("shortest_flight")
             if shortest < 1:
                 raise InvalidInput(f"shortest_flight is {shortest:g}; with the policy interpolated it is at least 1")
@@ -70,7 +71,7 @@ class Handwritten(Engine):
     def run_many(self, scenarios: Sequence[Scenario], settings: Settings) -> list[Trajectory]:
         """Run a batch of scenarios of one kind side by side, in arrays."""
         steps = [self.check_settings(scenario, settings) for scenario in scenarios]
-        kinds = {drivers.kind(scenario) for scenario in scenarios}
+        kinds = {kind(scenario) for scenario in scenarios}
         if kinds == {Sphere}:
             return drivers.bounce(self.name, scenarios, settings, steps, self.implementation)
         if kinds == {Box}:

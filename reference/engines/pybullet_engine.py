@@ -95,8 +95,7 @@ class PyBullet(Engine):
             if number % settings.sample_every == 0:
                 recorder.sample(_state(bullet, client, numbers))
                 for contact in bullet.getContactPoints(physicsClientId=client):
-                    # Of the fields, 5 is the point on A, 7 the normal on B towards A, 8 the distance.
-                    recorder.contact(places[contact[1]], places[contact[2]], contact[5], contact[7], contact[8])
+                    _keep_contact(recorder, places, contact)
         return recorder.trajectory()
 
     def _set_world(self, bullet: Any, client: int, scenario: Scenario, settings: Settings) -> None:
@@ -192,6 +191,12 @@ def _collision_shape(bullet: Any, body: Body, here: dict[str, int]) -> int:
         own_frame = geometry.rotate(np.array(body.orientation) * np.array([1, -1, -1, -1]), np.array(shape.normal))
         number = bullet.createCollisionShape(bullet.GEOM_PLANE, planeNormal=own_frame.tolist(), **here)
     return number
+
+
+def _keep_contact(recorder: Recorder, places: Mapping[int, int], contact: Sequence[Any]) -> None:
+    """Of the fields, 1 and 2 are A and B, 5 and 6 the points on them, 7 the normal from B to A, 8 the distance."""
+    middle = [(on_a + on_b) / 2 for on_a, on_b in zip(contact[5], contact[6], strict=True)]
+    recorder.contact(places[contact[1]], places[contact[2]], middle, contact[7], contact[8])
 
 
 def _state(bullet: Any, client: int, numbers: list[int]) -> list[float]:

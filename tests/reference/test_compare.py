@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -14,8 +15,10 @@ from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import (
     CannotExpress,
     EngineNotInstalled,
+    InvalidInput,
     NeedsFunction,
     RunFailed,
+    Unforeseen,
     UnknownName,
     WorkerCrashed,
     WorkerTimeout,
@@ -33,6 +36,7 @@ NO_TRAJECTORY = {
     CannotExpress: Verdict.CANNOT_EXPRESS,
     EngineNotInstalled: Verdict.NOT_AVAILABLE,
     RunFailed: Verdict.CRASHED,
+    Unforeseen: Verdict.CRASHED,
     WorkerCrashed: Verdict.CRASHED,
     WorkerTimeout: Verdict.CRASHED,
 }
@@ -45,7 +49,7 @@ class Still(Engine):
     name = "still"
     title = "a still life"
 
-    def __init__(self, error: Exception | None = None) -> None:
+    def __init__(self, error: BaseException | None = None) -> None:
         super().__init__()
         self.error = error
 
@@ -200,10 +204,35 @@ def test_an_ensemble_is_judged_by_its_mean_and_shows_its_spread():
     assert row.verdict is Verdict.PASS
 
 
-def test_a_number_that_is_infinite_fails_and_has_no_spread():
-    endless = family(lambda *_: BIASED, measure=lambda trajectory: math.inf, heights=(1.0, 2.0))
-    (row,) = compare(endless)
-    assert (row.verdict, row.measured, row.spread) == (Verdict.FAIL, math.inf, None)
+ENDLESS = {
+    "never": lambda trajectory: math.inf,
+    "one of them never": lambda trajectory: math.inf if height(trajectory) > 1.5 else 1.0,
+    "never either way": lambda trajectory: math.copysign(math.inf, height(trajectory) - 1.5),  # ∞ − ∞ has no mean
+    "no number": lambda trajectory: math.nan,
+    "a mean that no float holds": lambda trajectory: 1.7e308,
+}
+
+
+@pytest.mark.parametrize("what", ENDLESS)
+def test_what_did_not_happen_has_no_number_and_fails_where_one_is_expected(what):
+    (judged,) = compare(family(lambda *_: BIASED, measure=ENDLESS[what], heights=(1.0, 2.0)))
+    (shown,) = compare(family(None, measure=ENDLESS[what], heights=(1.0, 2.0)))
+    for row, verdict in ((judged, Verdict.FAIL), (shown, Verdict.SHOWN)):
+        assert (row.verdict, row.measured, row.spread, row.error) == (verdict, None, None, None)
+        assert row.note == "no finite number: what is asked for did not happen before the run ended"
+    assert judged.expected == BIASED.value
+
+
+def test_a_spread_that_no_float_holds_is_left_out():
+    (row,) = compare(family(measure=lambda trajectory: 1e200 * height(trajectory), heights=(1.0, 2.0)))
+    assert (row.measured, row.spread) == (1.5e200, None)
+
+
+@pytest.mark.parametrize("name", ["measured", "spread", "expected", "tolerance", "shift", "scale"])
+@pytest.mark.parametrize("value", [math.inf, -math.inf, math.nan])
+def test_a_row_carries_no_number_that_is_not_finite(name, value):
+    with pytest.raises(InvalidInput, match=f"still/only, height: {name} is"):
+        replace(compare(family())[0], **{name: value})
 
 
 def test_a_run_without_such_a_number_fails_and_says_why_and_the_other_quantities_are_judged():
@@ -215,6 +244,8 @@ def test_a_run_without_such_a_number_fails_and_says_why_and_the_other_quantities
     stop, found = compare(entry)
     assert (stop.verdict, stop.note, stop.measured) == (Verdict.FAIL, "the ball never stops", None)
     assert found.verdict is Verdict.PASS
+    (shown,) = compare(family(None, measure=never))
+    assert (shown.verdict, shown.note, shown.measured) == (Verdict.SHOWN, "the ball never stops", None)
 
 
 def test_a_scale_of_zero_gives_no_percentage():
@@ -247,9 +278,53 @@ def test_a_run_that_fails_gives_one_row_that_says_why(error):
     assert trajectories == []
 
 
-def test_an_error_that_nobody_foresaw_is_not_swallowed():
-    with pytest.raises(ZeroDivisionError):
-        compare(family(), Still(ZeroDivisionError()))
+@pytest.mark.parametrize(
+    ("error", "note"),
+    [
+        (ZeroDivisionError("by the moon"), "ZeroDivisionError: by the moon"),
+        (ZeroDivisionError(), "ZeroDivisionError"),
+        (KeyError("moon"), "KeyError: 'moon'"),
+        (np.linalg.LinAlgError("two\n lines"), "numpy.linalg.LinAlgError: two lines"),
+    ],
+    ids=str,
+)
+def test_an_error_that_nobody_foresaw_is_a_crash_of_its_case_with_type_and_message(error, note):
+    (row,) = compare(family(lambda *_: BIASED), Still(error))
+    assert (row.case, row.verdict, row.note, row.measured) == ("only", Verdict.CRASHED, note, None)
+
+
+def test_an_engine_that_cannot_name_its_method_crashed():
+    class Nameless(Still):
+        def method(self, scenario: Scenario, settings: Settings) -> Method:
+            raise AttributeError("kind")
+
+    (row,) = compare(family(lambda *_: BIASED), Nameless())
+    assert (row.verdict, row.note) == (Verdict.CRASHED, "AttributeError: kind")
+
+
+@pytest.mark.parametrize("expect", [None, lambda *_: Expectation(1.0, 1e-12, "")])
+def test_a_measurement_that_nobody_foresaw_to_fail_is_a_crash_and_the_other_quantities_are_judged(expect):
+    def broken(trajectory: Trajectory) -> float:
+        raise IndexError("out of the sky")
+
+    entry = family(expect)
+    entry = replace(entry, quantities=(replace(entry.quantities[0], name="stop", measure=broken), *entry.quantities))
+    stop, found = compare(entry)
+    assert (stop.quantity, stop.verdict, stop.measured) == ("stop", Verdict.CRASHED, None)
+    assert stop.note == "IndexError: out of the sky"
+    assert (found.verdict, found.measured) == (Verdict.PASS if expect else Verdict.SHOWN, 1.0)
+
+
+@pytest.mark.parametrize("error", [InvalidInput("no such moon"), UnknownName("moon", "phobos", ())], ids=str)
+def test_a_mistake_of_the_caller_is_no_row(error):
+    with pytest.raises(type(error)) as caught:
+        compare(family(), Still(error))
+    assert caught.value is error
+
+
+def test_an_interrupt_is_no_row():
+    with pytest.raises(KeyboardInterrupt):
+        compare(family(), Still(KeyboardInterrupt()))
 
 
 # Counting

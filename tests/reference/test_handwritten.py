@@ -27,14 +27,15 @@ def ball(normal=UP, restitution=0.5, friction=0.0, duration=2.0, gap=0.5, **stat
     return Scenario("ball", (Body("plane", HalfSpace(normal)), body), (pair,), duration)
 
 
-def slab(normal=UP, friction=0.3, turn=None, duration=2.0, height=0.1, gravity=(0.0, 0.0, -G), **state):
+def slab(normal=UP, friction=0.3, turn=None, duration=2.0, height=0.1, gravity=(0.0, 0.0, -G), static=None, **state):
     """A slab on a plane through the origin, flat where no other turn is given."""
     if turn is None:
         turn = geometry.quaternion_between(np.array(UP), np.array(normal))
     position = tuple(height * np.array(normal))
     body = Body("slab", Box((0.4, 0.3, 0.1)), mass=2.0, position=position, orientation=tuple(turn), **state)
     bodies = Body("plane", HalfSpace(normal)), body
-    return Scenario("slab", bodies, (Pair("slab", "plane", kinetic_friction=friction),), duration, gravity)
+    pair = Pair("slab", "plane", kinetic_friction=friction, static_friction=static)
+    return Scenario("slab", bodies, (pair,), duration, gravity)
 
 
 def run(scenario, profile="tuned", **changes):
@@ -122,6 +123,8 @@ def test_a_policy_that_there_is_not_names_those_there_are():
 
 # What needs a rigid-body world
 
+ON_ITS_SIDE = {"turn": (math.sqrt(0.5), math.sqrt(0.5), 0.0, 0.0), "height": 0.3}  # 0.3 up, 0.4 and 0.1 across
+ON_ITS_END = {"turn": (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0), "height": 0.4}  # 0.4 up, 0.3 and 0.1 across
 NEEDS_A_WORLD = {
     "a rough ball thrown along the floor": ball(friction=0.2, velocity=(1.0, 0.0, 0.0)),
     "a rough ball dropped on a slope": ball(TILTED, friction=0.2),
@@ -136,6 +139,9 @@ NEEDS_A_WORLD = {
         turn=(math.cos(0.25), math.sin(0.25), 0.0, 0.0), height=0.3 * math.sin(0.5) + 0.1 * math.cos(0.5)
     ),
     "a slab that crosses a slope": slab(TILTED, velocity=(0.0, 1.0, 0.0)),
+    "a slab on its side, so rough that it may tip": slab(friction=0.34, velocity=(1.0, 0.0, 0.0), **ON_ITS_SIDE),
+    "a slab on its end, so rough that it may tip": slab(friction=0.26, velocity=(1.0, 0.0, 0.0), **ON_ITS_END),
+    "a slab on its side that may tip before it slides": slab(friction=0.1, static=0.34, **ON_ITS_SIDE),
     "a slab pulled off the floor": slab(gravity=(0.0, 0.0, 1.0)),
     "a ball without a plane": Scenario("ball", (Body("ball", Sphere(1.0), mass=1.0),), (), 1.0),
     "a ball that no pair lists": Scenario("ball", ball().bodies, (), 1.0),
@@ -155,7 +161,10 @@ ALONE = {
     "a rough ball dropped straight down": ball(friction=0.2),
     "a smooth ball thrown along the floor": ball(velocity=(1.0, 0.0, 0.0)),
     "a slab on the level, heading anywhere": slab(velocity=(1.0, 2.0, 0.0)),
-    "a slab on its side": slab(turn=(math.sqrt(0.5), math.sqrt(0.5), 0.0, 0.0), height=0.3, velocity=(1.0, 0.0, 0.0)),
+    "a slab on its side": slab(velocity=(1.0, 0.0, 0.0), **ON_ITS_SIDE),
+    "a slab on its side, not rough enough to tip": slab(friction=0.33, velocity=(1.0, 0.0, 0.0), **ON_ITS_SIDE),
+    "a slab on its end, not rough enough to tip": slab(friction=0.24, velocity=(1.0, 0.0, 0.0), **ON_ITS_END),
+    "a flat slab, however rough": slab(friction=2.9, velocity=(1.0, 0.0, 0.0)),
     "a slab that slides down": slab(TILTED, velocity=tuple(DOWNHILL)),
     "a slab that slides up": slab(TILTED, velocity=tuple(-DOWNHILL)),
     "a slab that drifts without weight": slab(gravity=(0.0, 0.0, 0.0), velocity=(1.0, 2.0, 0.0)),
@@ -177,6 +186,33 @@ def test_a_batch_of_balls_and_slabs_needs_a_world():
 
 
 # A slab
+
+
+def test_a_slab_that_has_stopped_is_sampled_to_the_end_whatever_the_samples():
+    whole = run(slab(velocity=(1.0, 0.0, 0.0)))
+    parts = run(slab(velocity=(1.0, 0.0, 0.0)), sample_every=7)
+    assert len(whole.times) == 2001
+    assert parts.times == pytest.approx(7e-3 * np.arange(287), rel=1e-12)  # 286 samples of 7 steps cover 2 s
+    assert np.array_equal(parts.positions[:286], whole.positions[::7])
+    assert np.array_equal(parts.positions[-1], whole.positions[-1])
+
+
+def test_a_batch_goes_on_while_one_of_its_members_moves():
+    short, long = slab(velocity=(0.1, 0.0, 0.0)), slab(velocity=(3.0, 0.0, 0.0))
+    settings = HANDWRITTEN.settings(long, "tuned")
+    together = HANDWRITTEN.run_many([short, long], settings)
+    for scenario, found in zip((short, long), together, strict=True):
+        alone = HANDWRITTEN.run(scenario, settings)
+        assert np.array_equal(found.positions, alone.positions)
+        assert found.events == alone.events
+
+
+def test_a_ball_whose_bounces_last_a_step_each_is_reported_at_every_one():
+    speed = G * 1e-3 / 2  # up and down again in 1 ms: position and velocity are the same at every step
+    scenario = ball(restitution=1.0, gap=0.0, duration=0.1, velocity=(0.0, 0.0, speed))
+    impacts = [event.time for event in run(scenario, shortest_flight=0.5).events]
+    assert len(impacts) >= 99  # the last one falls on the end, up to rounding
+    assert impacts[:99] == pytest.approx(1e-3 * np.arange(1, 100), abs=1e-9)
 
 
 def test_a_slab_that_slides_up_a_smooth_slope_comes_back_as_fast():

@@ -9,7 +9,7 @@ import pytest
 import solutions.detection
 from reference.errors import InvalidInput, NeedsFunction, UnknownName
 from reference.implementation import Implementation
-from reference.isolate import close_workers, run_isolated
+from reference.isolate import run_isolated, stop_workers
 
 HANDED_IN = """
     def signed_distance(point, normal, offset):
@@ -179,7 +179,7 @@ def test_an_edited_file_answers_anew_even_in_a_worker_that_has_run_it(handed_in)
         assert Implementation(path).function("holds")() == int(answer)
         module = "__import__('reference.implementation', fromlist=['here'])"
         assert run_isolated(eval, 60.0, f"{module}.Implementation({path!r}).function('holds')()") == int(answer)
-    close_workers()
+    stop_workers()
 
 
 def test_an_implementation_is_plain_data():

@@ -1,19 +1,23 @@
 from __future__ import annotations
 
+import contextlib
+import logging
 import math
 import os
 import pickle
 import signal
 import subprocess
 import time
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from reference import isolate, lecture
 from reference.errors import InvalidInput, RunFailed, UnknownName, WorkerCrashed, WorkerTimeout
-from reference.isolate import close_workers, run_isolated
+from reference.isolate import run_isolated, stop_workers
 
 LIMIT = 60.0
 """Far longer than any job here takes: only a hang would meet it."""
@@ -21,9 +25,9 @@ LIMIT = 60.0
 
 @pytest.fixture(autouse=True, scope="module")
 def _no_worker_outlives_these_tests():
-    close_workers()
+    stop_workers()
     yield
-    close_workers()
+    stop_workers()
 
 
 def work(expression: str, timeout: float = LIMIT):
@@ -39,6 +43,25 @@ def alive(pid: int) -> bool:
     """Whether a process runs; one that has ended but that nobody waited for does not."""
     state = subprocess.run(["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True, check=False).stdout
     return bool(state.strip()) and not state.strip().startswith("Z")
+
+
+@contextlib.contextmanager
+def sleeper(folder: Path) -> Iterator[tuple[int, Future]]:
+    """A job that would take ten minutes, in a worker that has begun it: the worker's process and the job's future."""
+    started = folder / "started"
+    asleep = f"open({str(started)!r}, 'x').write(str(__import__('os').getpid())), __import__('time').sleep(600)"
+    with ThreadPoolExecutor(1) as executor:
+        future = executor.submit(work, asleep)
+        until(lambda: started.exists() and started.read_text())
+        yield int(started.read_text()), future
+
+
+def until(happened: Callable[[], object]) -> None:
+    """Wait for what takes a moment on an idle machine."""
+    deadline = time.monotonic() + LIMIT
+    while not happened():
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
 
 
 # Answers
@@ -78,18 +101,18 @@ def test_each_worker_has_one_thread_for_linear_algebra_and_draws_on_no_screen():
 def test_a_worker_finds_what_its_parent_can_import(tmp_path, monkeypatch):
     (tmp_path / "only_here.py").write_text("VALUE = 7", encoding="utf-8")
     monkeypatch.syspath_prepend(tmp_path)
-    close_workers()  # the next one starts with this path
+    stop_workers()  # the next one starts with this path
     assert work("__import__('only_here').VALUE") == 7
-    close_workers()
+    stop_workers()
 
 
 def test_a_worker_takes_no_module_from_the_folder_where_it_happens_to_run(tmp_path, monkeypatch):
     (tmp_path / "mujoco.py").write_text("raise RuntimeError('not the engine')", encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    close_workers()  # the next one starts here
+    stop_workers()  # the next one starts here
     assert work("__import__('os').getcwd()") == str(tmp_path)
     assert str(tmp_path) not in work("__import__('sys').path")
-    close_workers()
+    stop_workers()
 
 
 # Failures
@@ -238,8 +261,82 @@ def test_jobs_of_several_threads_run_side_by_side():
     assert len(pids) == 2
 
 
-def test_closing_stops_the_idle_workers_and_the_next_job_starts_a_new_one():
+def test_stopping_stops_the_idle_workers_and_the_next_job_starts_a_new_one():
     before = worker_pid()
-    close_workers()
+    stop_workers()
     assert not alive(before)
     assert worker_pid() != before
+
+
+def test_stopping_ends_a_busy_worker_and_its_job_says_so_at_once(tmp_path, caplog):
+    caplog.set_level(logging.INFO, "reference.isolate")
+    with sleeper(tmp_path) as (pid, future):
+        start = time.monotonic()
+        stop_workers()
+        with pytest.raises(WorkerCrashed, match="its process was stopped before it could answer"):
+            future.result(LIMIT)
+        assert time.monotonic() - start < 30  # a busy machine may take seconds, the job ten minutes
+    assert not alive(pid)
+    assert [record.levelname for record in caplog.records if "is lost" in record.message] == ["INFO"]  # as was wanted
+    assert worker_pid() != pid
+
+
+def test_a_worker_that_is_stopped_while_it_hands_in_its_answer_takes_no_other_job(monkeypatch):
+    before, answered = worker_pid(), isolate._read
+
+    def stopped_just_then(stream):
+        answer = answered(stream)
+        stop_workers()
+        return answer
+
+    with monkeypatch.context() as patched:
+        patched.setattr(isolate, "_read", stopped_just_then)
+        assert work("1 + 1") == 2
+    assert isolate._workers == set()
+    assert not alive(before)
+    assert worker_pid() != before
+
+
+def test_workers_that_were_stopped_are_forgotten():
+    worker_pid()
+    assert len(isolate._workers) >= 1
+    stop_workers()
+    assert isolate._workers == set()
+    with pytest.raises(WorkerCrashed):
+        work("__import__('os')._exit(1)")
+    assert isolate._workers == set()
+
+
+@pytest.mark.parametrize("limit", [0, 0.0, -1.0, math.nan, math.inf])
+def test_a_limit_that_is_no_time_is_refused_and_starts_no_worker(limit):
+    stop_workers()
+    with pytest.raises(InvalidInput, match="timeout is"):
+        work("1 + 1", timeout=limit)
+    assert isolate._workers == set()
+
+
+# The log
+
+
+def test_the_log_says_when_a_worker_starts_and_why_one_was_lost(caplog):
+    caplog.set_level(logging.INFO, "reference.isolate")
+    stop_workers()
+    first = worker_pid()
+    with pytest.raises(WorkerCrashed):
+        work("__import__('os')._exit(3)")
+    second = worker_pid()
+    with pytest.raises(WorkerTimeout):
+        work("__import__('time').sleep(600)", timeout=0.3)
+    third = worker_pid()
+    os.kill(third, signal.SIGKILL)
+    until(lambda: not alive(third))
+    fourth = worker_pid()
+    assert [(record.levelname, record.message) for record in caplog.records] == [
+        ("INFO", f"worker {first} started"),
+        ("WARNING", f"worker {first} is lost: its process died (exit code 3)"),
+        ("INFO", f"worker {second} started"),
+        ("WARNING", f"worker {second} is lost: no answer within 0.3 s; its process was stopped"),
+        ("INFO", f"worker {third} started"),
+        ("WARNING", f"worker {third} died while it was idle"),
+        ("INFO", f"worker {fourth} started"),
+    ]

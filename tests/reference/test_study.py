@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import pickle
+import re
+import signal
+import subprocess
+import sys
 import textwrap
+import threading
+import time
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -12,12 +19,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from reference import isolate
 from reference.compare import ALL_CASES, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
-from reference.isolate import close_workers
+from reference.isolate import stop_workers
 from reference.scenarios import catalogue
-from reference.study import Job, JobResult, order_of, plan, run_job, run_jobs, run_safely
+from reference.study import Job, JobResult, _series, order_of, plan, run_job, run_jobs, run_safely
 
 DROPPED, SLIDING = catalogue()["dropped-ball"], catalogue()["sliding-slab"]
 GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
@@ -146,6 +154,28 @@ def test_a_plan_whose_timestep_is_longer_than_a_case_is_refused_before_anything_
     assert plan([DROPPED], ["handwritten"], ["tuned"], {"dropped-ball": (longest.name,)}, changes={"timestep": between})
 
 
+def test_what_is_named_twice_is_planned_once():
+    twice = plan(
+        [DROPPED, SLIDING, DROPPED],
+        ["handwritten", "pybullet", "handwritten"],
+        ["tuned", "stock", "tuned"],
+        {"dropped-ball": ("e=1", "e=0.5", "e=1")},
+    )
+    once = plan([DROPPED, SLIDING], ["handwritten", "pybullet"], ["tuned", "stock"], {"dropped-ball": ("e=1", "e=0.5")})
+    assert twice == once
+    assert len(once) == 8
+    assert once[0].cases == ("e=1", "e=0.5")
+
+
+def test_an_empty_list_of_profiles_or_cases_means_all_and_of_engines_or_families_none():
+    everything = plan([DROPPED], ["handwritten"])
+    assert plan([DROPPED], ["handwritten"], []) == everything
+    assert plan([DROPPED], ["handwritten"], (), {}) == everything
+    assert plan([DROPPED], ["handwritten"], (), {"dropped-ball": ()}) == everything
+    assert [job.cases for job in everything] == [()] * 3
+    assert plan([DROPPED], []) == plan([], ["handwritten"]) == []
+
+
 def test_a_plan_carries_cases_changes_and_implementation_into_every_job():
     changes = {"timestep": 2e-3, "sample_every": 2}
     jobs = plan(
@@ -202,17 +232,52 @@ def test_a_job_of_the_plotted_case_brings_the_curve_and_any_other_none():
     assert run_job(replace(GOOD, cases=("e=0.8",))).series.times[-1] <= until
 
 
+def test_a_curve_has_a_gap_where_its_value_is_not_finite():
+    engine, scenario = load_engine("handwritten"), DROPPED.case(DROPPED.curve.case).scenarios[0]
+    trajectory = engine.run(scenario, engine.settings(scenario, "tuned").change(timestep=0.01))
+    values = np.where(trajectory.times < 0.105, np.inf, 1.0)
+    curve = _series(replace(DROPPED, curve=replace(DROPPED.curve, values=lambda _: values)), trajectory)
+    assert curve.times == pytest.approx(trajectory.times[11:])
+    assert set(curve.values) == {1.0}
+
+
 def test_convergence_is_studied_only_where_it_is_asked_for():
     assert run_job(GOOD).convergence is None
     found = run_job(replace(GOOD, profile="stock", with_studies=True)).convergence
-    assert found.timesteps == pytest.approx([4e-3, 2e-3, 1e-3, 5e-4])
-    assert len(found.errors) == 4
+    assert found.timesteps == pytest.approx([4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4])
+    assert len(found.errors) == 5
 
 
 def test_a_timestep_that_gives_no_number_leaves_a_gap_in_the_convergence(tmp_path):
     picky = engine_file(tmp_path, "picky", "if settings.timestep > 0.02: raise CannotExpress('too coarse')\n" + FALLING)
     found = run_job(Job("dropped-ball", picky, "tuned", ("e=0.5",), with_studies=True)).convergence
     assert found.timesteps == pytest.approx([0.02, 0.01, 0.005])
+
+
+def test_a_timestep_that_breaks_an_engine_or_gives_a_huge_number_leaves_a_gap_in_the_convergence(tmp_path):
+    broken = engine_file(tmp_path, "broken", "1 / (settings.timestep > 0.01)\n" + FALLING)
+    found = run_job(Job("dropped-ball", broken, "tuned", ("e=0.5",), with_studies=True)).convergence
+    assert found.timesteps == pytest.approx([0.04, 0.02])
+    lift = (
+        "state[15] *= 1e150 if settings.timestep > 0.02 else 1\n    recorder.sample"  # the apex has no square in floats
+    )
+    huge = engine_file(tmp_path, "huge", FALLING.replace("recorder.sample", lift))
+    found = run_job(Job("dropped-ball", huge, "tuned", ("e=0.5",), with_studies=True)).convergence
+    assert found.timesteps == pytest.approx([0.02, 0.01, 0.005])
+    assert np.isfinite(found.errors).all()
+
+
+def test_a_case_that_breaks_an_engine_costs_that_case_alone(tmp_path):
+    odd = engine_file(tmp_path, "odd", "1 / (scenario.pairs[0].restitution != 0.5)\n" + FALLING)
+    result = run_job(Job("dropped-ball", odd, "tuned", ("e=0.2", "e=0.5", "e=0.8")))
+    (crashed,) = (row for row in result.rows if row.case == "e=0.5")
+    assert (crashed.verdict, crashed.note) == (Verdict.CRASHED, "ZeroDivisionError: division by zero")
+    others = [row for row in result.rows if row.case != "e=0.5"]
+    assert [(row.case, row.quantity) for row in others] == [
+        (case, quantity) for case in ("e=0.2", "e=0.8") for quantity in ("rebound", "sink")
+    ]
+    assert all(row.measured is not None for row in others)
+    assert result.series is None  # the plotted case is the one that crashed
 
 
 FALLING = """
@@ -340,6 +405,132 @@ def test_jobs_that_nobody_waits_for_any_more_are_not_started():
     assert len(started) < 5
 
 
+def asleep(folder: Path) -> tuple[Job, Path]:
+    """A job that would take a minute, and the file in which its worker says its process number once it has begun."""
+    begun = folder / "begun"
+    body = f"open({str(begun)!r}, 'w').write(str(os.getpid()))\ntime.sleep(60)"
+    return Job("dropped-ball", engine_file(folder, "asleep", body), "tuned", ("e=0.5",)), begun
+
+
+def process_in(begun: Path) -> int:
+    deadline = time.monotonic() + ENOUGH
+    while not (begun.exists() and begun.read_text()):
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+    return int(begun.read_text())
+
+
+def alive(pid: int) -> bool:
+    state = subprocess.run(["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True, check=False).stdout
+    return bool(state.strip()) and not state.strip().startswith("Z")
+
+
+PROMPTLY = 30.0  # s: on a busy machine some seconds, and half of what the job would take
+
+
+@pytest.mark.parametrize("error", [GeneratorExit, KeyboardInterrupt])
+def test_whoever_leaves_early_waits_for_no_job_and_leaves_no_worker_behind(error, tmp_path):
+    job, begun = asleep(tmp_path)
+    with ThreadPoolExecutor(2) as executor:
+        results = run_jobs([GOOD, job, replace(job, profile="stock"), GOOD], executor, 2 * ENOUGH)
+        assert next(results).job == GOOD
+        pid, start = process_in(begun), time.monotonic()
+        with pytest.raises(error):
+            results.throw(error)
+        assert time.monotonic() - start < PROMPTLY
+        assert isolate._workers == set()
+    assert time.monotonic() - start < PROMPTLY
+    assert not alive(pid)
+
+
+def test_a_worker_that_starts_while_the_others_are_being_stopped_is_stopped_too(tmp_path, monkeypatch):
+    job, begun = asleep(tmp_path)
+    take, stop, stopping = isolate._take, isolate.stop_workers, threading.Event()
+    run_safely(GOOD)  # so that a worker is there already
+
+    def take_late() -> object:
+        if threading.current_thread() in late:
+            stopping.wait(ENOUGH)
+        return take()
+
+    def stop_and_say() -> None:
+        stop()
+        stopping.set()
+
+    class LastIsLate(ThreadPoolExecutor):
+        def submit(self, function, /, *arguments) -> Future:
+            def run() -> object:
+                if arguments[0] is job:
+                    late.append(threading.current_thread())
+                return function(*arguments)
+
+            return super().submit(run)
+
+    late: list[threading.Thread] = []
+    monkeypatch.setattr(isolate, "_take", take_late)
+    monkeypatch.setattr("reference.study.stop_workers", stop_and_say)
+    with LastIsLate(2) as executor:
+        results = run_jobs([job, GOOD], executor, 2 * ENOUGH)
+        assert next(results).job == GOOD
+        start = time.monotonic()
+        results.close()
+        assert time.monotonic() - start < PROMPTLY
+    assert len(late) == 1
+    assert isolate._workers == set()
+    assert not (begun.exists() and alive(process_in(begun)))
+
+
+INTERRUPTED = """
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from reference.study import Job, run_jobs
+
+jobs = [Job("dropped-ball", sys.argv[1], profile, ("e=0.5",)) for profile in ("tuned", "stock")]
+with ThreadPoolExecutor(1) as executor:
+    for result in run_jobs(jobs, executor):
+        pass
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="where a process can be interrupted by a signal")
+def test_an_interrupt_from_the_keyboard_ends_the_whole_study_promptly(tmp_path):
+    job, begun = asleep(tmp_path)
+    study = subprocess.Popen([sys.executable, "-c", INTERRUPTED, job.engine], stderr=subprocess.PIPE, text=True)
+    pid, start = process_in(begun), time.monotonic()
+    study.send_signal(signal.SIGINT)
+    _, said = study.communicate(timeout=ENOUGH)
+    assert time.monotonic() - start < PROMPTLY
+    assert study.returncode == -signal.SIGINT  # as Python ends that nobody keeps from it
+    assert said.strip().endswith("KeyboardInterrupt")
+    assert not alive(pid)
+
+
+def test_idle_workers_stay_for_the_next_study_when_a_study_ends_by_itself():
+    run_all([GOOD])
+    kept = set(isolate._workers)
+    assert kept
+    run_all([GOOD])
+    assert kept & isolate._workers
+
+
+@pytest.mark.parametrize("timeout", [0.0, -1.0])
+def test_a_time_limit_that_is_no_time_is_the_callers_mistake(timeout):
+    with pytest.raises(InvalidInput, match="timeout is"), ThreadPoolExecutor(1) as executor:
+        list(run_jobs([GOOD], executor, timeout))
+
+
+def test_the_log_says_when_a_job_starts_and_how_long_it_took(tmp_path, caplog):
+    caplog.set_level(logging.INFO, "reference.study")
+    run_safely(GOOD)
+    run_safely(Job("dropped-ball", engine_file(tmp_path, "bad", "os._exit(3)"), "stock", ("e=0.5",)))
+    assert [record.levelname for record in caplog.records if record.name == "reference.study"] == ["INFO"] * 4
+    said = [record.message for record in caplog.records if record.name == "reference.study"]
+    assert said[0] == "ball-to-rest in handwritten, tuned: started"
+    assert re.fullmatch(r"ball-to-rest in handwritten, tuned: finished after \d+\.\d s", said[1])
+    assert re.fullmatch(r"dropped-ball in .*bad\.py, stock: started", said[2])
+    assert re.fullmatch(r"dropped-ball in .*bad\.py, stock: finished after \d+\.\d s", said[3])
+
+
 def test_any_executor_will_do():
     class AtOnce(Executor):
         def submit(self, function, /, *arguments) -> Future:
@@ -364,11 +555,11 @@ def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_i
 def test_an_engine_that_cannot_be_imported_gives_one_row_that_says_how_to_get_it(name, tmp_path, monkeypatch):
     (tmp_path / f"{name}.py").write_text("raise ImportError('a library of it is missing')\n")
     monkeypatch.syspath_prepend(tmp_path)  # workers get this path too
-    close_workers()  # those that are idle have the old one
+    stop_workers()  # those that are idle have the old one
     try:
         result = run_safely(Job("dropped-ball", name, "tuned", ("e=0.5",)), ENOUGH)
     finally:
-        close_workers()
+        stop_workers()
     (row,) = result.rows
     assert row.verdict is Verdict.NOT_AVAILABLE
     assert f'pip install -e ".[{name}]"' in row.note

@@ -2,12 +2,12 @@ from __future__ import annotations
 
 import math
 import pickle
-from dataclasses import FrozenInstanceError, replace
+from dataclasses import FrozenInstanceError, fields, replace
 
 import numpy as np
 import pytest
 
-from reference.errors import InvalidInput, RunFailed, UnknownName
+from reference.errors import RunFailed, UnknownName
 from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Contacts, Event, Recorder, Trajectory
@@ -58,15 +58,15 @@ def test_a_body_has_its_own_column_of_the_arrays():
         ("angular_velocities", (COUNT, 2, 4), (COUNT, 2, 3)),
     ],
 )
-def test_an_array_of_the_wrong_shape_is_refused_with_the_right_one(name, wrong, expected):
-    with pytest.raises(InvalidInput) as caught:
+def test_an_array_of_the_wrong_shape_is_a_failed_run_that_names_the_right_one(name, wrong, expected):
+    with pytest.raises(RunFailed) as caught:
         trajectory(**{name: np.ones(wrong)})
     assert str(caught.value) == f"toy: {name} has shape {wrong}; expected {expected}"
 
 
 @pytest.mark.parametrize("count", [0, 1])
 def test_a_trajectory_has_at_least_two_samples(count):
-    with pytest.raises(InvalidInput, match=f"toy: a trajectory needs two or more samples; it has {count}"):
+    with pytest.raises(RunFailed, match=f"toy: a trajectory needs two or more samples; it has {count}"):
         Trajectory(SCENARIO, SETTINGS, "toy", **arrays(count))
 
 
@@ -80,7 +80,7 @@ def test_two_samples_make_a_trajectory_and_without_contacts_its_table_of_them_is
 
 @pytest.mark.parametrize("times", [[0.0, 0.1, 0.1, 0.2, 0.3], [0.0, 0.1, 0.3, 0.2, 0.4]], ids=["stands", "runs back"])
 def test_time_goes_forward_from_sample_to_sample(times):
-    with pytest.raises(InvalidInput, match="toy: the times of a trajectory must increase"):
+    with pytest.raises(RunFailed, match="toy: the times of a trajectory must increase"):
         trajectory(times=np.array(times))
 
 
@@ -110,7 +110,10 @@ def test_a_time_that_is_not_finite_is_a_failed_run():
 # Read-only
 
 
-@pytest.mark.parametrize("copy", [lambda made: made, lambda made: pickle.loads(pickle.dumps(made))])
+COPIES = pytest.mark.parametrize("copy", [lambda made: made, lambda made: pickle.loads(pickle.dumps(made))])
+
+
+@COPIES
 @pytest.mark.parametrize("name", list(arrays()))
 def test_what_an_implementation_answered_cannot_be_changed_not_even_after_pickling(name, copy):
     made = copy(trajectory())
@@ -120,11 +123,34 @@ def test_what_an_implementation_answered_cannot_be_changed_not_even_after_pickli
         setattr(made, name, arrays()[name])
 
 
+@COPIES
+@pytest.mark.parametrize("entry", fields(Contacts), ids=lambda entry: entry.name)
+def test_nor_can_the_contacts_that_it_reported(entry, copy):
+    contacts = copy(replace(trajectory(), contacts=recorded(contacts=[CONTACT]).contacts)).contacts
+    values = getattr(contacts, entry.name)
+    assert len(values) == 3
+    with pytest.raises(ValueError, match="read-only"):
+        values[0] = 7
+    with pytest.raises(FrozenInstanceError):
+        setattr(contacts, entry.name, values)
+
+
+def test_a_trajectory_is_only_itself_since_arrays_do_not_compare_to_one_yes_or_no():
+    made, copy = trajectory(), trajectory()
+    assert made == made
+    assert made != copy
+    assert made.contacts != copy.contacts
+    assert len({made, copy}) == 2
+
+
 def test_the_arrays_it_was_made_from_stay_writable():
     given = arrays()
     trajectory(**given)
     given["positions"][0] = 7.0
     assert given["positions"][0, 0, 0] == 7.0
+    separation = np.array([-0.25])
+    Contacts(separation=separation)
+    separation[0] = 7.0
 
 
 def test_lists_and_whole_numbers_become_arrays_of_floats():
@@ -150,6 +176,9 @@ def state(number):
     floor = [number, 1.0, 2.0, 1.0, 0.0, 0.0, 0.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]
     ball = [number, 11.0, 12.0, 0.5, 0.5, 0.5, 0.5, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0]
     return floor + ball
+
+
+CONTACT = (1, 0, (0.1, 0.2, 0.3), (0.0, 0.0, 1.0), -0.5)
 
 
 def recorded(settings=SETTINGS, contacts=(), **options):
@@ -183,7 +212,7 @@ def test_a_spin_in_the_body_frame_is_turned_into_the_world_frame():
 
 
 def test_a_contact_belongs_to_the_latest_sample_and_keeps_its_columns_apart():
-    contacts = [(1, 0, (0.1, 0.2, 0.3), (0.0, 0.0, 1.0), -0.5), (0, 1, (0.4, 0.5, 0.6), (0.0, 1.0, 0.0), 0.25)]
+    contacts = [CONTACT, (0, 1, (0.4, 0.5, 0.6), (0.0, 1.0, 0.0), 0.25)]
     found = recorded(contacts=contacts).contacts
     assert found.sample.tolist() == [0, 0, 1, 1, 2, 2]
     assert found.body_a.tolist() == [1, 0] * 3
@@ -195,5 +224,5 @@ def test_a_contact_belongs_to_the_latest_sample_and_keeps_its_columns_apart():
 
 
 def test_a_recorder_that_saw_nothing_makes_no_trajectory():
-    with pytest.raises(InvalidInput, match="needs two or more samples; it has 0"):
+    with pytest.raises(RunFailed, match="needs two or more samples; it has 0"):
         Recorder("toy", SCENARIO, SETTINGS).trajectory()

@@ -63,6 +63,11 @@ def test_the_bounces_add_up_to_the_time_of_rest(restitution):
     assert truth.bounce_times(1.0, restitution, G, 400)[-1] == pytest.approx(series, rel=1e-14)
 
 
+def test_an_elastic_ball_never_rests_and_one_that_is_nearly_so_does_late():
+    assert truth.bounce_end(1.0, 1.0, G) == math.inf
+    assert math.isfinite(truth.bounce_end(1.0, math.nextafter(1.0, 0.0), G))
+
+
 # What a step method does to a bounce
 
 
@@ -244,6 +249,8 @@ def test_the_damping_ratio_and_the_restitution_are_inverse(restitution):
 
 
 def test_no_damping_bounces_fully_and_no_finite_one_not_at_all():
-    assert truth.damping_ratio(1.0) == pytest.approx(0, abs=1e-15)
+    assert truth.damping_ratio(1.0) == 0
+    assert truth.spring_dashpot_restitution(0.0) == 1
+    assert 0 <= truth.damping_ratio(math.nextafter(1.0, 0.0)) < 1e-15  # e is 1 − π ζ there
     assert truth.damping_ratio(0.0) == math.inf
     assert truth.damping_ratio(1e-300) > 1e100

@@ -1,0 +1,70 @@
+"""The program `collisions`: its commands, how it speaks of errors and what it ends with.
+
+Exit codes: 0 fine; 1 a tuned verdict failed; 2 usage; 3 could not compare; 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import logging
+from typing import Annotated, Any
+
+import typer
+from rich.logging import RichHandler
+from rich.markup import escape
+from typer.core import TyperGroup
+
+from labs.cli import compare, engines, report
+from labs.cli.console import errors, speak_unicode
+from reference.errors import CollisionsError
+
+INTERRUPTED = 130
+
+
+class _Commands(TyperGroup):
+    """Turns what the lab refuses or fails to do into a message and an exit code."""
+
+    def invoke(self, ctx: Any) -> Any:
+        try:
+            return super().invoke(ctx)
+        except CollisionsError as error:
+            errors.print(f"[bold red]Error:[/] {escape(str(error))}", highlight=False, soft_wrap=True)
+            raise typer.Exit(error.exit_code) from None
+        except KeyboardInterrupt:
+            errors.print("[bold]Interrupted.[/]")
+            raise typer.Exit(INTERRUPTED) from None
+
+
+app = typer.Typer(
+    cls=_Commands,
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="Collisions Lab: hand-written physics, PyBullet and MuJoCo, compared with theory and with each other.",
+)
+app.command("compare")(compare.compare)
+app.command("report")(report.report)
+app.command("engines")(engines.engines)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"collisions-lab {importlib.metadata.version('collisions-lab')}")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Log what is run.")] = False,
+    version: Annotated[bool, typer.Option("--version", callback=_version, is_eager=True, help="Print it.")] = False,
+) -> None:
+    """Options that every command has."""
+    level = logging.INFO if verbose else logging.WARNING
+    handler = RichHandler(console=errors, show_path=False)
+    logging.basicConfig(level=level, format="%(message)s", handlers=[handler], force=True)
+
+
+def main() -> None:
+    """Run the program."""
+    speak_unicode()
+    app()

@@ -1,0 +1,41 @@
+"""`collisions engines`: what is installed here, in which version, and how to get the rest."""
+
+from __future__ import annotations
+
+from rich.table import Table
+
+from labs.cli.console import output
+from reference.engines import engine_names, load_engine
+from reference.errors import EngineNotInstalled, RunFailed
+from reference.isolate import run_isolated
+
+PROBE_LIMIT = 60.0
+"""How long an engine may take to be imported, s."""
+
+
+def engines() -> None:
+    """List the engines: installed or not, versions, and how to get the rest."""
+    table = Table(box=None, header_style="bold", padding=(0, 1), pad_edge=False)
+    for heading in ("engine", "name", "version", "here"):
+        table.add_column(heading)
+    missing = []
+    for name in engine_names():
+        try:
+            version, here = run_isolated(_version, PROBE_LIMIT, name), "[green]✓ ready[/]"
+        except EngineNotInstalled as error:
+            version, here = "", "[yellow]– not installed[/]"
+            missing.append(str(error))
+        except RunFailed as error:
+            version, here = "", "[red]! broken[/]"
+            missing.append(f"{load_engine(name).title} is installed but cannot be imported: {error}")
+        table.add_row(load_engine(name).title, name, version, here)
+    output.print(table)
+    for message in missing:
+        output.print(message, soft_wrap=True, markup=False)
+
+
+def _version(name: str) -> str:
+    """Import an engine's package and say its version; in a worker, where it may print or crash as it likes."""
+    engine = load_engine(name)
+    engine.module()
+    return engine.version()

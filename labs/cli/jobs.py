@@ -1,0 +1,106 @@
+"""What the commands share: which runs were asked for, and running them with a progress bar."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
+from typing import Annotated
+
+import typer
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from labs.cli.console import errors
+from reference.compare import Verdict, failures, without_answer
+from reference.engines import engine_names
+from reference.errors import InvalidInput
+from reference.family import Family
+from reference.scenarios import catalogue, find
+from reference.settings import Option
+from reference.study import Job, JobResult, plan, run_jobs
+
+FAILED, COULD_NOT_COMPARE = 1, 3
+
+Scenarios = Annotated[
+    list[str] | None,
+    typer.Argument(metavar="SCENARIO", help="A scenario, or scenario/case; all if none is named.", show_default=False),
+]
+Engines = Annotated[
+    list[str] | None,
+    typer.Option("--engine", help="An engine, or the path of an engine file; repeat for several.", show_default=False),
+]
+Profiles = Annotated[
+    list[str] | None,
+    typer.Option("--profile", help="tuned, stock, …; repeat for several; all if none is named.", show_default=False),
+]
+Implementations = Annotated[str, typer.Option(help="The hand-written code: a package, or the path of a .py file.")]
+Workers = Annotated[
+    int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; one a processor if not given.")
+]
+
+
+def planned(
+    scenarios: Sequence[str] | None,
+    engines: Sequence[str] | None,
+    profiles: Sequence[str] | None = None,
+    implementation: str = "solutions",
+    timestep: float | None = None,
+    assignments: Sequence[str] | None = None,
+    with_studies: bool = False,
+) -> list[Job]:
+    """List the jobs that a command line asks for."""
+    families, cases = _chosen(scenarios or [])
+    changes: dict[str, Option] = dict(_assignment(text) for text in assignments or [])
+    if timestep is not None:
+        changes["timestep"] = timestep
+    return plan(families, engines or engine_names(), profiles or (), cases, implementation, changes, with_studies)
+
+
+def _chosen(names: Sequence[str]) -> tuple[list[Family], dict[str, tuple[str, ...]]]:
+    """The families of the given names, and the cases of those that are named with a case."""
+    if not names:
+        return list(catalogue().values()), {}
+    wanted: dict[str, tuple[str, ...] | None] = {}
+    for name in names:
+        family, case = find(name)
+        before = wanted.get(family.name, ())
+        wanted[family.name] = None if case is None or before is None else (*before, case.name)
+    families = [catalogue()[name] for name in wanted]
+    return families, {name: tuple(dict.fromkeys(cases)) for name, cases in wanted.items() if cases}
+
+
+def _assignment(text: str) -> tuple[str, Option]:
+    """`name=value` of a setting; the settings themselves say what kind of value it takes."""
+    name, equals, value = text.partition("=")
+    if not equals or not name or not value:
+        raise InvalidInput(f"--set {text!r} is not of the form name=value, such as contact_erp=0.2")
+    return name.strip().replace(" ", "_").replace("-", "_"), value.strip()
+
+
+def run(jobs: Sequence[Job], workers: int | None) -> list[JobResult]:
+    """Run the jobs in parallel and show how far they are; return the results."""
+    if not jobs:
+        raise InvalidInput("no engine has these profiles for these scenarios: there is nothing to run")
+    columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    workers, results = workers or os.cpu_count() or 1, []
+    errors.print(f"{len(jobs)} run{'s' if len(jobs) > 1 else ''}, {workers} at a time.")
+    with (
+        Progress(*columns, console=errors, transient=True) as progress,
+        ThreadPoolExecutor(workers) as executor,
+        closing(run_jobs(jobs, executor)) as finished,  # an interrupt stops the runs before the executor waits for them
+    ):
+        task = progress.add_task("running", total=len(jobs))
+        for result in finished:
+            results.append(result)
+            progress.update(task, advance=1, description=f"{result.job.family}, {result.title}, {result.job.profile}")
+    return results
+
+
+def exit_code(results: Sequence[JobResult]) -> int:
+    """0 where all is well; 1 if a tuned verdict failed; 3 if a run gave no answer, or none of them did."""
+    rows = [row for result in results for row in result.rows]
+    nothing = all(row.verdict in (Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS) for row in rows)
+    if failures(rows):
+        return FAILED
+    return COULD_NOT_COMPARE if nothing or without_answer(rows) else 0

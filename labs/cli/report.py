@@ -1,0 +1,32 @@
+"""`collisions report`: run the catalogue, with error against timestep, and write a page that explains it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from labs.cli import jobs
+from labs.cli.console import output
+from reference.report import files
+from reference.report.summary import verdict_line
+
+
+def report(
+    out: Annotated[Path, typer.Option(help="Folder to write to.")] = Path("report"),
+    only: Annotated[
+        list[str] | None, typer.Option("--only", help="A scenario; repeat for several.", show_default=False)
+    ] = None,
+    engine: jobs.Engines = None,
+    implementation: jobs.Implementations = "solutions",
+    workers: jobs.Workers = None,
+) -> None:
+    """Run the whole catalogue and write one page, with JSON, CSV and figures beside it."""
+    planned = jobs.planned(only, engine, implementation=implementation, with_studies=True)
+    with files.staged(out) as folder:
+        results = jobs.run(planned, workers)
+        files.write(results, folder)
+    output.print(verdict_line([row for result in results for row in result.rows]))
+    output.print(f"Open {out / files.PAGE} in a browser.", soft_wrap=True, markup=False)
+    raise typer.Exit(jobs.exit_code(results))

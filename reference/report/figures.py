@@ -1,0 +1,133 @@
+"""Figures of the report: the trajectories of one case together, and error against timestep.
+
+Engines differ by colour and marker, profiles by line style, so that nothing hangs on colour alone. Text stays text,
+and no date or random name goes into the file: the same numbers give the same bytes.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from reference.report.summary import Line, Section
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+WIDTH, HEIGHT = 5.8, 3.9
+"""Size of a figure, inches: two stand side by side on a desk, one fills a phone."""
+_COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00"}
+_STROKES = {"handwritten": (5.0, 0.35), "pybullet": (2.4, 1.0), "mujoco": (1.0, 1.0)}
+"""Width in points and opacity of tuned curves: where they coincide, each still shows on both sides of the next."""
+_MARKERS = {"handwritten": "o", "pybullet": "s", "mujoco": "^"}
+_MARKER_DISTANCE, _STAGGER = 0.4, 0.05
+"""Between the markers of a curve, and from one curve's first to the next one's, as shares of the axes' diagonal."""
+_DASHES: dict[str, Any] = {"tuned": "-", "stock": (0, (1, 1.6))}
+_OTHER_DASHES = (0, (5, 2))
+_STYLE: dict[Any, Any] = {
+    "svg.fonttype": "none",
+    "font.size": 10,
+    "font.family": "sans-serif",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 11,
+    "axes.titlelocation": "left",
+    "legend.frameon": False,
+    "legend.fontsize": 9,
+}
+
+
+def trajectories(section: Section) -> str:
+    """The family's curve in every implementation that ran its case, as SVG; empty where none did."""
+    curve, plotted = section.family.curve, [line for line in section.lines if line.result.series is not None]
+
+    def draw(axes: Axes, line: Line) -> str:
+        series = line.result.series
+        assert series is not None
+        sparse = {"markevery": (_STAGGER * len(axes.get_lines()), _MARKER_DISTANCE)} if series.times else {}
+        axes.plot(series.times, series.values, **sparse, **_marker(line), **_line_style(line))
+        return line.title
+
+    labels = {"title": curve.title, "xlabel": "time, s", "ylabel": curve.y_label}
+    return _figure(f"{section.family.name}-trajectories", plotted, draw, labels)
+
+
+def convergence(section: Section) -> str:
+    """Error against timestep, log–log, with the measured orders in the legend, as SVG; empty where none was studied.
+
+    Errors that are rounding and nothing else would flatten all others: their line lies on the lower edge.
+    """
+    study = section.family.convergence
+    quantity = section.family.quantity(study.quantity)
+    plotted = section.studied
+    studies = [line.result.convergence for line in plotted if line.result.convergence]
+    sizes = [error for errors in studies if errors.order is not None for error in errors.errors if error > 0]
+    edge = min(sizes, default=1e-15) / 4
+
+    def draw(axes: Axes, line: Line) -> str:
+        errors = line.result.convergence
+        assert errors is not None
+        shown = errors.errors if errors.order is not None else [edge] * len(errors.errors)
+        axes.loglog(errors.timesteps, shown, **_marker(line), **_line_style(line, thin=True))
+        return f"{line.title}: {line.order}"
+
+    unit = f", {quantity.unit}" if quantity.unit else ""
+    title = f"Error of the {quantity.title}, {study.case}"
+    labels = {"title": title, "xlabel": "timestep, s", "ylabel": f"root mean square error{unit}"}
+    return _figure(f"{section.family.name}-convergence", plotted, draw, labels, edge)
+
+
+def _figure(
+    name: str,
+    lines: Sequence[Line],
+    draw: Callable[[Axes, Line], str],
+    labels: dict[str, str],
+    lower_edge: float | None = None,
+) -> str:
+    """Draw lines, tuned ones on top, with a legend below in the order of the tables; an SVG whose ids are its own."""
+    if not lines:
+        return ""
+    import matplotlib  # late: half a second that a table need not wait for
+    from matplotlib.figure import Figure
+
+    with matplotlib.rc_context(_STYLE | {"svg.hashsalt": name}):
+        figure = Figure(figsize=(WIDTH, HEIGHT), layout="constrained")
+        axes = figure.add_subplot()
+        drawn = {}
+        for line in sorted(lines, key=lambda line: line.tuned):
+            label = draw(axes, line)
+            drawn[line.title] = axes.get_lines()[-1], label
+        axes.set(**labels)
+        if lower_edge is not None:
+            axes.set_ylim(bottom=lower_edge / 1.5)
+            axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
+            axes.set_axisbelow(True)
+        handles, texts = zip(*(drawn[line.title] for line in lines), strict=True)
+        figure.legend(handles, texts, loc="outside lower left", ncols=2, handlelength=3)
+        text = io.StringIO()
+        figure.savefig(text, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
+    return _own_ids(text.getvalue(), name)
+
+
+def _marker(line: Line) -> dict[str, Any]:
+    marker = {"marker": _MARKERS.get(line.result.job.engine, "D"), "markersize": 5}
+    return marker if line.tuned else marker | {"markerfacecolor": "white"}
+
+
+def _line_style(line: Line, thin: bool = False) -> dict[str, Any]:
+    engine, profile = line.result.job.engine, line.result.job.profile
+    style = {"color": _COLOURS.get(engine, "#009e73"), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
+    if thin or not line.tuned:
+        return style | {"linewidth": 1.3}
+    width, opacity = _STROKES.get(engine, (1.5, 1.0))
+    return style | {"linewidth": width, "alpha": opacity}
+
+
+def _own_ids(text: str, name: str) -> str:
+    """The SVG element alone, its ids prefixed, so that several figures stand in one page."""
+    svg = text[text.index("<svg") :]
+    svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
+    svg = re.sub(r'href="#([^"]+)"', rf'href="#{name}-\1"', svg)
+    return re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", svg)

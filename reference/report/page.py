@@ -1,0 +1,63 @@
+"""The comparison as one HTML page that needs nothing beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import jinja2
+from markupsafe import Markup
+
+from reference import lecture
+from reference.compare import Row
+from reference.lecture import Statement
+from reference.report import numbers
+from reference.report.summary import LEGEND, MARKS, Section, columns, error_of, verdict_line
+
+
+def render(
+    found: Sequence[Section], figures: Mapping[str, Sequence[tuple[str, str]]], versions: Sequence[str], provenance: str
+) -> str:
+    """Return the page.
+
+    figures: by family, SVG texts with their captions. versions: what was compared, as in the opening sentence.
+    provenance: on what, as in the last one.
+    """
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("reference.report"),
+        autoescape=jinja2.select_autoescape(("html.j2",)),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    drawn = {name: [(Markup(svg), caption) for svg, caption in pairs] for name, pairs in figures.items()}  # our own SVG
+    rows = [row for section in found for line in section.lines for row in line.result.rows]
+    seen = {row.verdict for row in rows}
+    return environment.get_template("report.html.j2").render(
+        sections=found,
+        columns=columns(found),
+        figures=drawn,
+        versions=versions,
+        provenance=provenance,
+        statements=_statements(found),
+        verdict_line=verdict_line(rows),
+        marks=MARKS,
+        legend={verdict: text for verdict, text in LEGEND.items() if verdict in seen},
+        measured=_measured,
+        error_of=error_of,
+    )
+
+
+def _statements(found: Sequence[Section]) -> dict[str, tuple[list[Statement], list[Statement]]]:
+    """By family the statements that stand in the page for the first time, and those that stand above."""
+    shown: set[int] = set()
+    split = {}
+    for section in found:
+        own = [lecture.statement(number) for number in section.family.statements]
+        new = [entry for entry in own if entry.number not in shown]
+        split[section.family.name] = new, [entry for entry in own if entry.number in shown]
+        shown.update(section.family.statements)
+    return split
+
+
+def _measured(row: Row) -> str:
+    return "" if row.measured is None else numbers.quantity(row.measured, row.unit)

@@ -1,0 +1,292 @@
+"""What the tables say: the rows of a comparison gathered by family, implementation and quantity.
+
+The page and the terminal print the same cells; only here is it decided what stands for many rows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from reference.compare import TUNED, Row, Verdict
+from reference.engines import engine_names
+from reference.family import Family, Quantity
+from reference.report import numbers
+from reference.scenarios import catalogue
+from reference.study import JobResult
+
+MARKS = {
+    Verdict.PASS: "✓",
+    Verdict.KNOWN_DEVIATION: "≈",
+    Verdict.FAIL: "✗",
+    Verdict.CANNOT_EXPRESS: "∅",
+    Verdict.NEEDS: "…",
+    Verdict.NOT_AVAILABLE: "–",
+    Verdict.CRASHED: "!",
+    Verdict.SHOWN: "·",
+}
+LEGEND = {
+    Verdict.PASS: "within the tolerance of theory",
+    Verdict.KNOWN_DEVIATION: "off by what the method is known to do, for a tested reason; “left” is what remains then",
+    Verdict.FAIL: "neither; counted for tuned settings, only shown for all others",
+    Verdict.CANNOT_EXPRESS: "the engine has no words for it",
+    Verdict.NEEDS: "a function that is not written yet",
+    Verdict.NOT_AVAILABLE: "the engine is not installed here",
+    Verdict.CRASHED: "the run died, hung or gave no usable state",
+    Verdict.SHOWN: "theory has no figure; the largest value is shown",
+}
+_SEVERITY = (
+    Verdict.CRASHED,
+    Verdict.FAIL,
+    Verdict.NEEDS,
+    Verdict.CANNOT_EXPRESS,
+    Verdict.NOT_AVAILABLE,
+    Verdict.KNOWN_DEVIATION,
+    Verdict.PASS,
+    Verdict.SHOWN,
+)
+"""The worst first: what stands for many verdicts."""
+AGREES = (Verdict.PASS, Verdict.KNOWN_DEVIATION)
+
+
+@dataclass(frozen=True)
+class Cell:
+    """What stands for the rows of one quantity in one implementation, or for several quantities."""
+
+    rows: tuple[Row, ...]
+
+    @cached_property
+    def verdict(self) -> Verdict:
+        """The worst verdict among the rows."""
+        return min((row.verdict for row in self.rows), key=_SEVERITY.index)
+
+    @property
+    def mark(self) -> str:
+        """One character for the verdict."""
+        return MARKS[self.verdict]
+
+    @property
+    def judged(self) -> int:
+        """How many rows have an expectation, or should have had one."""
+        return sum(row.verdict is not Verdict.SHOWN for row in self.rows)
+
+    @property
+    def agreeing(self) -> int:
+        """How many rows agree with theory, known deviations included."""
+        return sum(row.verdict in AGREES for row in self.rows)
+
+    @property
+    def count(self) -> str:
+        """`5/6` of the rows agree; nothing where none is judged, the verdict where none has a number."""
+        if all(row.measured is None and row.verdict is not Verdict.FAIL for row in self.rows):
+            return str(self.verdict)
+        return f"{self.agreeing}/{self.judged}" if self.judged else ""
+
+    @cached_property
+    def worst(self) -> str:
+        """The largest error of the rows with a number, or the largest value where nothing is expected."""
+        measured = [row for row in self.rows if row.measured is not None and row.tolerance != 0]  # 0: yes or no
+        return error_of(max(measured, key=_badness)) if measured else ""
+
+    @cached_property
+    def left(self) -> str:
+        """What is left of the largest known deviation, once what the method does to the number is taken off."""
+        known = [row for row in self.rows if row.verdict is Verdict.KNOWN_DEVIATION]
+        return f"left {left_of(max(known, key=_badness))}" if known else ""
+
+
+@dataclass(frozen=True)
+class Line:
+    """One engine and profile in a family's tables."""
+
+    result: JobResult
+    family: Family
+
+    @property
+    def title(self) -> str:
+        """Engine and profile, as in every table."""
+        return title_of(self.result)
+
+    @property
+    def tuned(self) -> bool:
+        """Whether this line's verdicts count."""
+        return self.result.job.profile == TUNED
+
+    @property
+    def note(self) -> str:
+        """Why there is no number at all; empty where there are some."""
+        if any(row.quantity for row in self.result.rows):
+            return ""
+        return "; ".join(dict.fromkeys(f"{row.verdict}: {row.note}" for row in self.result.rows))
+
+    @cached_property
+    def cells(self) -> tuple[Cell, ...]:
+        """One cell a quantity. A case without any number counts in each of them."""
+        return tuple(
+            Cell(tuple(row for row in self.result.rows if row.quantity in (quantity.name, "")))
+            for quantity in self.family.quantities
+        )
+
+    @cached_property
+    def whole(self) -> Cell:
+        """All rows of this line, quantities together."""
+        return Cell(self.result.rows)
+
+    @property
+    def _studied_unit(self) -> str:
+        return self.family.quantity(self.family.convergence.quantity).unit
+
+    @cached_property
+    def errors(self) -> list[tuple[str, str]]:
+        """The studied timesteps, each with its error, as text."""
+        study, unit = self.result.convergence, self._studied_unit
+        if study is None:
+            return []
+        pairs = zip(study.timesteps, study.errors, strict=True)
+        return [(numbers.size(timestep, "s"), numbers.size(error, unit)) for timestep, error in pairs]
+
+    @property
+    def order(self) -> str:
+        """The measured order of convergence, or why there is none."""
+        study = self.result.convergence
+        if study is None or len(study.errors) < 2:
+            return "too few timesteps"
+        if study.order is None:
+            return f"rounding, {numbers.size(max(study.errors), self._studied_unit)}"
+        return f"order {study.order:.2f}".replace("-0.00", "0.00").replace("-", "−")
+
+    def row(self, case: str, quantity: str) -> Row | None:
+        """The row of one case and quantity, or the one that says why there is none."""
+        for row in self.result.rows:
+            if row.case == case and row.quantity in (quantity, ""):
+                return row
+        return self.result.rows[0] if self.note else None
+
+
+@dataclass(frozen=True)
+class Section:
+    """A family and its lines, in the order of the tables."""
+
+    family: Family
+    lines: tuple[Line, ...]
+
+    @cached_property
+    def cases(self) -> tuple[str, ...]:
+        """The cases that were run, in the family's order; all of them where no line has any number."""
+        run = {row.case for line in self.lines for row in line.result.rows}
+        names = tuple(case.name for case in self.family.cases)
+        return tuple(name for name in names if name in run) or names
+
+    @property
+    def studied(self) -> list[Line]:
+        """The lines with errors at several timesteps."""
+        return [line for line in self.lines if line.result.convergence is not None]
+
+    def line(self, title: str) -> Line | None:
+        """The line of that engine and profile; None where the family has none."""
+        return next((line for line in self.lines if line.title == title), None)
+
+    def expected(self, case: str, quantity: Quantity) -> str:
+        """What theory says of a quantity in one case; empty where it has no figure."""
+        for line in self.lines:
+            row = line.row(case, quantity.name)
+            if row is not None and row.expected is not None:
+                return numbers.quantity(row.expected, row.unit)
+        return ""
+
+    def remarks(self) -> list[tuple[str, list[str]]]:
+        """Each note on a row, once, with the lines and the number of cases that it speaks of."""
+        found: dict[str, dict[str, int]] = {}
+        for line in self.lines:
+            for row in line.result.rows:
+                if row.note:
+                    cases = found.setdefault(f"{row.verdict}: {row.note}", {})
+                    cases[line.title] = cases.get(line.title, 0) + 1
+        return [(note, [_times(title, count) for title, count in cases.items()]) for note, cases in found.items()]
+
+    def tolerances(self, quantity: str) -> list[tuple[str, list[str]]]:
+        """Each reason for a tolerance of a quantity, once, with the lines that it holds for."""
+        found: dict[str, dict[str, None]] = {}
+        for line in self.lines:
+            for row in line.result.rows:
+                if row.quantity == quantity and row.reason:
+                    found.setdefault(row.reason, {})[line.title] = None
+        return [(reason, list(titles)) for reason, titles in found.items()]
+
+
+def sections(results: Iterable[JobResult]) -> list[Section]:
+    """Gather results by family, in the catalogue's order; engines in the order of the tables, tuned first."""
+    results, families = list(results), catalogue()
+    engines = engine_names()
+
+    def place(result: JobResult) -> tuple[object, ...]:
+        name = result.job.engine
+        return engines.index(name) if name in engines else len(engines), name
+
+    def tuned_first(result: JobResult) -> int:
+        return {TUNED: 0, "stock": 2}.get(result.job.profile, 1)
+
+    found = []
+    for family in families.values():
+        own = [result for result in results if result.job.family == family.name]
+        own.sort(key=lambda result: (*place(result), tuned_first(result)))
+        if own:
+            found.append(Section(family, tuple(Line(result, family) for result in own)))
+    return found
+
+
+def title_of(result: JobResult) -> str:
+    """`PyBullet, tuned`."""
+    return f"{result.title}, {result.job.profile}"
+
+
+def columns(found: Sequence[Section]) -> list[str]:
+    """Titles of all implementations that occur, in the order of the tables."""
+    fullest_first = sorted(found, key=lambda section: -len(section.lines))
+    return list(dict.fromkeys(line.title for section in fullest_first for line in section.lines))
+
+
+def error_of(row: Row) -> str:
+    """A row's error: in percent where there is a scale, else in the unit; the value where nothing is expected."""
+    if row.measured is None:
+        return ""
+    if row.error is None:
+        return numbers.size(abs(row.measured), row.unit)
+    return _as_share(row, row.error)
+
+
+def left_of(row: Row) -> str:
+    """Size of a row's error without the known shift, in percent where there is a scale, else in the unit."""
+    return "" if row.error is None else _as_share(row, row.error - row.shift).lstrip("+−")
+
+
+def _as_share(row: Row, error: float) -> str:
+    return numbers.percent(error / row.scale) if row.scale else numbers.deviation(error, row.unit)
+
+
+def verdict_line(rows: Sequence[Row]) -> str:
+    """One sentence on how the tuned settings stand."""
+    tuned = [row for row in rows if row.profile == TUNED and row.verdict is not Verdict.SHOWN]
+    agreeing = sum(row.verdict in AGREES for row in tuned)
+    known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in tuned)
+    failed = sum(row.verdict is Verdict.FAIL for row in tuned)
+    without = len(tuned) - agreeing - failed
+    parts = [f"{agreeing} of {len(tuned)} checks of tuned settings agree with theory"]
+    if known:
+        parts.append(f"{known} of them off by what the method is known to do")
+    parts.append(f"{failed} fail{'s' if failed == 1 else ''}")
+    if without:
+        parts.append(f"{without} gave no answer")
+    return ", ".join(parts) + "."
+
+
+def _badness(row: Row) -> tuple[int, float]:
+    error = row.relative_error if row.relative_error is not None else row.error
+    size = abs(error) if error is not None else abs(row.measured or 0.0)
+    return -_SEVERITY.index(row.verdict), size if math.isfinite(size) else math.inf
+
+
+def _times(title: str, count: int) -> str:
+    return title if count == 1 else f"{title} ({count}×)"
