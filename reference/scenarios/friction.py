@@ -143,7 +143,7 @@ SLIDING_SLAB = Family(
         ),
     ),
     curve=Curve("μ=0.4,v=2,heading=30°", "Sliding at μ = 0.4, v₀ = 2 m/s, heading 30°", "way, m", _way),
-    convergence=Convergence("μ=0.4,v=2", "stopping_distance"),
+    convergence=Convergence("μ=0.4,v=2", "stopping_distance", (2.0, 1.0, 0.5, 0.25)),
 )
 
 

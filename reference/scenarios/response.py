@@ -112,8 +112,8 @@ DROPPED_BALL = Family(
     topic="response",
     statements=(3, 5, 6, 7, 12),
     about=f"A ball falls freely from a gap of about {DROP_HEIGHT:g} m onto the floor and rebounds. Every figure is the"
-    f" mean over {DROPS} drops whose fall times differ by fractions of a step, because a single drop's error hangs on"
-    " where in a step the ball meets the floor.",
+    f" mean over {DROPS} drops whose fall times spread evenly over {SPREAD:g} s, because a single drop's error"
+    " hangs on where in a step the ball meets the floor.",
     expected="The first rebound reaches e² of the drop height: the impact scales the speed by e, and the height goes"
     " with the speed squared.",
     why=(
@@ -238,7 +238,7 @@ BALL_TO_REST = Family(
         ),
     ),
     curve=Curve("e=0.8", "The bounces at e = 0.8", "gap below the ball, m", _gap, until=5.0),
-    convergence=Convergence("e=0.5", "rest_time", (4.0, 2.0, 1.0, 0.5, 0.25), every_step=True),
+    convergence=Convergence("e=0.5", "rest_time", (2.0, 1.0, 0.5, 0.25, 0.125), every_step=True),
 )
 
 FAMILIES = (DROPPED_BALL, BALL_TO_REST)
