@@ -46,7 +46,9 @@ def trajectories(section: Section) -> str:
     def draw(axes: Axes, line: Line) -> str:
         series = line.result.series
         assert series is not None
-        sparse = {"markevery": (_STAGGER * len(axes.get_lines()), _MARKER_DISTANCE)} if series.times else {}
+        sparse: dict[str, Any] = (
+            {"markevery": (_STAGGER * len(axes.get_lines()), _MARKER_DISTANCE)} if series.times else {}
+        )
         axes.plot(series.times, series.values, **sparse, **_marker(line), **_line_style(line))
         return line.title
 

@@ -244,7 +244,7 @@ def test_a_curve_has_a_gap_where_its_value_is_not_finite():
 def test_convergence_is_studied_only_where_it_is_asked_for():
     assert run_job(GOOD).convergence is None
     found = run_job(replace(GOOD, profile="stock", with_studies=True)).convergence
-    assert found.timesteps == pytest.approx([4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4])
+    assert found.timesteps == pytest.approx([2e-3, 1e-3, 5e-4, 2.5e-4, 1.25e-4])
     assert len(found.errors) == 5
 
 
