@@ -45,7 +45,8 @@ class Engine(ABC):
     """One implementation of rigid-body motion.
 
     name: as typed on the command line. title: as printed. order: place in tables. package: the distribution that it
-    needs, None for ours. extra: the extra of this project that installs it. implementation: which hand-written code
+    needs, None for ours. extra: the extra of this project that installs it. wheels: where its package can be installed
+    without a compiler. implementation: which hand-written code
     answers; only the hand-written engine reads it.
     """
 
@@ -54,6 +55,7 @@ class Engine(ABC):
     order: ClassVar[int] = 100
     package: ClassVar[str | None] = None
     extra: ClassVar[str | None] = None
+    wheels: ClassVar[str] = ""
 
     def __init__(self, implementation: Implementation | None = None) -> None:
         self.implementation = implementation or Implementation()
@@ -94,7 +96,8 @@ class Engine(ABC):
 
     def _missing(self, why: str) -> EngineNotInstalled:
         how = f'pip install -e ".[{self.extra}]"' if self.extra else f"pip install {self.package}"
-        return EngineNotInstalled(f"{self.title} is not installed here ({why}); to get it: {how}")
+        where = f" (ready-made for {self.wheels})" if self.wheels else ""
+        return EngineNotInstalled(f"{self.title} is not installed here ({why}); to get it: {how}{where}")
 
     def check_profile(self, scenario: Scenario, profile: str) -> None:
         """Refuse a profile that this engine does not have for this scenario, naming those it has."""

@@ -35,6 +35,7 @@ class MuJoCo(Engine):
     order = 20
     package = "mujoco"
     extra = "mujoco"
+    wheels = "CPython from 3.11 on Linux, macOS on ARM and Windows"
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
         """`spring`, the resolved contact of the textbooks, joins where something falls."""

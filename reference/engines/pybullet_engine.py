@@ -33,6 +33,7 @@ class PyBullet(Engine):
     order = 10
     package = "pybullet"
     extra = "pybullet"
+    wheels = "CPython up to 3.11 on Linux x86-64 only"
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at Bullet's default."""

@@ -1,0 +1,187 @@
+"""The comparison in a terminal of 80 columns: nothing is cut off, and everything is said."""
+
+from __future__ import annotations
+
+import io
+import itertools
+from collections.abc import Iterable
+from dataclasses import replace
+
+import pytest
+from rich.cells import cell_len
+from rich.console import Console
+
+from reference import lecture
+from reference.compare import ALL_CASES, Row, Verdict
+from reference.engines import engine_names, load_engine
+from reference.report.summary import LEGEND, MARKS, sections
+from reference.report.terminal import print_comparison
+from reference.scenarios import catalogue
+from reference.study import Job, JobResult, run_job
+
+WIDTH = 80
+CUT = "…"  # what the table printer puts where it cuts something off, and our mark for a function that is not written
+NUMBERS = (0.0, -0.12345, 1.35457, -5.5e-6, 5.5e-4)
+"""Measured values that print as short and as long as values near the expected ones do."""
+WILD = (*NUMBERS, -12345.6, -1.23456e7)
+"""What a failure may come to."""
+WITHOUT_QUANTITIES = (Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE)
+MEASURED = {
+    Verdict.PASS: NUMBERS,
+    Verdict.KNOWN_DEVIATION: NUMBERS,
+    Verdict.FAIL: WILD,
+    Verdict.SHOWN: WILD,
+}
+with_and_without_cases = pytest.mark.parametrize("with_cases", [False, True])
+
+
+def printed(results: Iterable[JobResult], with_cases: bool = False) -> str:
+    text = io.StringIO()
+    print_comparison(Console(file=text, width=WIDTH, highlight=False), sections(results), with_cases)
+    return text.getvalue()
+
+
+def words(text: str) -> str:
+    return " ".join(text.split())
+
+
+def grid(verdict: Verdict) -> list[JobResult]:
+    """Every family, engine, profile, case and quantity with one verdict, and in turn the numbers that it may have."""
+    values, found = itertools.cycle(MEASURED.get(verdict, (None,))), []
+    for family in catalogue().values():
+        for name in engine_names():
+            engine = load_engine(name)
+            for profile, described in engine.profiles(family.cases[0].scenarios[0]).items():
+                rows = []
+                if verdict in WITHOUT_QUANTITIES:
+                    rows = [Row(family.name, case.name, name, profile, "", "", verdict) for case in family.cases]
+                for case, quantity in itertools.product(family.cases, () if rows else family.quantities):
+                    row = Row(family.name, case.name, name, profile, quantity.name, quantity.unit, verdict)
+                    row = replace(row, measured=next(values), scale=12.345 if quantity.scale else None)
+                    if quantity.expect:
+                        row = replace(row, expected=-1.23456, tolerance=1.0, shift=0.001)
+                    rows.append(row)
+                found.append(JobResult(Job(family.name, name, profile), engine.title, described, tuple(rows)))
+    return found
+
+
+def without_answer(verdict: Verdict, note: str, engine: str = "mujoco", title: str = "MuJoCo") -> JobResult:
+    row = Row("ball-to-rest", ALL_CASES, engine, "tuned", "", "", verdict, note=note)
+    return JobResult(Job("ball-to-rest", engine, "tuned"), title, "", (row,))
+
+
+@pytest.fixture(scope="module")
+def real() -> list[JobResult]:
+    """Real results of the hand-written code, quick ones."""
+    return [run_job(Job("ball-to-rest", "handwritten", profile, ("e=0.5",))) for profile in ("tuned", "slide", "stock")]
+
+
+# Width
+
+
+@with_and_without_cases
+@pytest.mark.parametrize("verdict", Verdict)
+def test_nothing_of_the_catalogue_is_too_wide_for_80_columns_or_cut_off(verdict, with_cases):
+    text = printed(grid(verdict), with_cases)
+    assert max(map(cell_len, text.splitlines())) <= WIDTH
+    assert text.count(CUT) == text.count(f"{CUT} needs")
+    assert (CUT in text) == (verdict is Verdict.NEEDS)
+
+
+@with_and_without_cases
+def test_every_name_of_the_catalogue_is_printed_whole(with_cases):
+    text = printed(grid(Verdict.PASS), with_cases)
+    for family in catalogue().values():
+        assert family.title in text
+        assert words(family.expected) in words(text)
+        for number in family.statements:
+            assert words(f"{number} {lecture.statement(number).title}") in words(text)
+        for case in family.cases:
+            assert not with_cases or f"\n{case.name} " in text
+        for word in words(" ".join(quantity.title for quantity in family.quantities)).split():
+            assert word in text
+    for name in engine_names():
+        assert f"{load_engine(name).title}, tuned" in text
+
+
+@with_and_without_cases
+def test_long_notes_are_broken_into_lines(with_cases):
+    note = "it has one coefficient of friction, not static 0.5 and kinetic 0.4 " * 5
+    text = printed([without_answer(Verdict.CANNOT_EXPRESS, note.strip())], with_cases)
+    assert max(map(cell_len, text.splitlines())) <= WIDTH
+    assert words(f"MuJoCo, tuned: cannot express: {note}") in words(text)
+
+
+# What is said
+
+
+def test_the_overview_has_a_line_for_every_implementation_with_counts_and_worst_errors(real):
+    text = printed(real)
+    for title in ("hand-written, tuned", "hand-written, slide", "hand-written, stock"):
+        (line,) = (line for line in text.splitlines() if line.startswith(title))
+        assert line.count("✓ 1/1") == 4
+    assert "Ball coming to rest" in text
+    assert "−0.13 %" in text  # of the slide's T, which cannot see the last bounces
+    assert text.rstrip().endswith("4 of 4 checks of tuned settings agree with theory, 0 fail.")
+
+
+def test_with_cases_every_quantity_has_a_table_with_what_each_implementation_measured(real):
+    lines = printed(real, with_cases=True).splitlines()
+    headings = [line.partition("  ")[0] for line in lines if line.rstrip().endswith("verdict")]
+    assert headings == [quantity.title for quantity in catalogue()["ball-to-rest"].quantities]
+    assert next(line.split() for line in lines if line.startswith("e=0.5")) == ["e=0.5", "1.3546", "s", "expected"]
+    (first, *_) = (line.split() for line in lines if line.startswith("  hand-written, tuned"))
+    assert first == ["hand-written,", "tuned", "1.3546", "s", *first[4:-2], "✓", "pass"]
+    assert sum(line.startswith("  hand-written, ") for line in lines) == 3 * 4
+
+
+def test_a_known_deviation_shows_what_is_left_and_with_the_cases_also_why(real):
+    tuned, *others = real
+    first, *rest = tuned.rows
+    known = replace(first, verdict=Verdict.KNOWN_DEVIATION, measured=1.5, shift=0.14, note="half a step late")
+    changed = [replace(tuned, rows=(known, *rest)), *others]
+    assert "left 0.4 %" in printed(changed)
+    assert "half a step late" not in printed(changed)
+    detailed = printed(changed, with_cases=True)
+    (line,) = (line for line in detailed.splitlines() if "≈" in line and "hand-written, tuned" in line)
+    assert words(line) == "hand-written, tuned 1.5 s +11 % 0.4 % ≈ known deviation"
+    assert "hand-written, tuned: known deviation: half a step late" in detailed
+
+
+@with_and_without_cases
+@pytest.mark.parametrize(
+    ("verdict", "note"),
+    [
+        (Verdict.NOT_AVAILABLE, 'MuJoCo is not installed here; to get it: pip install -e ".[mujoco]"'),
+        (Verdict.CRASHED, "its process died (SIGSEGV)"),
+        (Verdict.CRASHED, "[bold]IndexError: [/red] list index [0] out of range"),
+        (Verdict.NEEDS, "needs kinematic_response (response, step 1)"),
+    ],
+)
+def test_an_engine_without_an_answer_says_why_in_its_own_words(verdict, note, with_cases, real):
+    text = printed([*real, without_answer(verdict, note)], with_cases)
+    assert words(f"MuJoCo, tuned: {verdict}: {note}") in words(text)
+    assert f"{MARKS[verdict]} {verdict}: {LEGEND[verdict]}" in words(text)
+
+
+@pytest.mark.parametrize(("with_cases", "lines"), [(False, 1), (True, 3 * 4)])  # a line a case and quantity
+def test_a_title_in_brackets_is_printed_as_it_is(with_cases, lines):
+    text = printed([without_answer(Verdict.CRASHED, "hung", "toy.py", "toy [b] [/]")], with_cases)
+    assert text.count("toy [b] [/], tuned") == lines + 1  # and a remark
+
+
+def test_the_legend_explains_the_verdicts_that_occur_and_no_other(real):
+    text = words(printed([*real, without_answer(Verdict.CRASHED, "hung")]))
+    for verdict in Verdict:
+        explained = f"{MARKS[verdict]} {verdict}: {LEGEND[verdict]}" in text
+        assert explained == (verdict in (Verdict.PASS, Verdict.CRASHED)), verdict
+
+
+def test_of_nothing_there_is_only_the_sentence_that_says_so():
+    assert printed([]).strip() == "0 of 0 checks of tuned settings agree with theory, 0 fail."
+
+
+def test_families_come_in_the_order_of_teaching():
+    text = printed(reversed(grid(Verdict.PASS)))
+    places = [text.index(family.title) for family in catalogue().values()]
+    assert places == sorted(places)
