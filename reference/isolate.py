@@ -16,6 +16,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable
 from typing import Any, BinaryIO, ParamSpec, TypeVar
 
@@ -27,6 +28,7 @@ T = TypeVar("T")
 
 _THREAD_LIMITS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 _HEADER = 8  # bytes that hold a message's length
+_PARENT_INTERVAL = 1.0  # s between two looks at whether the parent still lives
 
 _log = logging.getLogger(__name__)
 _workers: set[_Worker] = set()
@@ -230,6 +232,7 @@ def _serve() -> None:
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)  # code that asks for input must not read the jobs
     os.dup2(2, 1)  # an engine that prints must not write into the answers
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides when to stop
+    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     while True:
         try:
             message = _read(jobs)
@@ -241,6 +244,13 @@ def _serve() -> None:
         except Exception as error:
             answer = pickle.dumps((False, _portable(error)))
         _write(answers, answer)
+
+
+def _end_with(parent: int) -> None:
+    """End this process once its parent is gone, killed in the middle of a job; where the system tells (POSIX)."""
+    while os.getppid() == parent:
+        time.sleep(_PARENT_INTERVAL)
+    os._exit(1)
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ class Settings:
                 fields["timestep"] = value
                 fields.setdefault("sample_every", steps_per_sample(checks.positive("timestep", value)))  # type: ignore[arg-type]
             elif name == "sample_every":
-                fields["sample_every"] = value
+                fields["sample_every"] = _same_kind(name, value, self.sample_every)
             elif name in options:
                 options[name] = _same_kind(name, value, options[name])
             else:

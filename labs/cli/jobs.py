@@ -74,7 +74,9 @@ def _assignment(text: str) -> tuple[str, Option]:
     """`name=value` of a setting; the settings themselves say what kind of value it takes."""
     name, equals, value = text.partition("=")
     if not equals or not name or not value:
-        raise InvalidInput(f"--set {text!r} is not of the form name=value, such as contact_erp=0.2")
+        raise InvalidInput(
+            f"--set {text!r} is not of the form name=value, such as contact_erp=0.2 with --engine pybullet"
+        )
     return name.strip().replace(" ", "_").replace("-", "_"), value.strip()
 
 

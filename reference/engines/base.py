@@ -20,6 +20,8 @@ from reference.trajectory import Trajectory
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
 ROUNDING = 1e-9
 """A duration that is a whole number of samples but for this share of one needs no further sample."""
+MOST_STEPS = 10**8
+"""More steps than this no engine does within the time limit of a job."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +114,11 @@ class Engine(ABC):
                 f"timestep {settings.timestep:g} s × {settings.sample_every} steps a sample is longer than"
                 f" {scenario.name}, which lasts {scenario.duration:g} s"
             )
-        return settings.sample_every * math.ceil(scenario.duration / interval - ROUNDING)
+        steps = settings.sample_every * math.ceil(scenario.duration / interval - ROUNDING)
+        if steps > MOST_STEPS:
+            made = f"timestep {settings.timestep:g} s makes {steps:.1e} steps of {scenario.name}"
+            raise InvalidInput(f"{made}; {MOST_STEPS:.0e} is the most")
+        return steps
 
     def check_friction(self, scenario: Scenario) -> None:
         """Refuse a pair whose static friction is not its kinetic friction, for an engine that has one coefficient."""

@@ -380,6 +380,8 @@ def test_a_timestep_longer_than_the_scenario_is_refused(cell, installed):
     engine, scenario, settings = setup(cell)
     with pytest.raises(InvalidInput, match="longer than"):
         engine.run(scenario, settings.change(timestep=1.01 * DURATION))
+    with pytest.raises(InvalidInput, match="1e\\+08 is the most"):  # it would end in some hours
+        engine.run(scenario, settings.change(timestep=1e-9 * DURATION))
 
 
 @each_engine

@@ -7,6 +7,7 @@ import os
 import pickle
 import signal
 import subprocess
+import sys
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -253,6 +254,24 @@ def test_a_job_that_is_interrupted_half_way_takes_its_worker_with_it(monkeypatch
 
 def test_an_interrupt_from_the_keyboard_is_left_to_the_parent():
     assert work("__import__('os').kill(__import__('os').getpid(), 2) or 5") == 5
+
+
+ORPHANED = """
+import sys, time
+from reference.isolate import run_isolated
+run_isolated(exec, 300, "import os, time; open(%r, 'w').write(str(os.getpid())); time.sleep(300)" % sys.argv[1])
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="where a process can see that its parent is gone")
+def test_a_busy_worker_ends_when_its_parent_is_killed(tmp_path):
+    written = tmp_path / "pid"
+    parent = subprocess.Popen([sys.executable, "-c", ORPHANED, str(written)])
+    until(lambda: written.exists() and written.read_text())
+    worker = int(written.read_text())
+    parent.kill()
+    parent.wait()
+    until(lambda: not alive(worker))
 
 
 def test_jobs_of_several_threads_run_side_by_side():

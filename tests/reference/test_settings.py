@@ -165,3 +165,9 @@ def test_settings_describe_themselves_in_one_line():
     shown = SETTINGS.describe()
     assert shown == "timestep 0.001 s, stiffness 1e+06, iterations 50, split impulse True, integrator Euler"
     assert "\n" not in shown
+
+
+def test_the_steps_between_two_samples_may_be_given_as_text_too():
+    assert Settings(1e-3).change(sample_every="3").sample_every == 3
+    with pytest.raises(InvalidInput, match=r"sample_every is '1\.5'; it must be a whole number"):
+        Settings(1e-3).change(sample_every="1.5")

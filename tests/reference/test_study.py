@@ -481,10 +481,12 @@ def test_a_worker_that_starts_while_the_others_are_being_stopped_is_stopped_too(
 
 
 INTERRUPTED = """
+import signal
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from reference.study import Job, run_jobs
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # some shells have it ignored
 jobs = [Job("dropped-ball", sys.argv[1], profile, ("e=0.5",)) for profile in ("tuned", "stock")]
 with ThreadPoolExecutor(1) as executor:
     for result in run_jobs(jobs, executor):
