@@ -99,7 +99,7 @@ class Family:
     cases: tuple[Case, ...]
     quantities: tuple[Quantity, ...]
     curve: Curve
-    convergence: Convergence
+    convergence: Convergence | None
 
     def case(self, name: str) -> Case:
         """Return the case of that name."""

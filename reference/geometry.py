@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reference.errors import InvalidInput
-from reference.scenario import Box, HalfSpace, Scenario, Shape, Sphere
+from reference.scenario import Body, Box, HalfSpace, Scenario, Shape, Sphere
 
 Array = NDArray[np.float64]
 
@@ -56,14 +56,44 @@ def _reach(shape: Shape, orientations: Array, normal: Array) -> Array:
     raise InvalidInput(f"the gap between two bodies of shape {type(shape).__name__} is not defined")
 
 
-def starts_in_contact(scenario: Scenario, tolerance: float = 1e-6) -> bool:
-    """Whether every movable body rests on a half-space at the start, with a gap below the tolerance, m."""
-    planes = [body.name for body in scenario.bodies if isinstance(body.shape, HalfSpace)]
-    for body in scenario.bodies:
-        if body.immovable:
-            continue
-        pose = np.array([body.position]), np.array([body.orientation])
-        gaps = [abs(float(separation(scenario, body.name, plane, *pose)[0])) for plane in planes]
-        if not gaps or min(gaps) > tolerance:
-            return False
-    return True
+def gap(body_a: Body, body_b: Body) -> float:
+    """Gap between two bodies as they start, m; negative when they overlap.
+
+    Spheres and half-spaces: exact. Two boxes: the largest gap along any face normal or cross product of edges, which is
+    exact where faces meet and never too large.
+    """
+    shapes = body_a.shape, body_b.shape
+    if isinstance(body_a.shape, HalfSpace):
+        normal = np.array(body_a.shape.normal)
+        height = (np.array(body_b.position) - np.array(body_a.position)) @ normal
+        return float(height - _reach(body_b.shape, np.array([body_b.orientation]), normal)[0])
+    if isinstance(body_b.shape, HalfSpace):
+        return gap(body_b, body_a)
+    between = np.array(body_b.position) - np.array(body_a.position)
+    if all(isinstance(shape, Sphere) for shape in shapes):
+        directions = [between]
+    else:
+        axes = [rotate(np.array([body.orientation]), np.eye(3)) for body in (body_a, body_b)]
+        crossed = [np.cross(first, second) for first in axes[0] for second in axes[1]]
+        directions = [*axes[0], *axes[1], *crossed, between]
+    units = [direction / np.linalg.norm(direction) for direction in directions if np.linalg.norm(direction) > 1e-9]
+    poses = [np.array([body.orientation]) for body in (body_a, body_b)]
+    reach = [_reach(body_a.shape, poses[0], -unit)[0] + _reach(body_b.shape, poses[1], unit)[0] for unit in units]
+    return float(max(abs(between @ unit) - far for unit, far in zip(units, reach, strict=True)))
+
+
+def touching(scenario: Scenario, tolerance: float = 1e-6) -> list[tuple[Body, Body]]:
+    """The pairs that collide and touch at the start, with a gap below the tolerance, m."""
+    pairs = [(scenario.body(pair.body_a), scenario.body(pair.body_b)) for pair in scenario.pairs]
+    return [(a, b) for a, b in pairs if not (a.immovable and b.immovable) and abs(gap(a, b)) < tolerance]
+
+
+def starts_in_contact(scenario: Scenario) -> bool:
+    """Whether every movable body touches another one at the start."""
+    touched = {body.name for pair in touching(scenario) for body in pair}
+    return all(body.name in touched for body in scenario.bodies if not body.immovable)
+
+
+def leaning(scenario: Scenario) -> bool:
+    """Whether two movable bodies touch at the start, as in a stack."""
+    return any(not a.immovable and not b.immovable for a, b in touching(scenario))

@@ -73,6 +73,18 @@ class Settings:
         return ", ".join(parts)
 
 
+@dataclass(frozen=True)
+class Move:
+    """One setting to move, to see what share of an error it has.
+
+    kind: the share, `contact model` or `solver`. option: its name. value: what it is moved to.
+    """
+
+    kind: str
+    option: str
+    value: Option
+
+
 def steps_per_sample(timestep: float) -> int:
     """How many steps make one sample of about `SAMPLE_INTERVAL` seconds."""
     return max(1, round(SAMPLE_INTERVAL / timestep))

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from reference.compare import ALL_CASES, Row, Verdict, compare_case, verdict_of
+from reference.compare import ALL_CASES, TUNED, Row, Verdict, compare_case, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.errors import (
@@ -30,6 +30,7 @@ from reference.implementation import Implementation
 from reference.isolate import run_isolated, stop_workers
 from reference.scenarios import catalogue
 from reference.settings import Option
+from reference.shares import Split, split
 from reference.trajectory import Trajectory
 
 TIME_LIMIT = 300.0
@@ -88,6 +89,7 @@ class JobResult:
     version: str = ""
     series: Series | None = None
     convergence: Errors | None = None
+    split: Split | None = None
     seconds: float = field(default=0.0, compare=False)
 
 
@@ -212,6 +214,7 @@ def run_job(job: Job) -> JobResult:
         if case.name == family.curve.case and trajectories:
             series = _series(family, trajectories[0])
     convergence = _convergence(family, engine, job) if job.with_studies else None
+    splits = split(family, engine) if job.with_studies and job.profile == TUNED and not job.changes else None
     return JobResult(
         job,
         engine.title,
@@ -221,6 +224,7 @@ def run_job(job: Job) -> JobResult:
         version,
         series,
         convergence,
+        splits,
         time.perf_counter() - start,
     )
 
@@ -236,6 +240,8 @@ def _series(family: Family, trajectory: Trajectory) -> Series:
 def _convergence(family: Family, engine: Engine, job: Job) -> Errors | None:
     """Root mean square error of one quantity over a case's scenarios, for several timesteps."""
     study = family.convergence
+    if study is None:
+        return None
     case, quantity = family.case(study.case), family.quantity(study.quantity)
     if quantity.expect is None:
         raise InvalidInput(f"{family.name}: {quantity.name} has no expected value to converge to")

@@ -112,6 +112,14 @@ class Trajectory:
         """Velocities of one body, (n, 3), m/s."""
         return self.velocities[:, self.scenario.index(body)]
 
+    def orientation(self, body: str) -> Array:
+        """Orientations of one body, (n, 4), w x y z."""
+        return self.orientations[:, self.scenario.index(body)]
+
+    def angular_velocity(self, body: str) -> Array:
+        """Angular velocities of one body, (n, 3), rad/s, world frame."""
+        return self.angular_velocities[:, self.scenario.index(body)]
+
 
 class Recorder:
     """Collects samples while an engine steps, and makes the trajectory of them."""

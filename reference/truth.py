@@ -134,3 +134,76 @@ def spring_dashpot_exit_depth(damping_ratio: float, speed: float, stiffness: flo
     overdamped case. There the force k x + c x′ is zero, so with the rebound speed e v the depth is 2 ζ e v/ω.
     """
     return 2 * damping_ratio * spring_dashpot_restitution(damping_ratio) * speed / math.sqrt(stiffness)
+
+
+def rolling_speed(speed: float) -> float:
+    """Speed at which a solid sphere that set out sliding without spin rolls in the end, m/s: 5/7 of the first.
+
+    Friction acts at the contact, so the angular momentum m v r + 2/5 m r² ω about a point of the floor stays: m v0 r =
+    (1 + 2/5) m v r once ω r = v. A step method's friction impulses keep it just as well: no timestep shifts this.
+    """
+    return 5 / 7 * speed
+
+
+def rolling_start(speed: float, friction: float, gravity: float) -> float:
+    """When that sphere begins to roll, s: v0 − μ g t = 5/7 v0."""
+    return 2 * speed / (7 * friction * gravity)
+
+
+def rolling_way(speed: float, friction: float, gravity: float, time: float) -> float:
+    """Way of that sphere, m, at a time after it began to roll: 12 v0²/(49 μ g) sliding, then at 5/7 v0."""
+    start = rolling_start(speed, friction, gravity)
+    return 6 / 7 * speed * start + rolling_speed(speed) * (time - start)
+
+
+def semi_implicit_rolling_shift(speed: float, timestep: float) -> float:
+    """Shift of that way in a step method, m: Σ v_i dt moves with the slowed velocity, −(v0 − 5/7 v0) dt/2."""
+    return -(speed - rolling_speed(speed)) * timestep / 2
+
+
+def incline_rolls(friction: float, slope: float) -> bool:
+    """Whether a solid sphere let go on a slope (rad) rolls without slip: its friction 2/7 m g sin θ ≤ μ m g cos θ."""
+    return math.tan(slope) <= 3.5 * friction
+
+
+def rolling_acceleration(friction: float, slope: float, gravity: float) -> float:
+    """Acceleration of a solid sphere down a slope, m/s²: 5/7 g sin θ rolling, g (sin θ − μ cos θ) slipping."""
+    if incline_rolls(friction, slope):
+        return 5 / 7 * gravity * math.sin(slope)
+    return gravity * (math.sin(slope) - friction * math.cos(slope))
+
+
+def rolling_ratio(friction: float, slope: float, gravity: float) -> float:
+    """ω r/v of a solid sphere down a slope: 1 rolling; slipping, its spin grows with 5/2 μ g cos θ/r."""
+    if incline_rolls(friction, slope):
+        return 1.0
+    return 2.5 * friction * gravity * math.cos(slope) / rolling_acceleration(friction, slope, gravity)
+
+
+def spinning_impact(speed: float, surface_speed: float, restitution: float, friction: float) -> tuple[float, float]:
+    """Speed along the floor, m/s, and surface speed r ω left, m/s, after a spinning solid sphere has struck it.
+
+    speed: of the impact, m/s. surface_speed: r ω before. The impulse along the floor is at most μ times the normal one,
+    m (1 + e) v. It ends the slip u = r ω − v_x if it can: it changes u by −7/2 J/m, so J = 2/7 m r ω grips and leaves
+    v_x = 2/7 r ω = r ω′. A smaller one slips through: v_x = J/m and r ω′ = r ω − 5/2 J/m.
+    """
+    impulse = math.copysign(
+        min(friction * (1 + restitution) * speed, 2 / 7 * abs(surface_speed)), surface_speed
+    )  # per unit mass
+    return impulse, surface_speed - 2.5 * impulse
+
+
+def wall_impacts(distance: float, speed: float, restitution: float, count: int) -> NDArray[np.float64]:
+    """Instants at which a ball meets two parallel walls in turn, (count,), s: each crossing takes 1/e of the last one.
+
+    distance: free way between the walls, m, which it also has before the first impact.
+    """
+    return np.asarray(distance / speed * np.cumsum(restitution ** -np.arange(count, dtype=float)))
+
+
+def tips(half_width: float, half_height: float, friction: float, slope: float) -> bool:
+    """Whether a box at rest on a slope (rad) turns over its lower edge: tan θ > b/h, and friction holds, μ ≥ b/h.
+
+    With μ < b/h the normal force under a sliding box still finds its place within the face, so that it slides upright.
+    """
+    return math.tan(slope) > half_width / half_height and friction > half_width / half_height

@@ -14,7 +14,7 @@ from typing import ClassVar
 from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, UnknownName
 from reference.implementation import Implementation
 from reference.scenario import Scenario
-from reference.settings import Settings
+from reference.settings import Move, Settings
 from reference.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
@@ -73,6 +73,10 @@ class Engine(ABC):
     @abstractmethod
     def method(self, scenario: Scenario, settings: Settings) -> Method:
         """How the engine treats the instant at which a force changes, with these settings."""
+
+    def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
+        """Settings worth moving, each to a better value, to see what share of an error they have; none by default."""
+        return ()
 
     @abstractmethod
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:

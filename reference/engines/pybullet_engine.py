@@ -19,7 +19,7 @@ import numpy as np
 from reference import geometry
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.scenario import Body, Box, Pair, Scenario, Sphere
-from reference.settings import Option, Settings
+from reference.settings import Move, Option, Settings
 from reference.trajectory import Recorder, Trajectory
 
 STOCK_TIMESTEP = 1 / 240
@@ -54,6 +54,7 @@ class PyBullet(Engine):
             "contact_erp": 1.0 - restitution,
             "split_impulse": True,
             "contact_processing_threshold": 0.0,
+            "solver_iterations": 50,
         }
         return Settings(1e-3, options=options)
 
@@ -61,6 +62,15 @@ class PyBullet(Engine):
         """Bullet answers at the step; split impulses take overlap back without adding speed."""
         recovery = settings.number("contact_erp") if settings.options.get("split_impulse") is True else 0.0
         return Method(AT_STEP, recovery, rest_speed=self._rest_speed(scenario, settings))
+
+    def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
+        """A lower threshold of rest, and twice the solver's iterations."""
+        found = []
+        if "rest_threshold_steps" in settings.options:
+            found.append(Move("contact model", "rest_threshold_steps", settings.number("rest_threshold_steps") / 2))
+        if "solver_iterations" in settings.options:
+            found.append(Move("solver", "solver_iterations", 2 * int(settings.number("solver_iterations"))))
+        return tuple(found)
 
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
         """Run one scenario in a world of its own."""

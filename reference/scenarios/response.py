@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from reference import measure, truth
+from reference import geometry, measure, truth
 from reference.engines.base import COMPLIANT, EXACT, INTERPOLATED, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
 from reference.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
@@ -23,6 +23,8 @@ SPREAD = 0.1
 WINDOW = 5.0
 """How long a ball at rest is watched, s."""
 MILLIMETRE = 1e-3
+Falling = Callable[[str, float, float, float], Scenario]
+"""Name, restitution, drop height in m, duration in s → the scenario of one drop."""
 
 
 def falling_ball(name: str, restitution: float, drop_height: float, duration: float) -> Scenario:
@@ -32,18 +34,23 @@ def falling_ball(name: str, restitution: float, drop_height: float, duration: fl
     return Scenario(name, (floor, ball), (Pair("ball", "floor", restitution=restitution),), duration)
 
 
+def falling_body(scenario: Scenario) -> Body:
+    """The one body that can move."""
+    return next(body for body in scenario.bodies if not body.immovable)
+
+
 def drop_height(scenario: Scenario) -> float:
-    """Gap below the ball at the start, m."""
-    return scenario.body("ball").position[2] - RADIUS
+    """Gap below the falling body at the start, m."""
+    return geometry.gap(scenario.body("floor"), falling_body(scenario))
 
 
-def _dropped(restitution: float) -> Case:
+def dropped(family: str, restitution: float, falling: Falling) -> Case:
     """Drops whose fall times are spread evenly over `SPREAD`, so that no result hangs on the phase within a step."""
     fall, name = truth.fall_time(DROP_HEIGHT, GRAVITY), f"e={restitution:g}"
     falls = [fall + SPREAD * (drop - DROPS // 2) / DROPS for drop in range(DROPS)]
     scenarios = tuple(
-        falling_ball(
-            f"dropped-ball/{name}",
+        falling(
+            f"{family}/{name}",
             restitution,
             GRAVITY * time**2 / 2,
             time * (1 + restitution) + 0.05,  # just past the first apex
@@ -53,11 +60,14 @@ def _dropped(restitution: float) -> Case:
     return Case(name, scenarios, {"restitution": restitution})
 
 
-def _rebound(trajectory: Trajectory) -> float:
-    return measure.first_apex(trajectory, "ball", "floor") / drop_height(trajectory.scenario)
+def rebound(trajectory: Trajectory) -> float:
+    """First apex over drop height."""
+    scenario = trajectory.scenario
+    return measure.first_apex(trajectory, falling_body(scenario).name, "floor") / drop_height(scenario)
 
 
-def _expect_rebound(case: Case, settings: Settings, method: Method) -> Expectation:
+def expect_rebound(case: Case, settings: Settings, method: Method) -> Expectation:
+    """The mean first rebound over an ensemble of drops, as a share of the drop height."""
     restitution, dt = case.parameters["restitution"], settings.timestep
     exact = truth.apex_ratio(restitution)
     if method.kind == EXACT:
@@ -133,14 +143,14 @@ DROPPED_BALL = Family(
         " of the textbooks gives e through its damping ratio, but lets go of the ball at a depth of order v/√k, since"
         " a contact cannot pull: that part of the error does not go away with the timestep, only with the stiffness.",
     ),
-    cases=tuple(_dropped(restitution) for restitution in (0.0, 0.2, 0.5, 0.8, 0.95, 1.0)),
+    cases=tuple(dropped("dropped-ball", restitution, falling_ball) for restitution in (0.0, 0.2, 0.5, 0.8, 0.95, 1.0)),
     quantities=(
         Quantity(
             "rebound",
             "first rebound ÷ drop height",
             "",
-            _rebound,
-            _expect_rebound,
+            rebound,
+            expect_rebound,
             lambda case: case.parameters["restitution"] ** 2,
         ),
         Quantity("sink", "deepest penetration", "m", _sink, None),

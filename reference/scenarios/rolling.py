@@ -1,0 +1,256 @@
+"""Balls that begin to roll, on the level and on a slope (slide 24), and a spinning ball that strikes the floor."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from reference import truth, turning
+from reference.engines.base import EXACT, Method
+from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
+from reference.settings import Settings
+from reference.trajectory import Array, Trajectory
+
+RADIUS = 0.1
+"""Radius of the ball, m."""
+WATCHED = 0.5
+"""How long a ball is watched once it rolls, s."""
+SLOPE_DURATION = 2.0
+DROP_HEIGHT = 1.0
+"""Gap below the spinning ball at the start, m."""
+SHARE = 1e-3
+"""Accepted share of a value: 0.1 %."""
+Expect = Callable[[Case, Settings, Method], Expectation]
+
+
+def ball_on_plane(name: str, friction: float, slope: float, speed: float, duration: float) -> Scenario:
+    """A ball without spin that touches a plane. slope: rad, downhill towards +x. speed: m/s, downhill."""
+    downhill = np.array([math.cos(slope), 0.0, -math.sin(slope)])
+    normal = np.array([math.sin(slope), 0.0, math.cos(slope)])
+    ball = Body("ball", Sphere(RADIUS), 1.0, tuple(RADIUS * normal), velocity=tuple(speed * downhill))
+    plane = Body("plane", HalfSpace(tuple(normal)))
+    return Scenario(name, (plane, ball), (Pair("ball", "plane", kinetic_friction=friction),), duration)
+
+
+def _sliding(friction: float, speed: float) -> Case:
+    name = f"μ={friction:g},v={speed:g}"
+    duration = truth.rolling_start(speed, friction, GRAVITY) + WATCHED
+    scenario = ball_on_plane(f"sliding-ball/{name}", friction, 0.0, speed, duration)
+    return Case(name, (scenario,), {"friction": friction, "speed": speed})
+
+
+def _rolling_speed(case: Case) -> float:
+    return truth.rolling_speed(case.parameters["speed"])
+
+
+def _expect_speed(case: Case, settings: Settings, method: Method) -> Expectation:
+    exact = _rolling_speed(case)
+    return Expectation(exact, SHARE * exact, "0.1 %: friction keeps the angular momentum about the floor, step by step")
+
+
+def _rolling_start(case: Case) -> float:
+    return truth.rolling_start(case.parameters["speed"], case.parameters["friction"], GRAVITY)
+
+
+def _expect_start(case: Case, settings: Settings, method: Method) -> Expectation:
+    below = turning.ROLLING_SLIP / (3.5 * case.parameters["friction"] * GRAVITY)
+    step = settings.timestep * (settings.sample_every + 1)
+    return Expectation(_rolling_start(case), below + step, "read from samples, at a slip of 1 mm/s instead of 0")
+
+
+def _rolling_way(case: Case) -> float:
+    duration = case.scenarios[0].duration
+    return truth.rolling_way(case.parameters["speed"], case.parameters["friction"], GRAVITY, duration)
+
+
+def _expect_way(case: Case, settings: Settings, method: Method) -> Expectation:
+    exact = _rolling_way(case)
+    shift = (
+        0.0 if method.kind == EXACT else truth.semi_implicit_rolling_shift(case.parameters["speed"], settings.timestep)
+    )
+    why = "−v₀ dt/7: a step moves with the velocity that friction has already reduced"
+    return Expectation(exact, SHARE * exact, "0.1 % of the way", shift, why, SHARE * exact)
+
+
+def _way(trajectory: Trajectory) -> float:
+    """Way after the scenario's duration, m; the last sample may lie a little later."""
+    end = turning.position_at(trajectory, "ball", trajectory.scenario.duration)
+    return float(np.linalg.norm(end - trajectory.position("ball")[0]))
+
+
+def _slips(trajectory: Trajectory) -> float:
+    return float(turning.slip(trajectory, "ball", "plane")[-1])
+
+
+def _expect_grip(case: Case, settings: Settings, method: Method) -> Expectation:
+    return Expectation(0.0, turning.ROLLING_SLIP, "1 mm/s: what counts as rolling")
+
+
+def _speeds(trajectory: Trajectory) -> Array:
+    return np.asarray(np.linalg.norm(trajectory.velocity("ball"), axis=1))
+
+
+SLIDING_BALL = Family(
+    name="sliding-ball",
+    title="Sliding ball that begins to roll",
+    topic="friction",
+    statements=(14, 15, 24),
+    about="A ball is set down on a level floor with a speed and no spin. It slides, friction slows it and makes it"
+    " spin, and at some instant its lowest point stands still: it rolls.",
+    expected="Friction acts at the floor and so cannot change the angular momentum about a point of the floor. The ball"
+    " rolls with 5/7 of its first speed, whatever the friction, from t = 2 v₀/(7 μ g) on.",
+    why=(),
+    cases=tuple(_sliding(friction, speed) for friction in (0.1, 0.3, 0.6) for speed in (1.0, 2.0, 5.0)),
+    quantities=(
+        Quantity(
+            "rolling_speed",
+            "speed when rolling",
+            "m/s",
+            lambda trajectory: turning.speed_along(trajectory, "ball", "plane"),
+            _expect_speed,
+            _rolling_speed,
+        ),
+        Quantity(
+            "rolling_start",
+            "begins to roll",
+            "s",
+            lambda trajectory: turning.rolling_time(trajectory, "ball", "plane"),
+            _expect_start,
+            _rolling_start,
+        ),
+        Quantity("way", "way", "m", _way, _expect_way, _rolling_way),
+        Quantity("slip", "slip at the end", "m/s", _slips, _expect_grip),
+    ),
+    curve=Curve("μ=0.1,v=2", "Speed at μ = 0.1, v₀ = 2 m/s", "speed, m/s", _speeds),
+    convergence=Convergence("μ=0.1,v=2", "way"),
+)
+
+
+def _on_slope(friction: float, degrees: float) -> Case:
+    name = f"μ={friction:g},θ={degrees:g}°"
+    scenario = ball_on_plane(f"rolling-ball/{name}", friction, math.radians(degrees), 0.0, SLOPE_DURATION)
+    return Case(name, (scenario,), {"friction": friction, "slope": math.radians(degrees)})
+
+
+def _acceleration(case: Case) -> float:
+    return truth.rolling_acceleration(case.parameters["friction"], case.parameters["slope"], GRAVITY)
+
+
+def _way_down(case: Case) -> float:
+    return _acceleration(case) * SLOPE_DURATION**2 / 2
+
+
+def _expect_way_down(case: Case, settings: Settings, method: Method) -> Expectation:
+    exact = _way_down(case)
+    shift = truth.semi_implicit_sliding_shift(_acceleration(case), settings.timestep, SLOPE_DURATION)
+    why = "+a t dt/2: a step moves with the velocity that it has just gained"
+    return Expectation(exact, SHARE * exact, "0.1 % of the way", shift, why, SHARE * exact)
+
+
+def _ratio(trajectory: Trajectory) -> float:
+    return turning.surface_speed(trajectory, "ball") / turning.speed_along(trajectory, "ball", "plane")
+
+
+def _true_ratio(case: Case) -> float:
+    return truth.rolling_ratio(case.parameters["friction"], case.parameters["slope"], GRAVITY)
+
+
+def _expect_ratio(case: Case, settings: Settings, method: Method) -> Expectation:
+    return Expectation(_true_ratio(case), SHARE * _true_ratio(case), "0.1 %: speed and spin grow in the same steps")
+
+
+ROLLING_BALL = Family(
+    name="rolling-ball",
+    title="Ball on a slope: rolling or slipping",
+    topic="friction",
+    statements=(14, 15, 24),
+    about=f"A ball is let go on a slope, for three coefficients of friction and five angles, and watched for"
+    f" {SLOPE_DURATION:g} s.",
+    expected="Rolling takes a friction of 2/7 m g sin θ, so the ball rolls while tan θ ≤ 7 μ/2, with 5/7 g sin θ."
+    " Beyond that it slips, with g (sin θ − μ cos θ), and its spin falls behind.",
+    why=(),
+    cases=tuple(
+        _on_slope(friction, degrees) for friction in (0.1, 0.3, 0.6) for degrees in (5.0, 10.0, 20.0, 30.0, 40.0)
+    ),
+    quantities=(
+        Quantity("way", f"way in {SLOPE_DURATION:g} s", "m", _way, _expect_way_down, _way_down),
+        Quantity("ratio", "r ω ÷ v", "", _ratio, _expect_ratio, _true_ratio),
+    ),
+    curve=Curve("μ=0.1,θ=30°", "Speed down 30° at μ = 0.1", "speed, m/s", _speeds),
+    convergence=Convergence("μ=0.3,θ=20°", "way"),
+)
+
+
+def _spinning(spin: float, friction: float, restitution: float) -> Case:
+    name = f"ω={spin:g},μ={friction:g},e={restitution:g}"
+    ball = Body("ball", Sphere(RADIUS), 1.0, (0.0, 0.0, RADIUS + DROP_HEIGHT), angular_velocity=(0.0, spin, 0.0))
+    pair = Pair("ball", "floor", restitution, friction)
+    duration = truth.fall_time(DROP_HEIGHT, GRAVITY) + 0.1
+    scenario = Scenario(f"spinning-ball/{name}", (Body("floor", HalfSpace()), ball), (pair,), duration)
+    return Case(name, (scenario,), {"spin": spin, "friction": friction, "restitution": restitution})
+
+
+def _after(case: Case) -> tuple[float, float]:
+    speed, spin = truth.impact_speed(DROP_HEIGHT, GRAVITY), case.parameters["spin"]
+    return truth.spinning_impact(speed, RADIUS * spin, case.parameters["restitution"], case.parameters["friction"])
+
+
+def _expect_after(part: int) -> Expect:
+    def expect(case: Case, settings: Settings, method: Method) -> Expectation:
+        exact, (impulse, left) = _after(case)[part], _after(case)
+        lost = impulse if part == 0 else RADIUS * case.parameters["spin"] - left
+        gripped = math.isclose(impulse, 2 / 7 * RADIUS * case.parameters["spin"])
+        # What slips through is pushed by μ times the normal impulse, and that is off by up to g dt.
+        noticed = 0.0 if gripped else lost * GRAVITY * settings.timestep / truth.impact_speed(DROP_HEIGHT, GRAVITY)
+        return Expectation(exact, SHARE * abs(exact) + noticed, "0.1 %, and g dt on the speed at which it strikes")
+
+    return expect
+
+
+SPINNING_BALL = Family(
+    name="spinning-ball",
+    title="Spinning ball that strikes the floor",
+    topic="impulse",
+    statements=(12, 14, 18, 24),
+    about=f"A ball falls {DROP_HEIGHT:g} m, spinning about a level axis, and is watched until just after its rebound.",
+    expected="Friction acts during the impact: its impulse is at most μ times the normal one, μ m (1 + e) v. If that"
+    " ends the slip, the ball leaves with 2/7 of its surface speed r ω along the floor, and spins with 2/7 of its spin."
+    " If not, it slips through the whole impact and leaves with μ (1 + e) v.",
+    why=(),
+    cases=tuple(
+        _spinning(spin, friction, restitution)
+        for spin in (5.0, 20.0, 60.0)
+        for friction in (0.1, 0.3)
+        for restitution in (0.5, 0.8)
+    ),
+    quantities=(
+        Quantity(
+            "speed_along",
+            "speed along the floor",
+            "m/s",
+            lambda trajectory: turning.speed_along(trajectory, "ball", "floor"),
+            _expect_after(0),
+            lambda case: _after(case)[0],
+        ),
+        Quantity(
+            "surface_speed",
+            "r ω after the impact",
+            "m/s",
+            lambda trajectory: turning.surface_speed(trajectory, "ball"),
+            _expect_after(1),
+            lambda case: _after(case)[1],
+        ),
+    ),
+    curve=Curve(
+        "ω=60,μ=0.3,e=0.5",
+        "Way along the floor, 60 rad/s, μ = 0.3, e = 0.5",
+        "way, m",
+        lambda trajectory: trajectory.position("ball")[:, 0],
+    ),
+    convergence=Convergence("ω=60,μ=0.3,e=0.5", "speed_along"),
+)
+
+FAMILIES = (SLIDING_BALL, ROLLING_BALL, SPINNING_BALL)
