@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from reference.engines.base import Method
-from reference.errors import UnknownName
+from reference.errors import InvalidInput, UnknownName
 from reference.scenario import Scenario
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -43,16 +43,23 @@ class Quantity:
     """One number that is measured in every case.
 
     measure: trajectory → number. expect: case, settings and the engine's method → expectation; None where theory has
-    no figure and the number is only shown. scale: what a deviation is judged against when it is printed in percent,
-    None to print it as it is.
+    no figure, in this case or in any, and the number is only shown. scale: what a deviation is judged against when it
+    is printed in percent, None to print it as it is.
     """
 
     name: str
     title: str
     unit: str
     measure: Callable[[Trajectory], float]
-    expect: Callable[[Case, Settings, Method], Expectation] | None
+    expect: Callable[[Case, Settings, Method], Expectation | None] | None
     scale: Callable[[Case], float] | None = None
+
+    def expected_value(self, case: Case, settings: Settings, method: Method) -> float:
+        """What theory says; an error where it says nothing, for whoever needs a figure."""
+        expectation = self.expect(case, settings, method) if self.expect else None
+        if expectation is None:
+            raise InvalidInput(f"{self.name} has no expected value in {case.name}")
+        return expectation.value
 
 
 @dataclass(frozen=True)
@@ -99,7 +106,7 @@ class Family:
     cases: tuple[Case, ...]
     quantities: tuple[Quantity, ...]
     curve: Curve
-    convergence: Convergence | None
+    convergence: Convergence
 
     def case(self, name: str) -> Case:
         """Return the case of that name."""

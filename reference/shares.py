@@ -53,10 +53,8 @@ class Split:
 
 
 def split(family: Family, engine: Engine) -> Split | None:
-    """Split the error of the quantity that the family studies; None where it studies none, or nothing can be run."""
+    """Split the error of the quantity that the family studies; None where nothing can be run."""
     study = family.convergence
-    if study is None:
-        return None
     case, quantity = family.case(study.case), family.quantity(study.quantity)
     scenario = case.scenarios[0]
     tuned = engine.settings(scenario, TUNED)
@@ -103,10 +101,9 @@ def _from_stock(engine: Engine, case: Case, quantity: Quantity, tuned: Settings)
 
 def _error(engine: Engine, case: Case, quantity: Quantity, settings: Settings) -> float | None:
     """Mean error over the case's scenarios; None where the run gives no such number."""
-    assert quantity.expect is not None
     try:
         with as_failed_run():
-            expected = quantity.expect(case, settings, engine.method(case.scenarios[0], settings)).value
+            expected = quantity.expected_value(case, settings, engine.method(case.scenarios[0], settings))
             measured = [quantity.measure(trajectory) for trajectory in engine.run_many(case.scenarios, settings)]
             error = float(np.mean(measured)) - expected
     except CollisionsError:

@@ -240,11 +240,7 @@ def _series(family: Family, trajectory: Trajectory) -> Series:
 def _convergence(family: Family, engine: Engine, job: Job) -> Errors | None:
     """Root mean square error of one quantity over a case's scenarios, for several timesteps."""
     study = family.convergence
-    if study is None:
-        return None
     case, quantity = family.case(study.case), family.quantity(study.quantity)
-    if quantity.expect is None:
-        raise InvalidInput(f"{family.name}: {quantity.name} has no expected value to converge to")
     base = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
     timesteps, errors, value = [], [], 0.0
     for factor in study.factors:
@@ -253,7 +249,7 @@ def _convergence(family: Family, engine: Engine, job: Job) -> Errors | None:
             settings = settings.change(sample_every=1)
         try:
             with as_failed_run():
-                value = quantity.expect(case, settings, engine.method(case.scenarios[0], settings)).value
+                value = quantity.expected_value(case, settings, engine.method(case.scenarios[0], settings))
                 trajectories = engine.run_many(case.scenarios, settings)
                 measured = np.array([quantity.measure(trajectory) for trajectory in trajectories])
         except CollisionsError:

@@ -12,17 +12,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from reference import geometry
 from reference.engines.base import AT_STEP, Engine, Method
-from reference.scenario import Body, Box, Pair, Scenario, Sphere
+from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.settings import Move, Option, Settings
 from reference.trajectory import Recorder, Trajectory
 
 STOCK_TIMESTEP = 1 / 240
+GROUND_EXTENT, GROUND_DEPTH = (100.0, 100.0), 1.0
+"""Half extents of the box that stands for a half-space, m: far larger than any way in the catalogue."""
 
 
 class PyBullet(Engine):
@@ -41,10 +44,14 @@ class PyBullet(Engine):
         if profile == "stock":
             return Settings(STOCK_TIMESTEP, options={"coordinates": "multibody"})
         restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
+        movable = [body for body in scenario.bodies if not body.immovable]
+        boxes = any(isinstance(body.shape, Box) for body in movable)
         damping: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
+        # On a plane Bullet finds one more contact point of a box in each step; on a large box all four at once.
+        ground: dict[str, Option] = {"ground": "box" if boxes else "plane"}
+        firm: dict[str, Option] = {"solver_iterations": 200 if len(movable) == 1 else 100, "solver_residual": 0.0}
         if restitution == 0 and geometry.starts_in_contact(scenario):
-            firm: dict[str, Option] = {"solver_iterations": 200, "solver_residual": 0.0}
-            return Settings(1e-3, options={"coordinates": "multibody", **damping, **firm})
+            return Settings(1e-3, options={"coordinates": "multibody", **damping, **ground, **firm})
         options: dict[str, Option] = {
             "coordinates": "maximal",
             **damping,
@@ -53,8 +60,11 @@ class PyBullet(Engine):
             # The share of the overlap that makes the mean error of a rebound vanish; see truth.at_step_apex_shift.
             "contact_erp": 1.0 - restitution,
             "split_impulse": True,
-            "contact_processing_threshold": 0.0,
-            "solver_iterations": 50,
+            # The gap at which a contact counts, in falls of one step from rest, g dt². Any gap spoils a ball's rebound;
+            # with none, a box that has landed askew rocks from corner to corner for ever.
+            "contact_gap_falls": 1.0 if boxes else 0.0,
+            **ground,
+            **(firm if boxes else {"solver_iterations": 50}),
         }
         return Settings(1e-3, options=options)
 
@@ -92,7 +102,7 @@ class PyBullet(Engine):
         self._set_world(bullet, client, scenario, settings)
         coefficients = self._coefficients(scenario)
         numbers = [
-            self._add_body(bullet, client, body, settings, *pair)
+            self._add_body(bullet, client, scenario, body, settings, *pair)
             for body, pair in zip(scenario.bodies, coefficients, strict=True)
         ]
         places = {number: place for place, number in enumerate(numbers)}
@@ -100,11 +110,11 @@ class PyBullet(Engine):
             apart = numbers[scenario.index(first)], numbers[scenario.index(second)]
             bullet.setCollisionFilterPair(*apart, -1, -1, 0, physicsClientId=client)
         recorder = Recorder(self.name, scenario, settings)
-        recorder.sample(_state(bullet, client, numbers))
+        recorder.sample(_state(bullet, client, numbers, scenario))
         for number in range(1, steps + 1):
             bullet.stepSimulation(physicsClientId=client)
             if number % settings.sample_every == 0:
-                recorder.sample(_state(bullet, client, numbers))
+                recorder.sample(_state(bullet, client, numbers, scenario))
                 for contact in bullet.getContactPoints(physicsClientId=client):
                     _keep_contact(recorder, places, contact)
         return recorder.trajectory()
@@ -133,12 +143,25 @@ class PyBullet(Engine):
         """The relative speed, m/s, below which Bullet lets a contact rest; its default is 0.2."""
         if "rest_threshold_steps" not in settings.options:
             return 0.2
-        return settings.number("rest_threshold_steps") * settings.timestep * float(np.linalg.norm(scenario.gravity))
+        return settings.number("rest_threshold_steps") * settings.timestep * self._gravity(scenario)
+
+    @staticmethod
+    def _gravity(scenario: Scenario) -> float:
+        return float(np.linalg.norm(scenario.gravity))
 
     def _add_body(
-        self, bullet: Any, client: int, body: Body, settings: Settings, restitution: float, friction: float
+        self,
+        bullet: Any,
+        client: int,
+        scenario: Scenario,
+        body: Body,
+        settings: Settings,
+        restitution: float,
+        friction: float,
     ) -> int:
         here = {"physicsClientId": client}
+        if isinstance(body.shape, HalfSpace) and settings.options.get("ground") == "box":
+            body = _as_box(body)
         shape = _collision_shape(bullet, body, here)
         number: int = bullet.createMultiBody(
             0.0 if body.immovable else body.mass,
@@ -154,9 +177,11 @@ class PyBullet(Engine):
         words = {
             "linear_damping": "linearDamping",
             "angular_damping": "angularDamping",
-            "contact_processing_threshold": "contactProcessingThreshold",
         }
         chosen = {word: settings[option] for option, word in words.items() if option in settings.options}
+        if "contact_gap_falls" in settings.options:
+            fall = self._gravity(scenario) * settings.timestep**2
+            chosen["contactProcessingThreshold"] = settings.number("contact_gap_falls") * fall
         if chosen:
             bullet.changeDynamics(number, -1, maxJointVelocity=1e9, **chosen, **here)  # or speeds are cut at 100 m/s
         bullet.resetBaseVelocity(number, body.velocity, body.angular_velocity, **here)
@@ -210,10 +235,23 @@ def _keep_contact(recorder: Recorder, places: Mapping[int, int], contact: Sequen
     recorder.contact(places[contact[1]], places[contact[2]], middle, contact[7], contact[8])
 
 
-def _state(bullet: Any, client: int, numbers: list[int]) -> list[float]:
-    """The 13 numbers of every body; Bullet's quaternions are x y z w."""
+def _as_box(body: Body) -> Body:
+    """A box so large that its upper face stands for the half-space's surface."""
+    normal = np.array(body.shape.normal)  # type: ignore[union-attr]
+    orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), normal)
+    centre = np.array(body.position) - GROUND_DEPTH * normal
+    return replace(
+        body, shape=Box((*GROUND_EXTENT, GROUND_DEPTH)), position=tuple(centre), orientation=tuple(orientation)
+    )
+
+
+def _state(bullet: Any, client: int, numbers: list[int], scenario: Scenario) -> list[float]:
+    """The 13 numbers of every body; Bullet's quaternions are x y z w. What cannot move is where the scenario has it."""
     state: list[float] = []
-    for number in numbers:
+    for number, body in zip(numbers, scenario.bodies, strict=True):
+        if body.immovable:
+            state += (*body.position, *body.orientation, *body.velocity, *body.angular_velocity)
+            continue
         position, (x, y, z, w) = bullet.getBasePositionAndOrientation(number, physicsClientId=client)
         velocity, spin = bullet.getBaseVelocity(number, physicsClientId=client)
         state += (*position, w, x, y, z, *velocity, *spin)
