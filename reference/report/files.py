@@ -108,8 +108,13 @@ def rows_json(results: Iterable[JobResult]) -> str:
         for result in results
         if result.convergence is not None
     ]
+    splits = [
+        {"family": result.job.family, "engine": result.job.engine} | asdict(result.split)
+        for result in results
+        if result.split is not None
+    ]
     rows = [asdict(row) for result in results for row in result.rows]
-    return _json(ROWS, {"rows": rows, "convergence": studies})
+    return _json(ROWS, {"rows": rows, "convergence": studies, "splits": splits})
 
 
 def read_rows(path: Path) -> list[Row]:

@@ -11,7 +11,19 @@ from reference import lecture
 from reference.compare import Row
 from reference.lecture import Statement
 from reference.report import numbers
-from reference.report.summary import LEGEND, MARKS, Section, columns, error_of, verdict_line
+from reference.report.origins import origins
+from reference.report.summary import (
+    LEGEND,
+    MARKS,
+    Section,
+    columns,
+    error_of,
+    verdict_line,
+)
+from reference.report.worst import furthest_from_theory, nearest_to_fail
+
+WORST = 8
+"""How many rows the lists of the worst have."""
 
 
 def render(
@@ -42,6 +54,9 @@ def render(
         verdict_line=verdict_line(rows),
         marks=MARKS,
         legend={verdict: text for verdict, text in LEGEND.items() if verdict in seen},
+        nearest=[(*entry[:3], numbers.percent(entry[3]).lstrip("+")) for entry in nearest_to_fail(found, WORST)],
+        furthest=furthest_from_theory(found, WORST),
+        origins={section.family.name: origins(section) for section in found},
         measured=_measured,
         error_of=error_of,
     )

@@ -272,13 +272,17 @@ def verdict_line(rows: Sequence[Row]) -> str:
     agreeing = sum(row.verdict in AGREES for row in tuned)
     known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in tuned)
     failed = sum(row.verdict is Verdict.FAIL for row in tuned)
-    without = len(tuned) - agreeing - failed
-    parts = [f"{agreeing} of {len(tuned)} checks of tuned settings agree with theory"]
+    waiting = sum(row.verdict is Verdict.NEEDS for row in tuned)
+    without = len(tuned) - agreeing - failed - waiting
+    judged = len(tuned) - waiting
+    parts = [f"{agreeing} of {judged} checks of tuned settings agree with theory"]
     if known:
         parts.append(f"{known} of them off by what the method is known to do")
     parts.append(f"{failed} fail{'s' if failed == 1 else ''}")
     if without:
         parts.append(f"{without} gave no answer")
+    if waiting:
+        parts.append(f"and {waiting} cases wait for hand-written functions")
     return ", ".join(parts) + "."
 
 

@@ -12,8 +12,11 @@ from rich.text import Text
 from reference import lecture
 from reference.compare import Row, Verdict
 from reference.report import numbers
-from reference.report.summary import LEGEND, MARKS, Cell, Section, error_of, left_of, verdict_line
+from reference.report.summary import LEGEND, MARKS, Cell, Line, Section, columns, error_of, left_of, verdict_line
+from reference.report.worst import nearest_to_fail
 
+WORST = 5
+"""How many rows the list of the worst has."""
 _COLUMN = 14
 """Width at which the headings of the figures are broken: five columns fit in a terminal of 80."""
 _STYLES = {
@@ -36,11 +39,43 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
             console.print(table)
         _print_remarks(console, section, with_cases)
     rows = [row for section in found for line in section.lines for row in line.result.rows]
+    if len(found) > 1:
+        _print_at_a_glance(console, found)
     seen = [verdict for verdict in Verdict if any(row.verdict is verdict for row in rows)]
     console.print()
     for verdict in seen:
         console.print(Text.assemble((f"{MARKS[verdict]} {verdict}", _style(verdict)), f": {LEGEND[verdict]}"))
     console.print(Text(verdict_line(rows), style="bold"))
+
+
+def _print_at_a_glance(console: Console, found: Sequence[Section]) -> None:
+    """All families in one screen: the worst mark of each implementation, and how many of its checks agree."""
+    titles = columns(found)
+    table = Table(box=None, header_style="bold", padding=(0, 1, 0, 0), pad_edge=False)
+    table.add_column("\nat a glance", no_wrap=True)
+    for title in titles:
+        table.add_column(title.replace("hand-written", "by hand").replace(", ", "\n"), no_wrap=True)
+    for section in found:
+        lines = [section.line(title) for title in titles]
+        cells = [
+            Text(f"{line.whole.mark} {_short_count(line)}", style=_style(line.whole.verdict)) if line else Text("")
+            for line in lines
+        ]
+        table.add_row(section.family.name, *cells)
+    console.print()
+    console.print(table)
+    worst = nearest_to_fail(found, WORST)
+    if worst:
+        console.print()
+        console.print(Text("tuned, worst first: share of its limit", style="bold"))
+    for section, line, row, used in worst:
+        what = f"{section.family.name}, {row.case}: {section.family.quantity(row.quantity).title}"
+        console.print(Text(f"  {numbers.percent(used).lstrip('+'):>7}  {line.result.title}, {what} {error_of(row)}"))
+
+
+def _short_count(line: Line) -> str:
+    """The count, or nothing where a mark says it all."""
+    return line.whole.count if "/" in line.whole.count else ""
 
 
 def _statements(section: Section) -> str:
