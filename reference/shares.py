@@ -18,6 +18,8 @@ from reference.family import Case, Family, Quantity
 from reference.settings import Move, Option, Settings
 
 STOCK = "stock"
+ORDER_TOLERANCE = 0.2
+"""How near to 2 a measured order must be to count as second order."""
 DISCRETISATION, CONTACT_MODEL, SOLVER, DEFAULTS, REMAINDER = (
     "discretisation",
     "contact model",
@@ -32,8 +34,8 @@ class Share:
     """What one move did to the mean error of a quantity, in its unit.
 
     kind: the share. moved: the setting, from what to what. before, after: the errors. size: how much of the error
-    before is due to it, None where the run before had no number. An error of first order loses half with half the
-    timestep, so that twice the change is due to it.
+    before is due to it, None where the run before had no number. Halving the timestep takes away half of an error of
+    first order, so that twice the change is due to it.
     """
 
     kind: str
@@ -52,8 +54,11 @@ class Split:
     shares: tuple[Share, ...] = field(default=())
 
 
-def split(family: Family, engine: Engine) -> Split | None:
-    """Split the error of the quantity that the family studies; None where nothing can be run."""
+def split(family: Family, engine: Engine, order: float | None = None) -> Split | None:
+    """Split the error of the quantity that the family studies; None where nothing can be run.
+
+    order: the measured order of convergence. It counts where it is clearly 2; all else is taken for first order.
+    """
     study = family.convergence
     case, quantity = family.case(study.case), family.quantity(study.quantity)
     scenario = case.scenarios[0]
@@ -61,11 +66,13 @@ def split(family: Family, engine: Engine) -> Split | None:
     error = _error(engine, case, quantity, tuned)
     if error is None:
         return None
+    halving = 2 if order is not None and abs(order - 2) < ORDER_TOLERANCE else 1
     shares = _from_stock(engine, case, quantity, tuned)
     for move in (Move(DISCRETISATION, "timestep", tuned.timestep / 2), *engine.moves(scenario, tuned)):
         after = _error(engine, case, quantity, tuned.change(**{move.option: move.value}))
         if after is not None:
-            weight = 2.0 if move.kind == DISCRETISATION else 1.0
+            # An error of order p keeps 2⁻ᵖ of itself with half the timestep.
+            weight = 1 / (1 - 0.5**halving) if move.kind == DISCRETISATION else 1.0
             before = tuned.timestep if move.option == "timestep" else tuned[move.option]
             shares.append(
                 Share(move.kind, _words(move.option, before, move.value), error, after, weight * (error - after))

@@ -214,7 +214,8 @@ def run_job(job: Job) -> JobResult:
         if case.name == family.curve.case and trajectories:
             series = _series(family, trajectories[0])
     convergence = _convergence(family, engine, job) if job.with_studies else None
-    splits = split(family, engine) if job.with_studies and job.profile == TUNED and not job.changes else None
+    order = convergence.order if convergence else None
+    splits = split(family, engine, order) if job.with_studies and job.profile == TUNED and not job.changes else None
     return JobResult(
         job,
         engine.title,

@@ -92,13 +92,13 @@ class MuJoCo(Engine):
         return Method(AT_STEP, speed_recovery=share)
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
-        """A firmer contact where bodies rest, a weaker one where they rebound, or a stiffer spring; more noslip passes."""
+        """A firmer contact for what rests, a weaker one for what rebounds, or a stiffer spring; more noslip passes."""
         if settings["contact"] == "spring":
             return (Move("contact model", "stiffness", 4 * settings.number("stiffness")),)
         recovery, passes = settings.number("overlap_recovery"), int(settings.number("noslip_iterations"))
         rests = all(pair.restitution == 0 for pair in scenario.pairs)
         contact = Move("contact model", "overlap_recovery", min(10 * recovery, 0.5) if rests else recovery / 10)
-        return contact, Move("solver", "noslip_iterations", 2 * passes)
+        return (contact, Move("solver", "noslip_iterations", 2 * passes)) if passes else (contact,)
 
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
         """Build the model, step it in C between samples and read positions and velocities at the samples."""
