@@ -282,7 +282,7 @@ def verdict_line(rows: Sequence[Row]) -> str:
     if without:
         parts.append(f"{without} gave no answer")
     if waiting:
-        parts.append(f"and {waiting} cases wait for hand-written functions")
+        parts.append(f"{waiting} {'case waits' if waiting == 1 else 'cases wait'} for hand-written functions")
     return ", ".join(parts) + "."
 
 

@@ -74,8 +74,8 @@ def _print_at_a_glance(console: Console, found: Sequence[Section]) -> None:
 
 
 def _short_count(line: Line) -> str:
-    """The count, or nothing where a mark says it all."""
-    return line.whole.count if "/" in line.whole.count else ""
+    """The count, or `needs`; nothing where the mark says it all."""
+    return line.whole.count if "/" in line.whole.count or line.whole.verdict is Verdict.NEEDS else ""
 
 
 def _statements(section: Section) -> str:

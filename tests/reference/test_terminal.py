@@ -185,3 +185,40 @@ def test_families_come_in_the_order_of_teaching():
     text = printed(reversed(grid(Verdict.PASS)))
     places = [text.index(family.title) for family in catalogue().values()]
     assert places == sorted(places)
+
+
+# All families in one screen
+
+
+def test_several_families_end_in_one_screen_of_marks_with_a_line_each(real):
+    other = JobResult(Job("stack", "handwritten", "tuned"), "hand-written", "", (Row("stack", ALL_CASES, "handwritten",
+        "tuned", "", "", Verdict.NEEDS, note="needs a world"),))  # fmt: skip
+    lines = printed([*real, other]).splitlines()
+    start = next(place for place, text in enumerate(lines) if text.startswith("at a glance"))
+    assert words(lines[start - 1]) == "by hand by hand by hand"
+    assert words(lines[start]) == "at a glance tuned slide stock"
+    assert words(lines[start + 1]) == "ball-to-rest ✓ 4/4 ✓ 4/4 ✓ 4/4"
+    assert words(lines[start + 2]) == "stack … needs"
+
+
+def test_the_catalogue_fits_one_screen_of_marks():
+    lines = printed(grid(Verdict.PASS)).splitlines()
+    start = next(place for place, text in enumerate(lines) if text.startswith("at a glance"))
+    for place, name in enumerate(catalogue(), start + 1):
+        assert lines[place].startswith(name)
+
+
+def test_one_family_needs_no_summary(real):
+    assert "at a glance" not in printed(real)
+
+
+def test_the_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
+    one = run_job(Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",)))
+    half = replace(one.rows[0], measured=2.0, expected=1.0, tolerance=2.0, scale=None)
+    stack = [replace(half, family="stack", quantity=name, measured=1.0) for name in ("drift", "speed")]
+    three_quarters = replace(half, family="stack", quantity="height", measured=2.5)
+    other = JobResult(Job("stack", "handwritten", "tuned"), "hand-written", "", (three_quarters, *stack))
+    text = printed([replace(one, rows=(half, *one.rows[1:])), other])
+    listed = text[text.index("worst first") :].splitlines()[1:3]
+    assert [line.split()[0] for line in listed] == ["75", "50"]
+    assert "stack, e=0.5: height of the top: error" in listed[0]
