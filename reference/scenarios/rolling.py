@@ -184,7 +184,7 @@ ROLLING_BALL = Family(
         "Both engines, tuned, tell rolling from slipping in all fifteen cases, the one at 20° and μ = 0.1 included,"
         " where tan θ is 4 % above 7 μ/2. The way is a t dt/2 long, as for every body that sets out from rest in a"
         " step method.",
-        "PyBullet, stock, loses a tenth to two fifths of the way to its damping, and more of the spin. MuJoCo's stock"
+        "PyBullet, stock, loses 7 to 27 % of the way to its damping, and more of the spin. MuJoCo's stock"
         " contact is soft enough to let a rolling ball slip a little.",
     ),
     cases=tuple(
@@ -240,7 +240,7 @@ SPINNING_BALL = Family(
         " impulse also carries the weight of one step: g dt/((1 + e) v) too much, 0.15 % at 1 ms.",
         "In MuJoCo the contact point lies half the overlap inside the ball, which shortens the lever arm and leaves a"
         " gripping ball a few 0.01 % too fast; this goes away with the timestep.",
-        "Stock, PyBullet's multibody loses a tenth to half of the speed that it should gain, and MuJoCo does not"
+        "Stock, PyBullet's multibody loses up to half of the speed that it should gain, and MuJoCo does not"
         " rebound at all, so that its friction acts for as long as the ball sinks in.",
     ),
     cases=tuple(
