@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from reference.cache import Cache, key_of
 from reference.compare import ALL_CASES, TUNED, Row, Verdict, compare_case, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
@@ -79,7 +80,10 @@ class Errors:
 
 @dataclass(frozen=True)
 class JobResult:
-    """All that a job gives back; plain data."""
+    """All that a job gives back; plain data.
+
+    seconds: what it took where it ran. cached: whether that was earlier, and the cache had it.
+    """
 
     job: Job
     title: str
@@ -91,6 +95,7 @@ class JobResult:
     convergence: Errors | None = None
     split: Split | None = None
     seconds: float = field(default=0.0, compare=False)
+    cached: bool = field(default=False, compare=False)
 
 
 def plan(
@@ -153,14 +158,23 @@ def profiles_of(engine: Engine, family: Family) -> Mapping[str, str]:
     return engine.profiles(family.cases[0].scenarios[0])
 
 
-def run_jobs(jobs: Sequence[Job], executor: Executor, timeout: float = TIME_LIMIT) -> Generator[JobResult, None, None]:
+def recall(jobs: Iterable[Job], cache: Cache) -> list[JobResult]:
+    """The results of those jobs that the cache has."""
+    return [result for job in jobs if (result := cache.get(job)) is not None]
+
+
+def run_jobs(
+    jobs: Sequence[Job], executor: Executor, timeout: float = TIME_LIMIT, cache: Cache | None = None
+) -> Generator[JobResult, None, None]:
     """Run jobs through an executor and yield their results as they come; what fails comes as a row that says so.
+
+    What a cache has is taken from it, in the executor's threads, without a worker process.
 
     Whoever leaves early, by closing the generator or by an interrupt, stops every worker process and waits for no job.
     """
     waiting: list[Future[JobResult]] = []
     try:
-        waiting.extend(executor.submit(run_safely, job, timeout) for job in jobs)
+        waiting.extend(executor.submit(run_safely, job, timeout, cache) for job in jobs)
         for future in as_completed(waiting):
             yield future.result()
     finally:
@@ -175,16 +189,29 @@ def _abandon(futures: Iterable[Future[JobResult]]) -> None:
         running = wait(running, _STOP_INTERVAL).not_done
 
 
-def run_safely(job: Job, timeout: float = TIME_LIMIT) -> JobResult:
-    """Run a job in a worker process; a crash, a hang or a missing engine becomes one row."""
-    start = time.perf_counter()
+def run_safely(job: Job, timeout: float = TIME_LIMIT, cache: Cache | None = None) -> JobResult:
+    """Run a job in a worker process, or take it from a cache; a crash, a hang or a missing engine becomes one row."""
+    found = cache.get(job) if cache else None
+    if found is not None:
+        return found
+    start, key = time.perf_counter(), None
     _log.info("%s: started", job)
     try:
-        result = run_isolated(run_job, timeout, job)
+        if cache:
+            key, result = run_isolated(_run_with_key, timeout, job)
+        else:
+            result = run_isolated(run_job, timeout, job)
     except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
         result = _without_answer(job, error, time.perf_counter() - start)
     _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)
+    if cache:
+        cache.put(job, key, result)
     return result
+
+
+def _run_with_key(job: Job) -> tuple[str | None, JobResult]:
+    """Run a job in a worker, which says what code it runs: it may have imported it before a file was changed."""
+    return key_of(job, once=True), run_job(job)
 
 
 def _without_answer(job: Job, error: CollisionsError, seconds: float) -> JobResult:

@@ -16,6 +16,7 @@ from reference.family import Family
 from reference.report import figures, page
 from reference.report.summary import LEGEND, MARKS, sections
 from reference.scenarios import catalogue
+from reference.shares import Share, Split
 from reference.study import Errors, Job, JobResult, Series
 
 VOID = {"meta", "br", "link", "img", "hr", "input", "col", "wbr", "source", "base", "area", "embed", "track"}
@@ -375,6 +376,62 @@ def test_a_case_that_only_one_engine_ran_is_an_empty_cell_in_the_other():
     table = with_id(read(written([one, OURS[2]])), "ball-to-rest").all("table", "cases")[0]
     empty = [[it.classes == ["empty"] for it in line.all("td")[1:]] for line in table.all("tbody")[0].all("tr")]
     assert empty == [[False, False], [True, False], [True, False]]
+
+
+# Worst first, and where errors come from
+
+
+def test_the_page_begins_with_links_to_all_scenarios_and_to_the_worst(tree):
+    (jumps,) = tree.all("nav")
+    assert [link.attributes["href"] for link in jumps.all("a")] == [*(f"#{name}" for name in catalogue()), "#worst"]
+
+
+def test_the_worst_tuned_row_stands_first_with_the_share_of_its_limit():
+    bad = replace(OURS[0].rows[0], measured=0.33)  # 0.08 of a tolerance of 0.1; all others use 0.01 of it
+    worst = with_id(read(written([replace(OURS[0], rows=(bad, *OURS[0].rows[1:]))])), "worst")
+    first = worst.all("tbody")[0].all("tr")[0]
+    assert first.text.strip().startswith("ball-to-rest")
+    assert "80 %" in first.text
+
+
+def test_stock_rows_that_fail_are_listed_apart():
+    stock = next(it for it in OURS if it.job.profile == "stock")
+    failed = replace(stock.rows[0], verdict=Verdict.FAIL, measured=1.25)
+    worst = with_id(read(written([OURS[0], replace(stock, rows=(failed, *stock.rows[1:]))])), "worst")
+    tuned, others = worst.all("tbody")
+    assert "stock" not in tuned.text
+    assert [line.all("td")[0].text.strip() for line in others.all("tr")] == ["hand-written, stock"]
+
+
+def test_a_split_error_names_each_setting_that_was_moved_and_the_errors_before_and_after():
+    shares = (
+        Share("discretisation", "timestep 0.001 → 0.0005", 0.01, 0.005, 0.01),
+        Share("solver", "iterations 50 → 100", 0.01, 0.01, 0.0),
+        Share("remainder", "what no move explains", 0.01, 0.0, 0.0),
+    )
+    given = replace(OURS[0], split=Split("e=0.5", "rest_time", shares))
+    section = with_id(read(written([given])), "ball-to-rest")
+    table = next(it for it in section.all("table") if "error before" in it.text)
+    (line,) = table.all("tbody")[0].all("tr")
+    assert [cell.text.strip() for cell in (*line.all("th"), *line.all("td"))] == [
+        "discretisation",
+        "timestep 0.001 → 0.0005",
+        "+0.74 %",  # 0.01 s of the 1.3546 s that the ball takes at e = 0.5
+        "+0.37 %",
+        "+0.74 %",
+    ]
+    assert "No visible effect: iterations 50 → 100; remainder." in section.text
+
+
+def test_without_a_split_nothing_is_said_of_where_the_error_comes_from():
+    assert "Where the error comes from" not in with_id(read(written(OURS)), "ball-to-rest").text
+
+
+def test_tables_of_cases_can_be_sorted_by_the_size_of_the_error(tree):
+    table = with_id(tree, "ball-to-rest").all("table", "sortable")[0]
+    cells = [cell for cell in table.all("td") if "data-sort" in cell.attributes]
+    assert cells
+    assert all(cell.attributes["data-sort"] == "" or float(cell.attributes["data-sort"]) >= 0 for cell in cells)
 
 
 # Whatever a message holds

@@ -1,0 +1,77 @@
+"""What a piece of code is made of: the text of its files, and of what they import of one's own."""
+
+from __future__ import annotations
+
+import ast
+import functools
+import hashlib
+import importlib.util
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+_INSTALLED = {"site-packages", "dist-packages"}
+_HERE = Path(__file__).resolve().parents[1]
+
+
+def digest(source: str) -> str:
+    """A hash of a package, or of a `.py` file, and of all that its files import but for installed packages.
+
+    Nothing is imported: files are found as Python would find them, and read.
+    """
+    whole, seen = hashlib.sha256(), set()
+    waiting = [source]
+    while waiting:
+        name = waiting.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        found: set[str] = set()
+        for path in _files(name):
+            text = path.read_bytes()
+            whole.update(f"{name}\n{path.name}\n{len(text)}\n".encode() + text)
+            found |= _imported(text)
+        waiting += sorted(other for other in found - seen if _is_own(other))
+    return whole.hexdigest()
+
+
+def _files(name: str) -> Iterator[Path]:
+    """All files of a package, or the one of a module; of the whole package where a part of it is named."""
+    if name.endswith(".py"):
+        yield Path(name).resolve()
+        return
+    for place in _places(name):
+        yield from sorted(place.rglob("*.py")) if place.is_dir() else [place]
+
+
+@functools.cache
+def _imported(text: bytes) -> frozenset[str]:
+    """First names of what a text imports, wherever in it."""
+    try:
+        nodes = list(ast.walk(ast.parse(text)))
+    except (SyntaxError, ValueError):
+        return frozenset()
+    names = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
+    names |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.module and not node.level}
+    return frozenset(name.partition(".")[0] for name in names)
+
+
+def _is_own(name: str) -> bool:
+    """Whether a name is neither of the standard library nor of an installed package, but for the lab itself."""
+    if name in sys.stdlib_module_names:
+        return False
+    places = _places(name)
+    return any(place.parent == _HERE or not _INSTALLED & set(place.parts) for place in places)
+
+
+def _places(name: str) -> list[Path]:
+    """The folders of a package or the file of a module; none where there is no such thing or it is no Python."""
+    try:
+        spec = importlib.util.find_spec(name.partition(".")[0])  # of a first name: nothing is imported on the way
+    except (ImportError, ValueError):
+        return []
+    if spec is None:
+        return []
+    if spec.submodule_search_locations is not None:
+        return [Path(place).resolve() for place in spec.submodule_search_locations]
+    return [Path(spec.origin).resolve()] if spec.origin and spec.origin.endswith(".py") else []
