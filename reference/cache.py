@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
-import functools
 import hashlib
 import importlib
 import io
@@ -137,21 +136,16 @@ def key_of(job: Job, once: bool = False) -> str | None:
     """
     try:
         engine = load_engine(job.engine)
-        digest = _first_digest if once else sources.digest
-        code = {"reference": digest("reference")}
+        code = {"reference": sources.digest("reference", once)}
         if job.engine.endswith(".py"):
-            code["engine"] = sources.digest(job.engine)
+            code["engine"] = sources.digest(job.engine, once)
         if _reads_hand_written(job):
-            own = job.implementation
-            code["implementation"] = sources.digest(own) if own.endswith(".py") else digest(own)
+            code["implementation"] = sources.digest(job.implementation, once)
         known = [SCHEMA, dataclasses.asdict(_shared(job)), engine.version(), _surroundings(), code]
     except (CollisionsError, OSError) as error:
         _log.info("%s: without cache: %s", job, error)
         return None
     return hashlib.sha256(json.dumps(known, sort_keys=True).encode()).hexdigest()
-
-
-_first_digest = functools.cache(sources.digest)
 
 
 def _surroundings() -> dict[str, str]:

@@ -14,25 +14,34 @@ _INSTALLED = {"site-packages", "dist-packages"}
 _HERE = Path(__file__).resolve().parents[1]
 
 
-def digest(source: str) -> str:
+def digest(source: str, once: bool = False) -> str:
     """A hash of a package, or of a `.py` file, and of all that its files import but for installed packages.
 
-    Nothing is imported: files are found as Python would find them, and read.
+    Nothing is imported: files are found as Python would find them, and read. once: packages only the first time in
+    this process, as Python does, which then goes on with what it has imported; a `.py` file always.
     """
-    whole, seen = hashlib.sha256(), set()
-    waiting = [source]
+    whole, seen, waiting = hashlib.sha256(), set(), [source]
     while waiting:
         name = waiting.pop()
-        if name in seen:
-            continue
-        seen.add(name)
-        found: set[str] = set()
-        for path in _files(name):
-            text = path.read_bytes()
-            whole.update(f"{name}\n{path.name}\n{len(text)}\n".encode() + text)
-            found |= _imported(text)
-        waiting += sorted(other for other in found - seen if _is_own(other))
+        if name not in seen:
+            seen.add(name)
+            text, imported = _first_part(name) if once and not name.endswith(".py") else _part(name)
+            whole.update(f"{name} {text}\n".encode())
+            waiting += sorted(imported)
     return whole.hexdigest()
+
+
+def _part(name: str) -> tuple[str, frozenset[str]]:
+    """A hash of the text of a package or a file, and the first names of what it imports of one's own."""
+    whole, names = hashlib.sha256(), frozenset[str]()
+    for path in _files(name):
+        text = path.read_bytes()
+        whole.update(f"{path.name} {len(text)}\n".encode() + text)
+        names |= _imported(text)
+    return whole.hexdigest(), frozenset(name for name in names if _is_own(name))
+
+
+_first_part = functools.cache(_part)
 
 
 def _files(name: str) -> Iterator[Path]:

@@ -26,10 +26,19 @@ def slip(trajectory: Trajectory, body: str, plane: str) -> Array:
 
 
 def rolling_time(trajectory: Trajectory, body: str, plane: str) -> float:
-    """First instant from which the body does not slip until the end, s; infinity if it still slips then."""
-    slips = np.flatnonzero(slip(trajectory, body, plane) > ROLLING_SLIP)
+    """Instant from which the body does not slip until the end, s; infinity if it still slips then.
+
+    Friction takes slip away at a constant rate, so the line through the last two samples that slip says when it ends.
+    """
+    speeds, times = slip(trajectory, body, plane), trajectory.times
+    slips = np.flatnonzero(speeds > ROLLING_SLIP)
     first = int(slips[-1]) + 1 if len(slips) else 0
-    return float(trajectory.times[first]) if first < len(trajectory.times) else float("inf")
+    if first == len(times):
+        return float("inf")
+    if first < 2 or speeds[first - 1] >= speeds[first - 2]:
+        return float(times[first])
+    rate = (speeds[first - 2] - speeds[first - 1]) / (times[first - 1] - times[first - 2])
+    return float(min(times[first - 1] + speeds[first - 1] / rate, times[first]))
 
 
 def speed_along(trajectory: Trajectory, body: str, plane: str) -> float:

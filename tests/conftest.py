@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
@@ -13,6 +14,14 @@ from reference.errors import EngineNotInstalled
 # The same examples in every run, and no limit on the time of one: a busy machine must not fail a test.
 settings.register_profile("lab", derandomize=True, deadline=None)
 settings.load_profile("lab")
+
+
+@pytest.fixture(autouse=True)
+def cache_folder(tmp_path_factory, monkeypatch) -> Path:
+    """A cache of the test's own: it neither finds what others kept nor fills the user's."""
+    folder = tmp_path_factory.mktemp("cache")
+    monkeypatch.setenv("COLLISIONS_CACHE", str(folder))
+    return folder
 
 
 @pytest.fixture(scope="session")

@@ -8,6 +8,7 @@ import typer
 
 from labs.cli import jobs
 from labs.cli.console import output
+from reference.cache import Cache
 from reference.report.summary import sections
 from reference.report.terminal import print_comparison
 
@@ -23,6 +24,7 @@ def compare(
     ] = None,
     implementation: jobs.Implementations = "solutions",
     workers: jobs.Workers = None,
+    fresh: jobs.Fresh = False,
     cases: Annotated[bool, typer.Option("--cases", help="Print every case with its numbers.")] = False,
 ) -> None:
     """Run scenarios in hand-written code, PyBullet and MuJoCo, and compare them with theory.
@@ -30,6 +32,6 @@ def compare(
     For example:  collisions compare dropped-ball --profile tuned --cases
     """
     planned = jobs.planned(scenario, engine, profile, implementation, timestep, assignments)
-    results = jobs.run(planned, workers)
+    results = jobs.run(planned, workers, Cache(fresh=fresh))
     print_comparison(output, sections(results), cases)
     raise typer.Exit(jobs.exit_code(results))

@@ -12,13 +12,14 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors
+from reference.cache import Cache
 from reference.compare import Verdict, failures, without_answer
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.family import Family
 from reference.scenarios import catalogue, find
 from reference.settings import Option
-from reference.study import Job, JobResult, plan, run_jobs
+from reference.study import Job, JobResult, plan, recall, run_jobs
 
 FAILED, COULD_NOT_COMPARE = 1, 3
 
@@ -38,6 +39,7 @@ Implementations = Annotated[str, typer.Option(help="The hand-written code: a pac
 Workers = Annotated[
     int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; one a processor if not given.")
 ]
+Fresh = Annotated[bool, typer.Option("--fresh", help="Run everything anew, and keep that in the cache instead.")]
 
 
 def planned(
@@ -80,23 +82,30 @@ def _assignment(text: str) -> tuple[str, Option]:
     return name.strip().replace(" ", "_").replace("-", "_"), value.strip()
 
 
-def run(jobs: Sequence[Job], workers: int | None) -> list[JobResult]:
-    """Run the jobs in parallel and show how far they are; return the results."""
+def run(jobs: Sequence[Job], workers: int | None, cache: Cache | None = None) -> list[JobResult]:
+    """Take from the cache what it has, run the rest in parallel and show how far it is; return the results."""
     if not jobs:
         raise InvalidInput("no engine has these profiles for these scenarios: there is nothing to run")
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    workers, results = workers or os.cpu_count() or 1, []
-    errors.print(f"{len(jobs)} run{'s' if len(jobs) > 1 else ''}, {workers} at a time.")
+    workers, results = workers or os.cpu_count() or 1, recall(jobs, cache) if cache else []
+    errors.print(f"{_counted(len(jobs), len(results))}, {workers} at a time.")
+    had = {result.job for result in results}
+    missing = [job for job in jobs if job not in had]
     with (
         Progress(*columns, console=errors, transient=True) as progress,
         ThreadPoolExecutor(workers) as executor,
-        closing(run_jobs(jobs, executor)) as finished,  # an interrupt stops the runs before the executor waits for them
+        closing(run_jobs(missing, executor, cache=cache)) as finished,  # an interrupt stops the runs, then the executor
     ):
-        task = progress.add_task("running", total=len(jobs))
+        task = progress.add_task("running", total=len(jobs), completed=len(results))
         for result in finished:
             results.append(result)
             progress.update(task, advance=1, description=f"{result.job.family}, {result.title}, {result.job.profile}")
     return results
+
+
+def _counted(runs: int, cached: int) -> str:
+    """How many runs, and how many of them need not run."""
+    return f"{runs} run{'s' if runs > 1 else ''}" + (f", {cached} of them from the cache" if cached else "")
 
 
 def exit_code(results: Sequence[JobResult]) -> int:

@@ -9,6 +9,7 @@ import typer
 
 from labs.cli import jobs
 from labs.cli.console import output
+from reference.cache import Cache
 from reference.report import files
 from reference.report.summary import verdict_line
 
@@ -21,11 +22,12 @@ def report(
     engine: jobs.Engines = None,
     implementation: jobs.Implementations = "solutions",
     workers: jobs.Workers = None,
+    fresh: jobs.Fresh = False,
 ) -> None:
     """Run the whole catalogue and write one page, with JSON, CSV and figures beside it."""
     planned = jobs.planned(only, engine, implementation=implementation, with_studies=True)
     with files.staged(out) as folder:
-        results = jobs.run(planned, workers)
+        results = jobs.run(planned, workers, Cache(fresh=fresh))
         files.write(results, folder)
     output.print(verdict_line([row for result in results for row in result.rows]))
     output.print(f"Open {out / files.PAGE} in a browser.", soft_wrap=True, markup=False)

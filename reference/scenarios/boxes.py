@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from reference import geometry, measure, truth, turning
-from reference.engines.base import Method
+from reference.engines.base import EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
 from reference.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario
 from reference.scenarios.response import dropped, expect_rebound, rebound
@@ -131,11 +131,7 @@ def _energy_gained(trajectory: Trajectory) -> float:
 
 def _expect_no_gain(case: Case, settings: Settings, method: Method) -> Expectation:
     start = 1.0 * GRAVITY * (EDGE_GAP + HALF * (math.cos(case.parameters["tilt"]) + math.sin(case.parameters["tilt"])))
-    # Semi-implicit Euler falls with the velocity at the end of each step: its energy is off by up to m g v dt/2.
-    fall = GRAVITY * truth.impact_speed(EDGE_GAP + HALF, GRAVITY) * settings.timestep / 2
-    return Expectation(
-        0.0, fall + 1e-9 * start, "m g v dt/2: what free flight does in a step method; contacts add nothing"
-    )
+    return Expectation(0.0, 1e-9 * start, "rounding only: a fall in steps loses m g v dt/2, and contacts add nothing")
 
 
 def _final_energy(trajectory: Trajectory) -> float:
@@ -239,10 +235,13 @@ def _expect_way(case: Case, settings: Settings, method: Method) -> Expectation |
     if _true_outcome(case) == TIPS:
         return None
     exact = _true_way(case) * TOPPLE_DURATION**2
+    near = 1e-3 * exact + MILLIMETRE
+    reason = "0.1 % and 1 mm: a box that rocks a little as it sets out"
+    if method.kind == EXACT:
+        return Expectation(exact, near, reason)
     shift = truth.semi_implicit_sliding_shift(2 * _true_way(case), settings.timestep, TOPPLE_DURATION)
     why = "+a t dt/2: a step moves with the velocity that it has just gained"
-    near = 1e-3 * exact + MILLIMETRE
-    return Expectation(exact, near, "0.1 % and 1 mm: a box that rocks a little as it sets out", shift, why, near)
+    return Expectation(exact, near, reason, shift, why, near)
 
 
 TIPPING_BOX = Family(
