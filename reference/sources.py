@@ -34,9 +34,9 @@ def digest(source: str, once: bool = False) -> str:
 def _part(name: str) -> tuple[str, frozenset[str]]:
     """A hash of the text of a package or a file, and the first names of what it imports of one's own."""
     whole, names = hashlib.sha256(), frozenset[str]()
-    for path in _files(name):
+    for place, path in _files(name):
         text = path.read_bytes()
-        whole.update(f"{path.name} {len(text)}\n".encode() + text)
+        whole.update(f"{path.relative_to(place.parent).as_posix()} {len(text)}\n".encode() + text)
         names |= _imported(text)
     return whole.hexdigest(), frozenset(name for name in names if _is_own(name))
 
@@ -44,13 +44,11 @@ def _part(name: str) -> tuple[str, frozenset[str]]:
 _first_part = functools.cache(_part)
 
 
-def _files(name: str) -> Iterator[Path]:
-    """All files of a package, or the one of a module; of the whole package where a part of it is named."""
-    if name.endswith(".py"):
-        yield Path(name).resolve()
-        return
-    for place in _places(name):
-        yield from sorted(place.rglob("*.py")) if place.is_dir() else [place]
+def _files(name: str) -> Iterator[tuple[Path, Path]]:
+    """All files of a package with its folder, or the one of a module; of the package where a part of it is named."""
+    for place in [Path(name).resolve()] if name.endswith(".py") else _places(name):
+        for path in sorted(place.rglob("*.py")) if place.is_dir() else [place]:
+            yield place, path
 
 
 @functools.cache

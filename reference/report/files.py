@@ -1,7 +1,8 @@
 """The files of a report: the page, its rows as JSON and CSV, timings and provenance apart, and the figures.
 
 `rows.json`, `rows.csv`, the figures and the page hold nothing but what was compared: the same code on the same machine
-writes the same bytes. How long it took is in `timings.json`; when and on what it ran, in `provenance.json`.
+writes the same bytes. How long it took, and what came from the cache, is in `timings.json`; when and on what it ran, in
+`provenance.json`.
 """
 
 from __future__ import annotations
@@ -102,17 +103,8 @@ def write(results: Iterable[JobResult], folder: Path) -> None:
 def rows_json(results: Iterable[JobResult]) -> str:
     """The rows and the convergence studies as JSON."""
     results = list(results)
-    studies = [
-        {"family": result.job.family, "engine": result.job.engine, "profile": result.job.profile}
-        | asdict(result.convergence)
-        for result in results
-        if result.convergence is not None
-    ]
-    splits = [
-        {"family": result.job.family, "engine": result.job.engine} | asdict(result.split)
-        for result in results
-        if result.split is not None
-    ]
+    studies = [_of(result) | asdict(result.convergence) for result in results if result.convergence is not None]
+    splits = [_of(result) | asdict(result.split) for result in results if result.split is not None]
     rows = [asdict(row) for result in results for row in result.rows]
     return _json(ROWS, {"rows": rows, "convergence": studies, "splits": splits})
 
@@ -173,9 +165,12 @@ def _figures(section: Section) -> list[tuple[str, str, str]]:
     return [picture for picture in pictures if picture[1]]
 
 
+def _of(result: JobResult) -> dict[str, Any]:
+    return {"family": result.job.family, "engine": result.job.engine, "profile": result.job.profile}
+
+
 def _timing(result: JobResult) -> dict[str, Any]:
-    job = result.job
-    return {"family": job.family, "engine": job.engine, "profile": job.profile, "seconds": round(result.seconds, 3)}
+    return _of(result) | {"seconds": round(result.seconds, 3), "cached": result.cached}
 
 
 def _compared(results: Iterable[JobResult]) -> list[str]:

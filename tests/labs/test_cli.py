@@ -516,6 +516,47 @@ def test_an_interrupt_ends_the_program_promptly_with_130_and_leaves_nothing_behi
     assert os.listdir(out) == ["index.html"]
 
 
+# The cache
+
+
+def test_a_second_run_is_taken_from_the_cache_prints_the_same_and_says_so(tmp_path):
+    first, second, anew = (collisions("compare", *QUICK, *more) for more in ((), (), ("--fresh",)))
+    assert "from the cache" not in first.errors + anew.errors
+    assert re.search(r"(\d+) runs, \1 of them from the cache", second.errors)
+    assert first.output == second.output == anew.output
+
+
+def test_a_run_that_overlaps_an_earlier_one_takes_what_there_is():
+    collisions("compare", *TUNED)
+    assert re.search(r"[2-9] runs, 1 of them from the cache", collisions("compare", *QUICK).errors)
+
+
+def test_a_report_from_the_cache_is_the_same_report(tmp_path):
+    first, second = tmp_path / "first", tmp_path / "second"
+    for out in (first, second):
+        assert collisions("report", "--only", "ball-to-rest", "--engine", "handwritten", "--out", out).code == 0
+    for name in (
+        "index.html",
+        "rows.json",
+        "rows.csv",
+        *(f"figures/{it.name}" for it in (first / "figures").iterdir()),
+    ):
+        assert (second / name).read_bytes() == (first / name).read_bytes(), name
+    cached = [
+        [it["cached"] for it in json.loads((out / "timings.json").read_text())["seconds"]] for out in (first, second)
+    ]
+    assert [set(found) for found in cached] == [{False}, {True}]
+
+
+def test_a_changed_line_of_homework_is_run_and_not_taken_from_the_cache(homework):
+    text = "from solutions import *\nfrom solutions.detection import *\nfrom solutions.response import *\n"
+    command = ("compare", *TUNED, "--implementation", homework(text))
+    collisions(*command)
+    assert "1 of them from the cache" in collisions(*command).errors
+    homework(text + "# a second thought\n")
+    assert "from the cache" not in collisions(*command).errors
+
+
 # All of it
 
 

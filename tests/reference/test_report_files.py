@@ -117,6 +117,7 @@ def test_how_long_each_job_took_is_told_apart_from_the_rows(report, results):
     assert {(it["family"], it["engine"], it["profile"]): it["seconds"] for it in times} == {
         (it.job.family, it.job.engine, it.job.profile): pytest.approx(it.seconds, abs=5e-4) for it in results
     }
+    assert not any(it["cached"] for it in times)
     assert "seconds" not in (report / "rows.json").read_text(encoding="utf-8")
 
 
