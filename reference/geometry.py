@@ -59,27 +59,34 @@ def _reach(shape: Shape, orientations: Array, normal: Array) -> Array:
 def gap(body_a: Body, body_b: Body) -> float:
     """Gap between two bodies as they start, m; negative when they overlap.
 
-    Spheres and half-spaces: exact. Two boxes: the largest gap along any face normal or cross product of edges, which is
-    exact where faces meet and never too large.
+    Exact where one is a half-space or a sphere. Two boxes: the largest gap along any face normal, cross product of
+    edges or the line of centres, which is exact where faces meet or boxes overlap, and never too large.
     """
-    shapes = body_a.shape, body_b.shape
-    if isinstance(body_a.shape, HalfSpace):
-        normal = np.array(body_a.shape.normal)
-        height = (np.array(body_b.position) - np.array(body_a.position)) @ normal
-        return float(height - _reach(body_b.shape, np.array([body_b.orientation]), normal)[0])
-    if isinstance(body_b.shape, HalfSpace):
+    order = (HalfSpace, Sphere, Box)
+    if order.index(type(body_a.shape)) > order.index(type(body_b.shape)):
         return gap(body_b, body_a)
     between = np.array(body_b.position) - np.array(body_a.position)
-    if all(isinstance(shape, Sphere) for shape in shapes):
-        directions = [between]
-    else:
-        axes = [rotate(np.array([body.orientation]), np.eye(3)) for body in (body_a, body_b)]
-        crossed = [np.cross(first, second) for first in axes[0] for second in axes[1]]
-        directions = [*axes[0], *axes[1], *crossed, between]
-    units = [direction / np.linalg.norm(direction) for direction in directions if np.linalg.norm(direction) > 1e-9]
     poses = [np.array([body.orientation]) for body in (body_a, body_b)]
+    if isinstance(body_a.shape, HalfSpace):
+        normal = np.array(body_a.shape.normal)
+        return float(between @ normal - _reach(body_b.shape, poses[1], normal)[0])
+    if isinstance(body_a.shape, Sphere):
+        return _out_of(body_b, -between) - body_a.shape.radius
+    axes = [rotate(pose, np.eye(3)) for pose in poses]
+    crossed = [np.cross(first, second) for first in axes[0] for second in axes[1]]
+    directions = [*axes[0], *axes[1], *crossed, between]
+    units = [direction / np.linalg.norm(direction) for direction in directions if np.linalg.norm(direction) > 1e-9]
     reach = [_reach(body_a.shape, poses[0], -unit)[0] + _reach(body_b.shape, poses[1], unit)[0] for unit in units]
     return float(max(abs(between @ unit) - far for unit, far in zip(units, reach, strict=True)))
+
+
+def _out_of(body: Body, place: Array) -> float:
+    """How far a place, seen from the body's centre, lies outside a sphere or a box, m; negative inside."""
+    if isinstance(body.shape, Sphere):
+        return float(np.linalg.norm(place)) - body.shape.radius
+    own = rotate(np.array([body.orientation]) * np.array([1.0, -1.0, -1.0, -1.0]), place[None])[0]
+    beyond = np.abs(own) - np.array(body.shape.half_extents)  # type: ignore[union-attr]
+    return float(np.linalg.norm(np.maximum(beyond, 0.0)) + min(np.max(beyond), 0.0))
 
 
 def touching(scenario: Scenario, tolerance: float = 1e-6) -> list[tuple[Body, Body]]:

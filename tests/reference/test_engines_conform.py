@@ -59,8 +59,8 @@ TURNED = (0.4, -0.2, 0.8, 0.4)  # a unit quaternion: 0.16 + 0.04 + 0.64 + 0.16 =
 OWN_Z = tuple(geometry.rotate(np.array(TURNED), np.array([0.0, 0.0, 1.0])))  # a principal axis: it spins steadily
 EXTRA = (
     thrown("thrown-ball", Sphere(0.1)),
-    thrown("spinning-ball", Sphere(0.1), TURNED, (1.0, -2.0, 3.0)),
-    thrown("spinning-box", Box((0.1, 0.2, 0.3)), TURNED, tuple(5.0 * part for part in OWN_Z)),
+    thrown("twirled-ball", Sphere(0.1), TURNED, (1.0, -2.0, 3.0)),
+    thrown("twirled-box", Box((0.1, 0.2, 0.3)), TURNED, tuple(5.0 * part for part in OWN_Z)),
     lying_box(),
 )
 CATALOGUE = tuple(
@@ -68,11 +68,22 @@ CATALOGUE = tuple(
     for family in catalogue().values()
 )
 SCENARIOS = {scenario.name: scenario for scenario in (*CATALOGUE, *EXTRA)}
+TURNING = (
+    *("thin-wall", "corner", "two-walls", "sliding-ball", "rolling-ball", "spinning-ball"),
+    *("box-flat", "box-on-edge", "tipping-box", "stack", "twirled-ball", "twirled-box"),
+)
+"""What turns, or meets more than one thing, or meets something that is no plane."""
 SAYS_NO = {
-    "handwritten": ("spinning-ball", "spinning-box"),
-    TOY: ("sliding-slab", "incline", "spinning-ball", "spinning-box", "lying-box"),
+    "handwritten": dict.fromkeys(TURNING, (NeedsFunction, r"^needs a rigid-body world \(world\)$")),
+    TOY: dict.fromkeys(
+        (*TURNING, "sliding-slab", "incline", "lying-box"),
+        (
+            CannotExpress,
+            r"^a toy cannot express \S+: it knows one ball over one plane, without friction and without spin$",
+        ),
+    ),
 }
-"""What an engine has no words for. It must say so; everything else it must run."""
+"""What an engine has no words for, the error that says so, and its words. Everything else it must run."""
 
 
 @dataclass(frozen=True)
@@ -95,11 +106,16 @@ CELLS = [
     Cell(engine, scenario, profile)
     for engine in ENGINES
     for scenario in SCENARIOS
-    if scenario not in SAYS_NO.get(engine, ())
+    if scenario not in SAYS_NO.get(engine, {})
     for profile in profiles(engine, scenario)
 ]
 KINDS = [Cell(engine, scenario, "") for engine in ENGINES for scenario in SCENARIOS]
-REFUSED = [Cell(engine, scenario, "tuned") for engine, names in SAYS_NO.items() for scenario in names]
+REFUSED = [
+    Cell(engine, scenario, profile)
+    for engine, names in SAYS_NO.items()
+    for scenario in names
+    for profile in profiles(engine, scenario)
+]
 every_cell = pytest.mark.parametrize("cell", CELLS, ids=str)
 each_engine = pytest.mark.parametrize("name", ENGINES, ids=lambda name: Path(name).stem)
 
@@ -216,35 +232,85 @@ def test_many_scenarios_at_once_give_what_each_gives_alone(cell, installed):
 # Contacts
 
 
-@pytest.mark.parametrize("cell", [cell for cell in CELLS if cell.engine in REPORT_CONTACTS], ids=str)
+with_contacts = pytest.mark.parametrize("cell", [cell for cell in CELLS if cell.engine in REPORT_CONTACTS], ids=str)
+RESTING = ("sliding-slab", "incline", "lying-box", "stack")
+CHECKED = 60
+"""Samples of a trajectory at which the gap between two boxes is worked out; that of a plane is, at all."""
+
+
+def pairs_in_contact(trajectory: Trajectory) -> list[tuple[int, int, np.ndarray]]:
+    """Bodies A and B, by place, that touched at some sample, and which of the contacts are theirs."""
+    contacts = trajectory.contacts
+    found = sorted({(int(a), int(b)) for a, b in zip(contacts.body_a, contacts.body_b, strict=True)})
+    return [(a, b, (contacts.body_a == a) & (contacts.body_b == b)) for a, b in found]
+
+
+def placed(trajectory: Trajectory, place: int, sample: int) -> Body:
+    """A body as it is at a sample."""
+    position, orientation = trajectory.positions[sample, place], trajectory.orientations[sample, place]
+    return replace(
+        trajectory.scenario.bodies[place], position=tuple(position), orientation=tuple(orientation), velocity=(0, 0, 0)
+    )
+
+
+def surface_speed(trajectory: Trajectory, place: int) -> np.ndarray:
+    """More than the speed of any point of a body at each sample: that of its centre, and of its farthest corner."""
+    shape = trajectory.scenario.bodies[place].shape
+    extent = shape.radius if isinstance(shape, Sphere) else np.linalg.norm(getattr(shape, "half_extents", 0.0))
+    speed = np.linalg.norm(trajectory.velocities[:, place], axis=1)
+    return speed + extent * np.linalg.norm(trajectory.angular_velocities[:, place], axis=1)
+
+
+def travel(trajectory: Trajectory, a: int, b: int, sample: int) -> float:
+    """How far two surfaces may have come towards each other in the step before a sample, m."""
+    settings = trajectory.settings
+    speeds = surface_speed(trajectory, a) + surface_speed(trajectory, b)
+    gained = GRAVITY * settings.timestep * settings.sample_every
+    return float(max(speeds[sample - 1], speeds[sample]) + gained) * settings.timestep
+
+
+@with_contacts
 def test_contacts_name_listed_bodies_and_their_unit_normal_points_from_b_to_a(cell, trajectory):
     scenario, contacts = SCENARIOS[cell.scenario], trajectory.contacts
-    names = [body.name for body in scenario.bodies]
+    bodies = scenario.bodies
     listed = {frozenset((pair.body_a, pair.body_b)) for pair in scenario.pairs}
-    if cell.scenario in ("sliding-slab", "incline", "lying-box"):
+    if cell.scenario in RESTING:
         assert len(contacts.sample) >= len(trajectory.times) - 1, "a box on a plane has a contact at every sample"
-    for body_a, body_b, normal in zip(contacts.body_a, contacts.body_b, contacts.normal, strict=True):
-        assert {names[body_a], names[body_b]} in listed
-        over = scenario.bodies[body_b].shape, scenario.bodies[body_a].shape
-        out_of_plane, sense = (over[0].normal, 1) if isinstance(over[0], HalfSpace) else (over[1].normal, -1)
-        np.testing.assert_allclose(sense * normal, out_of_plane, atol=1e-12)  # both unit: nothing but rounding
+    np.testing.assert_allclose(np.linalg.norm(contacts.normal, axis=1), 1, atol=1e-12)
+    for a, b, here in pairs_in_contact(trajectory):
+        assert {bodies[a].name, bodies[b].name} in listed
+        for plane, sense in ((b, 1), (a, -1)):
+            if isinstance(bodies[plane].shape, HalfSpace):  # nothing but rounding
+                expected = np.broadcast_to(sense * np.array(bodies[plane].shape.normal), (here.sum(), 3))
+                np.testing.assert_allclose(contacts.normal[here], expected, atol=1e-12)
+        for sample, normal in zip(contacts.sample[here], contacts.normal[here], strict=True):
+            # Of two convex bodies, one lies on the normal's side of the other; a fast one passes in a step.
+            across = (trajectory.positions[sample, a] - trajectory.positions[sample, b]) @ normal
+            assert across > -travel(trajectory, a, b, sample) or isinstance(bodies[a].shape, HalfSpace)
 
 
-@pytest.mark.parametrize("cell", [cell for cell in CELLS if cell.engine in REPORT_CONTACTS], ids=str)
+@with_contacts
 def test_the_separation_of_a_contact_is_the_gap_of_the_step_that_it_was_found_in(cell, trajectory):
-    scenario, contacts, settings = SCENARIOS[cell.scenario], trajectory.contacts, trajectory.settings
-    body, plane = next(b for b in scenario.bodies if not b.immovable), next(b for b in scenario.bodies if b.immovable)
-    gaps = measure.separation(trajectory, body.name, plane.name)
-    speeds = np.linalg.norm(trajectory.velocity(body.name), axis=1)
-    for sample in np.unique(contacts.sample):
-        here = contacts.sample == sample
-        # A contact is found before its step moves the bodies; what moves is no faster than at the samples around it.
-        speed = max(speeds[sample - 1], speeds[sample]) + GRAVITY * settings.timestep * settings.sample_every
-        near = speed * settings.timestep + 1e-6  # 1 µm: a box that rocks, seen at its corners
-        assert contacts.separation[here].min() == pytest.approx(gaps[sample], abs=near)
-        height = (contacts.position[here] - plane.position) @ np.array(plane.shape.normal)
-        # Midway between the surfaces: half the gap above the plane. Rounding of some 1e-16 of metres, a few times.
-        np.testing.assert_allclose(height, contacts.separation[here] / 2, atol=1e-12)
+    scenario, contacts = SCENARIOS[cell.scenario], trajectory.contacts
+    for a, b, here in pairs_in_contact(trajectory):
+        samples = np.unique(contacts.sample[here])
+        for sample in samples[:: max(1, len(samples) // CHECKED)]:
+            now = here & (contacts.sample == sample)
+            gap = geometry.gap(placed(trajectory, a, sample), placed(trajectory, b, sample))
+            # A contact is found before its step moves the bodies; no point of them is faster than at the samples
+            # around it. 1 µm: a box that rocks, seen at its corners.
+            near = travel(trajectory, a, b, sample) + 1e-6
+            assert contacts.separation[now].min() == pytest.approx(gap, abs=near)
+            for place in (a, b):
+                if isinstance(ball := scenario.bodies[place].shape, Sphere):  # midway: half the gap off its surface
+                    off = np.linalg.norm(contacts.position[now] - trajectory.positions[sample, place], axis=1)
+                    np.testing.assert_allclose(off, ball.radius + contacts.separation[now] / 2, atol=near)
+        for plane in (a, b):
+            if isinstance(scenario.bodies[plane].shape, HalfSpace):
+                normal = np.array(scenario.bodies[plane].shape.normal)
+                height = (contacts.position[here] - scenario.bodies[plane].position) @ normal
+                # Midway between the surfaces: half the gap above the plane. Rounding of some 1e-16 of metres.
+                np.testing.assert_allclose(height, contacts.separation[here] / 2, atol=1e-12)
 
 
 @pytest.mark.parametrize("name", REPORT_CONTACTS)
@@ -264,7 +330,7 @@ def test_the_point_of_a_contact_lies_midway_between_the_surfaces_whichever_body_
 # What engines make of free flight
 
 
-@cells_of("thrown-ball", "spinning-ball", "spinning-box")
+@cells_of("thrown-ball", "twirled-ball", "twirled-box")
 def test_in_free_flight_the_centre_follows_the_parabola_of_its_integrator(cell, trajectory):
     body = SCENARIOS[cell.scenario].body("thrown")
     t, gravity = trajectory.times[:, None], np.array(SCENARIOS[cell.scenario].gravity)
@@ -278,7 +344,7 @@ def test_in_free_flight_the_centre_follows_the_parabola_of_its_integrator(cell, 
     np.testing.assert_allclose(off, np.broadcast_to(late, off.shape), atol=near)
 
 
-@cells_of("spinning-ball", "spinning-box")
+@cells_of("twirled-ball", "twirled-box")
 def test_a_body_spins_steadily_about_an_axis_that_stands_still_in_the_world(cell, trajectory):
     body, place = SCENARIOS[cell.scenario].body("thrown"), SCENARIOS[cell.scenario].index("thrown")
     spin, found = np.array(body.angular_velocity), trajectory.angular_velocities[:, place]
@@ -291,7 +357,7 @@ def test_a_body_spins_steadily_about_an_axis_that_stands_still_in_the_world(cell
         np.testing.assert_allclose(rate, start, rtol=1e-9)
 
 
-@cells_of("spinning-ball", "spinning-box")
+@cells_of("twirled-ball", "twirled-box")
 def test_the_orientation_turns_with_the_spin(cell, trajectory):
     body, place = SCENARIOS[cell.scenario].body("thrown"), SCENARIOS[cell.scenario].index("thrown")
     spin, end = np.array(body.angular_velocity), float(trajectory.times[-1])
@@ -420,8 +486,20 @@ def test_an_engine_knows_its_version(name, installed):
 def test_what_an_engine_has_no_words_for_it_refuses_with_a_reason(cell, installed):
     installed(cell.engine)
     engine, scenario, settings = setup(cell)
-    with pytest.raises((CannotExpress, NeedsFunction), match=r"cannot express|needs"):
+    kind, reason = SAYS_NO[cell.engine][cell.scenario]
+    with pytest.raises(kind, match=reason):
         engine.run(scenario, settings)
+    with pytest.raises(kind, match=reason):
+        engine.run_many([scenario, scenario], settings)
+
+
+def test_every_family_of_the_catalogue_is_in_the_grid_and_so_is_every_scenario_of_this_suite():
+    assert set(SCENARIOS) == {*catalogue(), *(scenario.name for scenario in EXTRA)}
+    assert len(SCENARIOS) == len(CATALOGUE) + len(EXTRA), "two scenarios of one name: the second hides the first"
+    for engine in ENGINES:
+        runs = {cell.scenario for cell in CELLS if cell.engine == engine}
+        assert runs | set(SAYS_NO.get(engine, {})) == set(SCENARIOS)
+        assert not runs & set(SAYS_NO.get(engine, {}))
 
 
 @cells_of(*catalogue())
@@ -430,10 +508,24 @@ def test_the_coefficients_belong_to_the_pair_so_its_order_and_that_of_the_bodies
     turned_pairs = tuple(replace(pair, body_a=pair.body_b, body_b=pair.body_a) for pair in scenario.pairs)
     swapped = engine.run(replace(scenario, pairs=turned_pairs), settings)
     reordered = engine.run(replace(scenario, bodies=scenario.bodies[::-1]), settings)
+    near = 1e-9 + first_fall(cell)
     for body in scenario.bodies:
         for other in (swapped, reordered):
             # A solver that visits contacts in another order rounds differently, and steps add that up.
-            np.testing.assert_allclose(other.position(body.name), trajectory.position(body.name), atol=1e-9)
+            np.testing.assert_allclose(other.position(body.name), trajectory.position(body.name), atol=near)
+
+
+def first_fall(cell: Cell) -> float:
+    """How far what stands may fall before it is caught, m, where two boxes a gap of zero apart touch or do not.
+
+    Bullet's test of two boxes wants an overlap, and rounding decides whether a gap of zero is one. What is not caught
+    falls g dt² in a step; each box of a stack only then meets the one below it.
+    """
+    _, scenario, settings = setup(cell)
+    boxes = settings.options.get("ground") == "box" or geometry.leaning(scenario)
+    if cell.engine != "pybullet" or not boxes or not geometry.starts_in_contact(scenario):
+        return 0.0
+    return GRAVITY * settings.timestep**2 * sum(not body.immovable for body in scenario.bodies)
 
 
 TWO_BALLS = Scenario(

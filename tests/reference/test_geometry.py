@@ -174,15 +174,44 @@ def test_a_body_starts_in_contact_if_its_gap_is_next_to_nothing(height, rests):
     assert geometry.starts_in_contact(scene(Sphere(0.25), position=(0.0, 0.0, height))) is rests
 
 
+FLOOR = Body("floor", HalfSpace())
+LOW = Body("low", Sphere(0.5), mass=1.0, position=(0.0, 0.0, 0.5))
+HIGH = Body("high", Sphere(0.5), mass=1.0, position=(5.0, 0.0, 2.0))
+CEILING = Body("ceiling", HalfSpace((0.0, 0.0, -1.0)), position=(0.0, 0.0, 2.5))
+
+
 def test_all_bodies_must_rest_for_a_scenario_to_start_in_contact():
-    floor = Body("floor", HalfSpace())
-    low = Body("low", Sphere(0.5), mass=1.0, position=(0.0, 0.0, 0.5))
-    high = Body("high", Sphere(0.5), mass=1.0, position=(5.0, 0.0, 2.0))
-    ceiling = Body("ceiling", HalfSpace((0.0, 0.0, -1.0)), position=(0.0, 0.0, 2.5))
-    assert geometry.starts_in_contact(Scenario("one", (floor, low), (), 1.0))
-    assert not geometry.starts_in_contact(Scenario("two", (floor, low, high), (), 1.0))
-    assert geometry.starts_in_contact(Scenario("three", (floor, low, high, ceiling), (), 1.0))  # it touches the ceiling
-    assert not geometry.starts_in_contact(Scenario("none", (low,), (), 1.0))
+    low, high, top = Pair("low", "floor"), Pair("high", "floor"), Pair("ceiling", "high")
+    assert geometry.starts_in_contact(Scenario("one", (FLOOR, LOW), (low,), 1.0))
+    assert not geometry.starts_in_contact(Scenario("two", (FLOOR, LOW, HIGH), (low, high), 1.0))
+    assert geometry.starts_in_contact(Scenario("three", (FLOOR, LOW, HIGH, CEILING), (low, high, top), 1.0))
+
+
+def test_what_touches_but_does_not_collide_is_not_in_contact():
+    assert not geometry.starts_in_contact(Scenario("none", (LOW,), (), 1.0))
+    assert not geometry.starts_in_contact(Scenario("unlisted", (FLOOR, LOW), (), 1.0))
+    through = Scenario("through", (FLOOR, LOW, HIGH, CEILING), (Pair("low", "floor"), Pair("high", "floor")), 1.0)
+    assert not geometry.starts_in_contact(through)
+    assert [(a.name, b.name) for a, b in geometry.touching(through)] == [("low", "floor")]
+
+
+def test_two_bodies_that_nothing_moves_do_not_touch_and_their_gap_is_not_asked_for():
+    bodies, pairs = (FLOOR, CEILING, LOW), (Pair("floor", "ceiling"), Pair("low", "floor"))
+    assert [(a.name, b.name) for a, b in geometry.touching(Scenario("fixed", bodies, pairs, 1.0))] == [("low", "floor")]
+    with pytest.raises(InvalidInput, match="the gap between two bodies of shape HalfSpace is not defined"):
+        geometry.gap(FLOOR, CEILING)
+
+
+@pytest.mark.parametrize(("height", "stands"), [(1.5, True), (1.5 + 9e-7, True), (1.5 - 9e-7, True), (1.51, False)])
+def test_bodies_lean_on_each_other_where_two_that_move_touch(height, stands):
+    upper = Body("upper", Sphere(0.5), mass=1.0, position=(0.0, 0.0, height))
+    pairs = (Pair("low", "floor"), Pair("upper", "low"))
+    assert geometry.leaning(Scenario("stack", (FLOOR, LOW, upper), pairs, 1.0)) is stands
+    assert not geometry.leaning(Scenario("apart", (FLOOR, LOW, upper), pairs[:1], 1.0)), "they do not collide"
+
+
+def test_a_body_on_the_floor_leans_on_nothing_that_moves():
+    assert not geometry.leaning(scene(Sphere(0.25), position=(0.0, 0.0, 0.25)))
 
 
 def test_a_tilted_box_that_starts_flat_on_a_slope_is_in_contact():
@@ -192,3 +221,130 @@ def test_a_tilted_box_that_starts_flat_on_a_slope_is_in_contact():
     assert geometry.starts_in_contact(made)
     level = scene(Box((0.2, 0.2, 0.1)), tuple(normal), position=tuple(0.1 * normal))
     assert not geometry.starts_in_contact(level)
+
+
+# Gaps between any two bodies
+
+
+def nearest(first: Body, second: Body) -> float:
+    """Distance of two boxes or a ball's centre and a box by projections in turn, m: never too small; near zero inside.
+
+    Projecting onto one convex body, then onto the other, comes ever closer to the nearest points (Cheney, Goldstein).
+    """
+    at = np.array(first.position)
+    for _ in range(300 if isinstance(first.shape, Box) else 1):
+        at = onto(second, at)
+        at = onto(first, at)
+    return float(np.linalg.norm(at - onto(second, at)))
+
+
+def onto(body: Body, place: np.ndarray) -> np.ndarray:
+    """The point of a solid box that is nearest to a place; of a ball, its centre."""
+    if isinstance(body.shape, Sphere):
+        return np.array(body.position)
+    turn = matrix(np.array(body.orientation))
+    extents = np.array(body.shape.half_extents)
+    own = turn.T @ (place - body.position)
+    return np.array(body.position) + turn @ np.clip(own, -extents, extents)
+
+
+def random_body(rng: np.random.Generator, name: str, shape) -> Body:
+    return Body(name, shape, 1.0, tuple(rng.normal(size=3)), tuple(quaternions(rng, 1)[0]))
+
+
+def test_the_gap_of_two_bodies_one_of_which_is_a_half_space_is_that_of_the_ruler_for_planes():
+    rng = np.random.default_rng(RNG_SEED)
+    for shape in (Sphere(0.3), Box((0.1, 0.2, 0.4))):
+        for _ in range(20):
+            plane = Body("plane", HalfSpace(tuple(rng.normal(size=3))), position=tuple(rng.normal(size=3)))
+            body = random_body(rng, "body", shape)
+            made = Scenario("one", (plane, body), (), 1.0)
+            ruler = geometry.separation(made, "body", "plane", np.array([body.position]), np.array([body.orientation]))[
+                0
+            ]
+            # The ruler itself is held against surfaces and corners above; numbers of order one.
+            assert geometry.gap(plane, body) == pytest.approx(ruler, abs=1e-14)
+            assert geometry.gap(body, plane) == geometry.gap(plane, body)
+
+
+def test_the_gap_of_two_balls_is_the_distance_of_their_centres_less_both_radii():
+    one, other = (Body(name, Sphere(r), 1.0, at) for name, r, at in (("a", 0.5, (1, 2, 2)), ("b", 0.25, (0, 0, 0))))
+    assert geometry.gap(one, other) == geometry.gap(other, one) == pytest.approx(3 - 0.75, abs=1e-15)
+    assert geometry.gap(one, Body("c", Sphere(0.25), 1.0, one.position)) == pytest.approx(-0.75, abs=1e-15)
+
+
+def test_the_gap_of_a_ball_and_a_box_is_the_way_from_its_centre_to_the_nearest_point_less_the_radius():
+    rng = np.random.default_rng(RNG_SEED)
+    kinds = set()
+    for _ in range(200):
+        box, ball = random_body(rng, "box", Box((0.3, 0.5, 0.8))), random_body(rng, "ball", Sphere(0.05))
+        own = matrix(np.array(box.orientation)).T @ (np.array(ball.position) - box.position)
+        beyond = np.abs(own) - box.shape.half_extents
+        kinds.add(int((beyond > 0).sum()))
+        if beyond.max() > 0:  # nearest to a face, an edge or a corner
+            assert geometry.gap(ball, box) == pytest.approx(nearest(ball, box) - 0.05, abs=1e-13)
+        else:  # inside: the way to the nearest face
+            assert geometry.gap(ball, box) == pytest.approx(beyond.max() - 0.05, abs=1e-13)
+        assert geometry.gap(ball, box) == geometry.gap(box, ball)
+    assert kinds == {0, 1, 2, 3}
+
+
+def test_the_gap_of_two_boxes_is_never_too_large_and_exact_where_they_overlap_or_faces_meet():
+    rng = np.random.default_rng(RNG_SEED)
+    apart, exact = 0, 0
+    for _ in range(60):
+        first, second = (
+            random_body(rng, "first", Box((0.2, 0.4, 0.6))),
+            random_body(rng, "second", Box((0.3, 0.3, 0.5))),
+        )
+        gap, distance = geometry.gap(first, second), nearest(first, second)
+        assert geometry.gap(second, first) == pytest.approx(gap, abs=1e-13)
+        assert gap <= distance + 1e-12  # rounding: any two points of the boxes are at least the true distance apart
+        assert gap > 0 or distance < 1e-6, "a gap of zero or less is an overlap"  # 300 projections come that near
+        if gap > 0:
+            apart, exact = apart + 1, exact + (distance - gap < 1e-6)
+    assert apart > 20
+    assert exact > 0
+
+
+def shift_apart(first: Body, second: Body, gap: float) -> float:
+    """The shortest push, m, that takes two overlapping boxes apart, by trying 20 000 directions; 0 if it is the gap."""
+    rng = np.random.default_rng(RNG_SEED)
+    directions = rng.normal(size=(20_000, 3))
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    corners = [
+        np.array(body.position)
+        + np.array(list(itertools.product(*[(-half, half) for half in body.shape.half_extents])))
+        @ matrix(np.array(body.orientation)).T
+        for body in (first, second)
+    ]
+    tops, bottoms = (corners[0] @ directions.T).max(axis=0), (corners[1] @ directions.T).min(axis=0)
+    return float(np.min(tops - bottoms)) + gap
+
+
+def test_where_two_boxes_overlap_the_gap_is_the_shortest_push_that_takes_them_apart():
+    rng = np.random.default_rng(RNG_SEED)
+    for _ in range(20):
+        first = random_body(rng, "first", Box((0.5, 0.7, 0.9)))
+        near = tuple(np.array(first.position) + 0.3 * rng.normal(size=3))
+        second = Body("second", Box((0.6, 0.6, 0.8)), 1.0, near, tuple(quaternions(rng, 1)[0]))
+        gap = geometry.gap(first, second)
+        assert gap < 0
+        # Of 20 000 directions the best is within 1.5° of the right one; the corners that meet are up to 2 m apart, and
+        # the push grows with the square where a face is the best direction, linearly where it is an edge.
+        assert 0 <= shift_apart(first, second, gap) + 1e-12 < 0.06
+
+
+@pytest.mark.parametrize("gap", [-1e-3, 0.0, 1e-7, 0.2])
+def test_boxes_that_stand_on_each_other_however_they_are_turned_are_as_far_apart_as_they_are(gap):
+    rng = np.random.default_rng(RNG_SEED)
+    for _ in range(10):
+        turn = quaternions(rng, 1)[0]
+        lower = Body("lower", Box((0.3, 0.4, 0.1)), 1.0, tuple(rng.normal(size=3)), tuple(turn))
+        up = matrix(turn) @ np.array([0.05, -0.1, 0.1 + 0.2 + gap])
+        spun = geometry.quaternion_between(
+            np.array([0.0, 0.0, 1.0]), matrix(turn)[:, 2]
+        )  # turned about the common axis
+        upper = Body("upper", Box((0.15, 0.25, 0.2)), 1.0, tuple(np.array(lower.position) + up), tuple(spun))
+        assert geometry.gap(lower, upper) == pytest.approx(gap, abs=1e-14)  # rounding of numbers of order one
+        assert geometry.leaning(Scenario("two", (lower, upper), (Pair("lower", "upper"),), 1.0)) is (abs(gap) < 1e-6)
