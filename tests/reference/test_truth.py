@@ -254,3 +254,211 @@ def test_no_damping_bounces_fully_and_no_finite_one_not_at_all():
     assert 0 <= truth.damping_ratio(math.nextafter(1.0, 0.0)) < 1e-15  # e is 1 − π ζ there
     assert truth.damping_ratio(0.0) == math.inf
     assert truth.damping_ratio(1e-300) > 1e100
+
+
+# Rolling
+
+
+def rolled(speed, friction, slope, duration, surface_speed=0.0, gravity=G, dt=2e-5, soft=1e-4):
+    """Way, speed and r ω of a solid ball down a slope, by Runge and Kutta's steps.
+
+    Friction is −μ N u/√(u² + soft²) with the slip u = v − r ω: Coulomb's, but for slips near `soft` (m/s). The ball is
+    1 kg; the torque r F turns it by r F/(2/5 m r²), so r ω grows with 5/2 F. `slope` in rad, all else in SI.
+    """
+    normal, pull = gravity * math.cos(slope), gravity * math.sin(slope)
+
+    def rate(way, v, rw):
+        slip = v - rw
+        force = -friction * normal * slip / math.sqrt(slip * slip + soft * soft)
+        return v, pull + force, -force / 0.4
+
+    state, found = (0.0, speed, surface_speed), []
+    for _ in range(round(duration / dt)):
+        one = rate(*state)
+        two = rate(*(s + dt / 2 * k for s, k in zip(state, one, strict=True)))
+        three = rate(*(s + dt / 2 * k for s, k in zip(state, two, strict=True)))
+        four = rate(*(s + dt * k for s, k in zip(state, three, strict=True)))
+        state = tuple(
+            s + dt / 6 * (a + 2 * b + 2 * c + d) for s, a, b, c, d in zip(state, one, two, three, four, strict=True)
+        )
+        found.append(state)
+    return np.array(found)
+
+
+@pytest.mark.parametrize(("speed", "friction", "gravity"), [(1.0, 0.3, G), (2.0, 0.6, G), (0.5, 0.4, 1.62)])
+def test_a_ball_that_slides_begins_to_roll_when_as_fast_and_as_far_as_integration_says(speed, friction, gravity):
+    start = truth.rolling_start(speed, friction, gravity)
+    way, v, rw = rolled(speed, friction, 0.0, 1.5 * start, gravity=gravity, dt=start / 5000).T
+    # The soft friction ends slowly: what it leaves of the slip is below 1e-4 m/s after some e-foldings.
+    assert v[-1] == pytest.approx(truth.rolling_speed(speed), abs=1e-4)
+    assert rw[-1] == pytest.approx(v[-1], abs=1e-4)
+    # Slip falls by 7/2 μ g: a line through two instants long before its end cuts zero when rolling begins.
+    slip, times = v - rw, start / 5000 * np.arange(1, len(v) + 1)
+    rate = (slip[999] - slip[1999]) / (times[1999] - times[999])
+    assert times[1999] + slip[1999] / rate == pytest.approx(start, rel=1e-4)
+    # 1e-4 m/s at the most for the time that is left after rolling begins.
+    assert way[-1] == pytest.approx(truth.rolling_way(speed, friction, gravity, 1.5 * start), abs=1e-4 * start)
+
+
+def test_a_rolling_ball_has_five_sevenths_of_its_speed_whatever_the_friction():
+    # In closed form, as angular momentum about a point of the floor: m v r + 2/5 m r² ω, before and after.
+    for speed in (0.3, 1.0, 7.0):
+        assert truth.rolling_speed(speed) * (1 + 0.4) == pytest.approx(speed, rel=1e-15)
+        for friction in (0.1, 1.0):  # and the same from v0 − μ g t at the instant when rolling begins
+            start = truth.rolling_start(speed, friction, G)
+            assert speed - friction * G * start == pytest.approx(truth.rolling_speed(speed), rel=1e-14)
+
+
+@pytest.mark.parametrize("steps", [7, 70, 700])
+def test_a_step_method_rolls_a_seventh_of_a_step_of_its_first_speed_short(steps):
+    dt, friction = 1e-3, 0.2
+    speed = steps * 3.5 * friction * G * dt  # it begins to roll at the end of a step
+    sliding = speed - friction * G * dt * np.arange(1, steps + 1)
+    assert sliding[-1] == pytest.approx(truth.rolling_speed(speed), rel=1e-12)
+    way = dt * (sliding.sum() + 50 * sliding[-1])
+    short = way - truth.rolling_way(speed, friction, G, (steps + 50) * dt)
+    assert truth.semi_implicit_rolling_shift(speed, dt) == pytest.approx(short, rel=1e-9)  # a small difference
+    assert truth.semi_implicit_rolling_shift(speed, dt) == pytest.approx(-speed * dt / 7, rel=1e-14)
+
+
+@pytest.mark.parametrize("friction", [0.1, 0.3])
+@pytest.mark.parametrize("degrees", [5.0, 18.0, 20.0, 40.0])
+def test_a_ball_let_go_on_a_slope_rolls_or_slips_as_integration_says(friction, degrees):
+    slope, duration, soft = math.radians(degrees), 0.5, 1e-3
+    _, v, rw = rolled(0.0, friction, slope, duration, dt=1e-4, soft=soft)[-1]
+    share = 2 / 7 * math.tan(slope) / friction  # of the friction that there is
+    assert truth.incline_rolls(friction, slope) is (share <= 1)
+    # A soft friction gives its share of the whole at the slip soft · share/√(1 − share²): within 3.7 of `soft` for 19°.
+    near = soft * (share / math.sqrt(1 - share**2) if share < 1 else 10)
+    assert v == pytest.approx(truth.rolling_acceleration(friction, slope, G) * duration, abs=near + 1e-4)
+    assert rw / v == pytest.approx(truth.rolling_ratio(friction, slope, G), abs=2 * near / v)
+
+
+@pytest.mark.parametrize("friction", [0.1, 0.3, 0.6])
+def test_a_ball_rolls_up_to_the_slope_whose_tangent_is_seven_halves_of_mu_and_nothing_jumps_there(friction):
+    angle = math.atan(3.5 * friction)
+    assert truth.incline_rolls(friction, angle - 1e-9)
+    assert not truth.incline_rolls(friction, angle + 1e-9)
+    for quantity in (truth.rolling_acceleration, truth.rolling_ratio):
+        below, above = quantity(friction, angle - 1e-9, G), quantity(friction, angle + 1e-9, G)
+        assert below == pytest.approx(above, rel=1e-7)  # 1e-9 rad of a slope of order one
+
+
+# A spinning ball that strikes the floor
+
+
+def struck(velocity, spin, restitution, friction, radius=0.1, mass=1.3, steps=1000):
+    """Velocity and spin after an impact of a solid ball on the floor, its impulse added in small parts.
+
+    As Routh and Stronge do: the normal impulse grows by dp, friction adds up to μ dp against the slip, and never more
+    than what ends it; compression ends where the approach does, and restitution adds e times as much impulse.
+    """
+    arm = np.array([0.0, 0.0, -radius])
+    inverse = 1 / (0.4 * mass * radius**2)
+    velocity, spin = np.array(velocity, dtype=float), np.array(spin, dtype=float)
+    whole = -mass * velocity[2] * (1 + restitution)  # the ball's own, since the normal passes through its centre
+    # What the slip changes by for one unit of impulse, straight from Newton's and Euler's laws.
+    unit = np.array([1.0, 0.0, 0.0])
+    yields = (unit / mass + np.cross(inverse * np.cross(arm, unit), arm))[0]
+    for _ in range(steps):
+        slip = (velocity + np.cross(spin, arm)) * [1, 1, 0]
+        size = np.linalg.norm(slip)
+        part = min(friction * whole / steps, size / yields)
+        impulse = np.array([0.0, 0.0, whole / steps]) - (part * slip / size if size > 0 else 0)
+        velocity = velocity + impulse / mass
+        spin = spin + inverse * np.cross(arm, impulse)
+    return velocity, spin
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5, 0.8])
+@pytest.mark.parametrize("friction", [0.0, 0.1, 0.3, 1.0])
+@pytest.mark.parametrize("spin", [-60.0, 0.0, 5.0, 20.0, 60.0])
+def test_a_spinning_ball_leaves_the_floor_as_an_impulse_added_in_small_parts_says(spin, friction, restitution):
+    speed, radius = 4.4, 0.1
+    velocity, left = struck((0.0, 0.0, -speed), (0.0, spin, 0.0), restitution, friction, radius)
+    along, surface = truth.spinning_impact(speed, radius * spin, restitution, friction)
+    # The last part that grips is less than a whole one, and is so to rounding: 1000 sums of numbers of order one.
+    assert along == pytest.approx(velocity[0], abs=1e-11)
+    assert surface == pytest.approx(radius * left[1], abs=1e-11)
+    assert velocity[2] == pytest.approx(restitution * speed, abs=1e-11)
+
+
+def test_both_ways_of_leaving_the_floor_occur_and_meet_where_friction_just_grips():
+    speed, restitution, friction = 4.4, 0.5, 0.1
+    just = 3.5 * friction * (1 + restitution) * speed  # r ω of a ball that grips at the very end
+    for off, gripped in ((-1e-6, True), (1e-6, False)):
+        along, surface = truth.spinning_impact(speed, just + off, restitution, friction)
+        assert (along == pytest.approx(surface, abs=1e-12)) is gripped  # rolling, or not yet
+        assert along == pytest.approx(2 / 7 * just, abs=1e-6)
+
+
+# Walls
+
+
+@pytest.mark.parametrize("restitution", [0.5, 0.8, 1.0])
+def test_a_ball_meets_two_walls_when_small_steps_say(restitution):
+    gap, speed, dt, found = 0.8, 2.0, 1e-4, []
+    place, velocity, time = 0.0, speed, 0.0
+    while len(found) < 4:
+        place, time = place + velocity * dt, time + dt
+        if not 0 <= place <= gap:
+            beyond = place - (gap if place > gap else 0.0)
+            found.append(time - beyond / velocity)
+            velocity = -restitution * velocity
+            place = place - beyond - restitution * beyond  # the rest of the step, at the new speed
+    # Straight flights, each impact within its step: rounding of some 1e-16 in each of 40 000 steps.
+    assert truth.wall_impacts(gap, speed, restitution, 4) == pytest.approx(found, abs=1e-11)
+
+
+# A box that may tip
+
+
+def standing_or_tipping(b, h, friction, slope):
+    """Which motions a box at rest on a slope can begin, by Newton's laws with two edges that push and rub.
+
+    x points downhill, z out of the slope, m = 1, g = 1; edges at (±b, −h). A turn α > 0 takes z to x and so lifts the
+    upper edge. Each motion names which edges stay down and whether they slip, which fixes all forces; it counts where
+    no edge pulls, friction is within μ N and against the slip, and no edge goes into the slope.
+    """
+    pull, press, inertia = math.sin(slope), math.cos(slope), (b * b + h * h) / 3
+    found = set()
+    # On both edges, no turn: N₁ + N₂ = press and the moment about the centre, b (N₁ − N₂) = h F with F uphill.
+    for name, force in (("holds", pull), ("slides", friction * press)):
+        upper = (press - h * force / b) / 2
+        within = force <= friction * press if name == "holds" else pull > force
+        if upper >= 0 and within:
+            found.add(name)
+    # On the lower edge alone. Unknown: N, F uphill, α; a_x = pull − F, a_z = N − press, I α = h F − b N.
+    down = [1.0, 0.0, -b], press  # the edge's a_z = N − press − b α is zero
+    turn = [-b, h, -inertia], 0.0
+    sticks = [0.0, -1.0, -h], -pull  # the edge's a_x = pull − F − h α is zero
+    slips = [-friction, 1.0, 0.0], 0.0
+    for name, last in (("sticks", sticks), ("slips", slips)):
+        rows = (down, turn, last)
+        normal, force, alpha = np.linalg.solve([row for row, _ in rows], [value for _, value in rows])
+        within = abs(force) <= friction * normal if name == "sticks" else pull - force - h * alpha > 0
+        if alpha > 0 and normal >= 0 and within:
+            found.add("tips")
+    return found
+
+
+def test_a_box_tips_where_newtons_laws_at_its_two_edges_leave_it_nothing_else():
+    rng = np.random.default_rng(4)
+    seen = set()
+    for _ in range(3000):
+        b, h = 0.1, float(rng.uniform(0.05, 0.4))
+        friction, slope = float(rng.uniform(0.05, 2.0)), float(rng.uniform(0.02, 1.2))
+        if min(abs(math.tan(slope) * h / b - 1), abs(friction * h / b - 1), abs(friction / math.tan(slope) - 1)) < 1e-6:
+            continue  # at a threshold two motions begin alike
+        motions = standing_or_tipping(b, h, friction, slope)
+        expected = "tips" if truth.tips(b, h, friction, slope) else None
+        expected = expected or ("holds" if truth.incline_holds(friction, slope) else "slides")
+        assert motions == {expected}
+        seen |= motions
+    assert seen == {"holds", "slides", "tips"}
+
+
+def test_a_box_tips_beyond_the_slope_at_which_its_weight_acts_outside_its_face():
+    b, h = 0.1, 0.2
+    for friction, degrees, expected in ((0.7, 26.0, False), (0.7, 27.0, True), (0.3, 27.0, False), (0.49, 60.0, False)):
+        assert truth.tips(b, h, friction, math.radians(degrees)) is expected  # arctan ½ = 26.57°
