@@ -7,6 +7,7 @@ what goes away with the timestep, with a stiffer or firmer contact, with more wo
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -54,22 +55,49 @@ class Split:
     shares: tuple[Share, ...] = field(default=())
 
 
+@dataclass(frozen=True)
+class _Question:
+    """What is asked of an engine again and again, with other settings. every_step: as in `Convergence`."""
+
+    engine: Engine
+    case: Case
+    quantity: Quantity
+    every_step: bool
+
+    def error(self, settings: Settings) -> float | None:
+        """Mean error over the case's scenarios; None where the run gives no such number."""
+        scenarios = self.case.scenarios
+        if self.every_step:
+            settings = replace(settings, sample_every=1)
+        try:
+            with as_failed_run():
+                method = self.engine.method(scenarios[0], settings)
+                expected = self.quantity.expected_value(self.case, settings, method)
+                measured = [
+                    self.quantity.measure(trajectory) for trajectory in self.engine.run_many(scenarios, settings)
+                ]
+                error = float(np.mean(measured)) - expected
+        except CollisionsError:
+            return None
+        return error if math.isfinite(error) else None
+
+
 def split(family: Family, engine: Engine, order: float | None = None) -> Split | None:
     """Split the error of the quantity that the family studies; None where nothing can be run.
 
     order: the measured order of convergence. It counts where it is clearly 2; all else is taken for first order.
     """
     study = family.convergence
-    case, quantity = family.case(study.case), family.quantity(study.quantity)
-    scenario = case.scenarios[0]
+    asked = _Question(engine, family.case(study.case), family.quantity(study.quantity), study.every_step)
+    scenario = asked.case.scenarios[0]
     tuned = engine.settings(scenario, TUNED)
-    error = _error(engine, case, quantity, tuned)
+    error = asked.error(tuned)
     if error is None:
         return None
     halving = 2 if order is not None and abs(order - 2) < ORDER_TOLERANCE else 1
-    shares = _from_stock(engine, case, quantity, tuned)
+    shares = _from_stock(asked, tuned)
     for move in (Move(DISCRETISATION, "timestep", tuned.timestep / 2), *engine.moves(scenario, tuned)):
-        after = _error(engine, case, quantity, tuned.change(**{move.option: move.value}))
+        after = asked.error(tuned.change(**{move.option: move.value}))
         if after is not None:
             # An error of order p keeps 2⁻ᵖ of itself with half the timestep.
             weight = 1 / (1 - 0.5**halving) if move.kind == DISCRETISATION else 1.0
@@ -79,26 +107,31 @@ def split(family: Family, engine: Engine, order: float | None = None) -> Split |
             )
     known = sum(share.size for share in shares if share.kind != DEFAULTS and share.size is not None)
     shares.append(Share(REMAINDER, "what no move explains", error, error - known, error - known))
-    return Split(case.name, quantity.name, tuple(shares))
+    return Split(study.case, study.quantity, tuple(shares))
 
 
-def _from_stock(engine: Engine, case: Case, quantity: Quantity, tuned: Settings) -> list[Share]:
+def _from_stock(asked: _Question, tuned: Settings) -> list[Share]:
     """From the stock settings to the tuned ones, one option after another and the timestep last.
 
     Options that make sense only together are moved together.
     """
-    settings = engine.settings(case.scenarios[0], STOCK)
-    before, waiting, shares = _error(engine, case, quantity, settings), [], []
-    for name, value in (*tuned.options.items(), ("timestep", tuned.timestep)):
-        present = settings.timestep if name == "timestep" else settings.options.get(name)
+    settings = asked.engine.settings(asked.case.scenarios[0], STOCK)
+    before, waiting, shares = asked.error(settings), [], []
+    names = (*tuned.options, *(name for name in settings.options if name not in tuned.options), "timestep")
+    present: Option | None
+    value: Option | None
+    for name in names:
+        if name == "timestep":
+            present, value = settings.timestep, tuned.timestep
+            moved = replace(settings, timestep=tuned.timestep, sample_every=tuned.sample_every)
+        else:
+            present, value = settings.options.get(name), tuned.options.get(name)
+            moved = replace(settings, options=_with(settings.options, name, value))
         if present == value:
             continue
+        settings = moved
         waiting.append(_words(name, present, value))
-        if name == "timestep":
-            settings = replace(settings, timestep=tuned.timestep, sample_every=tuned.sample_every)
-        else:
-            settings = replace(settings, options={**settings.options, name: value})
-        after = _error(engine, case, quantity, settings)
+        after = asked.error(settings)
         if after is not None:
             size = None if before is None else before - after
             shares.append(Share(DEFAULTS, ", ".join(waiting), before, after, size))
@@ -106,21 +139,18 @@ def _from_stock(engine: Engine, case: Case, quantity: Quantity, tuned: Settings)
     return shares
 
 
-def _error(engine: Engine, case: Case, quantity: Quantity, settings: Settings) -> float | None:
-    """Mean error over the case's scenarios; None where the run gives no such number."""
-    try:
-        with as_failed_run():
-            expected = quantity.expected_value(case, settings, engine.method(case.scenarios[0], settings))
-            measured = [quantity.measure(trajectory) for trajectory in engine.run_many(case.scenarios, settings)]
-            error = float(np.mean(measured)) - expected
-    except CollisionsError:
-        return None
-    return error if math.isfinite(error) else None
+def _with(options: Mapping[str, Option], name: str, value: Option | None) -> dict[str, Option]:
+    """Options with one of them set, or unset where there is no value."""
+    if value is None:
+        return {key: present for key, present in options.items() if key != name}
+    return {**options, name: value}
 
 
-def _words(option: str, before: Option | None, after: Option) -> str:
-    return f"{option.replace('_', ' ')} {'unset' if before is None else _short(before)} → {_short(after)}"
+def _words(option: str, before: Option | None, after: Option | None) -> str:
+    return f"{option.replace('_', ' ')} {_short(before)} → {_short(after)}"
 
 
-def _short(value: Option) -> str:
+def _short(value: Option | None) -> str:
+    if value is None:
+        return "unset"
     return f"{value:.3g}" if isinstance(value, float) else str(value)

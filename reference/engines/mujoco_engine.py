@@ -95,6 +95,8 @@ class MuJoCo(Engine):
         """A firmer contact for what rests, a weaker one for what rebounds, or a stiffer spring; more noslip passes."""
         if settings["contact"] == "spring":
             return (Move("contact model", "stiffness", 4 * settings.number("stiffness")),)
+        if settings["contact"] == "default":
+            return ()
         recovery, passes = settings.number("overlap_recovery"), int(settings.number("noslip_iterations"))
         rests = all(pair.restitution == 0 for pair in scenario.pairs)
         contact = Move("contact model", "overlap_recovery", min(10 * recovery, 0.5) if rests else recovery / 10)
