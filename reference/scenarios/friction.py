@@ -202,9 +202,9 @@ INCLINE = Family(
     " is if tan θ ≤ μ. Otherwise it slides with g (sin θ − μ cos θ).",
     why=(
         "All three, tuned, decide every case as tan θ ≤ μ does. What differs is how still a held slab is: hand-written"
-        " code sets its velocity to zero, PyBullet's solver leaves six micrometres at most, and MuJoCo's friction is a soft"
-        " constraint that creeps in proportion to the timestep: at 1 ms the steepest holds would lose millimetres, at"
-        " 0.1 ms fractions.",
+        " code sets its velocity to zero, PyBullet's solver leaves six micrometres at most, and MuJoCo's friction is a"
+        " soft constraint that creeps in proportion to the timestep: at 1 ms the steepest holds would lose millimetres,"
+        " at 0.1 ms fractions.",
         "MuJoCo, stock, creeps visibly on every slope but the gentlest, which counts as sliding here. PyBullet, stock,"
         " holds where it should, but its damping slows every slide by up to a quarter.",
     ),
