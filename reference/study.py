@@ -158,6 +158,22 @@ def profiles_of(engine: Engine, family: Family) -> Mapping[str, str]:
     return engine.profiles(family.cases[0].scenarios[0])
 
 
+def longest_first(jobs: Iterable[Job]) -> list[Job]:
+    """Jobs in the order in which to start them, so that none is left over at the end while other processors idle."""
+    return sorted(jobs, key=_steps, reverse=True)
+
+
+def _steps(job: Job) -> float:
+    """Steps that a job takes, times what moves in each: what its duration goes with, roughly."""
+    engine, family = load_engine(job.engine), catalogue()[job.family]
+    scenarios = [each for case in family.cases if not job.cases or case.name in job.cases for each in case.scenarios]
+    moving = sum(each.duration * sum(not body.immovable for body in each.bodies) for each in scenarios)
+    try:
+        return moving / engine.settings(scenarios[0], job.profile).change(**dict(job.changes)).timestep
+    except Exception:
+        return 0.0  # its own run will say what is wrong
+
+
 def recall(jobs: Iterable[Job], cache: Cache) -> list[JobResult]:
     """The results of those jobs that the cache has."""
     return [result for job in jobs if (result := cache.get(job)) is not None]

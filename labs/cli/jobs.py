@@ -19,7 +19,7 @@ from reference.errors import InvalidInput
 from reference.family import Family
 from reference.scenarios import catalogue, find
 from reference.settings import Option
-from reference.study import Job, JobResult, plan, recall, run_jobs
+from reference.study import Job, JobResult, longest_first, plan, recall, run_jobs
 
 FAILED, COULD_NOT_COMPARE = 1, 3
 
@@ -90,7 +90,7 @@ def run(jobs: Sequence[Job], workers: int | None, cache: Cache | None = None) ->
     workers, results = workers or os.cpu_count() or 1, recall(jobs, cache) if cache else []
     errors.print(f"{_counted(len(jobs), len(results))}, {workers} at a time.")
     had = {result.job for result in results}
-    missing = [job for job in jobs if job not in had]
+    missing = longest_first(job for job in jobs if job not in had)
     with (
         Progress(*columns, console=errors, transient=True) as progress,
         ThreadPoolExecutor(workers) as executor,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import logging
 import os
 import pickle
@@ -25,7 +26,7 @@ from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
 from reference.isolate import stop_workers
 from reference.scenarios import catalogue
-from reference.study import Job, JobResult, _series, order_of, plan, run_job, run_jobs, run_safely
+from reference.study import Job, JobResult, _series, longest_first, order_of, plan, run_job, run_jobs, run_safely
 
 DROPPED, SLIDING = catalogue()["dropped-ball"], catalogue()["sliding-slab"]
 GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
@@ -403,6 +404,15 @@ def test_jobs_that_nobody_waits_for_any_more_are_not_started():
         next(results)
         results.close()
     assert len(started) < 5
+
+
+def test_the_longest_jobs_are_started_first_whatever_the_order_in_which_they_are_named(tmp_path):
+    short = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
+    whole, fine = replace(short, cases=()), replace(short, changes=(("timestep", 1e-5),))
+    broken = replace(short, engine=engine_file(tmp_path, "broken", "raise OSError"), profile="no such")
+    for jobs in itertools.permutations((short, whole, fine, broken)):
+        # 100 times the steps, then the several cases of the family, of which this is the shortest.
+        assert longest_first(jobs) == [fine, whole, short, broken]
 
 
 def asleep(folder: Path) -> tuple[Job, Path]:
