@@ -17,7 +17,7 @@ from reference.report import figures, page
 from reference.report.summary import LEGEND, MARKS, sections
 from reference.scenarios import catalogue
 from reference.shares import Share, Split
-from reference.study import Errors, Job, JobResult, Series
+from reference.study import Errors, Job, JobResult, Series, run_job
 
 VOID = {"meta", "br", "link", "img", "hr", "input", "col", "wbr", "source", "base", "area", "embed", "track"}
 PICTURE = '<svg xmlns="http://www.w3.org/2000/svg" id="{name}-figure"><path id="{name}-path" d="M0 0"/></svg>'
@@ -468,3 +468,22 @@ def test_a_known_deviation_says_what_is_left_and_why_it_deviates():
         "left 1 %",
     )
     assert "hand-written, tuned · known deviation: half a step." in [it.text for it in section.all("p", "note")]
+
+
+# What waits for a rigid-body world
+
+
+def test_a_scenario_that_needs_a_world_shows_so_in_the_overview_and_in_its_section():
+    both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
+    jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
+    tree = read(written([run_job(job) for job in jobs]))
+    overview = [[cell.text for cell in line.inside] for line in tree.all("table", "overview")[0].all("tr")]
+    assert ["Stack of boxes", "… needs"] in overview
+    assert ["Box on a slope: holds, slides or tips", "… 2/3"] in overview
+    for name, times in (("tipping-box", ""), ("stack", " (2×)")):
+        notes = [note.text for note in with_id(tree, name).all("p", "note")]
+        assert f"hand-written, tuned{times} · needs: needs a rigid-body world (world)." in notes
+    (whole,) = (cell for cell in came_out(with_id(tree, "stack")).all("td", "needs"))
+    assert whole.text == "… needs: needs a rigid-body world (world)"
+    halves = [cell.text for cell in came_out(with_id(tree, "tipping-box")).all("td", "needs")]
+    assert [text.split(" ")[:2] for text in halves] == [["…", "1/2"], ["…", "1/2"]]

@@ -222,3 +222,20 @@ def test_the_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
     listed = text[text.index("worst first") :].splitlines()[1:3]
     assert [line.split()[0] for line in listed] == ["75", "50"]
     assert "stack, e=0.5: height of the top: error" in listed[0]
+
+
+# What waits for a rigid-body world
+
+
+def test_a_scenario_that_needs_a_world_shows_so_in_its_table_below_it_at_a_glance_and_in_the_last_line():
+    both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
+    jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
+    text = printed([run_job(job) for job in jobs])
+    lines = [words(line) for line in text.splitlines()]
+    assert "hand-written, tuned … 1/2 … 1/2" in lines  # one of two cases answered, in both quantities
+    assert "hand-written, tuned needs" in lines  # the whole stack
+    assert "hand-written, tuned: needs: needs a rigid-body world (world)" in lines
+    assert "hand-written, tuned (2×): needs: needs a rigid-body world (world)" in lines
+    assert "stack … needs" in lines
+    assert "tipping-box … 2/3" in lines  # outcome and way, and one case without either
+    assert "3 cases wait for hand-written functions" in words(text)
