@@ -14,7 +14,7 @@ from rich.logging import RichHandler
 from rich.markup import escape
 from typer.core import TyperGroup
 
-from labs.cli import compare, engines, report
+from labs.cli import compare, engines, report, show
 from labs.cli.console import errors, speak_unicode
 from reference.errors import CollisionsError
 
@@ -45,6 +45,7 @@ app = typer.Typer(
 app.command("compare")(compare.compare)
 app.command("report")(report.report)
 app.command("engines")(engines.engines)
+app.command("show")(show.show)
 
 
 def _version(wanted: bool) -> None:
