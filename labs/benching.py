@@ -1,0 +1,87 @@
+"""Timings side by side: our own function and what others offer for the same, on the same input, in one run."""
+
+from __future__ import annotations
+
+import importlib.util
+import statistics
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType
+
+from reference.errors import UnknownName
+
+Prepare = Callable[[], Callable[[], object]]
+"""Makes the input, untimed, and returns the call that is timed. Rivals are imported in it; one may be missing."""
+REPEATS = 7
+PLACE = Path(__file__).resolve().parents[1] / "tests" / "bench"
+
+
+@dataclass(frozen=True)
+class Bench:
+    """One question of speed. what: the task in words. ours, rivals: who does it. goal: s that our own should keep to."""
+
+    name: str
+    what: str
+    ours: Prepare
+    rivals: Mapping[str, Prepare] = field(default_factory=dict)
+    goal: float | None = None
+
+
+@dataclass(frozen=True)
+class Timing:
+    """Median and fastest of several calls, s; None where a rival is not installed, and `note` says so."""
+
+    who: str
+    median: float | None
+    fastest: float | None
+    note: str = ""
+
+
+def benches(place: Path = PLACE) -> dict[str, Bench]:
+    """All benches by name, from the files `bench_*.py` of a folder."""
+    modules = [_load(path) for path in sorted(place.glob("bench_*.py"))]
+    return {bench.name: bench for module in modules for bench in module.BENCHES}
+
+
+def find(name: str) -> Bench:
+    """Return the bench of that name.
+
+    Raises
+    ------
+    UnknownName
+        If there is none.
+    """
+    known = benches()
+    if name not in known:
+        raise UnknownName("bench", name, known)
+    return known[name]
+
+
+def measure(bench: Bench, repeats: int = REPEATS) -> list[Timing]:
+    """Time our own function and its rivals in turn, round by round, so that a busy moment meets all alike."""
+    timings, calls, samples = [], {}, {}
+    for who, prepare in {"hand-written": bench.ours, **bench.rivals}.items():
+        try:
+            calls[who] = prepare()
+        except ImportError as missing:
+            timings.append(Timing(who, None, None, f"not installed: {missing.name}"))
+            continue
+        calls[who]()  # the first call pays for what is loaded late
+        samples[who] = []
+    for _ in range(repeats):
+        for who, call in calls.items():
+            start = time.perf_counter()
+            call()
+            samples[who].append(time.perf_counter() - start)
+    return [Timing(who, statistics.median(found), min(found)) for who, found in samples.items()] + timings
+
+
+def _load(path: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module

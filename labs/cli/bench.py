@@ -1,0 +1,44 @@
+"""`collisions bench`: how long our own functions take, beside others."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+from rich.table import Table
+
+from labs import benching
+from labs.cli.console import errors, output
+from reference.errors import InvalidInput
+
+
+def bench(
+    name: Annotated[list[str] | None, typer.Argument(help="Which ones; all if none is named.")] = None,
+    repeats: Annotated[int, typer.Option(min=1, help="Calls of each; the median is shown.")] = benching.REPEATS,
+) -> None:
+    """Time hand-written functions beside other libraries on the same input, in one run.
+
+    For example:  collisions bench point-plane
+    """
+    chosen = [benching.find(each) for each in name] if name else list(benching.benches().values())
+    if not chosen:
+        raise InvalidInput("there is nothing to time: the folder tests/bench of the project is missing")
+    for each in chosen:
+        with errors.status(each.name):
+            timings = benching.measure(each, repeats)
+        _print(each, timings)
+
+
+def _print(bench: benching.Bench, timings: list[benching.Timing]) -> None:
+    goal = f" Goal: {bench.goal:g} s." if bench.goal else ""
+    table = Table(title=f"{bench.name}: {bench.what}.{goal}", title_justify="left", title_style="bold")
+    table.add_column("who")
+    for heading in ("median, s", "fastest, s", "÷ ours"):
+        table.add_column(heading, justify="right")
+    own = next(timing.median for timing in timings if timing.median is not None)
+    for timing in timings:
+        if timing.median is None or timing.fastest is None:
+            table.add_row(timing.who, timing.note, "", "")
+        else:
+            table.add_row(timing.who, f"{timing.median:.3g}", f"{timing.fastest:.3g}", f"{timing.median / own:.2f}")
+    output.print(table)
