@@ -20,7 +20,7 @@ PLACE = Path(__file__).resolve().parents[1] / "tests" / "bench"
 
 @dataclass(frozen=True)
 class Bench:
-    """One question of speed. what: the task in words. ours, rivals: who does it. goal: s that our own should keep to."""
+    """One question of speed. what: the task in words. ours, rivals: who does it. goal: s that ours should keep to."""
 
     name: str
     what: str
@@ -61,7 +61,9 @@ def find(name: str) -> Bench:
 
 def measure(bench: Bench, repeats: int = REPEATS) -> list[Timing]:
     """Time our own function and its rivals in turn, round by round, so that a busy moment meets all alike."""
-    timings, calls, samples = [], {}, {}
+    timings: list[Timing] = []
+    calls: dict[str, Callable[[], object]] = {}
+    samples: dict[str, list[float]] = {}
     for who, prepare in {"hand-written": bench.ours, **bench.rivals}.items():
         try:
             calls[who] = prepare()
