@@ -1,0 +1,45 @@
+"""Checks of what enters: each returns its argument as a float array, or names it with the value that is wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+UNIT_TOLERANCE = 1e-6
+"""How far the length of a unit vector may be from 1: single precision passes, a vector not normalised does not."""
+
+
+def positive(name: str, value: ArrayLike) -> Array:
+    """Return the value; refuse zero, negative numbers and NaN. Infinity passes: an immovable mass."""
+    return _where(name, value, lambda array: array > 0, "positive")
+
+
+def not_negative(name: str, value: ArrayLike) -> Array:
+    """Return the value; refuse negative numbers and NaN."""
+    return _where(name, value, lambda array: array >= 0, "zero or positive")
+
+
+def in_unit_interval(name: str, value: ArrayLike) -> Array:
+    """Return the value; refuse what is not from 0 to 1."""
+    return _where(name, value, lambda array: (array >= 0) & (array <= 1), "from 0 to 1")
+
+
+def unit(name: str, vector: ArrayLike) -> Array:
+    """Return vectors (..., 3); refuse any whose length is not 1."""
+    array = np.asarray(vector, dtype=float)
+    length = np.linalg.norm(array, axis=-1)
+    wrong = ~(np.abs(length - 1) <= UNIT_TOLERANCE)  # true for NaN
+    if np.any(wrong):
+        raise ValueError(f"{name} must have length 1, not {length[wrong][0]:g}")
+    return array
+
+
+def _where(name: str, value: ArrayLike, holds: Callable[[Array], NDArray[np.bool_]], words: str) -> Array:
+    array = np.asarray(value, dtype=float)
+    wrong = ~holds(array)
+    if np.any(wrong):
+        raise ValueError(f"{name} must be {words}, not {array[wrong][0]:g}")
+    return array
