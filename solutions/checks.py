@@ -27,6 +27,19 @@ def in_unit_interval(name: str, value: ArrayLike) -> Array:
     return _where(name, value, lambda array: (array >= 0) & (array <= 1), "from 0 to 1")
 
 
+def finite(name: str, value: ArrayLike) -> Array:
+    """Return the value; refuse infinity and NaN."""
+    return _where(name, value, np.isfinite, "finite")
+
+
+def vector(name: str, value: ArrayLike) -> Array:
+    """Return vectors (..., 3); refuse what has not three components along its last axis."""
+    array = np.asarray(value, dtype=float)
+    if array.shape[-1:] != (3,):
+        raise ValueError(f"{name} must have shape (..., 3), not {array.shape}")
+    return array
+
+
 def unit(name: str, vector: ArrayLike) -> Array:
     """Return vectors (..., 3); refuse any whose length is not 1."""
     array = np.asarray(vector, dtype=float)
