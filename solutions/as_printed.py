@@ -1,0 +1,55 @@
+"""The slides' formulas exactly as they are printed, kept to be refuted.
+
+Nothing here is used by anything but tests and figures that show what goes wrong. Each docstring says what breaks, and
+which function is right.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+# Detection and response
+
+
+def point_plane_collision(point: ArrayLike, coefficients: ArrayLike) -> NDArray[np.bool_]:
+    """Slide 4: a x + b y + c z + d < 0 ⇒ collision, for a point (..., 3) and coefficients (..., 4).
+
+    A point that touches, 0 < 0, does not collide. And whoever takes the left side for a distance, as slide 5 does, is
+    wrong by the factor √(a² + b² + c²). Right: signed_distance, side_of_plane.
+    """
+    plane = np.asarray(coefficients, dtype=float)
+    return np.asarray(np.sum(plane[..., :3] * np.asarray(point, dtype=float), axis=-1) + plane[..., 3] < 0)
+
+
+def time_of_impact(t: ArrayLike, dt: ArrayLike, d1: ArrayLike, d2: ArrayLike) -> Array:
+    """Slide 5: T = t + Δt d1/(d1 + d2), (...), s.
+
+    Slide 4 gives signed distances, and behind the plane d2 is negative: T then lies outside the step, or is no number
+    where d1 = −d2. Two distances on the same side give a T though nothing was hit. Right: time_of_impact_interpolated.
+    """
+    first, second = np.asarray(d1, dtype=float), np.asarray(d2, dtype=float)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(t + np.asarray(dt) * first / (first + second))
+
+
+def mirror_response(velocity: ArrayLike, normal: ArrayLike) -> Array:
+    """Slide 7: v' = v − 2 (v·N) N, (..., 3), m/s.
+
+    Every bounce is elastic. Without a guard a point that is still behind the plane at the next step, but on its way
+    out, is thrown back in: it never leaves. Right: kinematic_response.
+    """
+    v, n = np.asarray(velocity, dtype=float), np.asarray(normal, dtype=float)
+    return np.asarray(v - 2 * np.sum(v * n, axis=-1, keepdims=True) * n)
+
+
+def penalty_force(stiffness: ArrayLike, distance: ArrayLike) -> Array:
+    """Slide 8: F = k d, (...), N; a number, without direction.
+
+    With the signed distance of slide 4 it pulls a point behind the plane deeper in, and pushes one away that does not
+    touch. With a depth for d it must still be kept from pulling before the contact; and without damping every impact is
+    elastic. Right: penalty_force of solutions.response.
+    """
+    return np.asarray(np.asarray(stiffness, dtype=float) * np.asarray(distance, dtype=float))
