@@ -53,3 +53,27 @@ def penalty_force(stiffness: ArrayLike, distance: ArrayLike) -> Array:
     elastic. Right: penalty_force of solutions.response.
     """
     return np.asarray(np.asarray(stiffness, dtype=float) * np.asarray(distance, dtype=float))
+
+
+# Avoidance
+
+
+def force_field(position: ArrayLike, centre: ArrayLike, strength: ArrayLike) -> Array:
+    """Slide 1: "force fields", and no more. Without a range, as for gravity: F0 (p − c)/‖p − c‖³, (..., 3), N at 1 m.
+
+    It is felt everywhere: a body at rest far away is driven off, one that is drawn to a goal comes to rest beside it,
+    and at the surface of a large obstacle it is weak. Right: sphere_force, which ends at its reach.
+    """
+    away = np.asarray(position, dtype=float) - np.asarray(centre, dtype=float)
+    distance = np.linalg.norm(away, axis=-1, keepdims=True)
+    return np.asarray(np.asarray(strength, dtype=float)[..., None] * away / distance**3)
+
+
+def seek(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
+    """Widely copied beside slide 1: v_wanted = v_max normalize(position − target), (..., d), m/s.
+
+    The sign is wrong: the body flees. It is printed so in "Steering Behaviors For Autonomous Characters" (Reynolds,
+    1999), whose figure shows the right way. Right: seek.
+    """
+    away = np.asarray(position, dtype=float) - np.asarray(target, dtype=float)
+    return np.asarray(np.asarray(max_speed, dtype=float)[..., None] * away / np.linalg.norm(away, axis=-1)[..., None])

@@ -1,0 +1,39 @@
+"""Avoiding a collision: force fields, steering around, flocks, and reciprocal avoidance in a crowd (slide 1)."""
+
+from solutions.avoidance.approach import nearest_approach, time_to_collision
+from solutions.avoidance.directions import limited
+from solutions.avoidance.flock import alignment, cohesion, flock_step, separation
+from solutions.avoidance.half_planes import permitted_velocity
+from solutions.avoidance.neighbours import neighbour_pairs
+from solutions.avoidance.obstacles import (
+    is_in_the_way,
+    repelling_force,
+    sphere_force,
+    steer_around,
+    tangent_point,
+)
+from solutions.avoidance.orca import crowd_step, orca_half_plane
+from solutions.avoidance.steering import arrive, flee, seek, steering_force
+
+__all__ = [
+    "alignment",
+    "arrive",
+    "cohesion",
+    "crowd_step",
+    "flee",
+    "flock_step",
+    "is_in_the_way",
+    "limited",
+    "nearest_approach",
+    "neighbour_pairs",
+    "orca_half_plane",
+    "permitted_velocity",
+    "repelling_force",
+    "seek",
+    "separation",
+    "sphere_force",
+    "steer_around",
+    "steering_force",
+    "tangent_point",
+    "time_to_collision",
+]

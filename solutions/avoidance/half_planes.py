@@ -1,0 +1,127 @@
+"""The velocity nearest to a wish that a set of half-planes and a speed limit permit (beyond slide 1).
+
+The programme of the library RVO2 (van den Berg, Guy, Snape, Lin and Manocha), for many bodies at once: the half-planes
+are taken one after the other, in the order given, and where one is broken the answer is looked for on its border.
+Inside, a half-plane is n·v ≥ b with its unit normal n and b = n·point.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.avoidance.directions import limited, turned_left, unit_or_zero
+from solutions.checks import not_negative
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+PARALLEL = 1e-12
+"""Sine of the angle below which two borders count as parallel: their crossing point has no digits left."""
+
+
+def permitted_velocity(preferred: ArrayLike, max_speed: ArrayLike, point: ArrayLike, normal: ArrayLike) -> Array:
+    """Velocity nearest to the preferred one that keeps to the speed limit and to all half-planes (beyond slide 1).
+
+        minimise ‖v − v_preferred‖    with (v − point_k)·n_k ≥ 0 for all k and ‖v‖ ≤ v_max
+
+    Where no velocity keeps to all of them, the one that breaks the most broken by least.
+
+    Parameters
+    ----------
+    preferred : (..., 2), m/s
+    max_speed : (...), m/s, not negative
+    point, normal : (..., m, 2), m/s and unit; a normal of zero permits everything
+
+    Returns
+    -------
+    (..., 2), m/s
+
+    Raises
+    ------
+    ValueError
+        If a speed is negative or a normal has neither length 1 nor length 0.
+    """
+    n, speed = _normals(normal), not_negative("max_speed", max_speed)
+    bound = np.sum(n * np.asarray(point, dtype=float), axis=-1)
+    wish = np.asarray(preferred, dtype=float)
+    shape = np.broadcast_shapes(wish.shape[:-1], speed.shape, n.shape[:-2])
+    wish = np.broadcast_to(wish, (*shape, 2)).reshape(-1, 2)
+    speed = np.broadcast_to(speed, shape).reshape(-1)
+    n = np.broadcast_to(n, (*shape, *n.shape[-2:])).reshape(len(wish), -1, 2)
+    bound = np.broadcast_to(bound, (*shape, bound.shape[-1])).reshape(len(wish), -1)
+    v, failed = _nearest(wish, speed, n, bound)
+    lost = np.flatnonzero(failed < n.shape[1])
+    v[lost] = _least_broken(v[lost], speed[lost], n[lost], bound[lost], failed[lost])
+    return v.reshape(*shape, 2)
+
+
+def _normals(normal: ArrayLike) -> Array:
+    n = np.asarray(normal, dtype=float)
+    length = np.linalg.norm(n, axis=-1)
+    wrong = ~((np.abs(length - 1) <= 1e-6) | (length == 0))
+    if np.any(wrong):
+        raise ValueError(f"normal must have length 1 or 0, not {length[wrong][0]:g}")
+    return n
+
+
+def _nearest(wish: Array, speed: Array, normal: Array, bound: Array, far: bool = False) -> tuple[Array, Index]:
+    """Velocity nearest to the wish, and the first half-plane that cannot be kept with those before it, m if none.
+
+    With `far` the wish is a direction, and the velocity is to go as far along it as it may.
+    """
+    rows, m = len(wish), normal.shape[1]
+    v = wish * speed[:, None] if far else limited(wish, speed)
+    failed = np.full(rows, m)
+    for k in range(m):
+        broken = np.flatnonzero((np.sum(normal[:, k] * v, axis=-1) < bound[:, k]) & (failed == m))
+        if len(broken) == 0:
+            continue
+        along = turned_left(normal[broken, k])
+        low, high = _stretch(normal[broken], bound[broken], speed[broken], along, k)
+        goal = np.sum(wish[broken] * along, axis=-1)
+        place = np.clip(np.copysign(np.inf, goal) if far else goal, low, high)
+        found = normal[broken, k] * bound[broken, k, None] + along * place[:, None]
+        possible = low <= high
+        v[broken[possible]] = found[possible]
+        failed[broken[~possible]] = k
+    return v, failed
+
+
+def _stretch(normal: Array, bound: Array, speed: Array, along: Array, k: int) -> tuple[Array, Array]:
+    """Part of the border of half-plane k, measured from its foot, that the speed limit and those before k leave.
+
+    The border's points are n_k b_k + t along. Half-plane j asks for t (n_j·along) ≥ b_j − b_k n_j·n_k.
+    """
+    room = (speed - bound[:, k]) * (speed + bound[:, k])
+    high = np.where(room >= 0, np.sqrt(np.maximum(room, 0.0)), -np.inf)
+    low = -high
+    for j in range(k):
+        slope = np.sum(normal[:, j] * along, axis=-1)
+        asked = bound[:, j] - bound[:, k] * np.sum(normal[:, j] * normal[:, k], axis=-1)
+        parallel = np.abs(slope) <= PARALLEL
+        place = asked / np.where(parallel, 1.0, slope)
+        low = np.where(~parallel & (slope > 0), np.maximum(low, place), low)
+        high = np.where(~parallel & (slope < 0), np.minimum(high, place), high)
+        high = np.where(parallel & (asked > 0), -np.inf, high)
+    return low, high
+
+
+def _least_broken(v: Array, speed: Array, normal: Array, bound: Array, failed: Index) -> Array:
+    """Velocity whose worst violation b_k − n_k·v is least, starting from one that keeps to all before `failed`.
+
+    Half-plane k in turn: where it is broken worse than any before, go as far along its normal as leaves it the worst.
+    That j is not broken worse than k, b_j − n_j·v ≤ b_k − n_k·v, is a half-plane too: its normal is n_j − n_k.
+    """
+    worst = np.zeros(len(v))
+    for k in range(normal.shape[1]):
+        violation = bound[:, k] - np.sum(normal[:, k] * v, axis=-1)
+        rows = np.flatnonzero((k >= failed) & (violation > worst))
+        difference = normal[rows, :k] - normal[rows, k, None]
+        size = np.linalg.norm(difference, axis=-1)
+        same = size <= PARALLEL
+        bounds = np.where(same, 0.0, (bound[rows, :k] - bound[rows, k, None]) / np.where(same, 1.0, size))
+        normals = np.where(same[..., None], 0.0, unit_or_zero(difference))
+        found, stuck = _nearest(normal[rows, k], speed[rows], normals, bounds, far=True)
+        v[rows] = np.where((stuck == k)[:, None], found, v[rows])
+        worst[rows] = bound[rows, k] - np.sum(normal[rows, k] * v[rows], axis=-1)
+    return v

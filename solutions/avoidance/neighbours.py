@@ -1,0 +1,92 @@
+"""Who is near whom: all pairs of points within a radius, by a grid of cells (slide 1, for flocks and crowds)."""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import positive
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+EPSILON = float(np.finfo(float).eps)
+
+
+def neighbour_pairs(position: ArrayLike, radius: float) -> tuple[Index, Index]:
+    """All pairs of points no further apart than a radius, each once, without looking at all pairs (slide 1).
+
+    The points are sorted into cells as wide as the radius, so partners lie in the same cell or in one beside it. The
+    cells of one row along the last axis are numbered consecutively: whom a point may meet in three cells of a row is
+    one stretch of the sorted points. Of the rows around, half are looked at; the other half looks back.
+
+    Parameters
+    ----------
+    position : (n, d), m, d = 2 or 3
+    radius : m, positive
+
+    Returns
+    -------
+    first, second : (pairs,) each, indices with first < second, in ascending order
+
+    Raises
+    ------
+    ValueError
+        If positions are not finite or not (n, 2) or (n, 3), if the radius is not positive, or if the points are too
+        many to number the cells (a million may be spread out in space in any way).
+    """
+    p, reach = _points(position), float(positive("radius", radius))
+    key, rows_ahead = _cells(p, reach)
+    order = np.argsort(key, kind="stable")
+    key, p = key[order], p[order]
+    found = [_near(p, reach, np.arange(1, len(p) + 1), np.searchsorted(key, key + 1, "right"))]
+    for ahead in rows_ahead:
+        there = key + ahead
+        found.append(_near(p, reach, np.searchsorted(key, there - 1), np.searchsorted(key, there + 1, "right")))
+    one, other = (order[np.concatenate(side)] for side in zip(*found, strict=True))
+    first, second = np.minimum(one, other), np.maximum(one, other)
+    ascending = np.argsort(first * len(p) + second)
+    return first[ascending], second[ascending]
+
+
+def _points(position: ArrayLike) -> Array:
+    p = np.asarray(position, dtype=float)
+    if p.ndim != 2 or p.shape[1] not in (2, 3):
+        raise ValueError(f"position must have the shape (n, 2) or (n, 3), not {p.shape}")
+    if not np.all(np.isfinite(p)):
+        raise ValueError(f"position must be finite, not {p[~np.isfinite(p)][0]:g}")
+    return p
+
+
+def _cells(p: Array, radius: float) -> tuple[Index, list[int]]:
+    """Number of each point's cell, and what leads from a cell to the rows around it that have higher numbers.
+
+    A cell is wider than the radius by the rounding of the farthest coordinate, so that two points within the radius
+    never come to lie two cells apart.
+    """
+    size = radius + 4 * EPSILON * (radius + np.abs(p).max(initial=0.0))
+    place = np.stack([_closed_up(np.floor(axis / size)) for axis in p.T])
+    width = [int(axis.max(initial=0)) + 2 for axis in place]  # an empty cell at either end: no row touches the next
+    if math.prod(width) > np.iinfo(np.int64).max:
+        raise ValueError(f"position must have fewer points so widely spread, not {len(p)}")
+    stride = [math.prod(width[axis + 1 :]) for axis in range(len(width))]
+    around = (sum(np.multiply(step, stride[:-1])) for step in product((-1, 0, 1), repeat=len(width) - 1))
+    return np.asarray(stride) @ place, [int(ahead) for ahead in around if ahead > 0]
+
+
+def _closed_up(cell: Array) -> Index:
+    """Number the occupied cells of an axis from 1; any gap counts as one empty cell, however wide it is."""
+    occupied, back = np.unique(cell, return_inverse=True)
+    steps = np.minimum(np.diff(occupied, prepend=occupied[:1] - 1), 2)
+    return np.asarray(np.cumsum(steps).astype(np.int64)[back])
+
+
+def _near(p: Array, radius: float, start: Index, stop: Index) -> tuple[Index, Index]:
+    """Of each point and those from its start to its stop: the pairs within the radius."""
+    count = np.maximum(stop - start, 0)
+    one = np.repeat(np.arange(len(p)), count)
+    other = np.arange(len(one)) + np.repeat(start - (np.cumsum(count) - count), count)
+    near = sum((axis[one] - axis[other]) ** 2 for axis in p.T) <= radius**2
+    return one[near], other[near]

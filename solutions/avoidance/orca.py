@@ -1,0 +1,146 @@
+"""Reciprocal avoidance: the half-plane of velocities that each of two discs leaves to itself (beyond slide 1).
+
+The method is ORCA (van den Berg, Guy, Lin and Manocha 2011, "Reciprocal n-body collision avoidance"). All vectors lie
+in the plane, (..., 2).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.avoidance.directions import turned_left, unit_or_zero
+from solutions.avoidance.half_planes import permitted_velocity
+from solutions.avoidance.neighbours import Index, neighbour_pairs
+from solutions.checks import not_negative, positive
+
+Array = NDArray[np.float64]
+
+
+def orca_half_plane(
+    position_a: ArrayLike,
+    velocity_a: ArrayLike,
+    radius_a: ArrayLike,
+    position_b: ArrayLike,
+    velocity_b: ArrayLike,
+    radius_b: ArrayLike,
+    horizon: ArrayLike,
+    dt: ArrayLike,
+) -> tuple[Array, Array]:
+    """Half-plane of the velocities with which disc A does its half of avoiding B (beyond slide 1).
+
+    The relative velocities u = v_A − v_B that lead to a collision within the horizon τ fill a cone towards B, cut off
+    by a disc of radius R/τ about x/τ, where x = p_B − p_A and R = r_A + r_B. With the vector c from u to the nearest
+    point of its border and the outward normal n there, A takes half of the change and leaves the other half to B:
+
+        (v − (v_A + c/2))·n ≥ 0
+
+    Discs that touch or overlap already are to part within one step: dt stands for τ, and there is no cone, only the
+    disc.
+
+    Parameters
+    ----------
+    position_a, position_b : (..., 2), m
+    velocity_a, velocity_b : (..., 2), m/s
+    radius_a, radius_b : (...), m, not negative
+    horizon, dt : (...), τ and the step, s, positive
+
+    Returns
+    -------
+    point : (..., 2), v_A + c/2, m/s
+    normal : (..., 2), n, unit. Where both sides of the cone are equally near, each turns to its right. Where discs
+        that overlap have u at the centre of the disc, which has no nearest point: away from B, and if the centres
+        coincide as well, +x. Then nothing tells A from B, and whoever asks for B as well must turn the normal round,
+        as `crowd_step` does.
+
+    Raises
+    ------
+    ValueError
+        If a radius is negative or a horizon or step is not positive.
+    """
+    v, other = np.asarray(velocity_a, dtype=float), np.asarray(velocity_b, dtype=float)
+    towards = np.asarray(np.subtract(position_b, position_a), dtype=float)
+    reach = not_negative("radius_a", radius_a) + not_negative("radius_b", radius_b)
+    overlaps = np.linalg.norm(towards, axis=-1) <= reach
+    time = np.where(overlaps, positive("dt", dt), positive("horizon", horizon))
+    change, normal = _to_the_border(v - other, towards, reach, time, overlaps)
+    return v + change[..., None] * normal / 2, normal
+
+
+def crowd_step(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    preferred: ArrayLike,
+    radius: ArrayLike,
+    max_speed: ArrayLike,
+    horizon: float,
+    dt: float,
+) -> tuple[Array, Array]:
+    """State of a crowd of discs after a step in which each keeps out of the others' way (beyond slide 1).
+
+    Each disc takes the velocity nearest to its preferred one that all its half-planes permit. Discs that cannot meet
+    within the horizon even at full speed are left out.
+
+    Parameters
+    ----------
+    position, velocity, preferred : (n, 2), m, m/s, m/s
+    radius, max_speed : (n,) or one for all, m, m/s, not negative
+    horizon, dt : s, positive
+
+    Returns
+    -------
+    position, velocity : (n, 2) each
+
+    Raises
+    ------
+    ValueError
+        If a radius or a speed is negative, a horizon or step is not positive, or a position is not finite.
+    """
+    p, v = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float)
+    r, speed = (np.broadcast_to(np.asarray(value, dtype=float), len(p)) for value in (radius, max_speed))
+    sight = 2 * (r.max(initial=0.0) + speed.max(initial=0.0) * float(horizon))
+    i, j = neighbour_pairs(p, sight)
+    point, normal = orca_half_plane(p[i], v[i], r[i], p[j], v[j], r[j], horizon, dt)
+    mirrored = v[j] - (point - v[i])  # the other half of the same change, the other way
+    points, normals = _in_rows(len(p), np.r_[i, j], np.r_[point, mirrored], np.r_[normal, -normal])
+    v = permitted_velocity(preferred, speed, points, normals)
+    return p + v * dt, v
+
+
+def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps: Array) -> tuple[Array, Array]:
+    """How far a relative velocity is inside the obstacle, negative outside, and the normal of the nearest border."""
+    from_centre = u - towards / time[..., None]
+    length = np.linalg.norm(from_centre, axis=-1)
+    along = np.sum(from_centre * towards, axis=-1)
+    on_disc = overlaps | ((along < 0) & (along**2 > (reach * length) ** 2))
+    disc, leg = _disc_normal(from_centre, towards), _leg_normal(from_centre, towards, reach)
+    normal = np.where(on_disc[..., None], disc, leg)
+    return np.where(on_disc, reach / time - length, -np.sum(u * normal, axis=-1)), normal
+
+
+def _disc_normal(from_centre: Array, towards: Array) -> Array:
+    """Radially outwards; from the centre itself against `towards`, or +x where that is zero as well."""
+    for_none = np.where(np.any(towards != 0, axis=-1, keepdims=True), -unit_or_zero(towards), np.array([1.0, 0.0]))
+    return np.where(np.any(from_centre != 0, axis=-1, keepdims=True), unit_or_zero(from_centre), for_none)
+
+
+def _leg_normal(from_centre: Array, towards: Array, reach: Array) -> Array:
+    """Out of the cone: its half-angle has the sine R/L, so n = ±(k/L) left − (R/L) ahead with k = √(L² − R²)."""
+    ahead = unit_or_zero(towards)
+    left = turned_left(ahead)
+    distance = np.linalg.norm(towards, axis=-1)
+    sine = np.minimum(reach / np.where(distance > 0, distance, 1.0), 1.0)
+    cosine = np.sqrt((1 - sine) * (1 + sine))
+    side = np.where(np.sum(from_centre * left, axis=-1) > 0, 1.0, -1.0)
+    return np.asarray((side * cosine)[..., None] * left - sine[..., None] * ahead)
+
+
+def _in_rows(n: int, owner: Index, *values: Array) -> list[Array]:
+    """Spread values (m, 2) over rows (n, longest, 2) by their owner; what is left over in a row is zero."""
+    order = np.argsort(owner, kind="stable")
+    count = np.bincount(owner, minlength=n)
+    place = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
+    rows = [np.zeros((n, count.max(initial=0), 2)) for _ in values]
+    for row, value in zip(rows, values, strict=True):
+        row[owner[order], place] = value[order]
+    return rows
