@@ -1,0 +1,102 @@
+"""Gravity, viscosity, springs, and the integrators that turn their sum into motion (slides 23, 25 to 27, 29, 30)."""
+
+from __future__ import annotations
+
+from solutions.forces.accumulator import (
+    EnergyAudit,
+    Force,
+    acceleration_of,
+    audit_energy,
+    evaluate_forces,
+    power_by_tag,
+    total_force,
+)
+from solutions.forces.drag import (
+    STOKES_LIMIT,
+    StokesRegimeWarning,
+    buoyancy,
+    check_stokes_regime,
+    drag_motion,
+    relaxation_time,
+    reynolds_number,
+    spheroid_drag,
+    stokes_drag,
+    terminal_velocity,
+)
+from solutions.forces.gravity import (
+    GRAVITATIONAL_CONSTANT,
+    STANDARD_GRAVITY,
+    mutual_gravity,
+    surface_gravity,
+    uniform_gravity,
+    universal_gravity,
+    universal_gravity_energy,
+)
+from solutions.forces.integrators import (
+    ballistic_motion,
+    explicit_euler,
+    implicit_euler,
+    runge_kutta_4,
+    semi_implicit_euler,
+    velocity_verlet,
+)
+from solutions.forces.oscillators import damped_oscillator, damping_ratio, friction_oscillator, natural_frequency
+from solutions.forces.shapes import (
+    LARGEST_REYNOLDS,
+    drag_correction,
+    sphere_shape_factor,
+    spheroid_shape_factors,
+    terminal_velocity_corrected,
+)
+from solutions.forces.springs import damper_force, spring_damper_force, spring_energy, spring_force
+from solutions.forces.stability import stable_step
+from solutions.forces.wind import sample_field, wind_force
+
+__all__ = [
+    "GRAVITATIONAL_CONSTANT",
+    "LARGEST_REYNOLDS",
+    "STANDARD_GRAVITY",
+    "STOKES_LIMIT",
+    "EnergyAudit",
+    "Force",
+    "StokesRegimeWarning",
+    "acceleration_of",
+    "audit_energy",
+    "ballistic_motion",
+    "buoyancy",
+    "check_stokes_regime",
+    "damped_oscillator",
+    "damper_force",
+    "damping_ratio",
+    "drag_correction",
+    "drag_motion",
+    "evaluate_forces",
+    "explicit_euler",
+    "friction_oscillator",
+    "implicit_euler",
+    "mutual_gravity",
+    "natural_frequency",
+    "power_by_tag",
+    "relaxation_time",
+    "reynolds_number",
+    "runge_kutta_4",
+    "sample_field",
+    "semi_implicit_euler",
+    "sphere_shape_factor",
+    "spheroid_drag",
+    "spheroid_shape_factors",
+    "spring_damper_force",
+    "spring_energy",
+    "spring_force",
+    "stable_step",
+    "stokes_drag",
+    "surface_gravity",
+    "terminal_velocity",
+    "terminal_velocity_corrected",
+    "total_force",
+    "uniform_gravity",
+    "universal_gravity",
+    "universal_gravity_energy",
+    "velocity_verlet",
+    "wind_force",
+]

@@ -1,0 +1,131 @@
+"""Gravity near the ground and between bodies (slides 23 and 25)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import finite, not_negative, positive, vector
+
+Array = NDArray[np.float64]
+GRAVITATIONAL_CONSTANT = 6.67430e-11
+"""G, m³/(kg s²), CODATA 2018; its relative uncertainty is 2.2e-5."""
+STANDARD_GRAVITY = 9.80665
+"""g₀, m/s², by definition; the slide's 32 ft/s² is 9.7536 and its 9.8 is rounded."""
+
+
+def uniform_gravity(mass: ArrayLike, gravity: ArrayLike) -> Array:
+    """Weight of a body: F = m g (slide 25).
+
+    Parameters
+    ----------
+    mass : (...), kg, not negative and finite
+    gravity : (..., 3), acceleration of free fall, m/s²
+
+    Returns
+    -------
+    (..., 3), N
+    """
+    m = finite("mass", not_negative("mass", mass))
+    return np.asarray(m[..., None] * vector("gravity", gravity))
+
+
+def surface_gravity(mass: ArrayLike, distance: ArrayLike) -> Array:
+    """Acceleration of free fall at a distance from the centre of a body: a = G m/r² (slide 25).
+
+    The slide divides F = G m1 m2/r² by the mass that falls, which cancels: all bodies fall alike. For the Earth this
+    is 9.820 m/s² at the mean radius of 6371 km; the standard g₀ = 9.80665 m/s² contains the rotation as well, and the
+    slide's 32 ft/s² is 9.7536 m/s².
+
+    Parameters
+    ----------
+    mass : (...), of the attracting body, kg
+    distance : (...), r, m, above zero
+
+    Returns
+    -------
+    (...), m/s²
+    """
+    m = finite("mass", not_negative("mass", mass))
+    return np.asarray(GRAVITATIONAL_CONSTANT * m / positive("distance", distance) ** 2)
+
+
+def universal_gravity(
+    mass_1: ArrayLike, mass_2: ArrayLike, position_1: ArrayLike, position_2: ArrayLike, softening: ArrayLike = 0.0
+) -> Array:
+    """Pull of body 2 on body 1 (slide 25); body 1 pulls body 2 with the opposite force.
+
+    The slide gives the size, G m1 m2/r². With the direction, and a softening length ε that keeps it finite,
+
+        F = G m1 m2 d/(‖d‖² + ε²)^(3/2),    d = x2 − x1
+
+    Bodies at the same place pull in no direction: the force is zero, with and without softening.
+
+    Parameters
+    ----------
+    mass_1, mass_2 : (...), kg
+    position_1, position_2 : (..., 3), m
+    softening : (...), ε, m; with 0 the bodies are points
+
+    Returns
+    -------
+    (..., 3), on body 1, N
+    """
+    masses = _masses(mass_1, mass_2)
+    d, r = _apart(position_1, position_2, softening)
+    size = GRAVITATIONAL_CONSTANT * masses / np.where(r == 0, 1.0, r) ** 2
+    return np.asarray(size[..., None] * d / np.where(r == 0, 1.0, r)[..., None])
+
+
+def universal_gravity_energy(
+    mass_1: ArrayLike, mass_2: ArrayLike, position_1: ArrayLike, position_2: ArrayLike, softening: ArrayLike = 0.0
+) -> Array:
+    """Potential energy of two bodies that attract each other: −G m1 m2/√(‖d‖² + ε²), zero far apart.
+
+    Parameters
+    ----------
+    mass_1, mass_2 : (...), kg
+    position_1, position_2 : (..., 3), m
+    softening : (...), m
+
+    Returns
+    -------
+    (...), J; minus infinity for points with mass at the same place
+    """
+    masses = _masses(mass_1, mass_2)
+    _, r = _apart(position_1, position_2, softening)
+    energy = -GRAVITATIONAL_CONSTANT * masses / np.where(r == 0, 1.0, r)
+    return np.where((r == 0) & (masses > 0), -np.inf, energy)
+
+
+def mutual_gravity(mass: ArrayLike, position: ArrayLike, softening: ArrayLike = 0.0) -> Array:
+    """Pull on every body of a group by all the others: the sum of the forces between pairs.
+
+    All N² pairs are taken at once; a body does not pull itself.
+
+    Parameters
+    ----------
+    mass : (..., N), kg
+    position : (..., N, 3), m
+    softening : (...), m, one for a group
+
+    Returns
+    -------
+    (..., N, 3), N; their sum over the group is zero
+    """
+    m, x = np.asarray(mass, dtype=float), vector("position", position)
+    softening = np.asarray(softening, dtype=float)[..., None, None]
+    on_1_by_2 = universal_gravity(m[..., :, None], m[..., None, :], x[..., :, None, :], x[..., None, :, :], softening)
+    return np.asarray(on_1_by_2.sum(axis=-2))
+
+
+def _masses(mass_1: ArrayLike, mass_2: ArrayLike) -> Array:
+    return np.asarray(
+        finite("mass_1", not_negative("mass_1", mass_1)) * finite("mass_2", not_negative("mass_2", mass_2))
+    )
+
+
+def _apart(position_1: ArrayLike, position_2: ArrayLike, softening: ArrayLike) -> tuple[Array, Array]:
+    """Vector from body 1 to body 2, and √(‖d‖² + ε²)."""
+    d = np.asarray(vector("position_2", position_2) - vector("position_1", position_1))
+    return d, np.hypot(np.linalg.norm(d, axis=-1), not_negative("softening", softening))

@@ -1,0 +1,86 @@
+"""How long a step may be: the largest stable one of each integrator for a spring with a damper (slides 29 and 30)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import finite, not_negative, positive
+
+Array = NDArray[np.float64]
+
+
+def stable_step(integrator: str, frequency: ArrayLike, damping_ratio: ArrayLike = 0.0) -> Array:
+    """Largest stable step for x″ + 2 ζ ω x′ + ω² x = 0: beyond it the motion grows without end (slides 29 and 30).
+
+    In units of 1/ω:
+
+        explicit_euler         2 ζ, or 2/(ζ + √(ζ² − 1)) overdamped: zero without a damper
+        semi_implicit_euler    2 (√(1 + ζ²) − ζ)
+        velocity_verlet        2/(ζ + √(1 − 3ζ²)) up to ζ = 1/2, then 1/ζ
+        runge_kutta_4          2 √2 undamped, 2.785/(ζ + √(ζ² − 1)) overdamped, between them a root of ‖R(λ dt)‖ = 1
+        implicit_euler         no limit
+
+    Of a structure, ω is its highest frequency, not that of one spring. Stable is not accurate: at the limit a period
+    has three steps.
+
+    Parameters
+    ----------
+    integrator : the name of one of the five functions
+    frequency : (...), ω, rad/s, above zero
+    damping_ratio : (...), ζ = c/(2√(k m)), not negative
+
+    Returns
+    -------
+    (...), s
+    """
+    if integrator not in _LIMITS:
+        raise ValueError(f"integrator must be one of {', '.join(_LIMITS)}, not {integrator!r}")
+    zeta = finite("damping_ratio", not_negative("damping_ratio", damping_ratio))
+    return np.asarray(_LIMITS[integrator](zeta) / positive("frequency", frequency))
+
+
+def _fastest(zeta: Array) -> Array:
+    """ζ + √(ζ² − 1), the faster of the two rates of an overdamped oscillator over ω; 1 if it is underdamped."""
+    return np.asarray(np.maximum(zeta, 1.0) + np.sqrt((np.maximum(zeta, 1.0) - 1) * (np.maximum(zeta, 1.0) + 1)))
+
+
+def _explicit(zeta: Array) -> Array:
+    return np.where(zeta <= 1, 2 * zeta, 2 / _fastest(zeta))
+
+
+def _semi_implicit(zeta: Array) -> Array:
+    return np.asarray(2 / (np.hypot(1.0, zeta) + zeta))  # the same as on the slide, without a difference
+
+
+def _verlet(zeta: Array) -> Array:
+    little = np.minimum(zeta, 0.5)
+    return np.where(zeta <= 0.5, 2 / (little + np.sqrt(1 - 3 * little**2)), 1 / np.maximum(zeta, 0.5))
+
+
+def _runge_kutta(zeta: Array) -> Array:
+    """Root along the ray of λ = −ζ + i√(1 − ζ²), between 2 and 4, of the growth of a step."""
+    little = np.minimum(zeta, 1.0)
+    ray = -little + 1j * np.sqrt(1 - little**2)
+    low, high = np.full(zeta.shape, 2.0), np.full(zeta.shape, 4.0)
+    for _ in range(60):
+        middle = (low + high) / 2
+        z = middle * ray
+        stable = np.abs(1 + z * (1 + z / 2 * (1 + z / 3 * (1 + z / 4)))) < 1
+        low, high = np.where(stable, middle, low), np.where(stable, high, middle)
+    return np.asarray(low / _fastest(zeta))
+
+
+def _implicit(zeta: Array) -> Array:
+    return np.full(zeta.shape, np.inf)
+
+
+_LIMITS: dict[str, Callable[[Array], Array]] = {
+    "explicit_euler": _explicit,
+    "semi_implicit_euler": _semi_implicit,
+    "velocity_verlet": _verlet,
+    "runge_kutta_4": _runge_kutta,
+    "implicit_euler": _implicit,
+}
