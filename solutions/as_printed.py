@@ -77,3 +77,53 @@ def seek(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
     """
     away = np.asarray(position, dtype=float) - np.asarray(target, dtype=float)
     return np.asarray(np.asarray(max_speed, dtype=float)[..., None] * away / np.linalg.norm(away, axis=-1)[..., None])
+
+
+# Forces
+
+
+def gravity_in_feet() -> float:
+    """Slide 25: 32 ft/s² = 9.8 m/s². The left side, in m/s².
+
+    A foot is 0.3048 m, so that it is 9.7536, and the two sides are 0.5 % apart. Right: STANDARD_GRAVITY.
+    """
+    return 32 * 0.3048
+
+
+def viscous_force(velocity: ArrayLike, shape_factor: ArrayLike, viscosity: ArrayLike) -> Array:
+    """Slide 26: F_vis = −K n v, (..., 3), N, with n for the viscosity η.
+
+    Read with the body's own velocity, it brakes a body that drifts along with a river. Right: stokes_drag.
+    """
+    size = np.asarray(shape_factor, dtype=float) * np.asarray(viscosity, dtype=float)
+    return np.asarray(-size[..., None] * np.asarray(velocity, dtype=float))
+
+
+def terminal_speed(mass: ArrayLike, gravity: ArrayLike, radius: ArrayLike, viscosity: ArrayLike) -> Array:
+    """Slide 26: m g = 6πr n v, solved for v, (...), m/s.
+
+    Without buoyancy a bubble sinks, and a ball of the fluid itself sinks in it. Right: terminal_velocity.
+    """
+    weight = np.asarray(mass, dtype=float) * np.asarray(gravity, dtype=float)
+    return np.asarray(weight / (6 * np.pi * np.asarray(radius, dtype=float) * np.asarray(viscosity, dtype=float)))
+
+
+def spring_force(displacement: ArrayLike, rest: ArrayLike, stiffness: ArrayLike) -> Array:
+    """Slide 27: F = k (x − x_rest), (...), N.
+
+    Taken as the force on the mass it pushes the mass away from rest. Right: spring_force of solutions.forces.
+    """
+    stretch = np.asarray(displacement, dtype=float) - np.asarray(rest, dtype=float)
+    return np.asarray(np.asarray(stiffness, dtype=float) * stretch)
+
+
+def spring_damper_force(
+    displacement: ArrayLike, rest: ArrayLike, stiffness: ArrayLike, velocity: ArrayLike, damping: ArrayLike
+) -> Array:
+    """Slide 29: F = (x' − x_rest) k − v k_d, (...), N, with x' the current position.
+
+    The motion grows as e^(λt), λ = −c/(2m) + √((c/2m)² + k/m) > 0: no damping calms it. And −v k_d brakes a spring that
+    flies as a whole. Right: spring_damper_force of solutions.forces.
+    """
+    damped = np.asarray(damping, dtype=float) * np.asarray(velocity, dtype=float)
+    return np.asarray(spring_force(displacement, rest, stiffness) - damped)
