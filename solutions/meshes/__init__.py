@@ -1,0 +1,48 @@
+"""Spring meshes: what they are made of, how they move, how long a step they take, and where they rest (slide 28)."""
+
+from solutions.meshes.contact import mesh_plane_contact, mesh_sphere_contact
+from solutions.meshes.shape import limit_strain, static_shape
+from solutions.meshes.springs import (
+    edge_damping,
+    edge_directions,
+    edge_stiffness,
+    edge_strain,
+    mesh_energy,
+    mesh_forces,
+    mesh_matrix,
+    mesh_product,
+)
+from solutions.meshes.stability import largest_eigenvalue, stable_timestep, timestep_bound, zero_energy_modes
+from solutions.meshes.stepping import amplitude_kept, conjugate_gradient, implicit_mesh_step, mesh_step
+from solutions.meshes.surface import bend_edges, surface_edges
+from solutions.meshes.topology import SpringMesh, cloth, lattice, pin, spring_mesh
+
+__all__ = [
+    "SpringMesh",
+    "amplitude_kept",
+    "bend_edges",
+    "cloth",
+    "conjugate_gradient",
+    "edge_damping",
+    "edge_directions",
+    "edge_stiffness",
+    "edge_strain",
+    "implicit_mesh_step",
+    "largest_eigenvalue",
+    "lattice",
+    "limit_strain",
+    "mesh_energy",
+    "mesh_forces",
+    "mesh_matrix",
+    "mesh_plane_contact",
+    "mesh_product",
+    "mesh_sphere_contact",
+    "mesh_step",
+    "pin",
+    "spring_mesh",
+    "stable_timestep",
+    "static_shape",
+    "surface_edges",
+    "timestep_bound",
+    "zero_energy_modes",
+]

@@ -1,0 +1,75 @@
+"""A spring mesh from any surface of triangles (slide 28: edges are springs)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.meshes.topology import Integers
+
+
+def surface_edges(triangles: ArrayLike) -> Integers:
+    """Edges of a surface, each once, however many triangles share it.
+
+    Parameters
+    ----------
+    triangles : (t, 3), the nodes at their corners, in either sense
+
+    Returns
+    -------
+    (m, 2), in rising order
+
+    Raises
+    ------
+    ValueError
+        If the shape is another, or a triangle has the same corner twice.
+    """
+    return np.asarray(np.unique(_sides(_checked_triangles(triangles))[0], axis=0))
+
+
+def bend_edges(triangles: ArrayLike) -> Integers:
+    """Pairs of nodes that face each other across an edge with a triangle on either side: bend springs.
+
+    A pair that is an edge already (in a tetrahedron all are) is left out, and a pair that faces across several edges
+    (in an octahedron all do) comes once: two springs between the same nodes would be one, twice as stiff.
+
+    Parameters
+    ----------
+    triangles : (t, 3), the nodes at their corners, in either sense
+
+    Returns
+    -------
+    (b, 2), in rising order; none for edges at the rim
+
+    Raises
+    ------
+    ValueError
+        As `surface_edges` does; and if more than two triangles share an edge: then no two corners face each other.
+    """
+    sides, facing = _sides(_checked_triangles(triangles))
+    edges, which, count = np.unique(sides, axis=0, return_inverse=True, return_counts=True)
+    for edge in edges[count > 2]:
+        raise ValueError(f"triangles: more than two share the edge {edge.tolist()}")
+    order = np.argsort(which.ravel(), kind="stable")
+    start = np.cumsum(count)[count == 2] - 2  # where in that order the two sides of an inner edge stand
+    pairs = np.unique(np.sort(np.stack([facing[order[start]], facing[order[start + 1]]], axis=-1), axis=-1), axis=0)
+    known = {tuple(edge) for edge in edges.tolist()}
+    fresh = [tuple(pair) not in known and pair[0] != pair[1] for pair in pairs.tolist()]
+    return np.asarray(pairs[np.array(fresh, dtype=bool)])
+
+
+def _sides(triangles: Integers) -> tuple[Integers, Integers]:
+    """Sides of every triangle, (3 t, 2) with the smaller node first, and the corner that faces each, (3 t,)."""
+    sides = np.concatenate([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, [0, 1]]])
+    return np.sort(sides, axis=-1), triangles.T.ravel()
+
+
+def _checked_triangles(triangles: ArrayLike) -> Integers:
+    found = np.array(triangles)
+    if found.ndim != 2 or found.shape[1] != 3 or found.dtype.kind not in "iu":
+        raise ValueError(f"triangles must be integers of the shape (triangles, 3), not {found.dtype} of {found.shape}")
+    if np.any(found < 0):
+        raise ValueError(f"triangles must name nodes from 0 on, not {found.min()}")
+    for corners in found[np.any(found == np.roll(found, 1, axis=1), axis=1)]:
+        raise ValueError(f"triangles must have three different corners, not {corners.tolist()}")
+    return found.astype(np.int64)
