@@ -9,7 +9,14 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from solutions.detection import is_colliding, signed_distance, time_of_impact_exact, time_of_impact_interpolated
+from solutions import as_printed
+from solutions.detection import (
+    is_colliding,
+    side_of_plane,
+    signed_distance,
+    time_of_impact_exact,
+    time_of_impact_interpolated,
+)
 
 EPSILON = np.finfo(float).eps  # 2.2e-16, the spacing of floats at 1
 RNG_SEED = 20
@@ -27,12 +34,14 @@ def rotation(rng: np.random.Generator) -> np.ndarray:
 # Signed distance
 
 
+@pytest.mark.statement(4, oracle="a 3-4-5 triangle")
 def test_the_distance_of_a_point_from_a_plane_is_measured_along_the_unit_normal():
     # 3-4-5: the normal has length 5 and the plane 3x + 4z = 10 stands 2 m from the origin.
     assert signed_distance((0.0, 0.0, 0.0), (3.0, 0.0, 4.0), -10.0) == -2.0
     assert signed_distance((3.0, 7.0, 4.0), (3.0, 0.0, 4.0), -10.0) == 3.0
 
 
+@pytest.mark.statement(4, oracle="exact fractions")
 @given(POINT, DIRECTION, METRES)
 def test_the_signed_distance_is_what_exact_arithmetic_gives(point, normal, offset):
     exact = sum(Fraction(n) * Fraction(p) for n, p in zip(normal, point, strict=True)) + Fraction(offset)
@@ -55,6 +64,7 @@ def test_going_back_by_the_signed_distance_along_the_normal_ends_on_the_plane(po
     assert signed_distance(foot, normal, offset) == pytest.approx(0, abs=1e-9)
 
 
+@pytest.mark.statement(4, oracle="points scattered over the plane")
 def test_no_point_of_the_plane_is_nearer_than_the_distance():
     rng = np.random.default_rng(RNG_SEED)
     normal, offset, point = np.array([1.0, -2.0, 0.5]), 3.0, np.array([4.0, 1.0, -2.0])
@@ -120,6 +130,7 @@ STEP_START, STEP = st.floats(-1e3, 1e3), st.floats(1e-6, 1e2)
 ABOVE, BEHIND = st.floats(0, 1e3), st.floats(-1e3, -1e-6)
 
 
+@pytest.mark.statement(5, oracle="exact fractions")
 @given(ABOVE, BEHIND, STEP_START, STEP)
 def test_at_constant_velocity_the_slides_t_is_exact(before, after, t, dt):
     exact = Fraction(t) + Fraction(dt) * Fraction(before) / (Fraction(before) - Fraction(after))
@@ -134,6 +145,7 @@ def test_halfway_down_is_half_the_step():
     assert time_of_impact_interpolated(3.0, -1.0, 0.0, 1.0) == 0.75
 
 
+@pytest.mark.statement(5, oracle="the definition, on the plane")
 @given(BEHIND, STEP_START, STEP)
 def test_a_point_left_exactly_on_the_plane_that_goes_through_meets_it_at_once(after, t, dt):
     assert time_of_impact_interpolated(0.0, after, t, dt) == t
@@ -169,6 +181,7 @@ def test_under_gravity_the_slides_t_is_never_late_and_early_by_at_most_g_dt_squa
     assert -rounding <= early <= gravity * dt**2 / (8 * speed) + rounding
 
 
+@pytest.mark.statement(5, oracle="g Δt²/(8 v), the chord of a parabola")
 def test_the_bound_on_how_early_the_slides_t_is_cannot_be_made_smaller():
     gravity, speed, dt = 9.81, 50.0, 1e-3  # g dt/v = 2e-4: the chord is as steep as the path to that share
     height = speed * dt * np.linspace(0.01, 0.99, 99)
@@ -201,6 +214,7 @@ SPEED = st.one_of(st.just(0.0), st.floats(1e-9, 1e6), st.floats(-1e6, -1e-9))
 DOWNWARDS, UPWARDS = st.floats(-1e4, -1e-6), st.floats(1e-6, 1e4)
 
 
+@pytest.mark.statement(5, oracle="sixty digits")
 @given(HEIGHT, SPEED, DOWNWARDS)
 def test_the_fall_onto_a_plane_takes_the_time_that_sixty_digits_give(s, u, a):
     expected = exact_time(s, u, a)
@@ -231,6 +245,7 @@ def test_a_small_gap_closed_at_high_speed_keeps_its_digits_where_the_school_form
     assert float(time_of_impact_exact(s, u, a)) == pytest.approx(expected, rel=4 * EPSILON, abs=0)
 
 
+@pytest.mark.statement(5, oracle="numpy.roots")
 def test_the_exact_root_is_the_first_positive_root_of_the_parabola():
     rng = np.random.default_rng(RNG_SEED)
     for s, u, a in zip(rng.uniform(0.1, 5, 200), rng.normal(size=200) * 5, rng.normal(size=200) * 5, strict=True):
@@ -296,6 +311,84 @@ def test_without_acceleration_both_ways_to_the_time_of_impact_agree(s, u, dt):
     assert time_of_impact_interpolated(s, end, 0.0, dt) == pytest.approx(time_of_impact_exact(s, u, 0.0), rel=tolerance)
 
 
+@pytest.mark.statement(5, oracle="scipy's solve_ivp, DOP853 with an event at the plane")
+def test_a_solver_of_differential_equations_that_watches_the_plane_stops_at_the_same_time():
+    integrate = pytest.importorskip("scipy.integrate")
+
+    def plane(_, state):
+        return state[0]
+
+    plane.terminal, plane.direction = True, -1
+    rng = np.random.default_rng(RNG_SEED)
+    for s, u, a in zip(rng.uniform(0.1, 5, 40), rng.normal(size=40) * 5, -rng.uniform(0.5, 20, 40), strict=True):
+        found = integrate.solve_ivp(
+            lambda _, state, a=a: (state[1], a), (0, 60), (s, u), method="DOP853", events=plane, rtol=1e-13, atol=1e-13
+        )
+        # The solver's own tolerance, 1e-13 of paths up to 10 m, at an arrival of 0.3 m/s or more
+        assert time_of_impact_exact(s, u, a) == pytest.approx(found.t_events[0][0], abs=1e-11)
+
+
+# What is refused
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: signed_distance(1.0, (0, 0, 1), 0.0), r"point must have shape \(..., 3\), not \(\)"),
+        (lambda: signed_distance((0, 1), (0, 1), 0.0), r"point must have shape \(..., 3\), not \(2,\)"),
+        (lambda: signed_distance((0, 0, 1), 1.0, 0.0), r"normal must have shape \(..., 3\), not \(\)"),
+        (lambda: time_of_impact_interpolated(math.nan, -1.0, 0.0, 1.0), "separation_0 must be finite, not nan"),
+        (lambda: time_of_impact_interpolated(1.0, math.nan, 0.0, 1.0), "separation_1 must be finite, not nan"),
+        (lambda: time_of_impact_interpolated(1.0, -1.0, math.nan, 1.0), "t must be finite, not nan"),
+        (lambda: time_of_impact_interpolated(1.0, -1.0, 0.0, -2.0), "dt must be zero or positive, not -2"),
+        (lambda: time_of_impact_exact(math.nan, -1.0, 0.0), "separation must be finite, not nan"),
+        (lambda: time_of_impact_exact([1.0, math.inf], -1.0, 0.0), "separation must be finite, not inf"),
+        (lambda: time_of_impact_exact(1.0, math.nan, 0.0), "normal_velocity must be finite, not nan"),
+        (lambda: time_of_impact_exact(1.0, -1.0, math.nan), "normal_acceleration must be finite, not nan"),
+    ],
+)
+def test_a_motion_without_numbers_is_refused_instead_of_passing_through(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
+
+
+# The slides as printed
+
+
+@pytest.mark.erratum(4)
+def test_as_printed_a_point_that_touches_does_not_collide_and_the_left_side_is_no_distance():
+    plane = (0.0, 0.0, 2.0, -4.0)  # z = 2, written with a normal of length 2
+    touching, inside = (7.0, -3.0, 2.0), (0.0, 0.0, 1.5)
+    assert not as_printed.point_plane_collision(touching, plane)
+    assert side_of_plane(signed_distance(touching, plane[:3], plane[3])) == 0
+    assert as_printed.point_plane_collision(inside, plane)
+    left_side = np.dot(plane[:3], inside) + plane[3]
+    assert left_side == -1.0  # twice as deep as it is
+    assert signed_distance(inside, plane[:3], plane[3]) == -0.5
+
+
+@pytest.mark.erratum(4)
+def test_as_printed_a_point_beyond_the_edge_of_a_table_collides_with_it():
+    table_top = (0.0, 0.0, 1.0, -0.75)  # a table of 1 m × 1 m; the point hangs beside it, 5 m away
+    assert as_printed.point_plane_collision((5.0, 0.0, 0.5), table_top)  # a half-space has no edge
+
+
+@pytest.mark.erratum(5)
+def test_as_printed_with_the_signed_distances_of_slide_4_the_impact_lies_outside_the_step():
+    t, dt, before, after = 2.0, 0.1, 0.3, -0.1
+    assert as_printed.time_of_impact(t, dt, before, after) == pytest.approx(2.15)  # the step ends at 2.1
+    assert as_printed.time_of_impact(t, dt, before, -after) == pytest.approx(2.075)  # magnitudes: what is meant
+    assert time_of_impact_interpolated(before, after, t, dt) == pytest.approx(2.075)
+    assert np.isinf(as_printed.time_of_impact(t, dt, 0.25, -0.25))  # half the way down: d1 + d2 = 0
+    assert time_of_impact_interpolated(0.25, -0.25, t, dt) == pytest.approx(2.05)
+
+
+@pytest.mark.erratum(5)
+def test_as_printed_a_point_that_stays_in_front_has_a_time_of_impact():
+    assert as_printed.time_of_impact(0.0, 0.1, 0.3, 0.1) == pytest.approx(0.075)
+    assert time_of_impact_interpolated(0.3, 0.1, 0.0, 0.1) == math.inf
+
+
 # One is many
 
 
@@ -340,7 +433,7 @@ def test_whole_numbers_do():
 
 def test_looking_for_a_collision_changes_none_of_its_inputs():
     rng = np.random.default_rng(RNG_SEED)
-    arrays = [rng.normal(size=(6, 3)), rng.normal(size=(6, 3)), *rng.normal(size=(4, 6))]
+    arrays = [rng.normal(size=(6, 3)), rng.normal(size=(6, 3)), *rng.uniform(size=(4, 6))]
     kept = [array.copy() for array in arrays]
     point, normal, s, u, a, dt = arrays
     for array in arrays:

@@ -1,0 +1,34 @@
+"""Responding to a collision with a plane (slides 3, 6, 7 and 8): by a new velocity, within a step, or by a spring."""
+
+from solutions.response.kinematic import kinematic_response, moving_plane_response
+from solutions.response.penalty import (
+    penalty_contact_time,
+    penalty_damping,
+    penalty_force,
+    penalty_rest_depth,
+    penalty_restitution,
+    penalty_step_limit,
+)
+from solutions.response.stepping import (
+    bounce_along_normal,
+    bounce_through_step,
+    respond_at_impact,
+    respond_at_step,
+    time_until_rest,
+)
+
+__all__ = [
+    "bounce_along_normal",
+    "bounce_through_step",
+    "kinematic_response",
+    "moving_plane_response",
+    "penalty_contact_time",
+    "penalty_damping",
+    "penalty_force",
+    "penalty_rest_depth",
+    "penalty_restitution",
+    "penalty_step_limit",
+    "respond_at_impact",
+    "respond_at_step",
+    "time_until_rest",
+]

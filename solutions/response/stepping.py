@@ -1,0 +1,229 @@
+"""A collision within a step: back up to it, answer it at the step, or follow all of them to rest (slides 3 and 6)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import finite, in_unit_interval, not_negative, unit, vector
+from solutions.detection import is_colliding, signed_distance, time_of_impact_exact
+from solutions.forces import ballistic_motion
+from solutions.response.kinematic import kinematic_response
+
+Array = NDArray[np.float64]
+
+
+def respond_at_impact(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: ArrayLike,
+    normal: ArrayLike,
+    restitution: ArrayLike,
+    time_of_impact: ArrayLike,
+    dt: ArrayLike,
+) -> tuple[Array, Array]:
+    """State after a step with one collision in it, by backing up: to T, respond, and on to the end (slide 6).
+
+    The slide stops at the response. The rest of the step, Δt − T, must be integrated with the new velocity: left out,
+    every bounce would lose on average half a step of time.
+
+    Parameters
+    ----------
+    position, velocity, acceleration : (..., 3), at the start of the step, m, m/s, m/s²
+    normal : (..., 3), unit, out of the plane
+    restitution : (...), e, 0 to 1
+    time_of_impact : (...), T, s from the start of the step, exact or the slide's; later than dt means no collision
+    dt : (...), s, length of the step
+
+    Returns
+    -------
+    position, velocity : (..., 3) each, at the end of the step; a second collision in the same step is not seen here
+
+    Raises
+    ------
+    ValueError
+        If T or dt is negative or not a number, or as kinematic_response.
+    """
+    time, dt = not_negative("time_of_impact", time_of_impact), not_negative("dt", dt)
+    struck, before = time <= dt, np.minimum(time, dt)
+    position, velocity = ballistic_motion(position, velocity, acceleration, before)
+    answered = kinematic_response(velocity, normal, restitution)
+    velocity = np.where(struck[..., None], answered, velocity)
+    return ballistic_motion(position, velocity, acceleration, dt - before)
+
+
+def respond_at_step(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: ArrayLike,
+    normal: ArrayLike,
+    offset: ArrayLike,
+    restitution: ArrayLike,
+    dt: ArrayLike,
+) -> tuple[Array, Array]:
+    """State after a step whose end alone is looked at: after the fact (slide 6).
+
+    Free motion over the whole step; a body that ends behind the plane n·p + d = 0 and still moves in gets its new
+    velocity there. It stays where it is, up to v Δt too deep, and has the speed of that place.
+
+    Parameters
+    ----------
+    position, velocity, acceleration : (..., 3), at the start of the step, m, m/s, m/s²
+    normal : (..., 3), unit, out of the plane
+    offset : (...), d, m
+    restitution : (...), e, 0 to 1
+    dt : (...), s, length of the step
+
+    Returns
+    -------
+    position, velocity : (..., 3) each, at the end of the step
+
+    Raises
+    ------
+    ValueError
+        If dt is negative, or as kinematic_response and signed_distance.
+    """
+    position, velocity = ballistic_motion(position, velocity, acceleration, not_negative("dt", dt))
+    behind = is_colliding(signed_distance(position, normal, offset))
+    answered = kinematic_response(velocity, normal, restitution)
+    return position, np.where(behind[..., None], answered, velocity)
+
+
+def time_until_rest(
+    separation: ArrayLike, normal_velocity: ArrayLike, normal_acceleration: ArrayLike, restitution: ArrayLike
+) -> Array:
+    """Time until a bouncing body lies on the plane for good: infinitely many impacts in a finite time.
+
+    It arrives at t1 with the speed w = √(u² − 2 a s). The flight after impact n lasts 2 w eⁿ/|a|; all of them together
+
+        t1 + (2 w/|a|) (e + e² + …) = t1 + (2 w/|a|) e/(1 − e)
+
+    Let fall from rest, t1 = w/|a|, that is t1 (1 + e)/(1 − e).
+
+    Parameters
+    ----------
+    separation : (...), s, m; below zero counts as zero
+    normal_velocity : (...), u, m/s, positive when moving away
+    normal_acceleration : (...), a, m/s², negative towards the plane
+    restitution : (...), e, 0 to 1
+
+    Returns
+    -------
+    (...), s from now. Infinity where e = 1 and it moves, where it never arrives, and where no acceleration brings a
+    body back that bounced; a > 0 pulls it off in the end. 0 where it lies on the plane already; t1 where e = 0.
+
+    Raises
+    ------
+    ValueError
+        If a motion is not finite, or e is not from 0 to 1.
+    """
+    s, u = np.maximum(finite("separation", separation), 0.0), finite("normal_velocity", normal_velocity)
+    a, e = finite("normal_acceleration", normal_acceleration), in_unit_interval("restitution", restitution)
+    rebound = e * _arrival_speed(s, u, a)
+    slowing = -a * (1 - e)  # a rebound w' ends in a flight of 2 w'/|a|, and all that follow add up to 1/(1 − e) of it
+    flights = np.where(slowing > 0, 2 * rebound / np.where(slowing > 0, slowing, 1.0), np.inf)
+    until = time_of_impact_exact(s, u, a) + np.where(rebound > 0, flights, 0.0)
+    return np.where((s == 0) & (u == 0) & (a <= 0), 0.0, np.where(a > 0, np.inf, until))
+
+
+def bounce_along_normal(
+    separation: ArrayLike,
+    normal_velocity: ArrayLike,
+    normal_acceleration: ArrayLike,
+    restitution: ArrayLike,
+    dt: ArrayLike,
+    most_impacts: int = 1000,
+) -> tuple[Array, Array, Array, Array]:
+    """Motion along the normal over a step with any number of impacts in it, exactly.
+
+    Each round goes to the next impact and turns the arrival speed w into e w, until no impact is left in the step. A
+    body that comes to rest within the step has infinitely many (Zeno): `time_until_rest` solves for their end, and the
+    body is put on the plane, at rest, without a round.
+
+    Parameters
+    ----------
+    separation : (...), s, m; below zero counts as zero
+    normal_velocity : (...), u, m/s, positive when moving away
+    normal_acceleration : (...), a, m/s², negative towards the plane
+    restitution : (...), e, 0 to 1
+    dt : (...), s, length of the step
+    most_impacts : rounds at most
+
+    Returns
+    -------
+    separation, normal_velocity : (...), at the end of the step
+    impacts : (...), how many; infinity where it came to rest by bouncing, 0 where it lay on the plane from the start
+    time_left : (...), s, 0 where the step is done; where the rounds did not suffice, what is left of it after the last
+        impact, so that the caller may go on from there
+
+    Raises
+    ------
+    ValueError
+        If a motion is not finite, dt is negative, or e is not from 0 to 1.
+    """
+    state = finite("separation", separation), finite("normal_velocity", normal_velocity)
+    a, e = finite("normal_acceleration", normal_acceleration), in_unit_interval("restitution", restitution)
+    s, u, a, e, left = np.broadcast_arrays(*state, a, e, not_negative("dt", dt))
+    s = np.maximum(s, 0.0)
+    rests = time_until_rest(s, u, a, e) <= left
+    lay = (s == 0) & (u == 0)
+    impacts = np.where(rests & ~lay, np.where(e > 0, np.inf, 1.0), 0.0)
+    s, u, left = (np.where(rests, 0.0, value) for value in (s, u, left))
+    for _ in range(most_impacts):
+        time = time_of_impact_exact(s, u, a)
+        struck = (time <= left) & ~rests
+        if not struck.any():
+            break
+        s, u = np.where(struck, 0.0, s), np.where(struck, e * _arrival_speed(s, u, a), u)
+        left, impacts = np.where(struck, left - time, left), impacts + struck
+    due = (time_of_impact_exact(s, u, a) <= left) & ~rests
+    flight = np.where(due | rests, 0.0, left)
+    s, u = np.maximum(s + u * flight + a * flight**2 / 2, 0.0), u + a * flight
+    return s, u, impacts, left - flight
+
+
+def bounce_through_step(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: ArrayLike,
+    normal: ArrayLike,
+    offset: ArrayLike,
+    restitution: ArrayLike,
+    dt: ArrayLike,
+    most_impacts: int = 1000,
+) -> tuple[Array, Array, Array, Array]:
+    """State after a step, all its collisions with the plane n·p + d = 0 answered at their instants.
+
+    Along the normal it is `bounce_along_normal`; without friction the motion along the plane does not notice.
+
+    Parameters
+    ----------
+    position, velocity, acceleration : (..., 3), at the start of the step, m, m/s, m/s²
+    normal : (..., 3), unit, out of the plane
+    offset : (...), d, m
+    restitution : (...), e, 0 to 1
+    dt : (...), s, length of the step
+    most_impacts : rounds at most
+
+    Returns
+    -------
+    position, velocity : (..., 3) each; a body that came to rest lies on the plane and slides on along it
+    impacts, time_left : (...), as in bounce_along_normal
+
+    Raises
+    ------
+    ValueError
+        As bounce_along_normal and signed_distance, or if a normal has not length 1.
+    """
+    n, v, a = unit("normal", normal), vector("velocity", velocity), np.asarray(acceleration, dtype=float)
+    before, u, a_n = signed_distance(position, n, offset), np.sum(v * n, axis=-1), np.sum(a * n, axis=-1)
+    after, u_after, impacts, left = bounce_along_normal(before, u, a_n, restitution, dt, most_impacts)
+    free, v = ballistic_motion(position, v, a, np.asarray(dt) - left)
+    position = free + (after - signed_distance(free, n, offset))[..., None] * n
+    return position, v + (u_after - np.sum(v * n, axis=-1))[..., None] * n, impacts, left
+
+
+def _arrival_speed(separation: Array, normal_velocity: Array, normal_acceleration: Array) -> Array:
+    """Speed at which it meets the plane, √(u² − 2 a s), m/s; 0 where it does not."""
+    squared = normal_velocity**2 - 2 * normal_acceleration * separation
+    return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
