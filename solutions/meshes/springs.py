@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solutions.meshes.topology import Array, SpringMesh
+from solutions.meshes.topology import Array, SpringMesh, lengths
 
 
 def node_vectors(mesh: SpringMesh, name: str, value: ArrayLike) -> Array:
@@ -52,7 +52,7 @@ def edge_directions(mesh: SpringMesh, position: ArrayLike) -> tuple[Array, Array
     length : (..., m), m
     """
     between = across_edges(mesh, node_vectors(mesh, "position", position))
-    length = np.sqrt(np.einsum("...i,...i->...", between, between))
+    length = lengths(between)
     return between / np.where(length > 0, length, 1.0)[..., None], length
 
 

@@ -78,6 +78,11 @@ def _finite(name: str, value: ArrayLike) -> Array:
     return array
 
 
+def lengths(vector: Array) -> Array:
+    """Lengths of the vectors (..., 3). The only such formula here: a mesh in its first shape is at rest to the bit."""
+    return np.sqrt(np.einsum("...i,...i->...", vector, vector))
+
+
 def checked_edges(edges: ArrayLike, nodes: int) -> Integers:
     """Return a copy of the edges as (m, 2) integers; refuse ends that are no nodes, and an edge from a node to itself.
 
@@ -130,7 +135,7 @@ def spring_mesh(
     if place.ndim != 2 or place.shape[1] != 3 or not np.all(np.isfinite(place)):
         raise ValueError(f"position must be finite and of the shape (nodes, 3), not {place.shape}: {place}")
     found = checked_edges(edges, len(place))
-    length = np.linalg.norm(place[found[:, 0]] - place[found[:, 1]], axis=1)
+    length = lengths(place[found[:, 0]] - place[found[:, 1]])
     masses = np.broadcast_to(np.asarray(mass, dtype=float), len(place))
     mesh = SpringMesh(found, length, np.asarray(stiffness), np.asarray(damping), masses, np.zeros(len(place), bool))
     return pin(mesh, pinned)
