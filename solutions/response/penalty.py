@@ -168,7 +168,7 @@ def penalty_damping(restitution: ArrayLike, mass: ArrayLike, stiffness: ArrayLik
 
 
 def penalty_step_limit(mass: ArrayLike, stiffness: ArrayLike, damping: ArrayLike = 0.0) -> Array:
-    """Longest step that semi-implicit Euler takes of a penalty contact before it explodes (slide 8).
+    """Step from which on semi-implicit Euler shakes a penalty contact instead of letting it rest (slide 8).
 
         Δt < (2/ω)(√(1 + ζ²) − ζ)
 

@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solutions.response import kinematic_response
+from solutions import as_printed
+from solutions.response import kinematic_response, moving_plane_response
 
 RNG_SEED = 7
 COMPONENT = st.floats(-100, 100)
@@ -18,6 +19,7 @@ ROUNDING = 1e-12
 UP = (0.0, 0.0, 1.0)
 
 
+@pytest.mark.statement(7, oracle="arithmetic by hand")
 def test_a_ball_that_drops_on_the_floor_leaves_with_e_times_its_speed():
     assert kinematic_response((0.0, 0.0, -4.0), UP, 0.75).tolist() == [0.0, 0.0, 3.0]
 
@@ -38,6 +40,7 @@ def test_without_restitution_the_body_slides_on_along_the_plane():
     assert kinematic_response((3.0, -1.0, -2.0), UP, 0.0).tolist() == [3.0, -1.0, 0.0]
 
 
+@pytest.mark.statement(7, oracle="Newton's restitution, component by component")
 @given(VELOCITY, NORMAL, RESTITUTION)
 def test_what_comes_in_leaves_with_e_times_the_normal_speed_and_the_same_tangential_velocity(velocity, normal, e):
     before, after = velocity @ normal, kinematic_response(velocity, normal, e) @ normal
@@ -46,6 +49,7 @@ def test_what_comes_in_leaves_with_e_times_the_normal_speed_and_the_same_tangent
     assert kinematic_response(velocity, normal, e) - after * normal == pytest.approx(along, abs=ROUNDING)
 
 
+@pytest.mark.statement(7, oracle="the guard")
 @given(VELOCITY, NORMAL, RESTITUTION)
 def test_a_body_that_already_moves_away_or_along_is_left_alone(velocity, normal, e):
     leaving = velocity + (ROUNDING - min(velocity @ normal, 0.0)) * normal  # by a little more than rounding can undo
@@ -63,6 +67,7 @@ def test_answering_the_same_collision_twice_changes_nothing_more(velocity, norma
     assert kinematic_response(once, normal, e) == pytest.approx(once, abs=ROUNDING)
 
 
+@pytest.mark.statement(7, oracle="energy")
 @given(VELOCITY, NORMAL, RESTITUTION)
 def test_a_collision_takes_the_share_one_minus_e_squared_of_the_energy_along_the_normal(velocity, normal, e):
     approach = min(velocity @ normal, 0.0)
@@ -114,6 +119,129 @@ def test_a_bouncing_ball_loses_height_as_e_to_the_power_two_n():
     assert heights == pytest.approx([e ** (2 * n) for n in range(1, 6)], rel=1e-14)  # ten roundings
 
 
+# Another engine
+
+
+@pytest.mark.statement(7, oracle="pymunk's impulse on a fixed or driven wall")
+@pytest.mark.parametrize("wall_speed", [0.0, 1.5, -0.5])
+def test_an_impulse_solver_in_the_plane_gives_the_same_velocity(wall_speed):
+    pymunk = pytest.importorskip("pymunk")
+    rng = np.random.default_rng(RNG_SEED)
+    for _ in range(20):
+        angle, e = rng.uniform(0, 6.28), rng.uniform(0.05, 1)
+        normal = np.array([np.cos(angle), np.sin(angle)])
+        velocity = rng.normal(size=2) - 3 * normal  # comes in
+        space = pymunk.Space()
+        wall = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
+        wall.angle, wall.velocity = angle - np.pi / 2, tuple(wall_speed * normal)
+        floor = pymunk.Poly(wall, [(-9, -9), (9, -9), (9, 0), (-9, 0)])
+        ball = pymunk.Body(1, 1)
+        ball.position, ball.velocity = tuple(0.0999 * normal), tuple(velocity)  # touches
+        shape = pymunk.Circle(ball, 0.1)
+        floor.elasticity, shape.elasticity = e, 1.0  # they multiply
+        space.add(wall, floor, ball, shape)
+        space.step(1e-9)
+        plane = (*(wall_speed * normal), 0.0)
+        after = moving_plane_response((*velocity, 0.0), plane, (*normal, 0.0), e)
+        approaches = (velocity @ normal) < wall_speed
+        expected = ball.velocity if approaches else velocity
+        assert after[:2] == pytest.approx(tuple(expected), abs=1e-6)  # it converges to some digits, not to all
+
+
+# A plane that moves
+
+
+def test_a_racket_sends_a_ball_back_with_e_v_and_one_plus_e_of_its_own_speed():
+    # v = 4 in, w = 2 towards it, e = 0.5: 0.5 · 4 + 1.5 · 2
+    assert moving_plane_response((1.0, 0.0, -4.0), (0.0, 0.0, 2.0), UP, 0.5).tolist() == [1.0, 0.0, 5.0]
+
+
+def test_a_plane_that_sinks_as_fast_as_the_ball_or_slides_in_itself_does_nothing():
+    assert moving_plane_response((1.0, 0.0, -4.0), (0.0, 0.0, -4.0), UP, 0.5).tolist() == [1.0, 0.0, -4.0]
+    assert moving_plane_response((1.0, 0.0, -4.0), (0.0, 0.0, -5.0), UP, 0.5).tolist() == [1.0, 0.0, -4.0]
+    assert moving_plane_response((1.0, 0.0, 4.0), (9.0, 9.0, 0.0), UP, 0.5).tolist() == [1.0, 0.0, 4.0]
+
+
+def test_a_ball_at_rest_is_pushed_off_by_a_plane_that_comes():
+    assert moving_plane_response((0.0, 0.0, 0.0), (3.0, 0.0, 2.0), UP, 0.0).tolist() == [0.0, 0.0, 2.0]
+
+
+@pytest.mark.statement(7, oracle="the relative velocity, reversed")
+@given(VELOCITY, NORMAL, RESTITUTION, VELOCITY)
+def test_whoever_rides_on_the_plane_sees_an_ordinary_collision(velocity, normal, e, plane):
+    relative = (velocity - plane) @ normal
+    after = moving_plane_response(velocity, plane, normal, e)
+    assert (after - plane) @ normal == pytest.approx(-e * relative if relative < 0 else relative, abs=ROUNDING)
+    along = velocity - (velocity @ normal) * normal
+    assert after - (after @ normal) * normal == pytest.approx(along, abs=ROUNDING)
+
+
+@given(VELOCITY, NORMAL, RESTITUTION, VELOCITY, VELOCITY)
+def test_an_observer_in_motion_sees_the_same_collision_with_a_moving_plane(velocity, normal, e, plane, boost):
+    seen = moving_plane_response(velocity + boost, plane + boost, normal, e) - boost
+    assert seen == pytest.approx(moving_plane_response(velocity, plane, normal, e), abs=ROUNDING)
+
+
+@given(VELOCITY, NORMAL, RESTITUTION)
+def test_a_plane_at_rest_is_the_ordinary_case(velocity, normal, e):
+    after = moving_plane_response(velocity, (0.0, 0.0, 0.0), normal, e)
+    assert np.array_equal(after, kinematic_response(velocity, normal, e))
+
+
+# The slide as printed
+
+
+@pytest.mark.erratum(7)
+def test_as_printed_a_point_still_behind_the_plane_is_thrown_back_in_and_never_leaves():
+    dt, places = 0.01, {}
+    for name, respond in (
+        ("printed", as_printed.mirror_response),
+        ("guarded", lambda velocity, normal: kinematic_response(velocity, normal, 1.0)),
+    ):
+        z, v = -0.015, np.array([0.0, 0.0, 1.0])  # answered 1.5 cm inside, by half its speed; now on its way out
+        for _ in range(201):
+            z = z + v[2] * dt
+            if z < 0:
+                v = respond(v, UP)
+        places[name] = z
+    assert places["printed"] == pytest.approx(-0.005, abs=1e-12)  # thrown back in at every second step, for ever
+    assert places["guarded"] == pytest.approx(1.995, abs=1e-12)  # 201 steps, some roundings each
+
+
+@pytest.mark.erratum(7)
+def test_as_printed_a_body_that_leaves_is_reflected_and_nothing_ever_loses_energy():
+    assert as_printed.mirror_response((1.0, 0.0, 3.0), UP).tolist() == [1.0, 0.0, -3.0]
+    assert as_printed.mirror_response((1.0, 0.0, -3.0), UP).tolist() == [1.0, 0.0, 3.0]
+    assert kinematic_response((1.0, 0.0, -3.0), UP, 0.5).tolist() == [1.0, 0.0, 1.5]
+
+
+# What is refused
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: kinematic_response((0, 0, -1), (0, 0, 2), 0.5), "normal must have length 1, not 2"),
+        (lambda: kinematic_response((0, 0, -1), (0, 0, 0), 0.5), "normal must have length 1, not 0"),
+        (lambda: kinematic_response((0, 0, -1), UP, 1.1), "restitution must be from 0 to 1, not 1.1"),
+        (lambda: kinematic_response((0, 0, -1), UP, [0.5, -0.1]), "restitution must be from 0 to 1, not -0.1"),
+        (lambda: kinematic_response(-1.0, UP, 0.5), r"velocity must have shape \(..., 3\), not \(\)"),
+        (lambda: kinematic_response((0, 0, -1), 1.0, 0.5), r"normal must have shape \(..., 3\), not \(\)"),
+        (lambda: moving_plane_response((0, 0, -1), (0, 0, 1), (0, 0, 2), 0.5), "normal must have length 1, not 2"),
+        (lambda: moving_plane_response((0, 0, -1), (0, 0, 1), UP, 2.0), "restitution must be from 0 to 1, not 2"),
+        (lambda: moving_plane_response(-1.0, (0, 0, 1), UP, 0.5), r"velocity must have shape \(..., 3\), not \(\)"),
+        (lambda: moving_plane_response((0, 0, -1), 1.0, UP, 0.5), r"plane_velocity must have shape \(..., 3\), not"),
+        (lambda: moving_plane_response((0, 0, -1), (0, 0, 1), 1.0, 0.5), r"normal must have shape \(..., 3\), not"),
+    ],
+)
+def test_what_makes_no_sense_is_refused_by_name_and_value(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
+
+
+# One is many
+
+
 def test_many_collisions_at_once_are_the_same_as_one_after_another():
     rng = np.random.default_rng(RNG_SEED)
     velocities, normals = rng.normal(size=(2, 4, 5, 3))
@@ -124,6 +252,11 @@ def test_many_collisions_at_once_are_the_same_as_one_after_another():
     for at in np.ndindex(4, 5):
         # Sums over the last axis may be grouped differently in a batch
         assert together[at] == pytest.approx(kinematic_response(velocities[at], normals[at], e[at]), abs=1e-15)
+    planes = rng.normal(size=(4, 5, 3))
+    together = moving_plane_response(velocities, planes, normals, e)
+    for at in np.ndindex(4, 5):
+        one = moving_plane_response(velocities[at], planes[at], normals[at], e[at])
+        assert together[at] == pytest.approx(one, abs=2e-15)
 
 
 def test_one_plane_answers_many_bodies_and_one_body_many_coefficients():
@@ -136,6 +269,7 @@ def test_answering_a_collision_changes_none_of_its_inputs():
     kept = [array.copy() for array in arrays]
     for array in arrays:
         array.flags.writeable = False  # writing to one would raise
+    moving_plane_response(arrays[0], *arrays)
     answer = kinematic_response(*arrays)
     assert all(np.array_equal(array, copy) for array, copy in zip(arrays, kept, strict=True))
     assert not np.shares_memory(answer, arrays[0])
