@@ -97,8 +97,10 @@ def implicit_mesh_step(
 
         (M + dt C + dt² K)(v' − v) = dt (f + M a − dt K v),    p' = p + dt v'
 
-    K is clamped: shortened springs would make the matrix indefinite. So no dt is too long, but the motion is damped:
-    of a vibration at ω each step keeps 1/√(1 + ω² dt²) (`amplitude_kept`), and high frequencies are gone at once.
+    K is clamped: shortened springs would make the matrix indefinite. So vibrations do not grow however long dt is, but
+    they are damped: at ω each step keeps 1/√(1 + ω² dt²) of one (`amplitude_kept`), and high frequencies are gone at
+    once. Linearised once, a step knows the directions of the springs at its start alone: a flat cloth, which resists
+    nothing across, falls free until the next. Momentum is kept, to the tolerance; angular momentum is not.
 
     Parameters
     ----------
