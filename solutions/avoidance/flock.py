@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.avoidance.directions import limited
 from solutions.avoidance.neighbours import neighbour_pairs
-from solutions.checks import positive
+from solutions.checks import not_negative, positive
 
 Array = NDArray[np.float64]
 
@@ -92,9 +92,14 @@ def flock_step(
     Raises
     ------
     ValueError
-        If the step or the radius is not positive, a limit is negative, or a position is not finite.
+        If the step or the radius is not positive, a limit is negative, a position is not finite, or the
+        shapes do not fit.
     """
     p, v, dt = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float), float(positive("dt", dt))
+    max_speed = float(not_negative("max_speed", max_speed))
+    max_acceleration = float(not_negative("max_acceleration", max_acceleration))
+    if v.shape != p.shape:
+        raise ValueError(f"velocity must have the shape {p.shape} of the positions, not {v.shape}")
     pairs = neighbour_pairs(p, radius)
     apart, along, together = weights
     wanted = apart * separation(p, *pairs) + along * alignment(v, *pairs) + together * cohesion(p, *pairs)

@@ -7,6 +7,8 @@ Inside, a half-plane is n·v ≥ b with its unit normal n and b = n·point.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -44,13 +46,15 @@ def permitted_velocity(preferred: ArrayLike, max_speed: ArrayLike, point: ArrayL
     n, speed = _normals(normal), not_negative("max_speed", max_speed)
     bound = np.sum(n * np.asarray(point, dtype=float), axis=-1)
     wish = np.asarray(preferred, dtype=float)
-    shape = np.broadcast_shapes(wish.shape[:-1], speed.shape, n.shape[:-2])
-    wish = np.broadcast_to(wish, (*shape, 2)).reshape(-1, 2)
-    speed = np.broadcast_to(speed, shape).reshape(-1)
-    n = np.broadcast_to(n, (*shape, *n.shape[-2:])).reshape(len(wish), -1, 2)
-    bound = np.broadcast_to(bound, (*shape, bound.shape[-1])).reshape(len(wish), -1)
+    shape, m = np.broadcast_shapes(wish.shape[:-1], speed.shape, bound.shape[:-1]), bound.shape[-1]
+    rows = math.prod(shape)
+    wish, speed = np.broadcast_to(wish, (*shape, 2)).reshape(rows, 2), np.broadcast_to(speed, shape).reshape(rows)
+    n, bound = (
+        np.broadcast_to(n, (*shape, m, 2)).reshape(rows, m, 2),
+        np.broadcast_to(bound, (*shape, m)).reshape(rows, m),
+    )
     v, failed = _nearest(wish, speed, n, bound)
-    lost = np.flatnonzero(failed < n.shape[1])
+    lost = np.flatnonzero(failed < m)
     v[lost] = _least_broken(v[lost], speed[lost], n[lost], bound[lost], failed[lost])
     return v.reshape(*shape, 2)
 
@@ -69,9 +73,9 @@ def _nearest(wish: Array, speed: Array, normal: Array, bound: Array, far: bool =
 
     With `far` the wish is a direction, and the velocity is to go as far along it as it may.
     """
-    rows, m = len(wish), normal.shape[1]
+    m = normal.shape[1]
     v = wish * speed[:, None] if far else limited(wish, speed)
-    failed = np.full(rows, m)
+    failed = np.full(len(wish), m)
     for k in range(m):
         broken = np.flatnonzero((np.sum(normal[:, k] * v, axis=-1) < bound[:, k]) & (failed == m))
         if len(broken) == 0:
@@ -80,10 +84,10 @@ def _nearest(wish: Array, speed: Array, normal: Array, bound: Array, far: bool =
         low, high = _stretch(normal[broken], bound[broken], speed[broken], along, k)
         goal = np.sum(wish[broken] * along, axis=-1)
         place = np.clip(np.copysign(np.inf, goal) if far else goal, low, high)
-        found = normal[broken, k] * bound[broken, k, None] + along * place[:, None]
-        possible = low <= high
-        v[broken[possible]] = found[possible]
-        failed[broken[~possible]] = k
+        kept = low <= high
+        rows, along, place = broken[kept], along[kept], place[kept]
+        v[rows] = normal[rows, k] * bound[rows, k, None] + along * place[:, None]
+        failed[broken[~kept]] = k
     return v, failed
 
 

@@ -79,7 +79,8 @@ def crowd_step(
     """State of a crowd of discs after a step in which each keeps out of the others' way (beyond slide 1).
 
     Each disc takes the velocity nearest to its preferred one that all its half-planes permit. Discs that cannot meet
-    within the horizon even at full speed are left out.
+    within the horizon even at full speed are left out. Discs that start from rest exactly head-on, two or a whole ring,
+    stop in front of each other: nothing names a side. A wish turned a little to the right sets them free.
 
     Parameters
     ----------
@@ -94,17 +95,34 @@ def crowd_step(
     Raises
     ------
     ValueError
-        If a radius or a speed is negative, a horizon or step is not positive, or a position is not finite.
+        If a radius or a speed is negative, a horizon or step is not positive, a position is not finite, or the shapes
+        do not fit.
     """
-    p, v = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float)
-    r, speed = (np.broadcast_to(np.asarray(value, dtype=float), len(p)) for value in (radius, max_speed))
-    sight = 2 * (r.max(initial=0.0) + speed.max(initial=0.0) * float(horizon))
-    i, j = neighbour_pairs(p, sight)
+    p, v = _states(position, velocity)
+    r = np.broadcast_to(not_negative("radius", radius), len(p))
+    speed = np.broadcast_to(not_negative("max_speed", max_speed), len(p))
+    horizon, dt = float(positive("horizon", horizon)), float(positive("dt", dt))
+    i, j = _who_may_meet(p, r, speed, horizon)
     point, normal = orca_half_plane(p[i], v[i], r[i], p[j], v[j], r[j], horizon, dt)
     mirrored = v[j] - (point - v[i])  # the other half of the same change, the other way
     points, normals = _in_rows(len(p), np.r_[i, j], np.r_[point, mirrored], np.r_[normal, -normal])
     v = permitted_velocity(preferred, speed, points, normals)
     return p + v * dt, v
+
+
+def _states(position: ArrayLike, velocity: ArrayLike) -> tuple[Array, Array]:
+    p, v = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float)
+    if p.ndim != 2 or p.shape[1] != 2:
+        raise ValueError(f"position must have the shape (n, 2), not {p.shape}")
+    if v.shape != p.shape:
+        raise ValueError(f"velocity must have the shape {p.shape} of the positions, not {v.shape}")
+    return p, v
+
+
+def _who_may_meet(p: Array, radius: Array, speed: Array, horizon: float) -> tuple[Index, Index]:
+    """Pairs that could touch within the horizon, if the largest and fastest flew straight at each other."""
+    sight = 2 * (radius.max(initial=0.0) + speed.max(initial=0.0) * horizon)
+    return neighbour_pairs(p, sight if sight > 0 else 1.0)
 
 
 def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps: Array) -> tuple[Array, Array]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from decimal import Decimal, localcontext
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -269,8 +271,6 @@ def test_from_inside_the_sphere_the_answer_is_the_nearest_point_of_its_surface()
 
 
 def test_the_tangent_point_has_its_digits_where_the_sphere_is_almost_touched():
-    from decimal import Decimal, localcontext
-
     gap = 2.0**-40
     point = tangent_point(np.zeros(3), NORTH, (1 + gap) * EAST, 1.0)
     with localcontext() as context:
@@ -450,8 +450,6 @@ def test_spheres_that_will_just_graze_do_meet_and_those_a_hair_farther_do_not():
 
 
 def test_the_time_to_collision_keeps_its_digits_over_a_long_approach():
-    from fractions import Fraction
-
     # Head-on from 1e8 m with radii of 1 mm: x² − R² and (x·u)² − u²(x² − R²) both cancel in a plain formula.
     distance, speed, reach = 1e8, 3.0, 2e-3
     exact = (Fraction(distance) - Fraction(1e-3) * 2) / Fraction(speed)
