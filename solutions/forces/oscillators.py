@@ -127,7 +127,8 @@ def friction_oscillator(
     ahead = np.sign(v) * x + f  # of the centre of the swing, in the direction of motion
     turn = np.where(v == 0, x, -np.sign(v) * (np.hypot(ahead, v / omega) + f))
     phase = finite("t", time) * omega + np.where(v == 0, 0.0, np.arctan2(np.abs(v) / omega, -ahead))
-    until_stuck = np.where(f > 0, np.ceil((np.abs(turn) - f) / np.where(f > 0, 2 * f, 1.0)), np.inf)
+    with np.errstate(all="ignore"):  # next to no friction: it never sticks, and infinity says so
+        until_stuck = np.where(f > 0, np.ceil((np.abs(turn) - f) / (2 * f)), np.inf)
     swings = np.minimum(np.floor(phase / np.pi), np.maximum(until_stuck, 0.0))
     angle = np.where(swings >= until_stuck, 0.0, phase - np.pi * swings)
     side = np.sign(turn) * (1 - 2 * (swings % 2))
