@@ -96,18 +96,17 @@ def _stretch(normal: Array, bound: Array, speed: Array, along: Array, k: int) ->
 
     The border's points are n_k b_k + t along. Half-plane j asks for t (n_j·along) ≥ b_j − b_k n_j·n_k.
     """
+    before, b = normal[:, :k], bound[:, k, None]
+    slope = np.sum(before * along[:, None], axis=-1)
+    asked = bound[:, :k] - b * np.sum(before * normal[:, k, None], axis=-1)
+    parallel = np.abs(slope) <= PARALLEL
+    place = asked / np.where(parallel, 1.0, slope)
     room = (speed - bound[:, k]) * (speed + bound[:, k])
-    high = np.where(room >= 0, np.sqrt(np.maximum(room, 0.0)), -np.inf)
-    low = -high
-    for j in range(k):
-        slope = np.sum(normal[:, j] * along, axis=-1)
-        asked = bound[:, j] - bound[:, k] * np.sum(normal[:, j] * normal[:, k], axis=-1)
-        parallel = np.abs(slope) <= PARALLEL
-        place = asked / np.where(parallel, 1.0, slope)
-        low = np.where(~parallel & (slope > 0), np.maximum(low, place), low)
-        high = np.where(~parallel & (slope < 0), np.minimum(high, place), high)
-        high = np.where(parallel & (asked > 0), -np.inf, high)
-    return low, high
+    half = np.where(room >= 0, np.sqrt(np.maximum(room, 0.0)), -np.inf)
+    low = np.max(place, axis=-1, where=slope > PARALLEL, initial=-np.inf)
+    high = np.min(place, axis=-1, where=slope < -PARALLEL, initial=np.inf)
+    too_far = parallel & (asked > PARALLEL * (speed[:, None] + np.abs(b)))  # the same border twice is not
+    return np.maximum(low, -half), np.where(np.any(too_far, axis=-1), -np.inf, np.minimum(high, half))
 
 
 def _least_broken(v: Array, speed: Array, normal: Array, bound: Array, failed: Index) -> Array:

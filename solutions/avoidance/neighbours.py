@@ -46,9 +46,8 @@ def neighbour_pairs(position: ArrayLike, radius: float) -> tuple[Index, Index]:
         there = key + ahead
         found.append(_near(p, reach, np.searchsorted(key, there - 1), np.searchsorted(key, there + 1, "right")))
     one, other = (order[np.concatenate(side)] for side in zip(*found, strict=True))
-    first, second = np.minimum(one, other), np.maximum(one, other)
-    ascending = np.argsort(first * len(p) + second)
-    return first[ascending], second[ascending]
+    ascending = np.sort(np.minimum(one, other) * len(p) + np.maximum(one, other))
+    return np.divmod(ascending, max(len(p), 1))
 
 
 def _points(position: ArrayLike) -> Array:

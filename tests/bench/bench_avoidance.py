@@ -83,7 +83,10 @@ def navground_crowd() -> Callable[[], object]:
         behavior.position, behavior.velocity = place, moving
         behavior.target = core.Target.Direction(wanted / np.linalg.norm(wanted))
         behaviors.append(behavior)
-    discs = [core.Neighbor(place, 0.5, moving, index) for index, (place, moving) in enumerate(zip(position, velocity))]
+    discs = [
+        core.Neighbor(place, 0.5, moving, index)
+        for index, (place, moving) in enumerate(zip(position, velocity, strict=True))
+    ]
     near = np.linalg.norm(position[:, None] - position, axis=-1) <= 7.0
 
     def step() -> None:
@@ -98,7 +101,7 @@ def navground_crowd() -> Callable[[], object]:
 BENCHES = (
     Bench(
         "flock",
-        f"a step of a flock of {BOIDS} boids, some {SEEN} neighbours each; of the rivals only the search for neighbours",
+        f"a step of a flock of {BOIDS} boids, some {SEEN} neighbours each; of the rivals only the search for them",
         our_step,
         {
             "hand-written, neighbours alone": our_pairs(BOIDS),

@@ -339,8 +339,29 @@ def test_a_border_beyond_the_speed_limit_is_approached_as_far_as_the_limit_lets(
 
 
 def test_the_same_half_plane_twice_is_as_good_as_once():
-    once = permitted_velocity((2.0, 1.0), 5.0, [(0.5, 0.0)], [(-0.6, 0.8)])
-    assert permitted_velocity((2.0, 1.0), 5.0, [(0.5, 0.0)] * 3, [(-0.6, 0.8)] * 3) == pytest.approx(once, abs=1e-15)
+    rng = np.random.default_rng(RNG_SEED)
+    for _ in range(300):
+        point, normal = scene(rng, 2, 0.5)
+        wish, slip = rng.normal(size=2), rng.uniform(-3, 3, (3, 1))
+        once = permitted_velocity(wish, 1.5, point, normal)
+        along = np.c_[-normal[:, 1], normal[:, 0]]
+        again = np.r_[point, point[:1] + slip[:1] * along[:1], point[1:] + slip[1:2] * along[1:]]
+        # the same borders, said by other points of theirs: rounding may put the copies on either side of them
+        assert permitted_velocity(wish, 1.5, again, np.r_[normal, normal]) == pytest.approx(once, abs=1e-12)
+
+
+def test_two_half_planes_that_share_a_border_leave_the_border():
+    rng = np.random.default_rng(RNG_SEED)
+    for _ in range(100):
+        point, normal = scene(rng, 1, 0.5)
+        wish, along = rng.normal(size=2) * 0.5, np.array([-normal[0, 1], normal[0, 0]])
+        both = np.r_[point, point + 0.7 * along], np.r_[normal, -normal]
+        foot = point[0] + ((wish - point[0]) @ along) * along
+        if np.linalg.norm(foot) < 1.5:
+            assert permitted_velocity(wish, 1.5, *both) == pytest.approx(foot, abs=1e-12)
+
+
+def test_of_parallel_half_planes_that_cannot_be_kept_the_farthest_counts():
     blocked = [(3.0, 0.0), (3.0, 0.0), (2.0, 0.0)], [(1.0, 0.0), (1.0, 0.0), (1.0, 0.0)]
     assert permitted_velocity((0.0, 1.0), 1.0, *blocked) == pytest.approx([1.0, 0.0], abs=1e-15)
 
