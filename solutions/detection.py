@@ -34,7 +34,7 @@ def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> A
     length = np.linalg.norm(normal, axis=-1)
     if np.any(length == 0):
         raise ValueError("normal is zero: the plane has no direction")
-    return np.asarray((np.sum(normal * point, axis=-1) + offset) / length)
+    return np.asarray((np.vecdot(normal, point) + offset) / length)
 
 
 def is_colliding(separation: ArrayLike, tolerance: ArrayLike = 0.0) -> NDArray[np.bool_]:

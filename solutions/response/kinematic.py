@@ -34,7 +34,7 @@ def kinematic_response(velocity: ArrayLike, normal: ArrayLike, restitution: Arra
         If a normal has not length 1, e is not from 0 to 1, or a vector has not three components.
     """
     v, n = vector("velocity", velocity), unit("normal", vector("normal", normal))
-    approach = np.minimum(np.sum(v * n, axis=-1), 0.0)
+    approach = np.minimum(np.vecdot(v, n), 0.0)
     return np.asarray(v - ((1 + in_unit_interval("restitution", restitution)) * approach)[..., None] * n)
 
 
@@ -67,5 +67,5 @@ def moving_plane_response(
     """
     v, w = vector("velocity", velocity), vector("plane_velocity", plane_velocity)
     n, e = unit("normal", vector("normal", normal)), in_unit_interval("restitution", restitution)
-    approach = np.minimum(np.sum((v - w) * n, axis=-1), 0.0)
+    approach = np.minimum(np.vecdot(v - w, n), 0.0)
     return np.asarray(v - ((1 + e) * approach)[..., None] * n)

@@ -216,11 +216,11 @@ def bounce_through_step(
         As bounce_along_normal and signed_distance, or if a normal has not length 1.
     """
     n, v, a = unit("normal", normal), vector("velocity", velocity), np.asarray(acceleration, dtype=float)
-    before, u, a_n = signed_distance(position, n, offset), np.sum(v * n, axis=-1), np.sum(a * n, axis=-1)
+    before, u, a_n = signed_distance(position, n, offset), np.vecdot(v, n), np.vecdot(a, n)
     after, u_after, impacts, left = bounce_along_normal(before, u, a_n, restitution, dt, most_impacts)
     free, v = ballistic_motion(position, v, a, np.asarray(dt) - left)
     position = free + (after - signed_distance(free, n, offset))[..., None] * n
-    return position, v + (u_after - np.sum(v * n, axis=-1))[..., None] * n, impacts, left
+    return position, v + (u_after - np.vecdot(v, n))[..., None] * n, impacts, left
 
 
 def _arrival_speed(separation: Array, normal_velocity: Array, normal_acceleration: Array) -> Array:
