@@ -21,7 +21,7 @@ def correction() -> Callable[[], object]:
 
 def correction_fluids() -> Callable[[], object]:
     """The package's vectorised function, the same fit."""
-    from fluids import vectorized
+    from fluids import vectorized  # noqa: PLC0415
 
     reynolds = np.geomspace(0.02, 3e5, 100_000)
     return lambda: vectorized.Clift(reynolds) * reynolds / 24
@@ -35,7 +35,7 @@ def grains() -> Callable[[], object]:
 
 def grains_fluids() -> Callable[[], object]:
     """The same, one after another: the package has no other way."""
-    from fluids import v_terminal
+    from fluids import v_terminal  # noqa: PLC0415
 
     diameters = (2 * np.geomspace(1e-6, 1e-3, 1000)).tolist()
     return lambda: [v_terminal(D=d, rhop=2600.0, rho=1000.0, mu=1e-3, Method="Clift") for d in diameters]
@@ -91,7 +91,7 @@ def orbit() -> Callable[[], object]:
 
 def orbit_scipy() -> Callable[[], object]:
     """The same by DOP853 to 1e-9, which chooses its own steps, with the same function for the pull."""
-    from scipy.integrate import solve_ivp
+    from scipy.integrate import solve_ivp  # noqa: PLC0415
 
     mass, start = 1 / forces.GRAVITATIONAL_CONSTANT, [1.0, 0.0, 0.0, 0.0, 1.2, 0.0]
 
