@@ -16,9 +16,13 @@ ROUNDING = 1e-12
 def limit_strain(mesh: SpringMesh, position: ArrayLike, limit: float = 0.1, iterations: int = 1000) -> Array:
     """Draw the ends of every spring that is stretched by more than the limit together, again and again (Provot 1995).
 
-    Provot takes one spring after another. Here all are taken at once, each by the share 1/c of what it is too long,
-    where c is how many such springs meet at its busier end: so no node is moved too far. The ends move by their inverse
-    masses, which leaves the centre of mass where it was; a pinned end stays, and the other takes it all.
+    Provot takes one spring after another, here all are taken at once. One that is too long by x moves its ends by w1 λ
+    and w2 λ, with the inverse masses w; so the centre of mass stays, and a pinned end leaves all to the other. With
+
+        λ = x/(c1 w1 + c2 w2)
+
+    where c counts the too long springs at an end, one spring alone fits at once, and many do not move a node too far.
+    It takes more rounds the longer the way across the mesh and the more unequal the masses.
 
     Parameters
     ----------
@@ -28,8 +32,9 @@ def limit_strain(mesh: SpringMesh, position: ArrayLike, limit: float = 0.1, iter
 
     Returns
     -------
-    (..., n, 3), m. Springs between two pinned nodes stay as they are, and where the pins are too far apart for all
-    springs to fit, some stay too long. Shortened springs, and those of no rest length, are left alone.
+    (..., n, 3), m. Springs between two pinned nodes stay as they are. Where the pins are too far apart for all springs
+    to fit it does not settle, and some are too long in the end. Shortened springs, and those of no rest length, are
+    left alone.
 
     Raises
     ------
@@ -38,25 +43,24 @@ def limit_strain(mesh: SpringMesh, position: ArrayLike, limit: float = 0.1, iter
     """
     p = node_vectors(mesh, "position", position)
     longest = np.where(mesh.rest_length > 0, mesh.rest_length * (1 + not_negative("limit", limit)), np.inf)
-    inverse_mass = np.take(mesh.inverse_mass, mesh.edges)
-    share = inverse_mass.sum(axis=-1)
+    can_move = ~np.all(mesh.pinned[mesh.edges], axis=-1)
     for _ in range(iterations):
         u, length = edge_directions(mesh, p)
-        excess = np.where((length > longest * (1 + ROUNDING)) & (share > 0), length - longest, 0.0)
-        if not np.any(excess):
+        too_long = (length > longest * (1 + ROUNDING)) & can_move
+        if not np.any(too_long):
             break
-        impulse = excess / np.where(share > 0, share, 1.0) / _busier_end(mesh, excess > 0)
-        p = p - mesh.inverse_mass[:, None] * onto_nodes(mesh, impulse[..., None] * u)
+        weight = np.where(too_long, _counts_and_inverse_masses(mesh, too_long), np.inf)
+        p = p - mesh.inverse_mass[:, None] * onto_nodes(mesh, ((length - longest) / weight)[..., None] * u)
     return np.array(p)
 
 
-def _busier_end(mesh: SpringMesh, counted: NDArray[np.bool_]) -> Array:
-    """For every edge, how many of the counted edges (..., m) meet at that end of it where more do; at least 1."""
+def _counts_and_inverse_masses(mesh: SpringMesh, counted: NDArray[np.bool_]) -> Array:
+    """For every edge c1 w1 + c2 w2, (..., m), where c is how many of the counted edges (..., m) meet at an end."""
     at_node = np.zeros((len(mesh.mass), *counted.shape[:-1]))
     for end in mesh.edges.T:
         np.add.at(at_node, end, np.moveaxis(counted, -1, 0).astype(float))
-    busier = np.max(at_node[mesh.edges], axis=1)
-    return np.asarray(np.maximum(np.moveaxis(busier, 0, -1), 1.0))
+    weighed = np.moveaxis(at_node, 0, -1) * mesh.inverse_mass
+    return np.asarray(np.sum(weighed[..., mesh.edges], axis=-1))
 
 
 def static_shape(
@@ -72,7 +76,8 @@ def static_shape(
     ----------
     position : (..., n, 3), m, the first guess
     acceleration : as of gravity, broadcast to (..., n, 3), m/s²
-    tolerance : largest net force left at a free node, relative to the largest weight or, if larger, net force at first
+    tolerance : largest net force left at a free node, relative to the largest weight; if there is none, to the largest
+        net force at first
     iterations : steps at most
 
     Returns
@@ -89,12 +94,11 @@ def static_shape(
     weight = np.where(mesh.pinned, 0.0, mesh.mass)[:, None] * np.asarray(acceleration, dtype=float)
     held_by = np.bincount(mesh.edges.ravel(), np.repeat(mesh.stiffness, 2), len(mesh.mass))[:, None]
     softness = np.where(mesh.pinned[:, None] | (held_by == 0), 0.0, 1 / np.where(held_by > 0, held_by, 1.0))
-    v, energy, enough = np.zeros_like(p), np.zeros((*p.shape[:-2], 1, 1)), None
+    v, energy, scale = np.zeros_like(p), np.zeros((*p.shape[:-2], 1, 1)), _largest(weight)
     for _ in range(iterations):
         net = np.where(mesh.pinned[:, None], 0.0, mesh_forces(mesh, p, np.zeros_like(p)) + weight)
-        if enough is None:
-            enough = tolerance * np.maximum(_largest(net), _largest(weight))
-        if np.all(_largest(net) <= enough):
+        scale = np.where(scale > 0, scale, _largest(net))
+        if np.all(_largest(net) <= tolerance * scale):
             return np.array(p)
         v = v + softness * net
         before, energy = energy, np.sum(held_by * v * v, axis=(-2, -1), keepdims=True)

@@ -80,7 +80,7 @@ def _finite(name: str, value: ArrayLike) -> Array:
 
 def lengths(vector: Array) -> Array:
     """Lengths of the vectors (..., 3). The only such formula here: a mesh in its first shape is at rest to the bit."""
-    return np.sqrt(np.einsum("...i,...i->...", vector, vector))
+    return np.asarray(np.sqrt(np.einsum("...i,...i->...", vector, vector)))
 
 
 def checked_edges(edges: ArrayLike, nodes: int) -> Integers:
