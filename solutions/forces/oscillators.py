@@ -66,13 +66,14 @@ def damped_oscillator(
     stiffness : (...), k, N/m, not negative
     damping : (...), c, N s/m, not negative
     mass : (...), m, kg
-    t : (...), s, not negative
+    t : (...), s, not negative, finite
 
     Returns
     -------
     displacement, velocity : (...) each
     """
-    x, v, time = np.asarray(displacement, dtype=float), np.asarray(velocity, dtype=float), not_negative("t", t)
+    x, v = np.asarray(displacement, dtype=float), np.asarray(velocity, dtype=float)
+    time = finite("t", not_negative("t", t))
     m = positive("mass", mass)
     beta, squared = not_negative("damping", damping) / (2 * m), not_negative("stiffness", stiffness) / m
     cosine, sine = _response(beta, squared, time)
@@ -121,12 +122,13 @@ def friction_oscillator(
     -------
     displacement, velocity : (...) each
     """
-    x, v, time = np.asarray(displacement, dtype=float), np.asarray(velocity, dtype=float), not_negative("t", t)
+    x, v = np.asarray(displacement, dtype=float), np.asarray(velocity, dtype=float)
+    time = finite("t", not_negative("t", t))
     k, m = positive("stiffness", stiffness), finite("mass", positive("mass", mass))
     omega, f = natural_frequency(k, m), not_negative("friction", friction) / k
     ahead = np.sign(v) * x + f  # of the centre of the swing, in the direction of motion
     turn = np.where(v == 0, x, -np.sign(v) * (np.hypot(ahead, v / omega) + f))
-    phase = finite("t", time) * omega + np.where(v == 0, 0.0, np.arctan2(np.abs(v) / omega, -ahead))
+    phase = time * omega + np.where(v == 0, 0.0, np.arctan2(np.abs(v) / omega, -ahead))
     with np.errstate(all="ignore"):  # next to no friction: it never sticks, and infinity says so
         until_stuck = np.where(f > 0, np.ceil((np.abs(turn) - f) / (2 * f)), np.inf)
     swings = np.minimum(np.floor(phase / np.pi), np.maximum(until_stuck, 0.0))

@@ -62,13 +62,13 @@ def spheroid_shape_factors(along: ArrayLike, across: ArrayLike) -> Array:
     a, b = np.broadcast_arrays(
         finite("along", not_negative("along", along)), finite("across", positive("across", across))
     )
-    squared = (a - b) * (a + b) / np.where(a > 0, a, 1.0) ** 2
-    near = (a > 0) & (np.abs(squared) < _NEAR_SPHERE)
+    difference = (a - b) * (a + b)
+    near = np.abs(difference) < _NEAR_SPHERE * a**2
     safe_a, safe_b = np.where(near, 2.0, a), np.where(near, 1.0, b)  # any spheroid: its answer is not taken
     long = safe_a > safe_b
     prolate = _prolate(np.where(long, safe_a, 2.0), np.where(long, safe_b, 1.0))
     oblate = _oblate(np.where(long, 1.0, safe_a), np.where(long, 2.0, safe_b))
-    series = _near_sphere(a, np.where(near, squared, 0.0))
+    series = _near_sphere(a, np.where(near, difference, 0.0) / np.where(near, a, 1.0) ** 2)
     return np.where(near[..., None], series, np.where(long[..., None], prolate, oblate))
 
 

@@ -370,6 +370,7 @@ def test_without_friction_it_is_the_undamped_oscillator(x, v, stiffness, mass, t
         (lambda: damped_oscillator(1.0, 0.0, 1.0, -1.0, 1.0, 1.0), "damping must be"),
         (lambda: damped_oscillator(1.0, 0.0, 1.0, 1.0, 0.0, 1.0), "mass must be positive"),
         (lambda: damped_oscillator(1.0, 0.0, 1.0, 1.0, 1.0, -1.0), "t must be"),
+        (lambda: damped_oscillator(1.0, 0.0, 1.0, 1.0, 1.0, math.inf), "t must be finite"),
         (lambda: friction_oscillator(1.0, 0.0, 0.0, 1.0, 1.0, 1.0), "stiffness must be positive"),
         (lambda: friction_oscillator(1.0, 0.0, 1.0, -1.0, 1.0, 1.0), "friction must be"),
         (lambda: friction_oscillator(1.0, 0.0, 1.0, 1.0, 0.0, 1.0), "mass must be positive"),
