@@ -1,0 +1,139 @@
+"""What docs/responses.md says of our own code, measured."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from solutions.detection import time_of_impact_exact, time_of_impact_interpolated
+from solutions.forces import ballistic_motion, semi_implicit_euler
+from solutions.response import (
+    bounce_along_normal,
+    penalty_contact_time,
+    penalty_damping,
+    penalty_force,
+    penalty_rest_depth,
+    penalty_step_limit,
+    respond_at_impact,
+    respond_at_step,
+)
+
+PAGE = (Path(__file__).parents[2] / "docs" / "responses.md").read_text(encoding="utf-8")
+G, UP, RESTITUTION = 9.81, np.array([0.0, 0.0, 1.0]), 0.7
+PULL = -G * UP
+HEIGHTS = np.linspace(0.45, 0.55, 101)
+
+
+def rebound_error(step, dt):
+    """Root mean square of the relative error of the rebound's height, and the lowest place on the way."""
+    position, velocity, lowest = np.outer(HEIGHTS, UP), np.zeros((len(HEIGHTS), 3)), 0.0
+    for _ in range(round(0.5 / dt)):
+        position, velocity = step(position, velocity, dt)
+        lowest = min(lowest, position[:, 2].min())
+    share = (position[:, 2] + velocity[:, 2] ** 2 / (2 * G)) / HEIGHTS / RESTITUTION**2
+    return np.sqrt(np.mean((share - 1) ** 2)), -lowest
+
+
+def backed_up(policy):
+    def step(position, velocity, dt):
+        if policy == "exact":
+            time = time_of_impact_exact(position[:, 2], velocity[:, 2], -G)
+        else:
+            end = ballistic_motion(position, velocity, PULL, dt)[0][:, 2]
+            time = time_of_impact_interpolated(np.maximum(position[:, 2], 0), end, 0.0, dt)
+        return respond_at_impact(position, velocity, PULL, UP, RESTITUTION, time, dt)
+
+    return step
+
+
+def at_the_step(position, velocity, dt):
+    return respond_at_step(position, velocity, PULL, UP, 0.0, RESTITUTION, dt)
+
+
+def penalty(stiffness):
+    damping = penalty_damping(RESTITUTION, 1.0, stiffness)
+
+    def step(position, velocity, dt):
+        force = penalty_force(position[:, 2], velocity[:, 2], UP, stiffness, damping)
+        return semi_implicit_euler(position, velocity, force + PULL, dt)
+
+    return step
+
+
+# The page prints two digits; 3 % is half a unit of the second one at worst.
+TWO_DIGITS = 0.03
+
+
+def test_backing_up_is_right_to_rounding_or_to_second_order_and_the_step_to_first():
+    assert rebound_error(backed_up("exact"), 1e-3)[0] < 3e-14
+    assert rebound_error(backed_up("slide"), 1e-3)[0] == pytest.approx(1.9e-6, rel=TWO_DIGITS)
+    assert rebound_error(at_the_step, 1e-3)[0] == pytest.approx(0.0037, rel=TWO_DIGITS)
+    for figure in ("1.9·10⁻⁶", "0.37 %"):
+        assert figure in PAGE
+
+
+@pytest.mark.parametrize(
+    ("stiffness", "dt", "error", "depth", "contact_steps"),
+    [
+        (1e4, 1e-3, 0.042, 0.028, 29),
+        (1e5, 1e-3, 0.052, 0.0089, 9),
+        (1e6, 1e-3, 0.30, 0.0031, 3),
+        (1e6, 2e-5, 0.0053, 0.0028, 146),
+        (1e4, 1e-4, 0.038, 0.028, 292),
+    ],
+)
+def test_a_penalty_contact_is_shifted_by_gravity_if_soft_and_by_the_step_if_stiff(
+    stiffness, dt, error, depth, contact_steps
+):
+    found, deepest = rebound_error(penalty(stiffness), dt)
+    assert found == pytest.approx(error, rel=TWO_DIGITS)
+    assert deepest == pytest.approx(depth, rel=TWO_DIGITS)
+    lasts = penalty_contact_time(1.0, stiffness, penalty_damping(RESTITUTION, 1.0, stiffness))
+    assert round(float(lasts) / dt) == contact_steps
+
+
+def test_the_step_limits_of_the_page():
+    stiff = penalty_step_limit(1.0, 1e6, penalty_damping(RESTITUTION, 1.0, 1e6))
+    assert stiff == pytest.approx(1.8e-3, rel=TWO_DIGITS)
+    assert penalty_step_limit(1.0, 1.0, [0.0, 2.0]) == pytest.approx([2, 0.83], rel=TWO_DIGITS)
+
+
+def test_answered_at_the_step_a_resting_body_sinks_or_jitters():
+    depths = []
+    for e in (0.0, 0.5):
+        position, velocity = np.zeros(3), np.zeros(3)
+        for _ in range(1000):
+            position, velocity = respond_at_step(position, velocity, PULL, UP, 0.0, e, 1e-3)
+        depths.append(-position[2])
+    assert depths[0] == pytest.approx(G * 1e-3 / 2, rel=1e-12)
+    assert depths == pytest.approx([4.9e-3, 1.6e-3], rel=TWO_DIGITS)
+    assert velocity[2] > 1e-3  # of the second one: not still
+
+
+def test_at_rest_the_event_driven_body_lies_on_the_floor_and_the_penalty_body_a_little_in_it():
+    assert [float(part) for part in bounce_along_normal(0.0, 0.0, -G, 0.5, 1.0)][:2] == [0.0, 0.0]
+    position, velocity = np.zeros(3), np.zeros(3)
+    damping = penalty_damping(0.5, 1.0, 1e5)
+    for _ in range(1000):
+        force = penalty_force(position[2], velocity[2], UP, 1e5, damping)
+        position, velocity = semi_implicit_euler(position, velocity, force + PULL, 1e-3)
+    assert -position[2] == pytest.approx(float(penalty_rest_depth(1.0, G, 1e5)), rel=1e-12)
+    assert -position[2] == pytest.approx(98e-6, rel=TWO_DIGITS)
+    assert abs(velocity[2]) < 1e-15
+
+
+def test_a_stack_of_penalty_contacts_sags_and_asks_for_a_shorter_step():
+    sags, limits, slowest = [], [], []
+    for count in (1, 5, 10):
+        difference = np.eye(count) - np.eye(count, k=-1)  # overlap of each body with the one below
+        stiffness = difference.T @ difference  # in k; masses are 1
+        sags.append(np.linalg.solve(stiffness, np.ones(count))[-1])
+        squares = np.linalg.eigvalsh(stiffness)
+        limits.append(float(penalty_step_limit(1.0, squares[-1])))
+        slowest.append(np.sqrt(squares[0]))
+    assert sags == pytest.approx([1, 15, 55], rel=1e-12)
+    assert limits[0] == 2
+    assert limits[2] == pytest.approx(1.01, rel=0.005)
+    assert slowest[0] / slowest[2] == pytest.approx(6.7, rel=0.01)
