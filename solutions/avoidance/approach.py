@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.avoidance.directions import in_space
 from solutions.checks import not_negative
 
 Array = NDArray[np.float64]
@@ -37,9 +38,10 @@ def nearest_approach(
     Raises
     ------
     ValueError
-        If a radius is negative.
+        If a radius is negative, or a vector is not finite or not in space.
     """
-    x, u = _relative(position_a, position_b), _relative(velocity_a, velocity_b)
+    x = in_space("position_a", position_a) - in_space("position_b", position_b)
+    u = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)
     closing, squared = -np.sum(x * u, axis=-1), np.sum(u * u, axis=-1)
     time = np.where(squared > 0, np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0), 0.0)
     distance = np.linalg.norm(x + u * time[..., None], axis=-1)
@@ -74,9 +76,10 @@ def time_to_collision(
     Raises
     ------
     ValueError
-        If a radius is negative.
+        If a radius is negative, or a vector is not finite or not in space.
     """
-    x, u = _relative(position_a, position_b), _relative(velocity_a, velocity_b)
+    x = in_space("position_a", position_a) - in_space("position_b", position_b)
+    u = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)
     reach = not_negative("radius_a", radius_a) + not_negative("radius_b", radius_b)
     distance, closing = np.linalg.norm(x, axis=-1), -np.sum(x * u, axis=-1)
     across = np.sum(np.cross(x, u) ** 2, axis=-1)
@@ -85,7 +88,3 @@ def time_to_collision(
     root = np.sqrt(np.where(meets, discriminant, 0.0))
     time = (distance - reach) * (distance + reach) / np.where(meets, closing + root, 1.0)
     return np.where(distance < reach, 0.0, np.where(meets, np.maximum(time, 0.0), np.inf))
-
-
-def _relative(a: ArrayLike, b: ArrayLike) -> Array:
-    return np.asarray(np.asarray(a, dtype=float) - np.asarray(b, dtype=float))

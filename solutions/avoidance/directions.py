@@ -1,28 +1,41 @@
-"""Directions and lengths of vectors, with an answer where there is none."""
+"""Vectors in space and in the plane: what may enter, their directions and lengths."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import not_negative
+from solutions.checks import finite, not_negative, vector
 
 Array = NDArray[np.float64]
 
 
-def unit_or_zero(vector: ArrayLike) -> Array:
+def in_space(name: str, value: ArrayLike) -> Array:
+    """Return vectors (..., 3); refuse other shapes, infinity and NaN."""
+    return finite(name, vector(name, value))
+
+
+def in_plane(name: str, value: ArrayLike) -> Array:
+    """Return vectors (..., 2); refuse other shapes, infinity and NaN."""
+    array = np.asarray(value, dtype=float)
+    if array.shape[-1:] != (2,):
+        raise ValueError(f"{name} must have shape (..., 2), not {array.shape}")
+    return finite(name, array)
+
+
+def unit_or_zero(value: ArrayLike) -> Array:
     """Return the direction of vectors (..., d): length 1, or zero where the vector is zero and has none."""
-    v = np.asarray(vector, dtype=float)
+    v = np.asarray(value, dtype=float)
     length = np.linalg.norm(v, axis=-1, keepdims=True)
     return np.asarray(v / np.where(length > 0, length, 1.0))
 
 
-def limited(vector: ArrayLike, largest: ArrayLike) -> Array:
+def limited(value: ArrayLike, largest: ArrayLike) -> Array:
     """Shorten vectors to a largest length and keep their direction; shorter ones stay as they are.
 
     Parameters
     ----------
-    vector : (..., d), in any unit
+    value : (..., d), in any unit
     largest : (...), in the same unit, not negative
 
     Returns
@@ -34,7 +47,7 @@ def limited(vector: ArrayLike, largest: ArrayLike) -> Array:
     ValueError
         If a largest length is negative.
     """
-    v, largest = np.asarray(vector, dtype=float), not_negative("largest", largest)
+    v, largest = np.asarray(value, dtype=float), not_negative("largest", largest)
     length = np.linalg.norm(v, axis=-1)
     too_long = length > largest
     share = np.where(too_long, largest, 1.0) / np.where(too_long, length, 1.0)
@@ -49,7 +62,7 @@ def to_the_left(direction: ArrayLike) -> Array:
     return np.where(has_one, left, np.array([1.0, 0.0, 0.0]))
 
 
-def turned_left(vector: ArrayLike) -> Array:
+def turned_left(value: ArrayLike) -> Array:
     """Return vectors (..., 2) of the plane turned by a quarter to the left: (x, y) → (−y, x)."""
-    v = np.asarray(vector, dtype=float)
+    v = np.asarray(value, dtype=float)
     return np.stack([-v[..., 1], v[..., 0]], axis=-1)

@@ -12,8 +12,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.avoidance.directions import limited, turned_left, unit_or_zero
-from solutions.checks import not_negative
+from solutions.avoidance.directions import in_plane, limited, turned_left, unit_or_zero
+from solutions.checks import UNIT_TOLERANCE, not_negative
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -41,11 +41,12 @@ def permitted_velocity(preferred: ArrayLike, max_speed: ArrayLike, point: ArrayL
     Raises
     ------
     ValueError
-        If a speed is negative or a normal has neither length 1 nor length 0.
+        If a speed is negative, a normal has neither length 1 nor length 0, or a vector is not finite or not in the
+        plane.
     """
     n, speed = _normals(normal), not_negative("max_speed", max_speed)
-    bound = np.sum(n * np.asarray(point, dtype=float), axis=-1)
-    wish = np.asarray(preferred, dtype=float)
+    bound = np.sum(n * in_plane("point", point), axis=-1)
+    wish = in_plane("preferred", preferred)
     shape, m = np.broadcast_shapes(wish.shape[:-1], speed.shape, bound.shape[:-1]), bound.shape[-1]
     rows = math.prod(shape)
     wish, speed = np.broadcast_to(wish, (*shape, 2)).reshape(rows, 2), np.broadcast_to(speed, shape).reshape(rows)
@@ -60,9 +61,9 @@ def permitted_velocity(preferred: ArrayLike, max_speed: ArrayLike, point: ArrayL
 
 
 def _normals(normal: ArrayLike) -> Array:
-    n = np.asarray(normal, dtype=float)
+    n = in_plane("normal", normal)
     length = np.linalg.norm(n, axis=-1)
-    wrong = ~((np.abs(length - 1) <= 1e-6) | (length == 0))
+    wrong = (np.abs(length - 1) > UNIT_TOLERANCE) & (length != 0)
     if np.any(wrong):
         raise ValueError(f"normal must have length 1 or 0, not {length[wrong][0]:g}")
     return n

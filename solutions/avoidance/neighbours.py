@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import positive
+from solutions.checks import finite, positive
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -54,9 +54,7 @@ def _points(position: ArrayLike) -> Array:
     p = np.asarray(position, dtype=float)
     if p.ndim != 2 or p.shape[1] not in (2, 3):
         raise ValueError(f"position must have the shape (n, 2) or (n, 3), not {p.shape}")
-    if not np.all(np.isfinite(p)):
-        raise ValueError(f"position must be finite, not {p[~np.isfinite(p)][0]:g}")
-    return p
+    return finite("position", p)
 
 
 def _cells(p: Array, radius: float) -> tuple[Index, list[int]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.avoidance.directions import to_the_left, unit_or_zero
+from solutions.avoidance.directions import in_space, to_the_left, unit_or_zero
 from solutions.checks import not_negative, positive, unit
 
 Array = NDArray[np.float64]
@@ -60,9 +60,9 @@ def sphere_force(
     Raises
     ------
     ValueError
-        If a radius or a strength is negative or a reach is not positive.
+        If a radius or a strength is negative, a reach is not positive, or a place is not finite or not in space.
     """
-    away = np.asarray(position, dtype=float) - np.asarray(centre, dtype=float)
+    away = in_space("position", position) - in_space("centre", centre)
     separation = np.linalg.norm(away, axis=-1) - not_negative("radius", radius)
     return _field(separation, unit_or_zero(away), strength, reach)
 
@@ -89,16 +89,16 @@ def tangent_point(position: ArrayLike, heading: ArrayLike, centre: ArrayLike, ra
     Raises
     ------
     ValueError
-        If a radius is not positive.
+        If a radius is not positive, or a vector is not finite or not in space.
     """
-    p, c, r = np.asarray(position, dtype=float), np.asarray(centre, dtype=float), positive("radius", radius)
+    p, c, r = in_space("position", position), in_space("centre", centre), positive("radius", radius)
     towards = unit_or_zero(c - p)
     distance, way = _distance_and_way(c - p, r)
     outside = distance >= r
     length = np.where(outside, distance, 1.0)
     short = np.where(outside, r * r / length, r)[..., None]
     aside = np.where(outside, r * way / length, 0.0)[..., None]
-    side = _side(towards, heading)
+    side = _side(towards, in_space("heading", heading))
     at_centre = (distance == 0)[..., None]
     return np.where(at_centre, c + r[..., None] * np.array([0.0, 0.0, 1.0]), c - short * towards + aside * side)
 
@@ -120,10 +120,10 @@ def is_in_the_way(position: ArrayLike, goal: ArrayLike, centre: ArrayLike, radiu
     Raises
     ------
     ValueError
-        If a radius is not positive.
+        If a radius is not positive, or a vector is not finite or not in space.
     """
-    p, c = np.asarray(position, dtype=float), np.asarray(centre, dtype=float)
-    way = np.asarray(goal, dtype=float) - p
+    p, c = in_space("position", position), in_space("centre", centre)
+    way = in_space("goal", goal) - p
     squared = np.sum(way * way, axis=-1)
     share = np.clip(np.sum((c - p) * way, axis=-1) / np.where(squared > 0, squared, 1.0), 0.0, 1.0)
     nearest = p + share[..., None] * way
@@ -156,14 +156,14 @@ def steer_around(
     Raises
     ------
     ValueError
-        If a radius is not positive.
+        If a radius is not positive, or a vector is not finite or not in space.
     """
-    p, c, r = np.asarray(position, dtype=float), np.asarray(centre, dtype=float), positive("radius", radius)
-    to_goal = np.asarray(goal, dtype=float) - p
+    p, c, r = in_space("position", position), in_space("centre", centre), positive("radius", radius)
+    to_goal = in_space("goal", goal) - p
     straight, towards = unit_or_zero(to_goal), unit_or_zero(c - p)
     distance, way = _distance_and_way(c - p, r)
     length = np.maximum(distance, r)
-    side = _side(towards, velocity, to_goal)
+    side = _side(towards, in_space("velocity", velocity), to_goal)
     tangent = (way / length)[..., None] * towards + (r / length)[..., None] * side
     inside = ((distance < r) & (distance > 0))[..., None]
     turns = (is_in_the_way(p, goal, c, r) & (distance > 0))[..., None]
@@ -182,13 +182,12 @@ def _distance_and_way(to_centre: Array, radius: Array) -> tuple[Array, Array]:
     return distance, np.sqrt(np.maximum(distance - radius, 0.0) * (distance + radius))
 
 
-def _side(towards: Array, *wishes: ArrayLike) -> Array:
+def _side(towards: Array, *wishes: Array) -> Array:
     """Unit vector across the line to the centre, on the side of the first wish that names one."""
     side = to_the_left(towards)
     for wish in reversed(wishes):
-        wanted = np.asarray(wish, dtype=float)
-        across = _across(_across(wanted, towards), towards)  # twice: once leaves the rounding of a long wish
-        named = np.linalg.norm(across, axis=-1) > HEAD_ON * np.linalg.norm(wanted, axis=-1)
+        across = _across(_across(wish, towards), towards)  # twice: once leaves the rounding of a long wish
+        named = np.linalg.norm(across, axis=-1) > HEAD_ON * np.linalg.norm(wish, axis=-1)
         side = np.where(named[..., None], unit_or_zero(across), side)
     return side
 

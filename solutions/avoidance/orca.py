@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.avoidance.directions import turned_left, unit_or_zero
+from solutions.avoidance.directions import in_plane, turned_left, unit_or_zero
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import Index, neighbour_pairs
 from solutions.checks import not_negative, positive
@@ -56,10 +56,10 @@ def orca_half_plane(
     Raises
     ------
     ValueError
-        If a radius is negative or a horizon or step is not positive.
+        If a radius is negative, a horizon or step is not positive, or a vector is not finite or not in the plane.
     """
-    v, other = np.asarray(velocity_a, dtype=float), np.asarray(velocity_b, dtype=float)
-    towards = np.asarray(np.subtract(position_b, position_a), dtype=float)
+    v, other = in_plane("velocity_a", velocity_a), in_plane("velocity_b", velocity_b)
+    towards = in_plane("position_b", position_b) - in_plane("position_a", position_a)
     reach = not_negative("radius_a", radius_a) + not_negative("radius_b", radius_b)
     overlaps = np.linalg.norm(towards, axis=-1) <= reach
     time = np.where(overlaps, positive("dt", dt), positive("horizon", horizon))
@@ -111,8 +111,8 @@ def crowd_step(
 
 
 def _states(position: ArrayLike, velocity: ArrayLike) -> tuple[Array, Array]:
-    p, v = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float)
-    if p.ndim != 2 or p.shape[1] != 2:
+    p, v = in_plane("position", position), in_plane("velocity", velocity)
+    if p.ndim != 2:
         raise ValueError(f"position must have the shape (n, 2), not {p.shape}")
     if v.shape != p.shape:
         raise ValueError(f"velocity must have the shape {p.shape} of the positions, not {v.shape}")

@@ -200,6 +200,32 @@ def test_what_makes_no_sense_is_refused_by_name_and_value(call, complaint):
         call()
 
 
+@pytest.mark.parametrize(
+    ("call", "names"),
+    [
+        (lambda p, c: sphere_force(p, c, 1.0, 1.0, 1.0), ["position", "centre"]),
+        (lambda p, h, c: tangent_point(p, h, c, 1.0), ["position", "heading", "centre"]),
+        (lambda p, g, c: is_in_the_way(p, g, c, 1.0), ["position", "goal", "centre"]),
+        (lambda p, v, g, c: steer_around(p, v, g, c, 1.0), ["position", "velocity", "goal", "centre"]),
+        (nearest_approach, ["position_a", "velocity_a", "position_b", "velocity_b"]),
+        (
+            lambda xa, va, xb, vb: time_to_collision(xa, va, 1.0, xb, vb, 1.0),
+            ["position_a", "velocity_a", "position_b", "velocity_b"],
+        ),
+    ],
+)
+def test_vectors_without_three_numbers_are_refused_by_name(call, names):
+    for place, name in enumerate(names):
+        for wrong, complaint in (
+            ((1.0, math.nan, 0.0), f"{name} must be finite, not nan"),
+            ((1.0, 2.0), rf"{name} must have shape \(..., 3\), not \(2,\)"),
+        ):
+            vectors = [np.array([1.0, 2.0, float(k)]) for k in range(len(names))]
+            vectors[place] = wrong
+            with pytest.raises(ValueError, match=complaint):
+                call(*vectors)
+
+
 # The tangent point
 
 

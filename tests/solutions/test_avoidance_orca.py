@@ -181,6 +181,10 @@ def test_points_without_a_size_at_one_place_get_a_finite_half_plane():
         (((0, 0), (1, 0), 1.0, (5, 0), (0, 0), math.nan, 2.0, 0.1), "radius_b must be zero or positive, not nan"),
         (((0, 0), (1, 0), 1.0, (5, 0), (0, 0), 1.0, 0.0, 0.1), "horizon must be positive, not 0"),
         (((0, 0), (1, 0), 1.0, (5, 0), (0, 0), 1.0, 2.0, -0.1), "dt must be positive, not -0.1"),
+        (((0, 0, 0), (1, 0), 1.0, (5, 0), (0, 0), 1.0, 2.0, 0.1), "position_a must have shape"),
+        (((0, 0), (1, math.inf), 1.0, (5, 0), (0, 0), 1.0, 2.0, 0.1), "velocity_a must be finite, not inf"),
+        (((0, 0), (1, 0), 1.0, (math.nan, 0), (0, 0), 1.0, 2.0, 0.1), "position_b must be finite, not nan"),
+        (((0, 0), (1, 0), 1.0, (5, 0), (0, 0, 1), 1.0, 2.0, 0.1), "velocity_b must have shape"),
     ],
 )
 def test_a_half_plane_that_makes_no_sense_is_refused(args, complaint):
@@ -394,6 +398,9 @@ def test_many_programmes_at_once_are_as_many_one_by_one():
 def test_a_programme_that_makes_no_sense_is_refused():
     with pytest.raises(ValueError, match="max_speed must be zero or positive, not -1"):
         permitted_velocity((1.0, 0.0), -1.0, [(0.0, 0.0)], [(1.0, 0.0)])
+    for point, complaint in (((0.0, math.nan), "point must be finite"), ((0.0, 0.0, 0.0), "point must have shape")):
+        with pytest.raises(ValueError, match=complaint):
+            permitted_velocity((1.0, 0.0), 1.0, [point], [(1.0, 0.0)])
     with pytest.raises(ValueError, match="normal must have length 1 or 0, not 2"):
         permitted_velocity((1.0, 0.0), 1.0, [(0.0, 0.0)], [(2.0, 0.0)])
 
@@ -513,7 +520,9 @@ def test_a_crowd_step_leaves_what_enters_as_it_was_and_refuses_nonsense():
         ({5: 0.0}, "horizon must be positive, not 0"),
         ({6: 0.0}, "dt must be positive, not 0"),
         ({1: velocity[:4]}, r"velocity must have the shape \(6, 2\) of the positions, not \(4, 2\)"),
-        ({0: np.zeros((6, 3))}, r"position must have the shape \(n, 2\), not \(6, 3\)"),
+        ({0: np.zeros((6, 3))}, r"position must have shape \(..., 2\), not \(6, 3\)"),
+        ({0: np.zeros(2)}, r"position must have the shape \(n, 2\), not \(2,\)"),
+        ({2: wish * math.nan}, "preferred must be finite, not nan"),
     ):
         args = [position, velocity, wish, 0.5, 0.7, 2.0, 0.1]
         for place, value in change.items():
