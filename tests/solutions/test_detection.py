@@ -325,7 +325,7 @@ def test_a_solver_of_differential_equations_that_watches_the_plane_stops_at_the_
             lambda _, state, a=a: (state[1], a), (0, 60), (s, u), method="DOP853", events=plane, rtol=1e-13, atol=1e-13
         )
         # The solver's own tolerance, 1e-13 of paths up to 10 m, at an arrival of 0.3 m/s or more
-        assert time_of_impact_exact(s, u, a) == pytest.approx(found.t_events[0][0], abs=1e-11)
+        assert time_of_impact_exact(s, u, a) == pytest.approx(found.t_events[0][0], abs=1e-12)
 
 
 # What is refused

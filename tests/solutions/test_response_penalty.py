@@ -108,9 +108,9 @@ def impact(ratio, adhesive, speed=1.0, mass=MASS, stiffness=STIFFNESS):
 def test_an_impact_that_cannot_pull_lasts_and_leaves_as_a_solver_of_differential_equations_says(ratio):
     time, e = impact(ratio, adhesive=False)
     c = damping(ratio)
-    # The solver's tolerance of 1e-13 a step; where ζ = 1 the end of the force is a slow crossing
-    assert penalty_contact_time(MASS, STIFFNESS, c) == pytest.approx(time, rel=1e-9)
-    assert penalty_restitution(MASS, STIFFNESS, c) == pytest.approx(e, rel=1e-9)
+    # The solver's tolerance of 1e-13 a step, over some ten steps
+    assert penalty_contact_time(MASS, STIFFNESS, c) == pytest.approx(time, rel=3e-12)
+    assert penalty_restitution(MASS, STIFFNESS, c) == pytest.approx(e, rel=3e-12)
 
 
 @pytest.mark.statement(8, oracle="scipy's solve_ivp, DOP853 with an event at the surface")
@@ -118,8 +118,8 @@ def test_an_impact_that_cannot_pull_lasts_and_leaves_as_a_solver_of_differential
 def test_an_adhesive_impact_lasts_and_leaves_as_a_solver_of_differential_equations_says(ratio):
     time, e = impact(ratio, adhesive=True)
     c = damping(ratio)
-    assert penalty_contact_time(MASS, STIFFNESS, c, adhesive=True) == pytest.approx(time, rel=1e-9)
-    assert penalty_restitution(MASS, STIFFNESS, c, adhesive=True) == pytest.approx(e, rel=1e-9)
+    assert penalty_contact_time(MASS, STIFFNESS, c, adhesive=True) == pytest.approx(time, rel=3e-12)
+    assert penalty_restitution(MASS, STIFFNESS, c, adhesive=True) == pytest.approx(e, rel=3e-12)
 
 
 @pytest.mark.statement(8, oracle="exp[−(ζ/s)(π − atan2(2ζs, 1 − 2ζ²))], written out in the standard library")
@@ -170,8 +170,8 @@ def test_mujocos_spring_contact_leaves_the_same_speed(ratio):
     data = mujoco.MjData(model)
     data.qvel[2] = -speed
     mujoco.mj_step(model, data, nstep=round(0.06 / dt))  # contact lasts 31 ms at most
-    # MuJoCo's impedance of 0.9999 makes spring and dashpot 1e-4 off; a step of 2 µs is ωΔt = 2e-4 more
-    assert data.qvel[2] / speed == pytest.approx(penalty_restitution(1.0, k, 2 * ratio * math.sqrt(k)), abs=3e-4)
+    # MuJoCo's impedance of 0.9999 and a step of ωΔt = 2e-4 shift spring and dashpot by some 1e-4, in part both alike
+    assert data.qvel[2] / speed == pytest.approx(penalty_restitution(1.0, k, 2 * ratio * math.sqrt(k)), abs=1e-4)
 
 
 # The damping for a wanted restitution
