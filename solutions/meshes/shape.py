@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solutions.checks import not_negative
-from solutions.meshes.springs import edge_directions, mesh_forces, node_vectors, onto_nodes
+from solutions.meshes.springs import edge_directions, finite_vectors, mesh_forces, node_vectors, onto_nodes
 from solutions.meshes.topology import Array, SpringMesh
 
 ROUNDING = 1e-12
@@ -89,13 +89,15 @@ def static_shape(
     ------
     RuntimeError
         If no such shape is found in so many steps: as for a mesh that nothing holds, which falls for ever.
+    ValueError
+        If a position is not finite.
     """
-    p = node_vectors(mesh, "position", position)
+    p = finite_vectors(mesh, "position", position)
     weight = np.where(mesh.pinned, 0.0, mesh.mass)[:, None] * np.asarray(acceleration, dtype=float)
     held_by = np.bincount(mesh.edges.ravel(), np.repeat(mesh.stiffness, 2), len(mesh.mass))[:, None]
     softness = np.where(mesh.pinned[:, None] | (held_by == 0), 0.0, 1 / np.where(held_by > 0, held_by, 1.0))
     v, energy, scale = np.zeros_like(p), np.zeros((*p.shape[:-2], 1, 1)), _largest(weight)
-    for _ in range(iterations):
+    for _ in range(max(1, iterations)):
         net = np.where(mesh.pinned[:, None], 0.0, mesh_forces(mesh, p, np.zeros_like(p)) + weight)
         scale = np.where(scale > 0, scale, _largest(net))
         if np.all(_largest(net) <= tolerance * scale):

@@ -22,6 +22,20 @@ def node_vectors(mesh: SpringMesh, name: str, value: ArrayLike) -> Array:
     return array
 
 
+def finite_vectors(mesh: SpringMesh, name: str, value: ArrayLike) -> Array:
+    """Return the value as `node_vectors` does, where infinity or NaN would lead to a wrong number without a trace.
+
+    Raises
+    ------
+    ValueError
+        If it has another shape, or a number in it is not finite.
+    """
+    array = node_vectors(mesh, name, value)
+    if not np.all(np.isfinite(array)):
+        raise ValueError(f"{name} must be finite, not {array[~np.isfinite(array)][0]}")
+    return array
+
+
 def across_edges(mesh: SpringMesh, vector: Array) -> Array:
     """Difference of a nodes' quantity (..., n, 3) over every edge, (..., m, 3): end 1 less end 2."""
     return np.asarray(np.take(vector, mesh.edges[:, 0], axis=-2) - np.take(vector, mesh.edges[:, 1], axis=-2))

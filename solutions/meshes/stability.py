@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.meshes.springs import edge_damping, edge_stiffness, mesh_matrix, mesh_product, node_vectors
+from solutions.meshes.springs import edge_damping, edge_stiffness, finite_vectors, mesh_matrix, mesh_product
 from solutions.meshes.topology import Array, SpringMesh
 
 SEED = 28
@@ -26,9 +26,16 @@ def zero_energy_modes(mesh: SpringMesh, position: ArrayLike, tolerance: float = 
     Returns
     -------
     (...), at most three for each node that is not pinned
+
+    Raises
+    ------
+    ValueError
+        If a position is not finite.
     """
     free = np.repeat(~mesh.pinned, 3)
-    matrix = mesh_matrix(mesh, edge_stiffness(mesh, position))[..., free, :][..., free]
+    matrix = mesh_matrix(mesh, edge_stiffness(mesh, finite_vectors(mesh, "position", position)))[..., free, :][
+        ..., free
+    ]
     values = np.linalg.eigvalsh(matrix)
     largest = np.max(np.abs(values), axis=-1, keepdims=True, initial=0.0)
     return np.asarray(np.sum(values <= tolerance * largest, axis=-1))
@@ -51,10 +58,16 @@ def largest_eigenvalue(
     Returns
     -------
     (...), rad²/s²; zero for a mesh that nothing holds
+
+    Raises
+    ------
+    ValueError
+        If a position is not finite.
     """
-    blocks, scale = edge_stiffness(mesh, position), np.sqrt(mesh.inverse_mass)[:, None]
-    x = _start(mesh, position)
-    for _ in range(iterations):
+    p = finite_vectors(mesh, "position", position)
+    blocks, scale = edge_stiffness(mesh, p), np.sqrt(mesh.inverse_mass)[:, None]
+    x = _start(mesh, p.shape)
+    for _ in range(max(1, iterations)):
         onto = scale * mesh_product(mesh, blocks, scale * x)
         quotient = _dot(x, onto)
         if np.all(_length(onto - quotient * x) <= tolerance * quotient):
@@ -82,16 +95,23 @@ def stable_timestep(mesh: SpringMesh, position: ArrayLike, tolerance: float = 1e
     Returns
     -------
     (...), s; infinity for a mesh that nothing holds. Never below the true limit: stay a little under it.
+
+    Raises
+    ------
+    ValueError
+        If a position is not finite.
     """
-    stiffness, damping = edge_stiffness(mesh, position), edge_damping(mesh, position)
+    p = finite_vectors(mesh, "position", position)
+    stiffness, damping = edge_stiffness(mesh, p), edge_damping(mesh, p)
     scale = np.sqrt(mesh.inverse_mass)[:, None]
-    x = _start(mesh, position)
-    for _ in range(iterations):
+    x = _start(mesh, p.shape)
+    for _ in range(max(1, iterations)):
         kx, cx = (scale * mesh_product(mesh, blocks, scale * x) for blocks in (stiffness, damping))
         k, c = _dot(x, kx), _dot(x, cx)
         dt = _quotient(4.0, c + np.sqrt(c * c + 4 * k))
-        onto = np.where(np.isinf(dt), 0.0, dt) * (np.where(np.isinf(dt), 0.0, dt) * kx + 2 * cx)
-        if np.all(_length(onto - 4 * x) <= 4 * tolerance) or np.all(np.isinf(dt)):
+        step = np.where(np.isinf(dt), 0.0, dt)
+        onto = step * (step * kx + 2 * cx)
+        if np.all(np.isinf(dt) | (_length(onto - 4 * x) <= 4 * tolerance)):
             break
         x = onto / _not_zero(_length(onto))
     return np.asarray(dt[..., 0, 0])
@@ -117,8 +137,7 @@ def timestep_bound(mesh: SpringMesh) -> float:
     return float(np.min(_quotient(4.0, c + np.sqrt(c * c + 4 * k)), initial=np.inf))
 
 
-def _start(mesh: SpringMesh, position: ArrayLike) -> Array:
-    shape = node_vectors(mesh, "position", position).shape
+def _start(mesh: SpringMesh, shape: tuple[int, ...]) -> Array:
     x = np.where(mesh.pinned[:, None], 0.0, np.random.default_rng(SEED).normal(size=shape[-2:]))
     return np.broadcast_to(x / _not_zero(_length(x)), shape)
 

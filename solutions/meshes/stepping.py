@@ -7,7 +7,14 @@ from numpy.typing import ArrayLike
 
 from solutions.checks import positive
 from solutions.forces import semi_implicit_euler
-from solutions.meshes.springs import edge_damping, edge_stiffness, mesh_forces, mesh_product, node_vectors
+from solutions.meshes.springs import (
+    edge_damping,
+    edge_stiffness,
+    finite_vectors,
+    mesh_forces,
+    mesh_product,
+    node_vectors,
+)
 from solutions.meshes.topology import Array, SpringMesh
 
 
@@ -62,9 +69,11 @@ def conjugate_gradient(
     ------
     RuntimeError
         If the residual is still too large after the last round.
+    ValueError
+        If the right side is not finite: then no residual tells.
     """
     mass = np.where(mesh.pinned, 1.0, mesh.mass)[:, None]
-    residual = _held(mesh, node_vectors(mesh, "right", right))
+    residual = finite_vectors(mesh, "right", _held(mesh, node_vectors(mesh, "right", right)))
     x, direction, square = np.zeros_like(residual), residual, _dot(residual, residual)
     enough = tolerance**2 * square
     for _ in range(30 * len(mass) if iterations is None else iterations):
@@ -116,7 +125,7 @@ def implicit_mesh_step(
     Raises
     ------
     ValueError
-        If dt is not positive, or an array does not fit the mesh.
+        If dt is not positive, an array does not fit the mesh, or the forces are not finite.
     """
     p, v = node_vectors(mesh, "position", position), _held(mesh, node_vectors(mesh, "velocity", velocity))
     step = positive("dt", dt)[..., None, None]

@@ -314,6 +314,29 @@ def test_dampers_calm_a_mesh_down_and_leave_its_flight_alone():
     assert v == pytest.approx(np.tile(flight, (8, 1)), abs=1e-5)
 
 
+@pytest.mark.statement(29, oracle="momentum")
+def test_the_slides_damping_on_every_node_stops_the_flight_that_dampers_along_the_springs_leave_alone():
+    position, edges = lattice(2, 2, 2, 1.0)
+    mesh = spring_mesh(position, edges, 100.0)
+    p, v = position, np.tile((3.0, 0.0, 0.0), (8, 1))
+    for _ in range(100):
+        p, v = mesh_step(mesh, p, v, -2.0 * v, 0.005)
+    assert v == pytest.approx(np.tile((3 * 0.99**100, 0, 0), (8, 1)), abs=1e-12)
+
+
+@pytest.mark.parametrize("move", MOVES)
+def test_a_node_of_infinite_mass_is_an_anchor(move):
+    mesh = spring_mesh([(0, 0, 0), (1, 0, 0)], [(0, 1)], 10.0, mass=[np.inf, 1.0])
+    pinned = spring_mesh([(0, 0, 0), (1, 0, 0)], [(0, 1)], 10.0, pinned=[0])
+    state = np.array([(0, 0, 0), (1.5, 0, 0)]), np.zeros((2, 3))
+    assert all(
+        np.array_equal(a, b)
+        for a, b in zip(move(mesh, *state, GRAVITY, 0.1), move(pinned, *state, GRAVITY, 0.1), strict=True)
+    )
+    assert stable_timestep(mesh, state[0]) == stable_timestep(pinned, state[0])
+    assert timestep_bound(mesh) == timestep_bound(pinned)
+
+
 # The step that takes any dt
 
 
@@ -371,6 +394,19 @@ def test_one_linearisation_throws_a_flat_cloth_far_in_a_long_step_and_it_still_c
         p, v = implicit_mesh_step(mesh, p, v, GRAVITY, dt)
     # Where springs are shortened the clamped K makes it creep: the last tenths of a millimetre take long
     assert p == pytest.approx(static_shape(mesh, position, GRAVITY), abs=1e-3)
+
+
+def test_the_implicit_step_slows_a_spin_and_keeps_the_momentum():
+    position, edges = lattice(2, 2, 2, 1.0)
+    mesh = spring_mesh(position, edges, 1000.0)
+    p = position - 0.5
+    v = np.cross((0, 0, 2.0), p)
+    before = np.cross(p, v).sum(axis=0)
+    for _ in range(20):
+        p, v = implicit_mesh_step(mesh, p, v, NOTHING, 0.05)
+    # Each step turns by 0.1 rad along the tangent, away from the circle; stiff springs take that back and some spin
+    assert 0.2 < np.cross(p, v).sum(axis=0)[2] / before[2] < 0.98
+    assert v.sum(axis=0) == pytest.approx([0, 0, 0], abs=1e-6)  # the solver's tolerance
 
 
 def test_without_the_clamp_a_shortened_spring_makes_the_matrix_indefinite():
@@ -457,3 +493,25 @@ def test_a_step_that_is_not_positive_is_refused(move, dt):
     position, edges = cloth(2, 2, 1.0)
     with pytest.raises(ValueError, match="dt must be positive"):
         move(spring_mesh(position, edges, 1.0), position, position, GRAVITY, dt)
+
+
+@pytest.mark.parametrize("wrong", [float("nan"), float("inf")])
+def test_what_is_not_finite_is_refused_where_it_would_leave_no_trace(wrong):
+    position, edges = cloth(2, 2, 1.0)
+    mesh, broken = spring_mesh(position, edges, 1.0), np.full_like(position, wrong)
+    for call in (zero_energy_modes, largest_eigenvalue, stable_timestep):
+        with pytest.raises(ValueError, match=f"position must be finite, not {wrong}"):
+            call(mesh, broken)
+    with pytest.raises(ValueError, match=f"position must be finite, not {wrong}"):
+        static_shape(mesh, broken, GRAVITY)
+    with pytest.raises(ValueError, match=f"right must be finite, not {wrong}"):
+        implicit_mesh_step(mesh, position, np.zeros_like(position), (0, 0, wrong), 0.1)
+    assert not np.isfinite(mesh_step(mesh, position, np.zeros_like(position), (0, 0, wrong), 0.1)[0]).any(axis=0)[2]
+
+
+def test_a_search_that_is_given_no_rounds_takes_one():
+    position, edges = cloth(2, 2, 1.0)
+    mesh = spring_mesh(position, edges, 1.0)
+    assert largest_eigenvalue(mesh, position, iterations=0) == largest_eigenvalue(mesh, position, iterations=1)
+    assert stable_timestep(mesh, position, iterations=0) == stable_timestep(mesh, position, iterations=1)
+    assert static_shape(mesh, position, NOTHING, iterations=0).tolist() == position.tolist()
