@@ -160,7 +160,7 @@ def implicit_euler(
         wrong = after - v - change(after)
         correction = np.linalg.solve(_jacobian(change, after), wrong[..., None])[..., 0]
         after = after - correction
-        if np.max(np.abs(correction), initial=0.0) <= _CONVERGED * np.max(np.abs(after), initial=1e-300):
+        if np.max(np.abs(correction), initial=0.0) <= _CONVERGED * np.max(np.abs(after), initial=0.0):
             return p + after * time, after
     raise ArithmeticError(f"implicit Euler found no velocity in {_MOST_ITERATIONS} iterations: shorten dt")
 

@@ -82,8 +82,7 @@ def damped_oscillator(
 
 def _response(beta: Array, squared: Array, time: Array) -> tuple[Array, Array]:
     """C and S of the oscillator, written so that no large number is taken from another."""
-    omega = np.sqrt(squared)
-    difference = (beta - omega) * (beta + omega)
+    difference = beta**2 - squared
     s = np.sqrt(np.abs(difference))
     slow = squared / np.where(beta + s > 0, beta + s, 1.0)  # β − s, overdamped
     fast_share = np.expm1(-2 * s * time)  # e^(−(β+s)t) over e^(−(β−s)t), less 1
@@ -131,7 +130,7 @@ def friction_oscillator(
     phase = time * omega + np.where(v == 0, 0.0, np.arctan2(np.abs(v) / omega, -ahead))
     with np.errstate(all="ignore"):  # next to no friction: it never sticks, and infinity says so
         until_stuck = np.where(f > 0, np.ceil((np.abs(turn) - f) / (2 * f)), np.inf)
-    swings = np.minimum(np.floor(phase / np.pi), np.maximum(until_stuck, 0.0))
+    swings = np.minimum(np.floor(phase / np.pi), until_stuck)
     angle = np.where(swings >= until_stuck, 0.0, phase - np.pi * swings)
     side = np.sign(turn) * (1 - 2 * (swings % 2))
     reach = np.abs(turn) - 2 * f * swings - f

@@ -168,7 +168,7 @@ def terminal_velocity_corrected(
     stokes = (2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity)
     target = 2 * r * rho * np.linalg.norm(stokes, axis=-1) / eta
     low, high = np.zeros_like(target), np.minimum(target, LARGEST_REYNOLDS)
-    if np.any(high * correction(high) < target * (1 - 1e-12)):
+    if np.any(high * correction(high) < target):
         raise ValueError(f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}")
     for _ in range(60):
         middle = (low + high) / 2

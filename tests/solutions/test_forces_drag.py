@@ -164,9 +164,12 @@ def test_the_terminal_speed_is_that_of_the_package_fluids():
     assert np.linalg.norm(terminal_velocity(1e-5, 2600.0, 1000.0, 1e-3, gravity)) == pytest.approx(theirs, rel=1e-14)
 
 
-def test_a_fall_that_is_too_fast_for_stokes_warns():
-    with pytest.warns(StokesRegimeWarning):
-        terminal_velocity(1e-3, 2600.0, 1000.0, 1e-3, DOWN)
+@pytest.mark.parametrize("density", [1.2, 2600.0])
+def test_a_fall_that_is_too_fast_for_stokes_warns_and_so_does_a_rise(density):
+    # Re = 2 r ρ_f v/η: the density of the fluid counts, and that of the body only through its speed
+    speed = 2 * abs(density - 1000) * 1e-8 * 9.81 / 9e-3
+    with pytest.warns(StokesRegimeWarning, match=f"Re is {2e-4 * 1000 * speed / 1e-3:.3g}$"):
+        terminal_velocity(1e-4, density, 1000.0, 1e-3, DOWN)
 
 
 @pytest.mark.statement(26, oracle="scipy solve_ivp DOP853")
@@ -295,6 +298,11 @@ def test_the_shape_factors_keep_their_digits_near_a_sphere(difference):
     check_against_carlson(1 + difference**5, 1.0)
 
 
+@pytest.mark.parametrize("m", [-0.2501, -0.2499, 0.2499, 0.2501])
+def test_series_and_closed_form_of_the_shape_factors_meet(m):
+    check_against_carlson(1.0, math.sqrt(1 - m))
+
+
 def check_against_carlson(a, b):
     """Oberbeck 1876: K_i = 16π/(χ + a_i² α_i), with the integrals χ = 2 R_F and α_i = 2/3 R_D of the squared axes."""
     special = pytest.importorskip("scipy.special")
@@ -308,6 +316,7 @@ def check_against_carlson(a, b):
 
 @pytest.mark.statement(26, oracle="the known drag of a disc: 16 b broadside, 32/3 b edgewise")
 def test_a_disc_still_has_drag():
+    assert spheroid_shape_factors(0.0, 0.1) == pytest.approx([1.6, 3.2 / 3], rel=1e-15)
     assert spheroid_shape_factors([0.0, 1e-200], 2.0) == pytest.approx(np.array([[32, 64 / 3]] * 2), rel=1e-15)
 
 

@@ -261,6 +261,14 @@ def test_a_stiff_mesh_in_one_row_takes_a_long_step():
     assert found == pytest.approx(expected, rel=1e-9)  # conditioned 4e4
 
 
+def test_a_magnet_turns_a_charge_and_a_long_implicit_step_damps_it():
+    # v′ = v × b: the matrix of its derivatives is not symmetric; 1.5 radians a step
+    turn = 1.5 * np.array([[0, 0.8, 0], [-0.8, 0, 0.6], [0, -0.6, 0]])
+    v = np.array([1.0, 2.0, -1.0])
+    found = implicit_euler(np.zeros(3), v, lambda p, v: v @ turn.T, 1.0)[1]
+    assert found == pytest.approx(np.linalg.solve(np.eye(3) - turn, v), rel=1e-9)
+
+
 @given(VECTOR, VECTOR, st.floats(0.01, 1))
 def test_implicit_euler_ends_where_its_own_equation_holds(p, v, dt):
     after_p, after_v = implicit_euler(p, v, bent, dt)
