@@ -1,0 +1,149 @@
+"""Writes docs/statements.md: each statement of the lecture with its code, its tests, its oracles and its figures.
+
+`python docs/statement_table.py` writes the page; `--check` only says whether it is up to date. Functions come from
+`reference.lecture`, tests from the marks `statement` and `erratum` in `tests/`, figures from `docs/figures/`.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import importlib.util
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from reference.lecture import STATEMENTS, TOPICS, Statement, functions_of
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGE = ROOT / "docs" / "statements.md"
+HEAD = """# The statements of the lecture
+
+Each statement of Rick Parent's *Collisions* (CIS 682): what the slide says, what is right, the function that puts it
+into code, the tests that fail when its formula is broken and what they are judged by, and a figure. Written by
+`python docs/statement_table.py` from `reference/lecture.py`, the marks in `tests/` and `docs/figures/`.
+
+"""
+
+
+@dataclass(frozen=True)
+class Test:
+    """A test that bears on a statement. oracle: what judges it; empty for one that shows an erratum."""
+
+    path: str
+    name: str
+    statement: int
+    oracle: str
+
+
+def marked_tests() -> list[Test]:
+    """All tests with a mark `statement` or `erratum`, in the order of files and lines."""
+    return [test for path in sorted((ROOT / "tests").rglob("test_*.py")) for test in _tests_in(path)]
+
+
+def _tests_in(path: Path) -> Iterator[Test]:
+    where = path.relative_to(ROOT).as_posix()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.FunctionDef):
+            for mark in node.decorator_list:
+                if isinstance(mark, ast.Call) and ast.unparse(mark.func) in (
+                    "pytest.mark.statement",
+                    "pytest.mark.erratum",
+                ):
+                    given = {keyword.arg: ast.literal_eval(keyword.value) for keyword in mark.keywords}
+                    values = [ast.literal_eval(value) for value in mark.args]
+                    number = given.get("number", values[0] if values else None)
+                    oracle = given.get("oracle", values[1] if len(values) > 1 else "")
+                    yield Test(where, node.name, number, oracle)
+
+
+def figures() -> list[tuple[int, str, str]]:
+    """Statement, name and caption of every figure."""
+    spec = importlib.util.spec_from_file_location("draw", ROOT / "docs" / "figures" / "draw.py")
+    assert spec is not None
+    assert spec.loader is not None
+    draw = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(draw)
+    return [
+        (number, draw.file_name(number, name), " ".join((function.__doc__ or "").split()))
+        for (number, name), function in draw.figures().items()
+    ]
+
+
+def page() -> str:
+    """The whole page."""
+    tests, drawn = marked_tests(), figures()
+    return HEAD + _overview(tests, drawn) + "".join(_section(entry, tests, drawn) for entry in STATEMENTS)
+
+
+def _functions(number: int) -> list[tuple[str, str]]:
+    """Name and file of the functions that belong to a statement."""
+    entries = [entry for topic in TOPICS for entry in functions_of(topic.name) if entry.statement == number]
+    return [(entry.name, _file_of(entry.topic, entry.name)) for entry in entries]
+
+
+def _file_of(topic: str, name: str) -> str:
+    found = getattr(importlib.import_module(f"solutions.{topic}"), name)
+    return found.__module__.replace(".", "/") + ".py"
+
+
+def _overview(tests: list[Test], drawn: list[tuple[int, str, str]]) -> str:
+    lines = [
+        "| # | statement | topic | functions | tests | oracles | errata shown | figures |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for entry in STATEMENTS:
+        own = [test for test in tests if test.statement == entry.number]
+        judged = [test for test in own if test.oracle]
+        shown = len(own) - len(judged) if entry.erratum else "–"
+        counts = (
+            len(_functions(entry.number)),
+            len(judged),
+            len({test.oracle for test in judged}),
+            shown,
+            sum(number == entry.number for number, _, _ in drawn),
+        )
+        link = f"[{entry.title}](#{entry.number}-{_anchor(entry.title)})"
+        lines.append(f"| {entry.number} | {link} | {entry.topic} | " + " | ".join(map(str, counts)) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def _anchor(title: str) -> str:
+    return "".join(sign for sign in title.lower().replace(" ", "-") if sign.isalnum() or sign == "-")
+
+
+def _section(entry: Statement, tests: list[Test], drawn: list[tuple[int, str, str]]) -> str:
+    lines = [f"\n## {entry.number} {entry.title}", "", f"**Slide.** {entry.slide}", "", f"**Right.** {entry.right}", ""]
+    if entry.erratum:
+        lines += [f"**Erratum or gap.** {entry.erratum}", ""]
+    functions = [f"[`{name}`](../{path})" for name, path in _functions(entry.number)]
+    if functions:
+        lines += [f"**By hand.** {', '.join(functions)}", ""]
+    own = [test for test in tests if test.statement == entry.number]
+    rows = [
+        f"| {test.name.removeprefix('test_').replace('_', ' ')} | {test.oracle or 'the slide’s formula fails'} |"
+        f" [{Path(test.path).name}](../{test.path}) |"
+        for test in own
+    ]
+    if rows:
+        lines += ["| what is tested | judged by | where |", "|---|---|---|", *rows, ""]
+    for number, name, caption in drawn:
+        if number == entry.number:
+            lines += [f"![{caption}](images/statements/{name})", "", f"*{caption}*", ""]
+    return "\n".join(lines)
+
+
+def main() -> int:
+    """Write the page, or say whether it is up to date."""
+    text = page()
+    if "--check" in sys.argv:
+        current = PAGE.is_file() and PAGE.read_text(encoding="utf-8") == text
+        print("up to date" if current else "docs/statements.md is out of date: run python docs/statement_table.py")
+        return 0 if current else 1
+    PAGE.write_text(text, encoding="utf-8", newline="\n")
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
