@@ -29,7 +29,8 @@ METHODS = [
     Method(INTERPOLATED, rest_speed=5e-3),
     Method(AT_STEP, rest_speed=0.2),
     Method(AT_STEP, recovery=0.5, rest_speed=0.03),
-    Method(COMPLIANT, stiffness=1e6),
+    Method(AT_STEP, speed_recovery=1e-4, inset=0.5),
+    Method(COMPLIANT, stiffness=1e6, inset=0.5),
 ]
 
 
