@@ -26,7 +26,7 @@ _MARKER_DISTANCE, _STAGGER = 0.4, 0.05
 """Between the markers of a curve, and from one curve's first to the next one's, as shares of the axes' diagonal."""
 _DASHES: dict[str, Any] = {"tuned": "-", "stock": (0, (1, 1.6))}
 _OTHER_DASHES = (0, (5, 2))
-_STYLE: dict[Any, Any] = {
+STYLE: dict[Any, Any] = {
     "svg.fonttype": "none",
     "font.size": 10,
     "font.family": "sans-serif",
@@ -49,7 +49,7 @@ def trajectories(section: Section) -> str:
         sparse: dict[str, Any] = (
             {"markevery": (_STAGGER * len(axes.get_lines()), _MARKER_DISTANCE)} if series.times else {}
         )
-        axes.plot(series.times, series.values, **sparse, **_marker(line), **_line_style(line))
+        axes.plot(series.times, series.values, **sparse, **marker(line), **line_style(line))
         return line.title
 
     labels = {"title": curve.title, "xlabel": "time, s", "ylabel": curve.y_label}
@@ -72,7 +72,7 @@ def convergence(section: Section) -> str:
         errors = line.result.convergence
         assert errors is not None
         shown = errors.errors if errors.order is not None else [edge] * len(errors.errors)
-        axes.loglog(errors.timesteps, shown, **_marker(line), **_line_style(line, thin=True))
+        axes.loglog(errors.timesteps, shown, **marker(line), **line_style(line, thin=True))
         return f"{line.title}: {line.order}"
 
     unit = f", {quantity.unit}" if quantity.unit else ""
@@ -94,7 +94,7 @@ def _figure(
     import matplotlib  # late: half a second that a table need not wait for
     from matplotlib.figure import Figure
 
-    with matplotlib.rc_context(_STYLE | {"svg.hashsalt": name}):
+    with matplotlib.rc_context(STYLE | {"svg.hashsalt": name}):
         figure = Figure(figsize=(WIDTH, HEIGHT), layout="constrained")
         axes = figure.add_subplot()
         drawn = {}
@@ -113,12 +113,14 @@ def _figure(
     return _own_ids(text.getvalue(), name)
 
 
-def _marker(line: Line) -> dict[str, Any]:
-    marker = {"marker": _MARKERS.get(line.result.job.engine, "D"), "markersize": 5}
-    return marker if line.tuned else marker | {"markerfacecolor": "white"}
+def marker(line: Line) -> dict[str, Any]:
+    """What a line's points look like: the engine's own shape, hollow where the settings are not tuned."""
+    style = {"marker": _MARKERS.get(line.result.job.engine, "D"), "markersize": 5}
+    return style if line.tuned else style | {"markerfacecolor": "white"}
 
 
-def _line_style(line: Line, thin: bool = False) -> dict[str, Any]:
+def line_style(line: Line, thin: bool = False) -> dict[str, Any]:
+    """The engine's colour and the profile's dashes; tuned curves are wide, so that those that coincide all show."""
     engine, profile = line.result.job.engine, line.result.job.profile
     style = {"color": _COLOURS.get(engine, "#009e73"), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
     if thin or not line.tuned:

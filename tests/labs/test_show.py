@@ -17,7 +17,8 @@ from rich.console import Console
 from typer.testing import CliRunner
 
 from labs.cli import app, jobs, show
-from labs.demonstrations import DEMONSTRATIONS, Demonstration, Seen, filled, find
+from labs.demonstrations import DEMONSTRATIONS, Demonstration, find
+from labs.seen import Seen, filled
 from reference.compare import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.isolate import stop_workers
