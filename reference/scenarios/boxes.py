@@ -255,8 +255,8 @@ TIPPING_BOX = Family(
     " it slides before it tips; with tan θ ≤ μ and tan θ ≤ b/h nothing moves.",
     why=(
         "All three outcomes come out right in both engines, tuned. A box that slides is a t dt/2 ahead, as on the"
-        " incline. In MuJoCo a box that holds creeps by a fraction of a millimetre: its friction makes the box rock on"
-        " two corners and four in turns, and on two they carry too little to hold.",
+        " incline. In MuJoCo a cube that holds creeps by 0.4 mm in a second: its friction makes it rock on two corners"
+        " and four in turns, and on two they carry too little to hold. The higher boxes do not.",
         "The hand-written code for sliding boxes treats a box as a point and so answers only where the box cannot tip;"
         " the rest needs a rigid-body world.",
         "Stock MuJoCo creeps by millimetres where the box should hold. On stock PyBullet's plane a box rocks from one"

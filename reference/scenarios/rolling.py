@@ -189,8 +189,8 @@ ROLLING_BALL = Family(
         "Both engines, tuned, tell rolling from slipping in all fifteen cases, the one at 20° and μ = 0.1 included,"
         " where tan θ is 4 % above 7 μ/2. The way is a t dt/2 long, as for every body that sets out from rest in a"
         " step method.",
-        "PyBullet, stock, loses 7 to 27 % of the way to its damping, and more of the spin. MuJoCo's stock"
-        " contact is soft enough to let a rolling ball slip a little.",
+        "PyBullet, stock, loses 7 to 27 % of the way to its damping, and more of the spin. MuJoCo, stock, tells rolling"
+        " from slipping too; its way is 0.1 % long, which is a t dt/2 at its 2 ms.",
     ),
     cases=tuple(
         _on_slope(friction, degrees) for friction in (0.1, 0.3, 0.6) for degrees in (5.0, 10.0, 20.0, 30.0, 40.0)
