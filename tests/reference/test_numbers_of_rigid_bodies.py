@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from reference.engines.base import AT_STEP, Method
 from reference.errors import RunFailed
 from reference.scenarios import catalogue
 from reference.settings import Settings
@@ -198,6 +199,31 @@ def test_a_ball_that_meets_the_walls_too_seldom_has_no_fifth_impact():
         measure["last_impact"](trajectory)
 
 
+def in_steps(restitution: float, dt: float) -> float:
+    """The instant of the fifth impact, by the flight before it, of a ball that turns at the first step behind a wall."""
+    place, velocity, time, met = 0.0, 2.0, 0.0, 0
+    while True:
+        wall = 0.8 if velocity > 0 else 0.0
+        if (place - wall) * velocity >= 0 and time > 0:
+            met += 1
+            if met == 5:
+                return time - (place - wall) / velocity
+            velocity = -restitution * velocity
+        place, time = place + velocity * dt, time + dt
+
+
+@pytest.mark.parametrize(("case", "restitution"), [("e=0.5", 0.5), ("e=0.8", 0.8), ("e=1", 1.0)])
+def test_the_delay_that_is_accepted_is_the_most_that_steps_can_make_of_it(case, restitution):
+    family, true = catalogue()["two-walls"], 0.4 * sum(restitution**-crossing for crossing in range(5))
+    expect, shares = family.quantity("last_impact").expect, []
+    for dt in np.linspace(4e-3, 6e-3, 150):  # so that impacts fall anywhere in a step
+        accepted = expect(family.case(case), Settings(float(dt)), Method(AT_STEP)).tolerance
+        shares.append((in_steps(restitution, float(dt)) - true) / accepted)
+    # Four delays, each even between none and all: the most of 150 comes near to all, never beyond it.
+    assert min(shares) > -1e-9
+    assert 0.8 < max(shares) <= 1
+
+
 def test_what_a_corner_keeps_is_told_for_each_of_its_two_walls():
     velocities = np.array([[-2.0, 0, -2.0], [1.0, 0, 1.6]])
     trajectory, measure = made("corner", "e=0.8", [0, 0.6], velocities={"ball": velocities})
@@ -205,6 +231,21 @@ def test_what_a_corner_keeps_is_told_for_each_of_its_two_walls():
 
 
 # Rolling
+
+
+@pytest.mark.parametrize("dt", [1e-3, 1e-4])
+def test_what_is_accepted_of_a_spinning_ball_grows_with_the_lever_arm_that_an_engine_shortens(dt):
+    family = catalogue()["spinning-ball"]
+    case = family.case("ω=20,μ=0.3,e=0.5")  # it grips
+    short = 0.5 * math.sqrt(2 * G) * dt / 0.1
+    for name, part in (("speed_along", 3 / 7), ("surface_speed", 10 / 7)):
+        expect = family.quantity(name).expect
+        plain, inside = (expect(case, Settings(dt), Method(AT_STEP, inset=inset)) for inset in (0.0, 0.5))
+        assert plain.tolerance == pytest.approx(1e-3 * plain.value, rel=1e-12)
+        # To first order in the share of the radius that is missing, 0.2 or 2 %.
+        assert inside.tolerance / inside.value - 1e-3 == pytest.approx(part * short, rel=0.05)
+        assert "lever arm" in inside.reason
+        assert "lever arm" not in plain.reason
 
 
 def test_the_way_of_a_ball_that_slid_is_that_at_the_scenarios_end_though_its_last_sample_comes_later():
