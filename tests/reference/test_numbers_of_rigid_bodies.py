@@ -200,7 +200,7 @@ def test_a_ball_that_meets_the_walls_too_seldom_has_no_fifth_impact():
 
 
 def in_steps(restitution: float, dt: float) -> float:
-    """The instant of the fifth impact, by the flight before it, of a ball that turns at the first step behind a wall."""
+    """The fifth impact, by the flight before it, of a ball that turns at the first step behind a wall, s."""
     place, velocity, time, met = 0.0, 2.0, 0.0, 0
     while True:
         wall = 0.8 if velocity > 0 else 0.0
