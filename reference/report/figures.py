@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from reference.report import numbers
 from reference.report.summary import Line, Section
 
 if TYPE_CHECKING:
@@ -103,6 +104,7 @@ def _figure(
             drawn[line.title] = axes.get_lines()[-1], label
         axes.set(**labels)
         if lower_edge is not None:
+            _label_with_powers(axes)
             axes.set_ylim(bottom=lower_edge / 1.5)
             axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
             axes.set_axisbelow(True)
@@ -111,6 +113,20 @@ def _figure(
         text = io.StringIO()
         figure.savefig(text, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
     return _own_ids(text.getvalue(), name)
+
+
+def _label_with_powers(axes: Axes) -> None:
+    """Write the powers of ten on logarithmic axes as plain text: matplotlib's own typesetting takes half the time."""
+    from matplotlib.ticker import LogFormatter
+
+    class Powers(LogFormatter):
+        def __call__(self, value: float, pos: int | None = None) -> str:
+            chosen = super().__call__(value, pos)  # which ticks deserve a label hangs on how many there are
+            return numbers.power_of_ten(value) if chosen else ""
+
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter(Powers())
+        axis.set_minor_formatter(Powers(minor_thresholds=(1, 0.4)))
 
 
 def marker(line: Line) -> dict[str, Any]:
