@@ -114,8 +114,7 @@ def _notes(seen: Seen) -> list[Text]:
     for line in seen.section.lines:
         for row in line.result.rows:
             if row.measured is None and row.note:
-                why = row.note if row.note.startswith(row.verdict) else f"{row.verdict} – {row.note}"
-                found.setdefault(why, {})[line.title] = None
+                found.setdefault(row.why, {})[line.title] = None
     return [Text(f"{'; '.join(titles)}: {note}", style="dim") for note, titles in found.items()]
 
 

@@ -49,7 +49,7 @@ class PyBullet(Engine):
         boxes = any(isinstance(body.shape, Box) for body in movable)
         damping: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
         # On a plane Bullet finds one more contact point of a box in each step; on a large box all four at once.
-        ground: dict[str, Option] = {"ground": "box" if boxes else "plane"}
+        ground: dict[str, Option] = {"ground": "box"} if boxes else {}
         firm: dict[str, Option] = {"solver_iterations": 200 if len(movable) == 1 else 100, "solver_residual": 0.0}
         if restitution == 0 and geometry.starts_in_contact(scenario):
             return Settings(1e-3, options={"coordinates": "multibody", **damping, **ground, **firm})

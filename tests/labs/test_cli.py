@@ -382,7 +382,7 @@ def test_a_function_that_is_not_written_yet_is_named_and_costs_nothing_where_an_
     alone = collisions(*ours, *unfinished)
     assert alone.code == 3
     for ended in (beside, alone):
-        assert "hand-written, tuned: needs: needs kinematic_response (response, step 1)" in ended.text
+        assert "hand-written, tuned: needs kinematic_response (response, step 1)" in ended.text
 
 
 def test_a_file_that_is_no_engine_is_refused(tmp_path):

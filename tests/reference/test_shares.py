@@ -354,3 +354,9 @@ def test_every_move_of_an_engine_changes_a_setting_that_there_is(name, profile):
         assert len({move.option for move in moves}) == len(moves)
         seen += len(moves)
     assert (seen > 0) is ((name, profile) in {("pybullet", "tuned"), ("mujoco", "tuned"), ("mujoco", "spring")})
+
+
+@pytest.mark.parametrize("move", [Move(SOLVER, "no such option", 1.0), Move(SOLVER, "iterations", "many")])
+def test_a_move_that_the_settings_do_not_allow_is_a_failed_run_that_names_it(move):
+    with pytest.raises(RunFailed, match=f"made-up one names a move that its settings do not allow: .*{move.option}"):
+        split(family(), MadeUp(moves=(move,)))
