@@ -75,6 +75,11 @@ class Row:
                 checks.finite(f"{self.family}/{self.case}, {self.quantity}: {name}", value)
 
     @property
+    def why(self) -> str:
+        """The verdict with its note; a note that opens with the same word stands alone: `needs …`."""
+        return self.note if self.note.startswith(self.verdict) else f"{self.verdict}: {self.note}"
+
+    @property
     def error(self) -> float | None:
         """Measured minus expected, in the row's unit; None where either is missing."""
         if self.measured is None or self.expected is None:

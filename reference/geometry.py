@@ -59,8 +59,8 @@ def _reach(shape: Shape, orientations: Array, normal: Array) -> Array:
 def gap(body_a: Body, body_b: Body) -> float:
     """Gap between two bodies as they start, m; negative when they overlap.
 
-    Exact where one is a half-space or a sphere. Two boxes: the largest gap along any face normal, cross product of
-    edges or the line of centres, which is exact where faces meet or boxes overlap, and never too large.
+    Exact where one is a half-space or a sphere. Two boxes: the largest gap along any face normal or cross product of
+    edges, which is exact where faces or edges meet or boxes overlap, and never too large.
     """
     order = (HalfSpace, Sphere, Box)
     if order.index(type(body_a.shape)) > order.index(type(body_b.shape)):
@@ -74,7 +74,7 @@ def gap(body_a: Body, body_b: Body) -> float:
         return _out_of(body_b, -between) - body_a.shape.radius
     axes = [rotate(pose, np.eye(3)) for pose in poses]
     crossed = [np.cross(first, second) for first in axes[0] for second in axes[1]]
-    directions = [*axes[0], *axes[1], *crossed, between]
+    directions = [*axes[0], *axes[1], *crossed]
     units = [direction / np.linalg.norm(direction) for direction in directions if np.linalg.norm(direction) > 1e-9]
     reach = [_reach(body_a.shape, poses[0], -unit)[0] + _reach(body_b.shape, poses[1], unit)[0] for unit in units]
     return float(max(abs(between @ unit) - far for unit, far in zip(units, reach, strict=True)))

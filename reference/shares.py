@@ -14,7 +14,7 @@ import numpy as np
 
 from reference.compare import TUNED
 from reference.engines.base import Engine
-from reference.errors import CollisionsError, as_failed_run
+from reference.errors import CollisionsError, InvalidInput, RunFailed, as_failed_run
 from reference.family import Case, Family, Quantity
 from reference.settings import Move, Option, Settings
 
@@ -71,8 +71,7 @@ class _Question:
             settings = replace(settings, sample_every=1)
         try:
             with as_failed_run():
-                method = self.engine.method(scenarios[0], settings)
-                expected = self.quantity.expected_value(self.case, settings, method)
+                expected = self.quantity.expected_value(self.case)
                 measured = [
                     self.quantity.measure(trajectory) for trajectory in self.engine.run_many(scenarios, settings)
                 ]
@@ -97,7 +96,7 @@ def split(family: Family, engine: Engine, order: float | None = None) -> Split |
     halving = 2 if order is not None and abs(order - 2) < ORDER_TOLERANCE else 1
     shares = _from_stock(asked, tuned)
     for move in (Move(DISCRETISATION, "timestep", tuned.timestep / 2), *engine.moves(scenario, tuned)):
-        after = asked.error(tuned.change(**{move.option: move.value}))
+        after = asked.error(_moved(engine, tuned, move))
         if after is not None:
             # An error of order p keeps 2⁻ᵖ of itself with half the timestep.
             weight = 1 / (1 - 0.5**halving) if move.kind == DISCRETISATION else 1.0
@@ -108,6 +107,13 @@ def split(family: Family, engine: Engine, order: float | None = None) -> Split |
     known = sum(share.size for share in shares if share.kind != DEFAULTS and share.size is not None)
     shares.append(Share(REMAINDER, "what no move explains", error, error - known, error - known))
     return Split(study.case, study.quantity, tuple(shares))
+
+
+def _moved(engine: Engine, tuned: Settings, move: Move) -> Settings:
+    try:
+        return tuned.change(**{move.option: move.value})
+    except InvalidInput as error:
+        raise RunFailed(f"{engine.title} names a move that its settings do not allow: {error}") from None
 
 
 def _from_stock(asked: _Question, tuned: Settings) -> list[Share]:

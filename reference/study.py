@@ -293,7 +293,7 @@ def _convergence(family: Family, engine: Engine, job: Job) -> Errors | None:
             settings = settings.change(sample_every=1)
         try:
             with as_failed_run():
-                value = quantity.expected_value(case, settings, engine.method(case.scenarios[0], settings))
+                value = quantity.expected_value(case)
                 trajectories = engine.run_many(case.scenarios, settings)
                 measured = np.array([quantity.measure(trajectory) for trajectory in trajectories])
         except CollisionsError:

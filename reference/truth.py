@@ -180,17 +180,20 @@ def rolling_ratio(friction: float, slope: float, gravity: float) -> float:
     return 2.5 * friction * gravity * math.cos(slope) / rolling_acceleration(friction, slope, gravity)
 
 
-def spinning_impact(speed: float, surface_speed: float, restitution: float, friction: float) -> tuple[float, float]:
+def spinning_impact(
+    speed: float, surface_speed: float, restitution: float, friction: float, arm: float = 1.0
+) -> tuple[float, float]:
     """Speed along the floor, m/s, and surface speed r ω left, m/s, after a spinning solid sphere has struck it.
 
-    speed: of the impact, m/s. surface_speed: r ω before. The impulse along the floor is at most μ times the normal one,
+    speed: of the impact, m/s. surface_speed: r ω before. arm: lever arm of friction as a share of r, below 1 where an
+    engine lets it act inside the ball. The impulse along the floor is at most μ times the normal one,
     m (1 + e) v. It ends the slip u = r ω − v_x if it can: it changes u by −7/2 J/m, so J = 2/7 m r ω grips and leaves
-    v_x = 2/7 r ω = r ω′. A smaller one slips through: v_x = J/m and r ω′ = r ω − 5/2 J/m.
+    v_x = 2/7 r ω = r ω′. A smaller one slips through: v_x = J/m and r ω′ = r ω − 5/2 J/m. With a lever arm a r the
+    slip is a r ω − v_x, J changes it by −(1 + 5/2 a²) J/m, and r ω by −5/2 a J/m.
     """
-    impulse = math.copysign(
-        min(friction * (1 + restitution) * speed, 2 / 7 * abs(surface_speed)), surface_speed
-    )  # per unit mass
-    return impulse, surface_speed - 2.5 * impulse
+    grip = arm / (1 + 2.5 * arm**2) * abs(surface_speed)  # per unit mass
+    impulse = math.copysign(min(friction * (1 + restitution) * speed, grip), surface_speed)
+    return impulse, surface_speed - 2.5 * arm * impulse
 
 
 def wall_impacts(distance: float, speed: float, restitution: float, count: int) -> NDArray[np.float64]:

@@ -16,7 +16,8 @@ from rich.text import Text
 
 from labs.cli import jobs
 from labs.cli.console import output
-from labs.demonstrations import DEMONSTRATIONS, Demonstration, Seen, find
+from labs.demonstrations import DEMONSTRATIONS, Demonstration, find
+from labs.seen import Seen
 from reference.cache import Cache
 from reference.errors import InvalidInput
 from reference.report import figures, terminal
@@ -113,8 +114,7 @@ def _notes(seen: Seen) -> list[Text]:
     for line in seen.section.lines:
         for row in line.result.rows:
             if row.measured is None and row.note:
-                why = row.note if row.note.startswith(row.verdict) else f"{row.verdict} – {row.note}"
-                found.setdefault(why, {})[line.title] = None
+                found.setdefault(row.why, {})[line.title] = None
     return [Text(f"{'; '.join(titles)}: {note}", style="dim") for note, titles in found.items()]
 
 
@@ -208,13 +208,13 @@ def _figure(seen: Seen, kind: str) -> bytes:
     import matplotlib  # late: half a second that a table need not wait for
     from matplotlib.figure import Figure
 
-    with matplotlib.rc_context(figures._STYLE | {"svg.hashsalt": seen.demonstration.name}):
+    with matplotlib.rc_context(figures.STYLE | {"svg.hashsalt": seen.demonstration.name}):
         figure = Figure(figsize=SIZE, layout="constrained", dpi=DPI)
         axes = figure.add_subplot()
         for place, curve in enumerate(seen.curves):
             style: dict[str, Any] = {"color": "#999999", "label": "predicted"}
             if curve.line is not None:
-                style = {**figures._marker(curve.line), **figures._line_style(curve.line), "label": curve.line.title}
+                style = {**figures.marker(curve.line), **figures.line_style(curve.line), "label": curve.line.title}
                 spread = {"markevery": (0.05 * place, 0.4)}
                 style |= spread if curve.joined else {"linestyle": "none", "markersize": max(5, 14 - 4 * place)}
                 style["zorder"] = 3 if curve.line.tuned else 2

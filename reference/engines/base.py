@@ -34,6 +34,7 @@ class Method:
     speed_recovery: share of the overlap that this step makes into speed, so that the next ones take it back.
     stiffness: of a compliant contact, per unit mass, 1/s².
     rest_speed: a rebound slower than this is taken for rest, m/s.
+    inset: share of the overlap by which the point where forces act lies inside a body.
     """
 
     kind: str
@@ -41,6 +42,7 @@ class Method:
     speed_recovery: float = 0.0
     stiffness: float = math.inf
     rest_speed: float = 0.0
+    inset: float = 0.0
 
 
 class Engine(ABC):

@@ -85,11 +85,11 @@ class MuJoCo(Engine):
         return Settings(1e-4, steps_per_sample(1e-4), options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
-        """A resolved spring is compliant; all else answers at the step, and overlap comes back as speed."""
+        """A resolved spring is compliant; all else answers at the step. Overlap returns as speed; forces act in it."""
         if settings["contact"] == "spring":
-            return Method(COMPLIANT, stiffness=settings.number("stiffness"))
+            return Method(COMPLIANT, stiffness=settings.number("stiffness"), inset=0.5)
         share = settings.number("overlap_recovery") if "overlap_recovery" in settings.options else 0.0
-        return Method(AT_STEP, speed_recovery=share)
+        return Method(AT_STEP, speed_recovery=share, inset=0.5)
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A firmer contact for what rests, a weaker one for what rebounds, or a stiffer spring; more noslip passes."""

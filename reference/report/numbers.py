@@ -49,6 +49,12 @@ def size(value: float, unit: str) -> str:
     return f"<1 n{unit}"
 
 
+def power_of_ten(value: float) -> str:
+    """A positive value with one digit, as on a logarithmic axis: `10⁻³`, `2·10⁻³`."""
+    digit, _, power = f"{value:.0e}".partition("e")
+    return f"{'' if digit == '1' else f'{digit}·'}10{_superscript(int(power))}"
+
+
 def _few_digits(value: float) -> str:
     return f"{value:.0f}" if 9.95 <= value < 99999.5 else _digits(value, 2)
 

@@ -119,7 +119,7 @@ class Line:
         """Why there is no number at all; empty where there are some."""
         if any(row.quantity for row in self.result.rows):
             return ""
-        return "; ".join(dict.fromkeys(f"{row.verdict}: {row.note}" for row in self.result.rows))
+        return "; ".join(dict.fromkeys(row.why for row in self.result.rows))
 
     @cached_property
     def cells(self) -> tuple[Cell, ...]:
@@ -190,11 +190,10 @@ class Section:
 
     def expected(self, case: str, quantity: Quantity) -> str:
         """What theory says of a quantity in one case; empty where it has no figure."""
-        for line in self.lines:
-            row = line.row(case, quantity.name)
-            if row is not None and row.expected is not None:
-                return numbers.quantity(row.expected, row.unit)
-        return ""
+        rows = (line.row(case, quantity.name) for line in self.lines)
+        compared = next((row.expected for row in rows if row is not None and row.expected is not None), None)
+        value = quantity.theory(self.family.case(case)) if compared is None else compared
+        return "" if value is None else numbers.quantity(value, quantity.unit)
 
     def remarks(self) -> list[tuple[str, list[str]]]:
         """Each note on a row, once, with the lines and the number of cases that it speaks of."""
@@ -202,7 +201,7 @@ class Section:
         for line in self.lines:
             for row in line.result.rows:
                 if row.note:
-                    cases = found.setdefault(f"{row.verdict}: {row.note}", {})
+                    cases = found.setdefault(row.why, {})
                     cases[line.title] = cases.get(line.title, 0) + 1
         return [(note, [_times(title, count) for title, count in cases.items()]) for note, cases in found.items()]
 

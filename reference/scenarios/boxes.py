@@ -72,11 +72,11 @@ BOX_FLAT = Family(
     " to e² of the drop height as a ball does.",
     why=(
         "On its half-space PyBullet finds one new contact point of a box in each step, so that a flat box gets a kick"
-        " at one corner first: it tilts by 5° at e = 0, and tumbles at e = 0.5. Given a large box as ground, it finds"
-        " all four corners at once, and with enough solver iterations the cube stays level to the last digit. That is"
-        " what its tuned settings do.",
+        " at one corner first: stock, it tilts by 5° at e = 0, and tumbles at e = 0.5. Given a large box as ground, it"
+        " finds all four corners at once, and with enough solver iterations the cube stays level to the last digit."
+        " That is what its tuned settings do.",
         "MuJoCo finds the four corners at once. They share the load, and each of its soft contacts gives a little too"
-        " much: the rebound is some 0.02 % high. At e = 0 it sinks by up to 0.1 mm first and comes back slowly.",
+        " much: the rebound is some 0.02 % high. At e = 0 it sinks by up to v dt = 0.4 mm and comes back slowly.",
     ),
     cases=tuple(dropped("box-flat", restitution, _falling_cube, DROPS) for restitution in (0.0, 0.5)),
     quantities=(
@@ -255,8 +255,8 @@ TIPPING_BOX = Family(
     " it slides before it tips; with tan θ ≤ μ and tan θ ≤ b/h nothing moves.",
     why=(
         "All three outcomes come out right in both engines, tuned. A box that slides is a t dt/2 ahead, as on the"
-        " incline. In MuJoCo a box that holds creeps by a fraction of a millimetre: its friction makes the box rock on"
-        " two corners and four in turns, and on two they carry too little to hold.",
+        " incline. In MuJoCo a cube that holds creeps by 0.4 mm in a second: its friction makes it rock on two corners"
+        " and four in turns, and on two they carry too little to hold. The higher boxes do not.",
         "The hand-written code for sliding boxes treats a box as a point and so answers only where the box cannot tip;"
         " the rest needs a rigid-body world.",
         "Stock MuJoCo creeps by millimetres where the box should hold. On stock PyBullet's plane a box rocks from one"
@@ -332,10 +332,12 @@ STACK = Family(
         "A stack shows the solver: the force below must come out as the weight of all above it, through as many"
         " contacts as there are boxes. PyBullet's sequential impulses need 100 passes and boxes for ground; with 10"
         " the top of five is a tenth of a millimetre low and drifts by one. What is left is chance micro-slip, up to"
-        " two tenths of a millimetre in ten seconds.",
+        " two tenths of a millimetre in ten seconds, and a drop at the start: whether boxes a gap of zero apart touch,"
+        " rounding decides, and until they do, they fall g dt² a step; the top of five three times, that of ten six.",
         "MuJoCo's Newton solver has it in one or two iterations. Its contacts are soft, and the top of n boxes sinks"
-        " by n² (1 − d) g dt²/(4 r), nanometres here. Friction must be in the main solver for a stack: the tuned"
-        " recipe for slides, which adds it afterwards, lets ten boxes shift by tenths of a millimetre.",
+        " by n² (1 − d) g dt²/(4 r), a quarter of a micrometre for ten. A contact at a gap of zero is seen or not by"
+        " rounding: without a margin of a nanometre the stack would drop by 0.2 mm first, and with the tuned recipe for"
+        " slides, which adds friction after the main solver, shift by half a millimetre as well.",
         "Stock, PyBullet's stack of ten drifts by a centimetre and MuJoCo's sinks by two millimetres. Both stand.",
     ),
     cases=(_stack(5), _stack(10)),

@@ -1,4 +1,4 @@
-"""Small fast balls shot at a thin wall: who passes through it unnoticed (slides 2, 8 and 9)."""
+"""Small fast balls shot at a thin wall: who passes through it unnoticed (slides 2, 9 and 10)."""
 
 from __future__ import annotations
 

@@ -17,7 +17,8 @@ from rich.console import Console
 from typer.testing import CliRunner
 
 from labs.cli import app, jobs, show
-from labs.demonstrations import DEMONSTRATIONS, Demonstration, Seen, filled, find
+from labs.demonstrations import DEMONSTRATIONS, Demonstration, find
+from labs.seen import Seen, filled
 from reference.compare import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.isolate import stop_workers
@@ -274,7 +275,7 @@ def test_it_fits_eighty_columns_with_and_without_engines(demonstration, missing,
     assert max(map(cell_len, said.lines)) <= 80
     assert "…" not in said.output, "something was cut off"
     for engine in missing:
-        assert f"not available – {engine} {MISSING}" in said.text
+        assert f"not available: {engine} {MISSING}" in said.text
     assert not re.search(r"[{}\[\]]|: ?,|:\.", said.output)
     assert said.code == (0 if set(demonstration.profiles) - set(missing) else jobs.COULD_NOT_COMPARE)
 
@@ -320,7 +321,7 @@ def test_engines_that_cannot_be_imported_are_named_and_the_rest_is_shown(tmp_pat
         said = collisions("show", "stop")
         assert said.code == 0, said.errors
         assert len(re.findall(r"(PyBullet|MuJoCo) +(tuned|stock) +not available$", "\n".join(said.lines), re.M)) == 4
-        assert "PyBullet, tuned; PyBullet, stock: not available – PyBullet is not installed here" in said.text
+        assert "PyBullet, tuned; PyBullet, stock: not available: PyBullet is not installed here" in said.text
         assert re.search(r"●  hand-written +exact +0\.50968 m", said.output)
         nothing = collisions("show", "roll")
         assert nothing.code == 3

@@ -438,6 +438,26 @@ def test_a_spinning_ball_grips_with_two_sevenths_of_its_spin_or_slips_with_mu_ti
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
+def test_wherever_in_a_step_a_gripping_ball_strikes_mujoco_is_off_by_no_more_than_its_short_lever_arm(installed):
+    engine, family = installed("mujoco"), catalogue()["spinning-ball"]
+    case, found = family.case("ω=20,μ=0.3,e=0.5"), []
+    settings = engine.settings(case.scenarios[0], "tuned")
+    for phase in range(20):
+        later = 1.0 + SPEED * settings.timestep * phase / 20  # m: what a step falls, in twenty parts
+        bodies = tuple(
+            replace(body, position=(0.0, 0.0, 0.1 + later)) if body.name == "ball" else body
+            for body in case.scenarios[0].bodies
+        )
+        moved = replace(case, scenarios=(replace(case.scenarios[0], bodies=bodies),))
+        rows, _ = compare_case(family, moved, engine, "tuned", settings)
+        assert {entry.verdict for entry in rows} == {Verdict.PASS}
+        found.append([entry.relative_error for entry in rows])
+    # Up to v dt/2 of the radius is 0.22 %: 3/7 of that in speed, 10/7 in spin, and all of it is used.
+    short = SPEED * settings.timestep / 2 / 0.1
+    highest = np.max(found, axis=0)
+    assert highest == pytest.approx([3 / 7 * short, 10 / 7 * short], rel=0.15)  # twenty phases, not all
+
+
 def test_spinning_balls_grip_and_slip():
     cases = [case.parameters for case in catalogue()["spinning-ball"].cases]
     gripping = [2 / 7 * 0.1 * c["spin"] <= c["friction"] * (1 + c["restitution"]) * SPEED for c in cases]

@@ -242,3 +242,11 @@ def test_errors_that_are_rounding_lie_on_the_lower_edge_and_flatten_no_other():
     assert max(flat) == min(flat), "four points in a line, downmost in the picture"
     assert all(max(line) < min(flat) for line in sloped)
     assert all(max(line) - min(line) > 50 for line in sloped)  # points of 281: three octaves fill a good part of it
+
+
+def test_logarithmic_axes_are_labelled_with_powers_of_ten_as_plain_text():
+    root = ElementTree.fromstring(drawn("ball-to-rest", figures.convergence))
+    texts = {text.text for text in root.iter(f"{SVG}text") if text.text}
+    assert "10⁻³" in texts
+    assert not any("$" in text or "mathdefault" in text for text in texts)
+    assert all(re.fullmatch(r"([2-9]·)?10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", text) for text in texts if text[0].isdigit())

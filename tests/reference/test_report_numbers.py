@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from reference.report.numbers import deviation, percent, quantity, size
+from reference.report.numbers import deviation, percent, power_of_ten, quantity, size
 
 UNITS = ("", "m", "s", "m/s")
 FACTORS = {"": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9}
@@ -198,3 +198,10 @@ def test_no_number_is_printed_as_a_program_would(value, unit):
     for text in (percent(value), deviation(value, unit), quantity(value, unit), size(abs(value), unit)):
         assert not re.search(r"e[+-]|nan|inf|-|,|  |^ | $", text), text
         assert len(text) <= 15 + len(unit)  # a column of the narrowest table
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(1.0, "10⁰"), (1e-3, "10⁻³"), (2e-12, "2·10⁻¹²"), (9.4e4, "9·10⁴"), (0.96e-3, "10⁻³")]
+)
+def test_a_value_on_a_logarithmic_axis_has_one_digit_which_is_not_said_where_it_is_one(value, text):
+    assert power_of_ten(value) == text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 
 import pytest
 
@@ -158,8 +159,8 @@ def test_a_case_that_crashed_counts_in_every_quantity_beside_the_others():
 
 def test_a_line_whose_cases_all_have_the_same_trouble_says_it_once():
     same = [without_number(Verdict.NEEDS, "needs a", case.name) for case in REST.cases]
-    assert line(*same).note == "needs: needs a"
-    assert line(*same, without_number(Verdict.CRASHED, "hung")).note == "needs: needs a; crashed: hung"
+    assert line(*same).note == "needs a"
+    assert line(*same, without_number(Verdict.CRASHED, "hung")).note == "needs a; crashed: hung"
 
 
 def test_a_quantity_has_the_rows_of_its_own_name():
@@ -266,12 +267,13 @@ def test_a_section_shows_the_cases_that_ran_in_the_familys_order_and_all_where_n
     assert mixed.cases == ("e=0.8",)
 
 
-def test_the_expected_value_is_that_of_any_line_that_has_one():
+def test_the_expected_value_is_that_of_any_line_that_has_one_or_else_what_theory_says_without_a_run():
     time = REST.quantity("rest_time")
     crashed, fine = result(without_number(Verdict.CRASHED)), result(row(), engine="mujoco")
     assert section(crashed, fine).expected("e=0.5", time) == "1 s"
-    assert section(crashed).expected("e=0.5", time) == ""
-    assert section(result(row(Verdict.SHOWN))).expected("e=0.5", time) == ""
+    rests = math.sqrt(2 / 9.81) * (1 + 0.5) / (1 - 0.5)  # fallen 1 m, e = 0.5
+    assert section(crashed).expected("e=0.5", time) == f"{rests:.5g} s"
+    assert section(crashed).expected("e=0.5", REST.quantity("drift")) == "0 m"
 
 
 def test_a_remark_is_made_once_with_the_lines_and_the_number_of_cases_that_it_speaks_of():

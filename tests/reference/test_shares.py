@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -212,7 +213,7 @@ def test_the_defaults_lead_from_the_error_of_stock_to_that_of_tuned():
     assert found[-1].after == pytest.approx(off(TUNED), abs=1e-14)
     assert [share.before for share in found[1:]] == [share.after for share in found[:-1]]
     assert sum(share.size for share in found) == pytest.approx(off(STOCK) - off(TUNED), abs=1e-14)
-    assert TUNED in engine.seen[:7], "the last step has arrived at the tuned settings themselves"
+    assert engine.seen[0] == engine.seen[6] == TUNED, "after five moves stock has become tuned, sampling included"
 
 
 def test_an_option_that_only_stock_has_is_unset_on_the_way():
@@ -248,8 +249,15 @@ def test_where_the_tuned_run_gives_no_number_there_is_no_split(error):
 
 
 @pytest.mark.parametrize("number", [float("inf"), float("nan")])
-def test_an_error_that_is_no_finite_number_is_none(number):
+def test_a_run_that_ends_nowhere_has_no_error_to_split(number):
     assert split(family(), MadeUp(lambda settings: number)) is None
+
+
+@pytest.mark.parametrize("number", [float("inf"), float("nan")])
+def test_a_run_whose_quantity_is_no_finite_number_gives_none(number):
+    made = family()
+    ends = replace(made.quantities[0], measure=lambda trajectory: number)
+    assert split(replace(made, quantities=(ends,)), MadeUp()) is None
 
 
 def test_a_move_whose_run_fails_is_left_out_and_its_share_stays_in_the_remainder():
@@ -346,3 +354,9 @@ def test_every_move_of_an_engine_changes_a_setting_that_there_is(name, profile):
         assert len({move.option for move in moves}) == len(moves)
         seen += len(moves)
     assert (seen > 0) is ((name, profile) in {("pybullet", "tuned"), ("mujoco", "tuned"), ("mujoco", "spring")})
+
+
+@pytest.mark.parametrize("move", [Move(SOLVER, "no such option", 1.0), Move(SOLVER, "iterations", "many")])
+def test_a_move_that_the_settings_do_not_allow_is_a_failed_run_that_names_it(move):
+    with pytest.raises(RunFailed, match=f"made-up one names a move that its settings do not allow: .*{move.option}"):
+        split(family(), MadeUp(moves=(move,)))

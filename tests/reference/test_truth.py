@@ -347,13 +347,14 @@ def test_a_ball_rolls_up_to_the_slope_whose_tangent_is_seven_halves_of_mu_and_no
 # A spinning ball that strikes the floor
 
 
-def struck(velocity, spin, restitution, friction, radius=0.1, mass=1.3, steps=1000):
+def struck(velocity, spin, restitution, friction, radius=0.1, mass=1.3, steps=1000, arm=1.0):
     """Velocity and spin after an impact of a solid ball on the floor, its impulse added in small parts.
 
     As Routh and Stronge do: the normal impulse grows by dp, friction adds up to μ dp against the slip, and never more
-    than what ends it; compression ends where the approach does, and restitution adds e times as much impulse.
+    than what ends it; compression ends where the approach does, and restitution adds e times as much impulse. arm: how
+    far below the centre it acts, as a share of the radius.
     """
-    arm = np.array([0.0, 0.0, -radius])
+    arm = np.array([0.0, 0.0, -arm * radius])
     inverse = 1 / (0.4 * mass * radius**2)
     velocity, spin = np.array(velocity, dtype=float), np.array(spin, dtype=float)
     whole = -mass * velocity[2] * (1 + restitution)  # the ball's own, since the normal passes through its centre
@@ -381,6 +382,23 @@ def test_a_spinning_ball_leaves_the_floor_as_an_impulse_added_in_small_parts_say
     assert along == pytest.approx(velocity[0], abs=1e-11)
     assert surface == pytest.approx(radius * left[1], abs=1e-11)
     assert velocity[2] == pytest.approx(restitution * speed, abs=1e-11)
+
+
+@pytest.mark.parametrize("friction", [0.1, 0.5])
+@pytest.mark.parametrize("arm", [0.9, 0.998])
+def test_friction_that_acts_inside_the_ball_makes_it_faster_and_leaves_it_more_spin(arm, friction):
+    speed, spin, restitution = 4.4, 60.0, 0.5
+    velocity, left = struck((0.0, 0.0, -speed), (0.0, spin, 0.0), restitution, friction, arm=arm)
+    along, surface = truth.spinning_impact(speed, 0.1 * spin, restitution, friction, arm)
+    assert along == pytest.approx(velocity[0], abs=1e-11)  # rounding of a thousand sums
+    assert surface == pytest.approx(0.1 * left[1], abs=1e-11)
+    outside = truth.spinning_impact(speed, 0.1 * spin, restitution, friction)
+    assert surface > outside[1]
+    grips = friction == 0.5
+    assert (along > outside[0]) is grips  # what slips through gets the same push
+    if grips and arm == 0.998:  # to first order of 1 − a: 3/7 and 10/7 of it
+        assert along / outside[0] - 1 == pytest.approx(3 / 7 * 0.002, rel=0.01)
+        assert surface / outside[1] - 1 == pytest.approx(10 / 7 * 0.002, rel=0.01)
 
 
 def test_both_ways_of_leaving_the_floor_occur_and_meet_where_friction_just_grips():
