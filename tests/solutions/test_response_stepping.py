@@ -216,6 +216,7 @@ def test_a_dull_ball_rests_with_its_first_impact():
 def test_a_ball_behind_the_plane_by_rounding_counts_as_on_it():
     assert time_until_rest(-1e-17, 0.0, -G, 0.5) == 0.0
     assert time_until_rest(-1e-17, 2.0, -2.0, 0.5) == 4.0  # 2 s up and down, then 1, 0.5 …
+    assert time_until_rest(-0.5, 2.0, -2.0, 0.5) == 4.0  # far behind as well: below zero counts as zero
 
 
 # Any number of impacts in a step
