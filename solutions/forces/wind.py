@@ -34,7 +34,7 @@ def sample_field(position: ArrayLike, field: ArrayLike, origin: ArrayLike, spaci
     place = np.clip((x - vector("origin", origin)) / positive("spacing", spacing), 0, last)
     if np.any(np.isnan(place)):
         raise ValueError("position must be a number, not nan")
-    low = np.minimum(place.astype(int), np.maximum(last - 1, 0))
+    low = place.astype(int)  # on the last node it is that node, whose neighbour weighs nothing
     share = (place - low)[..., None, :]
     weight = np.prod(np.where(_CORNERS == 1, share, 1 - share), axis=-1)  # (..., 8)
     node = np.minimum(low[..., None, :] + _CORNERS, last)
