@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import importlib
 import importlib.util
 import sys
@@ -37,6 +38,7 @@ class Test:
     oracle: str
 
 
+@functools.cache
 def marked_tests() -> list[Test]:
     """All tests with a mark `statement` or `erratum`, in the order of files and lines."""
     return [test for path in sorted((ROOT / "tests").rglob("test_*.py")) for test in _tests_in(path)]
@@ -58,6 +60,7 @@ def _tests_in(path: Path) -> Iterator[Test]:
                     yield Test(where, node.name, number, oracle)
 
 
+@functools.cache
 def figures() -> list[tuple[int, str, str]]:
     """Statement, name and caption of every figure."""
     spec = importlib.util.spec_from_file_location("draw", ROOT / "docs" / "figures" / "draw.py")

@@ -1,0 +1,62 @@
+"""The page of the statements is the one that the code writes, and the topics that are done have no gap in it."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from reference.lecture import STATEMENTS, Statement
+
+ROOT = Path(__file__).parents[1]
+DONE = ("detection", "response", "forces", "meshes", "avoidance")
+"""Topics whose hand-written side is complete."""
+
+
+@pytest.fixture(scope="module")
+def table() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("statement_table", ROOT / "docs" / "statement_table.py")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # as any import does; its dataclass looks itself up there
+    spec.loader.exec_module(module)
+    return module
+
+
+def of(topics: tuple[str, ...]) -> list[Statement]:
+    return [entry for entry in STATEMENTS if entry.topic in topics]
+
+
+each_done = pytest.mark.parametrize("entry", of(DONE), ids=lambda entry: f"{entry.number} {entry.title}")
+
+
+def test_the_page_is_what_the_code_writes(table):
+    assert table.PAGE.read_text(encoding="utf-8") == table.page(), "run python docs/statement_table.py"
+
+
+@each_done
+def test_a_statement_has_a_function_a_test_that_fails_when_it_is_broken_and_a_figure(entry, table):
+    assert table._functions(entry.number)
+    judged = [test for test in table.marked_tests() if test.statement == entry.number and test.oracle]
+    assert judged
+    assert [name for number, name, _ in table.figures() if number == entry.number]
+
+
+@each_done
+def test_an_erratum_is_shown_to_break_something(entry, table):
+    shown = [test for test in table.marked_tests() if test.statement == entry.number and not test.oracle]
+    assert bool(shown) >= bool(entry.erratum)
+
+
+def test_every_mark_names_a_statement_and_every_judgement_its_oracle(table):
+    for test in table.marked_tests():
+        assert test.statement in range(1, 31), test
+        assert test.oracle == test.oracle.strip(), test
+
+
+def test_every_figure_is_drawn_and_every_drawing_is_a_figure(table):
+    drawn = {path.name for path in (ROOT / "docs" / "images" / "statements").glob("*.svg")}
+    assert drawn == {name for _, name, _ in table.figures()}
+    assert all(caption.endswith(".") for _, _, caption in table.figures())
