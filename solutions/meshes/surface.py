@@ -65,7 +65,7 @@ def _sides(triangles: Integers) -> tuple[Integers, Integers]:
 
 
 def _checked_triangles(triangles: ArrayLike) -> Integers:
-    found = np.array(triangles)
+    found = np.asarray(triangles)
     if found.ndim != 2 or found.shape[1] != 3 or found.dtype.kind not in "iu":
         raise ValueError(f"triangles must be integers of the shape (triangles, 3), not {found.dtype} of {found.shape}")
     if np.any(found < 0):

@@ -96,7 +96,7 @@ def checked_edges(edges: ArrayLike, nodes: int) -> Integers:
     ValueError
         If the shape is another or an end is not one of the nodes 0 to nodes − 1, or both ends are the same.
     """
-    found = np.array(edges)
+    found = np.asarray(edges)
     if found.size == 0:
         return np.zeros((0, 2), dtype=np.int64)
     if found.ndim != 2 or found.shape[1] != 2 or found.dtype.kind not in "iu":
