@@ -46,7 +46,7 @@ AXIS = VECTOR.filter(lambda axis: np.linalg.norm(axis) > 1e-3).map(lambda axis: 
 @pytest.mark.statement(26, oracle="arithmetic")
 def test_drag_is_six_pi_eta_r_v_against_the_motion_through_the_fluid():
     force = stokes_drag((3.0, 0.0, 1.0), (1.0, 0.0, 1.0), 0.5, sphere_shape_factor(0.1))
-    assert force == pytest.approx([-6 * math.pi * 0.5 * 0.1 * 2, 0, 0], rel=1e-15)
+    assert force == pytest.approx([-6 * math.pi * 0.5 * 0.1 * 2, 0, 0], rel=1e-15, abs=0)
 
 
 @given(VECTOR, VECTOR, POSITIVE, POSITIVE)
@@ -76,7 +76,7 @@ def test_the_slides_drag_stops_a_leaf_that_drifts_along_a_river():
 
 def test_the_reynolds_number_compares_inertia_with_viscosity():
     # A ball of 2 cm at 3 m/s through water that moves with it at 1 m/s
-    assert reynolds_number((3.0, 0, 0), (1.0, 0, 0), 0.01, 1000.0, 1e-3) == pytest.approx(40_000, rel=1e-15)
+    assert reynolds_number((3.0, 0, 0), (1.0, 0, 0), 0.01, 1000.0, 1e-3) == pytest.approx(40_000, rel=1e-15, abs=0)
 
 
 @pytest.mark.statement(26, oracle="fluids: Reynolds")
@@ -85,7 +85,7 @@ def test_the_reynolds_number_is_that_of_the_package_fluids():
     rng = np.random.default_rng(RNG_SEED)
     for v, radius, rho, eta in rng.uniform(0.1, 10, size=(20, 4)):
         theirs = fluids.Reynolds(V=v, D=2 * radius, rho=rho, mu=eta)
-        assert reynolds_number((0, -v, 0), STILL, radius, rho, eta) == pytest.approx(theirs, rel=1e-14)
+        assert reynolds_number((0, -v, 0), STILL, radius, rho, eta) == pytest.approx(theirs, rel=1e-14, abs=0)
 
 
 @pytest.mark.statement(26, oracle="the excess of the measured drag in the lecture's erratum")
@@ -135,7 +135,9 @@ def test_at_the_terminal_velocity_weight_buoyancy_and_drag_cancel(density):
         return float((force + stokes_drag((0, 0, v), STILL, viscosity, sphere_shape_factor(radius)))[2])
 
     v = terminal_velocity(radius, density, fluid, viscosity, DOWN)
-    assert v[2] == pytest.approx(optimize.brentq(net, -1, 1, xtol=1e-16), rel=1e-11)  # a root to 1e-16 of 1e-4 m/s
+    assert v[2] == pytest.approx(
+        optimize.brentq(net, -1, 1, xtol=1e-16), rel=1e-11, abs=0
+    )  # a root to 1e-16 of 1e-4 m/s
     assert (v[2] < 0) == (density > fluid)
 
 
@@ -161,7 +163,9 @@ def test_the_terminal_speed_is_that_of_the_package_fluids():
     fluids = pytest.importorskip("fluids")
     theirs = fluids.v_terminal(D=2e-5, rhop=2600.0, rho=1000.0, mu=1e-3, Method="Stokes")
     gravity = (0, 0, -9.80665)
-    assert np.linalg.norm(terminal_velocity(1e-5, 2600.0, 1000.0, 1e-3, gravity)) == pytest.approx(theirs, rel=1e-14)
+    assert np.linalg.norm(terminal_velocity(1e-5, 2600.0, 1000.0, 1e-3, gravity)) == pytest.approx(
+        theirs, rel=1e-14, abs=0
+    )
 
 
 @pytest.mark.parametrize("density", [1.2, 2600.0])
@@ -194,7 +198,7 @@ def test_the_motion_in_closed_form_is_what_the_forces_integrate_to(wind):
 
 def test_a_fall_from_rest_has_63_percent_of_its_speed_after_one_relaxation_time():
     _, v = drag_motion(STILL, STILL, (0, 0, -2.0), 3.0, 3.0)
-    assert v[2] == pytest.approx(-2 * (1 - math.exp(-1)), rel=1e-15)
+    assert v[2] == pytest.approx(-2 * (1 - math.exp(-1)), rel=1e-15, abs=0)
 
 
 @given(VECTOR, VECTOR, VECTOR, st.floats(0.1, 10), st.floats(0, 10), st.floats(0, 10))
@@ -209,8 +213,8 @@ def test_a_fall_much_shorter_than_the_relaxation_time_is_free():
     tau, t = 1e6, 1.0
     p, v = drag_motion(STILL, (1.0, 0, 0), DOWN * tau, tau, t)
     # The next order is t/τ of the effect
-    assert p == pytest.approx([1, 0, -9.81 / 2], rel=1e-6)
-    assert v == pytest.approx([1, 0, -9.81], rel=1e-6)
+    assert p == pytest.approx([1, 0, -9.81 / 2], rel=1e-6, abs=0)
+    assert v == pytest.approx([1, 0, -9.81], rel=1e-6, abs=0)
 
 
 # Drag beyond Stokes
@@ -222,13 +226,13 @@ def test_the_drag_of_a_sphere_is_the_fit_of_clift_grace_and_weber():
     # From 0.01 on: below, the package adds 3/16 to C_D where Oseen has 3/16 of 24
     reynolds = np.geomspace(0.011, 3.3e5, 400)
     theirs = np.array([drag.Clift(re) * re / 24 for re in reynolds])
-    assert drag_correction(reynolds) == pytest.approx(theirs, rel=1e-13)  # powers of ten
+    assert drag_correction(reynolds) == pytest.approx(theirs, rel=1e-13, abs=0)  # powers of ten
 
 
 def test_the_pieces_of_the_fit_meet_and_grow():
     for end in (0.01, 20.0, 260.0, 1500.0, 1.2e4, 4.4e4):
         below, above = drag_correction([end * (1 - 1e-9), end * (1 + 1e-9)])
-        assert below == pytest.approx(above, rel=0.01)  # the fit's own mismatch, at most 0.9 %
+        assert below == pytest.approx(above, rel=0.01, abs=0)  # the fit's own mismatch, at most 0.9 %
     assert np.all(np.diff(drag_correction(np.geomspace(1e-6, LARGEST_REYNOLDS, 2000))) > -0.01)
 
 
@@ -252,19 +256,19 @@ def test_a_fall_with_the_measured_drag_is_that_of_the_package_fluids(radius):
     fluids = pytest.importorskip("fluids")
     theirs = fluids.v_terminal(D=2 * radius, rhop=2600.0, rho=1000.0, mu=1e-3, Method="Clift")
     ours = terminal_velocity_corrected(radius, 2600.0, 1000.0, 1e-3, (0, -9.80665, 0))
-    assert ours[1] == pytest.approx(-theirs, rel=1e-9)  # the package solves to 1e-10 or so
+    assert ours[1] == pytest.approx(-theirs, rel=1e-9, abs=0)  # the package solves to 1e-10 or so
 
 
 def test_the_corrected_fall_is_stokes_for_a_creeping_one_and_keeps_its_direction():
     arguments = ([1e-6, 1e-6, 1e-6], [2000.0, 1000.0, 0.0], 1000.0, 1e-2, DOWN)
     # 3/16 of a Reynolds number of 4e-8
-    assert terminal_velocity_corrected(*arguments) == pytest.approx(terminal_velocity(*arguments), rel=1e-7)
+    assert terminal_velocity_corrected(*arguments) == pytest.approx(terminal_velocity(*arguments), rel=1e-7, abs=0)
 
 
 def test_a_fall_in_vacuum_or_without_gravity_has_no_drag_to_correct():
     assert terminal_velocity_corrected(1e-5, 2000.0, 1000.0, 1e-3, STILL).tolist() == [0, 0, 0]
     vacuum = terminal_velocity_corrected(1e-5, 2000.0, 0.0, 1e-3, DOWN)
-    assert vacuum == pytest.approx(terminal_velocity(1e-5, 2000.0, 0.0, 1e-3, DOWN), rel=1e-15)  # Re = 0
+    assert vacuum == pytest.approx(terminal_velocity(1e-5, 2000.0, 0.0, 1e-3, DOWN), rel=1e-15, abs=0)  # Re = 0
 
 
 def test_a_correction_of_ones_own_is_used():
@@ -272,7 +276,7 @@ def test_a_correction_of_ones_own_is_used():
     stokes = 2 * 1600 * 1e-6 * 9.81 / (9e-3)
     # Re (1 + Re) = S
     reynolds = (math.sqrt(1 + 4 * 2000 * stokes) - 1) / 2
-    assert ours[2] == pytest.approx(-reynolds / 2000, rel=1e-12)
+    assert ours[2] == pytest.approx(-reynolds / 2000, rel=1e-12, abs=0)
 
 
 # Spheroids
@@ -281,8 +285,8 @@ def test_a_correction_of_ones_own_is_used():
 @given(POSITIVE)
 def test_a_spheroid_with_equal_axes_is_a_sphere(radius):
     factors = spheroid_shape_factors(radius, radius)
-    assert factors == pytest.approx([6 * math.pi * radius] * 2, rel=1e-15)
-    assert sphere_shape_factor(radius) == pytest.approx(6 * math.pi * radius, rel=1e-15)
+    assert factors == pytest.approx([6 * math.pi * radius] * 2, rel=1e-15, abs=0)
+    assert sphere_shape_factor(radius) == pytest.approx(6 * math.pi * radius, rel=1e-15, abs=0)
 
 
 @pytest.mark.statement(26, oracle="scipy: Carlson's elliptic integrals in Oberbeck's solution")
@@ -311,13 +315,13 @@ def check_against_carlson(a, b):
     across = 2 / 3 * b * b * special.elliprd(a * a, b * b, b * b)
     theirs = [16 * math.pi / (chi + along), 16 * math.pi / (chi + across)]
     # Some ten roundings; where the closed forms begin, |1 − b²/a²| = 1/4, they cancel half a digit more
-    assert spheroid_shape_factors(a, b) == pytest.approx(theirs, rel=5e-15)
+    assert spheroid_shape_factors(a, b) == pytest.approx(theirs, rel=5e-15, abs=0)
 
 
 @pytest.mark.statement(26, oracle="the known drag of a disc: 16 b broadside, 32/3 b edgewise")
 def test_a_disc_still_has_drag():
-    assert spheroid_shape_factors(0.0, 0.1) == pytest.approx([1.6, 3.2 / 3], rel=1e-15)
-    assert spheroid_shape_factors([0.0, 1e-200], 2.0) == pytest.approx(np.array([[32, 64 / 3]] * 2), rel=1e-15)
+    assert spheroid_shape_factors(0.0, 0.1) == pytest.approx([1.6, 3.2 / 3], rel=1e-15, abs=0)
+    assert spheroid_shape_factors([0.0, 1e-200], 2.0) == pytest.approx(np.array([[32, 64 / 3]] * 2), rel=1e-15, abs=0)
 
 
 @pytest.mark.statement(26, oracle="slender-body theory")
@@ -325,15 +329,15 @@ def test_a_needle_is_half_as_hard_to_move_lengthwise_as_broadside():
     along, across = spheroid_shape_factors(1.0, 1e-9)
     log = math.log(2e9)
     # 4π a/(ln(2a/b) − 1/2) and 8π a/(ln(2a/b) + 1/2); the next terms are (b/a)²
-    assert along == pytest.approx(4 * math.pi / (log - 0.5), rel=1e-13)
-    assert across == pytest.approx(8 * math.pi / (log + 0.5), rel=1e-13)
+    assert along == pytest.approx(4 * math.pi / (log - 0.5), rel=1e-13, abs=0)
+    assert across == pytest.approx(8 * math.pi / (log + 0.5), rel=1e-13, abs=0)
 
 
 @given(RATIO, POSITIVE, POSITIVE)
 def test_the_shape_factor_grows_in_proportion_to_the_size_and_with_either_axis(ratio, across, factor):
     factors = spheroid_shape_factors(ratio * across, across)
     scaled = spheroid_shape_factors(ratio * across * factor, across * factor)
-    assert scaled == pytest.approx(factor * factors, rel=1e-12)  # (a − b)(a + b) near a sphere
+    assert scaled == pytest.approx(factor * factors, rel=1e-12, abs=0)  # (a − b)(a + b) near a sphere
     assert np.all(spheroid_shape_factors(1.01 * ratio * across, across) > factors)
     assert np.all(spheroid_shape_factors(ratio * across, 1.01 * across) > factors)
 
@@ -409,9 +413,9 @@ def test_outside_the_grid_the_wind_is_that_of_its_nearest_point():
 @pytest.mark.statement(30, oracle="the drag of a ball in a steady wind, computed from its pressure")
 def test_wind_pushes_with_the_square_of_the_relative_velocity():
     # Air of 1.2 kg/m³ at 10 m/s: 60 Pa; a ball of 0.1 m²: 0.47 × 6 N
-    assert wind_force(STILL, (10.0, 0, 0), 0.1, 0.47, 1.2) == pytest.approx([2.82, 0, 0], rel=1e-14)
-    assert wind_force((0, 0, -10.0), STILL, 0.1, 0.47, 1.2) == pytest.approx([0, 0, 2.82], rel=1e-14)
-    assert wind_force((30.0, 0, 0), (10.0, 0, 0), 0.1, 0.47, 1.2)[0] == pytest.approx(-4 * 2.82, rel=1e-14)
+    assert wind_force(STILL, (10.0, 0, 0), 0.1, 0.47, 1.2) == pytest.approx([2.82, 0, 0], rel=1e-14, abs=0)
+    assert wind_force((0, 0, -10.0), STILL, 0.1, 0.47, 1.2) == pytest.approx([0, 0, 2.82], rel=1e-14, abs=0)
+    assert wind_force((30.0, 0, 0), (10.0, 0, 0), 0.1, 0.47, 1.2)[0] == pytest.approx(-4 * 2.82, rel=1e-14, abs=0)
 
 
 @pytest.mark.erratum(30)
@@ -426,7 +430,7 @@ def test_with_the_drag_coefficient_24_over_re_the_wind_force_is_stokes(speed):
     radius, rho, eta = 1e-3, 1.2, 1.8e-5
     coefficient = 24 / reynolds_number((speed, 0, 0), STILL, radius, rho, eta)
     force = wind_force((speed, 0, 0), STILL, math.pi * radius**2, coefficient, rho)
-    assert force == pytest.approx(stokes_drag((speed, 0, 0), STILL, eta, sphere_shape_factor(radius)), rel=1e-14)
+    assert force == pytest.approx(stokes_drag((speed, 0, 0), STILL, eta, sphere_shape_factor(radius)), rel=1e-14, abs=0)
 
 
 # Input

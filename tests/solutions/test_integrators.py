@@ -98,7 +98,7 @@ def test_in_no_time_nothing_moves(integrator):
 )
 def test_one_step_by_hand(integrator, expected):
     p, v = getattr(forces, integrator)([1.0], [3.0], lambda p, v: -4 * p - 2 * v, 0.5)
-    assert (p[0], v[0]) == pytest.approx(expected, rel=1e-14)
+    assert (p[0], v[0]) == pytest.approx(expected, rel=1e-14, abs=0)
 
 
 @pytest.mark.statement(30, oracle="the fourth-order Taylor series of the matrix exponential")
@@ -147,8 +147,8 @@ def test_what_becomes_of_the_energy_of_an_undamped_spring():
         for name in ("explicit_euler", "semi_implicit_euler", "velocity_verlet", "runge_kutta_4")
     }
     # Explicit: 1 + dt² a step. RK4: ‖R(i dt)‖² = 1 − dt⁶/72 + dt⁸/576. Ten thousand roundings
-    assert energy["explicit_euler"][100] == pytest.approx(1.01**100, rel=1e-12)
-    assert energy["runge_kutta_4"][-1] == pytest.approx((1 - 1e-6 / 72 + 1e-8 / 576) ** steps, rel=1e-10)
+    assert energy["explicit_euler"][100] == pytest.approx(1.01**100, rel=1e-12, abs=0)
+    assert energy["runge_kutta_4"][-1] == pytest.approx((1 - 1e-6 / 72 + 1e-8 / 576) ** steps, rel=1e-10, abs=0)
     # p² + v² − dt p v is kept: it swings by dt/2 at most. Verlet keeps p² (1 − dt²/4) + v²
     assert np.abs(energy["semi_implicit_euler"] - 1).max() <= 0.0527  # (1 + dt/2)/(1 − dt/2) − 1 over two, and up
     assert np.abs(energy["velocity_verlet"] - 1).max() <= 0.0026
@@ -162,7 +162,7 @@ def test_implicit_euler_damps_what_it_cannot_follow():
     path = run("implicit_euler", np.array([1.0]), np.array([0.0]), oscillator(1.0, 0.0), 100.0, 3)
     energy = np.sum(path**2, axis=(1, 2))
     # Each step divides the energy by 1 + (ω dt)²
-    assert energy == pytest.approx(10_001.0 ** -np.arange(4), rel=1e-9)
+    assert energy == pytest.approx(10_001.0 ** -np.arange(4), rel=1e-9, abs=0)
 
 
 @pytest.mark.parametrize("integrator", ["semi_implicit_euler", "velocity_verlet"])
@@ -231,22 +231,22 @@ def test_a_damped_spring_settles_below_the_limit_and_runs_away_above(integrator,
 
 
 def test_the_limits_as_the_lecture_quotes_them():
-    assert stable_step("semi_implicit_euler", 2.0, 0.75) == pytest.approx(0.5, rel=1e-15)  # √(1 + 9/16) − 3/4
+    assert stable_step("semi_implicit_euler", 2.0, 0.75) == pytest.approx(0.5, rel=1e-15, abs=0)  # √(1 + 9/16) − 3/4
     assert stable_step("velocity_verlet", 2.0) == 1
-    assert stable_step("runge_kutta_4", 2.0) == pytest.approx(math.sqrt(2), rel=1e-14)
-    assert stable_step("runge_kutta_4", 1.0, 1.0) == pytest.approx(2.785293563405282, rel=1e-14)
+    assert stable_step("runge_kutta_4", 2.0) == pytest.approx(math.sqrt(2), rel=1e-14, abs=0)
+    assert stable_step("runge_kutta_4", 1.0, 1.0) == pytest.approx(2.785293563405282, rel=1e-14, abs=0)
     assert stable_step("explicit_euler", 2.0, [0.0, 0.5, 1.0]).tolist() == [0, 0.5, 1]
-    assert stable_step("explicit_euler", 1.0, 1.25) == pytest.approx(1, rel=1e-15)  # the fast rate is 5/4 + 3/4
+    assert stable_step("explicit_euler", 1.0, 1.25) == pytest.approx(1, rel=1e-15, abs=0)  # the fast rate is 5/4 + 3/4
 
 
 @given(st.floats(0, 1e6))
 def test_a_limit_is_in_proportion_to_the_period_and_keeps_its_digits_with_strong_damping(ratio):
     for integrator in ALL:
         one, two = stable_step(integrator, [1.0, 4.0], ratio)
-        assert one == pytest.approx(4 * two, rel=1e-15)
+        assert one == pytest.approx(4 * two, rel=1e-15, abs=0)
     if ratio > 1e4:  # 2 ζ ω is the damper's own rate; what the spring adds is 1/(4ζ²) of it
-        assert stable_step("explicit_euler", 1.0, ratio) == pytest.approx(1 / ratio, rel=1e-8)
-        assert stable_step("semi_implicit_euler", 1.0, ratio) == pytest.approx(1 / ratio, rel=1e-8)
+        assert stable_step("explicit_euler", 1.0, ratio) == pytest.approx(1 / ratio, rel=1e-8, abs=0)
+        assert stable_step("semi_implicit_euler", 1.0, ratio) == pytest.approx(1 / ratio, rel=1e-8, abs=0)
 
 
 # Implicit Euler
@@ -258,7 +258,7 @@ def test_a_stiff_mesh_in_one_row_takes_a_long_step():
     p, v = np.array([1.0, 0.0, -0.5]), np.zeros(3)
     found = implicit_euler(p, v, lambda p, v: p @ matrix.T, 0.1)[1]
     expected = np.linalg.solve(np.eye(3) - 0.01 * matrix, 0.1 * matrix @ p)
-    assert found == pytest.approx(expected, rel=1e-9)  # conditioned 4e4
+    assert found == pytest.approx(expected, rel=1e-9, abs=0)  # conditioned 4e4
 
 
 def test_a_magnet_turns_a_charge_and_a_long_implicit_step_damps_it():
@@ -266,7 +266,7 @@ def test_a_magnet_turns_a_charge_and_a_long_implicit_step_damps_it():
     turn = 1.5 * np.array([[0, 0.8, 0], [-0.8, 0, 0.6], [0, -0.6, 0]])
     v = np.array([1.0, 2.0, -1.0])
     found = implicit_euler(np.zeros(3), v, lambda p, v: v @ turn.T, 1.0)[1]
-    assert found == pytest.approx(np.linalg.solve(np.eye(3) - turn, v), rel=1e-9)
+    assert found == pytest.approx(np.linalg.solve(np.eye(3) - turn, v), rel=1e-9, abs=0)
 
 
 @given(VECTOR, VECTOR, st.floats(0.01, 1))
