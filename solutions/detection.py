@@ -185,7 +185,7 @@ def overlap_interval(
     with np.errstate(over="ignore"):  # at a crawl it gets there after any number of seconds: infinity will do
         at_front, at_back = (r - x) / np.where(moves, u, 1.0), (-(w + r) - x) / np.where(moves, u, 1.0)
     inside = (-(w + r) <= x) & (x <= r)
-    first = np.where(moves, np.minimum(at_front, at_back), np.where(inside, 0.0, np.inf))
+    first = np.where(moves, np.minimum(at_front, at_back), 0.0)
     last = np.where(moves, np.maximum(at_front, at_back), np.where(inside, np.inf, -np.inf))
     start, end = np.maximum(first, 0.0), np.minimum(last, dt)
     meets = start <= end

@@ -310,6 +310,10 @@ def test_a_body_without_weight_bounces_once_and_a_lifted_one_rises():
     assert [float(part) for part in bounce_along_normal(1.0, -2.5, 2.0, 0.5, 1.5)] == [1.75, 2.75, 1.0, 0.0]
 
 
+def test_an_impact_at_the_last_instant_of_a_step_belongs_to_it():
+    assert [float(part) for part in bounce_along_normal(1.0, 0.0, -8.0, 0.5, 0.5)] == [0.0, 2.0, 1.0, 0.0]
+
+
 def test_an_elastic_ball_bounces_a_thousand_times_and_is_as_high_as_before():
     # Flights of exactly 1 s, and a step that ends at the top of one
     after = bounce_along_normal(1.0, 0.0, -8.0, 1.0, 1000.0)
