@@ -211,6 +211,15 @@ def test_the_product_edge_by_edge_is_that_of_the_whole_matrix(seed):
     assert mesh_product(mesh, blocks, velocity).ravel() == pytest.approx(whole, abs=ROUNDING)
 
 
+def test_the_product_takes_rows_and_columns_as_the_matrix_does_even_of_blocks_that_are_not_symmetric():
+    mesh, _, vector, rng = any_mesh(1)
+    blocks = rng.normal(size=(12, 3, 3))
+    assert mesh_product(mesh, blocks, vector).ravel() == pytest.approx(mesh_matrix(mesh, blocks) @ vector.ravel())
+    one = spring_mesh([(0, 0, 0), (1, 0, 0)], [(0, 1)], 1.0)
+    turned = mesh_product(one, [[(0, 1, 0), (0, 0, 0), (0, 0, 0)]], [(0, 5, 0), (0, 0, 0)])
+    assert turned.tolist() == [[5, 0, 0], [-5, 0, 0]]
+
+
 def test_a_shortened_spring_buckles_and_the_clamped_stiffness_says_it_does_not():
     # Half its length: g = 1 − L0/L = −1, so a push sideways grows with 10 N/m where the clamp says 0
     mesh = SpringMesh([(0, 1)], 1.0, 10.0, 0.0, np.ones(2), False)
