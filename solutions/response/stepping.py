@@ -176,8 +176,8 @@ def bounce_along_normal(
             break
         s, u = np.where(struck, 0.0, s), np.where(struck, e * _arrival_speed(s, u, a), u)
         left, impacts = np.where(struck, left - time, left), impacts + struck
-    due = (time_of_impact_exact(s, u, a) <= left) & ~rests
-    flight = np.where(due | rests, 0.0, left)
+    due = time_of_impact_exact(s, u, a) <= left  # the rounds did not suffice
+    flight = np.where(due, 0.0, left)
     s, u = np.maximum(s + u * flight + a * flight**2 / 2, 0.0), u + a * flight
     return s, u, impacts, left - flight
 

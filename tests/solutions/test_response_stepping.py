@@ -314,6 +314,11 @@ def test_an_impact_at_the_last_instant_of_a_step_belongs_to_it():
     assert [float(part) for part in bounce_along_normal(1.0, 0.0, -8.0, 0.5, 0.5)] == [0.0, 2.0, 1.0, 0.0]
 
 
+def test_a_step_that_ends_with_the_last_float_before_an_impact_does_not_end_behind_the_plane():
+    # Rounding alone would put it 1e-16 m behind
+    assert [float(part) for part in bounce_along_normal(1.99, -2.3, -9.81, 0.5, 0.4442775904403033)][::2] == [0.0, 0.0]
+
+
 def test_an_elastic_ball_bounces_a_thousand_times_and_is_as_high_as_before():
     # Flights of exactly 1 s, and a step that ends at the top of one
     after = bounce_along_normal(1.0, 0.0, -8.0, 1.0, 1000.0)
