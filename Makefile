@@ -5,7 +5,7 @@ OUT    ?= report
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.installed
 
-.PHONY: help install report test verify lint clean
+.PHONY: help install report test docs verify lint clean
 help:            ## list the targets
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/'
 
@@ -25,6 +25,10 @@ lint: $(READY)   ## style and types
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+docs: $(READY)   ## draw the figures of the statements and write their page
+	$(BIN)/python docs/figures/draw.py
+	$(BIN)/python docs/statement_table.py
 
 verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report
 	$(BIN)/python -m pytest -m slow --timeout=1200

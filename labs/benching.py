@@ -39,9 +39,9 @@ class Timing:
     note: str = ""
 
 
-def benches(place: Path = PLACE) -> dict[str, Bench]:
-    """All benches by name, from the files `bench_*.py` of a folder."""
-    modules = [_load(path) for path in sorted(place.glob("bench_*.py"))]
+def benches(place: Path | None = None) -> dict[str, Bench]:
+    """All benches by name, from the files `bench_*.py` of a folder; by default the project's own."""
+    modules = [_load(path) for path in sorted((place or PLACE).glob("bench_*.py"))]
     return {bench.name: bench for module in modules for bench in module.BENCHES}
 
 
