@@ -224,7 +224,7 @@ def _ratio_adhesive(restitution: Array) -> Array:
 def _ratio(restitution: Array) -> Array:
     """Damping ratio ζ whose impact leaves e, halving the interval from 0 to 1/√e, where too little is left."""
     low, high = np.zeros_like(restitution), 1 / np.sqrt(np.where(restitution > 0, restitution, 1.0))
-    for _ in range(100):
+    for _ in range(60):
         middle = (low + high) / 2
         too_lively = np.exp(-middle * _swept_angle(middle)) > restitution
         low, high = np.where(too_lively, middle, low), np.where(too_lively, high, middle)
