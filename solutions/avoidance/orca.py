@@ -101,7 +101,6 @@ def crowd_step(
     p, v = _states(position, velocity)
     r = np.broadcast_to(not_negative("radius", radius), len(p))
     speed = np.broadcast_to(not_negative("max_speed", max_speed), len(p))
-    horizon, dt = float(positive("horizon", horizon)), float(positive("dt", dt))
     i, j = _who_may_meet(p, r, speed, horizon)
     point, normal = orca_half_plane(p[i], v[i], r[i], p[j], v[j], r[j], horizon, dt)
     mirrored = v[j] - (point - v[i])  # the other half of the same change, the other way

@@ -322,6 +322,12 @@ def test_a_way_that_only_touches_the_sphere_is_free():
     assert is_in_the_way(np.zeros(3), 10 * EAST, 5 * EAST + UP, np.nextafter(1.0, 2.0))
 
 
+def test_a_short_way_is_blocked_by_a_small_sphere_as_a_long_one_is_by_a_large_one():
+    for scale in (1e-3, 0.5, 1.0, 1e3):
+        assert is_in_the_way(np.zeros(3), scale * EAST, 0.5 * scale * EAST, 0.1 * scale)
+        assert not is_in_the_way(np.zeros(3), scale * EAST, scale * (0.5 * EAST + 0.2 * UP), 0.1 * scale)
+
+
 def test_at_the_goal_only_a_sphere_around_it_is_in_the_way():
     assert is_in_the_way(EAST, EAST, [EAST, 3 * EAST], 1.0).tolist() == [True, False]
 

@@ -149,6 +149,10 @@ def test_discs_that_touch_are_not_to_approach_any_more():
     point, normal = orca_half_plane((0, 0), (1, 0), 0.5, (1, 0), (-1, 0), 0.5, 5.0, 0.1)
     assert normal == pytest.approx([-1.0, 0.0], abs=1e-15)
     assert point == pytest.approx([0.0, 0.0], abs=1e-15)
+    # sliding by: the disc about x/dt = (10, 0) counts, as if they overlapped, and lets them part a little on the way
+    point, normal = orca_half_plane((0, 0), (0, 1), 0.5, (1, 0), (0, 0), 0.5, 5.0, 0.1)
+    assert normal == pytest.approx(np.array([-10.0, 1.0]) / math.sqrt(101), abs=1e-15)
+    assert (point - (0, 1)) @ normal == pytest.approx((10 - math.sqrt(101)) / 2, abs=1e-14)
 
 
 def test_discs_at_one_place_get_an_answer_and_leave_it_on_either_side():
