@@ -95,7 +95,7 @@ def static_shape(
     p = finite_vectors(mesh, "position", position)
     weight = np.where(mesh.pinned, 0.0, mesh.mass)[:, None] * np.asarray(acceleration, dtype=float)
     held_by = np.bincount(mesh.edges.ravel(), np.repeat(mesh.stiffness, 2), len(mesh.mass))[:, None]
-    softness = np.where(mesh.pinned[:, None] | (held_by == 0), 0.0, 1 / np.where(held_by > 0, held_by, 1.0))
+    softness = np.where(mesh.pinned[:, None], 0.0, 1 / np.where(held_by > 0, held_by, 1.0))
     v, energy, scale = np.zeros_like(p), np.zeros((*p.shape[:-2], 1, 1)), _largest(weight)
     for _ in range(max(1, iterations)):
         net = np.where(mesh.pinned[:, None], 0.0, mesh_forces(mesh, p, np.zeros_like(p)) + weight)

@@ -27,6 +27,7 @@ SOME = settings(max_examples=15)
 """For what takes a tenth of a second."""
 GRAVITY = np.array((0.0, 0.0, -9.81))
 UP = (0.0, 0.0, 1.0)
+NOTHING = (0.0, 0.0, 0.0)
 
 
 def chain(nodes, stiffness=200.0, mass=0.5, pinned=(0,), along=(0, 0, -1), damping=0.0):
@@ -109,6 +110,20 @@ def test_what_rests_already_stays_to_the_bit_and_what_nothing_holds_is_refused()
     with pytest.raises(RuntimeError, match="no shape at rest"):
         static_shape(loose, np.zeros((2, 3)), GRAVITY, iterations=10)
     assert static_shape(pin(loose, [1]), np.ones((2, 3)), GRAVITY).tolist() == np.ones((2, 3)).tolist()
+
+
+def test_without_weight_a_mesh_relaxes_to_the_lengths_of_its_springs():
+    position, edges = lattice(2, 2, 2, 0.1)
+    mesh = spring_mesh(position, edges, 50.0)
+    found = static_shape(mesh, 1.3 * position, NOTHING)
+    # A net force of 1e-8 of the first, which strains of a third give: 1e-8 of these, and more in soft ways
+    assert edge_strain(mesh, found) == pytest.approx(np.zeros(28), abs=1e-7)
+
+
+def test_a_chain_hangs_from_a_node_of_infinite_mass():
+    mesh, position = chain(4)
+    anchored = SpringMesh(mesh.edges, mesh.rest_length, 200.0, 0.0, [np.inf, 0.5, 0.5, 0.5], False)
+    assert np.array_equal(static_shape(anchored, position, GRAVITY), static_shape(mesh, position, GRAVITY))
 
 
 def test_shapes_at_rest_of_many_meshes_at_once_are_the_same_as_one_after_another():

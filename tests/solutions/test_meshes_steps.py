@@ -355,6 +355,17 @@ def test_backward_euler_keeps_of_a_vibration_what_is_stated(share, count):
     assert kept == pytest.approx(abs(1 / (1 + 1j * frequency * dt)), rel=1e-14)
 
 
+@pytest.mark.statement(29, oracle="closed form of one step of backward Euler")
+@given(st.floats(-1, 1), st.floats(-1, 1), st.floats(0, 5), st.floats(-3, 3).map(lambda power: 10**power))
+def test_a_damped_oscillator_takes_the_step_of_backward_euler(stretch, rate, ratio, dt):
+    # On an anchor: v' = (v − dt ω² x)/(1 + 2ζω dt + ω² dt²), x' = x + dt v', with m = 1 and ω = 3
+    mesh = spring_mesh([(0, 0, 0), (2, 0, 0)], [(0, 1)], 9.0, 2 * ratio * 3, pinned=[0])
+    p, v = implicit_mesh_step(mesh, [(0, 0, 0), (2 + stretch, 0, 0)], [(0, 0, 0), (rate, 0, 0)], NOTHING, dt, 1e-12)
+    after = (rate - dt * 9 * stretch) / (1 + 6 * ratio * dt + 9 * dt**2)
+    assert v[1] == pytest.approx([after, 0, 0], rel=1e-9, abs=1e-12)  # rounding of terms up to dt² ω²
+    assert p[1] == pytest.approx([2 + stretch + dt * after, 0, 0], rel=1e-9)
+
+
 def hanging_cloth():
     position, edges = cloth(6, 6, 0.1)
     mesh = spring_mesh(position, edges, 50.0, 0.02, 0.01, [0, 5])
@@ -445,6 +456,14 @@ def test_conjugate_gradients_need_as_many_rounds_as_there_are_different_eigenval
     assert found == pytest.approx(conjugate_gradient(mesh, blocks, right, 1e-12))
     with pytest.raises(RuntimeError, match=r"a residual of \d\.\de[+-]0\d of the right side is left"):
         conjugate_gradient(mesh, blocks, right, 1e-12, iterations=1)
+
+
+def test_conjugate_gradients_of_many_are_refused_if_one_of_them_is_not_solved():
+    position = np.array([(0.0, 0, 0), (1, 0, 0)])
+    blocks = edge_stiffness(spring_mesh(position, [(0, 1)], 10.0), position)
+    rights = np.stack([np.zeros((2, 3)), np.random.default_rng(3).normal(size=(2, 3))])
+    with pytest.raises(RuntimeError, match="conjugate gradients"):
+        conjugate_gradient(spring_mesh(position, [(0, 1)], 10.0), blocks, rights, 1e-12, iterations=1)
 
 
 def test_conjugate_gradients_of_nothing_are_nothing():
