@@ -120,6 +120,18 @@ def test_without_weight_a_mesh_relaxes_to_the_lengths_of_its_springs():
     assert edge_strain(mesh, found) == pytest.approx(np.zeros(28), abs=1e-7)
 
 
+def test_it_stops_at_the_share_of_the_weight_that_it_is_told_or_of_the_first_force_where_there_is_no_weight():
+    position, edges = lattice(2, 2, 2, 0.1)
+    for pull, scale in ((NOTHING, 1.0), (GRAVITY, 9.81)):
+        mesh = spring_mesh(position, edges, 50.0, pinned=[0] if pull is GRAVITY else [])
+        stretched = 1.3 * position
+        if pull is NOTHING:
+            scale = np.linalg.norm(mesh_forces(mesh, stretched, np.zeros_like(stretched)), axis=1).max()
+        found = static_shape(mesh, stretched, pull, tolerance=0.1)
+        net = np.linalg.norm((mesh_forces(mesh, found, np.zeros_like(found)) + pull)[~mesh.pinned], axis=1).max()
+        assert 1e-4 * scale < net <= 0.1 * scale
+
+
 def test_a_chain_hangs_from_a_node_of_infinite_mass():
     mesh, position = chain(4)
     anchored = SpringMesh(mesh.edges, mesh.rest_length, 200.0, 0.0, [np.inf, 0.5, 0.5, 0.5], False)
