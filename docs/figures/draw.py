@@ -15,20 +15,13 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
+from reference.report import figures as figures_of_the_report
+
 HERE = Path(__file__).resolve().parent
 IMAGES = HERE.parent / "images" / "statements"
 Draw = Callable[[Figure], None]
-STYLE: dict[Any, Any] = {
-    "svg.fonttype": "none",
-    "font.size": 10,
-    "font.family": "sans-serif",
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.titlesize": 11,
-    "axes.titlelocation": "left",
-    "legend.frameon": False,
-    "legend.fontsize": 9,
-    "axes.prop_cycle": matplotlib.cycler(color=["#1b1b1b", "#0072b2", "#d55e00", "#009e73", "#cc79a7"]),
+STYLE: dict[Any, Any] = figures_of_the_report.STYLE | {
+    "axes.prop_cycle": matplotlib.cycler(color=["#1b1b1b", "#0072b2", "#d55e00", "#009e73", "#cc79a7"])
 }
 
 

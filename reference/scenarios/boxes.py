@@ -11,7 +11,7 @@ from reference import geometry, measure, truth, turning
 from reference.engines.base import EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
 from reference.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario
-from reference.scenarios.response import dropped, expect_rebound, rebound
+from reference.scenarios.response import REBOUND, dropped
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
 
@@ -80,14 +80,7 @@ BOX_FLAT = Family(
     ),
     cases=tuple(dropped("box-flat", restitution, _falling_cube, DROPS) for restitution in (0.0, 0.5)),
     quantities=(
-        Quantity(
-            "rebound",
-            "first rebound ÷ drop height",
-            "",
-            rebound,
-            expect_rebound,
-            lambda case: case.parameters["restitution"] ** 2,
-        ),
+        REBOUND,
         Quantity("lean", "largest lean", "rad", _lean, _upright),
         Quantity("aside", "largest way aside", "m", _aside, _millimetre),
     ),

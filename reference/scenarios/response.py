@@ -63,13 +63,13 @@ def dropped(family: str, restitution: float, falling: Falling, count: int = DROP
     return Case(name, scenarios, {"restitution": restitution})
 
 
-def rebound(trajectory: Trajectory) -> float:
+def _rebound(trajectory: Trajectory) -> float:
     """First apex over drop height."""
     scenario = trajectory.scenario
     return measure.first_apex(trajectory, falling_body(scenario).name, "floor") / drop_height(scenario)
 
 
-def expect_rebound(case: Case, settings: Settings, method: Method) -> Expectation:
+def _expect_rebound(case: Case, settings: Settings, method: Method) -> Expectation:
     """The mean first rebound over an ensemble of drops, as a share of the drop height."""
     restitution, dt = case.parameters["restitution"], settings.timestep
     exact = truth.apex_ratio(restitution)
@@ -122,6 +122,17 @@ def _gap(trajectory: Trajectory) -> Array:
     return measure.separation(trajectory, "ball", "floor")
 
 
+REBOUND = Quantity(
+    "rebound",
+    "first rebound ÷ drop height",
+    "",
+    _rebound,
+    _expect_rebound,
+    lambda case: case.parameters["restitution"] ** 2,
+)
+"""What becomes of a fall, the same for whatever falls: the mean over an ensemble of `dropped`."""
+
+
 DROPPED_BALL = Family(
     name="dropped-ball",
     title="Dropped ball: bounce heights",
@@ -151,14 +162,7 @@ DROPPED_BALL = Family(
     ),
     cases=tuple(dropped("dropped-ball", restitution, falling_ball) for restitution in (0.0, 0.2, 0.5, 0.8, 0.95, 1.0)),
     quantities=(
-        Quantity(
-            "rebound",
-            "first rebound ÷ drop height",
-            "",
-            rebound,
-            expect_rebound,
-            lambda case: case.parameters["restitution"] ** 2,
-        ),
+        REBOUND,
         Quantity("sink", "deepest penetration", "m", _sink, None),
     ),
     curve=Curve("e=0.5", "One drop at e = 0.5", "gap below the ball, m", _gap),
