@@ -6,16 +6,13 @@ what goes away with the timestep, with a stiffer or firmer contact, with more wo
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-
 from reference.compare import TUNED
 from reference.engines.base import Engine
-from reference.errors import CollisionsError, InvalidInput, RunFailed, as_failed_run
-from reference.family import Case, Family, Quantity
+from reference.errors import InvalidInput, RunFailed
+from reference.question import Question
 from reference.settings import Move, Option, Settings
 
 STOCK = "stock"
@@ -55,48 +52,20 @@ class Split:
     shares: tuple[Share, ...] = field(default=())
 
 
-@dataclass(frozen=True)
-class _Question:
-    """What is asked of an engine again and again, with other settings. every_step: as in `Convergence`."""
-
-    engine: Engine
-    case: Case
-    quantity: Quantity
-    every_step: bool
-
-    def error(self, settings: Settings) -> float | None:
-        """Mean error over the case's scenarios; None where the run gives no such number."""
-        scenarios = self.case.scenarios
-        if self.every_step:
-            settings = replace(settings, sample_every=1)
-        try:
-            with as_failed_run():
-                expected = self.quantity.expected_value(self.case)
-                measured = [
-                    self.quantity.measure(trajectory) for trajectory in self.engine.run_many(scenarios, settings)
-                ]
-                error = float(np.mean(measured)) - expected
-        except CollisionsError:
-            return None
-        return error if math.isfinite(error) else None
-
-
-def split(family: Family, engine: Engine, order: float | None = None) -> Split | None:
-    """Split the error of the quantity that the family studies; None where nothing can be run.
+def split(asked: Question, order: float | None = None) -> Split | None:
+    """Split the error of what is asked; None where nothing can be run.
 
     order: the measured order of convergence. It counts where it is clearly 2; all else is taken for first order.
     """
-    study = family.convergence
-    asked = _Question(engine, family.case(study.case), family.quantity(study.quantity), study.every_step)
-    scenario = asked.case.scenarios[0]
+    engine, scenario = asked.engine, asked.case.scenarios[0]
     tuned = engine.settings(scenario, TUNED)
-    error = asked.error(tuned)
+    error = asked.mean_error(tuned)
     if error is None:
         return None
     halving = 2 if order is not None and abs(order - 2) < ORDER_TOLERANCE else 1
     shares = _from_stock(asked, tuned)
     for move in (Move(DISCRETISATION, "timestep", tuned.timestep / 2), *engine.moves(scenario, tuned)):
-        after = asked.error(_moved(engine, tuned, move))
+        after = asked.mean_error(_moved(engine, tuned, move))
         if after is not None:
             # An error of order p keeps 2⁻ᵖ of itself with half the timestep.
             weight = 1 / (1 - 0.5**halving) if move.kind == DISCRETISATION else 1.0
@@ -106,7 +75,7 @@ def split(family: Family, engine: Engine, order: float | None = None) -> Split |
             )
     known = sum(share.size for share in shares if share.kind != DEFAULTS and share.size is not None)
     shares.append(Share(REMAINDER, "what no move explains", error, error - known, error - known))
-    return Split(study.case, study.quantity, tuple(shares))
+    return Split(asked.case.name, asked.quantity.name, tuple(shares))
 
 
 def _moved(engine: Engine, tuned: Settings, move: Move) -> Settings:
@@ -116,13 +85,13 @@ def _moved(engine: Engine, tuned: Settings, move: Move) -> Settings:
         raise RunFailed(f"{engine.title} names a move that its settings do not allow: {error}") from None
 
 
-def _from_stock(asked: _Question, tuned: Settings) -> list[Share]:
+def _from_stock(asked: Question, tuned: Settings) -> list[Share]:
     """From the stock settings to the tuned ones, one option after another and the timestep last.
 
     Options that make sense only together are moved together.
     """
     settings = asked.engine.settings(asked.case.scenarios[0], STOCK)
-    before, waiting, shares = asked.error(settings), [], []
+    before, waiting, shares = asked.mean_error(settings), [], []
     names = (*tuned.options, *(name for name in settings.options if name not in tuned.options), "timestep")
     present: Option | None
     value: Option | None
@@ -137,7 +106,7 @@ def _from_stock(asked: _Question, tuned: Settings) -> list[Share]:
             continue
         settings = moved
         waiting.append(_words(name, present, value))
-        after = asked.error(settings)
+        after = asked.mean_error(settings)
         if after is not None:
             size = None if before is None else before - after
             shares.append(Share(DEFAULTS, ", ".join(waiting), before, after, size))

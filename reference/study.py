@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import math
 import time
 from collections.abc import Generator, Iterable, Mapping, Sequence
 from concurrent.futures import Executor, Future, as_completed, wait
@@ -23,12 +22,12 @@ from reference.errors import (
     NeedsFunction,
     RunFailed,
     UnknownName,
-    as_failed_run,
     one_line,
 )
 from reference.family import Case, Family
 from reference.implementation import Implementation
 from reference.isolate import run_isolated, stop_workers
+from reference.question import Question
 from reference.scenarios import catalogue
 from reference.settings import Option
 from reference.shares import Split, split
@@ -244,7 +243,7 @@ def run_job(job: Job) -> JobResult:
     family = catalogue()[job.family]
     engine = load_engine(job.engine, Implementation(job.implementation))
     version, has = engine.version(), profiles_of(engine, family)
-    rows: list[Row] = []
+    asked, rows = Question.of(family, engine), list[Row]()
     series, shown = None, ""
     for case in family.cases:
         if job.cases and case.name not in job.cases:
@@ -256,9 +255,11 @@ def run_job(job: Job) -> JobResult:
             shown = settings.describe()
         if case.name == family.curve.case and trajectories:
             series = _series(family, trajectories[0])
-    convergence = _convergence(family, engine, job) if job.with_studies else None
+        if case == asked.case:
+            asked.remember(settings, trajectories)
+    convergence = _convergence(asked, family.convergence.factors, job) if job.with_studies else None
     order = convergence.order if convergence else None
-    splits = split(family, engine, order) if job.with_studies and job.profile == TUNED and not job.changes else None
+    splits = split(asked, order) if job.with_studies and job.profile == TUNED and not job.changes else None
     return JobResult(
         job,
         engine.title,
@@ -281,29 +282,16 @@ def _series(family: Family, trajectory: Trajectory) -> Series:
     return Series(tuple(np.round(times[kept], 6).tolist()), tuple(np.round(values[kept], 7).tolist()))
 
 
-def _convergence(family: Family, engine: Engine, job: Job) -> Errors | None:
-    """Root mean square error of one quantity over a case's scenarios, for several timesteps."""
-    study = family.convergence
-    case, quantity = family.case(study.case), family.quantity(study.quantity)
-    base = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
-    timesteps, errors, value = [], [], 0.0
-    for factor in study.factors:
-        settings = base.change(timestep=base.timestep * factor)
-        if study.every_step:
-            settings = settings.change(sample_every=1)
-        try:
-            with as_failed_run():
-                value = quantity.expected_value(case)
-                trajectories = engine.run_many(case.scenarios, settings)
-                measured = np.array([quantity.measure(trajectory) for trajectory in trajectories])
-        except CollisionsError:
-            continue  # with this timestep there is no such number; the curve has a gap
-        with np.errstate(over="ignore", invalid="ignore"):  # of numbers whose squares are none
-            error = float(np.sqrt(np.mean((measured - value) ** 2)))
-        if math.isfinite(error):
-            timesteps.append(settings.timestep)
-            errors.append(error)
-    return Errors(tuple(timesteps), tuple(errors), order_of(timesteps, errors, value)) if timesteps else None
+def _convergence(asked: Question, factors: Sequence[float], job: Job) -> Errors | None:
+    """Root mean square error for several timesteps; one that gives no such number leaves a gap."""
+    base = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
+    found = [base.change(timestep=base.timestep * factor) for factor in factors]
+    errors = {settings.timestep: asked.rms_error(settings) for settings in found}
+    known = {timestep: error for timestep, error in errors.items() if error is not None}
+    if not known:
+        return None
+    value = asked.quantity.expected_value(asked.case)
+    return Errors(tuple(known), tuple(known.values()), order_of(list(known), list(known.values()), value))
 
 
 def order_of(timesteps: Sequence[float], errors: Sequence[float], value: float) -> float | None:

@@ -8,14 +8,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from reference import shares
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import CannotExpress, NeedsFunction, RunFailed
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.question import Question
 from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scenarios import catalogue
 from reference.settings import Move, Option, Settings
-from reference.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split, split
+from reference.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
 from reference.study import Job, run_job
 from reference.trajectory import Trajectory
 
@@ -24,6 +26,10 @@ TUNED = Settings(0.01, 2, {"stiffness": 4.0, "iterations": 8, "drag": 0.0, "idle
 STOCK = Settings(0.04, 1, {"stiffness": 1.0, "drag": 0.5})
 MOVES = (Move(CONTACT_MODEL, "stiffness", 16.0), Move(SOLVER, "iterations", 16), Move(SOLVER, "idle", 5.0))
 Error = Callable[[Settings], float]
+
+
+def split(family: Family, engine: Engine, order: float | None = None) -> Split | None:
+    return shares.split(Question.of(family, engine), order)
 
 
 def off(settings: Settings, order: int = 1) -> float:
@@ -213,7 +219,7 @@ def test_the_defaults_lead_from_the_error_of_stock_to_that_of_tuned():
     assert found[-1].after == pytest.approx(off(TUNED), abs=1e-14)
     assert [share.before for share in found[1:]] == [share.after for share in found[:-1]]
     assert sum(share.size for share in found) == pytest.approx(off(STOCK) - off(TUNED), abs=1e-14)
-    assert engine.seen[0] == engine.seen[6] == TUNED, "after five moves stock has become tuned, sampling included"
+    assert engine.seen.count(TUNED) == 1, "after five moves stock has become tuned, sampling included: no new run"
 
 
 def test_an_option_that_only_stock_has_is_unset_on_the_way():
