@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 from rich.table import Table
+from rich.text import Text
 
 from labs import benching
 from labs.cli.console import errors, output
@@ -31,8 +32,9 @@ def bench(
 
 def _print(bench: benching.Bench, timings: list[benching.Timing]) -> None:
     goal = f" Goal: {bench.goal:g} s." if bench.goal else ""
-    table = Table(title=f"{bench.name}: {bench.what}.{goal}", title_justify="left", title_style="bold")
-    table.add_column("who")
+    output.print(Text.assemble((bench.name, "bold"), f": {bench.what}.{goal}"))
+    table = Table(box=None, header_style="bold", padding=(0, 1), pad_edge=False)
+    table.add_column("")
     for heading in ("median, s", "fastest, s", "÷ ours"):
         table.add_column(heading, justify="right")
     own = next(timing.median for timing in timings if timing.median is not None)
@@ -41,4 +43,4 @@ def _print(bench: benching.Bench, timings: list[benching.Timing]) -> None:
             table.add_row(timing.who, timing.note, "", "")
         else:
             table.add_row(timing.who, f"{timing.median:.3g}", f"{timing.fastest:.3g}", f"{timing.median / own:.2f}")
-    output.print(table)
+    output.print(table, "")
