@@ -104,7 +104,7 @@ def spring_dashpot_restitution(damping_ratio: float) -> float:
     in every case the speed ratio there is exp(−ζ ω t). That artanh is 2 arcosh ζ, which keeps its digits at a large ζ.
     """
     zeta = damping_ratio
-    s = math.sqrt(abs(1 - zeta * zeta))
+    s = math.sqrt(abs((1 - zeta) * (1 + zeta)))  # 1 − ζ² would lose digits near 1
     if s < 1e-9:
         return math.exp(-2.0)
     if zeta < 1:
