@@ -159,8 +159,8 @@ def test_adhesion_takes_speed(ratio):
 
 @pytest.mark.statement(8, oracle="MuJoCo's spring contact, small steps")
 @pytest.mark.parametrize("ratio", [0.05, 0.3, 0.7])
-def test_mujocos_spring_contact_leaves_the_same_speed(ratio):
-    mujoco = pytest.importorskip("mujoco")
+def test_mujocos_spring_contact_leaves_the_same_speed(ratio, installed):
+    mujoco = installed("mujoco").module()
     k, dt, speed = 1e4, 2e-6, 1.0  # per unit mass, 1/s²
     model = mujoco.MjModel.from_xml_string(f"""<mujoco><option timestep="{dt}" gravity="0 0 0" cone="elliptic"/>
         <worldbody><geom name="floor" type="plane" size="1 1 1"/>
