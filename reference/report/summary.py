@@ -15,7 +15,7 @@ from reference.engines import engine_names
 from reference.family import Family, Quantity
 from reference.report import numbers
 from reference.scenarios import catalogue
-from reference.study import JobResult
+from reference.study import ROUNDING, JobResult
 
 MARKS = {
     Verdict.PASS: "✓",
@@ -154,7 +154,9 @@ class Line:
         if study is None or len(study.errors) < 2:
             return "too few timesteps"
         if study.order is None:
-            return f"rounding, {numbers.size(max(study.errors), self._studied_unit)}"
+            *_, second, largest = sorted(study.errors)
+            alone = largest > ROUNDING and largest > second / ROUNDING
+            return f"{'one timestep alone' if alone else 'rounding'}, {numbers.size(largest, self._studied_unit)}"
         return f"order {study.order:.2f}".replace("-0.00", "0.00").replace("-", "−")
 
     def row(self, case: str, quantity: str) -> Row | None:

@@ -195,6 +195,7 @@ def test_only_tuned_lines_count():
         (Errors((2e-3, 1e-3), (0.1, 0.2), -1.0), "order −1.00"),
         (Errors((2e-3, 1e-3), (0.1, 0.1), -0.001), "order 0.00"),
         (Errors((2e-3, 1e-3), (2e-15, 3e-15), None), "rounding, <1 ns"),
+        (Errors((2e-3, 1e-3, 5e-4), (0.43, 0.0, 1e-16), None), "one timestep alone, 0.43 s"),
     ],
 )
 def test_the_order_is_told_or_why_there_is_none(study, text):
