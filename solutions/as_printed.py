@@ -55,6 +55,52 @@ def penalty_force(stiffness: ArrayLike, distance: ArrayLike) -> Array:
     return np.asarray(np.asarray(stiffness, dtype=float) * np.asarray(distance, dtype=float))
 
 
+# Friction
+
+
+def static_friction_force(normal_force: ArrayLike, static_friction: ArrayLike) -> Array:
+    """Slide 24: F_s = μ_s F_N, (...), N; a number, without direction.
+
+    Taken as the force, it sets a body in motion that nothing pushes, and pushes back harder than one pushes. It is only
+    the largest value of static friction. Right: holds, friction_force.
+    """
+    return np.asarray(np.asarray(static_friction, dtype=float) * np.asarray(normal_force, dtype=float))
+
+
+# Impulse
+
+
+def velocity_after_restitution(normal_velocity: ArrayLike, restitution: ArrayLike) -> Array:
+    """Prose of slide 12: "the fraction of the relative velocity the points will have", e u_n⁻, (...), m/s.
+
+    Without the reversal what approaches goes on approaching, only more slowly. Right: rebound_velocity.
+    """
+    return np.asarray(np.asarray(restitution, dtype=float) * np.asarray(normal_velocity, dtype=float))
+
+
+def velocities_after_impulse(
+    velocity_a: ArrayLike, velocity_b: ArrayLike, mass_a: ArrayLike, mass_b: ArrayLike, impulse: ArrayLike
+) -> tuple[Array, Array]:
+    """Slide 18: v⁺_A = v⁻_A + j n/M_A and v⁺_B = v⁻_B + j n/M_B, (..., 3), m/s, with J = j n, (..., 3).
+
+    Plus on both: the pair gains the momentum 2 J out of nothing, and pushes itself along. Right: apply_impulse.
+    """
+    j = np.asarray(impulse, dtype=float)
+    after_a = np.asarray(velocity_a, dtype=float) + j / np.asarray(mass_a, dtype=float)[..., None]
+    after_b = np.asarray(velocity_b, dtype=float) + j / np.asarray(mass_b, dtype=float)[..., None]
+    return np.asarray(after_a), np.asarray(after_b)
+
+
+def contact_kind(relative_velocity: ArrayLike, threshold: ArrayLike) -> NDArray[np.str_]:
+    """Slide 21: V_rel > threshold: colliding; else V_rel < −threshold: resting; else moving away, (...).
+
+    With n from A to B, V_rel is positive when approaching, and the first test is right. The second calls what moves
+    away fast resting, and what rests moving away. With n from B to A the first is wrong too. Right: classify_contact.
+    """
+    v, limit = np.asarray(relative_velocity, dtype=float), np.asarray(threshold, dtype=float)
+    return np.where(v > limit, "colliding", np.where(v < -limit, "resting", "separating"))
+
+
 # Avoidance
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.checks import not_negative, positive, vector
+
 Array = NDArray[np.float64]
 
 
@@ -22,8 +24,14 @@ def holds(push: ArrayLike, normal_force: ArrayLike, static_friction: ArrayLike) 
     Returns
     -------
     (...), bool
+
+    Raises
+    ------
+    ValueError
+        If N or μ_s is negative or NaN, or push has not three components.
     """
-    return np.asarray(np.linalg.norm(push, axis=-1) <= np.asarray(static_friction) * np.asarray(normal_force))
+    limit = not_negative("static_friction", static_friction) * not_negative("normal_force", normal_force)
+    return np.asarray(np.linalg.norm(vector("push", push), axis=-1) <= limit)
 
 
 def friction_force(
@@ -47,13 +55,18 @@ def friction_force(
     Returns
     -------
     (..., 3), N
+
+    Raises
+    ------
+    ValueError
+        If N, μ_s or μ_k is negative or NaN, or a vector has not three components.
     """
-    push, velocity = np.asarray(push, dtype=float), np.asarray(tangent_velocity, dtype=float)
+    push, velocity = vector("push", push), vector("tangent_velocity", tangent_velocity)
     speed = np.linalg.norm(velocity, axis=-1)[..., None]
     size = np.linalg.norm(push, axis=-1)[..., None]
     along_velocity = velocity / np.where(speed > 0, speed, 1.0)
     along_push = push / np.where(size > 0, size, 1.0)
-    kinetic = (np.asarray(kinetic_friction) * np.asarray(normal_force))[..., None]
+    kinetic = (not_negative("kinetic_friction", kinetic_friction) * np.asarray(normal_force))[..., None]
     held = holds(push, normal_force, static_friction)[..., None]
     return np.where(speed > 0, -kinetic * along_velocity, np.where(held, -push, -kinetic * along_push))
 
@@ -85,9 +98,14 @@ def sliding_motion(
     -------
     position, tangent_velocity : (..., 3), m, m/s
     stopping_time : (...), s from now; infinity where the body does not stop within the step
+
+    Raises
+    ------
+    ValueError
+        As friction_force, or if a mass is not positive or dt is negative.
     """
-    p, v, f = (np.asarray(value, dtype=float) for value in (position, tangent_velocity, push))
-    m, dt = np.asarray(mass, dtype=float)[..., None], np.asarray(dt, dtype=float)
+    p, v, f = vector("position", position), vector("tangent_velocity", tangent_velocity), vector("push", push)
+    m, dt = positive("mass", mass)[..., None], not_negative("dt", dt)
 
     def acceleration(velocity: Array) -> Array:
         return np.asarray((f + friction_force(f, velocity, normal_force, static_friction, kinetic_friction)) / m)

@@ -1,0 +1,75 @@
+"""Several impacts at once: what Newton's cradle does depends on how one reads the moment (slide 22)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import finite, in_unit_interval, positive
+from solutions.friction.complementarity import solve_by_pivots
+
+Array = NDArray[np.float64]
+
+
+def propagate_impacts(velocity: ArrayLike, mass: ArrayLike, restitution: ArrayLike, most: int = 10_000) -> Array:
+    """Velocities of a row of touching balls after impacts of two at a time, until none approach, (..., n), m/s.
+
+    Pair after pair from the left, and again. Five equal elastic balls, the first one moving: (0, 0, 0, 0, 1). That is
+    what a cradle does whose balls barely touch.
+
+    Parameters
+    ----------
+    velocity : (..., n), to the right, m/s
+    mass : (n,) or one number, kg
+    restitution : (n − 1,) or one number, e, 0 to 1
+    most : sweeps at most; with e < 1 the impacts may go on for ever, ever weaker
+
+    Raises
+    ------
+    ValueError
+        If a mass is not positive, e is not from 0 to 1, or a velocity is not finite.
+    """
+    v = np.array(finite("velocity", velocity))
+    count = v.shape[-1]
+    m = np.broadcast_to(positive("mass", mass), count)
+    e = np.broadcast_to(in_unit_interval("restitution", restitution), max(count - 1, 0))
+    share = 1 / m
+    for _ in range(most):
+        if np.all(v[..., :-1] <= v[..., 1:]):
+            break
+        for i in range(count - 1):
+            j = (1 + e[i]) * np.maximum(0.0, v[..., i] - v[..., i + 1]) / (share[i] + share[i + 1])
+            v[..., i] -= j * share[i]
+            v[..., i + 1] += j * share[i + 1]
+    return v
+
+
+def simultaneous_impacts(velocity: ArrayLike, mass: ArrayLike, restitution: ArrayLike) -> Array:
+    """Velocities of a row of touching balls after one impact of all at once, (..., n), m/s.
+
+    Newton's rule for every contact together: u⁺ ≥ −e min(u, 0), j ≥ 0, and one of them with equality, which is a
+    linear complementarity problem for the impulses j. Five equal elastic balls, the first one moving:
+    (−0.6, 0.4, 0.4, 0.4, 0.4). It keeps the momentum, but it may make energy: (1, 0, 0.1) with e = 1 becomes
+    (−0.3, 0.7, 0.7), as the right pair, which would have parted, is thrown together and pushed without restitution.
+
+    Parameters
+    ----------
+    velocity : (..., n), to the right, m/s
+    mass : (n,) or one number, kg
+    restitution : (n − 1,) or one number, e, 0 to 1
+
+    Raises
+    ------
+    ValueError
+        As propagate_impacts, or if two neighbours are immovable.
+    """
+    v = finite("velocity", velocity)
+    count = v.shape[-1]
+    share = np.broadcast_to(1 / positive("mass", mass), count)
+    e = in_unit_interval("restitution", restitution)
+    if np.any(share[:-1] + share[1:] == 0):
+        raise ValueError("mass must be finite for one of two neighbours, not inf for both")
+    apart = np.diff(np.eye(count), axis=0)  # u = apart v, an impulse pushes the left ball back and the right one on
+    u = np.matvec(apart, v)
+    j = solve_by_pivots((apart * share) @ apart.T, u + e * np.minimum(u, 0.0))
+    return np.asarray(v + share * np.matvec(apart.T, j))

@@ -1,0 +1,156 @@
+"""Friction during an impact, which the slides leave out (slides 16 and 24)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import in_unit_interval, not_negative, positive, unit, vector
+from solutions.friction.support import along_surface
+
+Array = NDArray[np.float64]
+
+
+def point_inverse_mass(inverse_mass: ArrayLike, inverse_inertia: ArrayLike, arm: ArrayLike) -> Array:
+    """Velocity that a unit impulse gives to a point of a body: K = 1/m − [r×] I⁻¹ [r×], (..., 3, 3), 1/kg.
+
+    For two bodies the changes of u = ṗ_A − ṗ_B add up: K = K_A + K_B. An immovable body has K = 0.
+
+    Parameters
+    ----------
+    inverse_mass : (...), 1/m, 1/kg
+    inverse_inertia : (..., 3, 3), I⁻¹ in the world frame, 1/(kg m²)
+    arm : (..., 3), r, from the centre of mass to the point, m
+
+    Raises
+    ------
+    ValueError
+        If 1/m is negative or the arm has not three components.
+    """
+    across = np.cross(vector("arm", arm)[..., None, :], np.eye(3))  # [r×]ᵀ = −[r×]
+    shares = not_negative("inverse_mass", inverse_mass)[..., None, None] * np.eye(3)
+    return np.asarray(shares + np.swapaxes(across, -1, -2) @ np.asarray(inverse_inertia, dtype=float) @ across)
+
+
+def friction_impulse(
+    velocity: ArrayLike, normal: ArrayLike, inverse_mass: ArrayLike, restitution: ArrayLike, friction: ArrayLike
+) -> Array:
+    """Impulse on body A at a contact with friction, (..., 3), N s; −J acts on body B.
+
+    1. Grip: the impulse that stops the slip and turns the approach round as Newton says, K J = −u − e u_n n.
+    2. Where it lies within the cone ‖J_t‖ ≤ μ J·n, that is all.
+    3. Slip: else J = j (n + μ d), with d the direction of the grip's J_t, and j from Newton's rule again,
+       j n·K(n + μ d) = −(1 + e) u_n. This has always an answer: the grip's J has one, and so has n alone.
+
+    For a sphere d is against the slip. In the plane the slip that is left is always against the friction. In space,
+    with a K that couples the directions, d is only near that. And the whole impact is one instant: a slip that stops
+    and turns round within it is not followed, and the energy may rise (see impact_energy), as it does with every
+    Newton restitution beside Coulomb friction.
+
+    Parameters
+    ----------
+    velocity : (..., 3), u = ṗ_A − ṗ_B, of the two points before the impact, m/s
+    normal : (..., 3), unit, from B to A
+    inverse_mass : (..., 3, 3), K, symmetric and positive definite, 1/kg
+    restitution : (...), e, 0 to 1
+    friction : (...), μ
+
+    Returns
+    -------
+    (..., 3), N s; zero where the bodies do not approach
+
+    Raises
+    ------
+    ValueError
+        If e is not from 0 to 1, μ is negative, a normal has not length 1, or K cannot be inverted (two immovable
+        bodies).
+    """
+    u, n = vector("velocity", velocity), unit("normal", vector("normal", normal))
+    e, mu = in_unit_interval("restitution", restitution), not_negative("friction", friction)
+    k = np.asarray(inverse_mass, dtype=float)
+    if np.any(np.linalg.det(k) <= 0):
+        raise ValueError("inverse_mass must be positive definite: two immovable bodies cannot collide")
+    approach = np.vecdot(u, n)
+    grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[..., 0]
+    across = along_surface(grip, n)
+    sticks = np.linalg.norm(across, axis=-1) <= mu * np.vecdot(grip, n)
+    size = np.linalg.norm(across, axis=-1, keepdims=True)
+    edge = n + mu[..., None] * across / np.where(size > 0, size, 1.0)
+    slip = (-(1 + e) * approach / np.vecdot(n, np.matvec(k, edge)))[..., None] * edge
+    return np.where((approach < 0)[..., None], np.where(sticks[..., None], grip, slip), 0.0)
+
+
+def impact_energy(velocity: ArrayLike, impulse: ArrayLike, inverse_mass: ArrayLike) -> Array:
+    """Energy that an impulse adds to the two bodies: J·(u + K J/2), (...), J; an honest impact has none above zero.
+
+    The impulse times the mean of the velocities before and after, u and u + K J.
+
+    Parameters
+    ----------
+    velocity : (..., 3), u before the impact, m/s
+    impulse : (..., 3), J, N s
+    inverse_mass : (..., 3, 3), K, 1/kg
+    """
+    j = vector("impulse", impulse)
+    return np.asarray(np.vecdot(j, vector("velocity", velocity) + np.matvec(np.asarray(inverse_mass), j) / 2))
+
+
+def sphere_grips(slip: ArrayLike, approach_speed: ArrayLike, restitution: ArrayLike, friction: ArrayLike) -> Array:
+    """Whether a solid sphere grips the floor in an impact: |u_t| ≤ (7/2) μ (1 + e) v_n, (...), bool.
+
+    Its slip changes by J_t/m from its way and 5/2 J_t/m from its spin, and J_t is at most μ m (1 + e) v_n.
+
+    Parameters
+    ----------
+    slip : (...), |u_t| of the point of contact, m/s
+    approach_speed : (...), v_n, m/s
+    restitution, friction : (...), e, 0 to 1, and μ
+
+    Raises
+    ------
+    ValueError
+        If e is not from 0 to 1 or another number is negative.
+    """
+    most = not_negative("friction", friction) * (1 + in_unit_interval("restitution", restitution))
+    return np.asarray(
+        not_negative("slip", slip) <= 3.5 * most * not_negative("approach_speed", approach_speed), dtype=bool
+    )
+
+
+def sphere_impact(
+    velocity: ArrayLike,
+    angular_velocity: ArrayLike,
+    normal: ArrayLike,
+    radius: ArrayLike,
+    restitution: ArrayLike,
+    friction: ArrayLike,
+    inertia_share: ArrayLike = 0.4,
+) -> tuple[Array, Array]:
+    """Velocities of a sphere after it has struck an immovable plane: friction turns spin into way and back.
+
+    The arm is r = −R n, the mass drops out.
+
+    Parameters
+    ----------
+    velocity, angular_velocity : (..., 3), m/s and rad/s
+    normal : (..., 3), unit, out of the plane
+    radius : (...), R, m
+    restitution, friction : (...), e, 0 to 1, and μ
+    inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow one
+
+    Returns
+    -------
+    velocity, angular_velocity : (..., 3), m/s and rad/s
+
+    Raises
+    ------
+    ValueError
+        As friction_impulse, or if the radius or the inertia is not positive.
+    """
+    v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
+    r = positive("radius", radius)[..., None]
+    inertia = (positive("inertia_share", inertia_share)[..., None] * r**2)[..., None]
+    arm = -r * n
+    k = point_inverse_mass(1.0, np.eye(3) / inertia, arm)
+    j = friction_impulse(v + np.cross(spin, arm), n, k, restitution, friction)
+    return v + j, spin + np.cross(arm, j) / inertia[..., 0]
