@@ -1,0 +1,27 @@
+"""Swept volumes: relative motion, rays against Minkowski sums, and conservative advancement (slide 10)."""
+
+from solutions.sweeping.advancement import edge_edge_impact, sweep_convex, vertex_face_impact
+from solutions.sweeping.boxes import sweep_boxes, sweep_oriented_boxes
+from solutions.sweeping.motion import motion_bound, relative_motion, rotated
+from solutions.sweeping.nearest import nearest_on_triangle, separation_of_hulls
+from solutions.sweeping.rays import ray_box, ray_capsule, ray_sphere
+from solutions.sweeping.spheres import sweep_sphere_plane, sweep_sphere_sphere, sweep_sphere_triangle
+
+__all__ = [
+    "edge_edge_impact",
+    "motion_bound",
+    "nearest_on_triangle",
+    "ray_box",
+    "ray_capsule",
+    "ray_sphere",
+    "relative_motion",
+    "rotated",
+    "separation_of_hulls",
+    "sweep_boxes",
+    "sweep_convex",
+    "sweep_oriented_boxes",
+    "sweep_sphere_plane",
+    "sweep_sphere_sphere",
+    "sweep_sphere_triangle",
+    "vertex_face_impact",
+]
