@@ -1,0 +1,52 @@
+"""What an impact needs to know of one body, and what an impulse at the end of its arm does to it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import finite, not_negative, vector
+from solutions.impulse.momentum import matrix
+
+Array = NDArray[np.float64]
+
+
+class Body(NamedTuple):
+    """One of the two bodies of an impact; a plain tuple in this order will do as well.
+
+    velocity: (..., 3), v of the centre of mass, m/s. angular_velocity: (..., 3), ω in the world frame, rad/s.
+    arm: (..., 3), r from the centre of mass to the contact, world frame, m. inverse_mass: (...), 1/M, 1/kg, 0 for an
+    immovable body. inverse_inertia: (..., 3, 3), I⁻¹(t) in the world frame, 1/(kg m²), 0 for what cannot be turned.
+    """
+
+    velocity: ArrayLike
+    angular_velocity: ArrayLike
+    arm: ArrayLike
+    inverse_mass: ArrayLike
+    inverse_inertia: ArrayLike
+
+
+AnyBody = tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike, ArrayLike]
+"""A `Body`, or a plain tuple in its order."""
+Arrays = tuple[Array, Array, Array, Array, Array]
+
+
+def checked(body: AnyBody) -> Arrays:
+    """Return v, ω, r, 1/M and I⁻¹ as arrays; refuse what no body can have."""
+    body = Body(*body)
+    return (
+        vector("velocity", body.velocity),
+        vector("angular_velocity", body.angular_velocity),
+        vector("arm", body.arm),
+        finite("inverse_mass", not_negative("inverse_mass", body.inverse_mass)),
+        matrix("inverse_inertia", body.inverse_inertia),
+    )
+
+
+def moved(body: Arrays, impulse: Array) -> tuple[Array, Array]:
+    """Changes Δv = J/M and Δω = I⁻¹(r × J) that an impulse (..., 3) gives a body."""
+    _, _, r, inverse_mass, inverse_inertia = body
+    turned = inverse_inertia @ np.cross(r, impulse)[..., None]
+    return inverse_mass[..., None] * impulse, turned[..., 0]

@@ -1,0 +1,155 @@
+"""Impulse and momentum: what a short force leaves behind, and how P and L take it up (slides 13, 16, 21)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import finite, not_negative, positive, unit, vector
+
+Array = NDArray[np.float64]
+
+
+def impulse_of_force(force: ArrayLike, time: ArrayLike) -> Array:
+    """Impulse of a force that was sampled: J = ∫F dt, by trapezoids between the samples (slide 13).
+
+    For a constant force that is the slide's F Δt; with F = M a it is Δ(M v) = ΔP. The slides call J a force applied
+    over a short time: it is no force. A harder ball has the same J, a shorter Δt and a larger F.
+
+    Parameters
+    ----------
+    force : (..., n, 3), N, n samples
+    time : (..., n), s, in order; may repeat where the force jumps
+
+    Returns
+    -------
+    (..., 3), N s; 0 of a single sample. Exact where the force changes at a steady rate between the samples.
+
+    Raises
+    ------
+    ValueError
+        If the times go backwards, their number is not that of the samples, or something is not finite.
+    """
+    force, time = finite("force", vector("force", force)), finite("time", time)
+    if force.ndim < 2 or time.shape[-1:] != force.shape[-2:-1]:
+        raise ValueError(f"time must have a value for each of the samples of force {force.shape}, not {time.shape}")
+    steps = not_negative("steps of time", np.diff(time))
+    return np.asarray(((force[..., 1:, :] + force[..., :-1, :]) / 2 * steps[..., None]).sum(axis=-2))
+
+
+def mean_force(momentum_change: ArrayLike, duration: ArrayLike, other_force: ArrayLike = (0.0, 0.0, 0.0)) -> Array:
+    """Mean force over a contact of known length: ΔP/Δt is the net force; the contact gives what others do not.
+
+        F = ΔP/Δt − F_other
+
+    Of a ball on the floor the net force is the contact force less the weight. In an impact Δt is short and the weight
+    does not matter: this is what slide 20 drops.
+
+    Parameters
+    ----------
+    momentum_change : (..., 3), ΔP, N s
+    duration : (...), Δt, s, positive
+    other_force : (..., 3), N, what else acts meanwhile, as the weight; none for the net force
+
+    Returns
+    -------
+    (..., 3), N
+
+    Raises
+    ------
+    ValueError
+        If a duration is not positive, or an argument has not three components.
+    """
+    change, other = vector("momentum_change", momentum_change), vector("other_force", other_force)
+    return np.asarray(change / positive("duration", duration)[..., None] - other)
+
+
+def contact_impulses(magnitude: ArrayLike, normal: ArrayLike) -> tuple[Array, Array]:
+    """Impulses on A and on B: J = j n on A and −J on B (slide 16).
+
+    The slide's forces along the normal are an impact without friction. Whatever j, the two add up to nothing: so P is
+    kept; and they act at one point: so L is kept about any.
+
+    Parameters
+    ----------
+    magnitude : (...), j, N s
+    normal : (..., 3), unit, from B to A
+
+    Returns
+    -------
+    on A, on B : (..., 3) each, N s
+
+    Raises
+    ------
+    ValueError
+        If a normal has not length 1, or not three components.
+    """
+    impulse = np.asarray(magnitude, dtype=float)[..., None] * unit("normal", vector("normal", normal))
+    return np.asarray(impulse), np.asarray(-impulse)
+
+
+def apply_impulse_to_momenta(
+    momentum: ArrayLike, angular_momentum: ArrayLike, arm: ArrayLike, impulse: ArrayLike
+) -> tuple[Array, Array]:
+    """Momenta of one body after an impulse at the end of its arm: P += J, L += r × J (slide 21).
+
+    For B, whose impulse is −J, this is the slide's P_B −= J, L_B −= r_B × J. It takes no mass and no inertia: those
+    come back in with `velocities_from_momenta`, which must follow.
+
+    Parameters
+    ----------
+    momentum : (..., 3), P, kg m/s
+    angular_momentum : (..., 3), L about the centre of mass, kg m²/s
+    arm : (..., 3), r from the centre of mass to the contact, m
+    impulse : (..., 3), N s, on this body
+
+    Returns
+    -------
+    momentum, angular_momentum : (..., 3) each
+
+    Raises
+    ------
+    ValueError
+        If an argument has not three components.
+    """
+    impulse = vector("impulse", impulse)
+    momentum, angular_momentum = vector("momentum", momentum), vector("angular_momentum", angular_momentum)
+    return np.asarray(momentum + impulse), np.asarray(angular_momentum + np.cross(vector("arm", arm), impulse))
+
+
+def velocities_from_momenta(
+    momentum: ArrayLike, angular_momentum: ArrayLike, inverse_mass: ArrayLike, inverse_inertia: ArrayLike
+) -> tuple[Array, Array]:
+    """Velocities that belong to momenta: v = P/M, ω = I⁻¹(t) L (slide 21).
+
+    The slide's pseudo-code stops at P and L. A program that keeps v and ω beside them must recompute both.
+
+    Parameters
+    ----------
+    momentum : (..., 3), P, kg m/s
+    angular_momentum : (..., 3), L about the centre of mass, kg m²/s
+    inverse_mass : (...), 1/M, 1/kg, not negative
+    inverse_inertia : (..., 3, 3), I⁻¹(t) in the world frame, 1/(kg m²)
+
+    Returns
+    -------
+    velocity, angular_velocity : (..., 3) each. An immovable body, 1/M = 0, comes out at rest, and a rod without spin
+        about itself: momenta cannot tell of other motion, velocities can.
+
+    Raises
+    ------
+    ValueError
+        If an inverse mass is negative or not finite, or shapes do not fit.
+    """
+    momentum, angular_momentum = vector("momentum", momentum), vector("angular_momentum", angular_momentum)
+    per_mass = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))[..., None]
+    turned = matrix("inverse_inertia", inverse_inertia) @ angular_momentum[..., None]
+    return np.asarray(per_mass * momentum), np.asarray(turned[..., 0])
+
+
+def matrix(name: str, value: ArrayLike) -> Array:
+    """Return matrices (..., 3, 3); refuse other shapes, infinity and NaN."""
+    array = finite(name, value)
+    if array.shape[-2:] != (3, 3):
+        raise ValueError(f"{name} must have shape (..., 3, 3), not {array.shape}")
+    return array
