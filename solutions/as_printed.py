@@ -173,3 +173,32 @@ def spring_damper_force(
     """
     damped = np.asarray(damping, dtype=float) * np.asarray(velocity, dtype=float)
     return np.asarray(spring_force(displacement, rest, stiffness) - damped)
+
+
+# Polyhedra
+
+
+def inside_polyhedron(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.bool_]:
+    """Slide 9: a point is inside when it is behind the planes of all faces, said of any polyhedron. (...), bool.
+
+    A concave solid is not the intersection of the half-spaces behind its faces: a point in one arm of an L is in front
+    of the wall of the other. Right: inside_by_parity, inside_by_winding; on convex solids inside_convex.
+    """
+    p = np.asarray(point, dtype=float)[..., None, :]
+    a, b, c = np.moveaxis(np.asarray(vertices, dtype=float)[np.asarray(faces)], 1, 0)
+    return np.asarray(np.all(np.sum(np.cross(b - a, c - a) * (p - a), axis=-1) < 0, axis=-1))
+
+
+def inside_by_touched_faces(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.bool_]:
+    """Slide 9, as it is mostly written down: a ray up that meets an odd number of faces, their borders included.
+
+    A ray through an edge meets two faces where it crosses the surface once, one through a vertex as many as are there.
+    (...), bool. Right: inside_by_parity.
+    """
+    p = np.asarray(point, dtype=float)[..., None, :]
+    a, b, c = np.moveaxis(np.asarray(vertices, dtype=float)[np.asarray(faces)], 1, 0)
+    n = np.cross(b - a, c - a)
+    looks_up = np.sign(n[:, 2])
+    sides = [np.cross(end - start, p - start)[..., 2] * looks_up for start, end in ((a, b), (b, c), (c, a))]
+    above = np.sum(n * (p - a), axis=-1) * looks_up < 0
+    return np.asarray(np.sum(np.all(np.stack(sides) >= 0, axis=0) & above, axis=-1) % 2 == 1)

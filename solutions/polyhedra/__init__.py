@@ -1,0 +1,30 @@
+"""Points, edges and polyhedra: what is inside, what goes through what, and what a mesh must be for that (slide 9)."""
+
+from solutions.polyhedra.convex import convex_separation, inside_convex, is_convex
+from solutions.polyhedra.inside import inside_by_parity, inside_by_winding, winding_number
+from solutions.polyhedra.orientation import orient2d, orient3d
+from solutions.polyhedra.report import MeshReport, mesh_report
+from solutions.polyhedra.segments import segment_meets_triangle, segment_plane, segment_triangle
+from solutions.polyhedra.solids import edges_through_faces, polyhedra_intersect
+from solutions.polyhedra.surface import face_planes, mesh_edges, signed_volume
+
+__all__ = [
+    "MeshReport",
+    "convex_separation",
+    "edges_through_faces",
+    "face_planes",
+    "inside_by_parity",
+    "inside_by_winding",
+    "inside_convex",
+    "is_convex",
+    "mesh_edges",
+    "mesh_report",
+    "orient2d",
+    "orient3d",
+    "polyhedra_intersect",
+    "segment_meets_triangle",
+    "segment_plane",
+    "segment_triangle",
+    "signed_volume",
+    "winding_number",
+]

@@ -1,0 +1,116 @@
+"""On which side a point is, without rounding: the signs that decide whether something is inside (slide 9)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import finite
+
+Array = NDArray[np.float64]
+Sign = NDArray[np.int64]
+Numbers = NDArray[Any]
+"""Floats, or Python's integers, which have as many digits as it takes."""
+
+HALF_EPSILON = 2.0**-53
+BOUND_2D = (3 + 16 * HALF_EPSILON) * HALF_EPSILON
+BOUND_3D = (7 + 56 * HALF_EPSILON) * HALF_EPSILON
+"""How far rounding may move the determinant, as a share of the sizes of its terms (Shewchuk 1997)."""
+UNDERFLOW = 1e-200
+"""Products this small may have lost digits at the lower end of the floats."""
+
+
+def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
+    """Whether c is to the left of the line from a to b (+1), on it (0) or to its right (−1), exactly.
+
+        sign of (b − a)×(c − a)
+
+    First in floats; where rounding could have changed the sign, once more in whole numbers. So it is antisymmetric
+    too: two faces at an edge never both claim a point beside it, nor both refuse it.
+
+    Parameters
+    ----------
+    a, b, c : (..., 2), m, up to 1e100
+
+    Returns
+    -------
+    (...), 1, 0 or −1; 0 where a = b
+
+    Raises
+    ------
+    ValueError
+        If a coordinate is not finite, or the points have not two each.
+    """
+    return _exact_sign(_area, BOUND_2D, _points(2, a=a, b=b, c=c))
+
+
+def orient3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> Sign:
+    """Whether d is in front of the face a, b, c (+1), in its plane (0) or behind it (−1), exactly.
+
+        sign of ((b − a)×(c − a))·(d − a)
+
+    In front is where a, b, c are seen to run counter-clockwise.
+
+    Parameters
+    ----------
+    a, b, c, d : (..., 3), m, up to 1e100
+
+    Returns
+    -------
+    (...), 1, 0 or −1; 0 where a, b, c are on one line
+
+    Raises
+    ------
+    ValueError
+        If a coordinate is not finite, or the points have not three each.
+    """
+    return _exact_sign(_volume, BOUND_3D, _points(3, a=a, b=b, c=c, d=d))
+
+
+def _points(size: int, **named: ArrayLike) -> Array:
+    points = [finite(name, value) for name, value in named.items()]
+    for name, point in zip(named, points, strict=True):
+        if point.shape[-1:] != (size,):
+            raise ValueError(f"{name} must have shape (..., {size}), not {point.shape}")
+    return np.stack(np.broadcast_arrays(*points))
+
+
+def _exact_sign(determinant: Callable[[Numbers], tuple[Numbers, Numbers]], bound: float, points: Array) -> Sign:
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        value, size = determinant(points)
+        unsure = ~(np.abs(value) > bound * size + UNDERFLOW)  # true for NaN, so what overflows is unsure too
+    sign = np.where(unsure, 0, np.sign(value)).astype(np.int64)
+    if np.any(unsure):
+        exact, _ = determinant(_whole(points[:, unsure]))
+        sign[unsure] = (exact > 0).astype(np.int64) - (exact < 0).astype(np.int64)
+    return sign
+
+
+def _area(points: Numbers) -> tuple[Numbers, Numbers]:
+    """The cross product, and the sum of the sizes of its two terms."""
+    a, b, c = points
+    u, v = b - a, c - a
+    first, second = u[..., 0] * v[..., 1], u[..., 1] * v[..., 0]
+    return first - second, abs(first) + abs(second)
+
+
+def _volume(points: Numbers) -> tuple[Numbers, Numbers]:
+    """The triple product, and the sum of the sizes of its six terms."""
+    a, b, c, d = points
+    u, v, w = b - a, c - a, d - a
+    value, size = 0, 0
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        first, second = u[..., i] * v[..., j], u[..., j] * v[..., i]
+        value = value + w[..., k] * (first - second)
+        size = size + abs(w[..., k]) * (abs(first) + abs(second))
+    return np.asarray(value), np.asarray(size)
+
+
+def _whole(points: Array) -> Numbers:
+    """The same points in a unit of length, a power of two, that makes every coordinate a whole number."""
+    mantissa, exponent = np.frexp(points)
+    digits = (mantissa * 2.0**53).astype(np.int64).astype(object)
+    return np.asarray(digits << (exponent - np.min(exponent)).astype(object))

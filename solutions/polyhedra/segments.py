@@ -1,0 +1,166 @@
+"""Where a segment meets a plane and a triangle: edge against face (slide 9)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.checks import finite, vector
+from solutions.detection import signed_distance
+from solutions.polyhedra.orientation import Sign, orient2d, orient3d
+from solutions.polyhedra.surface import Array
+
+LOOKS = ([1, 2], [2, 0], [0, 1])
+"""The two coordinates that are left when looking along x, y and z."""
+
+
+def segment_plane(start: ArrayLike, end: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> Array:
+    """Where along a segment it meets the plane n·p + d = 0, as a share t of its length (slide 9).
+
+        t = s0/(s0 − s1),    with the signed distances of its ends
+
+    Parameters
+    ----------
+    start, end : (..., 3), m
+    normal : (..., 3), any length but zero
+    offset : (...), d
+
+    Returns
+    -------
+    (...), 0 to 1: the point is start + t (end − start). Infinity where both ends are on one side. One that lies in the
+    plane meets it all along, at 0 first; an end on the plane counts.
+
+    Raises
+    ------
+    ValueError
+        If a normal is zero or an end is not finite.
+    """
+    s0 = signed_distance(finite("start", start), normal, offset)
+    s1 = signed_distance(finite("end", end), normal, offset)
+    meets = (np.minimum(s0, s1) <= 0) & (np.maximum(s0, s1) >= 0)
+    return np.where(meets, _share(s0, s1), np.inf)
+
+
+def segment_triangle(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array]:
+    """Where along a segment it first meets a triangle, and where on that: edge against face (slide 9).
+
+    Whether it does is decided exactly (`segment_meets_triangle`); borders and ends count. Where, is rounded.
+
+    Parameters
+    ----------
+    start, end : (..., 3), m
+    triangle : (..., 3, 3), its corners, m; it is met from both sides
+
+    Returns
+    -------
+    fraction : (...), t, 0 to 1 along the segment, or infinity where they do not meet. A segment in the triangle's plane
+        meets it along a stretch: t is where that begins.
+    barycentric : (..., 3), the weights of the corners there, each 0 to 1, with the sum 1; NaN where they do not meet
+
+    Raises
+    ------
+    ValueError
+        If a triangle has no area, a number is not finite, or a shape does not fit.
+    """
+    p, q, corners = _checked(start, end, triangle)
+    a, b, c = (corners[..., k, :] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    if np.any(np.all(normal == 0, axis=-1)):
+        raise ValueError("triangle must have an area: one has none")
+    through = _share(np.vecdot(normal, p - a), np.vecdot(normal, q - a))
+    flat = (orient3d(a, b, c, p) == 0) & (orient3d(a, b, c, q) == 0)
+    fraction = np.where(flat, _entry(p, q, corners, normal), through)
+    weight = _weights(p + fraction[..., None] * (q - p), corners, normal)
+    meets = segment_meets_triangle(p, q, corners)
+    return np.where(meets, fraction, np.inf), np.where(meets[..., None], weight, np.nan)
+
+
+def segment_meets_triangle(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> NDArray[np.bool_]:
+    """Whether a segment and a triangle have a point in common, exactly; borders, ends and lying in its plane count.
+
+    Its ends are not on the same side of the triangle's plane, and its line passes all three sides with the same turn.
+
+    Parameters
+    ----------
+    start, end : (..., 3), m
+    triangle : (..., 3, 3), its corners, m
+
+    Returns
+    -------
+    (...), bool; a triangle without area is met by nothing
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite, or a shape does not fit.
+    """
+    p, q, corners = _checked(start, end, triangle)
+    shape = p.shape[:-1]
+    p, q, (a, b, c) = p.reshape(-1, 3), q.reshape(-1, 3), np.moveaxis(corners.reshape(-1, 3, 3), 1, 0)
+    side_p, side_q = orient3d(a, b, c, p), orient3d(a, b, c, q)
+    meets, flat = side_p * side_q <= 0, (side_p == 0) & (side_q == 0)
+    steep = meets & ~flat
+    meets[steep] = _passes_through(*(x[steep] for x in (p, q, a, b, c)))
+    meets[flat] = _meets_in_plane(*(x[flat] for x in (p, q, a, b, c)))
+    return np.asarray(meets.reshape(shape))
+
+
+def _checked(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array, Array]:
+    p, q = finite("start", vector("start", start)), finite("end", vector("end", end))
+    corners = finite("triangle", triangle)
+    if corners.shape[-2:] != (3, 3):
+        raise ValueError(f"triangle must have shape (..., 3, 3), not {corners.shape}")
+    shape = np.broadcast_shapes(p.shape[:-1], q.shape[:-1], corners.shape[:-2])
+    return (
+        np.broadcast_to(p, (*shape, 3)),
+        np.broadcast_to(q, (*shape, 3)),
+        np.broadcast_to(corners, (*shape, 3, 3)),
+    )
+
+
+def _passes_through(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray[np.bool_]:
+    turns = np.stack([orient3d(p, q, a, b), orient3d(p, q, b, c), orient3d(p, q, c, a)])
+    return np.asarray(np.all(turns >= 0, axis=0) | np.all(turns <= 0, axis=0))
+
+
+def _meets_in_plane(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray[np.bool_]:
+    """All five points are in one plane: seen along x, y and z they must meet, in one view at least not edge-on."""
+    meets, area = np.ones(len(p), dtype=bool), np.zeros(len(p), dtype=bool)
+    for look in LOOKS:
+        start, end, *corners = (x[:, look] for x in (p, q, a, b, c))
+        turn = orient2d(*corners)
+        area |= turn != 0
+        meets &= ~_apart_in_view(start, end, corners, turn)
+    return meets & area
+
+
+def _apart_in_view(p: Array, q: Array, corners: list[Array], turn: Sign) -> NDArray[np.bool_]:
+    """Whether a line along a side of the triangle, or along the segment, has them on two sides and touches one only."""
+    a, b, c = corners
+    sides = np.stack([orient2d(p, q, corner) for corner in corners])
+    apart = np.all(sides > 0, axis=0) | np.all(sides < 0, axis=0)
+    for start, end in ((a, b), (b, c), (c, a)):
+        apart |= (orient2d(start, end, p) * turn < 0) & (orient2d(start, end, q) * turn < 0)
+    return np.asarray(apart)
+
+
+def _share(s0: Array, s1: Array) -> Array:
+    """s0/(s0 − s1), 0 to 1; 0 where both are 0."""
+    change = s0 - s1
+    return np.asarray(np.clip(s0 / np.where(change == 0, 1.0, change), 0.0, 1.0))
+
+
+def _entry(p: Array, q: Array, corners: Array, normal: Array) -> Array:
+    """Where a segment in the plane of the triangle comes in: past the last of the sides that it starts outside of."""
+    inward = np.cross(normal[..., None, :], np.roll(corners, -1, axis=-2) - corners)
+    s0, s1 = np.vecdot(inward, p[..., None, :] - corners), np.vecdot(inward, q[..., None, :] - corners)
+    return np.asarray(np.max(np.where(s0 < 0, _share(s0, s1), 0.0), axis=-1))
+
+
+def _weights(x: Array, corners: Array, normal: Array) -> Array:
+    """Barycentric weights of a point of the triangle: the areas of the three triangles it makes with the sides."""
+    following, last = np.roll(corners, -1, axis=-2), np.roll(corners, -2, axis=-2)
+    areas = np.vecdot(normal[..., None, :], np.cross(following - x[..., None, :], last - x[..., None, :]))
+    areas = np.maximum(areas, 0.0)
+    total = np.sum(areas, axis=-1, keepdims=True)
+    return np.asarray(areas / np.where(total > 0, total, 1.0))

@@ -1,0 +1,77 @@
+"""Do two polyhedra intersect? An edge of one goes through a face of the other, or one is inside (slide 9)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.polyhedra.inside import inside_by_parity
+from solutions.polyhedra.segments import segment_meets_triangle
+from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, mesh_edges
+
+
+def edges_through_faces(
+    vertices_a: ArrayLike, faces_a: ArrayLike, vertices_b: ArrayLike, faces_b: ArrayLike
+) -> tuple[Integers, Integers]:
+    """All edges of A that meet a face of B, touching included, exactly (slide 9).
+
+    Parameters
+    ----------
+    vertices_a, faces_a : (v, 3), m, and (f, 3)
+    vertices_b, faces_b : the same of B
+
+    Returns
+    -------
+    edge : (k, 2), vertices of A at the ends
+    face : (k,), faces of B; where the edge comes in is `segment_triangle`
+
+    Raises
+    ------
+    ValueError
+        If a mesh does not fit together.
+    """
+    a, _ = checked_mesh(vertices_a, faces_a)
+    b, f = checked_mesh(vertices_b, faces_b)
+    edges = mesh_edges(vertices_a, faces_a)
+    found = [(np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64))]
+    for block in blocks(len(edges), len(f)):
+        edge, face = boxes_that_meet(a[edges[block]], b[f])
+        start, end = np.moveaxis(a[edges[block][edge]], 1, 0)
+        meets = segment_meets_triangle(start, end, b[f[face]])
+        found.append((edge[meets] + block.start, face[meets]))
+    edge, face = (np.concatenate(part) for part in zip(*found, strict=True))
+    return edges[edge], face
+
+
+def polyhedra_intersect(vertices_a: ArrayLike, faces_a: ArrayLike, vertices_b: ArrayLike, faces_b: ArrayLike) -> bool:
+    """Whether two solids, convex or not, have a point in common (slide 9).
+
+    Either an edge of one meets a face of the other, or a part of one is inside the other: then so are its vertices.
+
+    Parameters
+    ----------
+    vertices_a, faces_a, vertices_b, faces_b : of two closed surfaces, as for `edges_through_faces`
+
+    Returns
+    -------
+    True also where they only touch. A solid in the hollow of another is not in it.
+
+    Raises
+    ------
+    ValueError
+        If a surface is open, or a mesh does not fit together.
+    """
+    a, b = checked_mesh(vertices_a, faces_a), checked_mesh(vertices_b, faces_b)
+    inside = [np.any(inside_by_parity(one[0][np.unique(one[1])], *other)) for one, other in ((a, b), (b, a))]
+    return any(inside) or len(edges_through_faces(*a, *b)[1]) > 0 or len(edges_through_faces(*b, *a)[1]) > 0
+
+
+def boxes_that_meet(first: Array, second: Array) -> tuple[Integers, Integers]:
+    """Pairs of corner sets, (m, corners, 3) and (n, corners, 3), whose boxes touch or overlap."""
+    low_1, high_1 = np.min(first, axis=1), np.max(first, axis=1)
+    low_2, high_2 = np.min(second, axis=1), np.max(second, axis=1)
+    touch = np.ones((len(first), len(second)), dtype=bool)
+    for axis in range(3):
+        touch &= (low_1[:, None, axis] <= high_2[:, axis]) & (low_2[:, axis] <= high_1[:, None, axis])
+    one, other = np.nonzero(touch)
+    return one, other
