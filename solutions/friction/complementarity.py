@@ -104,7 +104,7 @@ def _lemke(a: Array, b: Array) -> Array:
     for _ in range(2 ** min(count + 4, 16)):
         _exchange(table, row, entering)
         leaving, basis[row] = basis[row], entering
-        if leaving == 2 * count:
+        if not np.any(table[basis == 2 * count, -1] > ROUNDING):  # z has left, or it stays at zero
             forces = np.zeros(2 * count + 1)
             forces[basis] = np.linalg.solve(start[:, basis], start[:, -1])  # the table has gathered rounding
             return np.maximum(0.0, forces[count:-1]) * size / scale

@@ -1,0 +1,372 @@
+"""Contacts that rest and several impacts at once: complementarity, redundant supports, cradles."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from solutions.friction import (
+    complementarity_residual,
+    contact_jacobian,
+    inverse_mass_matrix,
+    propagate_impacts,
+    resting_problem,
+    sequential_impulses,
+    simultaneous_impacts,
+    solve_by_pivots,
+    solve_by_sweeps,
+)
+
+G = 9.81
+UP, X, Y = np.eye(3)[2], np.eye(3)[0], np.eye(3)[1]
+SMALL = st.integers(0, 100_000)
+
+
+def some_contacts(seed, whole=False):
+    """G, M⁻¹ and F of some contacts, redundant ones too; in whole numbers many of them tie."""
+    rng = np.random.default_rng(seed)
+    rows, columns = rng.integers(1, 8), rng.integers(1, 7)
+    if whole:
+        numbers = rng.integers(-2, 3, size=(rows, columns)).astype(float)
+        return numbers, np.eye(columns), rng.integers(-3, 4, size=columns).astype(float)
+    return rng.normal(size=(rows, columns)), np.diag(rng.uniform(0.1, 3, size=columns)), rng.normal(size=columns)
+
+
+def separate_contacts(seed):
+    """Contacts that each move a body of their own besides, so that no two are almost one and sweeps converge fast."""
+    g, weights, force = some_contacts(seed)
+    count = len(g)
+    both = np.diag(np.concatenate([np.diag(weights), np.ones(count)]))
+    return np.hstack([g, np.eye(count)]), both, np.concatenate([force, np.zeros(count)])
+
+
+def by_active_sets(a, b):
+    """All solutions that a choice of pressed contacts gives: A_cc f_c = −b_c, checked."""
+    found = []
+    for size in range(len(b) + 1):
+        for chosen in itertools.combinations(range(len(b)), size):
+            c = list(chosen)
+            f = np.zeros(len(b))
+            f[c] = np.linalg.lstsq(a[np.ix_(c, c)], -b[c], rcond=None)[0]
+            if np.all(f >= -1e-9) and np.all(a @ f + b >= -1e-9) and abs(f @ (a @ f + b)) <= 1e-9:
+                found.append(f)
+    return found
+
+
+def table(force, torque=(0.0, 0.0, 0.0), height=1.0, mass=2.0):
+    """Four legs at the corners of a square of 2 m, centre of mass above the middle; the problem and its G."""
+    arm = np.array([(x, y, -height) for x in (-1, 1) for y in (-1, 1)], dtype=float)
+    rows = contact_jacobian(0, -1, np.tile(UP, (4, 1)), arm, arm, 1)
+    weights = inverse_mass_matrix([1 / mass], np.eye(3)[None] / 1.5)
+    return *resting_problem(rows, weights, [*force, *torque]), rows
+
+
+# The complementarity problem
+
+
+@pytest.mark.statement(22, oracle="scipy's nnls: Gauss' principle of least constraint")
+@pytest.mark.parametrize("whole", [False, True])
+@given(seed=SMALL)
+def test_contact_forces_change_the_free_acceleration_as_little_as_they_can(seed, whole):
+    optimize = pytest.importorskip("scipy.optimize")
+    g, weights, force = some_contacts(seed, whole)
+    a, b = resting_problem(g, weights, force)
+    f = solve_by_pivots(a, b)
+    # Gauss: the forces minimise (Gᵀf + F)ᵀ M⁻¹ (Gᵀf + F)
+    root = np.sqrt(weights)
+    other, _ = optimize.nnls(root @ g.T, -root @ force)
+    # The forces may not be unique, the accelerations are. Ties within 1e-11 count as such; nnls works in 1e-12
+    assert weights @ (g.T @ f + force) == pytest.approx(weights @ (g.T @ other + force), abs=1e-8)
+    assert complementarity_residual(a, b, f) <= 1e-8
+    assert np.all(f >= 0)
+
+
+@pytest.mark.statement(22, oracle="all active sets one after another")
+@given(seed=SMALL)
+def test_one_of_the_choices_of_pressed_contacts_is_what_pivoting_finds(seed):
+    a, b = resting_problem(*some_contacts(seed))
+    f = solve_by_pivots(a, b)
+    assert any(a @ f == pytest.approx(a @ other, abs=1e-7) for other in by_active_sets(a, b))
+    if np.linalg.eigvalsh(a)[0] > 1e-3:  # then the forces are unique
+        (only, *_) = by_active_sets(a, b)
+        assert f == pytest.approx(only, abs=1e-7)
+
+
+@pytest.mark.statement(22, oracle="scipy's lsq_linear with bounds")
+@settings(max_examples=30)
+@given(seed=SMALL)
+def test_sweeping_comes_to_the_same_forces(seed):
+    optimize = pytest.importorskip("scipy.optimize")
+    g, weights, force = separate_contacts(seed)
+    a, b = resting_problem(g, weights, force)
+    root = np.sqrt(weights)
+    other = optimize.lsq_linear(root @ g.T, -root @ force, bounds=(0, np.inf), method="bvls", tol=1e-14).x
+    # linear convergence, by some hundredths a sweep at worst; a residual of r leaves r over the least eigenvalue, 1
+    assert solve_by_sweeps(a, b, 1000) == pytest.approx(other, abs=1e-6)
+    few = [complementarity_residual(a, b, solve_by_sweeps(a, b, sweeps)) for sweeps in (10, 300)]
+    assert few[1] <= few[0] + 1e-12
+    assert solve_by_sweeps(a, b, 1, start=other) == pytest.approx(other, abs=1e-9)  # a good start stays
+
+
+def test_the_residual_counts_what_pulls_what_sinks_in_and_what_presses_from_afar():
+    a = np.diag([2.0, 2.0])
+    assert complementarity_residual(a, [-4.0, 1.0], [2.0, 0.0]) == 0
+    assert complementarity_residual(a, [-4.0, 1.0], [1.5, 0.0]) == 1.0  # still sinks in at 1 m/s²
+    assert complementarity_residual(a, [-4.0, 1.0], [2.0, -0.25]) == 0.5  # pulls
+    assert complementarity_residual(a, [-4.0, 1.0], [3.0, 0.0]) == 2.0  # lifts it off, and presses
+    assert complementarity_residual(np.zeros((0, 0)), [], []) == 0
+
+
+def test_what_nothing_can_keep_apart_is_said_to_have_no_solution():
+    with pytest.raises(ValueError, match="offset"):
+        solve_by_pivots([[0.0]], [-1.0])
+    with pytest.raises(ValueError, match="offset"):
+        solve_by_pivots([[1.0, -1.0], [-1.0, 1.0]], [-1.0, -1.0])  # between two walls that come together
+    assert solve_by_sweeps([[0.0]], [-1.0], 5).tolist() == [0.0]
+
+
+def test_contacts_that_part_feel_nothing_and_no_contacts_are_no_problem():
+    assert solve_by_pivots(np.eye(2), [1.0, 0.0]).tolist() == [0.0, 0.0]
+    assert solve_by_sweeps(np.eye(2), [1.0, 0.0], 1).tolist() == [0.0, 0.0]
+    assert solve_by_pivots(np.zeros((0, 0)), []).shape == (0,)
+
+
+def test_many_problems_at_once_are_the_same_as_one_after_another():
+    rng = np.random.default_rng(11)
+    root = rng.normal(size=(20, 4, 4))
+    a, b = root @ np.swapaxes(root, 1, 2), rng.normal(size=(20, 4))
+    for together, one in (
+        (solve_by_pivots(a, b), solve_by_pivots),
+        (solve_by_sweeps(a, b, 30), lambda x, y: solve_by_sweeps(x, y, 30)),
+    ):
+        assert together == pytest.approx(np.stack([one(a[i], b[i]) for i in range(20)]), rel=1e-9, abs=1e-12)
+    assert complementarity_residual(a, b, solve_by_pivots(a, b)).shape == (20,)
+
+
+# Bodies at rest
+
+
+@pytest.mark.statement(22, oracle="the balance of forces and moments")
+def test_on_four_legs_the_forces_are_not_unique_but_their_sum_and_moments_are():
+    weight = 2 * G
+    a, b, rows = table((0.0, 0.0, -weight), torque=(3.0, 5.0, 0.0))
+    assert np.linalg.matrix_rank(a) == 3
+    ways = [solve_by_pivots(a, b), solve_by_sweeps(a, b, 300), solve_by_sweeps(a, b, 300, start=[9.0, 0, 0, 9.0])]
+    for f in ways:
+        assert complementarity_residual(a, b, f) <= 1e-12
+        assert rows.T @ f == pytest.approx([0, 0, weight, -3, -5, 0], abs=1e-11)  # rounding of 20 N
+    assert np.abs(ways[1] - ways[2]).max() > 1  # N: two answers, both right
+    # what one may add without anyone noticing
+    assert a @ [1.0, -1.0, -1.0, 1.0] == pytest.approx(np.zeros(4), abs=1e-15)
+
+
+@pytest.mark.statement(22, oracle="the lever, by hand")
+def test_a_table_loaded_beyond_its_legs_lifts_the_far_ones():
+    # 20 N in the middle carry a torque of 20 N m about the edge; 24 N m turn it over
+    for torque, lifts in ((19.0, False), (24.0, True)):
+        a, b, _ = table((0.0, 0.0, -20.0), torque=(0.0, torque, 0.0))
+        f = solve_by_pivots(a, b)
+        up = a @ f + b
+        assert np.all(f[2:] > 0)  # the legs at x = +1
+        assert up[2:] == pytest.approx([0.0, 0.0], abs=1e-13)
+        assert bool(np.all(up[:2] > 0.1)) == lifts
+        if lifts:
+            assert np.all(f[:2] == 0)
+
+
+@pytest.mark.statement(22, oracle="the weights above, in fractions")
+def test_every_contact_of_a_stack_carries_the_weights_above_it():
+    masses = [Fraction(1), Fraction(5, 2), Fraction(3), Fraction(1, 2), Fraction(2)]
+    count = len(masses)
+    rows = contact_jacobian(
+        np.arange(count), np.arange(count) - 1, np.tile(UP, (count, 1)), np.zeros(3), np.zeros(3), count
+    )
+    weights = inverse_mass_matrix([1 / float(m) for m in masses], np.tile(np.eye(3), (count, 1, 1)))
+    force = np.concatenate([[0, 0, -10 * float(m), 0, 0, 0] for m in masses])
+    a, b = resting_problem(rows, weights, force)
+    carried = [float(10 * sum(masses[i:])) for i in range(count)]
+    assert solve_by_pivots(a, b) == pytest.approx(carried, rel=1e-13)
+    # sweeps converge linearly: after 2000 to rounding, and after 20 not at all
+    assert solve_by_sweeps(a, b, 2000) == pytest.approx(carried, rel=1e-12)
+    assert complementarity_residual(a, b, solve_by_sweeps(a, b, 20)) > 0.1
+
+
+def test_a_contact_feels_the_point_of_each_body_and_the_ground_none():
+    row = contact_jacobian([0, 1], [1, -1], [UP, X], [[1.0, 0, 0], Y], [[0, 2.0, 0], Y], 2)
+    assert row[0].tolist() == [0, 0, 1, 0, -1, 0, 0, 0, -1, -2, 0, 0]
+    assert row[1].tolist() == [0] * 6 + [1, 0, 0, 0, 0, -1]
+
+
+def slab(friction, slope, sweeps=1000, dt=0.01):
+    """Velocity after a step of a table at rest on a slope, and what its feet felt."""
+    arm = np.array([(x, y, -0.1) for x in (-1, 1) for y in (-1, 1)], dtype=float)
+    rows = np.stack([contact_jacobian(0, -1, np.tile(d, (4, 1)), arm, arm, 1) for d in (UP, X, Y)], axis=1)
+    weights = inverse_mass_matrix([1 / 2.0], np.eye(3)[None] / 1.5)
+    fall = dt * G * np.array([math.sin(slope), 0, -math.cos(slope), 0, 0, 0])
+    return sequential_impulses(fall, rows, weights, friction, sweeps)
+
+
+@pytest.mark.statement(22, oracle="tan θ ≤ μ, and g (sin θ − μ cos θ) beyond")
+@pytest.mark.parametrize("friction", [0.0, 0.2, 0.7])
+def test_sequential_impulses_hold_a_slab_up_to_the_angle_of_friction_and_let_it_slide_beyond(friction):
+    critical, dt = math.atan(friction), 0.01
+    for slope in (critical - 1e-2, critical + 1e-2, critical + 0.3):
+        if slope < 0:
+            continue
+        v, impulse = slab(friction, slope)
+        slides = max(0.0, G * (math.sin(slope) - friction * math.cos(slope)))
+        # g dt is 0.1 m/s; sweeps converge slowly next to the limit, where a foot after the other gives way
+        assert v == pytest.approx([slides * dt, 0, 0, 0, 0, 0], abs=1e-6)
+        assert np.sum(impulse[:, 0]) == pytest.approx(2 * G * math.cos(slope) * dt, abs=1e-6)
+        assert np.all(np.linalg.norm(impulse[:, 1:], axis=1) <= friction * impulse[:, 0] * (1 + 1e-12))
+
+
+@pytest.mark.statement(22, oracle="scipy's nnls")
+@settings(max_examples=20)
+@given(seed=SMALL)
+def test_sequential_impulses_without_friction_leave_the_velocities_of_least_change(seed):
+    optimize = pytest.importorskip("scipy.optimize")
+    g, weights, v = separate_contacts(seed)
+    rows = np.zeros((len(g), 3, g.shape[1]))
+    rows[:, 0] = g
+    after, impulse = sequential_impulses(v, rows, weights, 0.5, 400)
+    root = np.sqrt(weights)
+    other, _ = optimize.nnls(root @ g.T, -np.linalg.solve(root, v))
+    assert after == pytest.approx(v + weights @ g.T @ other, abs=1e-4)  # linear convergence
+    assert np.all(impulse[:, 0] >= 0)
+    assert np.all(impulse[:, 1:] == 0)  # rows of zeros: nothing moves, no impulse
+
+
+def test_what_a_later_contact_gives_an_earlier_one_may_take_back():
+    # A ball between two walls at 60°: the first impulse on the left wall is too much once the right one has pushed
+    s, c = math.sin(math.pi / 3), math.cos(math.pi / 3)
+    rows = np.zeros((2, 3, 6))
+    rows[0, 0, :3], rows[1, 0, :3] = (s, 0, c), (-s, 0, c)
+    v, impulse = sequential_impulses([0, 0, -1.0, 0, 0, 0], rows, np.eye(6), 0.0, 100)
+    assert v == pytest.approx(np.zeros(6), abs=1e-12)
+    assert impulse[:, 0] == pytest.approx([1.0, 1.0], abs=1e-12)  # 2 j cos 60° = 1
+
+
+# Cradles
+
+
+@pytest.mark.statement(22, oracle="the lecture's two answers, and conservation")
+def test_newtons_cradle_has_two_answers_that_both_keep_momentum_and_energy():
+    start = [1.0, 0, 0, 0, 0]
+    one_by_one, at_once = propagate_impacts(start, 1.0, 1.0), simultaneous_impacts(start, 1.0, 1.0)
+    assert one_by_one.tolist() == [0, 0, 0, 0, 1]
+    assert at_once == pytest.approx([-0.6, 0.4, 0.4, 0.4, 0.4], abs=1e-15)
+    for v in (one_by_one, at_once):
+        assert v.sum() == pytest.approx(1, abs=1e-15)
+        assert v @ v == pytest.approx(1, abs=1e-15)
+
+
+def test_two_balls_let_go_from_a_cradle_send_two_out():
+    assert propagate_impacts([1.0, 1, 0, 0, 0], 1.0, 1.0).tolist() == [0, 0, 0, 1, 1]
+
+
+@pytest.mark.statement(22, oracle="exact fractions")
+def test_all_at_once_newtons_rule_can_make_energy():
+    start = np.array([1.0, 0.0, 0.1])
+    v = simultaneous_impacts(start, 1.0, 1.0)
+    assert v == pytest.approx([-0.3, 0.7, 0.7], abs=1e-15)
+    before = Fraction(1) + Fraction(1, 100)
+    after = 2 * Fraction(49, 100) + Fraction(9, 100)
+    assert (before / 2, after / 2) == (Fraction(505, 1000), Fraction(535, 1000))
+    assert v @ v / 2 == pytest.approx(0.535, abs=1e-15)
+    one_by_one = propagate_impacts(start, 1.0, 1.0)
+    assert one_by_one == pytest.approx([0.0, 0.1, 1.0], abs=1e-15)
+    assert one_by_one @ one_by_one / 2 == pytest.approx(0.505, abs=1e-15)
+
+
+def cascade(velocity, mass, e):
+    """Impacts of two at a time, always of the pair that comes together fastest."""
+    v = list(velocity)
+    for _ in range(20_000):
+        i = max(range(len(v) - 1), key=lambda k: v[k] - v[k + 1])
+        if v[i] - v[i + 1] <= 1e-15:
+            break
+        j = (1 + e) * (v[i] - v[i + 1]) * mass[i] * mass[i + 1] / (mass[i] + mass[i + 1])
+        v[i], v[i + 1] = v[i] - j / mass[i], v[i + 1] + j / mass[i + 1]
+    return v
+
+
+@given(st.lists(st.floats(-3, 3).map(lambda x: round(x, 3)), min_size=2, max_size=6))
+def test_equal_elastic_balls_come_out_in_the_order_of_their_speeds(velocity):
+    # two equal balls swap their velocities, so that the row sorts them, whatever the order of the impacts
+    assert propagate_impacts(velocity, 1.0, 1.0) == pytest.approx(sorted(velocity), abs=1e-13)
+
+
+@pytest.mark.statement(22, oracle="the two balls of the fastest approach first")
+@pytest.mark.parametrize("restitution", [1.0, 0.8])
+def test_one_ball_into_a_resting_row_of_others_propagates_in_one_way(restitution):
+    mass, start = [1.0, 2.0, 0.5, 3.0], [1.0, 0, 0, 0]
+    ours = propagate_impacts(start, mass, restitution)
+    if restitution == 1:
+        assert ours @ (mass * ours) == pytest.approx(1, rel=1e-14)
+    assert ours @ mass == pytest.approx(1, rel=1e-14)
+    assert np.all(np.diff(ours) >= -1e-12)
+    assert ours == pytest.approx(cascade(start, mass, restitution), abs=1e-9)
+
+
+@given(
+    st.lists(st.floats(-3, 3).map(lambda x: round(x, 3)), min_size=2, max_size=6),
+    st.floats(0, 1),
+    SMALL,
+)
+def test_momentum_stays_nothing_is_left_approaching_and_pair_by_pair_no_energy_is_made(velocity, e, seed):
+    mass, v = np.random.default_rng(seed).uniform(0.5, 2, size=len(velocity)), np.array(velocity)
+    at_once = simultaneous_impacts(v, mass, e)
+    one_by_one = propagate_impacts(v, mass, e, most=200)
+    for after in (at_once, one_by_one):
+        assert mass @ after == pytest.approx(mass @ v, abs=1e-11)  # rounding of a few, hundreds of times
+    u, left = np.diff(v), np.diff(at_once)
+    assert np.all(left >= -e * np.minimum(u, 0) - 1e-9)
+    assert mass @ one_by_one**2 <= mass @ v**2 * (1 + 1e-12)
+
+
+def test_a_row_against_a_wall_comes_back():
+    assert propagate_impacts([1.0, 0.0, 0.0], [1.0, 1.0, np.inf], 1.0).tolist() == [-1.0, 0.0, 0.0]
+    assert simultaneous_impacts([1.0, 0.0], [1.0, np.inf], 0.5).tolist() == [-0.5, 0.0]
+    assert simultaneous_impacts([3.0], 1.0, 1.0).tolist() == propagate_impacts([3.0], 1.0, 1.0).tolist() == [3.0]
+
+
+def test_many_rows_at_once_are_the_same_as_one_after_another():
+    rows = np.random.default_rng(2).normal(size=(3, 4, 5))
+    kept = rows.copy()
+    for answer in (propagate_impacts, simultaneous_impacts):
+        together = answer(rows, 1.0, 0.5)
+        for at in np.ndindex(3, 4):
+            assert together[at] == pytest.approx(answer(rows[at], 1.0, 0.5), abs=1e-12)
+    assert np.array_equal(kept, rows)
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda: contact_jacobian([1], [-1], [UP], [UP], [UP], 1), "body_a"),
+        (lambda: contact_jacobian([0], [-2], [UP], [UP], [UP], 1), "body_b"),
+        (lambda: contact_jacobian([0], [-1], [UP[:2]], [UP], [UP], 1), "direction"),
+        (lambda: contact_jacobian([0], [-1], [UP], [UP[:2]], [UP], 1), "arm_a"),
+        (lambda: inverse_mass_matrix([-1.0], np.eye(3)[None]), "inverse_mass"),
+        (lambda: sequential_impulses(np.zeros(6), np.zeros((1, 3, 6)), np.eye(6), -0.1), "friction"),
+        (lambda: solve_by_pivots(np.eye(3), [1.0, 2.0]), "matrix"),
+        (lambda: solve_by_sweeps([1.0], [1.0], 3), "matrix"),
+        (lambda: complementarity_residual(np.eye(2), [np.nan, 0.0], [0.0, 0.0]), "matrix and offset"),
+        (lambda: propagate_impacts([np.nan, 1.0], 1.0, 1.0), "velocity"),
+        (lambda: propagate_impacts([0.0, 1.0], 0.0, 1.0), "mass"),
+        (lambda: propagate_impacts([0.0, 1.0], 1.0, 1.1), "restitution"),
+        (lambda: simultaneous_impacts([1.0, 0.0], np.inf, 1.0), "mass"),
+        (lambda: simultaneous_impacts([1.0, 0.0], 1.0, -1.0), "restitution"),
+        (lambda: simultaneous_impacts([np.inf, 0.0], 1.0, 1.0), "velocity"),
+    ],
+)
+def test_what_is_no_contact_is_refused_by_name(call, name):
+    with pytest.raises(ValueError, match=f"^{name}"):
+        call()

@@ -1,0 +1,317 @@
+"""Friction in an impact: grip and slip, against the closed form, impacts in small steps, three modes, and pymunk."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from reference import truth
+from solutions.friction import (
+    friction_impulse,
+    impact_energy,
+    point_inverse_mass,
+    sphere_grips,
+    sphere_impact,
+)
+
+UP = np.array([0.0, 0.0, 1.0])
+SPEED = st.floats(0.1, 5).map(lambda value: round(value, 6))
+SLIP = st.floats(-5, 5).map(lambda value: round(value, 6))
+RESTITUTION, FRICTION = st.floats(0, 1), st.floats(0, 2)
+ARM = st.floats(-1, 1).map(lambda value: round(value, 3))
+
+
+def body(seed):
+    """Inverse mass, inverse inertia and arm of some body."""
+    rng = np.random.default_rng(seed)
+    turn = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    # principal moments that a real body can have: sums of two squares of radii
+    radii = rng.uniform(0.1, 0.5, size=3) ** 2
+    return rng.uniform(0.2, 3), turn @ np.diag(1 / (radii.sum() - radii)) @ turn.T, rng.normal(size=3) * 0.3
+
+
+def plane_matrix(arm_x, arm_z, inertia):
+    """K of a body of 1 kg that moves in the x–z plane alone."""
+    return point_inverse_mass(1.0, np.diag([0, 1 / inertia, 0]), (arm_x, 0.0, arm_z)) + np.diag([0, 1.0, 0])
+
+
+# The matrix of a contact
+
+
+@pytest.mark.statement(16, oracle="velocities of the point before and after, by Newton and Euler")
+@given(st.integers(0, 10_000))
+def test_an_impulse_changes_the_velocity_of_its_point_by_k_j(seed):
+    inverse_mass, inverse_inertia, arm = body(seed)
+    rng = np.random.default_rng(seed + 1)
+    j, v, spin = rng.normal(size=(3, 3))
+    before = v + np.cross(spin, arm)
+    after = v + inverse_mass * j + np.cross(spin + inverse_inertia @ np.cross(arm, j), arm)
+    k = point_inverse_mass(inverse_mass, inverse_inertia, arm)
+    assert after - before == pytest.approx(k @ j, abs=1e-12)  # rounding of numbers up to some hundred
+    assert np.array_equal(k, k.T) or k == pytest.approx(k.T, abs=1e-12)
+    assert np.linalg.eigvalsh(k)[0] >= inverse_mass * (1 - 1e-12)  # never heavier than the whole body
+
+
+def test_an_immovable_body_does_not_give_way():
+    assert np.array_equal(point_inverse_mass(0.0, np.zeros((3, 3)), (1.0, 2.0, 3.0)), np.zeros((3, 3)))
+
+
+# Grip or slip
+
+
+@pytest.mark.statement(16, oracle="the closed form for a spinning sphere")
+@given(SPEED, SLIP, RESTITUTION, FRICTION)
+def test_a_spinning_ball_leaves_the_floor_as_the_closed_form_says(speed, surface_speed, restitution, friction):
+    radius = 0.3
+    v, spin = sphere_impact(-speed * UP, (0.0, surface_speed / radius, 0.0), UP, radius, restitution, friction)
+    # spin about +y moves the lowest point towards −x, so that friction drives the ball towards +x
+    along, left = truth.spinning_impact(speed, surface_speed, restitution, friction)
+    assert v == pytest.approx([along, 0.0, restitution * speed], abs=1e-14)  # rounding of 5 m/s
+    assert radius * spin == pytest.approx([0.0, left, 0.0], abs=1e-14)
+
+
+def small_impulses(velocity, spin, radius, restitution, friction, count=4000):
+    """An impact in many small normal impulses, each with Coulomb friction against the slip at that moment (Routh)."""
+    v, w = velocity.copy(), spin.copy()
+    arm, total = -radius * UP, -(1 + restitution) * velocity[2]
+    for _ in range(count):
+        slip = (v + np.cross(w, arm)) * [1, 1, 0]
+        most = friction * total / count
+        need = np.linalg.norm(slip) * 2 / 7
+        rub = -slip * (2 / 7 if need <= most else most / np.linalg.norm(slip))
+        j = rub + total / count * UP
+        v, w = v + j, w + np.cross(arm, j) / (0.4 * radius**2)
+    return v, w
+
+
+@pytest.mark.statement(16, oracle="the impact in small impulses")
+@pytest.mark.parametrize("friction", [0.0, 0.05, 0.2, 1.0])
+def test_a_ball_with_slip_and_spin_askew_leaves_as_many_small_impulses_leave_it(friction):
+    velocity, spin = np.array([1.0, -0.4, -2.0]), np.array([3.0, 7.0, -5.0])
+    ours = sphere_impact(velocity, spin, UP, 0.2, 0.6, friction)
+    for value, expected in zip(ours, small_impulses(velocity, spin, 0.2, 0.6, friction), strict=True):
+        assert value == pytest.approx(expected, abs=1e-11)  # rounding of 4000 sums of tens
+
+
+@pytest.mark.statement(16, oracle="seven halves of mu (1 + e) v, and the slip that is left")
+@given(SPEED, st.floats(0, 10), RESTITUTION, FRICTION, st.floats(0.05, 2))
+def test_a_solid_sphere_grips_up_to_seven_halves_of_mu_one_plus_e_v(speed, slip, restitution, friction, radius):
+    limit = 3.5 * friction * (1 + restitution) * speed
+    assume(abs(slip - limit) > 1e-9)  # rounding decides at the limit
+    assert sphere_grips(slip, speed, restitution, friction) == (slip <= limit)
+    v, spin = sphere_impact((slip, 0.0, -speed), np.zeros(3), UP, radius, restitution, friction)
+    left = v[0] - radius * spin[1]
+    assert left == pytest.approx(max(0.0, slip - limit), abs=1e-12)  # rounding of some tens
+
+
+def test_a_ball_exactly_at_the_limit_grips():
+    assert sphere_grips(3.5, 2.0, 0.0, 0.5)  # 7/2 × 1/2 × 1 × 2
+    assert not sphere_grips(np.nextafter(3.5, 4), 2.0, 0.0, 0.5)
+    assert sphere_grips(0.0, 0.0, 0.0, 0.0)
+
+
+def test_a_hollow_ball_grips_with_less_friction():
+    # slip changes by (1 + 3/2) J/m instead of 7/2: grips up to 5/2 μ (1 + e) v
+    v, spin = sphere_impact((4.0, 0.0, -1.0), np.zeros(3), UP, 1.0, 1.0, 0.5, inertia_share=2 / 3)
+    assert v[0] - spin[1] == pytest.approx(4.0 - 2.5, abs=1e-14)
+
+
+# Any two bodies
+
+
+def modes(u, k, e, mu):
+    """Impact in the plane by trying all three modes: the ones whose own conditions hold. (J_t, J_n) each."""
+    found = []
+    matrix = np.array([[k[0][0], k[0][2]], [k[2][0], k[2][2]]])
+    wanted = -(1 + e) * u[2]
+    grip = np.linalg.solve(matrix, [-u[0], wanted])
+    if grip[1] >= 0 and abs(grip[0]) <= mu * grip[1]:
+        found.append(grip)
+    for sign in (1.0, -1.0):  # of the slip that is left
+        j = wanted / (matrix[1, 1] - sign * mu * matrix[1, 0])
+        left = u[0] + matrix[0] @ [-sign * mu * j, j]
+        if j > 0 and sign * left > 0:
+            found.append(np.array([-sign * mu * j, j]))
+    return found
+
+
+@pytest.mark.statement(16, oracle="trying grip, slip forwards and slip backwards")
+@given(ARM, ARM, st.floats(0.02, 1), SPEED, SLIP, RESTITUTION, FRICTION)
+def test_in_the_plane_a_body_of_any_form_takes_a_mode_whose_own_conditions_hold(
+    arm_x, arm_z, inertia, speed, slip, restitution, friction
+):
+    k, u = plane_matrix(arm_x, arm_z, inertia), np.array([slip, 0.0, -speed])
+    possible = modes(u, k, restitution, friction)
+    assume(len(possible) > 0)
+    j = friction_impulse(u, UP, k, restitution, friction)
+    # a matrix of condition up to some thousand
+    scale = 1e-10 * (1 + np.linalg.norm(j))
+    assert any(np.linalg.norm(j[[0, 2]] - other) <= scale for other in possible)
+    assert j[1] == 0
+
+
+@pytest.mark.statement(16, oracle="Newton's restitution and Coulomb's cone")
+@given(st.integers(0, 10_000), RESTITUTION, FRICTION)
+def test_any_two_bodies_part_with_e_times_the_approach_and_stay_within_the_cone(seed, restitution, friction):
+    rng = np.random.default_rng(seed)
+    n = np.linalg.qr(rng.normal(size=(3, 3)))[0][0]
+    k = point_inverse_mass(*body(seed)) + point_inverse_mass(*body(seed + 1))
+    u = rng.normal(size=3)
+    j = friction_impulse(u, n, k, restitution, friction)
+    if u @ n >= 0:
+        assert np.array_equal(j, np.zeros(3))
+        return
+    after = u + k @ j
+    assert after @ n == pytest.approx(-restitution * (u @ n), abs=1e-11)  # K up to some hundred, solved once
+    across = j - (j @ n) * n
+    assert j @ n > 0
+    assert np.linalg.norm(across) <= friction * (j @ n) * (1 + 1e-9) + 1e-15
+    if np.linalg.norm(across) < friction * (j @ n) * (1 - 1e-9) - 1e-12:
+        assert after - (after @ n) * n == pytest.approx(np.zeros(3), abs=1e-11)  # inside the cone it grips
+
+
+@given(st.integers(0, 10_000), RESTITUTION, FRICTION)
+def test_the_same_impact_named_the_other_way_round_or_turned_is_the_same(seed, restitution, friction):
+    rng = np.random.default_rng(seed)
+    n, turn = np.linalg.qr(rng.normal(size=(3, 3)))[0][0], np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    k, u = point_inverse_mass(*body(seed)), rng.normal(size=3)
+    j = friction_impulse(u, n, k, restitution, friction)
+    scale = 1e-11 * (1 + np.linalg.norm(j))  # a 3 × 3 matrix solved twice
+    assert friction_impulse(-u, -n, k, restitution, friction) == pytest.approx(-j, abs=scale)
+    turned = friction_impulse(turn @ u, turn @ n, turn @ k @ turn.T, restitution, friction)
+    assert turned == pytest.approx(turn @ j, abs=1e3 * scale)
+
+
+@given(st.integers(0, 10_000), SPEED, RESTITUTION)
+def test_without_friction_only_the_normal_takes_part(seed, speed, restitution):
+    k = point_inverse_mass(*body(seed))
+    j = friction_impulse((3.0, 1.0, -speed), UP, k, restitution, 0.0)
+    assert j == pytest.approx((1 + restitution) * speed / k[2, 2] * UP, rel=1e-13)
+
+
+# Energy
+
+
+@pytest.mark.statement(16, oracle="energy of the two motions")
+@given(SPEED, SLIP, SLIP, RESTITUTION, FRICTION)
+def test_a_sphere_never_gains_energy(speed, slip, spin, restitution, friction):
+    v, w = np.array([slip, 0.3, -speed]), np.array([0.1, spin, 2.0])
+    after_v, after_w = sphere_impact(v, w, UP, 0.5, restitution, friction)
+    before, after = v @ v + 0.1 * w @ w, after_v @ after_v + 0.1 * after_w @ after_w
+    assert after <= before * (1 + 1e-14)
+
+
+def rod(velocity, spin, impulse):
+    """Exact energy, in fractions, of a rod of 1 m and 1 kg in the plane, struck at its end (−2/5, −3/10)."""
+    (x, z), (jx, jz) = velocity, impulse
+    x, z, w = x + jx, z + jz, spin + 12 * (Fraction(-3, 10) * jx - Fraction(-2, 5) * jz)
+    return (x * x + z * z + w * w / 12) / 2
+
+
+@pytest.mark.statement(16, oracle="exact fractions")
+def test_newtons_restitution_with_coulomb_friction_can_make_energy_honestly():
+    # A rod falls at 1 m/s, aslant, its end slides at 1/2 m/s, and the normal impulse turns that slip round. Friction
+    # keeps it from being turned, so that in all it has pushed along the first slip; e = 1 gives the whole speed back.
+    zero, one = Fraction(0), Fraction(1)
+    k = [
+        [one + 12 * Fraction(9, 100), -12 * Fraction(12, 100)],
+        [-12 * Fraction(12, 100), one + 12 * Fraction(16, 100)],
+    ]
+    slip, approach = Fraction(1, 2), -one
+    determinant = k[0][0] * k[1][1] - k[0][1] * k[1][0]
+    jx = (-slip * k[1][1] - -2 * approach * k[0][1]) / determinant
+    jz = (-2 * approach * k[0][0] + slip * k[1][0]) / determinant
+    assert abs(jx) < Fraction(3, 4) * jz
+    gained = rod((slip, approach), zero, (jx, jz)) - rod((slip, approach), zero, (zero, zero))
+    assert gained == Fraction(71, 800)  # 5/8 J become 571/800 J
+    matrix = plane_matrix(-0.4, -0.3, 1 / 12)
+    j = friction_impulse((0.5, 0.0, -1.0), UP, matrix, 1.0, 0.75)
+    assert j == pytest.approx([float(jx), 0.0, float(jz)], abs=1e-14)  # numbers near 1
+    assert impact_energy((0.5, 0.0, -1.0), j, matrix) == pytest.approx(float(gained), abs=1e-14)
+    # without friction, or without restitution, the same rod gains nothing
+    for e, mu in ((1.0, 0.0), (0.0, 0.75)):
+        j = friction_impulse((0.5, 0.0, -1.0), UP, matrix, e, mu)
+        assert impact_energy((0.5, 0.0, -1.0), j, matrix) <= 1e-15
+
+
+@given(st.integers(0, 10_000))
+def test_with_e_zero_and_grip_no_energy_is_made(seed):
+    k, u = point_inverse_mass(*body(seed)), np.random.default_rng(seed).normal(size=3)
+    u[2] = -abs(u[2])
+    assume(np.linalg.solve(k, -u)[2] > 1e-3)  # some bodies would have to be pulled to stop dead
+    j = friction_impulse(u, UP, k, 0.0, 1e6)
+    assert u + k @ j == pytest.approx(np.zeros(3), abs=1e-11)  # K up to some hundred, solved once
+    assert impact_energy(u, j, k) == pytest.approx(-u @ np.linalg.solve(k, u) / 2, abs=1e-11)
+
+
+# Others
+
+
+@pytest.mark.statement(16, oracle="pymunk's impulses in the plane")
+@pytest.mark.parametrize("friction", [0.05, 0.3, 1.0])
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_pymunk_gives_a_spinning_disc_the_same_velocities(friction, restitution):
+    pymunk = pytest.importorskip("pymunk")
+    space = pymunk.Space()
+    space.iterations = 100
+    floor = pymunk.Segment(space.static_body, (-50, -1), (50, -1), 1.0)
+    disc = pymunk.Body(1.0, 0.4)
+    shape = pymunk.Circle(disc, 1.0)
+    for one in (floor, shape):
+        one.friction, one.elasticity = math.sqrt(friction), math.sqrt(restitution)
+    space.add(floor, disc, shape)
+    disc.position, disc.velocity, disc.angular_velocity = (0, 0.9999), (1.5, -2.0), 4.0
+    space.step(1e-6)
+    v, spin = sphere_impact((1.5, 0.0, -2.0), (0.0, -4.0, 0.0), UP, 1.0, restitution, friction)
+    # pymunk pushes the overlap of 1e-4 apart besides, and works in four or five digits
+    assert disc.velocity == pytest.approx((v[0], v[2]), abs=2e-4)
+    assert disc.angular_velocity == pytest.approx(-spin[1], abs=2e-4)
+
+
+# One is many; what is refused
+
+
+def test_many_impacts_at_once_are_the_same_as_one_after_another():
+    rng = np.random.default_rng(5)
+    k = np.stack([point_inverse_mass(*body(seed)) for seed in range(60)])
+    u, e, mu = rng.normal(size=(60, 3)), rng.uniform(size=60), rng.uniform(size=60)
+    kept = k.copy(), u.copy()
+    together = friction_impulse(u, UP, k, e, mu)
+    alone = np.stack([friction_impulse(u[i], UP, k[i], e[i], mu[i]) for i in range(60)])
+    assert together == pytest.approx(alone, abs=1e-13)
+    assert np.array_equal(kept[0], k)
+    assert np.array_equal(kept[1], u)
+    many = sphere_impact(u, u[::-1], UP, [0.1] * 60, e, mu)
+    for i in (0, 7, 59):
+        one = sphere_impact(u[i], u[59 - i], UP, 0.1, e[i], mu[i])
+        assert many[0][i] == pytest.approx(one[0], abs=1e-13)
+        assert many[1][i] == pytest.approx(one[1], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda: friction_impulse(UP, 2 * UP, np.eye(3), 0.5, 0.5), "normal"),
+        (lambda: friction_impulse(UP, UP, np.eye(3), 1.5, 0.5), "restitution"),
+        (lambda: friction_impulse(UP, UP, np.eye(3), 0.5, -0.5), "friction"),
+        (lambda: friction_impulse(UP[:2], UP, np.eye(3), 0.5, 0.5), "velocity"),
+        (lambda: friction_impulse(UP, UP, np.zeros((3, 3)), 0.5, 0.5), "inverse_mass"),
+        (lambda: point_inverse_mass(-1.0, np.eye(3), UP), "inverse_mass"),
+        (lambda: point_inverse_mass(1.0, np.eye(3), UP[:2]), "arm"),
+        (lambda: sphere_impact(UP, UP, UP, 0.0, 0.5, 0.5), "radius"),
+        (lambda: sphere_impact(UP, UP, UP, 1.0, 0.5, 0.5, 0.0), "inertia_share"),
+        (lambda: sphere_grips(-1.0, 1.0, 0.5, 0.5), "slip"),
+        (lambda: sphere_grips(1.0, -1.0, 0.5, 0.5), "approach_speed"),
+        (lambda: sphere_grips(1.0, 1.0, 2.0, 0.5), "restitution"),
+        (lambda: sphere_grips(1.0, 1.0, 0.5, -0.5), "friction"),
+        (lambda: impact_energy(UP[:2], UP, np.eye(3)), "velocity"),
+    ],
+)
+def test_what_is_no_impact_is_refused_by_name(call, name):
+    with pytest.raises(ValueError, match=f"^{name}"):
+        call()

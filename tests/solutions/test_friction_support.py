@@ -1,0 +1,320 @@
+"""The normal force, breaking away, sticking and slipping, the cone and the pyramid; and the slide as printed."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from solutions import as_printed
+from solutions.friction import (
+    along_surface,
+    apparent_force,
+    break_away_time,
+    clamp_to_circle,
+    clamp_to_square,
+    friction_angle,
+    friction_force,
+    holds,
+    normal_force,
+    stick_slip_times,
+)
+
+G = 9.81
+UP, X, Y = np.eye(3)[2], np.eye(3)[0], np.eye(3)[1]
+DOWN, STILL = -G * UP, np.zeros(3)
+COMPONENT = st.floats(-10, 10).map(lambda value: round(value, 6))
+VECTOR = st.tuples(COMPONENT, COMPONENT, COMPONENT).map(np.array)
+ANGLE = st.floats(0.0, 1.5)
+
+
+# The normal force is not the weight
+
+
+@pytest.mark.statement(24, oracle="the balance of forces on an incline")
+@given(ANGLE, st.floats(0.1, 100))
+def test_on_an_incline_the_support_carries_m_g_cos_theta_and_friction_has_to_hold_m_g_sin_theta(slope, mass):
+    n = np.array([math.sin(slope), 0.0, math.cos(slope)])
+    force = apparent_force(mass, DOWN, STILL, STILL)
+    # a handful of roundings of the weight
+    assert normal_force(force, n) == pytest.approx(mass * G * math.cos(slope), abs=1e-14 * mass * G)
+    assert np.linalg.norm(along_surface(force, n)) == pytest.approx(mass * G * math.sin(slope), abs=1e-14 * mass * G)
+
+
+@pytest.mark.statement(24, oracle="the balance of forces, by hand")
+def test_pushing_a_crate_from_above_presses_it_down_and_pulling_from_above_takes_weight_off_it():
+    # 3-4-5: 10 N at 6 N down and 8 N along, on 2 kg in 10 m/s²
+    force = apparent_force(2.0, (0.0, 0.0, -10.0), [[8.0, 0.0, -6.0], [8.0, 0.0, 6.0]], STILL)
+    assert normal_force(force, UP).tolist() == [26.0, 14.0]
+    assert along_surface(force, UP).tolist() == [[8.0, 0.0, 0.0], [8.0, 0.0, 0.0]]
+    # the same push holds or breaks away as its vertical part says, for 0.4 × 26 = 10.4 and 0.4 × 14 = 5.6
+    assert holds(along_surface(force, UP), normal_force(force, UP), 0.4).tolist() == [True, False]
+
+
+def test_on_an_accelerating_lorry_a_crate_slides_when_the_lorry_brakes_harder_than_mu_g():
+    for braking, held in ((0.49 * G, True), (0.51 * G, False)):
+        force = apparent_force(3.0, DOWN, STILL, -braking * X)
+        assert along_surface(force, UP) == pytest.approx(3 * braking * X, abs=1e-14)
+        assert holds(along_surface(force, UP), normal_force(force, UP), 0.5) == held
+
+
+def test_in_a_lift_the_normal_force_is_m_g_plus_a_and_none_in_free_fall():
+    lifts = np.outer([2.0, -2.0, -G, -2 * G], UP)
+    pressed = normal_force(apparent_force(3.0, DOWN, STILL, lifts), UP)
+    assert pressed == pytest.approx([3 * (G + 2), 3 * (G - 2), 0.0, 0.0], abs=1e-14)  # rounding of 35 N
+
+
+def test_what_is_lifted_off_is_not_pulled_back():
+    assert normal_force((0.0, 0.0, 5.0), UP) == 0
+    assert not holds(X, normal_force((1.0, 0.0, 5.0), UP), 10.0)
+
+
+@given(VECTOR, st.integers(0, 99))
+def test_what_presses_and_what_pushes_along_make_up_the_force(force, seed):
+    n = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0][0]
+    across = along_surface(force, n)
+    assert across @ n == pytest.approx(0, abs=1e-14)  # rounding of 17 N
+    assert across + (force @ n) * n == pytest.approx(force, abs=1e-14)
+    assert np.hypot(np.linalg.norm(across), force @ n) == pytest.approx(np.linalg.norm(force), abs=1e-13)
+
+
+@pytest.mark.statement(24, oracle="MuJoCo's contact forces")
+def test_mujoco_feels_the_same_normal_force_under_a_block_that_is_pushed_on_a_slope(installed):
+    mujoco = installed("mujoco").module()
+    slope = math.radians(20)
+    gravity = (G * math.sin(slope), 0.0, -G * math.cos(slope))
+    model = mujoco.MjModel.from_xml_string(
+        f"""<mujoco><option timestep="0.001" gravity="{gravity[0]} 0 {gravity[2]}" cone="elliptic"/><worldbody>
+        <geom type="plane" size="5 5 1" friction="1 0 0"/>
+        <body pos="0 0 .05"><freejoint/><geom type="box" size=".2 .2 .05" mass="2" friction="1 0 0"/></body>
+        </worldbody></mujoco>"""
+    )
+    data, push = mujoco.MjData(model), np.array([-3.0, 1.0, -5.0])
+    data.xfrc_applied[1, :3] = push
+    mujoco.mj_step(model, data, 3000)
+    total, one = np.zeros(2), np.zeros(6)
+    for contact in range(data.ncon):
+        mujoco.mj_contactForce(model, data, contact, one)
+        total += [one[0], 0]
+    force = apparent_force(2.0, gravity, push, STILL)
+    # MuJoCo creeps: what is left of the acceleration is below 1e-5 of the weight
+    assert total[0] == pytest.approx(float(normal_force(force, UP)), rel=1e-4)
+
+
+def test_a_block_stays_on_the_steepest_slope_and_on_none_steeper():
+    assert friction_angle([0.0, 1.0]).tolist() == [0.0, math.pi / 4]
+    assert friction_angle(np.inf) == math.pi / 2
+    for friction in (0.1, 0.5, 2.0):
+        critical = float(friction_angle(friction))
+        for slope, held in ((critical - 1e-12, True), (critical + 1e-12, False)):  # some roundings aside
+            n = np.array([math.sin(slope), 0.0, math.cos(slope)])
+            assert holds(along_surface(DOWN, n), normal_force(DOWN, n), friction) == held
+
+
+# Breaking away
+
+
+@pytest.mark.statement(24, oracle="arithmetic by hand")
+def test_a_growing_push_breaks_a_crate_away_when_it_reaches_mu_n():
+    assert break_away_time((0, 0, -20.0), (2.0, 0, 0), UP, 0.5) == 5.0  # 2 t = 0.5 × 20
+    assert break_away_time((4.0, 0, -20.0), (2.0, 0, 0), UP, 0.5) == 3.0
+    assert break_away_time((-4.0, 0, -20.0), (2.0, 0, 0), UP, 0.5) == 7.0  # first it lets go, then it turns round
+
+
+@pytest.mark.statement(24, oracle="arithmetic by hand")
+def test_a_push_that_lifts_breaks_away_sooner_and_one_steep_enough_from_above_never():
+    # 2 t = 0.5 (20 − t), and 2 t = 0.5 (20 + t); from above at 0.5 × 4 t = 2 t + …: never
+    times = break_away_time((0, 0, -20.0), [[2.0, 0, 1.0], [2.0, 0, -1.0], [2.0, 0, -4.0]], UP, 0.5)
+    assert times == pytest.approx([4.0, 20 / 3, np.inf], rel=1e-14)
+
+
+def test_what_is_not_held_breaks_away_now_and_what_is_only_lifted_when_it_leaves_the_ground():
+    assert break_away_time((11.0, 0, -20.0), STILL, UP, 0.5) == 0
+    assert break_away_time((0, 0, 1.0), STILL, UP, 0.5) == 0  # no longer on the ground
+    assert break_away_time((0, 0, -20.0), (0, 0, 4.0), UP, [0.0, 0.5]).tolist() == [5.0, 5.0]
+    assert break_away_time((0, 0, -20.0), STILL, UP, [0.0, 0.5]).tolist() == [np.inf, np.inf]
+    assert break_away_time((10.0, 0, -20.0), STILL, UP, 0.5) == np.inf  # exactly at the limit, for ever
+    assert break_away_time((10.0, 0, -20.0), X, UP, 0.5) == 0  # at the limit and growing
+    assert break_away_time((0, 0, -20.0), X, UP, 0.0) == 0  # on ice
+
+
+@pytest.mark.statement(24, oracle="scipy's brentq on the cone")
+@given(VECTOR, VECTOR, st.floats(0.05, 2), st.integers(0, 99))
+def test_before_the_instant_it_is_held_and_after_it_not(force, rate, friction, seed):
+    optimize = pytest.importorskip("scipy.optimize")
+    n = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0][0]
+    assume(np.linalg.norm(rate) > 0.1)
+
+    def beyond(t):  # positive outside the cone, and off the ground
+        f = force + t * rate
+        return np.linalg.norm(f - (f @ n) * n) + friction * (f @ n)
+
+    time = float(break_away_time(force, rate, n, friction))
+    assume(abs(beyond(0.0)) > 1e-6)
+    if beyond(0.0) > 0:
+        assert time == 0
+    elif np.isinf(time):
+        assert beyond(1e3) <= 0
+    else:
+        # the function is convex, so that it has one root here; brentq is asked for 1e-12 of it
+        assume(time < 1e4)
+        there = optimize.brentq(beyond, 0.0, 2 * time + 1, xtol=1e-12, rtol=1e-12)
+        slope = (beyond(there + 1e-4) - beyond(there)) / 1e-4
+        assert time == pytest.approx(there, abs=1e-11 * (1 + time) / min(1.0, slope))  # flat where it grazes the cone
+
+
+@pytest.mark.statement(24, oracle="scipy's solve_ivp with events")
+@pytest.mark.parametrize(
+    ("mass", "stiffness", "speed", "static", "kinetic"),
+    [(1.0, 100.0, 0.1, 0.5, 0.3), (2.0, 50.0, 1.0, 0.6, 0.1), (0.5, 10.0, 0.02, 0.41, 0.4)],
+)
+def test_a_block_drawn_by_a_spring_sticks_and_slips_as_long_as_the_differential_equation_says(
+    mass, stiffness, speed, static, kinetic
+):
+    integrate = pytest.importorskip("scipy.integrate")
+    press = mass * G
+
+    def slipping(_, state):
+        return [speed - state[1], (stiffness * state[0] - kinetic * press) / mass]
+
+    def stops(_, state):
+        return state[1]
+
+    stops.terminal, stops.direction = True, -1
+    found = integrate.solve_ivp(
+        slipping, (0, 100), [static * press / stiffness, 0.0], events=stops, rtol=1e-11, atol=1e-13, max_step=0.05
+    )
+    stick, slip = stick_slip_times(mass, stiffness, speed, press, static, kinetic)
+    # asked for 1e-11 a step, over some hundred steps
+    assert slip == pytest.approx(found.t_events[0][0], rel=1e-9)
+    missing = static * press / stiffness - found.y_events[0][0][0]
+    assert stick == pytest.approx(missing / speed, abs=1e-8)
+
+
+def test_without_a_difference_of_the_two_frictions_the_block_does_not_stick():
+    stick, slip = stick_slip_times(1.0, 4.0, [0.1, 5.0], 10.0, 0.3, 0.3)
+    assert stick.tolist() == [0.0, 0.0]
+    assert slip == pytest.approx([math.pi, math.pi], rel=1e-15)
+
+
+def test_a_faster_drive_sticks_for_a_smaller_share_of_the_time():
+    stick, slip = stick_slip_times(1.0, 4.0, np.geomspace(0.01, 100, 9), 10.0, 0.5, 0.3)
+    assert np.all(np.diff(stick / (stick + slip)) < 0)
+
+
+# A circle, not a square
+
+
+@pytest.mark.statement(24, oracle="the nearest point of the circle")
+@given(VECTOR, st.floats(0, 20))
+def test_friction_answers_with_the_nearest_force_that_its_circle_has(force, limit):
+    force = force * [1, 1, 0]
+    given_ = clamp_to_circle(force, limit)
+    assert np.linalg.norm(given_) <= limit * (1 + 1e-15)
+    angles = np.linspace(0, 2 * np.pi, 721)
+    rim = limit * np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)
+    nearest = min(np.linalg.norm(force - rim, axis=-1).min(), np.inf if np.linalg.norm(force) > limit else 0.0)
+    assert np.linalg.norm(force - given_) <= nearest + 1e-12
+    assert np.cross(force, given_) == pytest.approx(np.zeros(3), abs=1e-12)  # the direction stays
+
+
+def test_friction_without_a_limit_gives_all_and_without_weight_nothing():
+    assert clamp_to_circle((3.0, 4.0, 0.0), [np.inf, 5.0, 2.5, 0.0]).tolist() == [
+        [3.0, 4.0, 0.0],
+        [3.0, 4.0, 0.0],
+        [1.5, 2.0, 0.0],
+        [0.0, 0.0, 0.0],
+    ]
+    assert clamp_to_circle(STILL, 0.0).tolist() == [0.0, 0.0, 0.0]
+
+
+@pytest.mark.statement(24, oracle="geometry of the square")
+def test_a_pyramid_is_right_along_its_axes_and_root_two_too_strong_on_the_diagonal():
+    assert clamp_to_square((9.0, 0.0, 0.0), 2.0, X, Y).tolist() == [2.0, 0.0, 0.0]
+    assert clamp_to_square((9.0, -9.0, 0.0), 2.0, X, Y).tolist() == [2.0, -2.0, 0.0]
+    assert clamp_to_square((1.0, -1.5, 0.0), 2.0, X, Y).tolist() == [1.0, -1.5, 0.0]
+    # size: from 1 to √2; direction: far beyond the limit always the diagonal, up to 45° off
+    for angle in np.radians([1.0, 20.0, 30.0, 44.0]):
+        direction = np.array([math.cos(angle), math.sin(angle), 0.0])
+        force = clamp_to_square(1e6 * direction, 2.0, X, Y)
+        assert np.linalg.norm(force) == pytest.approx(2 * math.sqrt(2), rel=1e-15)
+        assert math.atan2(force[1], force[0]) == pytest.approx(math.pi / 4, abs=1e-15)
+        round_ = clamp_to_circle(1e6 * direction, 2.0)
+        assert math.atan2(round_[1], round_[0]) == pytest.approx(angle, abs=1e-15)
+
+
+@given(VECTOR, st.floats(0.1, 10), st.floats(0, 6))
+def test_turning_the_axes_changes_what_the_pyramid_answers_but_never_beyond_root_two(force, limit, angle):
+    force = force * [1, 1, 0]
+    x = np.array([math.cos(angle), math.sin(angle), 0.0])
+    size = np.linalg.norm(clamp_to_square(force, limit, x, np.cross(UP, x)))
+    assert np.linalg.norm(clamp_to_circle(force, limit)) - 1e-12 <= size <= math.sqrt(2) * limit * (1 + 1e-14)
+
+
+def test_under_a_pyramid_a_body_that_slides_askew_curves_and_stops_short():
+    path = {}
+    for name in ("circle", "square"):
+        p, v, dt = np.zeros(3), np.array([3.0, 1.0, 0.0]), 1e-3
+        for _ in range(1200):
+            stop = -v / dt  # the force per mass that would end it within the step
+            limit = 0.3 * G
+            v = v + dt * (clamp_to_circle(stop, limit) if name == "circle" else clamp_to_square(stop, limit, X, Y))
+            p = p + dt * v
+        path[name] = p
+    way = 10 / (2 * 0.3 * G)
+    assert np.linalg.norm(path["circle"]) == pytest.approx(way, abs=2e-3)  # v dt/2 of a first-order step
+    assert path["circle"][1] / path["circle"][0] == pytest.approx(1 / 3, rel=1e-10)
+    # each component stops for itself: 9 and 1 over 2 μ g
+    assert path["square"][:2] == pytest.approx([9 / (0.6 * G), 1 / (0.6 * G)], abs=2e-3)
+
+
+# The slide
+
+
+@pytest.mark.erratum(24)
+def test_as_printed_static_friction_sets_an_unpushed_block_in_motion():
+    printed = as_printed.static_friction_force(20.0, 0.5)
+    assert printed == 10.0  # N, though nothing pushes
+    assert friction_force(STILL, STILL, 20.0, 0.5, 0.3).tolist() == [0.0, 0.0, 0.0]
+    pushed = friction_force((4.0, 0, 0), STILL, 20.0, 0.5, 0.3)
+    assert pushed.tolist() == [-4.0, 0.0, 0.0]
+    assert (4.0 - printed) / 2 == -3.0  # m/s² backwards, for a block of 2 kg that is pushed forwards
+    assert np.linalg.norm(friction_force((10.0, 0, 0), STILL, 20.0, 0.5, 0.3)) == printed  # right at the limit alone
+
+
+# What is refused
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda: apparent_force(-1.0, DOWN, STILL, STILL), "mass"),
+        (lambda: apparent_force(1.0, DOWN[:2], STILL, STILL), "gravity"),
+        (lambda: normal_force(DOWN, 2 * UP), "normal"),
+        (lambda: normal_force(DOWN[:2], UP), "force"),
+        (lambda: along_surface(DOWN, STILL), "normal"),
+        (lambda: friction_angle(-0.1), "static_friction"),
+        (lambda: break_away_time(DOWN, X, UP, math.nan), "static_friction"),
+        (lambda: break_away_time(DOWN, X, 2 * UP, 0.1), "normal"),
+        (lambda: stick_slip_times(0.0, 1, 1, 1, 0.5, 0.3), "mass"),
+        (lambda: stick_slip_times(1, 0.0, 1, 1, 0.5, 0.3), "stiffness"),
+        (lambda: stick_slip_times(1, 1, 0.0, 1, 0.5, 0.3), "drive_speed"),
+        (lambda: stick_slip_times(1, 1, 1, -1.0, 0.5, 0.3), "normal_force"),
+        (lambda: stick_slip_times(1, 1, 1, 1, 0.3, 0.5), "static_friction"),
+        (lambda: stick_slip_times(1, 1, 1, 1, 0.3, -0.5), "kinetic_friction"),
+        (lambda: clamp_to_circle(X, -1.0), "limit"),
+        (lambda: clamp_to_square(X, -1.0, X, Y), "limit"),
+        (lambda: clamp_to_square(X, 1.0, 2 * X, Y), "axis_x"),
+        (lambda: clamp_to_square(X, 1.0, X, 2 * Y), "axis_y"),
+        (lambda: holds(X, -1.0, 0.5), "normal_force"),
+        (lambda: holds(X, 1.0, -0.5), "static_friction"),
+        (lambda: holds(X[:2], 1.0, 0.5), "push"),
+        (lambda: friction_force(X, STILL, 1.0, 0.5, -0.1), "kinetic_friction"),
+    ],
+)
+def test_what_is_no_support_is_refused_by_name(call, name):
+    with pytest.raises(ValueError, match=f"^{name}"):
+        call()
