@@ -1,0 +1,321 @@
+from __future__ import annotations
+
+import itertools
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from solutions.polyhedra import (
+    edges_through_faces,
+    mesh_edges,
+    mesh_report,
+    orient2d,
+    orient3d,
+    polyhedra_intersect,
+    segment_meets_triangle,
+    segment_plane,
+    segment_triangle,
+    signed_volume,
+)
+
+# Coarse numbers make points on lines and in planes common; fine ones are as floats come; mixed sizes lose digits.
+COARSE = st.integers(-3, 3).map(float)
+FINE = st.floats(-10, 10)
+MIXED = st.one_of(COARSE, FINE, st.floats(-1e-12, 1e-12), st.floats(1e12, 1e15), st.sampled_from([0.1, 0.2, 0.3, 0.7]))
+
+
+def points(size, count, number=MIXED):
+    return st.lists(st.tuples(*[number] * size), min_size=count, max_size=count)
+
+
+def minus(a, b):
+    return [Fraction(x) - Fraction(y) for x, y in zip(a, b, strict=True)]
+
+
+def cross(u, v):
+    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+
+
+def dot(u, v):
+    return sum(x * y for x, y in zip(u, v, strict=True))
+
+
+def sign(value):
+    return (value > 0) - (value < 0)
+
+
+def exact_orient3d(a, b, c, d):
+    return sign(dot(cross(minus(b, a), minus(c, a)), minus(d, a)))
+
+
+CUBE = np.array(list(itertools.product([0.0, 1.0], repeat=3)))
+LOW_X, HIGH_X = [[0, 1, 3], [0, 3, 2]], [[4, 6, 7], [4, 7, 5]]
+LOW_Y, HIGH_Y = [[0, 4, 5], [0, 5, 1]], [[2, 3, 7], [2, 7, 6]]
+LOW_Z, HIGH_Z = [[0, 2, 6], [0, 6, 4]], [[1, 5, 7], [1, 7, 3]]
+CUBE_FACES = np.array([*LOW_Z, *HIGH_Z, *LOW_Y, *HIGH_Y, *LOW_X, *HIGH_X])
+
+
+# Signs
+
+
+@pytest.mark.statement(9, oracle="exact fractions")
+@given(points(2, 3))
+def test_left_and_right_of_a_line_are_as_fractions_say(three):
+    a, b, c = three
+    u, v = minus(b, a), minus(c, a)
+    assert orient2d(a, b, c) == sign(u[0] * v[1] - u[1] * v[0])
+
+
+@pytest.mark.statement(9, oracle="exact fractions")
+@given(points(3, 4))
+def test_front_and_back_of_a_face_are_as_fractions_say(four):
+    assert orient3d(*four) == exact_orient3d(*four)
+
+
+@pytest.mark.statement(9, oracle="exact fractions")
+@given(points(3, 3, FINE), st.floats(-2, 2), st.floats(-2, 2), st.integers(-2, 2))
+def test_a_point_a_last_digit_off_the_plane_is_known(three, s, t, steps):
+    a, b, c = np.array(three)
+    d = a + s * (b - a) + t * (c - a)  # in the plane, but for rounding
+    for _ in range(abs(steps)):
+        d = np.nextafter(d, np.inf * steps)
+    assert orient3d(a, b, c, d) == exact_orient3d(a, b, c, d)
+
+
+@given(points(3, 4))
+def test_two_corners_swapped_turn_the_face_round(four):
+    a, b, c, d = four
+    assert orient3d(a, b, c, d) == -orient3d(b, a, c, d) == -orient3d(a, b, d, c) == orient3d(b, c, a, d)
+
+
+def test_signs_are_right_at_both_ends_of_the_floats_and_come_in_batches():
+    tiny, huge = 5e-324, 1e100
+    assert orient2d([0, 0], [tiny, 0], [0, tiny]) == 1
+    assert orient2d([0, 0], [huge, 0], [1, -tiny]) == -1
+    assert orient2d([0, 0], [1e200, 1e-200], [1e200, 0]) == -1
+    assert orient3d([0, 0, 0], [huge, 0, 0], [0, huge, 0], [huge, huge, -tiny]) == -1
+    assert orient2d(np.zeros((4, 1, 2)), [1, 0], [[0, 1], [0, -1], [2, 0]]).tolist() == [[1, -1, 0]] * 4
+    with pytest.raises(ValueError, match="b must be finite"):
+        orient2d([0, 0], [np.nan, 0], [1, 1])
+    with pytest.raises(ValueError, match=r"c must have shape \(..., 2\)"):
+        orient2d([0, 0], [1, 0], [1, 1, 1])
+
+
+# A segment and a plane
+
+
+@pytest.mark.statement(9, oracle="the definition, in fractions")
+@given(points(3, 2, COARSE), st.tuples(*[COARSE] * 3).filter(any), COARSE)
+def test_a_segment_meets_a_plane_where_fractions_say(ends, normal, offset):
+    s0, s1 = (dot(map(Fraction, p), map(Fraction, normal)) + Fraction(offset) for p in ends)
+    t = segment_plane(*ends, normal, offset)
+    if s0 * s1 > 0:
+        assert t == np.inf
+    else:
+        assert t == pytest.approx(float(s0 / (s0 - s1)) if s0 != s1 else 0.0, abs=1e-15)  # a quotient of roundings
+
+
+def test_a_segment_in_the_plane_meets_it_at_once_and_one_beside_it_never():
+    assert segment_plane(
+        [[0, 0, 0], [0, 0, 1], [0, 0, 1]], [[1, 0, 0], [1, 0, 1], [0, 0, 0]], [0, 0, 2], 0
+    ).tolist() == [
+        0,
+        np.inf,
+        1,
+    ]
+    with pytest.raises(ValueError, match="normal is zero"):
+        segment_plane([0, 0, 0], [1, 0, 0], [0, 0, 0], 0)
+    with pytest.raises(ValueError, match="end must be finite"):
+        segment_plane([0, 0, 0], [np.inf, 0, 0], [0, 0, 1], 0)
+
+
+# A segment and a triangle
+
+
+def exact_meeting(p, q, triangle):
+    """In fractions: the first t at which p + t (q − p) is in the triangle, or None."""
+    a, b, c = triangle
+    normal = cross(minus(b, a), minus(c, a))
+    low, high = Fraction(0), Fraction(1)
+    bounds = [(normal, a), ([-x for x in normal], a)]  # both sides of the plane, then the three sides of the triangle
+    bounds += [(cross(normal, minus(end, start)), start) for start, end in ((a, b), (b, c), (c, a))]
+    for inward, at in bounds:
+        s0, s1 = dot(inward, minus(p, at)), dot(inward, minus(q, at))
+        if s0 < 0 and s1 < 0:
+            return None
+        if s0 < 0:
+            low = max(low, s0 / (s0 - s1))
+        elif s1 < 0:
+            high = min(high, s0 / (s0 - s1))
+    return low if low <= high else None
+
+
+@pytest.mark.statement(9, oracle="exact fractions, by clipping")
+@given(points(3, 5, COARSE))
+def test_a_segment_meets_a_triangle_where_fractions_say(five):
+    p, q, *triangle = five
+    assume(any(cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]))))
+    expected = exact_meeting(p, q, triangle)
+    t, weights = segment_triangle(p, q, triangle)
+    assert bool(segment_meets_triangle(p, q, triangle)) == (expected is not None)
+    if expected is None:
+        assert t == np.inf
+        assert np.all(np.isnan(weights))
+    else:
+        assert t == pytest.approx(float(expected), abs=1e-15)  # of small whole numbers: one quotient
+        assert np.all(weights >= 0)
+        there = np.array(p) + t * (np.array(q) - p)
+        assert weights @ np.array(triangle) == pytest.approx(there, abs=1e-14)  # some roundings of numbers up to 3
+
+
+@pytest.mark.statement(9, oracle="exact fractions, by clipping")
+@given(points(3, 5, st.one_of(FINE, COARSE)))
+def test_whether_they_meet_is_exact_for_any_floats(five):
+    p, q, *triangle = five
+    assume(any(cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]))))
+    assert bool(segment_meets_triangle(p, q, triangle)) == (exact_meeting(p, q, triangle) is not None)
+
+
+FLAT = np.array([[0, 0, 0], [4, 0, 0], [0, 4, 0.0]])
+
+
+def test_in_the_plane_of_the_triangle_the_stretch_within_begins_at_a_side_or_at_the_start():
+    start = [[-1, 1, 0], [1, 1, 0], [-1, 1, 0], [-2, 2, 0], [5, 5, 0], [-1, 5, 0], [-4, 0, 0]]
+    end = [[1, 1, 0], [9, 9, 0], [-2, 1, 0], [2, -2, 0], [9, 9, 0], [5, -1, 0], [4, 0, 0]]
+    t, weights = segment_triangle(start, end, FLAT)
+    # through a side; from within; away; through a corner; beyond; along the long side; along another
+    assert t == pytest.approx([0.5, 0, np.inf, 0.5, np.inf, 1 / 6, 0.5], abs=1e-16)
+    assert weights[[0, 3, 5, 6]] == pytest.approx(
+        np.array([[0.75, 0, 0.25], [1, 0, 0], [0, 0, 1], [1, 0, 0]]), abs=1e-15
+    )
+
+
+def test_a_point_is_a_segment_too_and_a_triangle_without_area_is_met_by_nothing():
+    assert segment_meets_triangle([1, 1, 0], [1, 1, 0], FLAT)
+    assert not segment_meets_triangle([3, 3, 0], [3, 3, 0], FLAT)
+    assert not segment_meets_triangle([1, 1, 1], [1, 1, 1], FLAT)
+    assert not segment_meets_triangle([0, 0, -1], [0, 0, 1], FLAT * [1, 0, 0])
+    with pytest.raises(ValueError, match="triangle must have an area"):
+        segment_triangle([0, 0, -1], [0, 0, 1], FLAT * [1, 0, 0])
+    with pytest.raises(ValueError, match="triangle must have shape"):
+        segment_triangle([0, 0, -1], [0, 0, 1], FLAT[:2])
+    t, weights = segment_triangle(np.zeros((5, 1, 3)) - [0, 0, 1], [1, 1, 1], np.stack([FLAT, FLAT]))
+    assert (t.shape, weights.shape) == ((5, 2), (5, 2, 3))
+    assert t == pytest.approx(0.5)
+
+
+# Two polyhedra
+
+
+def boxes_touch(low_a, size_a, low_b, size_b):
+    return all(x <= y + t and y <= x + s for x, s, y, t in zip(low_a, size_a, low_b, size_b, strict=True))
+
+
+WHOLE, SIDE = st.tuples(*[st.integers(-3, 3)] * 3), st.tuples(*[st.integers(1, 5)] * 3)
+
+
+@pytest.mark.statement(9, oracle="the intervals of two boxes")
+@given(WHOLE, SIDE, WHOLE, SIDE)
+def test_two_boxes_intersect_when_their_intervals_do_on_all_axes(low_a, size_a, low_b, size_b):
+    a, b = CUBE * size_a + low_a, CUBE * size_b + low_b
+    expected = boxes_touch(low_a, size_a, low_b, size_b)
+    assert polyhedra_intersect(a, CUBE_FACES, b, CUBE_FACES) == expected
+    assert polyhedra_intersect(b, CUBE_FACES, a, CUBE_FACES[:, ::-1]) == expected
+
+
+def test_a_cube_within_another_intersects_it_though_no_edge_meets_a_face():
+    small = CUBE / 4 + 0.3
+    assert not len(edges_through_faces(small, CUBE_FACES, CUBE, CUBE_FACES)[1])
+    assert polyhedra_intersect(small, CUBE_FACES, CUBE, CUBE_FACES)
+    assert polyhedra_intersect(CUBE, CUBE_FACES, small, CUBE_FACES)
+    assert not polyhedra_intersect(small + 2, CUBE_FACES, CUBE, CUBE_FACES)
+
+
+def test_a_cube_in_the_hollow_of_another_does_not_intersect_it():
+    hollow = np.concatenate([CUBE, CUBE * 0.8 + 0.1]), np.concatenate([CUBE_FACES, CUBE_FACES[:, ::-1] + 8])
+    assert not polyhedra_intersect(CUBE / 4 + 0.3, CUBE_FACES, *hollow)
+    assert polyhedra_intersect(CUBE / 4 - 0.1, CUBE_FACES, *hollow)
+
+
+def test_a_bar_through_a_cube_meets_two_of_its_sides_with_four_edges():
+    bar = (CUBE - 0.5) * [4, 0.25, 0.125] + [0.5, 0.45, 0.31]
+    edge, face = edges_through_faces(bar, CUBE_FACES, CUBE, CUBE_FACES)
+    along = np.ptp(bar[edge], axis=1)[:, 0] > 0
+    assert np.all(along)
+    assert len(np.unique(edge, axis=0)) >= 4
+    assert set(face.tolist()) <= {8, 9, 10, 11}  # the two sides across x
+    t, _ = segment_triangle(*np.moveaxis(bar[edge], 1, 0), CUBE[CUBE_FACES[face]])
+    x = bar[edge[:, 0], 0] + t * (bar[edge[:, 1], 0] - bar[edge[:, 0], 0])
+    assert np.all((np.abs(x) < 1e-15) | (np.abs(x - 1) < 1e-15))  # a quotient and a product of numbers near 1
+    assert not len(edges_through_faces(CUBE, CUBE_FACES, bar, CUBE_FACES)[1])
+
+
+# The report on a mesh
+
+
+def faults(report):
+    return {name: np.asarray(found).tolist() for name, found in vars(report).items() if len(found)}
+
+
+def test_a_cube_bounds_a_solid_and_so_does_a_heap_of_its_loose_triangles():
+    report = mesh_report(CUBE, CUBE_FACES)
+    assert report.bounds_a_solid
+    assert report.is_watertight
+    assert report.is_oriented
+    assert signed_volume(CUBE, CUBE_FACES) == 1
+    assert len(mesh_edges(CUBE, CUBE_FACES)) == 18
+    assert mesh_report(CUBE[CUBE_FACES].reshape(-1, 3), np.arange(36).reshape(-1, 3)).bounds_a_solid
+    assert mesh_report(np.zeros((0, 3)), np.zeros((0, 3), dtype=int)).bounds_a_solid
+
+
+def test_each_fault_is_found_and_no_other():
+    lost = CUBE_FACES[1:]
+    assert faults(mesh_report(CUBE, lost)) == {"open_edges": [[0, 2], [0, 6], [2, 6]]}
+    turned = np.concatenate([CUBE_FACES[:1, ::-1], lost])
+    assert faults(mesh_report(CUBE, turned)) == {"twisted_edges": [[0, 2], [0, 6], [2, 6]]}
+    again = np.concatenate([CUBE_FACES, CUBE_FACES[:1, [1, 2, 0]]])
+    found = faults(mesh_report(CUBE, again))
+    assert (found["duplicate_faces"], found["crossing_faces"]) == ([12], [[0, 12]])
+    assert found["crowded_edges"] == found["open_edges"] == [[0, 2], [0, 6], [2, 6]]
+    idle = np.concatenate([CUBE_FACES, [[3, 3, 5]]])
+    assert faults(mesh_report(CUBE, idle)) == {"degenerate_faces": [12]}
+
+
+def test_two_cubes_through_each_other_cross_and_two_apart_do_not():
+    def two(shift):
+        return mesh_report(np.concatenate([CUBE, CUBE + shift]), np.concatenate([CUBE_FACES, CUBE_FACES + 8]))
+
+    assert two(3.0).bounds_a_solid
+    through = two(0.37)
+    assert set(faults(through)) == {"crossing_faces"}
+    assert np.all((through.crossing_faces < 12) == [True, False])
+
+
+def test_faces_with_a_shared_corner_or_edge_cross_only_if_they_have_more_in_common():
+    corners = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 1, 1], [1, 1, -1], [-1, -1, 1], [-1, -2, 1], [1, 0.5, 0]])
+
+    def crossing(*two):
+        return len(mesh_report(corners, two).crossing_faces)
+
+    assert crossing([0, 1, 2], [0, 3, 4]) == 1  # at the corner 0, and through the opposite side
+    assert crossing([0, 1, 2], [0, 5, 6]) == 0
+    assert crossing([0, 1, 2], [1, 0, 7]) == 1  # folded onto it
+    assert crossing([0, 1, 2], [1, 0, 3]) == 0
+    flat = corners * [1, 1, 0] - [0, 0.5, 0] * (np.arange(8) == 7)[:, None] * 2
+    assert len(mesh_report(flat, [[0, 1, 2], [1, 0, 7]]).crossing_faces) == 0  # beside it in one plane
+
+
+@pytest.mark.statement(9, oracle="trimesh's watertight and winding checks")
+@pytest.mark.parametrize("lost", [0, 1])
+def test_trimesh_agrees_what_is_watertight_and_oriented(lost):
+    trimesh = pytest.importorskip("trimesh")
+    mesh = trimesh.creation.torus(2.0, 0.7, major_sections=8, minor_sections=6)
+    vertices, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces)[lost:]
+    theirs = trimesh.Trimesh(vertices, faces, process=False)
+    report = mesh_report(vertices, faces)
+    assert report.is_watertight == theirs.is_watertight == (not lost)
+    assert report.is_oriented == theirs.is_winding_consistent
+    assert not len(report.crossing_faces)
