@@ -1,7 +1,8 @@
 """Swept volumes: relative motion, rays against Minkowski sums, and conservative advancement (slide 10)."""
 
-from solutions.sweeping.advancement import edge_edge_impact, sweep_convex, vertex_face_impact
+from solutions.sweeping.advancement import sweep_convex
 from solutions.sweeping.boxes import sweep_boxes, sweep_oriented_boxes
+from solutions.sweeping.features import edge_edge_impact, vertex_face_impact
 from solutions.sweeping.motion import motion_bound, relative_motion, rotated
 from solutions.sweeping.nearest import nearest_on_triangle, separation_of_hulls
 from solutions.sweeping.rays import ray_box, ray_capsule, ray_sphere

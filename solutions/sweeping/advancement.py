@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.checks import finite, not_negative, positive
 from solutions.sweeping.motion import in_space, motion_bound, rotated
-from solutions.sweeping.nearest import nearest_on_triangle, separation_of_hulls, triangles
+from solutions.sweeping.nearest import separation_of_hulls
 
 Array = NDArray[np.float64]
 Pairs = NDArray[np.int64]
@@ -25,70 +25,6 @@ TOLERANCE = 1e-6
 """How near is a touch, m."""
 ROUNDS = 1000
 """After these the time that was reached is the answer: early, never late."""
-
-
-def vertex_face_impact(
-    vertex_0: ArrayLike,
-    triangle_0: ArrayLike,
-    vertex_1: ArrayLike,
-    triangle_1: ArrayLike,
-    tolerance: ArrayLike = TOLERANCE,
-) -> Array:
-    """When within a step a point meets a triangle, while all four points move in straight lines (slide 10).
-
-    The four are coplanar at the roots of a cubic, and where all lie in one plane all the time it vanishes and says
-    nothing. Conservative advancement needs no root: it follows the triangle of the differences vertex − corner.
-
-    Parameters
-    ----------
-    vertex_0, vertex_1 : (..., 3), at the start and the end of the step, m
-    triangle_0, triangle_1 : (..., 3, 3), three corners, m; without area it is a segment or a point
-    tolerance : (...), how near is a touch, m; well above rounding, 1e-15 of the coordinates
-
-    Returns
-    -------
-    (...), share of the step, 0 to 1; infinity where they stay apart. Never later than the true contact; at the time
-    given they are at most the tolerance apart (after 1000 rounds of a very slow approach it is earlier still). What
-    comes as near as the tolerance may count as a hit, what hits is never missed. 0 if they touch now, even if they
-    part.
-
-    Raises
-    ------
-    ValueError
-        If tolerance is not positive, or an array is not finite or not in space.
-    """
-    start = in_space("vertex_0", vertex_0)[..., None, :] - triangles("triangle_0", triangle_0)
-    end = in_space("vertex_1", vertex_1)[..., None, :] - triangles("triangle_1", triangle_1)
-    return _first_contact(start, end, positive("tolerance", tolerance))
-
-
-def edge_edge_impact(
-    edge_a_0: ArrayLike, edge_b_0: ArrayLike, edge_a_1: ArrayLike, edge_b_1: ArrayLike, tolerance: ArrayLike = TOLERANCE
-) -> Array:
-    """When within a step two edges meet, while all four ends move in straight lines (slide 10).
-
-    The differences of two edges fill a parallelogram, two triangles; they are followed as in `vertex_face_impact`.
-
-    Parameters
-    ----------
-    edge_a_0, edge_b_0 : (..., 2, 3), both ends at the start of the step, m; they may be parallel, or without length
-    edge_a_1, edge_b_1 : (..., 2, 3), at its end, m
-    tolerance : (...), how near is a touch, m
-
-    Returns
-    -------
-    (...), share of the step, as for `vertex_face_impact`
-
-    Raises
-    ------
-    ValueError
-        If tolerance is not positive, or an array is not finite or not two points in space.
-    """
-    start = _edge("edge_a_0", edge_a_0)[..., :, None, :] - _edge("edge_b_0", edge_b_0)[..., None, :, :]
-    end = _edge("edge_a_1", edge_a_1)[..., :, None, :] - _edge("edge_b_1", edge_b_1)[..., None, :, :]
-    tolerance = positive("tolerance", tolerance)
-    start, end = start.reshape(*start.shape[:-3], 4, 3), end.reshape(*end.shape[:-3], 4, 3)
-    return _first_contact(start, end, tolerance)
 
 
 def sweep_convex(
@@ -137,15 +73,15 @@ def sweep_convex(
     shape = np.broadcast_shapes(*shapes, *(np.shape(value) for value in (radius_a, radius_b, dt, tolerance)))
     a = _Body.of("a", shape, points_a, position_a, velocity_a, angular_velocity_a, radius_a)
     b = _Body.of("b", shape, points_b, position_b, velocity_b, angular_velocity_b, radius_b)
-    end, near = _flat(finite("dt", not_negative("dt", dt)), shape), _flat(positive("tolerance", tolerance), shape)
+    end, near = flat(finite("dt", not_negative("dt", dt)), shape), flat(positive("tolerance", tolerance), shape)
 
     def look(pairs: Pairs, time: Array) -> tuple[Array, Array]:
         separation, normal = separation_of_hulls(a.at(pairs, time), b.at(pairs, time))
         separation = separation - a.radius[pairs] - b.radius[pairs]
         closing = a.bound(pairs, -normal) + b.bound(pairs, normal)
-        return separation, _free(separation - near[pairs] / 2, closing)
+        return separation, free_time(separation - near[pairs] / 2, closing)
 
-    return _advance(look, end, near).reshape(shape)
+    return advance(look, end, near).reshape(shape)
 
 
 @dataclass(frozen=True)
@@ -171,11 +107,11 @@ class _Body:
     ) -> _Body:
         corners = in_space(f"points_{name}", points)
         return cls(
-            _flat(corners, shape, corners.shape[-2:]),
-            _flat(in_space(f"position_{name}", position), shape, (3,)),
-            _flat(in_space(f"velocity_{name}", velocity), shape, (3,)),
-            _flat(in_space(f"angular_velocity_{name}", angular_velocity), shape, (3,)),
-            _flat(finite(f"radius_{name}", not_negative(f"radius_{name}", radius)), shape),
+            flat(corners, shape, corners.shape[-2:]),
+            flat(in_space(f"position_{name}", position), shape, (3,)),
+            flat(in_space(f"velocity_{name}", velocity), shape, (3,)),
+            flat(in_space(f"angular_velocity_{name}", angular_velocity), shape, (3,)),
+            flat(finite(f"radius_{name}", not_negative(f"radius_{name}", radius)), shape),
         )
 
     def at(self, pairs: Pairs, time: Array) -> Array:
@@ -192,41 +128,14 @@ class _Body:
         return motion_bound(self.velocity[pairs], self.angular_velocity[pairs], reach, along)
 
 
-def _first_contact(start: Array, end: Array, tolerance: Array) -> Array:
-    """Share of a step at which triangles, or parallelograms, of moving corners first reach the origin."""
-    shape = np.broadcast_shapes(start.shape[:-2], end.shape[:-2], tolerance.shape)
-    near, place = _flat(tolerance, shape), _flat(start, shape, start.shape[-2:])
-    motion = _flat(end, shape, end.shape[-2:]) - place
-
-    def look(pairs: Pairs, time: Array) -> tuple[Array, Array]:
-        corners = place[pairs] + time[:, None, None] * motion[pairs]
-        normal = _towards(corners)
-        heights = np.vecdot(corners, normal[:, None, :])
-        closing = -np.vecdot(motion[pairs], normal[:, None, :])
-        return heights.min(axis=-1), _free(heights - near[pairs, None] / 2, closing).min(axis=-1)
-
-    return _advance(look, np.ones(near.shape), near).reshape(shape)
-
-
-def _towards(corners: Array) -> Array:
-    """Unit vectors from the origin to the nearest point of triangles, or of parallelograms 00, 01, 10, 11."""
-    faces = corners[:, None, :, :] if corners.shape[-2] == 3 else corners[:, [[0, 1, 2], [1, 2, 3]], :]
-    nearest = (nearest_on_triangle(np.zeros(3), faces)[..., None, :] @ faces)[..., 0, :]
-    distance = np.linalg.norm(nearest, axis=-1)
-    best = np.argmin(distance, axis=-1)[:, None]
-    length = np.take_along_axis(distance, best, axis=-1)
-    nearest = np.take_along_axis(nearest, best[..., None], axis=-2)[:, 0, :]
-    return np.asarray(nearest / np.where(length > 0, length, 1.0))
-
-
-def _free(separation: Array, closing: Array) -> Array:
+def free_time(separation: Array, closing: Array) -> Array:
     """Time until a separation that shrinks at most this fast is used up; infinity if it does not shrink."""
     shrinks = closing > 0
     with np.errstate(over="ignore"):  # at a crawl that is after any number of seconds: infinity will do
         return np.where(shrinks, separation / np.where(shrinks, closing, 1.0), np.inf)
 
 
-def _advance(look: Look, dt: Array, tolerance: Array) -> Array:
+def advance(look: Look, dt: Array, tolerance: Array) -> Array:
     """Go on from look to look until the pair touches or the step is over."""
     time, pairs = np.zeros(dt.shape), np.arange(dt.size)
     for _ in range(ROUNDS):
@@ -242,13 +151,6 @@ def _advance(look: Look, dt: Array, tolerance: Array) -> Array:
     return time
 
 
-def _edge(name: str, value: ArrayLike) -> Array:
-    ends = in_space(name, value)
-    if ends.shape[-2:] != (2, 3):
-        raise ValueError(f"{name} must have shape (..., 2, 3), not {ends.shape}")
-    return ends
-
-
-def _flat(value: Array, shape: tuple[int, ...], core: tuple[int, ...] = ()) -> Array:
+def flat(value: Array, shape: tuple[int, ...], core: tuple[int, ...] = ()) -> Array:
     """Broadcast over the leading axes and lay these in one row."""
     return np.broadcast_to(value, shape + core).reshape(-1, *core)
