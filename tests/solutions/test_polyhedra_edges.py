@@ -250,7 +250,9 @@ def test_a_bar_through_a_cube_meets_two_of_its_sides_with_four_edges():
     t, _ = segment_triangle(*np.moveaxis(bar[edge], 1, 0), CUBE[CUBE_FACES[face]])
     x = bar[edge[:, 0], 0] + t * (bar[edge[:, 1], 0] - bar[edge[:, 0], 0])
     assert np.all((np.abs(x) < 1e-15) | (np.abs(x - 1) < 1e-15))  # a quotient and a product of numbers near 1
-    assert not len(edges_through_faces(CUBE, CUBE_FACES, bar, CUBE_FACES)[1])
+    # in return only the diagonals of those two sides meet the bar
+    diagonals = edges_through_faces(CUBE, CUBE_FACES, bar, CUBE_FACES)[0]
+    assert {tuple(pair) for pair in diagonals.tolist()} == {(0, 3), (4, 7)}
 
 
 # The report on a mesh

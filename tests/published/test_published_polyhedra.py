@@ -1,0 +1,31 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from reference.published import published
+from solutions.polyhedra import orient2d
+
+
+def grid(case):
+    """The points p, and the true sign: p, q, r turn left where p is above the diagonal that q and r are on."""
+    setup = case.setup
+    i, j = np.meshgrid(*2 * [np.arange(int(setup["count"]))], indexing="ij")
+    return np.array(setup["first"]) + np.stack([i, j], axis=-1) * setup["unit"], np.sign(j - i)
+
+
+def test_the_plain_test_in_doubles_gets_the_published_number_of_signs_wrong():
+    case = published("P24")
+    p, truth = grid(case)
+    q, r = np.array(case.setup["q"]), np.array(case.setup["r"])
+    u, v = q - p, r - p
+    plain = np.sign(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
+    assert plain.size == case.expected["points"]
+    assert np.sum(plain != truth) == case.expected["wrong_signs"]
+
+
+@pytest.mark.statement(9, oracle="the diagonal of a grid of neighbouring doubles, as published")
+def test_our_exact_sign_is_right_for_every_one_of_these_points():
+    case = published("P24")
+    p, truth = grid(case)
+    assert np.array_equal(orient2d(p, case.setup["q"], case.setup["r"]), truth)
