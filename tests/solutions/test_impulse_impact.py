@@ -402,6 +402,19 @@ def test_no_impulse_stops_two_immovable_bodies():
     assert v_b.tolist() == [0, 0, 1]
 
 
+@pytest.mark.statement(20, oracle="closed form: a door on its hinges")
+def test_a_door_that_can_turn_but_not_leave_gives_way_by_its_moment_alone():
+    # m w²/3 about the hinges, struck at its edge, w away: k = w²/(m w²/3) = 3/m, beside 1/M of the ball
+    mass, width = 6.0, 0.8
+    hinged = Body(STILL, STILL, width * X, 0.0, np.diag([0.0, 0.0, 3 / (mass * width**2)]))
+    striker, across = ball((0, 2.0, 0), 0.5, (0, 0.1, 0)), np.array([0.0, -1.0, 0.0])
+    j = 1.5 * 2.0 / (1 / 0.5 + 3 / mass)
+    v_ball, _, v_door, spin = collide(striker, hinged, across, 0.5)
+    assert v_ball == pytest.approx([0, 2 - j / 0.5, 0], abs=1e-15)  # a few roundings of numbers below 3
+    assert spin == pytest.approx([0, 0, width * j * 3 / (mass * width**2)], abs=1e-15)
+    assert v_door.tolist() == [0, 0, 0]
+
+
 def test_a_racket_that_nothing_stops_gives_the_ball_its_own_speed_twice():
     racket = Body((0, 0, 10.0), STILL, STILL, 0.0, FIXED)
     v_ball, _, v_racket, _ = collide(ball((0, 0, -20.0), 0.06, -0.03 * UP), racket, UP, 1.0)
