@@ -41,7 +41,7 @@ def parity() -> Callable[[], object]:
 
 
 def parity_on_a_grid() -> Callable[[], object]:
-    """The same on coordinates in steps of 1/16, so that many rays meet vertices and edges and have no float to go by."""
+    """The same on coordinates in steps of 1/16: many rays meet vertices and edges, where floats do not decide."""
     point, vertices, faces = _torus()
     return lambda: inside_by_parity(np.round(point * 16) / 16, np.round(vertices * 16) / 16, faces)
 
