@@ -10,8 +10,8 @@ from solutions.sweeping.motion import in_space
 Array = NDArray[np.float64]
 ROUNDS = 60
 """Boxes take about ten; where rounding holds it up beyond these, the separation found so far is given."""
-PROGRESS = 1e-12
-"""Share of the distance below which a further point of the difference is no nearer than rounding."""
+ROUNDING = 1e-14
+"""Share of the bodies' size and distance below which no point of the difference is nearer than another."""
 FACES = np.array([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]])
 """Of a tetrahedron, by corners."""
 
@@ -98,6 +98,8 @@ def separation_of_hulls(points_a: ArrayLike, points_b: ArrayLike) -> tuple[Array
     a, b = np.broadcast_to(a, (*shape, *a.shape[-2:])), np.broadcast_to(b, (*shape, *b.shape[-2:]))
     corners = np.repeat((a[..., :1, :] - b[..., :1, :]), 4, axis=-2)
     best, normal = np.zeros(shape), np.zeros((*shape, 3))
+    done, last = np.zeros(shape, dtype=bool), np.full(shape, np.inf)
+    size = ROUNDING * (np.abs(a).max(axis=(-2, -1)) + np.abs(b).max(axis=(-2, -1)))
     for _ in range(ROUNDS):
         weights, nearest = _nearest_on_tetrahedron(corners)
         distance = np.linalg.norm(nearest, axis=-1)
@@ -106,7 +108,9 @@ def separation_of_hulls(points_a: ArrayLike, points_b: ArrayLike) -> tuple[Array
         separation = np.vecdot(way, support)
         better = (separation > best) & (distance > 0)
         best, normal = np.where(better, separation, best), np.where(better[..., None], way, normal)
-        if np.all(distance - np.maximum(separation, best) <= PROGRESS * distance):
+        done |= (distance - best <= size) | (distance >= last)  # it falls in every round until rounding stops it
+        last = np.minimum(distance, last)
+        if np.all(done):
             break
         unused = np.argmin(weights, axis=-1)[..., None, None]
         corners = np.where(weights[..., None] > 0, corners, nearest_corner(corners, weights)[..., None, :])
