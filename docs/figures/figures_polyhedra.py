@@ -94,7 +94,7 @@ def rays_along_edges(figure: Figure) -> None:
 def winding_number_with_a_hole(figure: Figure) -> None:
     """Sections through a box, and through the same without its lid: the winding number is 1 inside and 0 outside.
 
-    Through the hole it falls smoothly, and the heavy line, 1/2, counts as the border; around the hole it is below 0.
+    Through the hole it falls smoothly, and the heavy line, 1/2, counts as the border; beside the box it is below 0.
     """
     square = np.array([(0, 0), (4, 0), (4, 4), (0, 4)], dtype=float)
     vertices, faces = _prism(square, np.array([(0, 1, 2), (0, 2, 3)]), 4.0)

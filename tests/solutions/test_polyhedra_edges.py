@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import importlib
 import itertools
 from fractions import Fraction
 
@@ -20,6 +21,8 @@ from solutions.polyhedra import (
     segment_triangle,
     signed_volume,
 )
+
+surface = importlib.import_module("solutions.polyhedra.surface")
 
 # Coarse numbers make points on lines and in planes common; fine ones are as floats come; mixed sizes lose digits.
 COARSE = st.integers(-3, 3).map(float)
@@ -308,6 +311,17 @@ def test_faces_with_a_shared_corner_or_edge_cross_only_if_they_have_more_in_comm
     assert crossing([0, 1, 2], [1, 0, 3]) == 0
     flat = corners * [1, 1, 0] - [0, 0.5, 0] * (np.arange(8) == 7)[:, None] * 2
     assert len(mesh_report(flat, [[0, 1, 2], [1, 0, 7]]).crossing_faces) == 0  # beside it in one plane
+
+
+def test_pairs_found_do_not_depend_on_how_many_are_looked_at_at_once(monkeypatch):
+    both = np.concatenate([CUBE, CUBE + 0.37]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
+    crossing, pairs = mesh_report(*both).crossing_faces, edges_through_faces(CUBE, CUBE_FACES, CUBE + 0.37, CUBE_FACES)
+    assert len(crossing)
+    assert len(pairs[1])
+    monkeypatch.setattr(surface, "PAIRS", 7)
+    assert np.array_equal(mesh_report(*both).crossing_faces, crossing)
+    again = edges_through_faces(CUBE, CUBE_FACES, CUBE + 0.37, CUBE_FACES)
+    assert all(np.array_equal(one, other) for one, other in zip(again, pairs, strict=True))
 
 
 @pytest.mark.statement(9, oracle="trimesh's watertight and winding checks")

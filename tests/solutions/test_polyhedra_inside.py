@@ -148,6 +148,23 @@ def test_a_billionth_of_the_size_off_the_surface_both_ways_know_the_side(outline
         assert not np.any(inside(on_face + step, vertices, faces))
 
 
+@pytest.mark.statement(9, oracle="exact fractions, two billionths of the size off vertices and edges")
+@each_outline
+def test_next_to_vertices_and_edges_both_ways_are_right(outline):
+    vertices, faces = extruded(outline)
+    rng = np.random.default_rng(6)
+    ends = vertices[mesh_edges(vertices, faces)]
+    along = ends[:, 0] + rng.uniform(size=(len(ends), 1)) * (ends[:, 1] - ends[:, 0])
+    step = rng.normal(size=(10, 1, 3))
+    step *= 2e-9 * np.ptp(vertices) / np.linalg.norm(step, axis=-1, keepdims=True)
+    points = (np.concatenate([vertices, along]) + step).reshape(-1, 3)
+    truth = np.array([exact_side_of_solid(outline, point) for point in points.tolist()])
+    assert np.all(truth != 0)
+    assert np.array_equal(inside_by_parity(points, vertices, faces), truth > 0)
+    # by the winding number as well, though steps along the surface leave some of these points nearer than 1e-9
+    assert np.array_equal(inside_by_winding(points, vertices, faces), truth > 0)
+
+
 @pytest.mark.statement(9, oracle="exact fractions")
 @given(st.sampled_from(sorted(OUTLINES)), COORDINATE, COORDINATE, COORDINATE, st.floats(-1e-12, 1e-12))
 def test_a_point_ever_so_little_off_the_grid_is_known_by_parity(name, x, y, z, off):
