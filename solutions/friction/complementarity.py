@@ -68,7 +68,7 @@ def solve_by_sweeps(matrix: ArrayLike, offset: ArrayLike, sweeps: int, start: Ar
 
 
 def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
-    """Forces by Lemke's method, (..., m): exact to rounding after finitely many exchanges.
+    """Forces by Lemke's method, (..., m): exact but for rounding, after finitely many exchanges.
 
     An artificial force z on all rows, w = A f + b + z ≥ 0, makes f = 0 a solution. Then f_i and w_i take turns: what
     left last lets its partner in, until z itself leaves. Ties are broken by the columns of w in their order

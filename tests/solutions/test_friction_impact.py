@@ -194,6 +194,21 @@ def test_without_friction_only_the_normal_takes_part(seed, speed, restitution):
     assert j == pytest.approx((1 + restitution) * speed / k[2, 2] * UP, rel=1e-13)
 
 
+def test_in_space_friction_is_only_near_to_the_opposite_of_the_slip_that_is_left():
+    off = []
+    for seed in range(400):
+        k, u = point_inverse_mass(*body(seed)), np.random.default_rng(seed).normal(size=3)
+        u[2] = -abs(u[2])
+        j = friction_impulse(u, UP, k, 0.5, 0.2)
+        left = u + k @ j
+        if np.linalg.norm(left[:2]) > 1e-6:
+            cosine = -(left[:2] @ j[:2]) / np.linalg.norm(left[:2]) / np.linalg.norm(j[:2])
+            off.append(math.degrees(math.acos(min(1.0, cosine))))
+    # the limit of the method, as it is: an exact law would have zero
+    assert np.median(off) == pytest.approx(6, abs=2)
+    assert 30 < max(off) < 90  # never along the slip
+
+
 # Energy
 
 
