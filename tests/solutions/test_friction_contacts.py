@@ -108,7 +108,7 @@ def test_sweeping_comes_to_the_same_forces(seed):
     root = np.sqrt(weights)
     other = optimize.lsq_linear(root @ g.T, -root @ force, bounds=(0, np.inf), method="bvls", tol=1e-14).x
     # linear convergence, by some hundredths a sweep at worst; a residual of r leaves r over the least eigenvalue, 1
-    assert solve_by_sweeps(a, b, 1000) == pytest.approx(other, abs=1e-6)
+    assert solve_by_sweeps(a, b, 1000) == pytest.approx(other, abs=1e-9)
     few = [complementarity_residual(a, b, solve_by_sweeps(a, b, sweeps)) for sweeps in (10, 300)]
     assert few[1] <= few[0] + 1e-12
     assert solve_by_sweeps(a, b, 1, start=other) == pytest.approx(other, abs=1e-9)  # a good start stays

@@ -20,6 +20,7 @@ from solutions.friction import (
     friction_force,
     holds,
     normal_force,
+    sliding_motion,
     stick_slip_times,
 )
 
@@ -313,6 +314,8 @@ def test_as_printed_static_friction_sets_an_unpushed_block_in_motion():
         (lambda: holds(X, 1.0, -0.5), "static_friction"),
         (lambda: holds(X[:2], 1.0, 0.5), "push"),
         (lambda: friction_force(X, STILL, 1.0, 0.5, -0.1), "kinetic_friction"),
+        (lambda: sliding_motion(X, X, X, 1.0, 0.5, 0.1, 0.0, 1.0), "mass"),
+        (lambda: sliding_motion(X, X, X, 1.0, 0.5, 0.1, 1.0, -1.0), "dt"),
     ],
 )
 def test_what_is_no_support_is_refused_by_name(call, name):
