@@ -18,6 +18,7 @@ from solutions.sweeping import (
     sweep_convex,
     sweep_oriented_boxes,
     sweep_sphere_sphere,
+    sweep_sphere_triangle,
     vertex_face_impact,
 )
 
@@ -348,6 +349,23 @@ def test_bodies_that_do_not_turn_meet_when_rays_and_axes_say():
         assert 10 < hit.sum() < 60
         # near a graze the tolerance is used up at a slow approach: 1e-6 m at some 1e-2 m/s
         assert np.abs(ours[hit] - theirs[hit]).max() < 1e-4
+
+
+@pytest.mark.statement(10, oracle="the slab test and the rays, which know no turning")
+def test_flat_boxes_that_meet_face_to_face_and_balls_on_triangles_are_neither_missed_nor_late():
+    rng = np.random.default_rng(10)
+    x, v, half_a, half_b = (rng.integers(low, high, (400, 3)) / 4 for low, high in ((-12, 13),) * 2 + ((0, 5),) * 2)
+    true, _ = sweep_boxes(x, v, half_a, STILL, STILL, half_b, 1.0)  # sheets, segments and points among them
+    boxes = sweep_convex(2 * CUBE * half_a[:, None], x, v, STILL, 0, 2 * CUBE * half_b[:, None], *[STILL] * 3, 0, 1.0)
+    corners, u = rng.uniform(-1, 1, (400, 3, 3)), rng.uniform(-1, 1, (400, 3)) - x
+    rays = sweep_sphere_triangle(x, u, 0.3, corners, 1.0)
+    balls = sweep_convex([STILL], x, u, STILL, 0.3, corners, STILL, STILL, STILL, 0.0, 1.0)
+    for ours, expected in ((boxes, true), (balls, rays)):
+        hit = np.isfinite(expected)
+        assert hit.sum() > 30
+        assert np.array_equal(np.isfinite(ours), hit)
+        assert np.all(ours <= expected)
+        assert np.all(ours[hit] >= expected[hit] - 1e-4)  # 1e-6 m at the slowest approach of some 1e-2 m/s
 
 
 def test_bodies_that_overlap_part_or_stand_still_have_their_answer():
