@@ -533,3 +533,22 @@ def test_a_crowd_step_leaves_what_enters_as_it_was_and_refuses_nonsense():
             args[place] = value
         with pytest.raises(ValueError, match=complaint):
             crowd_step(*args)
+
+
+def test_many_wishes_speeds_or_borders_beside_one_of_the_others_are_each_answered_as_alone():
+    wishes, speeds = np.array([(0.5, 1.0), (2.0, 0.0), (-1.0, -1.0)]), np.array([0.4, 1.0, 3.0])
+    point, normal = [(0.0, 0.25), (0.5, 0.0)], [(0.0, -1.0), (-1.0, 0.0)]
+    moved = np.array([(0.0, 0.0), (0.1, 0.2), (-0.3, 0.4)])[:, None] + point
+    for chosen in ((wishes, 3.0, point), ((0.5, 1.0), speeds, point), ((0.5, 1.0), 3.0, moved)):
+        wish, speed, points = (
+            np.broadcast_to(value, (3, *shape)) for value, shape in zip(chosen, ((2,), (), (2, 2)), strict=True)
+        )
+        alone = [permitted_velocity(*each, normal) for each in zip(wish, speed, points, strict=True)]
+        np.testing.assert_array_equal(permitted_velocity(*chosen, normal), alone)
+
+
+def test_large_slow_discs_see_each_other_before_they_touch():
+    # 0.15 m between their rims, and 0.2 m to lose within the horizon of 1 s: each may come 0.075 m nearer, no more.
+    position, wish = [(-2.075, 0.0), (2.075, 0.0)], np.array([(0.1, 0.0), (-0.1, 0.0)])
+    _, velocity = crowd_step(position, wish, wish, 2.0, 0.1, 1.0, 0.1)
+    np.testing.assert_allclose(velocity, 0.75 * wish, atol=1e-12)  # rounding of 4 m in a difference of 0.15 m
