@@ -8,6 +8,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from reference.scenarios import tunnelling
 from solutions.detection import is_colliding, missing_probability, overlap_interval, side_of_plane, substeps_needed
 
 EPSILON = np.finfo(float).eps
@@ -183,7 +184,6 @@ def test_a_table_tennis_ball_and_a_thin_wall():
 
 def test_an_engine_that_pushes_out_by_the_nearest_way_stops_fewer_than_a_test_for_overlap_sees():
     # What the comparison's thin wall expects of an engine: only w/2 + r of the way turns the ball back.
-    tunnelling = pytest.importorskip("reference.scenarios.tunnelling")
     speed, dt = 20.0, 0.01
     seen = missing_probability(speed, tunnelling.THICKNESS, tunnelling.RADIUS, dt)
     assert tunnelling.passing_share(speed, dt) == pytest.approx(0.875, abs=1e-12)
