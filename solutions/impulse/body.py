@@ -18,7 +18,8 @@ class Body(NamedTuple):
 
     velocity: (..., 3), v of the centre of mass, m/s. angular_velocity: (..., 3), ω in the world frame, rad/s.
     arm: (..., 3), r from the centre of mass to the contact, world frame, m. inverse_mass: (...), 1/M, 1/kg, 0 for an
-    immovable body. inverse_inertia: (..., 3, 3), I⁻¹(t) in the world frame, 1/(kg m²), 0 for what cannot be turned.
+    immovable body. inverse_inertia: (..., 3, 3), I⁻¹(t) in the world frame, symmetric, 1/(kg m²), 0 for what cannot be
+    turned.
     """
 
     velocity: ArrayLike
@@ -36,12 +37,14 @@ Arrays = tuple[Array, Array, Array, Array, Array]
 def checked(body: AnyBody) -> Arrays:
     """Return v, ω, r, 1/M and I⁻¹ as arrays; refuse what no body can have."""
     body = Body(*body)
+    inverse_inertia = matrix("inverse_inertia", body.inverse_inertia)
+    not_negative("diagonal of inverse_inertia", np.diagonal(inverse_inertia, axis1=-2, axis2=-1))
     return (
-        vector("velocity", body.velocity),
-        vector("angular_velocity", body.angular_velocity),
-        vector("arm", body.arm),
+        finite("velocity", vector("velocity", body.velocity)),
+        finite("angular_velocity", vector("angular_velocity", body.angular_velocity)),
+        finite("arm", vector("arm", body.arm)),
         finite("inverse_mass", not_negative("inverse_mass", body.inverse_mass)),
-        matrix("inverse_inertia", body.inverse_inertia),
+        inverse_inertia,
     )
 
 

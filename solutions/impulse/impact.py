@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import in_unit_interval, unit, vector
+from solutions.checks import finite, in_unit_interval, unit, vector
 from solutions.impulse.body import AnyBody, Arrays, checked, moved
 from solutions.impulse.momentum import contact_impulses
 from solutions.impulse.points import COLLIDING, classify_contact, normal_velocity, point_velocity
 
 Array = NDArray[np.float64]
-
-
+NO_LEVER = 1e-15
+"""Sine of the angle of arm and normal up to which r × n is rounding, and taken for zero."""
 Velocities = tuple[Array, Array, Array, Array]
 """v_A, ω_A, v_B, ω_B, (..., 3) each, m/s and rad/s."""
 
@@ -24,7 +24,8 @@ def inverse_effective_mass(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike) 
 
     A unit impulse n on A changes v_A by n/M_A and ω_A by I_A⁻¹(r_A × n), so the velocity of its point by
     n/M_A + (I_A⁻¹(r_A × n)) × r_A. On B all that has a minus, which the difference ṗ_A − ṗ_B takes away again. A body
-    that can turn gives way more easily at its rim: 1/k is never more than the mass of either.
+    that can turn gives way more easily at its rim: 1/k is never more than the mass of either. It is n·K n, with the
+    matrix K = K_A + K_B of `point_inverse_mass`, which friction needs whole; here it stays as one derives it.
 
     Parameters
     ----------
@@ -38,7 +39,8 @@ def inverse_effective_mass(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike) 
     Raises
     ------
     ValueError
-        If a normal has not length 1, an inverse mass is negative, or a mass or inertia is not finite or does not fit.
+        If a normal has not length 1, an inverse mass or the diagonal of an inverse inertia is negative, or something
+        is not finite or does not fit.
     """
     n = unit("normal", vector("normal", normal))
     return _softness(checked(body_a), n) + _softness(checked(body_b), n)
@@ -67,12 +69,13 @@ def impulse_magnitude(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, resti
     Returns
     -------
     (...), j, N s. It has no guard: of points that separate it is negative, an impulse that would pull them back;
-    `collide` has one. 0 where both are immovable, k = 0: no impulse stops them, and they go through each other.
+    `collide` has one. 0 where no impulse stops them, k = 0, and they go through each other: both are immovable, or
+    turn about pivots through which the normal goes.
 
     Raises
     ------
     ValueError
-        If e is not from 0 to 1, or as inverse_effective_mass and point_velocity.
+        If e is not from 0 to 1, or as inverse_effective_mass.
     """
     a, b, n = checked(body_a), checked(body_b), unit("normal", vector("normal", normal))
     e, k = in_unit_interval("restitution", restitution), _softness(a, n) + _softness(b, n)
@@ -101,9 +104,9 @@ def apply_impulse(body_a: AnyBody, body_b: AnyBody, impulse: ArrayLike) -> Veloc
     Raises
     ------
     ValueError
-        If an inverse mass is negative, a mass or inertia is not finite, or shapes do not fit.
+        As inverse_effective_mass, or if an impulse is not finite.
     """
-    a, b, impulse = checked(body_a), checked(body_b), vector("impulse", impulse)
+    a, b, impulse = checked(body_a), checked(body_b), finite("impulse", vector("impulse", impulse))
     (dv_a, dw_a), (dv_b, dw_b) = moved(a, impulse), moved(b, impulse)
     return a[0] + dv_a, a[1] + dw_a, b[0] - dv_b, b[1] - dw_b
 
@@ -125,12 +128,13 @@ def collide(
 
     Returns
     -------
-    v_A, ω_A, v_B, ω_B : (..., 3) each; of a pair that rests, grazes or separates unchanged, and so are two immovable
+    v_A, ω_A, v_B, ω_B : (..., 3) each; of a pair that rests, grazes or separates unchanged, and so of one that no
+        impulse stops, such as two immovable bodies
 
     Raises
     ------
     ValueError
-        If a velocity is not finite, a threshold is negative, or as impulse_magnitude.
+        If a threshold is negative, or as impulse_magnitude.
     """
     a, b, n = checked(body_a), checked(body_b), unit("normal", vector("normal", normal))
     colliding = classify_contact(_closing(a, b, n), threshold) == COLLIDING
@@ -142,7 +146,8 @@ def collide(
 def energy_lost(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, restitution: ArrayLike) -> Array:
     """Kinetic energy that an impact takes: ΔE = (1 − e²) u_n⁻²/(2k), with the k of `inverse_effective_mass`.
 
-    It is the energy of the closing motion of an effective mass 1/k, less that of the parting motion.
+    It is the energy of the closing motion of an effective mass 1/k, less that of the parting motion. An immovable body
+    that moves does work besides: beside one, ΔE is what an observer sees who moves along with its point of contact.
 
     Parameters
     ----------
@@ -166,9 +171,15 @@ def energy_lost(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, restitution
 
 
 def _softness(body: Arrays, normal: Array) -> Array:
-    """One body's part of k: 1/M + n·((I⁻¹(r × n)) × r)."""
+    """One body's part of k: 1/M + n·((I⁻¹(r × n)) × r).
+
+    A lever that is but rounding counts as none: it would give a body on a pivot, 1/M = 0, any spin there is.
+    """
+    r = body[2]
     dv, dw = moved(body, normal)
-    return np.asarray(np.vecdot(normal, dv + np.cross(dw, body[2])))
+    lever = np.linalg.norm(np.cross(r, normal), axis=-1) > NO_LEVER * np.linalg.norm(r, axis=-1)
+    turning = np.where(lever, np.vecdot(normal, np.cross(dw, r)), 0.0)
+    return np.asarray(np.vecdot(normal, dv) + turning)
 
 
 def _closing(a: Arrays, b: Arrays, normal: Array) -> Array:

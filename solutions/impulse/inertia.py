@@ -49,7 +49,7 @@ def box_inertia(mass: ArrayLike, size: ArrayLike) -> Array:
         If the mass is not positive, or a size is negative, not finite or has not three components.
     """
     squared = finite("size", not_negative("size", vector("size", size))) ** 2
-    return _moments(mass, (squared.sum(axis=-1, keepdims=True) - squared) / 12)
+    return _moments(mass, (squared[..., [1, 0, 0]] + squared[..., [2, 2, 1]]) / 12)
 
 
 def rod_inertia(mass: ArrayLike, length: ArrayLike) -> Array:

@@ -9,7 +9,7 @@ from solutions.checks import finite, vector
 
 Array = NDArray[np.float64]
 PARALLEL = 1e-9
-"""Sine of the angle of two edges up to which they count as parallel: their cross product is rounding by then."""
+"""Sine of the angle of two edges up to which they count as parallel: of their normal rounding leaves seven digits."""
 
 
 def point_plane_normal(plane_normal: ArrayLike, centre_a: ArrayLike, centre_b: ArrayLike) -> Array:
@@ -32,11 +32,7 @@ def point_plane_normal(plane_normal: ArrayLike, centre_a: ArrayLike, centre_b: A
     ValueError
         If a normal is zero, or an argument is not finite or has not three components.
     """
-    n = finite("plane_normal", vector("plane_normal", plane_normal))
-    length = np.linalg.norm(n, axis=-1, keepdims=True)
-    if np.any(length == 0):
-        raise ValueError("plane_normal is zero: the plane has no direction")
-    return _towards_a(n / length, centre_a, centre_b)
+    return _towards_a(_direction("plane_normal", plane_normal), centre_a, centre_b)
 
 
 def edge_edge_normal(edge_a: ArrayLike, edge_b: ArrayLike, centre_a: ArrayLike, centre_b: ArrayLike) -> Array:
@@ -60,7 +56,7 @@ def edge_edge_normal(edge_a: ArrayLike, edge_b: ArrayLike, centre_a: ArrayLike, 
         If the edges are parallel, sin φ ≤ 1e-9, or one is zero; or an argument is not finite or has not three
         components.
     """
-    a, b = (_direction("edge_a", edge_a), _direction("edge_b", edge_b))
+    a, b = _direction("edge_a", edge_a), _direction("edge_b", edge_b)
     across = np.cross(a, b)
     sine = np.linalg.norm(across, axis=-1, keepdims=True)
     parallel = sine[..., 0] <= PARALLEL
@@ -70,12 +66,14 @@ def edge_edge_normal(edge_a: ArrayLike, edge_b: ArrayLike, centre_a: ArrayLike, 
     return _towards_a(across / sine, centre_a, centre_b)
 
 
-def _direction(name: str, edge: ArrayLike) -> Array:
-    edge = finite(name, vector(name, edge))
-    length = np.linalg.norm(edge, axis=-1, keepdims=True)
-    if np.any(length == 0):
-        raise ValueError(f"{name} is zero: the edge has no direction")
-    return np.asarray(edge / length)
+def _direction(name: str, value: ArrayLike) -> Array:
+    """The vector over its length; first over its largest component, so that no square over- or underflows."""
+    given = finite(name, vector(name, value))
+    largest = np.max(np.abs(given), axis=-1, keepdims=True)
+    if np.any(largest == 0):
+        raise ValueError(f"{name} is zero: it has no direction")
+    scaled = given / largest
+    return np.asarray(scaled / np.linalg.norm(scaled, axis=-1, keepdims=True))
 
 
 def _towards_a(normal: Array, centre_a: ArrayLike, centre_b: ArrayLike) -> Array:

@@ -185,6 +185,20 @@ def test_the_normal_of_two_edges_is_a_unit_vector_square_to_both_that_points_to_
         assert edge_edge_normal(edge_b, -2 * edge_a, b, a) == pytest.approx(-n, abs=2 * rounding)
 
 
+@pytest.mark.parametrize("size", [1e-300, 1e-170, 1e-6, 1e6, 1e200])
+def test_a_normal_does_not_depend_on_how_long_the_vectors_are(size):
+    assert point_plane_normal((0, 3 * size, -4 * size), UP, (0, 0, 0)).tolist() == [0, -0.6, 0.8]
+    assert edge_edge_normal((size, 0, 0), (0, 3 * size, 4 * size), UP, (0, 0, 0)).tolist() == [0, -0.8, 0.6]
+    assert edge_edge_normal((0, 3.0, 4.0), (size, 0, 0), (0, 0, 0), UP).tolist() == [0, 0.8, -0.6]
+
+
+def test_one_plane_has_its_normal_for_every_pair_of_bodies_on_it():
+    above_and_below = [[0.0, 0, 1], [0.0, 0, -1]]
+    assert point_plane_normal(UP, above_and_below, (0, 0, 0)).tolist() == above_and_below
+    assert edge_edge_normal((1, 0, 0), (0, 1, 0), above_and_below, (0, 0, 0)).tolist() == above_and_below
+    assert point_plane_normal(np.zeros((0, 3)), UP, (0, 0, 0)).shape == (0, 3)
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from solutions import as_printed
+from solutions.friction import point_inverse_mass
 from solutions.impulse import (
     Body,
     apply_impulse,
@@ -288,6 +289,37 @@ def test_without_friction_a_spinning_ball_dropped_on_the_floor_does_not_hop_forw
     assert after[1].tolist() == [0, 50, 0]
 
 
+@given(SCENE)
+def test_the_denominator_is_what_the_matrix_of_the_contact_gives_along_the_normal(scene):
+    k = sum(point_inverse_mass(body.inverse_mass, body.inverse_inertia, body.arm) for body in scene.body)
+    # Two sums of the same terms; what they cancel is a share of the largest
+    scale = np.abs(k).max()
+    found = inverse_effective_mass(*scene.body, scene.normal)
+    assert found == pytest.approx(scene.normal @ k @ scene.normal, abs=1e-14 * scale)
+
+
+@given(SCENE, RESTITUTION, *[st.integers(-20, 20)] * 3)
+def test_bodies_of_any_size_mass_and_speed_collide_alike(scene, e, metres, kilograms, seconds):
+    # Powers of two, up to 1e6 and down to 1e-6: the numbers scale without rounding, and so must the answers
+    length, mass, time = 2.0**metres, 2.0**kilograms, 2.0**seconds
+    scaled = [
+        Body(
+            np.multiply(body.velocity, length / time),
+            np.multiply(body.angular_velocity, 1 / time),
+            np.multiply(body.arm, length),
+            body.inverse_mass / mass,
+            np.multiply(body.inverse_inertia, 1 / (mass * length**2)),
+        )
+        for body in scene.body
+    ]
+    factors = (length / time, 1 / time) * 2
+    for found, here, factor in zip(collide(*scaled, scene.normal, e), scene.after(e), factors, strict=True):
+        assert np.array_equal(found, here * factor)
+    j, lost = impulse_magnitude(*scene.body, scene.normal, e), energy_lost(*scene.body, scene.normal, e)
+    assert impulse_magnitude(*scaled, scene.normal, e) == j * mass * length / time
+    assert energy_lost(*scaled, scene.normal, e) == lost * mass * (length / time) ** 2
+
+
 @pytest.mark.statement(21, oracle="velocities and momenta, two ways to the same")
 @given(FREE, RESTITUTION)
 def test_the_slides_way_over_p_and_l_gives_the_same_velocities(scene, e):
@@ -355,6 +387,19 @@ def test_a_batch_of_impacts_is_the_impacts_one_by_one(seed):
             assert found[index] == pytest.approx(here, abs=1e-13)  # a matrix product of many may add in another order
 
 
+def test_every_body_of_one_row_meets_every_body_of_another_and_none_makes_none():
+    rows = [Scene(seed, ("box", "box"), "any") for seed in range(3)]
+    column = Body(*(np.array(parts)[:, None] for parts in zip(*(scene.body[0] for scene in rows[:2]), strict=True)))
+    row = Body(*(np.array(parts) for parts in zip(*(scene.body[1] for scene in rows), strict=True)))
+    together = collide(column, row, UP, [0.0, 0.5, 1.0])
+    for i, j in np.ndindex(2, 3):
+        alone = collide(rows[i].body[0], rows[j].body[1], UP, 0.5 * j)
+        for found, here in zip(together, alone, strict=True):
+            assert found[i, j] == pytest.approx(here, abs=1e-13)  # as above
+    none = np.zeros((0, 3))
+    assert [part.shape for part in collide(Body(none, none, none, 1.0, np.eye(3)), GROUND, UP, 0.5)] == [(0, 3)] * 4
+
+
 def test_many_balls_on_one_floor_need_no_copies_of_the_floor():
     velocity = np.array([[0, 0, -1.0], [0, 0, -2.0], [0, 0, 3.0]])
     found, _, floor, _ = collide(ball(velocity, 1.0, -0.1 * UP), GROUND, UP, (1.0, 0.5, 0.5))
@@ -413,6 +458,26 @@ def test_a_door_that_can_turn_but_not_leave_gives_way_by_its_moment_alone():
     assert v_ball == pytest.approx([0, 2 - j / 0.5, 0], abs=1e-15)  # a few roundings of numbers below 3
     assert spin == pytest.approx([0, 0, width * j * 3 / (mass * width**2)], abs=1e-15)
     assert v_door.tolist() == [0, 0, 0]
+
+
+def test_no_impulse_stops_a_body_on_a_pivot_that_is_struck_straight_towards_it():
+    # r × n = 0 but for rounding, and 1/M = 0: what is left of k would be rounding, and j up to 1e33
+    for seed in range(20):
+        rng = np.random.default_rng(seed)
+        n, turn = _unit(rng.normal(size=3)), rotation_matrix(_unit(rng.normal(size=4)))
+        pivoted = Body(-n, rng.normal(size=3), 0.7 * n, 0.0, turn @ np.diag([1.0, 2.0, 3.0]) @ turn.T)
+        assert inverse_effective_mass(pivoted, GROUND, n) == 0
+        assert impulse_magnitude(pivoted, GROUND, n, 0.5) == 0
+        assert energy_lost(pivoted, GROUND, n, 0.5) == 0
+        for found, before in zip(collide(pivoted, GROUND, n, 0.5), (*pivoted[:2], STILL, STILL), strict=True):
+            assert np.array_equal(found, before)
+        # A lever of a millionth of the arm is one: the body yields, and the contact parts as asked
+        aside = 1e-6 * _unit(np.cross(n, rng.normal(size=3)))
+        slightly = pivoted._replace(velocity=STILL, angular_velocity=STILL, arm=0.7 * (n + aside))
+        lever = np.cross(slightly.arm, n)
+        expected = lever @ pivoted.inverse_inertia @ lever
+        # The lever is rounded by 1e-16 of the arm, 1e-10 of itself
+        assert inverse_effective_mass(slightly, GROUND, n) == pytest.approx(expected, rel=1e-8)
 
 
 def test_a_racket_that_nothing_stops_gives_the_ball_its_own_speed_twice():
@@ -492,11 +557,19 @@ def test_dropping_the_time_dependence_leaves_out_the_weight_times_the_length_of_
         (lambda: collide(GROUND._replace(inverse_mass=-1), GROUND, UP, 0.5), "inverse_mass must be zero or positive"),
         (lambda: collide(GROUND, GROUND._replace(inverse_mass=math.inf), UP, 0.5), "inverse_mass must be finite"),
         (lambda: collide(GROUND._replace(inverse_inertia=1.0), GROUND, UP, 0.5), "inverse_inertia must have shape"),
-        (lambda: collide(GROUND._replace(velocity=(0, 0, math.nan)), GROUND, UP, 0.5), "normal_velocity must be fini"),
+        (lambda: collide(GROUND._replace(velocity=(0, 0, math.nan)), GROUND, UP, 0.5), "^velocity must be finite"),
+        (lambda: collide(GROUND._replace(angular_velocity=(0, math.inf, 0)), GROUND, UP, 0.5), "angular_velocity must"),
+        (lambda: impulse_magnitude(GROUND, GROUND._replace(arm=(0, math.nan, 0)), UP, 0.5), "arm must be finite"),
+        (lambda: energy_lost(GROUND._replace(arm=(0, math.nan, 0)), GROUND, UP, 0.5), "arm must be finite"),
+        (
+            lambda: impulse_magnitude(GROUND._replace(inverse_inertia=-3 * np.eye(3)), GROUND, UP, 0.5),
+            "diagonal of inverse_inertia must be zero or positive, not -3",
+        ),
         (lambda: collide(GROUND._replace(arm=1.0), GROUND, UP, 0.5), "arm must have shape"),
         (lambda: collide(GROUND._replace(angular_velocity=1.0), GROUND, UP, 0.5), "angular_velocity must have shape"),
         (lambda: collide(GROUND._replace(velocity=1.0), GROUND, UP, 0.5), "velocity must have shape"),
         (lambda: apply_impulse(GROUND, GROUND, 1.0), "impulse must have shape"),
+        (lambda: apply_impulse(GROUND, GROUND, (0, 0, math.nan)), "impulse must be finite"),
     ],
 )  # fmt: skip
 def test_what_makes_no_sense_is_refused_by_name_and_value(call, message):

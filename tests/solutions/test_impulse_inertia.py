@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -62,6 +63,13 @@ def test_moments_are_the_sums_over_many_small_parts_of_the_body():
     assert sphere_inertia(mass, 1.0) == pytest.approx(moments(inside, mass / len(inside)), rel=1e-2)
     line = np.outer((np.arange(50) + 0.5) / 50 - 0.5, (0, 0, 2.0))
     assert rod_inertia(mass, 2.0) == pytest.approx(moments(line, mass / 50), rel=5e-4)
+
+
+@given(st.tuples(*[st.floats(1e-9, 1e9)] * 3))
+def test_the_moments_of_the_thinnest_box_are_right_to_the_last_digit(size):
+    # m (b² + c²)/12 about a: taken as (a² + b² + c²) − a² a needle would have lost its own moment to rounding
+    exact = [sum(Fraction(x) ** 2 for x in size) - Fraction(own) ** 2 for own in size]
+    assert box_inertia(12.0, size) == pytest.approx([float(moment) for moment in exact], rel=1e-15)
 
 
 def test_moments_of_inertia_of_mujocos_ball_and_box():
