@@ -20,6 +20,18 @@ def rotate(orientation: Array, vector: Array) -> Array:
     return np.asarray(vector + w * twice + np.cross(q, twice))
 
 
+def turned(orientation: Array, rotation: Array) -> Array:
+    """Orientations (..., 4), w x y z, after a turn by the vectors `rotation` (..., 3), rad, about the world's axes.
+
+    It is the Hamilton product of (cos θ/2, sin θ/2 · axis) and the orientation.
+    """
+    angle = np.linalg.norm(rotation, axis=-1, keepdims=True)
+    w, q = np.cos(angle / 2), rotation * np.sinc(angle / (2 * np.pi)) / 2
+    w_before, q_before = orientation[..., :1], orientation[..., 1:]
+    scalar = w * w_before - np.sum(q * q_before, axis=-1, keepdims=True)
+    return np.concatenate([scalar, w * q_before + w_before * q + np.cross(q, q_before)], axis=-1)
+
+
 def quaternion_between(start: Array, end: Array) -> Array:
     """The shortest rotation, w x y z, that turns the unit vector `start` (3,) into the unit vector `end` (3,)."""
     w = 1 + float(np.dot(start, end))
@@ -84,9 +96,17 @@ def _out_of(body: Body, place: Array) -> float:
     """How far a place, seen from the body's centre, lies outside a sphere or a box, m; negative inside."""
     if isinstance(body.shape, Sphere):
         return float(np.linalg.norm(place)) - body.shape.radius
-    own = rotate(np.array([body.orientation]) * np.array([1.0, -1.0, -1.0, -1.0]), place[None])[0]
-    beyond = np.abs(own) - np.array(body.shape.half_extents)  # type: ignore[union-attr]
-    return float(np.linalg.norm(np.maximum(beyond, 0.0)) + min(np.max(beyond), 0.0))
+    return float(out_of_box(place, np.array(body.orientation), np.array(body.shape.half_extents)))  # type: ignore[union-attr]
+
+
+def out_of_box(place: Array, orientation: Array, half_extents: Array) -> Array:
+    """How far places (..., 3), seen from a box's centre, lie outside it, (...), m; negative inside.
+
+    orientation: (..., 4), the box's. half_extents: (3,), m.
+    """
+    own = rotate(orientation * np.array([1.0, -1.0, -1.0, -1.0]), place)
+    beyond = np.abs(own) - half_extents
+    return np.asarray(np.linalg.norm(np.maximum(beyond, 0.0), axis=-1) + np.minimum(np.max(beyond, axis=-1), 0.0))
 
 
 def touching(scenario: Scenario, tolerance: float = 1e-6) -> list[tuple[Body, Body]]:

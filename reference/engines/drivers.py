@@ -6,20 +6,14 @@ All physics is asked of the implementation's functions; the loops only say when.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from reference.errors import InvalidInput
+from reference.engines.stepping import Array, Mask, policy_of, record, start
 from reference.implementation import Implementation
 from reference.scenario import Pair, Scenario
 from reference.settings import Settings
 from reference.trajectory import Event, Trajectory
-
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
-_ROUNDING = 1e-9  # lengths, speeds and sines below this are zero
 
 
 class _Batch:
@@ -36,11 +30,14 @@ class _Batch:
         self.offset = -np.sum(self.normal * np.array([plane.position for plane in planes]), axis=1)
         self.pairs: list[Pair] = [scenario.pairs[0] for scenario in scenarios]
         self.events: list[list[Event]] = [[] for _ in scenarios]
+        self._start = start(scenarios)
+        self._moving = [scenario.bodies.index(body) for scenario, body in zip(scenarios, self.bodies, strict=True)]
 
-    def state(self) -> tuple[bytes, bytes, int]:
-        """All that a step can change: positions, velocities and the number of events."""
-        position, velocity = np.asarray(self.position), np.asarray(self.velocity)  # hand-written code may give lists
-        return position.tobytes(), velocity.tobytes(), sum(map(len, self.events))
+    def states(self) -> Array:
+        """Of all bodies the 13 numbers that a sample keeps, (N, 2, 13)."""
+        states, every = self._start.copy(), np.arange(len(self._moving))
+        states[every, self._moving, :3], states[every, self._moving, 7:10] = self.position, self.velocity
+        return states
 
     def report(self, mask: Mask, time: Array, kind: str) -> None:
         """Note an event at `time` (N,) for the members in the mask."""
@@ -121,7 +118,7 @@ def bounce(
         "interpolated": lambda time: step_through_impacts(time, until_slides_t),
         "at_step": respond_or_step,
     }
-    return _record(engine, batch, scenarios, settings, steps, _policy(policies, settings))
+    return record(engine, scenarios, settings, steps, batch.states, policy_of(policies, settings), batch.events)
 
 
 def slide(
@@ -154,68 +151,4 @@ def slide(
         batch.position = batch.position + batch.velocity * dt
 
     policies: dict[str, Callable[[float], None]] = {"exact_root": step_exactly, "at_step": step_semi_implicitly}
-    return _record(engine, batch, scenarios, settings, steps, _policy(policies, settings))
-
-
-def _policy(policies: dict[str, Callable[[float], None]], settings: Settings) -> Callable[[float], None]:
-    name = str(settings["policy"])
-    if name not in policies:
-        raise InvalidInput(f"policy is {name!r}; here it is one of {', '.join(policies)}")
-    return policies[name]
-
-
-def _record(
-    engine: str,
-    batch: _Batch,
-    scenarios: Sequence[Scenario],
-    settings: Settings,
-    steps: list[int],
-    step: Callable[[float], None],
-) -> list[Trajectory]:
-    """Step, sample, and hand every scenario its own trajectory, cut after its own number of steps."""
-    every, samples = settings.sample_every, [(batch.position, batch.velocity)]
-    for number in range(max(steps)):
-        before = batch.state()
-        step(number * settings.timestep)
-        if (number + 1) % every == 0:
-            samples.append((batch.position, batch.velocity))
-        if batch.state() == before:
-            break  # forces hang on the state alone: where a step changes nothing, no later one will
-    samples += [(batch.position, batch.velocity)] * (1 + max(steps) // every - len(samples))
-    states: Array = np.array(samples, dtype=np.float64)  # (samples, position and velocity, scenarios, 3)
-    times: Array = np.arange(len(samples), dtype=np.float64) * every * settings.timestep
-    found = []
-    for member, scenario in enumerate(scenarios):
-        count = 1 + steps[member] // every
-        position, velocity = states[:count, 0, member], states[:count, 1, member]
-        found.append(_trajectory(engine, scenario, settings, times[:count], position, velocity, batch.events[member]))
-    return found
-
-
-def _trajectory(
-    engine: str,
-    scenario: Scenario,
-    settings: Settings,
-    times: Array,
-    position: Array,
-    velocity: Array,
-    events: list[Event],
-) -> Trajectory:
-    moving = next(place for place, body in enumerate(scenario.bodies) if not body.immovable)
-    states: dict[str, Any] = {
-        name: np.repeat(np.array([[getattr(body, name) for body in scenario.bodies]]), len(times), axis=0)
-        for name in ("position", "orientation", "velocity", "angular_velocity")
-    }
-    states["position"][:, moving], states["velocity"][:, moving] = position, velocity
-    kept = tuple(event for event in events if event.time <= times[-1])
-    return Trajectory(
-        scenario,
-        settings,
-        engine,
-        times,
-        states["position"],
-        states["orientation"],
-        states["velocity"],
-        states["angular_velocity"],
-        events=kept,
-    )
+    return record(engine, scenarios, settings, steps, batch.states, policy_of(policies, settings), batch.events)

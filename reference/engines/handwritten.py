@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from reference.engines import drivers
+from reference.engines import drivers, impacts, rows
 from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
-from reference.engines.kinds import kind
+from reference.engines.kinds import Kind, kind
 from reference.errors import InvalidInput, NeedsFunction
-from reference.scenario import Box, Scenario, Sphere
+from reference.scenario import Scenario
 from reference.settings import Settings
 from reference.trajectory import Trajectory
 
@@ -18,6 +18,14 @@ POLICIES = {
     "exact_root": EXACT,
     "interpolated": INTERPOLATED,
     "at_step": AT_STEP,
+}
+
+DRIVERS = {
+    Kind.BOUNCE: drivers.bounce,
+    Kind.SLIDE: drivers.slide,
+    Kind.BALLS: impacts.strike_ball,
+    Kind.FACE: impacts.strike_face,
+    Kind.ROW: rows.cradle,
 }
 
 
@@ -35,7 +43,7 @@ class Handwritten(Engine):
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
         """Exact root as `tuned`, the plainest policy as `stock`; the slide's T where something falls on a plane."""
         found = {"tuned": "exact root"}
-        if kind(scenario) is Sphere:
+        if kind(scenario) is Kind.BOUNCE:
             found["slide"] = "the slide's T"
         return found | {"stock": "respond at the step"}
 
@@ -44,7 +52,7 @@ class Handwritten(Engine):
         self.check_profile(scenario, profile)
         policy = {"tuned": "exact_root", "slide": "interpolated", "stock": "at_step"}[profile]
         options: dict[str, float | str] = {"policy": policy}
-        if kind(scenario) is Sphere:
+        if kind(scenario) is Kind.BOUNCE:
             # The exact root follows the bounces down to rounding. A flight within one step starts and ends on the
             # plane: the slide's T cannot see it. At the step, even a flight of two steps is lost in the overlap.
             options["shortest_flight"] = {"exact_root": 1e-9, "interpolated": 1.0, "at_step": 2.0}[policy]
@@ -58,7 +66,7 @@ class Handwritten(Engine):
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
         """Refuse also a `shortest_flight` below the one step that the slide's T can see."""
-        if settings["policy"] == "interpolated" and kind(scenario) is Sphere:
+        if settings["policy"] == "interpolated" and kind(scenario) is Kind.BOUNCE:
             shortest = settings.number("shortest_flight")
             if shortest < 1:
                 raise InvalidInput(f"shortest_flight is {shortest:g}; with the policy interpolated it is at least 1")
@@ -72,11 +80,10 @@ class Handwritten(Engine):
         """Run a batch of scenarios of one kind side by side, in arrays."""
         steps = [self.check_settings(scenario, settings) for scenario in scenarios]
         kinds = {kind(scenario) for scenario in scenarios}
-        if kinds == {Sphere}:
-            return drivers.bounce(self.name, scenarios, settings, steps, self.implementation)
-        if kinds == {Box}:
-            return drivers.slide(self.name, scenarios, settings, steps, self.implementation)
-        raise NeedsFunction("needs a rigid-body world (world)")
+        for each, driver in DRIVERS.items():
+            if kinds == {each}:
+                return driver(self.name, scenarios, settings, steps, self.implementation)
+        raise NeedsFunction(impacts.NEEDS_A_WORLD)
 
 
 ENGINE = Handwritten
