@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.checks import finite, not_negative
+
 Array = NDArray[np.float64]
 ROUNDING = 1e-11
 """Below this share of the largest number a number of Lemke's table counts as zero."""
@@ -14,7 +16,7 @@ def complementarity_residual(matrix: ArrayLike, offset: ArrayLike, force: ArrayL
     """How far forces are from a solution: the largest |min(A_ii f_i, (A f + b)_i)|, (...), m/s². Zero solves it.
 
     Of the two numbers, in the same unit, the smaller one has to be zero: negative it breaks an inequality, positive the
-    product.
+    product. Of a contact that moves nothing, A_ii = 0, the first one is f_i itself.
 
     Parameters
     ----------
@@ -25,12 +27,12 @@ def complementarity_residual(matrix: ArrayLike, offset: ArrayLike, force: ArrayL
     Raises
     ------
     ValueError
-        If the shapes do not fit.
+        If the shapes do not fit, a number is not finite, or an A_ii is negative.
     """
     a, b = _checked(matrix, offset)
-    f = np.asarray(force, dtype=float)
-    own = np.diagonal(a, axis1=-2, axis2=-1) * f
-    return np.asarray(np.max(np.abs(np.minimum(own, np.matvec(a, f) + b)), axis=-1, initial=0.0))
+    f, own = finite("force", force), np.diagonal(a, axis1=-2, axis2=-1)
+    pressed = np.where(own > 0, own, 1.0) * f
+    return np.asarray(np.max(np.abs(np.minimum(pressed, np.matvec(a, f) + b)), axis=-1, initial=0.0))
 
 
 def solve_by_sweeps(matrix: ArrayLike, offset: ArrayLike, sweeps: int, start: ArrayLike = 0.0) -> Array:
@@ -54,10 +56,11 @@ def solve_by_sweeps(matrix: ArrayLike, offset: ArrayLike, sweeps: int, start: Ar
     Raises
     ------
     ValueError
-        If the shapes do not fit.
+        If the shapes do not fit, a number is not finite, or an A_ii is negative.
     """
     a, b = _checked(matrix, offset)
-    f = np.array(np.broadcast_to(np.asarray(start, dtype=float), np.broadcast_shapes(a.shape[:-1], b.shape)))
+    start = finite("start", start)
+    f = np.array(np.broadcast_to(start, np.broadcast_shapes(a.shape[:-1], b.shape, start.shape)))
     own = np.diagonal(a, axis1=-2, axis2=-1)
     softness = np.where(own > 0, 1 / np.where(own > 0, own, 1.0), 0.0)
     for _ in range(sweeps):
@@ -86,10 +89,12 @@ def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
     Raises
     ------
     ValueError
-        If the shapes do not fit or there are no such forces, as for contacts that are forced into one another.
+        If the shapes do not fit, a number is not finite, or an A_ii is negative; or if there are no such forces, as for
+        contacts that are forced into one another. Rounding hides them as well where one body is some 1e10 times as
+        heavy as another: A is taken over its largest number.
     """
     a, b = _checked(matrix, offset)
-    return np.asarray(np.vectorize(_lemke, signature="(m,m),(m)->(m)")(a, b))
+    return np.asarray(np.vectorize(_lemke, otypes=[float], signature="(m,m),(m)->(m)")(a, b))
 
 
 def _lemke(a: Array, b: Array) -> Array:
@@ -138,6 +143,5 @@ def _checked(matrix: ArrayLike, offset: ArrayLike) -> tuple[Array, Array]:
     a, b = np.asarray(matrix, dtype=float), np.asarray(offset, dtype=float)
     if a.ndim < 2 or b.ndim < 1 or a.shape[-2:] != (b.shape[-1], b.shape[-1]):
         raise ValueError(f"matrix must be (..., m, m) for an offset (..., m), not {a.shape} for {b.shape}")
-    if not (np.all(np.isfinite(a)) and np.all(np.isfinite(b))):
-        raise ValueError("matrix and offset must be finite")
-    return a, b
+    not_negative("diagonal of matrix", np.diagonal(finite("matrix", a), axis1=-2, axis2=-1))
+    return a, finite("offset", b)

@@ -8,6 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.checks import not_negative, unit, vector
 
 Array = NDArray[np.float64]
+SQUARE_TOLERANCE = 1e-6
+"""How far the cosine of two axes at right angles may be from 0: single precision passes."""
 
 
 def clamp_to_circle(tangent_force: ArrayLike, limit: ArrayLike) -> Array:
@@ -43,9 +45,12 @@ def clamp_to_square(tangent_force: ArrayLike, limit: ArrayLike, axis_x: ArrayLik
     Raises
     ------
     ValueError
-        If a limit is negative, an axis has not length 1, or a vector has not three components.
+        If a limit is negative, an axis has not length 1, the axes are not at right angles, or a vector has not three
+        components.
     """
     force, most = vector("tangent_force", tangent_force), not_negative("limit", limit)
     axes = (unit("axis_x", vector("axis_x", axis_x)), unit("axis_y", vector("axis_y", axis_y)))
+    if np.any(np.abs(np.vecdot(*axes)) > SQUARE_TOLERANCE):
+        raise ValueError("axis_x and axis_y must be at right angles")
     x, y = (np.clip(np.vecdot(force, axis), -most, most)[..., None] * axis for axis in axes)
     return np.asarray(x + y)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import not_negative, vector
+from solutions.checks import finite, not_negative, unit, vector
 from solutions.friction.cone import clamp_to_circle
+from solutions.impulse.momentum import matrix
 
 Array = NDArray[np.float64]
 
@@ -24,18 +25,19 @@ def contact_jacobian(
     body_a, body_b : (m,), numbers of the bodies from 0, −1 for the immovable ground
     direction : (m, 3), d, unit: the normal from B to A, or a direction along the surface
     arm_a, arm_b : (m, 3), from each centre of mass to the contact, m
+    bodies : how many there are
 
     Raises
     ------
     ValueError
-        If a number is no body's, or a vector has not three components.
+        If a number is no body's, a direction has not length 1, or a vector has not three components.
     """
-    rows = vector("direction", direction)
+    rows = unit("direction", vector("direction", direction))
+    if rows.ndim != 2:
+        raise ValueError(f"direction must have shape (m, 3), not {rows.shape}")
     jacobian = np.zeros((len(rows), bodies, 6))
     for name, body, arm, sign in (("body_a", body_a, arm_a, 1.0), ("body_b", body_b, arm_b, -1.0)):
-        number = np.broadcast_to(body, len(rows))
-        if np.any((number < -1) | (number >= bodies)):
-            raise ValueError(f"{name} must be from -1 to {bodies - 1}, not {number}")
+        number = _numbers(name, body, len(rows), bodies)
         there = np.flatnonzero(number >= 0)
         entries = np.concatenate([rows, np.cross(vector(name.replace("body", "arm"), arm), rows)], axis=-1)
         jacobian[there, number[there]] += sign * entries[there]
@@ -53,13 +55,15 @@ def inverse_mass_matrix(inverse_mass: ArrayLike, inverse_inertia: ArrayLike) -> 
     Raises
     ------
     ValueError
-        If 1/m is negative.
+        If 1/m is negative or not finite, or the shapes do not fit.
     """
-    shares = not_negative("inverse_mass", inverse_mass)
+    shares = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))
+    if shares.ndim != 1:
+        raise ValueError(f"inverse_mass must have shape (n,), not {shares.shape}")
     blocks = np.zeros((len(shares), 6, len(shares), 6))
     each = np.arange(len(shares))
     blocks[each, :3, each, :3] = shares[:, None, None] * np.eye(3)
-    blocks[each, 3:, each, 3:] = inverse_inertia
+    blocks[each, 3:, each, 3:] = matrix("inverse_inertia", inverse_inertia)
     return blocks.reshape(6 * len(shares), 6 * len(shares))
 
 
@@ -100,18 +104,20 @@ def sequential_impulses(
     Returns
     -------
     velocity : (d,), m/s and rad/s
-    impulse : (m, 3), along the normal and the two directions, N s
+    impulse : (m, 3), along the normal and the two directions, N s; none along a row that moves nothing, as between two
+        immovable bodies
 
     Raises
     ------
     ValueError
-        If μ is negative.
+        If μ is negative or not finite, or a velocity is not finite.
     """
-    v, rows = np.array(velocity, dtype=float), np.asarray(jacobian, dtype=float)
-    mu = np.broadcast_to(not_negative("friction", friction), len(rows))
+    v, rows = np.array(finite("velocity", velocity)), np.asarray(jacobian, dtype=float)
+    mu = np.broadcast_to(finite("friction", not_negative("friction", friction)), len(rows))
     impulses = np.zeros((len(rows), 3))
     answers = rows @ np.asarray(inverse_mass, dtype=float)  # velocities that unit impulses give, (m, 3, d)
-    masses = 1 / np.maximum(np.vecdot(answers, rows), np.finfo(float).tiny)  # no row, no impulse
+    gained = np.vecdot(answers, rows)
+    masses = np.where(gained > 0, 1 / np.where(gained > 0, gained, 1.0), 0.0)
     for _ in range(sweeps):
         for g, answer, mass, total, limit in zip(rows, answers, masses, impulses, mu, strict=True):
             before = total.copy()
@@ -121,3 +127,12 @@ def sequential_impulses(
             total[1:] = clamp_to_circle([*total[1:], 0.0], limit * total[0])[:2]
             v += (total[1:] - before[1:]) @ answer[1:]
     return v, impulses
+
+
+def _numbers(name: str, body: ArrayLike, contacts: int, bodies: int) -> NDArray[np.int_]:
+    """The numbers of the bodies, (m,); refuse what is no body's."""
+    number = np.broadcast_to(np.asarray(body, dtype=float), contacts)
+    wrong = ~((number >= -1) & (number < bodies) & (number == np.floor(number)))
+    if np.any(wrong):
+        raise ValueError(f"{name} must be a number of a body, -1 to {bodies - 1}, not {number[wrong][0]:g}")
+    return number.astype(int)

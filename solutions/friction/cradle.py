@@ -27,20 +27,19 @@ def propagate_impacts(velocity: ArrayLike, mass: ArrayLike, restitution: ArrayLi
     Raises
     ------
     ValueError
-        If a mass is not positive, e is not from 0 to 1, or a velocity is not finite.
+        If a mass is not positive, two neighbours are immovable, e is not from 0 to 1, a velocity is not finite, or the
+        shapes do not fit.
     """
-    v = np.array(finite("velocity", velocity))
-    count = v.shape[-1]
-    m = np.broadcast_to(positive("mass", mass), count)
-    e = np.broadcast_to(in_unit_interval("restitution", restitution), max(count - 1, 0))
-    share = 1 / m
+    v, share, e = _row(velocity, mass, restitution)
+    v = v.copy()
     for _ in range(most):
-        if np.all(v[..., :-1] <= v[..., 1:]):
-            break
-        for i in range(count - 1):
+        before = v.copy()
+        for i in range(len(e)):
             j = (1 + e[i]) * np.maximum(0.0, v[..., i] - v[..., i + 1]) / (share[i] + share[i + 1])
             v[..., i] -= j * share[i]
             v[..., i + 1] += j * share[i + 1]
+        if np.array_equal(v, before):  # none approach, or by less than rounding
+            break
     return v
 
 
@@ -61,15 +60,24 @@ def simultaneous_impacts(velocity: ArrayLike, mass: ArrayLike, restitution: Arra
     Raises
     ------
     ValueError
-        As propagate_impacts, or if two neighbours are immovable.
+        As propagate_impacts, or if two immovable bodies come together with balls between them.
     """
-    v = finite("velocity", velocity)
-    count = v.shape[-1]
-    share = np.broadcast_to(1 / positive("mass", mass), count)
-    e = in_unit_interval("restitution", restitution)
-    if np.any(share[:-1] + share[1:] == 0):
-        raise ValueError("mass must be finite for one of two neighbours, not inf for both")
-    apart = np.diff(np.eye(count), axis=0)  # u = apart v, an impulse pushes the left ball back and the right one on
+    v, share, e = _row(velocity, mass, restitution)
+    apart = np.diff(
+        np.eye(len(share)), axis=0
+    )  # u = apart v, an impulse pushes the left ball back and the right one on
     u = np.matvec(apart, v)
     j = solve_by_pivots((apart * share) @ apart.T, u + e * np.minimum(u, 0.0))
     return np.asarray(v + share * np.matvec(apart.T, j))
+
+
+def _row(velocity: ArrayLike, mass: ArrayLike, restitution: ArrayLike) -> tuple[Array, Array, Array]:
+    """Velocities (..., n), inverse masses (n,) and restitutions (n − 1,) of a row of balls; refuse what is none."""
+    v = finite("velocity", velocity)
+    if v.ndim == 0:
+        raise ValueError("velocity must have shape (..., n), not ()")
+    count = v.shape[-1]
+    share = np.broadcast_to(1 / positive("mass", mass), count)
+    if np.any(share[:-1] + share[1:] == 0):
+        raise ValueError("mass must be finite for one of two neighbours, not inf for both")
+    return v, share, np.broadcast_to(in_unit_interval("restitution", restitution), max(count - 1, 0))

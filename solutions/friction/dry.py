@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import not_negative, positive, vector
+from solutions.checks import finite, not_negative, positive, vector
 
 Array = NDArray[np.float64]
 
@@ -28,10 +28,11 @@ def holds(push: ArrayLike, normal_force: ArrayLike, static_friction: ArrayLike) 
     Raises
     ------
     ValueError
-        If N or μ_s is negative or NaN, or push has not three components.
+        If N or μ_s is negative, something is not finite, or push has not three components.
     """
-    limit = not_negative("static_friction", static_friction) * not_negative("normal_force", normal_force)
-    return np.asarray(np.linalg.norm(vector("push", push), axis=-1) <= limit)
+    static = finite("static_friction", not_negative("static_friction", static_friction))
+    limit = static * finite("normal_force", not_negative("normal_force", normal_force))
+    return np.asarray(np.linalg.norm(finite("push", vector("push", push)), axis=-1) <= limit)
 
 
 def friction_force(
@@ -59,15 +60,17 @@ def friction_force(
     Raises
     ------
     ValueError
-        If N, μ_s or μ_k is negative or NaN, or a vector has not three components.
+        If N or μ_k is negative, μ_s less than μ_k, something is not finite, or a vector has not three components.
     """
-    push, velocity = vector("push", push), vector("tangent_velocity", tangent_velocity)
+    held = holds(push, normal_force, static_friction)[..., None]
+    push, velocity = vector("push", push), finite("tangent_velocity", vector("tangent_velocity", tangent_velocity))
+    mu = not_negative("kinetic_friction", kinetic_friction)
+    not_negative("static_friction less kinetic_friction", np.asarray(static_friction) - mu)
     speed = np.linalg.norm(velocity, axis=-1)[..., None]
     size = np.linalg.norm(push, axis=-1)[..., None]
     along_velocity = velocity / np.where(speed > 0, speed, 1.0)
     along_push = push / np.where(size > 0, size, 1.0)
-    kinetic = (not_negative("kinetic_friction", kinetic_friction) * np.asarray(normal_force))[..., None]
-    held = holds(push, normal_force, static_friction)[..., None]
+    kinetic = (mu * np.asarray(normal_force))[..., None]
     return np.where(speed > 0, -kinetic * along_velocity, np.where(held, -push, -kinetic * along_push))
 
 
@@ -102,10 +105,10 @@ def sliding_motion(
     Raises
     ------
     ValueError
-        As friction_force, or if a mass is not positive or dt is negative.
+        As friction_force, or if a mass is not positive, or dt is negative or not finite.
     """
     p, v, f = vector("position", position), vector("tangent_velocity", tangent_velocity), vector("push", push)
-    m, dt = positive("mass", mass)[..., None], not_negative("dt", dt)
+    m, dt = positive("mass", mass)[..., None], finite("dt", not_negative("dt", dt))
 
     def acceleration(velocity: Array) -> Array:
         return np.asarray((f + friction_force(f, velocity, normal_force, static_friction, kinetic_friction)) / m)

@@ -5,17 +5,21 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import in_unit_interval, not_negative, positive, unit, vector
+from solutions.checks import finite, in_unit_interval, not_negative, positive, unit, vector
 from solutions.friction.support import along_surface
+from solutions.impulse.momentum import matrix
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
+SINGULAR = 1e-12
+"""Below this share of the largest one an eigenvalue of K counts as zero: it would leave an impulse few digits."""
 
 
 def point_inverse_mass(inverse_mass: ArrayLike, inverse_inertia: ArrayLike, arm: ArrayLike) -> Array:
     """Velocity that a unit impulse gives to a point of a body: K = 1/m − [r×] I⁻¹ [r×], (..., 3, 3), 1/kg.
 
-    For two bodies the changes of u = ṗ_A − ṗ_B add up: K = K_A + K_B. An immovable body has K = 0.
+    For two bodies the changes of u = ṗ_A − ṗ_B add up: K = K_A + K_B. An immovable body has K = 0. Along the normal
+    alone n·K n is `inverse_effective_mass`, which the lecture derives term by term: the two stand apart to be compared.
 
     Parameters
     ----------
@@ -26,11 +30,11 @@ def point_inverse_mass(inverse_mass: ArrayLike, inverse_inertia: ArrayLike, arm:
     Raises
     ------
     ValueError
-        If 1/m is negative or the arm has not three components.
+        If 1/m is negative, something is not finite, or shapes do not fit.
     """
-    across = np.cross(vector("arm", arm)[..., None, :], np.eye(3))  # [r×]ᵀ = −[r×]
-    shares = not_negative("inverse_mass", inverse_mass)[..., None, None] * np.eye(3)
-    return np.asarray(shares + np.swapaxes(across, -1, -2) @ np.asarray(inverse_inertia, dtype=float) @ across)
+    across = np.cross(finite("arm", vector("arm", arm))[..., None, :], np.eye(3))  # [r×]ᵀ = −[r×]
+    shares = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))[..., None, None] * np.eye(3)
+    return np.asarray(shares + np.swapaxes(across, -1, -2) @ matrix("inverse_inertia", inverse_inertia) @ across)
 
 
 def friction_impulse(
@@ -63,14 +67,15 @@ def friction_impulse(
     Raises
     ------
     ValueError
-        If e is not from 0 to 1, μ is negative, a normal has not length 1, or K cannot be inverted (two immovable
-        bodies).
+        If e is not from 0 to 1, μ is negative, a normal has not length 1, something is not finite, or K cannot be
+        inverted: of two immovable bodies, or of one that only turns about a pivot and one that is immovable.
     """
-    u, n = vector("velocity", velocity), unit("normal", vector("normal", normal))
-    e, mu = in_unit_interval("restitution", restitution), not_negative("friction", friction)
-    k = np.asarray(inverse_mass, dtype=float)
-    if np.any(np.linalg.det(k) <= 0):
-        raise ValueError("inverse_mass must be positive definite: two immovable bodies cannot collide")
+    u, n = finite("velocity", vector("velocity", velocity)), unit("normal", vector("normal", normal))
+    e, mu = in_unit_interval("restitution", restitution), finite("friction", not_negative("friction", friction))
+    k = matrix("inverse_mass", inverse_mass)
+    yielding = np.linalg.eigvalsh(k)
+    if np.any(yielding[..., 0] <= SINGULAR * yielding[..., -1]):
+        raise ValueError("inverse_mass must be positive definite: no impulse stops two immovable bodies")
     approach = np.vecdot(u, n)
     grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[..., 0]
     across = along_surface(grip, n)
@@ -91,9 +96,14 @@ def impact_energy(velocity: ArrayLike, impulse: ArrayLike, inverse_mass: ArrayLi
     velocity : (..., 3), u before the impact, m/s
     impulse : (..., 3), J, N s
     inverse_mass : (..., 3, 3), K, 1/kg
+
+    Raises
+    ------
+    ValueError
+        If the shapes do not fit or K is not finite.
     """
-    j = vector("impulse", impulse)
-    return np.asarray(np.vecdot(j, vector("velocity", velocity) + np.matvec(np.asarray(inverse_mass), j) / 2))
+    j, k = vector("impulse", impulse), matrix("inverse_mass", inverse_mass)
+    return np.asarray(np.vecdot(j, vector("velocity", velocity) + np.matvec(k, j) / 2))
 
 
 def sphere_grips(slip: ArrayLike, approach_speed: ArrayLike, restitution: ArrayLike, friction: ArrayLike) -> Bools:
@@ -110,12 +120,12 @@ def sphere_grips(slip: ArrayLike, approach_speed: ArrayLike, restitution: ArrayL
     Raises
     ------
     ValueError
-        If e is not from 0 to 1 or another number is negative.
+        If e is not from 0 to 1, another number is negative, or μ or v_n is not finite.
     """
-    most = not_negative("friction", friction) * (1 + in_unit_interval("restitution", restitution))
-    return np.asarray(
-        not_negative("slip", slip) <= 3.5 * most * not_negative("approach_speed", approach_speed), dtype=bool
-    )
+    mu = finite("friction", not_negative("friction", friction))
+    speed = finite("approach_speed", not_negative("approach_speed", approach_speed))
+    most = 3.5 * mu * (1 + in_unit_interval("restitution", restitution)) * speed
+    return np.asarray(not_negative("slip", slip) <= most, dtype=bool)
 
 
 def sphere_impact(
@@ -146,11 +156,12 @@ def sphere_impact(
     Raises
     ------
     ValueError
-        As friction_impulse, or if the radius or the inertia is not positive.
+        As friction_impulse, or if the radius or the inertia is not positive and finite.
     """
     v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
-    r = positive("radius", radius)[..., None]
-    inertia = (positive("inertia_share", inertia_share)[..., None] * r**2)[..., None]
+    r = finite("radius", positive("radius", radius))[..., None]
+    share = finite("inertia_share", positive("inertia_share", inertia_share))
+    inertia = (share[..., None] * r**2)[..., None]
     arm = -r * n
     k = point_inverse_mass(1.0, np.eye(3) / inertia, arm)
     j = friction_impulse(v + np.cross(spin, arm), n, k, restitution, friction)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import not_negative, positive, unit, vector
+from solutions.checks import finite, not_negative, positive, unit, vector
+from solutions.friction.dry import holds
 
 Array = NDArray[np.float64]
 
@@ -25,10 +26,10 @@ def apparent_force(mass: ArrayLike, gravity: ArrayLike, push: ArrayLike, frame_a
     Raises
     ------
     ValueError
-        If a mass is not positive or a vector has not three components.
+        If a mass is not positive and finite or a vector has not three components.
     """
     fall = vector("gravity", gravity) - vector("frame_acceleration", frame_acceleration)
-    return np.asarray(positive("mass", mass)[..., None] * fall + vector("push", push))
+    return np.asarray(finite("mass", positive("mass", mass))[..., None] * fall + vector("push", push))
 
 
 def normal_force(force: ArrayLike, normal: ArrayLike) -> Array:
@@ -83,7 +84,8 @@ def break_away_time(force: ArrayLike, force_rate: ArrayLike, normal: ArrayLike, 
     """First instant after which static friction no longer holds a body under the force F + F' t, (...), s.
 
     It holds while ‖F_t + F_t' t‖ ≤ μ_s (N + N' t): the force stays within a cone, and a straight line leaves a cone
-    once at most. Squared, a t² + 2 b t + c ≤ 0 with a = F_t'² − μ²N'², b = F_t·F_t' − μ²N N', c = F_t² − μ²N².
+    once at most. Squared, a t² + 2 b t + c ≤ 0 with a = F_t'² − μ²N'², b = F_t·F_t' − μ²N N', c = F_t² − μ²N², and
+    b² − a c = μ²‖N F_t' − N' F_t‖² − ‖F_t × F_t'‖², which loses no digits where N and F_t end almost together.
 
     Parameters
     ----------
@@ -99,19 +101,22 @@ def break_away_time(force: ArrayLike, force_rate: ArrayLike, normal: ArrayLike, 
     Raises
     ------
     ValueError
-        If μ_s is negative, a normal has not length 1, or a vector has not three components.
+        If μ_s is negative, a normal has not length 1, something is not finite, or a vector has not three components.
     """
     n, mu = unit("normal", vector("normal", normal)), not_negative("static_friction", static_friction)
-    f, rate = along_surface(force, n), along_surface(force_rate, n)
-    press, press_rate = -np.vecdot(force, n), -np.vecdot(force_rate, n)
+    force, rate = finite("force", vector("force", force)), finite("force_rate", vector("force_rate", force_rate))
+    press, press_rate = -np.vecdot(force, n), -np.vecdot(rate, n)
+    f, rate = along_surface(force, n), along_surface(rate, n)
+    held = holds(f, np.maximum(0.0, press), mu) & (press >= 0)
     a = np.vecdot(rate, rate) - (mu * press_rate) ** 2
     b = np.vecdot(f, rate) - mu**2 * press * press_rate
-    c = np.vecdot(f, f) - (mu * press) ** 2
-    root = np.sqrt(np.maximum(b * b - a * c, 0.0))
+    c = np.minimum(0.0, np.vecdot(f, f) - (mu * press) ** 2)  # at the limit rounding may say otherwise than holds
+    spread, across = press[..., None] * rate - press_rate[..., None] * f, np.cross(f, rate)
+    root = np.sqrt(np.maximum(0.0, mu**2 * np.vecdot(spread, spread) - np.vecdot(across, across)))
     with np.errstate(divide="ignore", invalid="ignore"):
         leaves = np.where(b > 0, -c / (b + root), np.where(a > 0, (root - b) / a, np.inf))
         lifts = np.where(press_rate < 0, -press / press_rate, np.inf)
-    return np.where((c > 0) | (press < 0), 0.0, np.minimum(leaves, lifts))
+    return np.where(held, np.minimum(leaves, lifts), 0.0)
 
 
 def stick_slip_times(
@@ -143,10 +148,10 @@ def stick_slip_times(
     Raises
     ------
     ValueError
-        If mass, stiffness or speed is not positive, N or μ_k negative, or μ_s less than μ_k.
+        If mass, stiffness or speed is not positive and finite, N or μ_k negative, or μ_s less than μ_k.
     """
-    k, speed = positive("stiffness", stiffness), positive("drive_speed", drive_speed)
-    frequency = np.sqrt(k / positive("mass", mass))
+    k, m = finite("stiffness", positive("stiffness", stiffness)), finite("mass", positive("mass", mass))
+    speed, frequency = finite("drive_speed", positive("drive_speed", drive_speed)), np.sqrt(k / m)
     excess = np.asarray(static_friction, dtype=float) - not_negative("kinetic_friction", kinetic_friction)
     a = not_negative("static_friction less kinetic_friction", excess) * not_negative("normal_force", normal_force) / k
     return 2 * a / speed, 2 / frequency * (np.pi - np.arctan2(a * frequency, speed))

@@ -49,6 +49,27 @@ def test_a_block_holds_on_a_slope_up_to_the_angle_of_friction(friction, slope):
     assert holds(push, weight * math.cos(slope), friction) == (slope < angle)
 
 
+def test_what_is_no_number_is_neither_held_nor_at_rest_but_refused():
+    nothing = (math.nan, 0.0, 0.0)
+    for call, name in (
+        (lambda: holds(nothing, 1.0, 0.5), "push"),
+        (lambda: holds(ZERO, math.inf, 0.5), "normal_force"),
+        (lambda: holds(ZERO, 0.0, math.inf), "static_friction"),
+        (lambda: friction_force(ZERO, nothing, 1.0, 0.5, 0.3), "tangent_velocity"),
+        (lambda: sliding_motion(ZERO, nothing, ZERO, 1.0, 0.5, 0.3, 1.0, 1.0), "tangent_velocity"),
+        (lambda: sliding_motion(ZERO, ZERO, ZERO, 1.0, 0.5, 0.3, 1.0, math.inf), "dt"),
+    ):
+        with pytest.raises(ValueError, match=f"^{name} must be finite"):
+            call()
+
+
+def test_less_static_than_kinetic_friction_would_drive_a_body_back_against_its_push():
+    # 3 N break it away from 0.2 × 10 N, and 0.5 × 10 N would win over them
+    with pytest.raises(ValueError, match=r"^static_friction less kinetic_friction must be zero or positive"):
+        friction_force((3.0, 0.0, 0.0), ZERO, 10.0, 0.2, 0.5)
+    assert friction_force((3.0, 0.0, 0.0), ZERO, 4.0, 0.5, 0.5).tolist() == [-2.0, 0.0, 0.0]
+
+
 # The force
 
 

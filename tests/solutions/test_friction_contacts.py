@@ -123,6 +123,15 @@ def test_the_residual_counts_what_pulls_what_sinks_in_and_what_presses_from_afar
     assert complementarity_residual(np.zeros((0, 0)), [], []) == 0
 
 
+def test_a_contact_that_moves_nothing_is_solved_by_no_force_alone():
+    # [[0]] f + 1 ≥ 0 holds for any f; the product with 1 asks for f = 0
+    assert complementarity_residual([[0.0]], [1.0], [0.0]) == 0
+    assert complementarity_residual([[0.0]], [1.0], [5.0]) == 1.0
+    assert complementarity_residual([[0.0]], [1.0], [0.5]) == 0.5
+    assert complementarity_residual([[0.0]], [1.0], [-5.0]) == 5.0
+    assert complementarity_residual([[0.0]], [-1.0], [0.0]) == 1.0
+
+
 def test_what_nothing_can_keep_apart_is_said_to_have_no_solution():
     with pytest.raises(ValueError, match="offset"):
         solve_by_pivots([[0.0]], [-1.0])
@@ -135,6 +144,17 @@ def test_contacts_that_part_feel_nothing_and_no_contacts_are_no_problem():
     assert solve_by_pivots(np.eye(2), [1.0, 0.0]).tolist() == [0.0, 0.0]
     assert solve_by_sweeps(np.eye(2), [1.0, 0.0], 1).tolist() == [0.0, 0.0]
     assert solve_by_pivots(np.zeros((0, 0)), []).shape == (0,)
+    none = np.zeros((0, 2, 2)), np.zeros((0, 2))
+    assert solve_by_pivots(*none).shape == solve_by_sweeps(*none, 1).shape == (0, 2)
+    assert complementarity_residual(*none, none[1]).shape == (0,)
+    assert contact_jacobian([], [], np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3)), 2).shape == (0, 12)
+
+
+def test_one_problem_is_swept_from_many_starts():
+    starts = np.array([[0.0, 0.0], [5.0, 0.0], [0.0, 7.0]])
+    found = solve_by_sweeps(np.diag([2.0, 1.0]), [-2.0, 3.0], 1, start=starts)
+    assert found.tolist() == [[1.0, 0.0]] * 3
+    assert solve_by_sweeps(np.diag([2.0, 1.0]), [-2.0, 3.0], 0, start=starts).tolist() == starts.tolist()
 
 
 def test_many_problems_at_once_are_the_same_as_one_after_another():
@@ -197,6 +217,19 @@ def test_every_contact_of_a_stack_carries_the_weights_above_it():
     assert complementarity_residual(a, b, solve_by_sweeps(a, b, 20)) > 0.1
 
 
+@pytest.mark.parametrize("ratio", [1e6, 1e-6])
+def test_a_stack_of_light_and_heavy_bodies_by_turns_stands(ratio):
+    masses = [Fraction(ratio) if i % 2 else Fraction(1) for i in range(5)]
+    count = len(masses)
+    level = np.zeros((1, 3))
+    rows = contact_jacobian(np.arange(count), np.arange(count) - 1, np.tile(UP, (count, 1)), level, level, count)
+    weights = inverse_mass_matrix([1 / float(m) for m in masses], np.eye(3))
+    a, b = resting_problem(rows, weights, np.concatenate([[0, 0, -10 * float(m), 0, 0, 0] for m in masses]))
+    carried = [float(10 * sum(masses[i:])) for i in range(count)]
+    # The numbers of A are 1e6 apart, its eigenvalues some 1e7: as many roundings of 1e-16
+    assert solve_by_pivots(a, b) == pytest.approx(carried, rel=1e-8)
+
+
 def test_a_contact_feels_the_point_of_each_body_and_the_ground_none():
     row = contact_jacobian([0, 1], [1, -1], [UP, X], [[1.0, 0, 0], Y], [[0, 2.0, 0], Y], 2)
     assert row[0].tolist() == [0, 0, 1, 0, -1, 0, 0, 0, -1, -2, 0, 0]
@@ -251,6 +284,16 @@ def test_what_a_later_contact_gives_an_earlier_one_may_take_back():
     v, impulse = sequential_impulses([0, 0, -1.0, 0, 0, 0], rows, np.eye(6), 0.0, 100)
     assert v == pytest.approx(np.zeros(6), abs=1e-12)
     assert impulse[:, 0] == pytest.approx([1.0, 1.0], abs=1e-12)  # 2 j cos 60° = 1
+
+
+def test_between_two_immovable_bodies_there_is_no_impulse_and_between_others_there_is():
+    # Three bodies fall, the first two onto each other though nothing can stop them, the third onto the ground
+    rows = np.stack([contact_jacobian([0, 2], [1, -1], np.tile(d, (2, 1)), [UP], [-UP], 3) for d in (UP, X, Y)], axis=1)
+    weights = inverse_mass_matrix([0.0, 0.0, 1.0], np.zeros((3, 3)))
+    start = np.array([[3.0, 0, -10, 0, 0, 0], [0] * 6, [0.0, 0, -2, 0, 0, 0]]).ravel()
+    v, impulse = sequential_impulses(start, rows, weights, 0.5, 3)
+    assert v.tolist() == [3, 0, -10, *[0] * 15]
+    assert impulse.tolist() == [[0, 0, 0], [2, 0, 0]]
 
 
 # Cradles
@@ -337,6 +380,28 @@ def test_a_row_against_a_wall_comes_back():
     assert simultaneous_impacts([3.0], 1.0, 1.0).tolist() == propagate_impacts([3.0], 1.0, 1.0).tolist() == [3.0]
 
 
+def test_a_row_that_sticks_together_comes_to_an_end():
+    # With e = 0 the last approach may be less than rounding: nothing changes any more, after hundreds of impacts
+    rng = np.random.default_rng(4)
+    for _ in range(20):
+        mass, v = rng.uniform(0.5, 2, 6), rng.normal(size=6)
+        found = propagate_impacts(v, mass, 0.0, most=10**12)
+        assert np.array_equal(found, propagate_impacts(v, mass, 0.0, most=1000))
+        assert np.all(np.diff(found) >= -1e-14)
+
+
+def test_a_ball_between_two_walls_that_come_together_is_crushed():
+    with pytest.raises(ValueError, match="no forces solve this problem"):
+        simultaneous_impacts([1.0, 0.0, -1.0], [np.inf, 1.0, np.inf], 0.5)
+    assert simultaneous_impacts([1.0, 0.0, 2.0], [np.inf, 1.0, np.inf], 0.5).tolist() == [1.0, 1.5, 2.0]
+
+
+def test_no_balls_are_a_row_and_no_rows_give_none():
+    for answer in (propagate_impacts, simultaneous_impacts):
+        assert answer([], 1.0, 1.0).shape == (0,)
+        assert answer(np.zeros((0, 5)), 1.0, 1.0).shape == (0, 5)
+
+
 def test_many_rows_at_once_are_the_same_as_one_after_another():
     rows = np.random.default_rng(2).normal(size=(3, 4, 5))
     kept = rows.copy()
@@ -352,13 +417,29 @@ def test_many_rows_at_once_are_the_same_as_one_after_another():
     [
         (lambda: contact_jacobian([1], [-1], [UP], [UP], [UP], 1), "body_a"),
         (lambda: contact_jacobian([0], [-2], [UP], [UP], [UP], 1), "body_b"),
+        (lambda: contact_jacobian([0.5], [-1], [UP], [UP], [UP], 1), "body_a"),
+        (lambda: contact_jacobian([math.nan], [-1], [UP], [UP], [UP], 1), "body_a"),
         (lambda: contact_jacobian([0], [-1], [UP[:2]], [UP], [UP], 1), "direction"),
+        (lambda: contact_jacobian([0], [-1], [2 * UP], [UP], [UP], 1), "direction must have length 1"),
+        (lambda: contact_jacobian([0], [-1], UP, [UP], [UP], 1), r"direction must have shape \(m, 3\)"),
         (lambda: contact_jacobian([0], [-1], [UP], [UP[:2]], [UP], 1), "arm_a"),
         (lambda: inverse_mass_matrix([-1.0], np.eye(3)[None]), "inverse_mass"),
+        (lambda: inverse_mass_matrix([np.inf], np.eye(3)), "inverse_mass must be finite"),
+        (lambda: inverse_mass_matrix(1.0, np.eye(3)), r"inverse_mass must have shape \(n,\)"),
+        (lambda: inverse_mass_matrix([1.0], [1.0, 2.0, 3.0]), "inverse_inertia must have shape"),
+        (lambda: inverse_mass_matrix([1.0], np.full((3, 3), np.nan)), "inverse_inertia must be finite"),
+        (lambda: sequential_impulses(np.full(6, np.nan), np.zeros((1, 3, 6)), np.eye(6), 0.1), "velocity"),
+        (lambda: sequential_impulses(np.zeros(6), np.zeros((1, 3, 6)), np.eye(6), np.inf), "friction"),
         (lambda: sequential_impulses(np.zeros(6), np.zeros((1, 3, 6)), np.eye(6), -0.1), "friction"),
         (lambda: solve_by_pivots(np.eye(3), [1.0, 2.0]), "matrix"),
         (lambda: solve_by_sweeps([1.0], [1.0], 3), "matrix"),
-        (lambda: complementarity_residual(np.eye(2), [np.nan, 0.0], [0.0, 0.0]), "matrix and offset"),
+        (lambda: solve_by_sweeps(np.eye(2), [1.0, 2.0], 3, start=np.nan), "start"),
+        (lambda: solve_by_pivots(-np.eye(2), [1.0, -2.0]), "diagonal of matrix"),
+        (lambda: complementarity_residual(np.eye(2), [np.nan, 0.0], [0.0, 0.0]), "offset"),
+        (lambda: complementarity_residual([[np.inf]], [0.0], [0.0]), "matrix"),
+        (lambda: complementarity_residual(np.eye(2), [0.0, 0.0], [0.0, np.nan]), "force"),
+        (lambda: propagate_impacts(1.0, 1.0, 1.0), "velocity"),
+        (lambda: propagate_impacts([1.0, 0.0], np.inf, 1.0), "mass"),
         (lambda: propagate_impacts([np.nan, 1.0], 1.0, 1.0), "velocity"),
         (lambda: propagate_impacts([0.0, 1.0], 0.0, 1.0), "mass"),
         (lambda: propagate_impacts([0.0, 1.0], 1.0, 1.1), "restitution"),

@@ -61,6 +61,19 @@ def test_an_immovable_body_does_not_give_way():
     assert np.array_equal(point_inverse_mass(0.0, np.zeros((3, 3)), (1.0, 2.0, 3.0)), np.zeros((3, 3)))
 
 
+def test_a_body_that_only_turns_about_a_pivot_cannot_be_stopped_along_its_arm_and_is_refused():
+    # K r = 0: whether rounding leaves the determinant at 1e-18, 0 or −1e-18 must not decide between nonsense and a word
+    for seed in range(50):
+        arm = np.random.default_rng(seed).normal(size=3)
+        k = point_inverse_mass(0.0, np.eye(3), arm)
+        assert k @ arm == pytest.approx(np.zeros(3), abs=1e-14)  # rounding of the cubes of arms up to 3
+        with pytest.raises(ValueError, match=r"^inverse_mass must be positive definite"):
+            friction_impulse(-UP, UP, k, 0.5, 0.5)
+        # One part in 1e6 of a mass beside it, and it is stopped
+        j = friction_impulse(-UP, UP, k + 1e-6 * np.eye(3), 0.5, 0.0)
+        assert UP @ (k + 1e-6 * np.eye(3)) @ j == pytest.approx(1.5, rel=1e-9)  # ten digits less six, and some
+
+
 # Grip or slip
 
 
@@ -316,6 +329,20 @@ def test_many_impacts_at_once_are_the_same_as_one_after_another():
         (lambda: friction_impulse(UP, UP, np.eye(3), 0.5, -0.5), "friction"),
         (lambda: friction_impulse(UP[:2], UP, np.eye(3), 0.5, 0.5), "velocity"),
         (lambda: friction_impulse(UP, UP, np.zeros((3, 3)), 0.5, 0.5), "inverse_mass"),
+        (lambda: friction_impulse(UP, UP, -np.eye(3), 0.5, 0.5), "inverse_mass"),
+        (lambda: friction_impulse(UP, UP, np.diag([-1.0, -1.0, 1.0]), 0.5, 0.5), "inverse_mass"),
+        (lambda: friction_impulse(UP, UP, np.full((3, 3), np.nan), 0.5, 0.5), "inverse_mass must be finite"),
+        (lambda: friction_impulse(UP, UP, UP, 0.5, 0.5), "inverse_mass must have shape"),
+        (lambda: friction_impulse(np.nan * UP, UP, np.eye(3), 0.5, 0.5), "velocity must be finite"),
+        (lambda: friction_impulse(UP, UP, np.eye(3), 0.5, np.inf), "friction must be finite"),
+        (lambda: point_inverse_mass(1.0, (1.0, 2.0, 3.0), UP), "inverse_inertia must have shape"),
+        (lambda: point_inverse_mass(np.inf, np.eye(3), UP), "inverse_mass must be finite"),
+        (lambda: point_inverse_mass(1.0, np.eye(3), np.inf * np.ones(3)), "arm must be finite"),
+        (lambda: sphere_impact(UP, UP, UP, np.inf, 0.5, 0.5), "radius must be finite"),
+        (lambda: sphere_impact(UP, UP, UP, 1.0, 0.5, 0.5, np.inf), "inertia_share must be finite"),
+        (lambda: sphere_grips(1.0, 0.0, 0.5, np.inf), "friction must be finite"),
+        (lambda: sphere_grips(1.0, np.inf, 0.5, 0.0), "approach_speed must be finite"),
+        (lambda: impact_energy(UP, UP, UP), "inverse_mass must have shape"),
         (lambda: point_inverse_mass(-1.0, np.eye(3), UP), "inverse_mass"),
         (lambda: point_inverse_mass(1.0, np.eye(3), UP[:2]), "arm"),
         (lambda: sphere_impact(UP, UP, UP, 0.0, 0.5, 0.5), "radius"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -140,6 +141,28 @@ def test_what_is_not_held_breaks_away_now_and_what_is_only_lifted_when_it_leaves
     assert break_away_time((10.0, 0, -20.0), STILL, UP, 0.5) == np.inf  # exactly at the limit, for ever
     assert break_away_time((10.0, 0, -20.0), X, UP, 0.5) == 0  # at the limit and growing
     assert break_away_time((0, 0, -20.0), X, UP, 0.0) == 0  # on ice
+
+
+def test_where_press_and_push_end_almost_together_the_instant_keeps_its_digits():
+    # N = 20 − t, and the push along x is 3 + rate t, which ends nearly when N does; b² − a c cancels to half its digits
+    for friction, rate in ((0.5, -3 / 20 + 1e-9), (0.3, -3 / 20 - 1e-8), (1.5, -3 / 20 + 1e-12), (0.7, -3 / 20)):
+        mu, exact = Fraction(friction), Fraction(rate)
+        leaves = min((20 * mu - 3) / (exact + mu), (20 * mu + 3) / (mu - exact))  # forwards, or backwards
+        time = break_away_time((3.0, 0, -20.0), (rate, 0, 1.0), UP, friction)
+        assert time == pytest.approx(float(leaves), rel=1e-14)  # some ten roundings, none of them enlarged
+
+
+@given(VECTOR, st.floats(0.05, 2), st.integers(0, 99))
+def test_at_the_limit_itself_breaking_away_and_holding_agree(force, friction, seed):
+    # Scaled to the limit as well as rounding allows: F_t² − μ²N² is then a rounding of either sign
+    n = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0][0]
+    across = along_surface(force, n)
+    assume(np.linalg.norm(across) > 1e-3)
+    force = across - np.linalg.norm(across) / friction * n
+    held = holds(along_surface(force, n), normal_force(force, n), friction)
+    time = break_away_time(force, n * [0.0, 0.0, 0.0], n, friction)
+    assert time == (np.inf if held else 0)
+    assert 0 <= break_away_time(force, across, n, friction) <= 1e-14  # grows from there: at once, but for rounding
 
 
 @pytest.mark.statement(24, oracle="scipy's brentq on the cone")
@@ -310,6 +333,14 @@ def test_as_printed_static_friction_sets_an_unpushed_block_in_motion():
         (lambda: clamp_to_square(X, -1.0, X, Y), "limit"),
         (lambda: clamp_to_square(X, 1.0, 2 * X, Y), "axis_x"),
         (lambda: clamp_to_square(X, 1.0, X, 2 * Y), "axis_y"),
+        (lambda: clamp_to_square(X, 1.0, X, 0.6 * X + 0.8 * Y), "axis_x and axis_y must be at right angles"),
+        (lambda: apparent_force(np.inf, DOWN, STILL, STILL), "mass must be finite"),
+        (lambda: break_away_time(DOWN, np.nan * X, UP, 0.1), "force_rate must be"),
+        (lambda: break_away_time(DOWN + np.nan, X, UP, 0.1), "force must be finite"),
+        (lambda: break_away_time(DOWN, X, UP, np.inf), "static_friction must be finite"),
+        (lambda: stick_slip_times(np.inf, 1, 1, 1, 0.5, 0.3), "mass must be finite"),
+        (lambda: stick_slip_times(1, np.inf, 1, 1, 0.5, 0.3), "stiffness must be finite"),
+        (lambda: stick_slip_times(1, 1, np.inf, 1, 0.5, 0.3), "drive_speed must be finite"),
         (lambda: holds(X, -1.0, 0.5), "normal_force"),
         (lambda: holds(X, 1.0, -0.5), "static_friction"),
         (lambda: holds(X[:2], 1.0, 0.5), "push"),
