@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite, not_negative, positive
-from solutions.sweeping.motion import in_space, motion_bound, rotated
-from solutions.sweeping.nearest import separation_of_hulls
+from solutions.checks import positive
+from solutions.sweeping.motion import extent, in_space, motion_bound, rotated
+from solutions.sweeping.nearest import point_set, separation_of_hulls
 
 Array = NDArray[np.float64]
 Pairs = NDArray[np.int64]
@@ -55,7 +55,8 @@ def sweep_convex(
     angular_velocity_a, angular_velocity_b : (..., 3), rad/s, constant over the step
     radius_a, radius_b : (...), m; 0 for sharp corners
     dt : (...), s, length of the step
-    tolerance : (...), how near is a touch, m
+    tolerance : (...), how near is a touch, m. Below 1e-7 of the bodies' size and coordinates rounding may call a touch
+        what is farther apart (`separation_of_hulls`): the time stays early
 
     Returns
     -------
@@ -65,7 +66,8 @@ def sweep_convex(
     Raises
     ------
     ValueError
-        If a radius or dt is negative, tolerance is not positive, or an array is not finite or not in space.
+        If a radius or dt is negative, tolerance is not positive, a body has no points, or an array is not finite or
+        not in space.
     """
     shapes = [np.shape(points_a)[:-2], np.shape(points_b)[:-2]]
     motions = (position_a, velocity_a, angular_velocity_a, position_b, velocity_b, angular_velocity_b)
@@ -73,7 +75,7 @@ def sweep_convex(
     shape = np.broadcast_shapes(*shapes, *(np.shape(value) for value in (radius_a, radius_b, dt, tolerance)))
     a = _Body.of("a", shape, points_a, position_a, velocity_a, angular_velocity_a, radius_a)
     b = _Body.of("b", shape, points_b, position_b, velocity_b, angular_velocity_b, radius_b)
-    end, near = flat(finite("dt", not_negative("dt", dt)), shape), flat(positive("tolerance", tolerance), shape)
+    end, near = flat(extent("dt", dt), shape), flat(positive("tolerance", tolerance), shape)
 
     def look(pairs: Pairs, time: Array) -> tuple[Array, Array]:
         separation, normal = separation_of_hulls(a.at(pairs, time), b.at(pairs, time))
@@ -105,13 +107,13 @@ class _Body:
         angular_velocity: ArrayLike,
         radius: ArrayLike,
     ) -> _Body:
-        corners = in_space(f"points_{name}", points)
+        corners = point_set(f"points_{name}", points)
         return cls(
             flat(corners, shape, corners.shape[-2:]),
             flat(in_space(f"position_{name}", position), shape, (3,)),
             flat(in_space(f"velocity_{name}", velocity), shape, (3,)),
             flat(in_space(f"angular_velocity_{name}", angular_velocity), shape, (3,)),
-            flat(finite(f"radius_{name}", not_negative(f"radius_{name}", radius)), shape),
+            flat(extent(f"radius_{name}", radius), shape),
         )
 
     def at(self, pairs: Pairs, time: Array) -> Array:

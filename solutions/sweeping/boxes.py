@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite, not_negative
-from solutions.sweeping.motion import in_space, relative_motion
+from solutions.checks import not_negative
+from solutions.sweeping.motion import extent, in_space, relative_motion
 from solutions.sweeping.rays import in_all, ray_box, time_between
 
 Array = NDArray[np.float64]
@@ -32,7 +32,7 @@ def sweep_boxes(
     position_a, position_b : (..., 3), centres, m
     velocity_a, velocity_b : (..., 3), m/s
     half_extents_a, half_extents_b : (..., 3), half the edges, m; 0 for a sheet, a segment or a point
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step; infinity looks ahead without end
 
     Returns
     -------
@@ -45,8 +45,8 @@ def sweep_boxes(
         If a half edge or dt is negative, or a vector is not finite or not in space.
     """
     position, velocity = relative_motion(position_a, velocity_a, position_b, velocity_b)
-    half_a = not_negative("half_extents_a", in_space("half_extents_a", half_extents_a))
-    half_b = not_negative("half_extents_b", in_space("half_extents_b", half_extents_b))
+    half_a = extent("half_extents_a", in_space("half_extents_a", half_extents_a))
+    half_b = extent("half_extents_b", in_space("half_extents_b", half_extents_b))
     return _in_step(*ray_box(position, velocity, half_a + half_b), dt)
 
 
@@ -74,7 +74,7 @@ def sweep_oriented_boxes(
     velocity : (..., 3), u, of A relative to B, m/s
     axes_a, axes_b : (..., 3, 3), rotation matrices: their columns are the directions of the edges
     half_extents_a, half_extents_b : (..., 3), half the edges in the order of the columns, m; 0 for a sheet or segment
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step; infinity looks ahead without end
 
     Returns
     -------
@@ -88,8 +88,8 @@ def sweep_oriented_boxes(
     """
     x, u = in_space("position", position), in_space("velocity", velocity)
     axes_a, axes_b = rotation("axes_a", axes_a), rotation("axes_b", axes_b)
-    half_a = not_negative("half_extents_a", in_space("half_extents_a", half_extents_a))
-    half_b = not_negative("half_extents_b", in_space("half_extents_b", half_extents_b))
+    half_a = extent("half_extents_a", in_space("half_extents_a", half_extents_a))
+    half_b = extent("half_extents_b", in_space("half_extents_b", half_extents_b))
     axes_a, axes_b = np.broadcast_arrays(axes_a.mT, axes_b.mT)  # rows are directions from here on
     lines, real = _lines(axes_a, axes_b)
     reach = _shadow(lines, axes_a, half_a) + _shadow(lines, axes_b, half_b)
@@ -125,6 +125,6 @@ def _shadow(lines: Array, axes: Array, half: Array) -> Array:
 
 
 def _in_step(entry: Array, leaving: Array, dt: ArrayLike) -> tuple[Array, Array]:
-    end = finite("dt", not_negative("dt", dt))
+    end = not_negative("dt", dt)
     meets = entry <= end
     return np.where(meets, entry, np.inf), np.where(meets, np.minimum(leaving, end), -np.inf)

@@ -15,8 +15,13 @@ def in_space(name: str, value: ArrayLike) -> Array:
     return finite(name, vector(name, value))
 
 
+def extent(name: str, value: ArrayLike) -> Array:
+    """Return lengths; refuse negative and infinite ones."""
+    return finite(name, not_negative(name, value))
+
+
 def within(time: Array, dt: ArrayLike) -> Array:
-    """Return the time, or infinity where it is later than the step's end dt."""
+    """Return the time, or infinity where it is later than the step's end dt, which may be infinity."""
     return np.where(time <= not_negative("dt", dt), time, np.inf)
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import not_negative
-from solutions.sweeping.motion import in_space
+from solutions.sweeping.motion import extent, in_space
 
 Array = NDArray[np.float64]
 
@@ -32,9 +31,9 @@ def ray_sphere(origin: ArrayLike, direction: ArrayLike, radius: ArrayLike) -> Ar
     Raises
     ------
     ValueError
-        If radius is negative, or a vector is not finite or not in space.
+        If radius is negative, an argument is not finite, or a vector not in space.
     """
-    x, u, r = in_space("origin", origin), in_space("direction", direction), not_negative("radius", radius)
+    x, u, r = in_space("origin", origin), in_space("direction", direction), extent("radius", radius)
     distance, closing = np.linalg.norm(x, axis=-1), -np.vecdot(x, u)
     discriminant = r**2 * np.vecdot(u, u) - np.sum(np.cross(x, u) ** 2, axis=-1)
     meets = (closing > 0) & (discriminant >= 0)
@@ -63,7 +62,7 @@ def ray_capsule(origin: ArrayLike, direction: ArrayLike, start: ArrayLike, end: 
     Raises
     ------
     ValueError
-        If radius is negative, or a vector is not finite or not in space.
+        If radius is negative, an argument is not finite, or a vector not in space.
     """
     x, u = in_space("origin", origin), in_space("direction", direction)
     a, b = in_space("start", start), in_space("end", end)
@@ -111,12 +110,12 @@ def ray_box(origin: ArrayLike, direction: ArrayLike, half_extents: ArrayLike) ->
         If half_extents is negative, or a vector is not finite or not in space.
     """
     x, u = in_space("origin", origin), in_space("direction", direction)
-    half = not_negative("half_extents", in_space("half_extents", half_extents))
+    half = extent("half_extents", in_space("half_extents", half_extents))
     return in_all(*time_between(x, u, half))
 
 
 def in_all(first: Array, last: Array) -> tuple[Array, Array]:
     """Give what intervals along the last axis have in common from time 0 on; infinity and −infinity for nothing."""
     entry, leaving = np.maximum(np.max(first, axis=-1), 0.0), np.min(last, axis=-1)
-    meets = entry <= leaving
+    meets = (entry <= leaving) & (entry < np.inf)
     return np.where(meets, entry, np.inf), np.where(meets, leaving, -np.inf)

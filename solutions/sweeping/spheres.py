@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite, not_negative
+from solutions.checks import finite
 from solutions.detection import signed_distance
-from solutions.sweeping.motion import in_space, relative_motion, within
+from solutions.sweeping.motion import extent, in_space, relative_motion, within
 from solutions.sweeping.nearest import nearest_on_triangle, triangles
 from solutions.sweeping.rays import ray_capsule, ray_sphere
 
@@ -32,7 +32,7 @@ def sweep_sphere_sphere(
     position_a, position_b : (..., 3), centres, m
     velocity_a, velocity_b : (..., 3), m/s
     radius_a, radius_b : (...), m; 0 for a point
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step; infinity looks ahead without end
 
     Returns
     -------
@@ -41,10 +41,10 @@ def sweep_sphere_sphere(
     Raises
     ------
     ValueError
-        If a radius or dt is negative, or a vector is not finite or not in space.
+        If a radius or dt is negative, a radius is infinite, or a vector is not finite or not in space.
     """
     position, velocity = relative_motion(position_a, velocity_a, position_b, velocity_b)
-    radius = not_negative("radius_a", radius_a) + not_negative("radius_b", radius_b)
+    radius = extent("radius_a", radius_a) + extent("radius_b", radius_b)
     return within(ray_sphere(position, velocity, radius), dt)
 
 
@@ -62,7 +62,7 @@ def sweep_sphere_plane(
     radius : (...), r, m; 0 for a point
     normal : (..., 3), n, any length but zero
     offset : (...), d, m when n has unit length
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step; infinity looks ahead without end
 
     Returns
     -------
@@ -72,11 +72,11 @@ def sweep_sphere_plane(
     Raises
     ------
     ValueError
-        If a normal is zero, radius or dt is negative, or an argument is not finite or not in space.
+        If a normal is zero, radius or dt is negative, or another argument is not finite or not in space.
     """
     x, u = in_space("position", position), in_space("velocity", velocity)
     n = in_space("normal", normal)
-    gap = signed_distance(x, n, finite("offset", offset)) - not_negative("radius", radius)
+    gap = signed_distance(x, n, finite("offset", offset)) - extent("radius", radius)
     closing = -signed_distance(u, n, 0.0)
     with np.errstate(over="ignore"):  # at a crawl it gets there after any number of seconds: infinity will do
         time = np.where(closing > 0, gap / np.where(closing > 0, closing, 1.0), np.inf)
@@ -97,20 +97,21 @@ def sweep_sphere_triangle(
     velocity : (..., 3), relative to the triangle, m/s
     radius : (...), m; 0 for a point
     triangle : (..., 3, 3), three corners, m; without area it is a segment or a point. It has no inside and no front
-    dt : (...), s, length of the step
+    dt : (...), s, length of the step; infinity looks ahead without end
 
     Returns
     -------
     (...), s from now, 0 to dt; infinity where it does not touch. 0 if it overlaps or touches now, even if it parts. A
-    point that moves in the triangle's plane meets an edge without breadth: rounding decides.
+    point, radius 0, never slips through the seam of two triangles. Whether one that moves in a triangle's plane meets
+    its edge, or one that goes through a corner meets any triangle there, rounding decides: `segment_triangle` is exact.
 
     Raises
     ------
     ValueError
-        If radius or dt is negative, or an array is not finite or not in space.
+        If radius or dt is negative, or another argument is not finite or not in space.
     """
     x, u, corners = in_space("position", position), in_space("velocity", velocity), triangles("triangle", triangle)
-    r = not_negative("radius", radius)
+    r = extent("radius", radius)
     nearest = (nearest_on_triangle(x, corners)[..., None, :] @ corners)[..., 0, :]
     edges = ray_capsule(
         x[..., None, :], u[..., None, :], corners, np.roll(corners, -1, axis=-2), np.asarray(r)[..., None]
@@ -131,7 +132,17 @@ def _face(x: Array, u: Array, r: Array, corners: Array) -> Array:
     arrives = (closing > 0) & (np.abs(height) >= r) & (length > 0)
     with np.errstate(over="ignore"):  # as above
         time = np.where(arrives, (np.abs(height) - r) / np.where(arrives, closing, 1.0), np.inf)
-    foot = x + u * np.where(np.isfinite(time), time, 0.0)[..., None] - (side * r)[..., None] * normal
-    ways = np.roll(corners, -1, axis=-2) - corners
-    left = np.vecdot(np.cross(ways, foot[..., None, :] - corners), normal[..., None, :])
-    return np.where(np.all(left >= 0, axis=-1), time, np.inf)
+    lands = x - (side * r)[..., None] * normal  # the ball's point that comes first
+    passes = _same_turn(corners - lands[..., None, :], u)
+    return np.where(passes, time, np.inf)
+
+
+def _same_turn(corners: Array, u: Array) -> NDArray[np.bool_]:
+    """Whether the line through the origin along u passes all three sides with the same turn, or meets one.
+
+    A side taken the other way round has exactly the opposite turn, rounding included: a point that moves through the
+    seam of two triangles never passes between them.
+    """
+    following = np.roll(corners, -1, axis=-2)
+    turn = np.vecdot(np.cross(corners + following, following - corners), u[..., None, :])
+    return np.asarray(np.all(turn >= 0, axis=-1) | np.all(turn <= 0, axis=-1))

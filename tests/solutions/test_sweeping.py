@@ -144,6 +144,21 @@ def test_a_crawl_arrives_after_any_number_of_seconds_or_never():
         ray_box([2, 0, 0], [-1e-310, 0, 0], [1, 1, 1])[0],
     ):
         assert time > 1e300
+    assert ray_box([2, 0, 0], [-1e-310, 0, 0], [1, 1, 1]) == (INFINITE, -INFINITE)  # after all numbers: never
+
+
+def test_without_an_end_of_the_step_whatever_is_ahead_is_found():
+    still = [0, 0, 0]
+    assert sweep_sphere_sphere([1e9, 0, 0], [-1, 0, 0], 1, still, still, 1, INFINITE) == 1e9 - 2
+    assert sweep_sphere_plane([0, 0, 1e9], [0, 0, -1], 1, [0, 0, 1], 0, INFINITE) == 1e9 - 1
+    assert sweep_sphere_triangle([0.5, 0.5, 1e9], [0, 0, -1], 1, TRIANGLE, INFINITE) == 1e9 - 1
+    for x, u, expected in (
+        ([1e9, 0, 0], [-1, 0, 0], (1e9 - 2, 1e9 + 2)),
+        ([1, 0, 0], [0, 0, 0], (0, INFINITE)),
+        ([3, 0, 0], [0, 0, 0], (INFINITE, -INFINITE)),
+    ):
+        assert sweep_boxes(x, u, [1] * 3, still, still, [1] * 3, INFINITE) == expected
+        assert sweep_oriented_boxes(x, u, np.eye(3), [1] * 3, np.eye(3), [1] * 3, INFINITE) == expected
 
 
 @pytest.mark.statement(10, oracle="the separation at the time given, and exact fractions")
@@ -218,6 +233,23 @@ def test_the_order_of_the_corners_does_not_matter(order, x, u):
     times = [sweep_sphere_triangle(x, u, 0.3, TRIANGLE[list(way)], 5.0) for way in (range(3), order)]
     # the corners enter the sums in another order
     assert times[0] == pytest.approx(times[1], abs=1e-12)
+
+
+@pytest.mark.statement(10, oracle="points of the seam, chosen beforehand")
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+def test_nothing_slips_through_the_seam_of_two_triangles_not_even_a_point(scale):
+    rng = np.random.default_rng(11)
+    a, b, c, d = scale * rng.normal(size=(4, 4000, 3))
+    x, share = a + scale * rng.normal(size=(4000, 3)), rng.uniform(0.05, 0.95, (4000, 1))
+    u = a + share * (b - a) - x
+    across = np.cross(b - a, u)  # seen along u, c and d must be on two sides of the seam
+    two_sides = np.vecdot(across, c - a) * np.vecdot(across, d - a) < 0
+    for radius, places in ((0.0, [0, 1, 2]), (0.0, [1, 2, 0]), (1e-9 * scale, [0, 1, 2])):
+        first, second = np.stack([a, b, c], axis=1)[:, places], np.stack([b, a, d], axis=1)
+        time = np.minimum(*(sweep_sphere_triangle(x, u, radius, corners, 2.0) for corners in (first, second)))
+        # it is there at 1; rounding of the height, enlarged where it comes at a flat angle
+        assert time[two_sides] == pytest.approx(1.0, abs=1e-5)
+    assert two_sides.sum() > 1000
 
 
 # Rays
@@ -363,6 +395,8 @@ def test_rods_and_sheets_without_thickness_are_boxes_too():
     ("call", "complaint"),
     [
         (lambda: ray_sphere([0, 0, 0], [1, 0, 0], -1.0), "radius must be zero or positive, not -1"),
+        (lambda: ray_sphere([0, 0, 0], [1, 0, 0], math.inf), "radius must be finite, not inf"),
+        (lambda: sweep_sphere_plane([0] * 3, [1, 0, 0], math.inf, [0, 0, 1], 0, 1.0), "radius must be finite, not inf"),
         (lambda: ray_sphere([0, 0, math.nan], [1, 0, 0], 1.0), "origin must be finite, not nan"),
         (lambda: ray_capsule([0, 0], [1, 0, 0], [0, 0, 0], [0, 0, 0], 1.0), r"origin must have shape \(\.\.\., 3\)"),
         (lambda: ray_box([0, 0, 0], [1, 0, 0], [1, -2, 1]), "half_extents must be zero or positive, not -2"),

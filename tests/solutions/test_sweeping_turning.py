@@ -214,6 +214,47 @@ def test_the_nearest_point_of_a_triangle_is_the_one_that_least_squares_find():
         assert ours == pytest.approx(best, abs=1e-7)  # the oracle weighs the sum of its weights with 1e4
 
 
+@pytest.mark.statement(10, oracle="points above, beside and off a triangle, placed beforehand")
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+@pytest.mark.parametrize("height", [1e-9, 1.0, 1e6])
+def test_from_any_height_the_nearest_point_of_a_triangle_is_the_foot(scale, height):
+    rng = np.random.default_rng(12)
+    corners = rng.uniform(-1, 1, (500, 3, 3))
+    a, b, c = np.moveaxis(corners, 1, 0)
+    normal = np.cross(b - a, c - a)
+    area = np.linalg.norm(normal, axis=-1)
+    normal, edge = normal / area[:, None], b - a
+    out = np.cross(edge, normal) / np.linalg.norm(edge, axis=-1, keepdims=True)  # away from c
+    weights = rng.dirichlet(np.ones(3), 500)
+    on_edge = weights / weights[:, :2].sum(axis=-1, keepdims=True) * [1, 1, 0]
+    for shares, way in ((weights, normal), (on_edge, out), (on_edge, normal + out)):
+        foot = np.vecdot(shares[..., None], corners, axis=1)
+        found = nearest_on_triangle(scale * (foot + height * way), scale * corners)
+        # rounding of the height leans the foot by 1e-16 of it, the more the flatter the triangle is
+        off = np.linalg.norm(np.vecdot(found[..., None], corners, axis=1) - foot, axis=-1)
+        assert np.all(off < 1e-14 * (1 + height) / area)
+
+
+@pytest.mark.statement(10, oracle="gaps left beforehand beside a face")
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+def test_a_narrow_gap_is_never_overrated_and_underrated_by_rounding_alone(scale):
+    rng = np.random.default_rng(13)
+    turn, other = rotated(np.eye(3), rng.normal(size=(2, 200, 1, 3))).mT
+    normal = turn[:, :, 0]
+    wall, corners = (turn @ CUBE.T).mT, (other @ CUBE.T).mT
+    corners = corners - corners[np.arange(200), np.vecdot(corners, normal[:, None]).argmin(axis=-1)][:, None]
+    foot = normal / 2 + (turn[:, :, 1:] @ rng.uniform(-0.4, 0.4, (200, 2, 1)))[..., 0]
+    for gap in (1e-3, 1e-6, 1e-7, 1e-9, 0.0, -1e-9):
+        body = corners + (foot + gap * normal)[:, None]
+        separation, found = separation_of_hulls(scale * body, scale * wall)
+        size = np.abs(body).max()
+        assert np.all(separation <= scale * (gap + 4e-16) if gap > 0 else separation <= scale * 1e-15)
+        if gap >= 1e-7:
+            assert np.all(separation >= scale * (gap - 1e-15 * size**2 / gap))
+            # n is bent by no more than rounding over the gap
+            np.testing.assert_allclose(found, normal, atol=1e-15 * size / gap)
+
+
 @pytest.mark.statement(10, oracle="scipy's linear programs and quadratic minimum over the weights")
 def test_two_hulls_are_apart_by_the_distance_of_their_nearest_points():
     optimize = pytest.importorskip("scipy.optimize")
@@ -408,6 +449,15 @@ def test_many_pairs_at_once_are_the_same_as_one_at_a_time():
         (lambda: motion_bound(STILL, STILL, -1, [0, 0, 1]), "reach must be zero or positive, not -1"),
         (lambda: motion_bound(STILL, STILL, 1, [0, 0, 2]), "normal must have length 1, not 2"),
         (lambda: rotated([0, 0], STILL), "point must have shape"),
+        (
+            lambda: separation_of_hulls(np.zeros((0, 3)), CUBE),
+            r"points_a must have shape \(\.\.\., n, 3\) with a point",
+        ),
+        (lambda: separation_of_hulls(CUBE, STILL), r"points_b must have shape .* not \(3,\)"),
+        (
+            lambda: sweep_convex(STILL, STILL, STILL, STILL, 0, CUBE, STILL, STILL, STILL, 0, 1),
+            r"points_a must have shape \(\.\.\., n, 3\)",
+        ),
         (
             lambda: sweep_convex(CUBE, STILL, STILL, STILL, -1, CUBE, STILL, STILL, STILL, 0, 1),
             "radius_a must be zero or positive",
