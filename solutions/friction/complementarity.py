@@ -62,11 +62,11 @@ def solve_by_sweeps(matrix: ArrayLike, offset: ArrayLike, sweeps: int, start: Ar
     start = finite("start", start)
     f = np.array(np.broadcast_to(start, np.broadcast_shapes(a.shape[:-1], b.shape, start.shape)))
     own = np.diagonal(a, axis1=-2, axis2=-1)
-    softness = np.where(own > 0, 1 / np.where(own > 0, own, 1.0), 0.0)
+    divisor = np.where(own > 0, own, 1.0)
     for _ in range(sweeps):
         for i in range(f.shape[-1]):
             gap = np.vecdot(a[..., i, :], f) + b[..., i]
-            f[..., i] = np.where(own[..., i] > 0, np.maximum(0.0, f[..., i] - softness[..., i] * gap), 0.0)
+            f[..., i] = np.where(own[..., i] > 0, np.maximum(0.0, f[..., i] - gap / divisor[..., i]), 0.0)
     return f
 
 
@@ -114,7 +114,7 @@ def _lemke(a: Array, b: Array) -> Array:
             forces[basis] = np.linalg.solve(start[:, basis], start[:, -1])  # the table has gathered rounding
             return np.maximum(0.0, forces[count:-1]) * size / scale
         entering = leaving + count if leaving < count else leaving - count
-        row = _leaving_row(table, basis, entering)
+        row = _leaving_row(table, entering)
     raise ValueError("matrix: Lemke's method found no end; are its eigenvalues negative?")
 
 
@@ -125,17 +125,14 @@ def _exchange(table: Array, row: int, column: int) -> None:
     table[others] -= np.outer(table[others, column], table[row])
 
 
-def _leaving_row(table: Array, basis: NDArray[np.int_], entering: int) -> int:
-    """The row that reaches zero first as a column enters; z before others, then in the order of the columns of w."""
+def _leaving_row(table: Array, entering: int) -> int:
+    """The row that reaches zero first as a column enters; of several the first in the order of the columns of w."""
     rows = np.flatnonzero(table[:, entering] > ROUNDING)
     if len(rows) == 0:
         raise ValueError("offset: no forces solve this problem")
     for column in (-1, *range(len(table))):
         ratios = table[rows, column] / table[rows, entering]
         rows = rows[ratios <= np.min(ratios) + ROUNDING]
-        artificial = rows[basis[rows] == 2 * len(table)]
-        if column == -1 and len(artificial):
-            return int(artificial[0])
     return int(rows[0])
 
 

@@ -102,6 +102,14 @@ def test_at_the_limit_the_push_is_cancelled_and_just_above_only_kinetic_friction
     assert above == pytest.approx([-1.5, -2.0, 0.0], abs=1e-6)  # N is 1e-6 short of 10
 
 
+@given(VECTOR, st.one_of(st.just(ZERO), SLIDING), NORMAL_FORCE, COEFFICIENTS, st.integers(-20, 20))
+def test_friction_grows_as_all_the_forces_do_in_newtons_and_in_meganewtons(push, velocity, press, coefficients, power):
+    force, factor = friction_force(push, velocity, press, *coefficients), 2.0**power
+    found = friction_force(factor * push, velocity, factor * press, *coefficients)
+    # A power of two, up to 1e6 and down to 1e-6, rounds nothing that is not next to zero
+    assert found == pytest.approx(factor * force, rel=1e-15, abs=1e-300)
+
+
 def test_a_body_that_neither_moves_nor_is_pushed_feels_no_friction():
     assert np.array_equal(friction_force(ZERO, ZERO, 10.0, 0.5, 0.25), ZERO)
     assert np.array_equal(friction_force(ZERO, ZERO, 0.0, 0.0, 0.0), ZERO)

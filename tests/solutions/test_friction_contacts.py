@@ -132,6 +132,27 @@ def test_a_contact_that_moves_nothing_is_solved_by_no_force_alone():
     assert complementarity_residual([[0.0]], [-1.0], [0.0]) == 1.0
 
 
+@given(SMALL, st.integers(-40, 40), st.integers(-40, 40))
+def test_the_unit_of_mass_and_the_unit_of_time_change_nothing_but_the_numbers(seed, mass, time):
+    # Powers of two, up to 1e12 and down to 1e-12; a contact that moves nothing and one that lies still keep their zeros
+    g, weights, force = some_contacts(seed)
+    g, force = np.vstack([g, np.zeros_like(g[:1])]), np.append(force, 0.0)
+    g, weights = np.hstack([g, np.zeros((len(g), 1))]), np.pad(weights, (0, 1))
+    a, b = resting_problem(g, weights, force)
+    f = solve_by_pivots(a, b)
+    assert np.array_equal(solve_by_pivots(a * 2.0**mass, b * 2.0**time), f * 2.0 ** (time - mass))
+
+
+def test_many_resting_problems_at_once_are_the_same_as_one_after_another():
+    rng = np.random.default_rng(6)
+    g, force, weights = rng.normal(size=(3, 2, 4, 5)), rng.normal(size=(2, 5)), np.diag(rng.uniform(1, 2, size=5))
+    a, b = resting_problem(g, weights, force)
+    for at in np.ndindex(3, 2):
+        alone = resting_problem(g[at], weights, force[at[1]])
+        assert a[at] == pytest.approx(alone[0], abs=1e-14)  # sums of five numbers in another order
+        assert b[at] == pytest.approx(alone[1], abs=1e-14)
+
+
 def test_what_nothing_can_keep_apart_is_said_to_have_no_solution():
     with pytest.raises(ValueError, match="offset"):
         solve_by_pivots([[0.0]], [-1.0])
@@ -152,8 +173,10 @@ def test_contacts_that_part_feel_nothing_and_no_contacts_are_no_problem():
 
 def test_one_problem_is_swept_from_many_starts():
     starts = np.array([[0.0, 0.0], [5.0, 0.0], [0.0, 7.0]])
-    found = solve_by_sweeps(np.diag([2.0, 1.0]), [-2.0, 3.0], 1, start=starts)
+    found = solve_by_sweeps(np.diag([2.0, 0.25]), [-2.0, 3.0], 1, start=starts)
     assert found.tolist() == [[1.0, 0.0]] * 3
+    assert solve_by_sweeps([[0.25]], [-1.0], 1).tolist() == [4.0]
+    assert solve_by_sweeps([[0.0]], [1.0], 1, start=7.0).tolist() == [0.0]
     assert solve_by_sweeps(np.diag([2.0, 1.0]), [-2.0, 3.0], 0, start=starts).tolist() == starts.tolist()
 
 
@@ -274,6 +297,16 @@ def test_sequential_impulses_without_friction_leave_the_velocities_of_least_chan
     assert after == pytest.approx(v + weights @ g.T @ other, abs=1e-4)  # linear convergence
     assert np.all(impulse[:, 0] >= 0)
     assert np.all(impulse[:, 1:] == 0)  # rows of zeros: nothing moves, no impulse
+
+
+def test_a_body_that_slides_askew_is_stopped_along_both_directions_though_it_gives_way_differently():
+    # By turning, the point of contact yields along x as if it were 1/3 of the body; along y as all of it
+    arm = [[0.0, 0.0, -1.0]]
+    rows = np.stack([contact_jacobian(0, -1, d[None], arm, arm, 1) for d in (UP, X, Y)], axis=1)
+    weights = inverse_mass_matrix([1.0], np.diag([0.0, 2.0, 0.0]))
+    v, impulse = sequential_impulses([3.0, -2.0, -1.0, 0, 0, 0], rows, weights, 10.0, 1)
+    assert impulse[0] == pytest.approx([1.0, -1.0, 2.0], abs=1e-15)
+    assert v == pytest.approx([2.0, 0, 0, 0, 2.0, 0], abs=1e-15)
 
 
 def test_what_a_later_contact_gives_an_earlier_one_may_take_back():
@@ -440,6 +473,7 @@ def test_many_rows_at_once_are_the_same_as_one_after_another():
         (lambda: complementarity_residual(np.eye(2), [0.0, 0.0], [0.0, np.nan]), "force"),
         (lambda: propagate_impacts(1.0, 1.0, 1.0), "velocity"),
         (lambda: propagate_impacts([1.0, 0.0], np.inf, 1.0), "mass"),
+        (lambda: propagate_impacts([1.0, 0.0, 0.0], [1.0, np.inf, np.inf], 1.0), "mass must be finite"),
         (lambda: propagate_impacts([np.nan, 1.0], 1.0, 1.0), "velocity"),
         (lambda: propagate_impacts([0.0, 1.0], 0.0, 1.0), "mass"),
         (lambda: propagate_impacts([0.0, 1.0], 1.0, 1.1), "restitution"),

@@ -200,6 +200,16 @@ def test_the_same_impact_named_the_other_way_round_or_turned_is_the_same(seed, r
     assert turned == pytest.approx(turn @ j, abs=1e3 * scale)
 
 
+def test_what_only_grazes_gets_no_impulse_even_where_slip_and_normal_are_coupled():
+    # Stopping the slip of this rod would take a push along the normal one way, and a pull the other
+    k = plane_matrix(-0.4, -0.3, 1 / 12)
+    wanted = [np.linalg.solve(k, (-slip, 0.0, 0.0)) for slip in (0.5, -0.5)]
+    assert sorted(np.sign([j[2] for j in wanted])) == [-1, 1]
+    for slip in (0.5, -0.5):
+        assert friction_impulse((slip, 0.0, 0.0), UP, k, 0.5, 10.0).tolist() == [0, 0, 0]
+        assert friction_impulse((slip, 0.0, 1e-300), UP, k, 0.5, 10.0).tolist() == [0, 0, 0]
+
+
 @given(st.integers(0, 10_000), SPEED, RESTITUTION)
 def test_without_friction_only_the_normal_takes_part(seed, speed, restitution):
     k = point_inverse_mass(*body(seed))

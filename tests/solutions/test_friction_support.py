@@ -124,6 +124,7 @@ def test_a_growing_push_breaks_a_crate_away_when_it_reaches_mu_n():
     assert break_away_time((0, 0, -20.0), (2.0, 0, 0), UP, 0.5) == 5.0  # 2 t = 0.5 × 20
     assert break_away_time((4.0, 0, -20.0), (2.0, 0, 0), UP, 0.5) == 3.0
     assert break_away_time((-4.0, 0, -20.0), (2.0, 0, 0), UP, 0.5) == 7.0  # first it lets go, then it turns round
+    assert break_away_time((0, 0, -20.0), (-2.0, -0.0, -0.0), UP, 0.5) == 5.0  # N stays, with either sign of zero
 
 
 @pytest.mark.statement(24, oracle="arithmetic by hand")
@@ -131,6 +132,15 @@ def test_a_push_that_lifts_breaks_away_sooner_and_one_steep_enough_from_above_ne
     # 2 t = 0.5 (20 − t), and 2 t = 0.5 (20 + t); from above at 0.5 × 4 t = 2 t + …: never
     times = break_away_time((0, 0, -20.0), [[2.0, 0, 1.0], [2.0, 0, -1.0], [2.0, 0, -4.0]], UP, 0.5)
     assert times == pytest.approx([4.0, 20 / 3, np.inf], rel=1e-14)
+
+
+@given(VECTOR, VECTOR, st.floats(0.05, 2), st.integers(-20, 20), st.integers(-20, 20))
+def test_the_units_of_force_and_time_do_not_change_when_it_breaks_away(force, rate, friction, newtons, seconds):
+    # Powers of two, up to 1e6 and down to 1e-6, round nothing
+    force = force * [0.1, 0.1, 1]
+    time = break_away_time(force, rate, UP, friction)
+    there = break_away_time(force * 2.0**newtons, rate * 2.0 ** (newtons - seconds), UP, friction)
+    assert there == time * 2.0**seconds
 
 
 def test_what_is_not_held_breaks_away_now_and_what_is_only_lifted_when_it_leaves_the_ground():
@@ -316,6 +326,7 @@ def test_as_printed_static_friction_sets_an_unpushed_block_in_motion():
     ("call", "name"),
     [
         (lambda: apparent_force(-1.0, DOWN, STILL, STILL), "mass"),
+        (lambda: apparent_force(0.0, DOWN, STILL, STILL), "mass must be positive, not 0"),
         (lambda: apparent_force(1.0, DOWN[:2], STILL, STILL), "gravity"),
         (lambda: normal_force(DOWN, 2 * UP), "normal"),
         (lambda: normal_force(DOWN[:2], UP), "force"),

@@ -103,7 +103,7 @@ def test_what_closes_at_four_metres_a_second_parts_at_e_times_that():
 
 
 def test_what_separates_or_grazes_already_has_the_velocity_that_it_will_have():
-    assert rebound_velocity((3.0, 0.0), 0.5).tolist() == [3, 0]
+    assert rebound_velocity((3.0, 1e-3, 0.0), 0.5).tolist() == [3, 1e-3, 0]
 
 
 @pytest.mark.erratum(12)
