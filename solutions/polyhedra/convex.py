@@ -83,7 +83,8 @@ def is_convex(vertices: ArrayLike, faces: ArrayLike) -> bool:
         If a face has no area, or the mesh does not fit together.
     """
     v, f = checked_mesh(vertices, faces)
-    return _most_in_front(v[np.unique(f)], *face_planes(v, f))[0] <= FLAT * size_of(v)
+    corners = v[np.unique(f)]
+    return _most_in_front(corners, *face_planes(v, f))[0] <= FLAT * size_of(corners)
 
 
 def _convex_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
@@ -91,8 +92,9 @@ def _convex_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]
     if not len(f):
         raise ValueError("faces must not be empty: a polyhedron without faces has no inside")
     normal, offset = face_planes(v, f)
-    height, face = _most_in_front(v[np.unique(f)], normal, offset)
-    if height > FLAT * size_of(v):
+    corners = v[np.unique(f)]  # vertices of no face have no say
+    height, face = _most_in_front(corners, normal, offset)
+    if height > FLAT * size_of(corners):
         raise ValueError(
             f"faces must bound a convex solid and look outwards: a vertex is {height:g} m before face {face}"
         )

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solutions.checks import finite, vector
-from solutions.polyhedra.orientation import Sign, orient2d, orient3d
+from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
 from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, directed_edges, same_places
 
 
@@ -139,8 +139,7 @@ def _before_face(a: Array, b: Array, c: Array, p: Array) -> Sign:
     side = orient3d(a, b, c, p)
     on = side == 0
     if np.any(on):
-        axes = ((1, 2), (2, 0), (0, 1))  # what is left when looking along x, y, z
-        side[on] = _first_sign(*(orient2d(a[on][:, i], b[on][:, i], c[on][:, i]) for i in map(list, axes)))
+        side[on] = _first_sign(*(orient2d(a[on][:, look], b[on][:, look], c[on][:, look]) for look in LOOKS))
     return side
 
 

@@ -21,6 +21,8 @@ BOUND_3D = (7 + 56 * HALF_EPSILON) * HALF_EPSILON
 """How far rounding may move the determinant, as a share of the sizes of its terms (Shewchuk 1997)."""
 UNDERFLOW = 1e-200
 """Products this small may have lost digits at the lower end of the floats."""
+LOOKS = ([1, 2], [2, 0], [0, 1])
+"""The two coordinates that are left when looking along x, y and z."""
 
 
 def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:

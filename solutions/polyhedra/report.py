@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.polyhedra.orientation import orient2d, orient3d
-from solutions.polyhedra.segments import LOOKS, segment_meets_triangle
+from solutions.polyhedra.orientation import LOOKS, orient2d, orient3d
+from solutions.polyhedra.segments import segment_meets_triangle
 from solutions.polyhedra.solids import boxes_that_meet
 from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, directed_edges, same_places
 

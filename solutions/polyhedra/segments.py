@@ -7,11 +7,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.checks import finite, vector
 from solutions.detection import signed_distance
-from solutions.polyhedra.orientation import Sign, orient2d, orient3d
+from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
 from solutions.polyhedra.surface import Array
 
-LOOKS = ([1, 2], [2, 0], [0, 1])
-"""The two coordinates that are left when looking along x, y and z."""
+ROUNDING = 1e-15
+"""Share of the largest coordinate within which a point counts as on a side, when it is asked where a segment enters."""
 
 
 def segment_plane(start: ArrayLike, end: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> Array:
@@ -44,7 +44,8 @@ def segment_plane(start: ArrayLike, end: ArrayLike, normal: ArrayLike, offset: A
 def segment_triangle(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array]:
     """Where along a segment it first meets a triangle, and where on that: edge against face (slide 9).
 
-    Whether it does is decided exactly (`segment_meets_triangle`); borders and ends count. Where, is rounded.
+    Whether it does is decided exactly (`segment_meets_triangle`); borders and ends count. Where, is rounded: the point
+    of the segment and that of the triangle are one but for rounding, even if the segment is nearly in the plane.
 
     Parameters
     ----------
@@ -60,17 +61,19 @@ def segment_triangle(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> t
     Raises
     ------
     ValueError
-        If a triangle has no area, a number is not finite, or a shape does not fit.
+        If a triangle has no area that floats can tell, a number is not finite, or a shape does not fit.
     """
     p, q, corners = _checked(start, end, triangle)
     a, b, c = (corners[..., k, :] for k in range(3))
     normal = np.cross(b - a, c - a)
     if np.any(np.all(normal == 0, axis=-1)):
         raise ValueError("triangle must have an area: one has none")
-    through = _share(np.vecdot(normal, p - a), np.vecdot(normal, q - a))
-    flat = (orient3d(a, b, c, p) == 0) & (orient3d(a, b, c, q) == 0)
-    fraction = np.where(flat, _entry(p, q, corners, normal), through)
-    weight = _weights(p + fraction[..., None] * (q - p), corners, normal)
+    shares = _candidates(p, q, corners, normal)
+    places = p[..., None, :] + shares[..., None] * (q - p)[..., None, :]
+    weights = _weights(places, corners[..., None, :, :], normal[..., None, :])
+    nearest = np.argmin(np.linalg.norm(weights @ corners - places, axis=-1), axis=-1)[..., None]
+    fraction = np.take_along_axis(shares, nearest, axis=-1)[..., 0]
+    weight = np.take_along_axis(weights, nearest[..., None], axis=-2)[..., 0, :]
     meets = segment_meets_triangle(p, q, corners)
     return np.where(meets, fraction, np.inf), np.where(meets[..., None], weight, np.nan)
 
@@ -150,11 +153,30 @@ def _share(s0: Array, s1: Array) -> Array:
     return np.asarray(np.clip(s0 / np.where(change == 0, 1.0, change), 0.0, 1.0))
 
 
-def _entry(p: Array, q: Array, corners: Array, normal: Array) -> Array:
-    """Where a segment in the plane of the triangle comes in: past the last of the sides that it starts outside of."""
+def _candidates(p: Array, q: Array, corners: Array, normal: Array) -> Array:
+    """Two shares of a segment (..., 2): where it goes through the plane, and that kept between the triangle's sides.
+
+    They are one but for rounding, unless the segment is so nearly in the plane that rounding decides about the first.
+    If it is in the plane, both are where it comes in.
+    """
+    a, b, c = (corners[..., k, :] for k in range(3))
+    flat = (orient3d(a, b, c, p) == 0) & (orient3d(a, b, c, q) == 0)
+    first, last = _stretch(p, q, corners, normal)
+    through = _share(np.vecdot(normal, p - a), np.vecdot(normal, q - a))
+    return np.where(
+        flat[..., None], np.minimum(first, last)[..., None], np.stack([through, np.clip(through, first, last)], axis=-1)
+    )
+
+
+def _stretch(p: Array, q: Array, corners: Array, normal: Array) -> tuple[Array, Array]:
+    """Shares of a segment at which it has passed the last side it starts outside of, and the first it ends outside."""
     inward = np.cross(normal[..., None, :], np.roll(corners, -1, axis=-2) - corners)
     s0, s1 = np.vecdot(inward, p[..., None, :] - corners), np.vecdot(inward, q[..., None, :] - corners)
-    return np.asarray(np.max(np.where(s0 < 0, _share(s0, s1), 0.0), axis=-1))
+    size = np.max(np.abs(np.concatenate([p[..., None, :], q[..., None, :], corners], axis=-2)), axis=(-2, -1))
+    on = -ROUNDING * np.linalg.norm(inward, axis=-1) * size[..., None]  # one along a side does not cross it
+    share = _share(s0, s1)
+    first, last = np.where((s0 < on) & (s1 >= on), share, 0.0), np.where((s1 < on) & (s0 >= on), share, 1.0)
+    return np.max(first, axis=-1), np.min(last, axis=-1)
 
 
 def _weights(x: Array, corners: Array, normal: Array) -> Array:

@@ -196,6 +196,46 @@ def test_in_the_plane_of_the_triangle_the_stretch_within_begins_at_a_side_or_at_
     )
 
 
+@pytest.mark.statement(9, oracle="exact fractions, by clipping")
+@given(st.integers(0, 2**32), st.permutations(range(3)), st.lists(st.integers(-3, 3), min_size=4, max_size=4))
+def test_along_a_side_and_parallel_to_one_the_stretch_begins_where_fractions_say(seed, order, way):
+    # sides with 24 digits: small multiples are exact, so the segment is in the plane, cross products are not
+    rng = np.random.default_rng(seed)
+    e, f = rng.normal(size=(2, 3)).astype(np.float32).astype(float) * 2.0 ** rng.integers(-20, 21)
+    corners = np.array([0 * e, e, f])[order]
+    i, j, k, m = way
+    for p, q in ((i * e, k * e), (i * e + j * f, k * e + j * f), (i * e + j * f, k * e + m * f)):
+        expected = exact_meeting(p, q, corners)
+        t, weights = segment_triangle(p, q, corners)
+        if expected is None:
+            assert t == np.inf
+        else:
+            assert t == pytest.approx(float(expected), abs=1e-12)  # some roundings; of flat triangles more
+            size = np.max(np.abs([p, q, *corners]))
+            assert weights @ corners == pytest.approx(p + t * (q - p), abs=1e-13 * size)
+
+
+@pytest.mark.statement(9, oracle="exact fractions, by clipping")
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+@pytest.mark.parametrize("lift", [0.0, 1e-17, 1e-15, 1e-13, 1e-9, 1.0])
+def test_however_flat_a_segment_meets_a_triangle_the_two_points_found_are_one(scale, lift):
+    rng = np.random.default_rng(8)
+    corners = rng.normal(size=(150, 3, 3))
+    a, b, c = np.moveaxis(corners, 1, 0)
+    along = rng.normal(size=(150, 3)) * [1, 1, lift]
+    u = np.vecdot(along[..., None], np.stack([b - a, c - a, np.cross(b - a, c - a)], axis=1), axis=1)
+    p = np.vecdot(rng.dirichlet(np.ones(3), 150)[..., None], corners, axis=1) - rng.uniform(-0.1, 1.1, (150, 1)) * u
+    p, q, triangles = scale * p, scale * (p + u), scale * corners
+    t, weights = segment_triangle(p, q, triangles)
+    meets = np.isfinite(t)
+    assert meets.tolist() == [exact_meeting(*row) is not None for row in zip(p, q, triangles, strict=True)]
+    assert np.sum(meets) > 10  # nearly in the plane, rounding lifts many off it
+    assert weights[meets].sum(axis=-1) == pytest.approx(1, abs=1e-15)  # a rounding or two
+    on_triangle = np.vecdot(weights[..., None], triangles, axis=1)[meets]
+    # roundings of lengths up to 20, a hundred times more in the flattest of these triangles
+    assert on_triangle == pytest.approx((p + t[:, None] * (q - p))[meets], abs=1e-12 * scale)
+
+
 def test_a_point_is_a_segment_too_and_a_triangle_without_area_is_met_by_nothing():
     assert segment_meets_triangle([1, 1, 0], [1, 1, 0], FLAT)
     assert not segment_meets_triangle([3, 3, 0], [3, 3, 0], FLAT)

@@ -315,6 +315,16 @@ def test_only_the_square_is_convex_and_none_is_when_turned_inside_out(outline):
     assert not is_convex(vertices, faces[:, ::-1])
 
 
+def test_a_vertex_of_no_face_far_away_makes_nothing_convex():
+    vertices, faces = extruded(OUTLINES["L"])
+    with_another = np.concatenate([vertices, [[1e12, 0, 0]]])
+    assert not is_convex(with_another, faces)
+    with pytest.raises(ValueError, match="convex"):
+        convex_separation([3, 1, 1], with_another, faces)
+    square, its_faces = extruded(OUTLINES["square"])
+    assert is_convex(np.concatenate([square, [[1e12, 0, 0]]]), its_faces)
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [
