@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.checks import finite, not_negative
 
 Array = NDArray[np.float64]
-ROUNDING = 1e-11
-"""Below this share of the largest number a number of Lemke's table counts as zero."""
+ROUNDING = 1e-10
+"""Below this share of the largest number a number of Lemke's table counts as zero: rounding grows in the exchanges."""
 
 
 def complementarity_residual(matrix: ArrayLike, offset: ArrayLike, force: ArrayLike) -> Array:
@@ -90,7 +90,7 @@ def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
     ------
     ValueError
         If the shapes do not fit, a number is not finite, or an A_ii is negative; or if there are no such forces, as for
-        contacts that are forced into one another. Rounding hides them as well where one body is some 1e10 times as
+        contacts that are forced into one another. Rounding hides them as well where one body is some 1e9 times as
         heavy as another: A is taken over its largest number.
     """
     a, b = _checked(matrix, offset)

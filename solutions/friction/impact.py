@@ -82,7 +82,8 @@ def friction_impulse(
     sticks = np.linalg.norm(across, axis=-1) <= mu * np.vecdot(grip, n)
     size = np.linalg.norm(across, axis=-1, keepdims=True)
     edge = n + mu[..., None] * across / np.where(size > 0, size, 1.0)
-    slip = (-(1 + e) * approach / np.vecdot(n, np.matvec(k, edge)))[..., None] * edge
+    gained = np.vecdot(n, np.matvec(k, edge))  # above zero wherever it slips
+    slip = (-(1 + e) * approach / np.where(gained > 0, gained, 1.0))[..., None] * edge
     return np.where((approach < 0)[..., None], np.where(sticks[..., None], grip, slip), 0.0)
 
 

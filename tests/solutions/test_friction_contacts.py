@@ -99,7 +99,7 @@ def test_one_of_the_choices_of_pressed_contacts_is_what_pivoting_finds(seed):
 
 
 @pytest.mark.statement(22, oracle="scipy's lsq_linear with bounds")
-@settings(max_examples=30)
+@settings(max_examples=12)
 @given(seed=SMALL)
 def test_sweeping_comes_to_the_same_forces(seed):
     optimize = pytest.importorskip("scipy.optimize")
@@ -240,6 +240,17 @@ def test_every_contact_of_a_stack_carries_the_weights_above_it():
     assert complementarity_residual(a, b, solve_by_sweeps(a, b, 20)) > 0.1
 
 
+@pytest.mark.parametrize("seed", [0, 785, 1183, 3256])
+def test_contacts_that_are_all_counted_twice_on_bodies_a_million_times_heavier_than_others_carry_as_they_should(seed):
+    # With rows twice over, what should be zero in the table is rounding that the exchanges have made larger
+    rng = np.random.default_rng(seed)
+    g = rng.normal(size=(8, 6))
+    weights = np.diag(10.0 ** rng.uniform(-6, 0, size=6))
+    a, b = resting_problem(np.vstack([g, g]), weights, rng.normal(size=6))
+    # Masses 1e6 apart, which square in A: some 1e-16 × 1e6 of accelerations near 1 m/s²
+    assert complementarity_residual(a, b, solve_by_pivots(a, b)) <= 1e-9
+
+
 @pytest.mark.parametrize("ratio", [1e6, 1e-6])
 def test_a_stack_of_light_and_heavy_bodies_by_turns_stands(ratio):
     masses = [Fraction(ratio) if i % 2 else Fraction(1) for i in range(5)]
@@ -284,7 +295,7 @@ def test_sequential_impulses_hold_a_slab_up_to_the_angle_of_friction_and_let_it_
 
 
 @pytest.mark.statement(22, oracle="scipy's nnls")
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(seed=SMALL)
 def test_sequential_impulses_without_friction_leave_the_velocities_of_least_change(seed):
     optimize = pytest.importorskip("scipy.optimize")

@@ -210,6 +210,13 @@ def test_what_only_grazes_gets_no_impulse_even_where_slip_and_normal_are_coupled
         assert friction_impulse((slip, 0.0, 1e-300), UP, k, 0.5, 10.0).tolist() == [0, 0, 0]
 
 
+def test_what_parts_is_left_alone_without_a_word_though_sliding_impulses_would_not_move_it():
+    # n·K(n + 2 x) = 2 − 2: no matter, nothing is to be moved
+    k = np.array([[2.0, 0, -1], [0, 1, 0], [-1, 0, 2]])
+    with np.errstate(all="raise"):
+        assert friction_impulse((-2.0, 0.0, 1.0), UP, k, 0.0, 2.0).tolist() == [0, 0, 0]
+
+
 @given(st.integers(0, 10_000), SPEED, RESTITUTION)
 def test_without_friction_only_the_normal_takes_part(seed, speed, restitution):
     k = point_inverse_mass(*body(seed))
