@@ -199,6 +199,19 @@ def test_on_a_cube_the_winding_number_is_the_part_of_a_small_ball_that_is_inside
     assert winding_number(where, vertices, faces) == pytest.approx([1, 0.5, 0.5, 0.25, 0.25, 0.125, 0, 0], abs=1e-14)
 
 
+@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
+def test_what_is_inside_does_not_depend_on_the_unit_of_length_at_all(scale):
+    vertices, faces = extruded(OUTLINES["comb"])
+    vertices, points = bent(7)(vertices), bent(7)(np.random.default_rng(7).uniform(-0.5, [7, 4, 3], (500, 3)))
+    # a power of two changes no digit
+    assert np.array_equal(
+        winding_number(scale * points, scale * vertices, faces), winding_number(points, vertices, faces)
+    )
+    inside = inside_by_parity(scale * points, scale * vertices, faces)
+    assert np.array_equal(inside, inside_by_parity(points, vertices, faces))
+    assert 50 < np.sum(inside) < 450
+
+
 def test_inside_out_the_winding_number_is_negative_and_both_ways_still_know_inside():
     vertices, faces = extruded(OUTLINES["U"])
     points, truth = grid_with_truth(OUTLINES["U"])

@@ -13,6 +13,7 @@ from solutions.sweeping import (
     ray_capsule,
     ray_sphere,
     relative_motion,
+    rotated,
     sweep_boxes,
     sweep_oriented_boxes,
     sweep_sphere_plane,
@@ -377,6 +378,48 @@ def test_boxes_edge_to_edge_are_parted_by_the_cross_product_of_two_edges_alone()
     half = np.full(3, 0.5)
     entry, _ = sweep_oriented_boxes([0, 0, 3], [0, 0, -1], about_x, half, about_y, half, 5.0)
     assert entry == pytest.approx(3 - math.sqrt(2), abs=1e-15)
+
+
+@pytest.mark.parametrize("angle", [1e-12, 1e-9, 1e-7, 0.9e-6, 1.1e-6, 1e-5])
+def test_a_hair_s_breadth_of_turning_changes_the_overlap_by_no_more_than_it_moves_a_corner(angle):
+    rng = np.random.default_rng(14)
+    x, u, axis = rng.uniform(-3, 3, (3, 300, 3))
+    u = 0.3 * u - x
+    half_a, half_b = rng.uniform(0.1, 1, (2, 300, 3))
+    axis = angle * axis / np.linalg.norm(axis, axis=-1, keepdims=True)
+    turned = sweep_oriented_boxes(x, u, rotated(np.eye(3), axis[:, None]).mT, half_a, np.eye(3), half_b, 2.0)
+    plain = sweep_boxes(x, u, half_a, [0, 0, 0], [0, 0, 0], half_b, 2.0)
+    hit = np.isfinite(turned[0]) & np.isfinite(plain[0])
+    assert np.sum(hit) > 100
+    assert np.sum(np.isfinite(turned[0]) ^ np.isfinite(plain[0])) <= 1  # one that grazes
+    slowest = np.abs(u[hit]).min(axis=-1)
+    for ours, theirs in zip(turned, plain, strict=True):
+        # a corner is at most √3 m from the middle, and moves by the angle times that; rounding of sums of ten numbers
+        assert np.all(np.abs(ours[hit] - theirs[hit]) <= (2 * angle + 1e-14) / slowest)
+
+
+@pytest.mark.statement(10, oracle="a change of the unit of length")
+@pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
+def test_times_do_not_depend_on_the_unit_of_length_at_all(scale):
+    rng = np.random.default_rng(15)
+    x, a, b, c = rng.uniform(-1, 1, (4, 500, 3)) * [[[3]], [[1]], [[1]], [[1]]]
+    u, r, half = 0.3 * rng.normal(size=(500, 3)) - x, rng.uniform(0, 0.5, 500), rng.uniform(0, 0.5, (500, 3))
+    axes = rotated(np.eye(3), rng.normal(size=(500, 1, 3))).mT
+
+    def times(s):
+        return [
+            ray_sphere(s * x, s * u, s * r),
+            ray_capsule(s * x, s * u, s * a, s * b, s * r),
+            *ray_box(s * x, s * u, s * half),
+            sweep_sphere_plane(s * x, s * u, s * r, c, s * r, 2.0),
+            sweep_sphere_triangle(s * x, s * u, s * r, s * np.stack([a, b, c], axis=1), 2.0),
+            *sweep_oriented_boxes(s * x, s * u, axes, s * half, np.eye(3), s * half[::-1], 2.0),
+        ]
+
+    # a power of two changes no digit
+    for near, far in zip(times(1.0), times(scale), strict=True):
+        assert 50 < np.sum(np.isfinite(near)) < 500
+        assert np.array_equal(near, far)
 
 
 def test_rods_and_sheets_without_thickness_are_boxes_too():
