@@ -136,6 +136,20 @@ def spring_dashpot_exit_depth(damping_ratio: float, speed: float, stiffness: flo
     return 2 * damping_ratio * spring_dashpot_restitution(damping_ratio) * speed / math.sqrt(stiffness)
 
 
+def coarse_contact(restitution: float, stiffness: float, timestep: float) -> float:
+    """Share of the closing speed v by which a spring–dashpot contact that is stepped through may miss e.
+
+    A method notices up to a step late that the bodies touch. The dashpot's deceleration leaps there from 0 to 2 ζ √k v:
+    2 ζ √k dt of v. The spring's grows with the depth v t: ∫ k v t dt, (√k dt)²/2 of v. stiffness: k, per unit mass,
+    1/s²; infinite for a contact of one step, which is none of this.
+    """
+    if math.isinf(stiffness):
+        return 0.0
+    steps = math.sqrt(stiffness) * timestep
+    dashpot = 2 * damping_ratio(restitution) * steps if restitution > 0 else 0.0  # e = 0: dead in any case
+    return dashpot + steps**2 / 2
+
+
 def rolling_speed(speed: float) -> float:
     """Speed at which a solid sphere that set out sliding without spin rolls in the end, m/s: 5/7 of the first.
 
@@ -210,3 +224,67 @@ def tips(half_width: float, half_height: float, friction: float, slope: float) -
     With μ < b/h the normal force under a sliding box still finds its place within the face, so that it slides upright.
     """
     return math.tan(slope) > half_width / half_height and friction > half_width / half_height
+
+
+def impact_impulse(closing_speed: float, restitution: float, softness: float) -> float:
+    """Impulse of an impact without friction, N s: it turns the closing speed v into e v, so j = (1 + e) v/k.
+
+    softness: k, the speed that a unit impulse gives the two points of contact apart from each other, 1/kg: 1/m_A +
+    1/m_B for balls, and for what turns as well `rod_softness`.
+    """
+    return (1 + restitution) * closing_speed / softness
+
+
+def rod_softness(mass: float, arm: float, half_length: float, half_thickness: float) -> float:
+    """A rod's part of k where it is struck across its length, an arm x from its centre, 1/kg.
+
+    It is 1/m + x²/I with I = m (a² + c²)/3 of a box with half lengths a and c. At the end of a thin rod, x = a, that is
+    4/m: there a rod is four times as easy to move as at its centre.
+    """
+    return (1 + 3 * arm**2 / (half_length**2 + half_thickness**2)) / mass
+
+
+def balls_after(
+    speed: float, offset: float, restitution: float, mass: float, other_mass: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Velocities, (2,) each, m/s, of a smooth ball that flew along +x and of the one at rest that it has struck.
+
+    offset: distance of the second centre from the first one's line of flight, as a share of the sum of the radii, which
+    is the sine of the angle α between that line and the line of centres. Only along the line of centres does anything
+    happen: there the closing speed is v cos α, and the normal from the struck ball to the striker (−cos α, sin α).
+    """
+    cosine = math.sqrt((1 - offset) * (1 + offset))
+    impulse = impact_impulse(speed * cosine, restitution, 1 / mass + 1 / other_mass) * np.array([-cosine, offset])
+    return np.array([speed, 0.0]) + impulse / mass, -impulse / other_mass
+
+
+def cradle_in_turn(velocities: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Velocities, (n,), of a row of equal elastic balls after impacts of two at a time, from left to right.
+
+    Two equal elastic balls swap their velocities, and go on doing so until no ball is faster than the next: they end up
+    in order.
+    """
+    return np.sort(velocities)
+
+
+def cradle_at_once(velocities: NDArray[np.float64], struck: int) -> NDArray[np.float64]:
+    """Velocities, (n,), of a row of equal elastic balls that touch, after an impact between ball `struck` and the next.
+
+    All that touch take part: the balls on the left move on as one, those on the right as well, b − a is the closing
+    speed of the two that collide (Newton's rule), and momentum stays. Ball numbers from 0.
+    """
+    count, left = len(velocities), struck + 1
+    closing = float(velocities[struck] - velocities[left])
+    a = (float(np.sum(velocities)) - (count - left) * closing) / count
+    return np.repeat([a, a + closing], [left, count - left])
+
+
+def cradle_turned_back(velocities: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Velocities, (3,), of equal elastic balls that touch, where a rule turns back all contacts, also one that parts.
+
+    The first two close at c, the other two part at p. After u⁺ = −u⁻ at both contacts, b − a = c and z − b = −p, the
+    last two approach, and swap their velocities in an impact of their own. Energy stays, as in every such reversal.
+    """
+    closing, parting = velocities[0] - velocities[1], velocities[2] - velocities[1]
+    a = (float(np.sum(velocities)) - 2 * closing + parting) / 3
+    return np.array([a, a + closing - parting, a + closing])

@@ -20,7 +20,7 @@ from reference.settings import Settings
 from reference.trajectory import Event, Trajectory
 
 NEEDS_A_WORLD = "needs a rigid-body world (world)"
-_ROUNDING = 1e-9  # a gap below this, m, is none
+_ROUNDING = 1e-9  # a gap or a speed below this, m or m/s, is none
 _MOST_IMPACTS = 10_000  # within one step
 
 
@@ -147,7 +147,9 @@ class _Balls(_Pairs):
         a, b = self.a, self.b
         sweep = self.function("sweep_sphere_sphere")
         time = sweep(a.position, a.velocity, self.radius, b.position, b.velocity, self._other_radius(), remaining)
-        return np.where(self.approach()[0] < 0, time, np.inf)  # to a sweep, what touches and parts is touching now
+        return np.where(
+            self.approach()[0] < -_ROUNDING, time, np.inf
+        )  # to a sweep, what touches and parts is touching now
 
     def _other_radius(self) -> Array:
         return np.array([body.shape.radius for body in self.b.bodies])  # type: ignore[union-attr]
@@ -161,6 +163,7 @@ class _Faces(_Pairs):
         faces = [_face(*ball_and_other(scenario)) for scenario in scenarios]
         self._normal = np.array([normal for normal, _ in faces])
         self._height = np.array([height for _, height in faces])
+        self._middle = np.where([isinstance(body.shape, HalfSpace) for body in self.b.bodies], np.inf, self._height)
 
     def normal(self) -> Array:
         return self._normal
@@ -171,13 +174,19 @@ class _Faces(_Pairs):
         return np.asarray(self.function("signed_distance")(self.a.position, self._normal, offset))
 
     def until_impact(self, remaining: Array) -> Array:
-        time = self.function("time_of_impact_exact")(self.gap(), *super().approach())
-        return np.where(self.b.spin.any(axis=1), np.inf, time)
+        velocity, acceleration = super().approach()
+        velocity = np.where(np.abs(velocity) < _ROUNDING, 0.0, velocity)
+        time = self.function("time_of_impact_exact")(self.gap(), velocity, acceleration)
+        return np.where(self._lost(), np.inf, time)
 
     def approach(self) -> tuple[Array, Array]:
-        """As of any pair; of a box that turns, nothing approaches its face any more."""
+        """As of any pair; a face that is lost nothing approaches any more."""
         velocity, acceleration = super().approach()
-        return np.where(self.b.spin.any(axis=1), np.inf, velocity), acceleration
+        return np.where(self._lost(), np.inf, velocity), acceleration
+
+    def _lost(self) -> Mask:
+        """Whether the face is no longer the nearest: the box turns, or a step has carried the ball past its middle."""
+        return np.asarray(self.b.spin.any(axis=1) | (self.gap() + self.radius < -self._middle))
 
 
 def _face(ball: Body, other: Body) -> tuple[Array, float]:

@@ -99,8 +99,13 @@ class MuJoCo(Engine):
             return ()
         recovery, passes = settings.number("overlap_recovery"), int(settings.number("noslip_iterations"))
         rests = all(pair.restitution == 0 for pair in scenario.pairs)
-        contact = Move("contact model", "overlap_recovery", min(10 * recovery, 0.5) if rests else recovery / 10)
-        return (contact, Move("solver", "noslip_iterations", 2 * passes)) if passes else (contact,)
+        found = []
+        if recovery:
+            weaker = min(10 * recovery, 0.5) if rests else recovery / 10
+            found.append(Move("contact model", "overlap_recovery", weaker))
+        if passes:
+            found.append(Move("solver", "noslip_iterations", 2 * passes))
+        return tuple(found)
 
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
         """Build the model, step it in C between samples and read positions and velocities at the samples."""

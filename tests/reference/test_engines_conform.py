@@ -68,15 +68,17 @@ CATALOGUE = tuple(
     for family in catalogue().values()
 )
 SCENARIOS = {scenario.name: scenario for scenario in (*CATALOGUE, *EXTRA)}
-TURNING = (
-    *("thin-wall", "corner", "two-walls", "sliding-ball", "rolling-ball", "spinning-ball"),
-    *("box-flat", "box-on-edge", "tipping-box", "stack", "twirled-ball", "twirled-box"),
+NEEDS_A_WORLD = (
+    *("corner", "two-walls", "sliding-ball", "rolling-ball"),
+    *("box-flat", "box-on-edge", "tipping-box", "stack", "twirled-box"),
 )
-"""What turns, or meets more than one thing, or meets something that is no plane."""
+"""What rolls, tumbles or meets more than one thing."""
+STRIKING = ("thin-wall", "spinning-ball", "two-balls", "struck-rod", "rod-on-peg", "cradle", "parting-ball")
+"""What strikes another body, or spins as it strikes."""
 SAYS_NO = {
-    "handwritten": dict.fromkeys(TURNING, (NeedsFunction, r"^needs a rigid-body world \(world\)$")),
+    "handwritten": dict.fromkeys(NEEDS_A_WORLD, (NeedsFunction, r"^needs a rigid-body world \(world\)$")),
     TOY: dict.fromkeys(
-        (*TURNING, "sliding-slab", "incline", "lying-box"),
+        (*NEEDS_A_WORLD, *STRIKING, "sliding-slab", "incline", "lying-box", "twirled-ball"),
         (
             CannotExpress,
             r"^a toy cannot express \S+: it knows one ball over one plane, without friction and without spin$",
@@ -206,10 +208,9 @@ def test_the_same_run_gives_the_same_numbers_and_leaves_scenario_and_settings_al
     assert same(again, trajectory)
 
 
-@every_cell
+@cells_of(*(name for name, scenario in SCENARIOS.items() if any(body.immovable for body in scenario.bodies)))
 def test_what_is_immovable_does_not_move(cell, trajectory):
     fixed = [place for place, body in enumerate(SCENARIOS[cell.scenario].bodies) if body.immovable]
-    assert fixed
     for values in (trajectory.positions, trajectory.orientations):
         assert np.array_equal(values[:, fixed], np.broadcast_to(values[:1, fixed], values[:, fixed].shape))
     assert not trajectory.velocities[:, fixed].any()
@@ -508,11 +509,21 @@ def test_the_coefficients_belong_to_the_pair_so_its_order_and_that_of_the_bodies
     turned_pairs = tuple(replace(pair, body_a=pair.body_b, body_b=pair.body_a) for pair in scenario.pairs)
     swapped = engine.run(replace(scenario, pairs=turned_pairs), settings)
     reordered = engine.run(replace(scenario, bodies=scenario.bodies[::-1]), settings)
-    near = 1e-9 + first_fall(cell)
+    near = 1e-9 + first_fall(cell) + unfinished(cell)
     for body in scenario.bodies:
         for other in (swapped, reordered):
             # A solver that visits contacts in another order rounds differently, and steps add that up.
             np.testing.assert_allclose(other.position(body.name), trajectory.position(body.name), atol=near)
+
+
+def unfinished(cell: Cell) -> float:
+    """How far bodies may get apart that push each other where a solver is left to stop early, m.
+
+    Stock, Bullet goes through the contacts in turn and stops after 50 rounds or at a residual of 1e-7, MuJoCo at 1e-8
+    of what it minimises. What is left hangs on the order, up to 0.1 mm/s, for the rest of the run.
+    """
+    movable = [body for body in SCENARIOS[cell.scenario].bodies if not body.immovable]
+    return 1e-4 * DURATION if cell.profile == "stock" and len(movable) > 1 else 0.0
 
 
 def first_fall(cell: Cell) -> float:
