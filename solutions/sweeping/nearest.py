@@ -10,8 +10,6 @@ from solutions.sweeping.motion import in_space
 Array = NDArray[np.float64]
 ROUNDS = 60
 """Boxes take about ten; where rounding holds it up beyond these, the separation found so far is given."""
-ROUNDING = 1e-14
-"""Share of the bodies' size and distance below which no point of the difference is nearer than another."""
 FACES = np.array([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]])
 """Of a tetrahedron, by corners."""
 
@@ -84,7 +82,8 @@ def separation_of_hulls(points_a: ArrayLike, points_b: ArrayLike) -> tuple[Array
 
     The differences a − b fill a convex body too, and the hulls overlap if the origin is in it. A tetrahedron of four
     differences is moved towards the origin: keep the part of it that is nearest, and add the difference that lies
-    farthest that way. When none lies farther, the nearest point is found.
+    farthest that way. When it gets no nearer, the nearest point is found. While the hulls overlap there is no direction
+    that separates them, and the answer stays 0.
 
     Parameters
     ----------
@@ -109,16 +108,15 @@ def separation_of_hulls(points_a: ArrayLike, points_b: ArrayLike) -> tuple[Array
     corners = np.repeat((a[..., :1, :] - b[..., :1, :]), 4, axis=-2)
     best, normal = np.zeros(shape), np.zeros((*shape, 3))
     done, last = np.zeros(shape, dtype=bool), np.full(shape, np.inf)
-    size = ROUNDING * (np.abs(a).max(axis=(-2, -1)) + np.abs(b).max(axis=(-2, -1)))
     for _ in range(ROUNDS):
         weights, nearest = _nearest_on_tetrahedron(corners)
         distance = np.linalg.norm(nearest, axis=-1)
         way = nearest / np.where(distance > 0, distance, 1.0)[..., None]
         support = farthest(a, -way) - farthest(b, way)
         separation = np.vecdot(way, support)
-        better = (separation > best) & (distance > 0)
+        better = separation > best  # whichever way it was found: they are apart by that much
         best, normal = np.where(better, separation, best), np.where(better[..., None], way, normal)
-        done |= (distance - best <= size) | (distance >= last)  # it falls in every round until rounding stops it
+        done |= distance >= last  # it falls in every round until rounding stops it
         last = np.minimum(distance, last)
         if np.all(done):
             break
@@ -140,7 +138,7 @@ def nearest_corner(corners: Array, weights: Array) -> Array:
 
 
 def _nearest_on_tetrahedron(corners: Array) -> tuple[Array, Array]:
-    """Weights (..., 4) and place (..., 3) of the point of a tetrahedron nearest to the origin."""
+    """Weights (..., 4) and place (..., 3) of the point on a tetrahedron's faces nearest to the origin."""
     faces = corners[..., FACES, :]
     on_faces = nearest_on_triangle(np.zeros(3), faces)
     places = (on_faces[..., None, :] @ faces)[..., 0, :]
@@ -149,14 +147,4 @@ def _nearest_on_tetrahedron(corners: Array) -> tuple[Array, Array]:
     chosen = np.take_along_axis(on_faces, best[..., None], axis=-2)[..., 0, :]
     np.put_along_axis(weights, FACES[best[..., 0]], chosen, axis=-1)
     place = np.take_along_axis(places, best[..., None], axis=-2)[..., 0, :]
-    inside = _holds_origin(corners)[..., None]
-    return np.where(inside, 0.25, weights), np.where(inside, 0.0, place)
-
-
-def _holds_origin(corners: Array) -> NDArray[np.bool_]:
-    """Whether the origin is on the inner side of all four faces of a tetrahedron that has a volume."""
-    faces, others = corners[..., FACES, :], corners[..., ::-1, :]  # the face without corner 3 comes first
-    start = faces[..., 0, :]
-    normal = np.cross(faces[..., 1, :] - start, faces[..., 2, :] - start)
-    inner, origin = np.vecdot(normal, others - start), -np.vecdot(normal, start)
-    return np.asarray(np.all((inner != 0) & (inner * origin >= 0), axis=-1))
+    return weights, place
