@@ -72,6 +72,12 @@ def along_surface(force: ArrayLike, normal: ArrayLike) -> Array:
 def friction_angle(static_friction: ArrayLike) -> Array:
     """The steepest slope on which a body stays at rest: θ = arctan μ_s, (...), rad. From tan θ = m g sin θ/(m g cos θ).
 
+    On that slope itself `holds` says what rounding leaves of the equality.
+
+    Parameters
+    ----------
+    static_friction : (...), μ_s; infinity for a wall, π/2
+
     Raises
     ------
     ValueError

@@ -210,6 +210,42 @@ def test_what_only_grazes_gets_no_impulse_even_where_slip_and_normal_are_coupled
         assert friction_impulse((slip, 0.0, 1e-300), UP, k, 0.5, 10.0).tolist() == [0, 0, 0]
 
 
+def test_where_the_impact_turns_the_slip_round_friction_acts_against_the_slip_that_is_left():
+    # The rod of the energy below: the normal impulse alone turns its slip of +1/2 m/s to about −0.49 m/s
+    k = plane_matrix(-0.4, -0.3, 1 / 12)
+    assert (np.array([0.5, 0, -1]) + k @ friction_impulse((0.5, 0, -1.0), UP, k, 1.0, 0.0))[0] < -0.48
+    # j (2.92 − 1.44 μ) = 2 with J_t = +μ j, along the first slip; in fractions, for μ = 1/10
+    j = Fraction(2) / (Fraction(292, 100) - Fraction(144, 1000))
+    left = Fraction(1, 2) + Fraction(208, 100) * j / 10 - Fraction(144, 100) * j
+    assert left < 0
+    found = friction_impulse((0.5, 0.0, -1.0), UP, k, 1.0, 0.1)
+    assert found == pytest.approx([float(j / 10), 0.0, float(j)], abs=1e-15)
+    # A slip that it would just not turn round is stopped: grip, however little friction there is
+    turned = 1.44 * 2 / 2.92
+    assert friction_impulse((turned, 0.0, -1.0), UP, k, 1.0, 1e-9)[0] == pytest.approx(0, abs=1e-15)
+
+
+@given(st.integers(0, 10_000), RESTITUTION, st.integers(0, 20), st.integers(-20, 20), st.integers(-20, 20))
+def test_the_units_of_mass_and_speed_change_nothing_but_the_numbers(seed, restitution, tenths, mass, speed):
+    k, u, friction = point_inverse_mass(*body(seed)), np.random.default_rng(seed).normal(size=3), tenths / 10
+    j = friction_impulse(u, UP, k, restitution, friction)
+    # Powers of two, up to 1e6 and down to 1e-6, round nothing
+    found = friction_impulse(u * 2.0**speed, UP, k * 2.0**-mass, restitution, friction)
+    assert np.array_equal(found, j * 2.0 ** (mass + speed))
+    assert impact_energy(u * 2.0**speed, found, k * 2.0**-mass) == impact_energy(u, j, k) * 2.0 ** (mass + 2 * speed)
+
+
+def test_a_light_ball_against_one_a_million_times_heavier_grips_and_slides_as_against_a_wall():
+    light = point_inverse_mass(1.0, np.eye(3) / 0.4, -UP)
+    heavy = point_inverse_mass(1e-6, np.eye(3) / 0.4e6, UP)
+    for slip, grips in ((3.0, True), (4.0, False)):  # 7/2 × 1/2 × 2 × 1 is the limit
+        u = np.array([slip, 0, -1.0])
+        j = friction_impulse(u, UP, light + heavy, 1.0, 0.5)
+        # 1e-6 less than against a wall: both masses take part, by 1/(1 + 1e-6)
+        assert j * (1 + 1e-6) == pytest.approx(friction_impulse(u, UP, light, 1.0, 0.5), rel=1e-14)
+        assert (abs((u + (light + heavy) @ j)[0]) < 1e-14) == grips
+
+
 def test_what_parts_is_left_alone_without_a_word_though_sliding_impulses_would_not_move_it():
     # n·K(n + 2 x) = 2 − 2: no matter, nothing is to be moved
     k = np.array([[2.0, 0, -1], [0, 1, 0], [-1, 0, 2]])

@@ -116,6 +116,19 @@ def test_a_block_stays_on_the_steepest_slope_and_on_none_steeper():
             assert holds(along_surface(DOWN, n), normal_force(DOWN, n), friction) == held
 
 
+def test_on_a_slope_of_exactly_the_angle_of_friction_a_block_rests_with_all_the_friction_there_is():
+    # 3-4-5: sin 0.6, cos 0.8, so that 6 N pull at a weight of 10 N and 8 N press it on, without rounding
+    n = np.array([0.6, 0.0, 0.8])
+    force = apparent_force(1.0, (0.0, 0.0, -10.0), STILL, STILL)
+    push, press = along_surface(force, n), normal_force(force, n)
+    assert holds(push, press, 0.75)
+    assert friction_force(push, STILL, press, 0.75, 0.5).tolist() == (-push).tolist()
+    assert np.linalg.norm(friction_force(push, STILL, press, 0.75, 0.5)) == 0.75 * press
+    assert break_away_time(force, STILL, n, 0.75) == np.inf
+    assert sliding_motion(STILL, STILL, push, press, 0.75, 0.5, 1.0, 9.0)[1].tolist() == [0, 0, 0]
+    assert not holds(push, press, np.nextafter(0.75, 0))
+
+
 # Breaking away
 
 
