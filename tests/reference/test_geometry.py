@@ -348,3 +348,29 @@ def test_boxes_that_stand_on_each_other_however_they_are_turned_are_as_far_apart
         upper = Body("upper", Box((0.15, 0.25, 0.2)), 1.0, tuple(np.array(lower.position) + up), tuple(spun))
         assert geometry.gap(lower, upper) == pytest.approx(gap, abs=1e-14)  # rounding of numbers of order one
         assert geometry.leaning(Scenario("two", (lower, upper), (Pair("lower", "upper"),), 1.0)) is (abs(gap) < 1e-6)
+
+
+def test_a_turn_about_the_worlds_axes_comes_after_what_was_turned_before():
+    first = np.array([math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)])  # x to y
+    turned = geometry.turned(first, np.array([0.0, 0.0, math.pi / 2]))  # and on to −x
+    np.testing.assert_allclose(geometry.rotate(turned, np.array([1.0, 0, 0])), [-1, 0, 0], atol=1e-15)
+    about_x = geometry.turned(first, np.array([math.pi / 2, 0.0, 0.0]))  # y to z, in the world
+    np.testing.assert_allclose(geometry.rotate(about_x, np.array([1.0, 0, 0])), [0, 0, 1], atol=1e-15)
+
+
+def test_many_small_turns_make_the_large_one_and_no_turn_none():
+    spin, count = np.array([0.3, -1.2, 0.5]), 1000
+    orientation = np.array([[0.4, -0.2, 0.8, 0.4]])
+    small = orientation
+    for _ in range(count):
+        small = geometry.turned(small, spin[None] / count)
+    np.testing.assert_allclose(small, geometry.turned(orientation, spin[None]), atol=1e-13)  # 1000 roundings
+    assert np.array_equal(geometry.turned(orientation, np.zeros((1, 3))), orientation)
+
+
+def test_the_distance_from_a_box_is_that_of_its_face_edge_corner_or_of_the_nearest_face_from_inside():
+    half, upright = np.array([1.0, 2.0, 3.0]), np.array([1.0, 0.0, 0.0, 0.0])
+    places = np.array([[1.5, 0, 0], [1 + 3, 2 + 4, 0], [1 + 2, 2 + 3, 3 + 6], [0.9, 0, 0], [0, 0, -3.5]])
+    np.testing.assert_allclose(geometry.out_of_box(places, upright, half), [0.5, 5, 7, -0.1, 0.5], atol=1e-15)
+    turned = np.array([math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)])  # its x axis along y
+    np.testing.assert_allclose(geometry.out_of_box(np.array([0, 1.5, 0]), turned, half), 0.5, atol=1e-15)
