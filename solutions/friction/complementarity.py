@@ -140,5 +140,6 @@ def _checked(matrix: ArrayLike, offset: ArrayLike) -> tuple[Array, Array]:
     a, b = np.asarray(matrix, dtype=float), np.asarray(offset, dtype=float)
     if a.ndim < 2 or b.ndim < 1 or a.shape[-2:] != (b.shape[-1], b.shape[-1]):
         raise ValueError(f"matrix must be (..., m, m) for an offset (..., m), not {a.shape} for {b.shape}")
-    not_negative("diagonal of matrix", np.diagonal(finite("matrix", a), axis1=-2, axis2=-1))
+    least = ROUNDING * np.max(np.abs(finite("matrix", a)), axis=(-2, -1), initial=0.0)[..., None]
+    not_negative("diagonal of matrix", np.diagonal(a, axis1=-2, axis2=-1) + least)  # of no matter, but for rounding
     return a, finite("offset", b)

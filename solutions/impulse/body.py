@@ -11,6 +11,8 @@ from solutions.checks import finite, not_negative, vector
 from solutions.impulse.momentum import matrix
 
 Array = NDArray[np.float64]
+ROUNDING = 1e-12
+"""By this share of the largest number the diagonal of an inverse inertia may be negative, as a thin rod's, once turned."""
 
 
 class Body(NamedTuple):
@@ -38,7 +40,8 @@ def checked(body: AnyBody) -> Arrays:
     """Return v, ω, r, 1/M and I⁻¹ as arrays; refuse what no body can have."""
     body = Body(*body)
     inverse_inertia = matrix("inverse_inertia", body.inverse_inertia)
-    not_negative("diagonal of inverse_inertia", np.diagonal(inverse_inertia, axis1=-2, axis2=-1))
+    least = ROUNDING * np.max(np.abs(inverse_inertia), axis=(-2, -1))[..., None]
+    not_negative("diagonal of inverse_inertia", np.diagonal(inverse_inertia, axis1=-2, axis2=-1) + least)
     return (
         finite("velocity", vector("velocity", body.velocity)),
         finite("angular_velocity", vector("angular_velocity", body.angular_velocity)),

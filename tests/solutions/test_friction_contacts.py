@@ -153,6 +153,13 @@ def test_many_resting_problems_at_once_are_the_same_as_one_after_another():
         assert b[at] == pytest.approx(alone[1], abs=1e-14)
 
 
+def test_a_contact_that_moves_nothing_but_for_rounding_is_solved_as_one_that_moves_nothing():
+    a, b = [[1.0, 0.0], [0.0, -1e-17]], [-2.0, 1.0]
+    for f in (solve_by_pivots(a, b), solve_by_sweeps(a, b, 3)):
+        assert f.tolist() == [2.0, 0.0]
+        assert complementarity_residual(a, b, f) == 0
+
+
 def test_what_nothing_can_keep_apart_is_said_to_have_no_solution():
     with pytest.raises(ValueError, match="offset"):
         solve_by_pivots([[0.0]], [-1.0])
