@@ -12,7 +12,7 @@ from solutions.impulse.momentum import matrix
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-12
-"""By this share of the largest number the diagonal of an inverse inertia may be negative, as a thin rod's, once turned."""
+"""By this share of its largest number an inverse inertia may have a negative diagonal, as a thin rod's once turned."""
 
 
 class Body(NamedTuple):
