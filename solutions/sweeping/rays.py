@@ -72,7 +72,7 @@ def ray_capsule(origin: ArrayLike, direction: ArrayLike, start: ArrayLike, end: 
     place, rate = np.vecdot(x - a, along) / scale, np.vecdot(u, along) / scale
     side = ray_sphere(x - a - place[..., None] * along, u - rate[..., None] * along, radius)
     there = place + rate * np.where(np.isfinite(side), side, 0.0)
-    side = np.where((squared > 0) & (there >= 0) & (there <= 1), side, np.inf)
+    side = np.where((there >= 0) & (there <= 1), side, np.inf)
     return np.minimum(side, np.minimum(ray_sphere(x - a, u, radius), ray_sphere(x - b, u, radius)))
 
 

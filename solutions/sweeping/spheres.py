@@ -129,7 +129,7 @@ def _face(x: Array, u: Array, r: Array, corners: Array) -> Array:
     height = np.vecdot(normal, x - a)
     side = np.where(height < 0, -1.0, 1.0)
     closing = -side * np.vecdot(normal, u)
-    arrives = (closing > 0) & (np.abs(height) >= r) & (length > 0)
+    arrives = (closing > 0) & (np.abs(height) >= r)
     with np.errstate(over="ignore"):  # as above
         time = np.where(arrives, (np.abs(height) - r) / np.where(arrives, closing, 1.0), np.inf)
     lands = x - (side * r)[..., None] * normal  # the ball's point that comes first

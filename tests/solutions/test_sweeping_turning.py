@@ -424,6 +424,13 @@ def test_bodies_that_overlap_part_or_stand_still_have_their_answer():
     )
 
 
+def test_what_comes_within_the_tolerance_at_the_very_end_of_the_step_touches():
+    # after 1.75 s half the tolerance is left, exactly
+    for dt, expected in ((1.75, 1.75), (1.5, math.inf)):
+        balls = ([STILL], [2, 0, 0], [-1, 0, 0], STILL, 0.0, [STILL], STILL, STILL, STILL, 0.0)
+        assert sweep_convex(*balls, dt, tolerance=0.5) == expected
+
+
 def test_many_pairs_at_once_are_the_same_as_one_at_a_time():
     rng = np.random.default_rng(9)
     x, w = rng.uniform(1, 3, (2, 3, 3)), rng.normal(size=(3, 3))
@@ -432,6 +439,10 @@ def test_many_pairs_at_once_are_the_same_as_one_at_a_time():
     for i, j in np.ndindex(2, 3):
         alone = sweep_convex(CUBE, x[i, j], -2 * x[i, j], w[j], 0.0, CUBE, STILL, STILL, STILL, j / 10, 1.0)
         assert together[i, j] == pytest.approx(float(alone), abs=1e-9)  # the rounds of one do not depend on the others
+    cubes = CUBE * np.array([0.5, 1, 1.5])[:, None, None]  # the only ones that are many
+    for a, b in ((cubes, CUBE), (CUBE, cubes)):
+        sizes = sweep_convex(a, [3, 0, 0], [-2, 0, 0], STILL, 0.0, b, STILL, STILL, STILL, 0.0, 2.0)
+        assert sizes == pytest.approx([1.125, 1, 0.875], abs=TOLERANCE)  # closed form: the gap over 2 m/s
     vertex, triangle = rng.normal(size=(2, 1, 3)), rng.normal(size=(4, 3, 3))
     assert vertex_face_impact(vertex, triangle, -vertex, triangle).shape == (2, 4)
 
