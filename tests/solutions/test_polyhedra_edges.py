@@ -298,6 +298,14 @@ def test_a_bar_through_a_cube_meets_two_of_its_sides_with_four_edges():
     assert {tuple(pair) for pair in diagonals.tolist()} == {(0, 3), (4, 7)}
 
 
+def test_a_bar_through_a_cube_is_found_though_no_vertex_is_inside_and_no_edge_of_the_cube_meets_it():
+    bar = (CUBE - 0.5) * [4, 0.1, 0.1] + [0.5, 0.75, 0.2]  # beside the diagonals of the sides across x
+    assert len(edges_through_faces(bar, CUBE_FACES, CUBE, CUBE_FACES)[1])
+    assert not len(edges_through_faces(CUBE, CUBE_FACES, bar, CUBE_FACES)[1])
+    assert polyhedra_intersect(bar, CUBE_FACES, CUBE, CUBE_FACES)
+    assert polyhedra_intersect(CUBE, CUBE_FACES, bar, CUBE_FACES)
+
+
 # The report on a mesh
 
 
