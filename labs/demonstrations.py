@@ -138,11 +138,11 @@ TUNNELLING = Demonstration(
         "So 1 − (d/2 + r)/(v dt) pass: {predicted 1/240 s} at 1/240 s[; PyBullet {pybullet tuned passed measured at"
         " 1/240 s}][, MuJoCo {mujoco tuned passed measured at 1/240 s}].",
         "At 1 ms: [PyBullet {pybullet tuned passed measured at 1 ms}][, MuJoCo {mujoco tuned passed measured at 1 ms}]."
-        " The cure: smaller steps, or a swept test.",
+        " Cure: small steps, or[ a swept test: {handwritten tuned passed measured at 1/60 s}].",
     ),
     family="thin-wall",
     cases={f"{_SPEED:g} m/s": f"v={_SPEED:g}"},
-    profiles={engine: {"tuned": ""} for engine in ENGINES},
+    profiles={"handwritten": {"tuned": "swept"}, **{engine: {"tuned": ""} for engine in ENGINES}},
     timesteps={"0.5 ms": 5e-4, "1 ms": 1e-3, "2 ms": 2e-3, "1/240 s": 1 / 240, "1/120 s": 1 / 120, "1/60 s": 1 / 60},
     quantity="passed",
     heading="balls that pass",
@@ -193,4 +193,25 @@ TIP = Demonstration(
     words={boxes.HOLDS: "holds", boxes.SLIDES: "slides", boxes.TIPS: "tips"},
 )
 
-DEMONSTRATIONS = (BOUNCE, STOP, STACK, TUNNELLING, ROLL, TIP)
+CRADLE = Demonstration(
+    name="cradle",
+    title="Newton's cradle",
+    question="One ball strikes four others that touch, all alike and elastic, at 1 m/s. What will happen: which of them"
+    " move off, and how fast?",
+    look="Look at the last ball, and at who agrees with whom.",
+    lesson=(
+        "Newton's rule is for one impact. Two at a time, the last ball gets {handwritten tuned last measured}.",
+        "All at once, it gets {handwritten stock last measured}, and the first one"
+        " {handwritten stock first measured}. Both ways keep energy.",
+        "Engines take a step's contacts together[: PyBullet {pybullet tuned last measured}]"
+        "[, MuJoCo {mujoco tuned last measured}].",
+    ),
+    family="cradle",
+    cases={"five, touching": "5 touching"},
+    profiles={"handwritten": {"tuned": "in turn", "stock": "at once"}, **ENGINES},
+    quantity="last",
+    heading="last ball",
+    beside={"first": "first ball", "energy": "energy"},
+)
+
+DEMONSTRATIONS = (BOUNCE, STOP, STACK, TUNNELLING, ROLL, TIP, CRADLE)

@@ -120,17 +120,16 @@ def _notes(seen: Seen) -> list[Text]:
 
 def _down(seen: Seen) -> Table:
     asked = seen.demonstration
-    headings = ("", "implementation", "profile", asked.heading, "expected", "difference", *asked.beside.values())
-    table = _table(*headings)
+    judged = ("expected", "difference") if seen.theory(asked.quantity) is not None else ()
+    table = _table("", "implementation", "profile", asked.heading, *judged, *asked.beside.values())
     for (engine, profile), line in seen.implementations.items():
         row = seen.row(engine, profile, asked.quantity)
         beside = [_cell(seen, engine, profile, quantity) for quantity in asked.beside if row and row.quantity]
         error = Text(error_of(row), style=terminal.style_of(row.verdict)) if row else Text()
-        expected = seen.said(row.expected, asked.quantity) if row else ""
+        expected = Text(seen.said(row.expected, asked.quantity) if row else "")
         name = Text(line.result.title), Text(asked.profiles.get(engine, {}).get(profile) or profile)
-        table.add_row(
-            _mark(seen, line), *name, _cell(seen, engine, profile, asked.quantity), Text(expected), error, *beside
-        )
+        cell = _cell(seen, engine, profile, asked.quantity)
+        table.add_row(_mark(seen, line), *name, cell, *((expected, error) if judged else ()), *beside)
     return table
 
 

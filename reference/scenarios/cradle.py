@@ -139,7 +139,7 @@ CRADLE = Family(
     ),
     quantities=(FIRST, LAST, OFF, MOMENTUM, Quantity("energy", "energy", "", _share_of_first(2), _expect_energy)),
     curve=Curve(
-        "5, 1 mm apart", "Last of five, 1 mm apart", "velocity, m/s", lambda trajectory: trajectory.velocities[:, -1, 0]
+        "5 touching", "Last of five that touch", "velocity, m/s", lambda trajectory: trajectory.velocities[:, -1, 0]
     ),
     convergence=Convergence("5, 1 mm apart", "last"),
 )
