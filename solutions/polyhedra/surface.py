@@ -112,7 +112,7 @@ def blocks(count: int, partners: int) -> Iterator[slice]:
 
 def size_of(vertices: Array) -> float:
     """The longest side of the box around the vertices, m."""
-    return float(np.max(np.ptp(vertices, axis=0), initial=0.0)) if len(vertices) else 0.0
+    return float(np.max(np.ptp(vertices, axis=0))) if len(vertices) else 0.0
 
 
 def _middle(vertices: Array) -> Array:

@@ -326,6 +326,8 @@ def test_only_the_square_is_convex_and_none_is_when_turned_inside_out(outline):
     vertices, faces = extruded(outline)
     for first in range(len(faces)):  # whichever face comes first
         assert is_convex(vertices, np.roll(faces, first, axis=0)) == (outline is OUTLINES["square"])
+    for unit in (1e-12, 1e12):
+        assert is_convex(unit * vertices, faces) == (outline is OUTLINES["square"])
     assert not is_convex(vertices, faces[:, ::-1])
 
 
@@ -363,6 +365,7 @@ def test_nothing_is_inside_a_mesh_without_faces():
     assert not inside_by_parity([0, 0, 0], *nothing)
     assert winding_number([0, 0, 0], *nothing) == 0
     assert signed_volume(*nothing) == 0
+    assert is_convex(*nothing)
 
 
 # Others
