@@ -75,8 +75,8 @@ def inside_convex(
 def is_convex(vertices: ArrayLike, faces: ArrayLike) -> bool:
     """Whether no vertex is in front of the plane of any face, but for rounding; false for a solid inside out.
 
-    Of a closed surface that goes round once; of an open one, or a star that winds twice, it does not tell. Without faces
-    it is true.
+    Of a closed surface that goes round once; of an open one, or a star that winds twice, it does not tell. True of no
+    faces at all.
 
     Raises
     ------

@@ -477,6 +477,10 @@ def test_many_pairs_at_once_are_the_same_as_one_at_a_time():
             lambda: sweep_convex(CUBE, STILL, STILL, STILL, 0, CUBE, STILL, STILL, STILL, 0, math.inf),
             "dt must be finite, not inf",
         ),
+        (
+            lambda: sweep_convex(CUBE, STILL, STILL, STILL, 0, CUBE, STILL, STILL, STILL, 0, 1, 0.0),
+            "tolerance must be positive, not 0",
+        ),
     ],
 )
 def test_an_advancement_without_sense_is_refused_by_name_and_value(call, complaint):
