@@ -120,6 +120,7 @@ def test_the_residual_counts_what_pulls_what_sinks_in_and_what_presses_from_afar
     assert complementarity_residual(a, [-4.0, 1.0], [1.5, 0.0]) == 1.0  # still sinks in at 1 m/s²
     assert complementarity_residual(a, [-4.0, 1.0], [2.0, -0.25]) == 0.5  # pulls
     assert complementarity_residual(a, [-4.0, 1.0], [3.0, 0.0]) == 2.0  # lifts it off, and presses
+    assert complementarity_residual([[0.5]], [1.0], [5.0]) == 2.5  # m/s² that 5 N give, though it parts at 3.5 m/s²
     assert complementarity_residual(np.zeros((0, 0)), [], []) == 0
 
 
@@ -327,6 +328,15 @@ def test_a_body_that_slides_askew_is_stopped_along_both_directions_though_it_giv
     assert v == pytest.approx([2.0, 0, 0, 0, 2.0, 0], abs=1e-15)
 
 
+def test_one_body_at_one_contact_is_stopped_in_one_sweep_however_heavy_it_is():
+    rows = np.stack([contact_jacobian(0, -1, d[None], [-UP], [-UP], 1) for d in (UP, X, Y)], axis=1)
+    for mass in (0.25, 4.0, 2.0**20):
+        weights = inverse_mass_matrix([1 / mass], np.zeros((3, 3)))
+        v, impulse = sequential_impulses([2.0, 0, -1.0, 0, 0, 0], rows, weights, 10.0, 1)
+        assert v.tolist() == [0] * 6
+        assert impulse.tolist() == [[mass, -2 * mass, 0]]
+
+
 def test_what_a_later_contact_gives_an_earlier_one_may_take_back():
     # A ball between two walls at 60°: the first impulse on the left wall is too much once the right one has pushed
     s, c = math.sin(math.pi / 3), math.cos(math.pi / 3)
@@ -466,7 +476,10 @@ def test_many_rows_at_once_are_the_same_as_one_after_another():
 @pytest.mark.parametrize(
     ("call", "name"),
     [
-        (lambda: contact_jacobian([1], [-1], [UP], [UP], [UP], 1), "body_a"),
+        (
+            lambda: contact_jacobian([2], [-1], [UP], [UP], [UP], 2),
+            "body_a must be a number of a body, -1 to 1, not 2",
+        ),
         (lambda: contact_jacobian([0], [-2], [UP], [UP], [UP], 1), "body_b"),
         (lambda: contact_jacobian([0.5], [-1], [UP], [UP], [UP], 1), "body_a"),
         (lambda: contact_jacobian([math.nan], [-1], [UP], [UP], [UP], 1), "body_a"),
