@@ -77,7 +77,9 @@ def signed_volume(vertices: ArrayLike, faces: ArrayLike) -> float:
     v, f = checked_mesh(vertices, faces)
     if not len(f):
         return 0.0
-    a, b, c = np.moveaxis((v - _middle(v))[f], 1, 0)
+    corners = v[f]
+    middle = (np.min(corners, axis=(0, 1)) + np.max(corners, axis=(0, 1))) / 2
+    a, b, c = np.moveaxis(corners - middle, 1, 0)
     return float(np.sum(np.vecdot(a, np.cross(b, c))) / 6)
 
 
@@ -113,7 +115,3 @@ def blocks(count: int, partners: int) -> Iterator[slice]:
 def size_of(vertices: Array) -> float:
     """The longest side of the box around the vertices, m."""
     return float(np.max(np.ptp(vertices, axis=0))) if len(vertices) else 0.0
-
-
-def _middle(vertices: Array) -> Array:
-    return np.asarray((np.min(vertices, axis=0) + np.max(vertices, axis=0)) / 2)

@@ -331,14 +331,16 @@ def test_only_the_square_is_convex_and_none_is_when_turned_inside_out(outline):
     assert not is_convex(vertices, faces[:, ::-1])
 
 
-def test_a_vertex_of_no_face_far_away_makes_nothing_convex():
+def test_a_vertex_of_no_face_far_away_makes_nothing_convex_and_changes_no_volume():
     vertices, faces = extruded(OUTLINES["L"])
     with_another = np.concatenate([vertices, [[1e12, 0, 0]]])
     assert not is_convex(with_another, faces)
     with pytest.raises(ValueError, match="convex"):
         convex_separation([3, 1, 1], with_another, faces)
     square, its_faces = extruded(OUTLINES["square"])
-    assert is_convex(np.concatenate([square, [[1e12, 0, 0]]]), its_faces)
+    square = np.concatenate([square, [[1e12, 0, 0]]])
+    assert is_convex(square, its_faces)
+    assert signed_volume(square, its_faces) == 4 * 4 * HEIGHT
 
 
 @pytest.mark.parametrize(
