@@ -499,6 +499,7 @@ def test_many_rows_at_once_are_the_same_as_one_after_another():
         (lambda: solve_by_sweeps([1.0], [1.0], 3), "matrix"),
         (lambda: solve_by_sweeps(np.eye(2), [1.0, 2.0], 3, start=np.nan), "start"),
         (lambda: solve_by_pivots(-np.eye(2), [1.0, -2.0]), "diagonal of matrix"),
+        (lambda: solve_by_sweeps([[-1e-12]], [1.0], 1), "diagonal of matrix"),
         (lambda: complementarity_residual(np.eye(2), [np.nan, 0.0], [0.0, 0.0]), "offset"),
         (lambda: complementarity_residual([[np.inf]], [0.0], [0.0]), "matrix"),
         (lambda: complementarity_residual(np.eye(2), [0.0, 0.0], [0.0, np.nan]), "force"),

@@ -164,6 +164,8 @@ def test_what_is_not_held_breaks_away_now_and_what_is_only_lifted_when_it_leaves
     assert break_away_time((10.0, 0, -20.0), STILL, UP, 0.5) == np.inf  # exactly at the limit, for ever
     assert break_away_time((10.0, 0, -20.0), X, UP, 0.5) == 0  # at the limit and growing
     assert break_away_time((0, 0, -20.0), X, UP, 0.0) == 0  # on ice
+    # what merely touches, and is pressed on from now: within the cone, outside it, and lifted
+    assert break_away_time(STILL, [(0.5, 0, -1.0), (0.6, 0, -1.0), (0, 0, 1.0)], UP, 0.5).tolist() == [np.inf, 0, 0]
 
 
 def test_where_press_and_push_end_almost_together_the_instant_keeps_its_digits():
