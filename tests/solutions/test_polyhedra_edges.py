@@ -107,6 +107,20 @@ def test_signs_are_right_at_both_ends_of_the_floats_and_come_in_batches():
         orient2d([0, 0], [1, 0], [1, 1, 1])
 
 
+def test_the_smallest_triangles_there_are_have_their_sign():
+    # neighbouring Fibonacci numbers span an area of exactly one unit in the last place squared
+    fibonacci = [0, 1]
+    while len(fibonacci) < 77:
+        fibonacci.append(fibonacci[-1] + fibonacci[-2])
+    far = 2.0**52  # from here to 2^53 floats are the whole numbers
+    for n in (74, 75):
+        a, b, c = ([far + x, far + y] for x, y in ((0, 0), fibonacci[n : n - 2 : -1], fibonacci[n + 1 : n - 1 : -1]))
+        expected = fibonacci[n] ** 2 - fibonacci[n - 1] * fibonacci[n + 1]
+        assert abs(expected) == 1
+        assert orient2d(a, b, c) == expected
+        assert orient3d([*a, far], [*b, far], [*c, far], [far, far, far + 1]) == expected
+
+
 # A segment and a plane
 
 

@@ -327,7 +327,11 @@ def test_only_the_square_is_convex_and_none_is_when_turned_inside_out(outline):
     for first in range(len(faces)):  # whichever face comes first
         assert is_convex(vertices, np.roll(faces, first, axis=0)) == (outline is OUTLINES["square"])
     for unit, place in ((1e-12, 0), (1e12, 0), (1, [1e12, 0, 0])):
-        assert is_convex(unit * vertices + place, faces) == (outline is OUTLINES["square"])
+        moved = unit * vertices + place
+        assert is_convex(moved, faces) == (outline is OUTLINES["square"])
+        if outline is not OUTLINES["square"]:
+            with pytest.raises(ValueError, match="convex"):
+                convex_separation(moved[0], moved, faces)
     assert not is_convex(vertices, faces[:, ::-1])
 
 
