@@ -132,7 +132,7 @@ TWO_BALLS = Family(
     " come at evenly spread phases of a step.",
     expected="The impulse acts along the line of centres alone, j = (1 + e) v cos α/(1/m_A + 1/m_B) with sin α = b. The"
     " struck ball moves off along that line. Equal elastic balls swap what they have along it: head-on the striker"
-    " stops, and off-axis the two part at a right angle, however little they touch.",
+    " stops, and off-axis the two part at a right angle, v·w = 0, however little they touch.",
     why=(
         "Head-on, both engines are right to their contact's last digit. Off-axis, a step method sees the impact up to a"
         " step late: the balls overlap, by up to v cos α dt, and their line of centres has turned, for sin α ="
@@ -155,7 +155,7 @@ TWO_BALLS = Family(
     quantities=(
         _quantity("striker", "striker", "m/s", _speed_of(0), SPEED),
         _quantity("target", "struck ball", "m/s", _speed_of(1), SPEED),
-        _quantity("way", "its way", "rad", _way, 1.0),
+        _quantity("way", "direction", "rad", _way, 1.0),
         _quantity("corner", "v·w ÷ v₀²", "", _corner, 1.0),
         _quantity("energy", "energy", "", _energy, 1.0),
     ),
