@@ -250,6 +250,15 @@ def test_however_flat_a_segment_meets_a_triangle_the_two_points_found_are_one(sc
     assert on_triangle == pytest.approx((p + t[:, None] * (q - p))[meets], abs=1e-12 * scale)
 
 
+def test_in_the_plane_a_segment_passes_a_corner_or_only_touches_a_side():
+    # past the corner (4, 0): each end is on the inner side of one of the two sides there, none parts them
+    past, touches = [[3, -1, 0], [6, 1, 0]], [[2, -1, 0], [2, 0, 0]]
+    for order in itertools.permutations(range(3)):
+        for (p, q), there, back in ((past, np.inf, np.inf), (touches, 1, 0)):
+            assert segment_triangle(p, q, FLAT[list(order)])[0] == there
+            assert segment_triangle(q, p, FLAT[list(order)])[0] == back
+
+
 def test_a_point_is_a_segment_too_and_a_triangle_without_area_is_met_by_nothing():
     assert segment_meets_triangle([1, 1, 0], [1, 1, 0], FLAT)
     assert not segment_meets_triangle([3, 3, 0], [3, 3, 0], FLAT)
@@ -364,15 +373,23 @@ def test_two_cubes_through_each_other_cross_and_two_apart_do_not():
 def test_faces_with_a_shared_corner_or_edge_cross_only_if_they_have_more_in_common():
     corners = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 1, 1], [1, 1, -1], [-1, -1, 1], [-1, -2, 1], [1, 0.5, 0]])
 
-    def crossing(*two):
-        return len(mesh_report(corners, two).crossing_faces)
+    def crossing(one, other):
+        # whichever corner comes first
+        found = {
+            len(mesh_report(corners, [np.roll(one, i), np.roll(other, j)]).crossing_faces)
+            for i, j in itertools.product(range(3), repeat=2)
+        }
+        assert len(found) == 1
+        return found.pop()
 
     assert crossing([0, 1, 2], [0, 3, 4]) == 1  # at the corner 0, and through the opposite side
     assert crossing([0, 1, 2], [0, 5, 6]) == 0
     assert crossing([0, 1, 2], [1, 0, 7]) == 1  # folded onto it
     assert crossing([0, 1, 2], [1, 0, 3]) == 0
     flat = corners * [1, 1, 0] - [0, 0.5, 0] * (np.arange(8) == 7)[:, None] * 2
-    assert len(mesh_report(flat, [[0, 1, 2], [1, 0, 7]]).crossing_faces) == 0  # beside it in one plane
+    for first in range(3):
+        beside = [[0, 1, 2], np.roll([1, 0, 7], first)]  # in one plane
+        assert len(mesh_report(flat, beside).crossing_faces) == 0
 
 
 def test_pairs_found_do_not_depend_on_how_many_are_looked_at_at_once(monkeypatch):
