@@ -40,6 +40,14 @@ def vector(name: str, value: ArrayLike) -> Array:
     return array
 
 
+def matrix(name: str, value: ArrayLike) -> Array:
+    """Return matrices (..., 3, 3); refuse other shapes, infinity and NaN."""
+    array = finite(name, value)
+    if array.shape[-2:] != (3, 3):
+        raise ValueError(f"{name} must have shape (..., 3, 3), not {array.shape}")
+    return array
+
+
 def unit(name: str, vector: ArrayLike) -> Array:
     """Return vectors (..., 3); refuse any whose length is not 1."""
     array = np.asarray(vector, dtype=float)

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite, not_negative, unit, vector
+from solutions.checks import finite, matrix, not_negative, unit, vector
 from solutions.friction.cone import clamp_to_circle
-from solutions.impulse.momentum import matrix
 
 Array = NDArray[np.float64]
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite, in_unit_interval, not_negative, positive, unit, vector
+from solutions.checks import finite, in_unit_interval, matrix, not_negative, positive, unit, vector
 from solutions.friction.support import along_surface
-from solutions.impulse.momentum import matrix
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]

@@ -7,8 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite, not_negative, vector
-from solutions.impulse.momentum import matrix
+from solutions.checks import finite, matrix, not_negative, vector
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-12

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite, not_negative, positive, unit, vector
+from solutions.checks import finite, matrix, not_negative, positive, unit, vector
 
 Array = NDArray[np.float64]
 
@@ -145,11 +145,3 @@ def velocities_from_momenta(
     per_mass = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))[..., None]
     turned = matrix("inverse_inertia", inverse_inertia) @ angular_momentum[..., None]
     return np.asarray(per_mass * momentum), np.asarray(turned[..., 0])
-
-
-def matrix(name: str, value: ArrayLike) -> Array:
-    """Return matrices (..., 3, 3); refuse other shapes, infinity and NaN."""
-    array = finite(name, value)
-    if array.shape[-2:] != (3, 3):
-        raise ValueError(f"{name} must have shape (..., 3, 3), not {array.shape}")
-    return array
