@@ -18,7 +18,7 @@ from reference.compare import Row
 from reference.report import numbers
 from reference.report.summary import Line, Section, error_of, sections
 from reference.report.terminal import Points
-from reference.study import JobResult
+from reference.results import JobResult
 
 _FINE = 200
 """Points of a predicted curve."""

@@ -23,7 +23,7 @@ import tempfile
 import time
 from enum import Enum
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import platformdirs
@@ -32,9 +32,7 @@ from reference import sources
 from reference.compare import Verdict
 from reference.engines import load_engine
 from reference.errors import CollisionsError
-
-if TYPE_CHECKING:
-    from reference.study import Job, JobResult
+from reference.results import Job, JobResult
 
 SCHEMA = "collisions-lab result 1\n"
 VARIABLE = "COLLISIONS_CACHE"

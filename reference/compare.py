@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 import numpy as np
 
 from reference import checks
-from reference.engines.base import Engine
+from reference.engines.base import Engine, Method
 from reference.errors import (
     CannotExpress,
     EngineNotInstalled,
@@ -113,13 +113,51 @@ def compare_case(
 
     Whatever an engine or hand-written code raises becomes a row, but for `InvalidInput`: that is the caller's mistake.
     """
-    blank = Row(family.name, case.name, engine.name, profile, "", "", Verdict.SHOWN, settings=settings.describe())
     try:
         with as_failed_run():
             trajectories = engine.run_many(case.scenarios, settings)
             method = engine.method(case.scenarios[0], settings)
     except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
-        return [replace(blank, verdict=verdict_of(error), note=str(error))], []
+        blank = Row(family.name, case.name, engine.name, profile, "", "", verdict_of(error))
+        return [replace(blank, note=str(error), settings=settings.describe())], []
+    numbers = {quantity.name: measured(quantity, trajectories) for quantity in family.quantities}
+    return judged(family, case, engine.name, profile, settings, method, numbers), trajectories
+
+
+@dataclass(frozen=True)
+class Number:
+    """What was measured of one quantity: its mean and standard deviation over an ensemble, or why there is none."""
+
+    mean: float | None = None
+    spread: float | None = None
+    note: str = ""
+    crashed: bool = False
+
+
+def measured(quantity: Quantity, trajectories: Sequence[Trajectory]) -> Number:
+    """Measure a quantity of each trajectory, and take the mean."""
+    try:
+        with as_failed_run():
+            values = [float(quantity.measure(trajectory)) for trajectory in trajectories]
+    except Unforeseen as error:
+        return Number(note=str(error), crashed=True)
+    except RunFailed as error:  # the run is there, but it has no such number: a body that still moves has not stopped
+        return Number(note=str(error))
+    mean, spread = _mean_and_spread(values)
+    return Number(mean, spread) if mean is not None else Number(note=NOTHING_FINITE)
+
+
+def judged(
+    family: Family,
+    case: Case,
+    engine: str,
+    profile: str,
+    settings: Settings,
+    method: Method,
+    numbers: Mapping[str, Number],
+) -> list[Row]:
+    """One row a quantity: its number, what theory says with these settings, and how the two stand."""
+    blank = Row(family.name, case.name, engine, profile, "", "", Verdict.SHOWN, settings=settings.describe())
     rows = []
     for quantity in family.quantities:
         expectation = quantity.expect(case, settings, method) if quantity.expect else None
@@ -133,26 +171,19 @@ def compare_case(
                 reason=expectation.reason,
                 shift=expectation.shift,
             )
-        rows.append(_measured(row, quantity, trajectories, expectation))
-    return rows, trajectories
+        rows.append(_with_number(row, numbers[quantity.name], expectation))
+    return rows
 
 
-def _measured(row: Row, quantity: Quantity, trajectories: Sequence[Trajectory], expectation: Expectation | None) -> Row:
-    without_number = Verdict.FAIL if expectation else Verdict.SHOWN
-    try:
-        with as_failed_run():
-            values = [float(quantity.measure(trajectory)) for trajectory in trajectories]
-    except Unforeseen as error:
-        return replace(row, verdict=Verdict.CRASHED, note=str(error))
-    except RunFailed as error:  # the run is there, but it has no such number: a body that still moves has not stopped
-        return replace(row, verdict=without_number, note=str(error))
-    mean, spread = _mean_and_spread(values)
-    if mean is None:
-        return replace(row, verdict=without_number, note=NOTHING_FINITE)
-    row = replace(row, measured=mean, spread=spread)
+def _with_number(row: Row, number: Number, expectation: Expectation | None) -> Row:
+    if number.crashed:
+        return replace(row, verdict=Verdict.CRASHED, note=number.note)
+    if number.mean is None:
+        return replace(row, verdict=Verdict.FAIL if expectation else Verdict.SHOWN, note=number.note)
+    row = replace(row, measured=number.mean, spread=number.spread)
     if expectation is None:
         return row
-    verdict = judge(mean, expectation)
+    verdict = judge(number.mean, expectation)
     note = expectation.shift_reason if verdict is Verdict.KNOWN_DEVIATION else ""
     return replace(row, verdict=verdict, note=note)
 

@@ -6,10 +6,10 @@ import logging
 import time
 from collections.abc import Generator, Iterable, Mapping, Sequence
 from concurrent.futures import Executor, Future, as_completed, wait
-from dataclasses import dataclass, field
 
 import numpy as np
 
+from reference import recording
 from reference.cache import Cache, key_of
 from reference.compare import ALL_CASES, TUNED, Row, Verdict, compare_case, verdict_of
 from reference.engines import load_engine
@@ -28,9 +28,10 @@ from reference.family import Case, Family
 from reference.implementation import Implementation
 from reference.isolate import run_isolated, stop_workers
 from reference.question import Question
+from reference.results import Errors, Job, JobResult, Series
 from reference.scenarios import catalogue
 from reference.settings import Option
-from reference.shares import Split, split
+from reference.shares import split
 from reference.trajectory import Trajectory
 
 TIME_LIMIT = 300.0
@@ -42,59 +43,6 @@ _STOP_INTERVAL = 0.05
 """Time between two rounds of stopping workers, s: enough for a thread to see that its worker is gone."""
 
 _log = logging.getLogger(__name__)
-
-
-@dataclass(frozen=True)
-class Job:
-    """One family × engine × profile. cases: names, all when empty. changes: settings to change, by name."""
-
-    family: str
-    engine: str
-    profile: str
-    cases: tuple[str, ...] = ()
-    implementation: str = "solutions"
-    changes: tuple[tuple[str, Option], ...] = ()
-    with_studies: bool = False
-
-    def __str__(self) -> str:
-        return f"{self.family} in {self.engine}, {self.profile}"
-
-
-@dataclass(frozen=True)
-class Series:
-    """A plotted curve: times in s, values in the unit of the family's curve."""
-
-    times: tuple[float, ...]
-    values: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class Errors:
-    """Error against timestep. order: slope of the log–log line, None where every error is rounding."""
-
-    timesteps: tuple[float, ...]
-    errors: tuple[float, ...]
-    order: float | None
-
-
-@dataclass(frozen=True)
-class JobResult:
-    """All that a job gives back; plain data.
-
-    seconds: what it took where it ran. cached: whether that was earlier, and the cache had it.
-    """
-
-    job: Job
-    title: str
-    description: str
-    rows: tuple[Row, ...]
-    settings: str = ""
-    version: str = ""
-    series: Series | None = None
-    convergence: Errors | None = None
-    split: Split | None = None
-    seconds: float = field(default=0.0, compare=False)
-    cached: bool = field(default=False, compare=False)
 
 
 def plan(
@@ -205,7 +153,10 @@ def _abandon(futures: Iterable[Future[JobResult]]) -> None:
 
 
 def run_safely(job: Job, timeout: float = TIME_LIMIT, cache: Cache | None = None) -> JobResult:
-    """Run a job in a worker process, or take it from a cache; a crash, a hang or a missing engine becomes one row."""
+    """Run a job in a worker process, or take it from a cache; a crash or a hang becomes one row.
+
+    An engine that is not installed answers from its recording, or with a row that says how to get it.
+    """
     found = cache.get(job) if cache else None
     if found is not None:
         return found
@@ -216,7 +167,9 @@ def run_safely(job: Job, timeout: float = TIME_LIMIT, cache: Cache | None = None
             key, result = run_isolated(_run_with_key, timeout, job)
         else:
             result = run_isolated(run_job, timeout, job)
-    except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
+    except EngineNotInstalled as error:
+        result = recording.recall(job) or _without_answer(job, error, time.perf_counter() - start)
+    except (NeedsFunction, CannotExpress, RunFailed) as error:
         result = _without_answer(job, error, time.perf_counter() - start)
     _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)
     if cache:
@@ -270,7 +223,7 @@ def run_job(job: Job) -> JobResult:
         series,
         convergence,
         splits,
-        time.perf_counter() - start,
+        seconds=time.perf_counter() - start,
     )
 
 

@@ -14,7 +14,7 @@ from rich.logging import RichHandler
 from rich.markup import escape
 from typer.core import TyperGroup
 
-from labs.cli import bench, compare, engines, report, show
+from labs.cli import bench, compare, engines, record, report, show
 from labs.cli.console import errors, speak_unicode
 from reference.errors import CollisionsError
 
@@ -46,6 +46,7 @@ app.command("compare")(compare.compare)
 app.command("report")(report.report)
 app.command("engines")(engines.engines)
 app.command("show")(show.show)
+app.command("record")(record.record)
 app.command("bench")(bench.bench)
 
 

@@ -17,9 +17,10 @@ from reference.compare import Verdict, failures, without_answer
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.family import Family
+from reference.results import Job, JobResult
 from reference.scenarios import catalogue, find
 from reference.settings import Option
-from reference.study import Job, JobResult, longest_first, plan, recall, run_jobs
+from reference.study import longest_first, plan, recall, run_jobs
 
 FAILED, COULD_NOT_COMPARE = 1, 3
 

@@ -22,8 +22,9 @@ from reference.cache import Cache
 from reference.errors import InvalidInput
 from reference.report import figures, terminal
 from reference.report.summary import MARKS, Line, error_of
+from reference.results import Job
 from reference.scenarios import catalogue
-from reference.study import Job, plan
+from reference.study import plan
 
 SUFFIXES = (".svg", ".png", ".pdf")
 LEAST_HEIGHT, MOST_WIDTH = 11, 140

@@ -27,7 +27,7 @@ from reference.engines import load_engine
 from reference.errors import InvalidInput
 from reference.report import figures, page
 from reference.report.summary import Section, sections
-from reference.study import JobResult
+from reference.results import JobResult
 
 ROWS, TIMINGS, PROVENANCE = "collisions-lab/rows", "collisions-lab/timings", "collisions-lab/provenance"
 SCHEMA_VERSION = 1

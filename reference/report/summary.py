@@ -14,8 +14,9 @@ from reference.compare import TUNED, Row, Verdict
 from reference.engines import engine_names
 from reference.family import Family, Quantity
 from reference.report import numbers
+from reference.results import JobResult
 from reference.scenarios import catalogue
-from reference.study import ROUNDING, JobResult
+from reference.study import ROUNDING
 
 MARKS = {
     Verdict.PASS: "✓",

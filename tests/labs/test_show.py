@@ -25,8 +25,9 @@ from reference.engines.base import EXACT
 from reference.isolate import stop_workers
 from reference.report import terminal
 from reference.report.terminal import Points
+from reference.results import Job, JobResult, Series
 from reference.scenarios import catalogue
-from reference.study import Job, JobResult, Series, profiles_of, run_job
+from reference.study import profiles_of, run_job
 
 ALL = pytest.mark.parametrize("demonstration", DEMONSTRATIONS, ids=[one.name for one in DEMONSTRATIONS])
 PLACEHOLDER = re.compile(r"\{([^}]*)\}")

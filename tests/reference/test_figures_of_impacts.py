@@ -12,12 +12,13 @@ import pytest
 from reference import truth
 from reference.compare import Verdict
 from reference.engines.base import AT_STEP, COMPLIANT, EXACT, Method
+from reference.results import Job, JobResult
 from reference.scenario import Body, Pair, Scenario, Sphere
 from reference.scenarios import catalogue
 from reference.scenarios.cradle import RADIUS
 from reference.scenarios.rods import END
 from reference.settings import Settings
-from reference.study import Job, JobResult, run_job
+from reference.study import run_job
 from reference.trajectory import Trajectory
 
 G = 9.81

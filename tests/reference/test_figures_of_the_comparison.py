@@ -13,10 +13,11 @@ from reference import measure
 from reference.compare import Row, Verdict, compare_case
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
+from reference.results import Job, JobResult
 from reference.scenarios import catalogue, find
 from reference.scenarios.response import DROPS, SPREAD, falling_ball
 from reference.settings import Settings
-from reference.study import Job, JobResult, run_job
+from reference.study import run_job
 
 G = 9.81  # m/s²
 FALL = math.sqrt(2 / G)  # s: from rest through 1 m

@@ -16,8 +16,8 @@ from reference.compare import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.report import figures
 from reference.report.summary import Section, sections
+from reference.results import Errors, Job, JobResult, Series
 from reference.scenarios import catalogue
-from reference.study import Errors, Job, JobResult, Series
 
 SVG, XLINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}"
 STEPS = (4e-3, 2e-3, 1e-3, 5e-4)

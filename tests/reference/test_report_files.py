@@ -18,7 +18,8 @@ from reference.compare import ALL_CASES, Row, Verdict
 from reference.errors import InvalidInput
 from reference.report import files
 from reference.report.files import read_rows, rows_csv, rows_json, staged, write
-from reference.study import Job, JobResult, run_job, run_jobs, run_safely
+from reference.results import Job, JobResult
+from reference.study import run_job, run_jobs, run_safely
 
 GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",), with_studies=True)
 ENOUGH = 60.0  # s: any honest job here takes one, on a busy machine too
@@ -254,7 +255,8 @@ TWICE = """
 import sys
 from pathlib import Path
 from reference.report.files import write
-from reference.study import Job, run_job
+from reference.results import Job
+from reference.study import run_job
 
 jobs = [
     Job("sliding-slab", "handwritten", "stock", ("μ=0.7,v=1",)),

@@ -6,8 +6,8 @@ import pytest
 
 from reference.report.origins import origins
 from reference.report.summary import sections
+from reference.results import Job, JobResult
 from reference.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
-from reference.study import Job, JobResult
 
 STOCK = (
     Share(DEFAULTS, "damping unset → 0", -0.30, -0.10, -0.20),

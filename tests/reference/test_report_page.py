@@ -15,9 +15,10 @@ from reference.engines import engine_names, load_engine
 from reference.family import Family
 from reference.report import figures, page
 from reference.report.summary import LEGEND, MARKS, sections
+from reference.results import Errors, Job, JobResult, Series
 from reference.scenarios import catalogue
 from reference.shares import Share, Split
-from reference.study import Errors, Job, JobResult, Series, run_job
+from reference.study import run_job
 
 VOID = {"meta", "br", "link", "img", "hr", "input", "col", "wbr", "source", "base", "area", "embed", "track"}
 PICTURE = '<svg xmlns="http://www.w3.org/2000/svg" id="{name}-figure"><path id="{name}-path" d="M0 0"/></svg>'

@@ -10,8 +10,8 @@ import pytest
 from reference.compare import ALL_CASES, Row, Verdict
 from reference.report import summary
 from reference.report.summary import LEGEND, MARKS, Cell, Line, Section, columns, sections, verdict_line
+from reference.results import Errors, Job, JobResult
 from reference.scenarios import catalogue
-from reference.study import Errors, Job, JobResult
 
 REST = catalogue()["ball-to-rest"]
 WORST_FIRST = (

@@ -7,7 +7,7 @@ import pytest
 from reference.compare import Row, Verdict
 from reference.report.summary import sections
 from reference.report.worst import furthest_from_theory, nearest_to_fail
-from reference.study import Job, JobResult
+from reference.results import Job, JobResult
 
 
 def row(measured: float, verdict: Verdict = Verdict.PASS, profile: str = "tuned", **more) -> Row:

@@ -14,11 +14,12 @@ from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import CannotExpress, NeedsFunction, RunFailed
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
 from reference.question import Question
+from reference.results import Job
 from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scenarios import catalogue
 from reference.settings import Move, Option, Settings
 from reference.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
-from reference.study import Job, run_job
+from reference.study import run_job
 from reference.trajectory import Trajectory
 
 TRUE = 10.0

@@ -25,8 +25,9 @@ from reference.compare import ALL_CASES, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
 from reference.isolate import stop_workers
+from reference.results import Job, JobResult
 from reference.scenarios import catalogue
-from reference.study import Job, JobResult, _series, longest_first, order_of, plan, run_job, run_jobs, run_safely
+from reference.study import _series, longest_first, order_of, plan, run_job, run_jobs, run_safely
 
 DROPPED, SLIDING = catalogue()["dropped-ball"], catalogue()["sliding-slab"]
 GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
@@ -494,7 +495,8 @@ INTERRUPTED = """
 import signal
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from reference.study import Job, run_jobs
+from reference.results import Job
+from reference.study import run_jobs
 
 signal.signal(signal.SIGINT, signal.default_int_handler)  # some shells have it ignored
 jobs = [Job("dropped-ball", sys.argv[1], profile, ("e=0.5",)) for profile in ("tuned", "stock")]

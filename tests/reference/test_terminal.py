@@ -16,8 +16,9 @@ from reference.compare import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.report.summary import LEGEND, MARKS, sections
 from reference.report.terminal import print_comparison
+from reference.results import Job, JobResult
 from reference.scenarios import catalogue
-from reference.study import Job, JobResult, run_job
+from reference.study import run_job
 
 WIDTH = 80
 CUT = "…"  # what the table printer puts where it cuts something off, and our mark for a function that is not written
