@@ -83,8 +83,10 @@ class Cache:
         return dataclasses.replace(result, job=job, cached=True)
 
     def put(self, job: Job, key: str | None, result: JobResult) -> None:
-        """Keep a result under the key that its worker had, if it is complete and that key is still the job's."""
-        if key is None or any(row.verdict in _INCOMPLETE for row in result.rows) or key != key_of(job):
+        """Keep a result under the key that its worker had, if it ran here, is complete and the key is still the job's."""
+        if key is None or result.recording or any(row.verdict in _INCOMPLETE for row in result.rows):
+            return
+        if key != key_of(job):
             return
         try:
             self.folder.mkdir(parents=True, exist_ok=True)

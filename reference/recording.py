@@ -30,6 +30,8 @@ from reference.shares import Share, Split
 
 SCHEMA, VERSION = "collisions-lab/recording", 1
 FOLDER = Path(__file__).parent / "recordings"
+MARK = "*"
+"""Behind the title of an engine that did not run here."""
 DIGITS = 16
 """Of a fingerprint; that two of some thousands agree by chance has odds of 10⁻¹²."""
 
@@ -45,7 +47,8 @@ class Made:
     date: str
 
     def __str__(self) -> str:
-        return f"recorded on {self.date} with {self.engine} {self.version}, Python {self.python}, {self.platform}"
+        where = f"Python {self.python}, {self.platform}"
+        return f"{self.engine} {self.version} was recorded on {self.date} ({where}); it is not run here"
 
 
 def fingerprint(case: Case, settings: Settings) -> str:
@@ -126,7 +129,11 @@ def _case(case: Case, engine: Engine, result: JobResult) -> dict[str, Any]:
     settings = engine.settings(case.scenarios[0], result.job.profile)
     return {
         "fingerprint": fingerprint(case, settings),
-        "numbers": {row.quantity: [row.measured, row.spread, row.note] for row in rows if row.quantity},
+        "numbers": {
+            row.quantity: [row.measured, row.spread, "" if row.measured is not None else row.note]
+            for row in rows
+            if row.quantity
+        },
         "refused": next(([row.verdict, row.note] for row in rows if not row.quantity), None),
     }
 
@@ -154,7 +161,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
     made = Made(**content["made"])
     return JobResult(
         job,
-        engine.title,
+        f"{engine.title}{MARK}",
         taken["description"],
         tuple(rows),
         taken["settings"] if not job.changes else "",
@@ -162,7 +169,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         Series(**_tuples(taken["series"])) if taken["series"] and not job.changes else None,
         Errors(**_tuples(taken["convergence"])) if taken["convergence"] and whole else None,
         _split(taken["split"]) if taken["split"] and whole else None,
-        recording=str(made),
+        recording=f"{MARK} {made}",
     )
 
 

@@ -196,6 +196,7 @@ def run_job(job: Job) -> JobResult:
     family = catalogue()[job.family]
     engine = load_engine(job.engine, Implementation(job.implementation))
     version, has = engine.version(), profiles_of(engine, family)
+    engine.module()  # where it cannot be imported, nothing is asked of it
     asked, rows = Question.of(family, engine), list[Row]()
     series, shown = None, ""
     for case in family.cases:

@@ -21,7 +21,7 @@ from labs.seen import Seen
 from reference.cache import Cache
 from reference.errors import InvalidInput
 from reference.report import figures, terminal
-from reference.report.summary import MARKS, Line, error_of
+from reference.report.summary import MARKS, Line, error_of, recordings
 from reference.results import Job
 from reference.scenarios import catalogue
 from reference.study import plan
@@ -63,7 +63,7 @@ def show(
     results = jobs.run(planned, workers, Cache(fresh=fresh))
     seen = Seen(demonstration, tuple(results))
     table = _across(seen) if demonstration.labels else _down(seen)
-    below = Group(*_notes(seen), *(Text.assemble(("→ ", "bold"), line) for line in seen.lesson()))
+    below = Group(*_notes(seen), *(Text.assemble(("→ ", "bold"), line) for line in seen.lesson()), *_recorded(seen))
     if not no_plot:
         _plot(seen, len(output.render_lines(Group(table, below))))
     output.print(table, below)
@@ -107,6 +107,10 @@ def _plot(seen: Seen, beside: int) -> None:
         output.print(f"Plots in the terminal need plotext; to get it: {PLOTEXT}", soft_wrap=True, markup=False)
     else:
         output.print(drawn)
+
+
+def _recorded(seen: Seen) -> list[Text]:
+    return [Text(line, style="dim") for line in recordings(line.result for line in seen.section.lines)]
 
 
 def _notes(seen: Seen) -> list[Text]:

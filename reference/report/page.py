@@ -18,6 +18,7 @@ from reference.report.summary import (
     Section,
     columns,
     error_of,
+    recordings,
     verdict_line,
 )
 from reference.report.worst import furthest_from_theory, nearest_to_fail
@@ -54,6 +55,7 @@ def render(
         verdict_line=verdict_line(rows),
         marks=MARKS,
         legend={verdict: text for verdict, text in LEGEND.items() if verdict in seen},
+        recordings=recordings(line.result for section in found for line in section.lines),
         nearest=[(*entry[:3], numbers.percent(entry[3]).lstrip("+")) for entry in nearest_to_fail(found, WORST)],
         furthest=furthest_from_theory(found, WORST),
         origins={section.family.name: origins(section) for section in found},

@@ -244,6 +244,11 @@ def title_of(result: JobResult) -> str:
     return f"{result.title}, {result.job.profile}"
 
 
+def recordings(results: Iterable[JobResult]) -> list[str]:
+    """What was not run here but recorded elsewhere: each recording once."""
+    return list(dict.fromkeys(result.recording for result in results if result.recording))
+
+
 def columns(found: Sequence[Section]) -> list[str]:
     """Titles of all implementations that occur, in the order of the tables."""
     fullest_first = sorted(found, key=lambda section: -len(section.lines))

@@ -14,7 +14,18 @@ from rich.text import Text
 from reference import lecture
 from reference.compare import Row, Verdict
 from reference.report import numbers
-from reference.report.summary import LEGEND, MARKS, Cell, Line, Section, columns, error_of, left_of, verdict_line
+from reference.report.summary import (
+    LEGEND,
+    MARKS,
+    Cell,
+    Line,
+    Section,
+    columns,
+    error_of,
+    left_of,
+    recordings,
+    verdict_line,
+)
 from reference.report.worst import nearest_to_fail
 
 WORST = 5
@@ -64,6 +75,8 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
     console.print()
     for verdict in seen:
         console.print(Text.assemble((f"{MARKS[verdict]} {verdict}", style_of(verdict)), f": {LEGEND[verdict]}"))
+    for recorded in recordings(line.result for section in found for line in section.lines):
+        console.print(Text(recorded))
     console.print(Text(verdict_line(rows), style="bold"))
 
 
