@@ -332,6 +332,16 @@ def test_a_turning_rod_meets_a_ball_when_its_line_comes_within_the_radius():
     assert time == pytest.approx(expected, abs=TOLERANCE)  # at 1.6 m/s the tolerance is used up sooner
 
 
+@pytest.mark.statement(10, oracle="closed form: two balls on one circle")
+def test_a_ball_on_a_turning_arm_meets_another_on_its_circle():
+    # A ball at 45° on an arm of 1 m turns at 2 rad/s; the other is 1 rad ahead, and both have .05 m.
+    arm, ball = ([math.cos(angle), math.sin(angle), 0] for angle in (math.pi / 4, math.pi / 4 + 1))
+    time = sweep_convex([arm], STILL, STILL, [0, 0, 2], 0.05, [STILL], ball, STILL, STILL, STILL, 0.05, 2.0)
+    expected = (1 - 2 * math.asin(0.05)) / 2
+    assert time <= expected
+    assert time == pytest.approx(expected, abs=TOLERANCE)  # at 2 m/s the tolerance is used up sooner
+
+
 @pytest.mark.statement(10, oracle="closed form: a corner of a turning cube against a plane face")
 def test_a_spinning_cube_meets_a_slab_with_its_corner():
     # Turning about z beside a large slab whose face is at x = .65: the nearest corner is at √½ cos(45° − ω t).
