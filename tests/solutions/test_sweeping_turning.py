@@ -336,7 +336,7 @@ def test_a_turning_rod_meets_a_ball_when_its_line_comes_within_the_radius():
 def test_a_ball_on_a_turning_arm_meets_another_on_its_circle():
     # A ball at 45° on an arm of 1 m turns at 2 rad/s; the other is 1 rad ahead, and both have .05 m.
     arm, ball = ([math.cos(angle), math.sin(angle), 0] for angle in (math.pi / 4, math.pi / 4 + 1))
-    time = sweep_convex([arm], STILL, STILL, [0, 0, 2], 0.05, [STILL], ball, STILL, STILL, STILL, 0.05, 2.0)
+    time = sweep_convex([arm], STILL, STILL, [0, 0, 2], 0.05, [STILL], ball, STILL, STILL, 0.05, 2.0)
     expected = (1 - 2 * math.asin(0.05)) / 2
     assert time <= expected
     assert time == pytest.approx(expected, abs=TOLERANCE)  # at 2 m/s the tolerance is used up sooner
