@@ -330,6 +330,9 @@ def test_a_turning_rod_meets_a_ball_when_its_line_comes_within_the_radius():
     expected = (1 - math.asin(0.1 / 0.8)) / 2
     assert time <= expected
     assert time == pytest.approx(expected, abs=TOLERANCE)  # at 1.6 m/s the tolerance is used up sooner
+    # half the rod, about its end, is there at the same time
+    half = sweep_convex(rod * [[0], [1]], STILL, STILL, [0, 0, 2], 0.0, [STILL], ball, STILL, STILL, 0.1, 2.0)
+    assert expected - TOLERANCE <= half <= expected
 
 
 @pytest.mark.statement(10, oracle="closed form: two balls on one circle")
@@ -439,6 +442,9 @@ def test_what_comes_within_the_tolerance_at_the_very_end_of_the_step_touches():
     for dt, expected in ((1.75, 1.75), (1.5, math.inf)):
         balls = ([STILL], [2, 0, 0], [-1, 0, 0], STILL, 0.0, [STILL], STILL, STILL, STILL, 0.0)
         assert sweep_convex(*balls, dt, tolerance=0.5) == expected
+    face = np.array([[0, 0, 0], [0, 1, 0], [1, 0, 0.0]])
+    for way, expected in ((1.75, 1.0), (1.5, math.inf)):
+        assert vertex_face_impact([0.2, 0.2, 2], face, [0.2, 0.2, 2 - way], face, 0.5) == expected
 
 
 def test_many_pairs_at_once_are_the_same_as_one_at_a_time():
@@ -450,6 +456,8 @@ def test_many_pairs_at_once_are_the_same_as_one_at_a_time():
         alone = sweep_convex(CUBE, x[i, j], -2 * x[i, j], w[j], 0.0, CUBE, STILL, STILL, STILL, j / 10, 1.0)
         assert together[i, j] == pytest.approx(float(alone), abs=1e-9)  # the rounds of one do not depend on the others
     cubes = CUBE * np.array([0.5, 1, 1.5])[:, None, None]  # the only ones that are many
+    for a, b in ((np.add(cubes, [3, 0, 0]), CUBE), (np.add(CUBE, [3, 0, 0]), cubes)):
+        assert separation_of_hulls(a, b)[0] == pytest.approx([2.25, 2, 1.75], abs=1e-15)
     for a, b in ((cubes, CUBE), (CUBE, cubes)):
         sizes = sweep_convex(a, [3, 0, 0], [-2, 0, 0], STILL, 0.0, b, STILL, STILL, STILL, 0.0, 2.0)
         assert sizes == pytest.approx([1.125, 1, 0.875], abs=TOLERANCE)  # closed form: the gap over 2 m/s
