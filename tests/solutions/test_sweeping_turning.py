@@ -110,6 +110,62 @@ def test_whatever_ipctk_hits_is_hit_here_unless_the_features_stay_apart(kind):
             assert theirs - 1e-3 <= ours <= theirs + 1e-2
 
 
+def exact_meeting(kind, count, seed, flat):
+    """Steps in eighths of a metre that meet half-way, in a corner, on an edge or inside; flat: all in one plane."""
+    rng = np.random.default_rng(seed)
+    shapes = ((count, 3), (count, 3, 3)) if kind == "vertex-face" else ((count, 2, 3), (count, 2, 3))
+    middle, half_way = ([rng.integers(-8, 9, shape) / 8 for shape in shapes] for _ in range(2))
+    if flat:
+        for array in (*middle, *half_way):
+            array[..., 2] = 0
+    weights = {2: [[1, 0], [0.5, 0.5], [0.25, 0.75]], 3: [[1, 0, 0], [0.5, 0.5, 0], [0.25, 0.25, 0.5]]}
+    on = [
+        array if array.ndim == 2 else np.einsum("ni,nij->nj", rng.choice(weights[array.shape[1]], count), array)
+        for array in middle
+    ]
+    middle[1] = middle[1] + (on[0] - on[1])[:, None]
+    return [m - h for m, h in zip(middle, half_way, strict=True)] + [
+        m + h for m, h in zip(middle, half_way, strict=True)
+    ]
+
+
+MORE = pytest.param(100_000, marks=pytest.mark.slow)
+
+
+@KINDS
+@pytest.mark.parametrize("flat", [False, True])
+@pytest.mark.parametrize("count", [10_000, MORE])
+@pytest.mark.statement(10, oracle="steps of eighths that meet exactly half-way")
+def test_no_exact_meeting_at_a_corner_an_edge_or_within_is_missed_or_late(kind, flat, count):
+    # every number is a multiple of 1/32 below 4: no rounding, so that not even the last digit may be late
+    assert np.all(IMPACT[kind](*exact_meeting(kind, count, 5, flat)) <= 0.5)
+
+
+@KINDS
+@pytest.mark.parametrize("count", [1_000, pytest.param(20_000, marks=pytest.mark.slow)])
+@pytest.mark.statement(10, oracle="ipctk's tight inclusion")
+def test_what_ipctk_hits_in_exact_steps_is_hit_here_and_not_later_but_by_what_it_keeps(kind, count):
+    ipctk = pytest.importorskip("ipctk")
+    ccd = ipctk.TightInclusionCCD(TOLERANCE, 1000)
+    ask = ccd.point_triangle_ccd if kind == "vertex-face" else ccd.edge_edge_ccd
+    query = exact_meeting(kind, count, 6, False)  # in one plane, where features touch all along, it refines for minutes
+    found = IMPACT[kind](*query)
+    for row, ours in zip(zip(*query, strict=True), found, strict=True):
+        hit, theirs = ask(*[point for feature in row for point in np.atleast_2d(feature)])
+        assert hit
+        assert ours <= 0.5
+        # Both are early; theirs by a distance that grows with that at the start, ours until it is near enough.
+        assert ours >= theirs - 1e-3 or distance_at(kind, row, float(ours)) <= TOLERANCE + 1e-8
+
+
+@KINDS
+@pytest.mark.slow
+@pytest.mark.statement(10, oracle="steps made so that the features meet at a known time")
+def test_of_many_more_meetings_none_is_missed_and_none_is_late(kind):
+    query, time = meeting(kind, 500_000, 7)
+    assert np.all(IMPACT[kind](*query) <= time)
+
+
 @KINDS
 @pytest.mark.statement(10, oracle="the exact sign of the cubic in fractions")
 def test_at_the_time_given_the_four_points_are_about_to_be_coplanar(kind):
