@@ -65,7 +65,7 @@ class PyBullet(Engine):
             # spoils a ball's rebound; with none, a box that has landed askew rocks from corner to corner for ever.
             "contact_gap_falls": 1.0 if boxes else 0.0,
             **ground,
-            **(firm if boxes else {"solver_iterations": 50}),
+            **(firm if boxes or len(movable) > 1 else {"solver_iterations": 50}),
         }
         return Settings(1e-3, options=options)
 

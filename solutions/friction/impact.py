@@ -11,7 +11,7 @@ from solutions.friction.support import along_surface
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 SINGULAR = 1e-12
-"""Below this share of the largest one an eigenvalue of K counts as zero: it would leave an impulse few digits."""
+"""Below this share of the product of its rows' lengths det K counts as zero: it would leave an impulse few digits."""
 
 
 def point_inverse_mass(inverse_mass: ArrayLike, inverse_inertia: ArrayLike, arm: ArrayLike) -> Array:
@@ -72,8 +72,8 @@ def friction_impulse(
     u, n = finite("velocity", vector("velocity", velocity)), unit("normal", vector("normal", normal))
     e, mu = in_unit_interval("restitution", restitution), finite("friction", not_negative("friction", friction))
     k = matrix("inverse_mass", inverse_mass)
-    yielding = np.linalg.eigvalsh(k)
-    if np.any(yielding[..., 0] <= SINGULAR * yielding[..., -1]):
+    singular = np.linalg.det(k) <= SINGULAR * np.linalg.norm(k, axis=-1).prod(axis=-1)
+    if np.any(singular) or np.any(np.diagonal(k, axis1=-2, axis2=-1) <= 0):
         raise ValueError("inverse_mass must be positive definite: no impulse stops two immovable bodies")
     approach = np.vecdot(u, n)
     grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[..., 0]

@@ -204,10 +204,11 @@ AT_ONCE, IN_TURN = (-0.6, 0.4, 0.4, 0.4, 0.4), (0.0, 0.0, 0.0, 0.0, 1.0)
 @engines
 def test_balls_that_touch_exactly_answer_all_at_once_and_a_micrometre_apart_one_after_another(name, installed):
     engine = installed(name)
-    # 0.1 % of the speed is what the catalogue accepts too: MuJoCo's contacts give way by 1e-4 each.
-    np.testing.assert_allclose(out_of(engine, RADIUS, 0.0), AT_ONCE, atol=1e-3)
-    np.testing.assert_allclose(out_of(engine, RADIUS, -1e-9), AT_ONCE, atol=1e-3)
-    np.testing.assert_allclose(out_of(engine, RADIUS, 1e-6), IN_TURN, atol=1e-3)
+    # PyBullet's solver goes on until nothing is left; MuJoCo's contacts give way by 1e-4 each.
+    near = {"pybullet": 1e-9, "mujoco": 1e-3}[name]
+    np.testing.assert_allclose(out_of(engine, RADIUS, 0.0), AT_ONCE, atol=near)
+    np.testing.assert_allclose(out_of(engine, RADIUS, -1e-9), AT_ONCE, atol=near)
+    np.testing.assert_allclose(out_of(engine, RADIUS, 1e-6), IN_TURN, atol=near)
 
 
 def test_to_pybullet_a_gap_of_a_picometre_is_one(installed):

@@ -329,6 +329,18 @@ def test_a_bar_through_a_cube_is_found_though_no_vertex_is_inside_and_no_edge_of
     assert polyhedra_intersect(CUBE, CUBE_FACES, bar, CUBE_FACES)
 
 
+def test_edges_and_faces_that_meet_are_found_whichever_corner_comes_first():
+    spike = np.array([[6, 6, 6], [-3, 0, 0], [0, -3, 0], [0, 0, -3.0]])
+    sides = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+    crumb = (CUBE - 0.5) / 4 + [-0.75, -0.75, 0.6]  # on a side of the spike, far from its point
+    for first in range(3):
+        turned = np.roll(sides, first, axis=1)
+        edge, face = edges_through_faces(crumb, CUBE_FACES, spike, turned)
+        assert len(edge) > 2
+        assert set(face.tolist()) == {0}
+        assert polyhedra_intersect(crumb, CUBE_FACES, spike, turned)
+
+
 # The report on a mesh
 
 

@@ -179,6 +179,8 @@ def test_a_point_ever_so_little_off_the_grid_is_known_by_parity(name, x, y, z, o
 def test_the_faces_look_outwards_and_the_volume_is_that_of_a_prism(outline):
     vertices, faces = extruded(outline)
     assert signed_volume(vertices, faces) == pytest.approx(area(outline) * HEIGHT, rel=1e-14)  # sums of a few numbers
+    # far along one axis 6 of 16 digits of the vertices are gone, and no more
+    assert signed_volume(np.add(vertices, [1e6, 0, 0]), faces) == pytest.approx(area(outline) * HEIGHT, rel=1e-9)
     assert signed_volume(vertices + 1e3, faces[:, ::-1]) == pytest.approx(-area(outline) * HEIGHT, rel=1e-12)
     assert len(vertices) - len(mesh_edges(vertices, faces)) + len(faces) == 2  # Euler
 

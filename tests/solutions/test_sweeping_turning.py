@@ -110,6 +110,62 @@ def test_whatever_ipctk_hits_is_hit_here_unless_the_features_stay_apart(kind):
             assert theirs - 1e-3 <= ours <= theirs + 1e-2
 
 
+def exact_meeting(kind, count, seed, flat):
+    """Steps in eighths of a metre that meet half-way, in a corner, on an edge or inside; flat: all in one plane."""
+    rng = np.random.default_rng(seed)
+    shapes = ((count, 3), (count, 3, 3)) if kind == "vertex-face" else ((count, 2, 3), (count, 2, 3))
+    middle, half_way = ([rng.integers(-8, 9, shape) / 8 for shape in shapes] for _ in range(2))
+    if flat:
+        for array in (*middle, *half_way):
+            array[..., 2] = 0
+    weights = {2: [[1, 0], [0.5, 0.5], [0.25, 0.75]], 3: [[1, 0, 0], [0.5, 0.5, 0], [0.25, 0.25, 0.5]]}
+    on = [
+        array if array.ndim == 2 else np.einsum("ni,nij->nj", rng.choice(weights[array.shape[1]], count), array)
+        for array in middle
+    ]
+    middle[1] = middle[1] + (on[0] - on[1])[:, None]
+    return [m - h for m, h in zip(middle, half_way, strict=True)] + [
+        m + h for m, h in zip(middle, half_way, strict=True)
+    ]
+
+
+MORE = pytest.param(100_000, marks=pytest.mark.slow)
+
+
+@KINDS
+@pytest.mark.parametrize("flat", [False, True])
+@pytest.mark.parametrize("count", [10_000, MORE])
+@pytest.mark.statement(10, oracle="steps of eighths that meet exactly half-way")
+def test_no_exact_meeting_at_a_corner_an_edge_or_within_is_missed_or_late(kind, flat, count):
+    # every number is a multiple of 1/32 below 4: no rounding, so that not even the last digit may be late
+    assert np.all(IMPACT[kind](*exact_meeting(kind, count, 5, flat)) <= 0.5)
+
+
+@KINDS
+@pytest.mark.parametrize("count", [1_000, pytest.param(20_000, marks=pytest.mark.slow)])
+@pytest.mark.statement(10, oracle="ipctk's tight inclusion")
+def test_what_ipctk_hits_in_exact_steps_is_hit_here_and_not_later_but_by_what_it_keeps(kind, count):
+    ipctk = pytest.importorskip("ipctk")
+    ccd = ipctk.TightInclusionCCD(TOLERANCE, 1000)
+    ask = ccd.point_triangle_ccd if kind == "vertex-face" else ccd.edge_edge_ccd
+    query = exact_meeting(kind, count, 6, False)  # in one plane, where features touch all along, it refines for minutes
+    found = IMPACT[kind](*query)
+    for row, ours in zip(zip(*query, strict=True), found, strict=True):
+        hit, theirs = ask(*[point for feature in row for point in np.atleast_2d(feature)])
+        assert hit
+        assert ours <= 0.5
+        # Both are early; theirs by a distance that grows with that at the start, ours until it is near enough.
+        assert ours >= theirs - 1e-3 or distance_at(kind, row, float(ours)) <= TOLERANCE + 1e-8
+
+
+@KINDS
+@pytest.mark.slow
+@pytest.mark.statement(10, oracle="steps made so that the features meet at a known time")
+def test_of_many_more_meetings_none_is_missed_and_none_is_late(kind):
+    query, time = meeting(kind, 500_000, 7)
+    assert np.all(IMPACT[kind](*query) <= time)
+
+
 @KINDS
 @pytest.mark.statement(10, oracle="the exact sign of the cubic in fractions")
 def test_at_the_time_given_the_four_points_are_about_to_be_coplanar(kind):
@@ -330,6 +386,19 @@ def test_a_turning_rod_meets_a_ball_when_its_line_comes_within_the_radius():
     expected = (1 - math.asin(0.1 / 0.8)) / 2
     assert time <= expected
     assert time == pytest.approx(expected, abs=TOLERANCE)  # at 1.6 m/s the tolerance is used up sooner
+    # half the rod, about its end, is there at the same time
+    half = sweep_convex(rod * [[0], [1]], STILL, STILL, [0, 0, 2], 0.0, [STILL], ball, STILL, STILL, 0.1, 2.0)
+    assert expected - TOLERANCE <= half <= expected
+
+
+@pytest.mark.statement(10, oracle="closed form: two balls on one circle")
+def test_a_ball_on_a_turning_arm_meets_another_on_its_circle():
+    # A ball at 45° on an arm of 1 m turns at 2 rad/s; the other is 1 rad ahead, and both have .05 m.
+    arm, ball = ([math.cos(angle), math.sin(angle), 0] for angle in (math.pi / 4, math.pi / 4 + 1))
+    time = sweep_convex([arm], STILL, STILL, [0, 0, 2], 0.05, [STILL], ball, STILL, STILL, 0.05, 2.0)
+    expected = (1 - 2 * math.asin(0.05)) / 2
+    assert time <= expected
+    assert time == pytest.approx(expected, abs=TOLERANCE)  # at 2 m/s the tolerance is used up sooner
 
 
 @pytest.mark.statement(10, oracle="closed form: a corner of a turning cube against a plane face")
@@ -429,6 +498,9 @@ def test_what_comes_within_the_tolerance_at_the_very_end_of_the_step_touches():
     for dt, expected in ((1.75, 1.75), (1.5, math.inf)):
         balls = ([STILL], [2, 0, 0], [-1, 0, 0], STILL, 0.0, [STILL], STILL, STILL, STILL, 0.0)
         assert sweep_convex(*balls, dt, tolerance=0.5) == expected
+    face = np.array([[0, 0, 0], [0, 1, 0], [1, 0, 0.0]])
+    for way, expected in ((1.75, 1.0), (1.5, math.inf)):
+        assert vertex_face_impact([0.2, 0.2, 2], face, [0.2, 0.2, 2 - way], face, 0.5) == expected
 
 
 def test_many_pairs_at_once_are_the_same_as_one_at_a_time():
@@ -440,6 +512,8 @@ def test_many_pairs_at_once_are_the_same_as_one_at_a_time():
         alone = sweep_convex(CUBE, x[i, j], -2 * x[i, j], w[j], 0.0, CUBE, STILL, STILL, STILL, j / 10, 1.0)
         assert together[i, j] == pytest.approx(float(alone), abs=1e-9)  # the rounds of one do not depend on the others
     cubes = CUBE * np.array([0.5, 1, 1.5])[:, None, None]  # the only ones that are many
+    for a, b in ((np.add(cubes, [3, 0, 0]), CUBE), (np.add(CUBE, [3, 0, 0]), cubes)):
+        assert separation_of_hulls(a, b)[0] == pytest.approx([2.25, 2, 1.75], abs=1e-15)
     for a, b in ((cubes, CUBE), (CUBE, cubes)):
         sizes = sweep_convex(a, [3, 0, 0], [-2, 0, 0], STILL, 0.0, b, STILL, STILL, STILL, 0.0, 2.0)
         assert sizes == pytest.approx([1.125, 1, 0.875], abs=TOLERANCE)  # closed form: the gap over 2 m/s
