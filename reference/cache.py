@@ -83,7 +83,7 @@ class Cache:
         return dataclasses.replace(result, job=job, cached=True)
 
     def put(self, job: Job, key: str | None, result: JobResult) -> None:
-        """Keep a result that ran here, if it is complete, under the key that its worker had and that still is its own."""
+        """Keep a complete result that ran here under the key that its worker had, if it is still the job's."""
         if key is None or result.recording or any(row.verdict in _INCOMPLETE for row in result.rows):
             return
         if key != key_of(job):

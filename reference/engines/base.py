@@ -13,6 +13,7 @@ from typing import ClassVar
 
 from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, UnknownName
 from reference.implementation import Implementation
+from reference.query import Query
 from reference.scenario import Scenario
 from reference.settings import Move, Settings
 from reference.trajectory import Trajectory
@@ -83,6 +84,10 @@ class Engine(ABC):
     @abstractmethod
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
         """Run a scenario and return its trajectory, first sample at time 0."""
+
+    def query(self, query: Query) -> float:
+        """Answer a question of geometry; an engine that knows the answer overrides this."""
+        raise CannotExpress(f"{self.title} answers no questions of geometry")
 
     def run_many(self, scenarios: Sequence[Scenario], settings: Settings) -> list[Trajectory]:
         """Run several scenarios with the same settings; an engine that can do so at once overrides this."""

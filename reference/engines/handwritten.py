@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from reference.engines import drivers, impacts, rows
+from reference.engines import drivers, geometric, impacts, rows
 from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
 from reference.engines.kinds import Kind, kind
 from reference.errors import InvalidInput, NeedsFunction
+from reference.query import Query
 from reference.scenario import Scenario
 from reference.settings import Settings
 from reference.trajectory import Trajectory
@@ -71,6 +72,10 @@ class Handwritten(Engine):
             if shortest < 1:
                 raise InvalidInput(f"shortest_flight is {shortest:g}; with the policy interpolated it is at least 1")
         return super().check_settings(scenario, settings)
+
+    def query(self, query: Query) -> float:
+        """Answer with the functions of swept volumes."""
+        return geometric.answer(query, self.implementation)
 
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
         """Run one scenario as a batch of one."""

@@ -20,6 +20,8 @@ import numpy as np
 
 from reference import geometry
 from reference.engines.base import AT_STEP, Engine, Method
+from reference.errors import RunFailed
+from reference.query import Query, Ray
 from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.settings import Move, Option, Settings
 from reference.trajectory import Recorder, Trajectory
@@ -27,6 +29,8 @@ from reference.trajectory import Recorder, Trajectory
 STOCK_TIMESTEP = 1 / 240
 GROUND_EXTENT, GROUND_DEPTH = (100.0, 100.0), 1.0
 """Half extents of the box that stands for a half-space, m: far larger than any way in the catalogue."""
+FARTHEST = 1e6
+"""Distance beyond which two bodies need not be told apart, m."""
 
 
 class PyBullet(Engine):
@@ -119,6 +123,32 @@ class PyBullet(Engine):
                 for contact in bullet.getContactPoints(physicsClientId=client):
                     _keep_contact(recorder, places, contact)
         return recorder.trajectory()
+
+    def query(self, query: Query) -> float:
+        """Answer with Bullet's own rays and closest points."""
+        bullet: Any = self.module()
+        client = bullet.connect(bullet.DIRECT)
+        here = {"physicsClientId": client}
+        try:
+            if isinstance(query, Ray):
+                self._place(bullet, query.body, here)
+                end = np.add(query.start, query.way).tolist()
+                ((number, _, share, _, _),) = bullet.rayTest(query.start, end, **here)
+                return float(share) if number >= 0 else math.inf
+            pair = [self._place(bullet, body, here) for body in (query.body_a, query.body_b)]
+            found = bullet.getClosestPoints(*pair, FARTHEST, **here)
+            if not found:
+                raise RunFailed(f"Bullet finds no closest points of {query.body_a.name} and {query.body_b.name}")
+            return float(min(point[8] for point in found))
+        finally:
+            bullet.disconnect(client)
+
+    @staticmethod
+    def _place(bullet: Any, body: Body, here: dict[str, int]) -> int:
+        """Add a body that nothing moves, where it stands, and return its number."""
+        orientation = (*body.orientation[1:], body.orientation[0])  # x y z w
+        shape = _collision_shape(bullet, body, here)
+        return int(bullet.createMultiBody(0.0, shape, basePosition=body.position, baseOrientation=orientation, **here))
 
     def _set_world(self, bullet: Any, client: int, scenario: Scenario, settings: Settings) -> None:
         bullet.setGravity(*scenario.gravity, physicsClientId=client)
