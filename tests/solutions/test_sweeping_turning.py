@@ -91,9 +91,10 @@ def test_no_meeting_is_missed_and_none_is_late(kind):
 
 @KINDS
 @pytest.mark.statement(10, oracle="ipctk's tight inclusion, and scipy's non-negative least squares")
-def test_whatever_ipctk_hits_is_hit_here_unless_the_features_stay_apart(kind):
+@pytest.mark.parametrize("count", [5_000, pytest.param(50_000, marks=pytest.mark.slow)])
+def test_whatever_ipctk_hits_is_hit_here_unless_the_features_stay_apart(kind, count):
     ipctk = pytest.importorskip("ipctk")
-    query = queries(kind, 5_000, 2)
+    query = queries(kind, count, 2)
     found = IMPACT[kind](*query)
     ccd = ipctk.TightInclusionCCD()
     ask = ccd.point_triangle_ccd if kind == "vertex-face" else ccd.edge_edge_ccd
@@ -101,13 +102,13 @@ def test_whatever_ipctk_hits_is_hit_here_unless_the_features_stay_apart(kind):
         points = [point for feature in row for point in np.atleast_2d(feature)]
         hit, theirs = ask(*points)
         assert hit or ours == math.inf  # ipctk never misses: what it calls free is free
-        if hit and ours == math.inf:  # it keeps a distance that grows with that at the start: then they only pass by
+        if hit and ours > theirs + 1e-2:  # it keeps a distance that grows with that at the start: they only pass by
             nearby = np.linspace(theirs - 0.01, theirs + 0.01, 201)
             assert min(distance_at(kind, row, time) for time in np.clip(nearby, 0, 1)) > TOLERANCE
         elif hit:
             # theirs is before the true contact, ours too; ours may be nearer to it by what theirs keeps
             assert distance_at(kind, row, float(ours)) <= TOLERANCE + 1e-8  # the oracle's own rounding
-            assert theirs - 1e-3 <= ours <= theirs + 1e-2
+            assert ours >= theirs - 1e-3
 
 
 def exact_meeting(kind, count, seed, flat):
@@ -142,13 +143,12 @@ def test_no_exact_meeting_at_a_corner_an_edge_or_within_is_missed_or_late(kind, 
 
 
 @KINDS
-@pytest.mark.parametrize("count", [1_000, pytest.param(20_000, marks=pytest.mark.slow)])
 @pytest.mark.statement(10, oracle="ipctk's tight inclusion")
-def test_what_ipctk_hits_in_exact_steps_is_hit_here_and_not_later_but_by_what_it_keeps(kind, count):
+def test_what_ipctk_hits_in_exact_steps_is_hit_here_and_not_later_but_by_what_it_keeps(kind):
     ipctk = pytest.importorskip("ipctk")
     ccd = ipctk.TightInclusionCCD(TOLERANCE, 1000)
     ask = ccd.point_triangle_ccd if kind == "vertex-face" else ccd.edge_edge_ccd
-    query = exact_meeting(kind, count, 6, False)  # in one plane, where features touch all along, it refines for minutes
+    query = exact_meeting(kind, 1_000, 6, False)  # in one plane, where features touch all along, it refines for minutes
     found = IMPACT[kind](*query)
     for row, ours in zip(zip(*query, strict=True), found, strict=True):
         hit, theirs = ask(*[point for feature in row for point in np.atleast_2d(feature)])
@@ -162,7 +162,7 @@ def test_what_ipctk_hits_in_exact_steps_is_hit_here_and_not_later_but_by_what_it
 @pytest.mark.slow
 @pytest.mark.statement(10, oracle="steps made so that the features meet at a known time")
 def test_of_many_more_meetings_none_is_missed_and_none_is_late(kind):
-    query, time = meeting(kind, 500_000, 7)
+    query, time = meeting(kind, 200_000, 7)
     assert np.all(IMPACT[kind](*query) <= time)
 
 
