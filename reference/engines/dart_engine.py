@@ -62,11 +62,15 @@ class Dart(Engine):
             "split_impulse": True,
             "sleep": False,
         }
-        if geometry.leaning(scenario):
-            # Sweeps carry a force one contact further each; the pivoting solver has a stack at once. Its pyramid for a
-            # friction cone does not matter, since nothing slides there.
-            return Settings(1e-3, options=options | {"solver": "dantzig"})
-        options |= {"solver": "nsgs", "solver_tolerance": 1e-7, "solver_iterations": 200}
+        if geometry.leaning(scenario) and boxes:
+            # The default solver, by pivots, has a stack at once; sweeps go from one contact to the next. Its friction
+            # cone is a pyramid, which does not matter where nothing slides.
+            options["solver"] = "dantzig"
+        elif boxes:
+            # Four corners are one more than it takes to carry a box: sweeps come to no end, only near enough to one.
+            options |= {"solver": "nsgs", "solver_tolerance": 1e-7, "solver_iterations": 200}
+        else:
+            options |= {"solver": "nsgs", "solver_tolerance": 1e-12, "solver_iterations": 1000}
         if geometry.starts_in_contact(scenario) and not any(pair.restitution for pair in scenario.pairs):
             return Settings(1e-3, options=options)
         # Nothing but a small timestep removes what a step does to an impact: DART takes back no overlap worth the name.
@@ -109,7 +113,7 @@ class Dart(Engine):
             if number % settings.sample_every == 0:
                 recorder.sample(_state(scenario, bodies, fixed))
                 for contact in world.getLastCollisionResult().getContacts():
-                    _keep_contact(recorder, scenario, shapes, contact)
+                    _keep_contact(recorder, scenario, shapes, contact, settings.options.get("detector") == "dart")
         return recorder.trajectory()
 
     def _coefficients(self, scenario: Scenario) -> list[tuple[float, float]]:
@@ -225,18 +229,19 @@ def _state(scenario: Scenario, bodies: list[Any], fixed: list[list[float]]) -> l
     return state
 
 
-def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], contact: Any) -> None:
+def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], contact: Any, flat: bool) -> None:
     """DART's normal points from its second object to its first, and depth is positive inside.
 
-    Its point lies midway between the surfaces, but for a ball on something flat: there it lies on that. Bodies are told
-    by their shapes; asking a collision object for its frame leaves Python with a body that C++ frees as well.
+    Its point lies midway between the surfaces, but with DART's own detector (`flat`) for a ball on something flat: then
+    it lies on that. Bodies are told by their shapes; asking a collision object for its frame leaves Python with a body
+    that C++ frees as well.
     """
     first, second = (
         next(place for place, shape in enumerate(shapes) if thing.getShape() is shape)
         for thing in (contact.collisionObject1, contact.collisionObject2)
     )
     normal, depth = contact.normal.ravel(), contact.penetrationDepth
-    balls = [isinstance(scenario.bodies[place].shape, Sphere) for place in (first, second)]
+    balls = [flat and isinstance(scenario.bodies[place].shape, Sphere) for place in (first, second)]
     middle = contact.point.ravel() + (balls[1] - balls[0]) * depth / 2 * normal
     recorder.contact(first, second, middle.tolist(), normal.tolist(), -depth)
 
