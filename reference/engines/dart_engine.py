@@ -46,7 +46,7 @@ class Dart(Engine):
     order = 30
     package = "dartpy"
     extra = "dart"
-    wheels = "CPython from 3.10 on Linux x86-64, macOS on ARM and Windows"
+    wheels = "CPython from 3.10 on Linux, macOS 15 on ARM and Windows"
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at DART's default."""
