@@ -158,8 +158,8 @@ PARTING_BALL = Family(
     why=(
         "Three implementations, three answers, each by a rule that sounds right. Hand-written, tuned: in turn,"
         " (0, 0.1, 1). At the step, in PyBullet and in DART: all at once, with 6 to 13 % more energy than before."
-        " MuJoCo's contact turns every relative velocity round, also that of the two that part; these then approach, and"
-        " collide in the next step: (−0.267, 0.633, 0.733), which keeps the energy.",
+        " MuJoCo's contact turns every relative velocity round, also that of the two that part; these then approach,"
+        " and collide in the next step: (−0.267, 0.633, 0.733), which keeps the energy.",
         "Stock, PyBullet gives the second answer less its damping; MuJoCo, which has no restitution, none of them.",
     ),
     cases=tuple(_row("parting-ball", f"v={parting:g}", (1.0, 0.0, parting)) for parting in (0.1, 0.3, 0.5)),
