@@ -35,7 +35,7 @@ class Method:
     stiffness: of a compliant contact, per unit mass, 1/s².
     rest_speed: an impact slower than this is taken for rest, m/s.
     inset: share of the overlap by which the point where forces act lies inside a body.
-    softness: share of the closing speed that a contact lets pass.
+    softness: share of the change of speed, (1 + e) v, by which an impact falls short.
     weighed: share of what gravity adds to the speed in the step of an impact that is turned back as well.
     """
 

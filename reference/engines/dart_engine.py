@@ -25,7 +25,7 @@ from reference.trajectory import Recorder, Trajectory
 REST_SPEED = 0.1
 """A rebound slower than this is none, m/s; a constant of DART's source."""
 SOFTNESS = 1e-5
-"""Share of a closing speed that a contact lets pass; a constant of DART's source too."""
+"""Share of the change of speed by which an impact falls short; a constant of DART's source too."""
 LEAST_COEFFICIENT = 1e-3
 """A coefficient up to this counts as zero in DART."""
 GROUND_EXTENT, GROUND_DEPTH = 100.0, 1.0
@@ -233,8 +233,8 @@ def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], con
     """DART's normal points from its second object to its first, and depth is positive inside.
 
     Its point lies midway between the surfaces, but with DART's own detector (`flat`) for a ball on something flat: then
-    it lies on that. Bodies are told by their shapes; asking a collision object for its frame leaves Python with a body
-    that C++ frees as well.
+    it lies on that. Bodies are told by their shapes; asking a collision object for its frame makes the process crash as
+    it ends.
     """
     first, second = (
         next(place for place, shape in enumerate(shapes) if thing.getShape() is shape)

@@ -66,8 +66,8 @@ CORNER = Family(
     expected="Each impact reverses the velocity along its own normal and keeps e of it. The two normals are"
     " perpendicular, so neither impact disturbs the other, in whatever order: the ball leaves with −e v.",
     why=(
-        "Without weight, impacts are all there is, and PyBullet is right to the last digit, DART to (1 + e)/e times the"
-        " 10⁻⁵ of a closing speed that its contact lets pass, whether the two come in"
+        "Without weight, impacts are all there is, and PyBullet is right to the last digit, DART to 10⁻⁵ of"
+        " the change of speed, by which its contact falls short, whether the two come in"
         " one step or in two. MuJoCo's one-step contact takes a ten-thousandth of the overlap back as speed, and that"
         " is what is left of its error.",
         "Stock, both lose the ball's speed: PyBullet by its damping and by contacts made before the walls are reached,"
@@ -145,8 +145,8 @@ def _expect_last_impact(case: Case, settings: Settings, method: Method) -> Expec
     # An impact is noticed up to dt late, and the way back from behind the wall takes up to dt/e more. All that follows
     # is late by as much, no more: a delay, unlike a way, is the same at every speed.
     delays = (IMPACTS - 1) * settings.timestep * (1 + 1 / restitution)
-    # Overlap that is taken back as speed adds up to a share r/e to the speed of each rebound; a contact that lets a
-    # share s of the closing speed pass falls short of its change, (1 + e) v, by that share.
+    # Overlap that is taken back as speed adds up to a share r/e to the speed of each rebound; a contact that is
+    # not quite hard falls short of the change, (1 + e) v, by a share s of it.
     changed = method.speed_recovery + (1 + restitution) * method.softness
     reason = "each impact is noticed up to a step late, and overlap that comes back as speed hastens the next"
     if method.softness:

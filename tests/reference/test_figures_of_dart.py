@@ -98,7 +98,7 @@ def test_what_no_choice_of_two_bodies_coefficients_gives_is_refused():
 
 
 @pytest.mark.parametrize("restitution", [0.2, 0.5, 0.8, 1.0])
-def test_a_contact_lets_a_hundred_thousandth_of_the_closing_speed_pass(restitution):
+def test_an_impact_falls_short_by_a_hundred_thousandth_of_the_change_of_speed(restitution):
     kept = drop(restitution, 2.0).velocity("ball")[-1, 2] / 2.0
     # The change (1 + e) v falls short by the softness; its square is 1e-10.
     assert kept == pytest.approx(restitution - (1 + restitution) * SOFTNESS, abs=1e-9)
