@@ -18,6 +18,7 @@ import numpy as np
 from reference import geometry
 from reference.engines import mixing
 from reference.engines.base import AT_STEP, Engine, Method
+from reference.errors import InvalidInput
 from reference.scenario import Body, Box, HalfSpace, Scenario, Sphere
 from reference.settings import Move, Option, Settings, steps_per_sample
 from reference.trajectory import Recorder, Trajectory
@@ -36,6 +37,10 @@ DETECTORS: Mapping[str, Callable[[Any], Any]] = {
     "bullet": lambda dart: dart.collision.BulletCollisionDetector(),
     "ode": lambda dart: dart.collision.OdeCollisionDetector(),
 }
+GROUNDS = ("plane", "box")
+SWEEPS = {"nsgs": "maxSweeps", "fbf": "maxOuterIterations"}
+"""The solvers with a cone for friction, and what each calls its iterations."""
+SOLVERS = ("dantzig", *SWEEPS)
 
 
 class Dart(Engine):
@@ -93,6 +98,7 @@ class Dart(Engine):
         dart: Any = self.module()
         self.check_friction(scenario)
         steps = self.check_settings(scenario, settings)
+        _check_words(settings)
         coefficients = self._coefficients(scenario)
         world = _world(dart, scenario, settings)
         shapes, bodies = [], []
@@ -131,6 +137,14 @@ class Dart(Engine):
         return list(zip(restitution, friction, strict=True))
 
 
+def _check_words(settings: Settings) -> None:
+    """Refuse a detector, ground or solver that there is not, naming those there are."""
+    for option, choices in (("detector", DETECTORS), ("ground", GROUNDS), ("solver", SOLVERS)):
+        word = settings.options.get(option)
+        if word is not None and word not in choices:
+            raise InvalidInput(f"{option} is {word!r}; here it is one of {', '.join(choices)}")
+
+
 def _world(dart: Any, scenario: Scenario, settings: Settings) -> Any:
     world = dart.simulation.World()
     world.setTimeStep(settings.timestep)
@@ -153,11 +167,10 @@ def _friction_solver(dart: Any, settings: Settings) -> Any:
     name = str(settings["solver"])
     solver = dart.constraint.FbfFrictionSolver() if name == "fbf" else dart.constraint.NsgsFrictionSolver()
     options = solver.getOptions()
-    options.tolerance = settings.number("solver_tolerance")
-    if name == "fbf":
-        options.maxOuterIterations = int(settings.number("solver_iterations"))
-    else:
-        options.maxSweeps = int(settings.number("solver_iterations"))
+    if "solver_tolerance" in settings.options:
+        options.tolerance = settings.number("solver_tolerance")
+    if "solver_iterations" in settings.options:
+        setattr(options, SWEEPS[name], int(settings.number("solver_iterations")))
     solver.setOptions(options)
     return solver
 

@@ -12,7 +12,7 @@ import pytest
 from reference import measure, truth
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
-from reference.errors import CannotExpress
+from reference.errors import CannotExpress, InvalidInput
 from reference.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scenarios import catalogue
 from reference.scenarios.friction import slab_on_plane
@@ -275,6 +275,12 @@ def test_an_impact_too_slow_to_rebound_is_a_known_deviation_between_two_walls_an
     found = {row.case: row.verdict.value for case in ("e=0.5", "e=0.8") for row in job("two-walls", case).rows
              if row.quantity == "speed_left"}  # fmt: skip
     assert found == {"e=0.5": "known deviation", "e=0.8": "pass"}  # 2 · 0.5⁵ = 0.0625 m/s is below 0.1
+
+
+@pytest.mark.parametrize("option", ["detector", "ground", "solver"])
+def test_a_word_that_there_is_not_is_refused_with_those_there_are(option):
+    with pytest.raises(InvalidInput, match=rf"{option} is 'x'; here it is one of \w+, "):
+        run(slab_on_plane("slab", 0.4, 0.0, 2.0, 0.1), **{option: "x"})
 
 
 def test_stock_sets_nothing():
