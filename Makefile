@@ -15,9 +15,11 @@ $(READY): pyproject.toml constraints.txt
 	PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[engines,dev]'
 	PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[crowd]' \
 		|| echo "navground has no wheel for this machine; the tests that compare with it are skipped"
+	PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dart]' \
+		|| echo "DART has no wheel for this machine; its rows will say 'not available'"
 	touch $(READY)
 
-report: $(READY) ## compare the three implementations and write the report
+report: $(READY) ## compare the four implementations and write the report
 	$(BIN)/collisions report --out $(OUT)
 
 test: $(READY)   ## the tests, in a few minutes

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-LATE = {"mujoco", "pybullet", "matplotlib", "plotext"}
+LATE = {"mujoco", "pybullet", "dartpy", "matplotlib", "plotext"}
 """Engines and plotting: imported within functions, so that a machine without them runs everything else."""
 OURS = {"solutions", "reference", "labs", "tests"}
 MAY_IMPORT = {"solutions": {"solutions"}, "reference": {"reference"}, "labs": {"labs", "reference"}}

@@ -40,7 +40,7 @@ app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
-    help="Collisions Lab: hand-written physics, PyBullet and MuJoCo, compared with theory and with each other.",
+    help="Collisions Lab: hand-written physics, PyBullet, MuJoCo and DART, compared with theory and with each other.",
 )
 app.command("compare")(compare.compare)
 app.command("report")(report.report)

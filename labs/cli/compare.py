@@ -27,7 +27,7 @@ def compare(
     fresh: jobs.Fresh = False,
     cases: Annotated[bool, typer.Option("--cases", help="Print every case with its numbers.")] = False,
 ) -> None:
-    """Run scenarios in hand-written code, PyBullet and MuJoCo, and compare them with theory.
+    """Run scenarios in hand-written code, PyBullet, MuJoCo and DART, and compare them with theory.
 
     For example:  collisions compare dropped-ball --profile tuned --cases
     """

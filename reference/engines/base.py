@@ -34,8 +34,10 @@ class Method:
     recovery: share of the overlap that is taken back in the step of the response without adding speed.
     speed_recovery: share of the overlap that this step makes into speed, so that the next ones take it back.
     stiffness: of a compliant contact, per unit mass, 1/s².
-    rest_speed: a rebound slower than this is taken for rest, m/s.
+    rest_speed: an impact slower than this is taken for rest, m/s.
     inset: share of the overlap by which the point where forces act lies inside a body.
+    softness: share of the change of speed, (1 + e) v, by which an impact falls short.
+    weighed: share of what gravity adds to the speed in the step of an impact that is turned back as well.
     """
 
     kind: str
@@ -44,6 +46,8 @@ class Method:
     stiffness: float = math.inf
     rest_speed: float = 0.0
     inset: float = 0.0
+    softness: float = 0.0
+    weighed: float = 0.0
 
 
 class Engine(ABC):

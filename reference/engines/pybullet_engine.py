@@ -11,7 +11,6 @@ up to 4 % short.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -19,10 +18,11 @@ from typing import Any
 import numpy as np
 
 from reference import geometry
+from reference.engines import mixing
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import RunFailed
 from reference.query import Query, Ray
-from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scenario import Body, Box, HalfSpace, Scenario, Sphere
 from reference.settings import Move, Option, Settings
 from reference.trajectory import Recorder, Trajectory
 
@@ -220,32 +220,13 @@ class PyBullet(Engine):
 
     def _coefficients(self, scenario: Scenario) -> list[tuple[float, float]]:
         """One restitution and friction per body such that every pair's product is what the scenario asks for."""
-        if not scenario.pairs:
-            return [(0.0, 0.0)] * len(scenario.bodies)
-        first = scenario.pairs[0]
-        shared = math.sqrt(first.restitution), math.sqrt(first.kinetic_friction)
-        alike = {body.name: shared for body in scenario.bodies}
-        one_sided = {body.name: self._own_or_one(scenario, body) for body in scenario.bodies}
-        for chosen in (alike, one_sided):
-            if all(_product_is_right(chosen, pair) for pair in scenario.pairs):
-                return [chosen[body.name] for body in scenario.bodies]
-        raise self.cannot(scenario, "Bullet multiplies the coefficients of two bodies, and no choice gives all pairs")
-
-    @staticmethod
-    def _own_or_one(scenario: Scenario, body: Body) -> tuple[float, float]:
-        """Everything on the movable body and 1 on the immovable one, as its makers advise."""
-        if body.immovable:
-            return 1.0, 1.0
-        for pair in scenario.pairs:
-            if body.name in (pair.body_a, pair.body_b):
-                return pair.restitution, pair.kinetic_friction
-        return 0.0, 0.0  # it touches nothing
-
-
-def _product_is_right(chosen: Mapping[str, tuple[float, float]], pair: Pair) -> bool:
-    products = (a * b for a, b in zip(chosen[pair.body_a], chosen[pair.body_b], strict=True))
-    wanted = (pair.restitution, pair.kinetic_friction)
-    return all(math.isclose(product, value, abs_tol=1e-15) for product, value in zip(products, wanted, strict=True))
+        restitution = mixing.factors(scenario, lambda pair: pair.restitution)
+        friction = mixing.factors(scenario, lambda pair: pair.kinetic_friction)
+        if restitution is None or friction is None:
+            raise self.cannot(
+                scenario, "Bullet multiplies the coefficients of two bodies, and no choice gives all pairs"
+            )
+        return list(zip(restitution, friction, strict=True))
 
 
 def _collision_shape(bullet: Any, body: Body, here: dict[str, int]) -> int:

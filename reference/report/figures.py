@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 
 WIDTH, HEIGHT = 5.8, 3.9
 """Size of a figure, inches: two stand side by side on a desk, one fills a phone."""
-_COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00"}
-_STROKES = {"handwritten": (5.0, 0.35), "pybullet": (2.4, 1.0), "mujoco": (1.0, 1.0)}
+_COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00", "dart": "#009e73"}
+_STROKES = {"handwritten": (5.0, 0.35), "pybullet": (3.2, 1.0), "mujoco": (1.9, 1.0), "dart": (0.8, 1.0)}
 """Width in points and opacity of tuned curves: where they coincide, each still shows on both sides of the next."""
-_MARKERS = {"handwritten": "o", "pybullet": "s", "mujoco": "^"}
+_MARKERS = {"handwritten": "o", "pybullet": "s", "mujoco": "^", "dart": "D"}
 _MARKER_DISTANCE, _STAGGER = 0.4, 0.05
 """Between the markers of a curve, and from one curve's first to the next one's, as shares of the axes' diagonal."""
 _DASHES: dict[str, Any] = {"tuned": "-", "stock": (0, (1, 1.6))}
@@ -131,14 +131,14 @@ def _label_with_powers(axes: Axes) -> None:
 
 def marker(line: Line) -> dict[str, Any]:
     """What a line's points look like: the engine's own shape, hollow where the settings are not tuned."""
-    style = {"marker": _MARKERS.get(line.result.job.engine, "D"), "markersize": 5}
+    style = {"marker": _MARKERS.get(line.result.job.engine, "v"), "markersize": 5}
     return style if line.tuned else style | {"markerfacecolor": "white"}
 
 
 def line_style(line: Line, thin: bool = False) -> dict[str, Any]:
     """The engine's colour and the profile's dashes; tuned curves are wide, so that those that coincide all show."""
     engine, profile = line.result.job.engine, line.result.job.profile
-    style = {"color": _COLOURS.get(engine, "#009e73"), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
+    style = {"color": _COLOURS.get(engine, "#cc79a7"), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
     if thin or not line.tuned:
         return style | {"linewidth": 1.3}
     width, opacity = _STROKES.get(engine, (1.5, 1.0))

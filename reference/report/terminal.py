@@ -12,7 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from reference import lecture
-from reference.compare import Row, Verdict
+from reference.compare import TUNED, Row, Verdict
 from reference.report import numbers
 from reference.report.summary import (
     LEGEND,
@@ -32,16 +32,18 @@ WORST = 5
 """How many rows the list of the worst has."""
 _COLUMN = 14
 """Width at which the headings of the figures are broken: five columns fit in a terminal of 80."""
+_ANY_WIDTH = 1000
+"""Wider than any table, to see how wide it would like to be."""
 _STYLES = {
     Verdict.PASS: "green",
     Verdict.KNOWN_DEVIATION: "yellow",
     Verdict.FAIL: "red",
     Verdict.CRASHED: "bold red",
 }
-_GLYPHS = {"handwritten": "●○×", "pybullet": "■□+", "mujoco": "▲△*"}
+_GLYPHS = {"handwritten": "●○×", "pybullet": "■□+", "mujoco": "▲△*", "dart": "◆◇~"}
 """An engine's marks: tuned, stock, any other profile."""
-_COLOURS = {"handwritten": None, "pybullet": 33, "mujoco": 208}
-"""Of the 256 that terminals have; None is the terminal's own. Blue and orange show on black and on white."""
+_COLOURS = {"handwritten": None, "pybullet": 33, "mujoco": 208, "dart": 35}
+"""Of the 256 that terminals have; None is the terminal's own. Blue, orange and green show on black and on white."""
 _MARKS_OF_A_CURVE = 6
 _NEAR = 0.1
 """An axis is drawn on to the next tick if that is no more than this share of it away."""
@@ -81,8 +83,28 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
 
 
 def _print_at_a_glance(console: Console, found: Sequence[Section]) -> None:
-    """All families in one screen: the worst mark of each implementation, and how many of its checks agree."""
+    """All families in one screen: the worst mark of each implementation, and how many of its checks agree.
+
+    Where that is too wide, the tuned settings, which count, come first and all others in a table below.
+    """
     titles = columns(found)
+    tables = [_screen(found, titles)]
+    if console.measure(tables[0], options=console.options.update(width=_ANY_WIDTH)).maximum > console.width:
+        tuned = [title for title in titles if title.endswith(f", {TUNED}")]
+        tables = [_screen(found, chosen) for chosen in (tuned, [title for title in titles if title not in tuned])]
+    for table in tables:
+        console.print()
+        console.print(table)
+    worst = nearest_to_fail(found, WORST)
+    if worst:
+        console.print()
+        console.print(Text("tuned, worst first: share of its limit", style="bold"))
+    for section, line, row, used in worst:
+        what = f"{section.family.name}, {row.case}: {section.family.quantity(row.quantity).title}"
+        console.print(Text(f"  {numbers.percent(used).lstrip('+'):>7}  {line.result.title}, {what} {error_of(row)}"))
+
+
+def _screen(found: Sequence[Section], titles: Sequence[str]) -> Table:
     table = Table(box=None, header_style="bold", padding=(0, 1, 0, 0), pad_edge=False)
     table.add_column("\nat a glance", no_wrap=True)
     for title in titles:
@@ -94,15 +116,7 @@ def _print_at_a_glance(console: Console, found: Sequence[Section]) -> None:
             for line in lines
         ]
         table.add_row(section.family.name, *cells)
-    console.print()
-    console.print(table)
-    worst = nearest_to_fail(found, WORST)
-    if worst:
-        console.print()
-        console.print(Text("tuned, worst first: share of its limit", style="bold"))
-    for section, line, row, used in worst:
-        what = f"{section.family.name}, {row.case}: {section.family.quantity(row.quantity).title}"
-        console.print(Text(f"  {numbers.percent(used).lstrip('+'):>7}  {line.result.title}, {what} {error_of(row)}"))
+    return table
 
 
 def _short_count(line: Line) -> str:
@@ -180,7 +194,7 @@ def marked(line: Line | None) -> Text:
     if line is None:
         return Text("─")
     job, colour = line.result.job, _colour(line)
-    glyphs = _GLYPHS.get(job.engine, "◆◇~")
+    glyphs = _GLYPHS.get(job.engine, "▼▽-")
     glyph = glyphs[0] if line.tuned else glyphs[1] if job.profile == "stock" else glyphs[2]
     return Text(glyph, style="" if colour is None else f"color({colour})")
 

@@ -119,10 +119,11 @@ CRADLE = Family(
     " all impacts at once: the first of five comes back with −3/5 of its speed and the others move on together with"
     " 2/5. Both keep momentum and energy; the rule does not say which.",
     why=(
-        "What decides is what an implementation takes for touching. Both engines, tuned, solve the contacts of a step"
+        "What decides is what an implementation takes for touching. The engines, tuned, solve the contacts of a step"
         " together, and balls that touch exactly get the second reading. A micrometre between them is enough for the"
         " first: each impact then has a step of its own. PyBullet leaves out a contact whose gap is 10⁻¹² m, MuJoCo one"
-        " beyond its margin of 10⁻⁹ m. Hence a radius that is a power of two: with 0.1 m, rounding would decide.",
+        " beyond its margin of 10⁻⁹ m, DART one that is open at all. Hence a radius that is a power of two: with 0.1 m,"
+        " rounding would decide.",
         "The hand-written code has one reading in each profile: tuned two at a time, at the step all that touch.",
         "A real contact lasts. In MuJoCo's spring profile it is 1 mm deep, and with the gap one reading goes over into"
         " the other: the first of five comes back with −0.60 m/s where they touch, and with −0.08 m/s where they are"
@@ -156,9 +157,9 @@ PARTING_BALL = Family(
     " restitution, as it did not close. From (1, 0, 0.1) come (−0.3, 0.7, 0.7), and of 0.505 J per kg become 0.535.",
     why=(
         "Three implementations, three answers, each by a rule that sounds right. Hand-written, tuned: in turn,"
-        " (0, 0.1, 1). At the step, and in PyBullet: all at once, with 6 to 13 % more energy than before. MuJoCo's"
-        " contact turns every relative velocity round, also that of the two that part; these then approach, and collide"
-        " in the next step: (−0.267, 0.633, 0.733), which keeps the energy.",
+        " (0, 0.1, 1). At the step, in PyBullet and in DART: all at once, with 6 to 13 % more energy than before."
+        " MuJoCo's contact turns every relative velocity round, also that of the two that part; these then approach,"
+        " and collide in the next step: (−0.267, 0.633, 0.733), which keeps the energy.",
         "Stock, PyBullet gives the second answer less its damping; MuJoCo, which has no restitution, none of them.",
     ),
     cases=tuple(_row("parting-ball", f"v={parting:g}", (1.0, 0.0, parting)) for parting in (0.1, 0.3, 0.5)),

@@ -104,7 +104,7 @@ SLIDING_SLAB = Family(
     " v₀/(μ g). Then the slab stays where it is.",
     why=(
         "Semi-implicit Euler moves with the velocity that friction has already reduced, so a step method stops v₀ dt/2"
-        " short. Both engines, tuned, do so to better than 0.002 % of the way; the hand-written code finds the stop"
+        " short. The engines, tuned, do so to better than 0.002 % of the way; the hand-written code finds the stop"
         " within the step and is exact.",
         "PyBullet, stock, damps every velocity by 4 % a second and more at speed, which shortens long slides most."
         " With damping off it is right.",
@@ -114,6 +114,9 @@ SLIDING_SLAB = Family(
         "MuJoCo's stock friction cone is a pyramid: along an axis it is right, at 30° it is weaker and pulls sideways."
         " Even the elliptic cone lifts a sliding slab, because a convex contact law pays for slip with separation; the"
         " tuned settings take friction out of the main solver (impratio near 0) and leave it to the noslip passes.",
+        "DART's default solver has a pyramid too, which brakes each axis by itself: at 30° the way is 21 % short."
+        " Tuned, it has a solver with a cone. Stock, a box has but one contact point on DART's half-space and rocks on"
+        " it for ever, a little faster than what counts as rest.",
     ),
     cases=(
         *(_sliding(friction, speed) for friction in (0.1, 0.2, 0.4, 0.7) for speed in (1.0, 2.0, 5.0)),
@@ -201,12 +204,13 @@ INCLINE = Family(
     expected="Static friction can hold at most μ N = μ m g cos θ against the pull m g sin θ: the slab stays where it"
     " is if tan θ ≤ μ. Otherwise it slides with g (sin θ − μ cos θ).",
     why=(
-        "All three, tuned, decide every case as tan θ ≤ μ does. What differs is how still a held slab is: hand-written"
+        "All, tuned, decide every case as tan θ ≤ μ does. What differs is how still a held slab is: hand-written"
         " code sets its velocity to zero, PyBullet's solver leaves six micrometres at most, and MuJoCo's friction is a"
         " soft constraint that creeps in proportion to the timestep: at 1 ms the steepest holds would lose millimetres,"
         " at 0.1 ms fractions.",
         "MuJoCo, stock, creeps visibly on every slope but the gentlest, which counts as sliding here. PyBullet, stock,"
-        " holds where it should, but its damping slows every slide by up to a quarter.",
+        " holds where it should, but its damping slows every slide by up to a quarter. DART, stock, rocks on its one"
+        " contact, and some slabs that should hold walk off that way.",
     ),
     cases=tuple(
         _incline(friction, degrees)

@@ -106,13 +106,13 @@ SLIDING_BALL = Family(
     expected="Friction acts at the floor and so cannot change the angular momentum about a point of the floor. The"
     " ball rolls with 5/7 of its first speed, whatever the friction, from t = 2 v₀/(7 μ g) on.",
     why=(
-        "Both engines, tuned, find 5/7 to more digits than anyone needs, since a friction impulse changes speed and"
+        "The engines, tuned, find 5/7 to more digits than anyone needs, since a friction impulse changes speed and"
         " spin together, in each step and at any timestep. The way is v₀ dt/7 short: a step moves with the velocity"
         " that friction has already reduced.",
         "PyBullet, stock, damps speed and spin all the time, and a ball that rolls has nothing to set against it: it"
         " loses 7 to 43 %. MuJoCo, stock, hops as it slides, by up to 6 mm at 5 m/s, because its convex cone pays for"
         " slip with lift. So it begins to roll late, but at the right speed to within 0.1 %.",
-        "Neither engine has rolling resistance unless one asks for it. MuJoCo's condim 6 asks for it: the ball would"
+        "No engine has rolling resistance unless one asks for it. MuJoCo's condim 6 asks for it: the ball would"
         " go on slowing down.",
     ),
     cases=tuple(_sliding(friction, speed) for friction in (0.1, 0.3, 0.6) for speed in (1.0, 2.0, 5.0)),
@@ -186,7 +186,7 @@ ROLLING_BALL = Family(
     expected="Rolling takes a friction of 2/7 m g sin θ, so the ball rolls while tan θ ≤ 7 μ/2, with 5/7 g sin θ."
     " Beyond that it slips, with g (sin θ − μ cos θ), and its spin falls behind.",
     why=(
-        "Both engines, tuned, tell rolling from slipping in all fifteen cases, the one at 20° and μ = 0.1 included,"
+        "The engines, tuned, tell rolling from slipping in all fifteen cases, the one at 20° and μ = 0.1 included,"
         " where tan θ is 4 % above 7 μ/2. The way is a t dt/2 long, as for every body that sets out from rest in a"
         " step method.",
         "PyBullet, stock, loses 7 to 27 % of the way to its damping, and more of the spin. MuJoCo, stock, tells rolling"
@@ -250,10 +250,11 @@ SPINNING_BALL = Family(
     " ends the slip, the ball leaves with 2/7 of its surface speed r ω along the floor, and spins with 2/7 of its"
     " spin. If not, it slips through the whole impact and leaves with μ (1 + e) v.",
     why=(
-        "A ball that grips takes 2/7 of its surface speed, whatever the impact's strength; both engines have it in the"
+        "A ball that grips takes 2/7 of its surface speed, whatever the impact's strength; all engines have it in the"
         " very step of the impact. One that slips through is pushed by μ times the normal impulse, and a step method's"
         " impulse also carries the weight of one step: g dt/((1 + e) v) too much, 0.15 % at 1 ms.",
-        "In MuJoCo the contact point lies half the overlap inside the ball, which shortens the lever arm: depending on"
+        "In MuJoCo the contact point lies half the overlap inside the ball, in DART the whole of it, which"
+        " shortens the lever arm: depending on"
         " where in a step it strikes, a gripping ball leaves up to 0.1 % too fast and with 0.3 % too much spin. This"
         " goes away with the timestep.",
         "In MuJoCo's spring profile friction takes slip away as gently as the dashpot takes speed, so that a ball"

@@ -187,7 +187,7 @@ def test_with_verbose_it_logs_what_is_run():
         ),
         (
             ["--engine", "no/such.py"],
-            "such.py'; an engine is a name (handwritten, pybullet, mujoco) or a .py file",
+            f"such.py'; an engine is a name ({', '.join(engine_names())}) or a .py file",
         ),
         (
             [*QUICK, "--profile", "tunde"],

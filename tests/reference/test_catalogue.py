@@ -30,6 +30,7 @@ METHODS = [
     Method(AT_STEP, rest_speed=0.2),
     Method(AT_STEP, recovery=0.5, rest_speed=0.03),
     Method(AT_STEP, speed_recovery=1e-4, inset=0.5),
+    Method(AT_STEP, rest_speed=0.5, inset=1.0, softness=1e-5, weighed=1.0),
     Method(COMPLIANT, stiffness=1e6, inset=0.5),
 ]
 
@@ -238,6 +239,40 @@ def test_deviations_that_come_of_the_timestep_go_with_it(family, case):
             if None not in found:
                 coarse, fine = (expectation.shift for expectation in found)
                 assert coarse == pytest.approx(10 * fine, rel=1e-9)  # first order in a product: only rounding
+
+
+# What a method does to an impact
+
+
+@pytest.mark.parametrize("case", catalogue()["dropped-ball"].cases[1:], ids=lambda case: case.name)
+def test_an_impact_that_turns_back_its_steps_own_gain_too_shifts_the_rebound_by_two_e_squared_more(case):
+    expect, e = catalogue()["dropped-ball"].quantity("rebound").expect, case.parameters["restitution"]
+    plain, weighed = (expect(case, Settings(1e-3), Method(AT_STEP, weighed=share)) for share in (0.0, 1.0))
+    half_a_step = expect(catalogue()["dropped-ball"].case("e=0.5"), Settings(1e-3), Method(AT_STEP)).shift / -0.5
+    # −(1 − e) and −(1 + e) (1 − 2e) times v dt/2 ÷ h, the same for all drops; only rounding.
+    assert plain.shift == pytest.approx(-(1 - e) * half_a_step, abs=1e-15)
+    assert weighed.shift == pytest.approx(-(1 + e) * (1 - 2 * e) * half_a_step, abs=1e-15)
+    assert (weighed.value, weighed.tolerance) == (plain.value, plain.tolerance)
+
+
+def test_between_two_walls_a_last_impact_that_is_taken_for_rest_leaves_no_speed():
+    family = catalogue()["two-walls"]
+    case, speed = family.case("e=0.5"), family.quantity("speed_left")  # the fifth impact comes at 0.125 m/s
+    rebounds, rests = (speed.expect(case, Settings(1e-3), Method(AT_STEP, rest_speed=at)) for at in (0.124, 0.126))
+    assert rebounds.shift == 0
+    assert rests.value + rests.shift == 0
+    assert rests.shift_tolerance == rests.tolerance == rebounds.tolerance
+
+
+def test_between_two_walls_a_soft_contact_is_late_by_no_more_than_is_accepted():
+    family, softness, dt = catalogue()["two-walls"], 1e-3, 1e-9  # no steps worth the name
+    for case in family.cases:
+        e = case.parameters["restitution"]
+        kept = e - (1 + e) * softness
+        late = 0.4 * sum(kept**-crossing - e**-crossing for crossing in range(5))
+        found = family.quantity("last_impact").expect(case, Settings(dt), Method(AT_STEP, softness=softness))
+        assert 0.5 * found.tolerance < late <= found.tolerance * (1 + 10 * softness / e)  # of first order
+        assert "not quite hard" in found.reason
 
 
 # The jittered drops

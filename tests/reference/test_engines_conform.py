@@ -22,7 +22,7 @@ from reference.trajectory import Trajectory
 
 TOY = str(Path(__file__).with_name("toy_engine.py"))
 ENGINES = (*engine_names(), TOY)
-REPORT_CONTACTS = ("pybullet", "mujoco")
+REPORT_CONTACTS = ("pybullet", "mujoco", "dart")
 DURATION = 0.6  # s: a ball let go 1 m above the floor falls for 0.45 s and rebounds
 ROUNDING = 1e-14  # a frame changed twice costs a few times 2e-16 of a spin of some rad/s
 DAMPING = 0.04  # 1/s, Bullet's default
@@ -311,7 +311,17 @@ def test_the_separation_of_a_contact_is_the_gap_of_the_step_that_it_was_found_in
                 normal = np.array(scenario.bodies[plane].shape.normal)
                 height = (contacts.position[here] - scenario.bodies[plane].position) @ normal
                 # Midway between the surfaces: half the gap above the plane. Rounding of some 1e-16 of metres.
-                np.testing.assert_allclose(height, contacts.separation[here] / 2, atol=1e-12)
+                near = 1e-12 + point_off(cell, trajectory, a, b, here)
+                np.testing.assert_array_less(np.abs(height - contacts.separation[here] / 2), near)
+
+
+def point_off(cell: Cell, trajectory: Trajectory, a: int, b: int, here: np.ndarray) -> float:
+    """How far the points of a box on a plane may be from where their depth is, m: as far as its deepest corner is in.
+
+    Of a box that leans, DART's detectors give the depth of one corner and a point between it and others.
+    """
+    box = any(isinstance(trajectory.scenario.bodies[place].shape, Box) for place in (a, b))
+    return float(1.1 * np.abs(trajectory.contacts.separation[here]).max()) if cell.engine == "dart" and box else 0.0
 
 
 @pytest.mark.parametrize("name", REPORT_CONTACTS)
@@ -366,8 +376,17 @@ def test_the_orientation_turns_with_the_spin(cell, trajectory):
     turn = np.array([math.cos(rate * end / 2), *(math.sin(rate * end / 2) * spin / rate)])
     expected = np.array(product(turn, body.orientation))
     # Engines turn by ω dt a step, exactly; a quaternion is off by half the angle that damping takes.
-    near = DAMPING * (1 + rate) * rate * end**2 / 4 if is_damped(cell) else 1e-9
+    near = DAMPING * (1 + rate) * rate * end**2 / 4 if is_damped(cell) else 1e-9 + turned_too_far(cell, rate)
     assert min(np.linalg.norm(expected - sign * trajectory.orientations[-1, place]) for sign in (1, -1)) < near
+
+
+def turned_too_far(cell: Cell, rate: float) -> float:
+    """Error of the last quaternion where an engine takes x for sin x in each step, as DART does below 1 mrad a step.
+
+    The angle x then grows by x³/6 more, and a quaternion is off by half the angle.
+    """
+    angle = rate * setup(cell)[2].timestep
+    return DURATION / setup(cell)[2].timestep * angle**3 / 12 if cell.engine == "dart" and angle < 1e-3 else 0.0
 
 
 @cells_of("lying-box")
@@ -520,10 +539,12 @@ def unfinished(cell: Cell) -> float:
     """How far bodies may get apart that push each other where a solver is left to stop early, m.
 
     Stock, Bullet goes through the contacts in turn and stops after 50 rounds or at a residual of 1e-7, MuJoCo at 1e-8
-    of what it minimises. What is left hangs on the order, up to 0.1 mm/s, for the rest of the run.
+    of what it minimises. What is left hangs on the order, up to 0.1 mm/s, for the rest of the run. So it does in DART
+    wherever a box has more corners down than it takes to carry it: its sweeps never end, its pivots break off.
     """
     movable = [body for body in SCENARIOS[cell.scenario].bodies if not body.immovable]
-    return 1e-4 * DURATION if cell.profile == "stock" and len(movable) > 1 else 0.0
+    boxes = cell.engine == "dart" and any(isinstance(body.shape, Box) for body in movable)
+    return 1e-4 * DURATION if boxes or (cell.profile == "stock" and len(movable) > 1) else 0.0
 
 
 def first_fall(cell: Cell) -> float:
@@ -551,7 +572,7 @@ TWO_BALLS = Scenario(
 )
 
 
-@pytest.mark.parametrize("name", ["pybullet", "mujoco"])
+@pytest.mark.parametrize("name", REPORT_CONTACTS)
 def test_two_balls_on_one_floor_bounce_each_as_its_own_pair_says(name, installed):
     engine = installed(name)
     trajectory = engine.run(TWO_BALLS, engine.settings(TWO_BALLS, "tuned"))
@@ -561,7 +582,7 @@ def test_two_balls_on_one_floor_bounce_each_as_its_own_pair_says(name, installed
 
 
 @pytest.mark.parametrize("profile", ["tuned", "stock"])
-@pytest.mark.parametrize("name", ["pybullet", "mujoco"])
+@pytest.mark.parametrize("name", REPORT_CONTACTS)
 def test_bodies_whose_pair_is_not_listed_pass_through_each_other(name, profile, installed):
     engine = installed(name)
     scenario = replace(TWO_BALLS, pairs=TWO_BALLS.pairs[1:], duration=0.6)
@@ -574,7 +595,7 @@ def test_bodies_whose_pair_is_not_listed_pass_through_each_other(name, profile, 
     assert lonely.position("lively")[-1, 2] == pytest.approx(1.1 - fallen, abs=0.05)
 
 
-@pytest.mark.parametrize("name", ["pybullet", "mujoco"])
+@pytest.mark.parametrize("name", REPORT_CONTACTS)
 @pytest.mark.parametrize("profile", ["tuned", "stock"])
 def test_an_engine_with_one_coefficient_of_friction_refuses_two_instead_of_dropping_one(name, profile, installed):
     engine, scenario = installed(name), SCENARIOS["incline"]

@@ -23,8 +23,8 @@ from reference.trajectory import Trajectory
 
 G = 9.81
 FAMILIES = ("two-balls", "struck-rod", "rod-on-peg", "cradle", "parting-ball")
-engines = pytest.mark.parametrize("name", ["pybullet", "mujoco"])
-all_three = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco"])
+engines = pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
+every_engine = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco", "dart"])
 
 
 @functools.cache
@@ -133,7 +133,7 @@ def test_the_rods_impulse_is_the_lectures_quarter_within_the_rods_thickness():
 # What came out
 
 
-@all_three
+@every_engine
 @pytest.mark.parametrize("family", FAMILIES)
 def test_tuned_every_quantity_that_theory_knows_passes(family, name, installed):
     installed(name)

@@ -212,6 +212,19 @@ def in_steps(restitution: float, dt: float) -> float:
         place, time = place + velocity * dt, time + dt
 
 
+@pytest.mark.parametrize("left", [0.0, 1e-8, -1e-8])
+def test_a_ball_that_stays_at_a_wall_has_met_it_as_well(left):
+    times = np.array([0, 0.4, 1.2, 2.8, 6.0, 12.4, 12.5])
+    speeds = np.array([2, -1, 0.5, -0.25, 0.125, left, left])
+    x = np.array([0.1, 0.9, 0.1, 0.9, 0.1, 0.9, 0.9])
+    velocities, positions = np.zeros((7, 3)), np.zeros((7, 3))
+    velocities[:, 0], positions[:, 0] = speeds, x
+    trajectory, measure = made(
+        "two-walls", "e=0.5", times, positions={"ball": positions}, velocities={"ball": velocities}
+    )
+    assert measure["last_impact"](trajectory) == pytest.approx(12.4, rel=1e-15)
+
+
 @pytest.mark.parametrize(("case", "restitution"), [("e=0.5", 0.5), ("e=0.8", 0.8), ("e=1", 1.0)])
 def test_the_delay_that_is_accepted_is_the_most_that_steps_can_make_of_it(case, restitution):
     family, true = catalogue()["two-walls"], 0.4 * sum(restitution**-crossing for crossing in range(5))

@@ -331,7 +331,7 @@ def test_the_hand_written_slabs_stock_error_is_that_of_its_policy_and_tuned_ther
     assert all(abs(size) < 1e-9 for size in sizes(found).values())  # of a stop that is solved for
 
 
-@pytest.mark.parametrize("name", ["pybullet", "mujoco"])
+@pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
 def test_the_error_of_a_rolling_balls_way_is_discretisation_to_within_a_hundredth(name, installed):
     engine = installed(name)
     found = sizes(split(catalogue()["rolling-ball"], engine))
@@ -345,7 +345,7 @@ def test_the_error_of_a_rolling_balls_way_is_discretisation_to_within_a_hundredt
 
 
 @pytest.mark.parametrize("profile", ["tuned", "stock", "spring"])
-@pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco"])
+@pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco", "dart"])
 def test_every_move_of_an_engine_changes_a_setting_that_there_is(name, profile):
     engine = load_engine(name)
     seen = 0
@@ -360,7 +360,8 @@ def test_every_move_of_an_engine_changes_a_setting_that_there_is(name, profile):
             assert settings.change(**{move.option: move.value}) != settings
         assert len({move.option for move in moves}) == len(moves)
         seen += len(moves)
-    assert (seen > 0) is ((name, profile) in {("pybullet", "tuned"), ("mujoco", "tuned"), ("mujoco", "spring")})
+    moving = {("pybullet", "tuned"), ("mujoco", "tuned"), ("mujoco", "spring"), ("dart", "tuned")}
+    assert (seen > 0) is ((name, profile) in moving)
 
 
 @pytest.mark.parametrize("move", [Move(SOLVER, "no such option", 1.0), Move(SOLVER, "iterations", "many")])

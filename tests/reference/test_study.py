@@ -95,6 +95,8 @@ def test_without_profiles_named_every_engine_runs_all_that_it_has_tuned_first():
         ("dropped-ball", "mujoco", "tuned"),
         ("dropped-ball", "mujoco", "spring"),
         ("dropped-ball", "mujoco", "stock"),
+        ("dropped-ball", "dart", "tuned"),
+        ("dropped-ball", "dart", "stock"),
     ]
 
 
@@ -114,6 +116,7 @@ def test_a_profile_that_one_engine_has_is_planned_for_that_engine():
         ("dropped-ball", "pybullet", "tuned"),
         ("dropped-ball", "mujoco", "spring"),
         ("dropped-ball", "mujoco", "tuned"),
+        ("dropped-ball", "dart", "tuned"),
     ]
 
 

@@ -209,6 +209,19 @@ def test_the_catalogue_fits_one_screen_of_marks():
         assert lines[place].startswith(name)
 
 
+def test_where_the_screen_is_too_narrow_the_tuned_settings_come_first_in_a_table_of_their_own():
+    lines = printed(grid(Verdict.PASS)).splitlines()
+    starts = [place for place, text in enumerate(lines) if text.startswith("at a glance")]
+    tuned, others = (words(lines[start]).split()[3:] for start in starts)
+    assert set(tuned) == {"tuned"}
+    assert len(tuned) == len(engine_names())
+    assert others
+    assert "tuned" not in others
+    for start in starts:
+        assert not any("…" in line for line in lines[start - 1 : start + 1 + len(catalogue())])  # nothing is cut
+        assert max(map(len, lines[start - 1 : start + 1 + len(catalogue())])) <= WIDTH
+
+
 def test_one_family_needs_no_summary(real):
     assert "at a glance" not in printed(real)
 

@@ -104,6 +104,13 @@ def test_an_elastic_ball_or_one_whose_overlap_is_taken_back_is_not_shifted():
     assert truth.at_step_apex_shift(2.0, 0.25, 4.0, 0.5) == pytest.approx(-0.75 * 4.0 * 0.25, rel=1e-15)  # v = 4 m/s
 
 
+def test_an_impact_that_turns_back_its_own_steps_gain_too_rises_as_much_higher_as_derived():
+    # (e (v + g dt))²/(2g) less (e v)²/(2g); the square of g dt is left out, a share g dt/(2v) of it.
+    speed, gained = math.sqrt(2 * G), G * 1e-5
+    exact = (0.6 * (speed + gained)) ** 2 / (2 * G) - (0.6 * speed) ** 2 / (2 * G)
+    assert truth.weighed_apex_shift(1.0, 0.6, G, 1e-5) == pytest.approx(exact, rel=gained / speed)
+
+
 def test_the_slides_t_is_early_by_no_more_than_stated_and_comes_close_to_it():
     gravity, speed, dt = 2.0, 10.0, 1e-3
     heights = np.linspace(0, speed * dt, 1001)[1:-1]

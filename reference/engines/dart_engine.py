@@ -1,0 +1,262 @@
+"""DART as an engine: units, frames, how a pair's coefficients are said, and which of its solvers is right.
+
+DART multiplies the restitution of two shapes and takes the smaller of their frictions. Its contact constants are out of
+Python's reach: a rebound slower than 0.1 m/s is none, and overlap comes back with 1 mm/s at most.
+
+Tuned: its own collision detector, which finds all corners of a box at once if the ground is a box, and an exact Coulomb
+solver; the default one has a pyramid for a friction cone. Nothing falls asleep.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from reference import geometry
+from reference.engines import mixing
+from reference.engines.base import AT_STEP, Engine, Method
+from reference.errors import InvalidInput
+from reference.scenario import Body, Box, HalfSpace, Scenario, Sphere
+from reference.settings import Move, Option, Settings, steps_per_sample
+from reference.trajectory import Recorder, Trajectory
+
+REST_SPEED = 0.1
+"""A rebound slower than this is none, m/s; a constant of DART's source."""
+SOFTNESS = 1e-5
+"""Share of the change of speed by which an impact falls short; a constant of DART's source too."""
+LEAST_COEFFICIENT = 1e-3
+"""A coefficient up to this counts as zero in DART."""
+GROUND_EXTENT, GROUND_DEPTH = 100.0, 1.0
+"""Half extents of the box that stands for a half-space, m: far larger than any way in the catalogue."""
+DETECTORS: Mapping[str, Callable[[Any], Any]] = {
+    "dart": lambda dart: dart.collision.DARTCollisionDetector(),
+    "fcl": lambda dart: dart.collision.FCLCollisionDetector(),
+    "bullet": lambda dart: dart.collision.BulletCollisionDetector(),
+    "ode": lambda dart: dart.collision.OdeCollisionDetector(),
+}
+GROUNDS = ("plane", "box")
+SWEEPS = {"nsgs": "maxSweeps", "fbf": "maxOuterIterations"}
+"""The solvers with a cone for friction, and what each calls its iterations."""
+SOLVERS = ("dantzig", *SWEEPS)
+
+
+class Dart(Engine):
+    """The Dynamic Animation and Robotics Toolkit through its package `dartpy`, without a window."""
+
+    name = "dart"
+    title = "DART"
+    order = 30
+    package = "dartpy"
+    extra = "dart"
+    wheels = "CPython from 3.10 on Linux, macOS 15 on ARM and Windows"
+
+    def settings(self, scenario: Scenario, profile: str) -> Settings:
+        """Derive the settings of a profile. An option that is absent is left at DART's default."""
+        self.check_profile(scenario, profile)
+        if profile == "stock":
+            return Settings(1e-3)
+        boxes = any(isinstance(body.shape, Box) and not body.immovable for body in scenario.bodies)
+        options: dict[str, Option] = {
+            "detector": "dart",
+            # Of a box on a plane DART finds one contact point, of a box on a box all four at once.
+            "ground": "box" if boxes else "plane",
+            # Overlap comes back without speed, or what rests would have up to 1 mm/s.
+            "split_impulse": True,
+            "sleep": False,
+        }
+        if geometry.leaning(scenario) and boxes:
+            # The default solver, by pivots, has a stack at once; sweeps go from one contact to the next. Its friction
+            # cone is a pyramid, which does not matter where nothing slides.
+            options["solver"] = "dantzig"
+        elif boxes:
+            # Four corners are one more than it takes to carry a box: sweeps come to no end, only near enough to one.
+            options |= {"solver": "nsgs", "solver_tolerance": 1e-7, "solver_iterations": 200}
+        else:
+            options |= {"solver": "nsgs", "solver_tolerance": 1e-12, "solver_iterations": 1000}
+        if geometry.starts_in_contact(scenario) and not any(pair.restitution for pair in scenario.pairs):
+            return Settings(1e-3, options=options)
+        # Nothing but a small timestep removes what a step does to an impact: DART takes back no overlap worth the name.
+        return Settings(1e-4, steps_per_sample(1e-4), options)
+
+    def method(self, scenario: Scenario, settings: Settings) -> Method:
+        """DART answers at the step, with the speed that this step has just gained; a ball is pushed where it is cut."""
+        bouncing = [pair.restitution for pair in scenario.pairs if pair.restitution > 0]
+        slowest = REST_SPEED / min(bouncing) if bouncing else 0.0
+        return Method(AT_STEP, rest_speed=slowest, inset=1.0, softness=SOFTNESS, weighed=1.0)
+
+    def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
+        """A tenth of the friction solver's tolerance; the contact itself has nothing to move."""
+        if "solver_tolerance" not in settings.options:
+            return ()
+        return (Move("solver", "solver_tolerance", settings.number("solver_tolerance") / 10),)
+
+    def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
+        """Build a world, step it in C++ and read the bodies at the samples."""
+        dart: Any = self.module()
+        self.check_friction(scenario)
+        steps = self.check_settings(scenario, settings)
+        _check_words(settings)
+        coefficients = self._coefficients(scenario)
+        world = _world(dart, scenario, settings)
+        shapes, bodies = [], []
+        for body, pair in zip(scenario.bodies, coefficients, strict=True):
+            shape, node = _add_body(dart, world, body, settings, *pair)
+            shapes.append(shape)
+            bodies.append(node)
+        apart = world.getConstraintSolver().getCollisionOption().collisionFilter
+        for first, second in scenario.unlisted_pairs():
+            apart.addBodyNodePairToBlackList(bodies[scenario.index(first)], bodies[scenario.index(second)])
+        recorder = Recorder(self.name, scenario, settings)
+        fixed = [
+            [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies
+        ]
+        recorder.sample([number for state in fixed for number in state])
+        for number in range(1, steps + 1):
+            world.step()
+            if number % settings.sample_every == 0:
+                recorder.sample(_state(scenario, bodies, fixed))
+                for contact in world.getLastCollisionResult().getContacts():
+                    _keep_contact(recorder, scenario, shapes, contact, settings.options.get("detector") == "dart")
+        return recorder.trajectory()
+
+    def _coefficients(self, scenario: Scenario) -> list[tuple[float, float]]:
+        """One restitution and friction per body such that every pair gets what the scenario asks for."""
+        for pair in scenario.pairs:
+            for name, value in (("restitution", pair.restitution), ("friction", pair.kinetic_friction)):
+                if 0 < value <= LEAST_COEFFICIENT:
+                    raise self.cannot(scenario, f"it takes a {name} of {value:g} for none, as all up to 0.001")
+        restitution = mixing.factors(scenario, lambda pair: pair.restitution)
+        friction = mixing.least(scenario, lambda pair: pair.kinetic_friction)
+        if restitution is None:
+            raise self.cannot(scenario, "it multiplies the restitutions of two bodies, and no choice gives all pairs")
+        if friction is None:
+            raise self.cannot(scenario, "it takes the smaller friction of two bodies, and no choice gives all pairs")
+        return list(zip(restitution, friction, strict=True))
+
+
+def _check_words(settings: Settings) -> None:
+    """Refuse a detector, ground or solver that there is not, naming those there are."""
+    for option, choices in (("detector", DETECTORS), ("ground", GROUNDS), ("solver", SOLVERS)):
+        word = settings.options.get(option)
+        if word is not None and word not in choices:
+            raise InvalidInput(f"{option} is {word!r}; here it is one of {', '.join(choices)}")
+
+
+def _world(dart: Any, scenario: Scenario, settings: Settings) -> Any:
+    world = dart.simulation.World()
+    world.setTimeStep(settings.timestep)
+    world.setGravity(scenario.gravity)
+    solver, options = world.getConstraintSolver(), settings.options
+    if "detector" in options:
+        solver.setCollisionDetector(DETECTORS[str(options["detector"])](dart))
+    if options.get("solver", "dantzig") != "dantzig":  # that one is there from the start, and cannot be made
+        solver.setBoxedLcpSolver(_friction_solver(dart, settings))
+    if "split_impulse" in options:
+        solver.setSplitImpulseEnabled(bool(options["split_impulse"]))
+    if "sleep" in options:
+        sleeping = world.getDeactivationOptions()
+        sleeping.mEnabled = bool(options["sleep"])
+        world.setDeactivationOptions(sleeping)
+    return world
+
+
+def _friction_solver(dart: Any, settings: Settings) -> Any:
+    name = str(settings["solver"])
+    solver = dart.constraint.FbfFrictionSolver() if name == "fbf" else dart.constraint.NsgsFrictionSolver()
+    options = solver.getOptions()
+    if "solver_tolerance" in settings.options:
+        options.tolerance = settings.number("solver_tolerance")
+    if "solver_iterations" in settings.options:
+        setattr(options, SWEEPS[name], int(settings.number("solver_iterations")))
+    solver.setOptions(options)
+    return solver
+
+
+def _add_body(
+    dart: Any, world: Any, body: Body, settings: Settings, restitution: float, friction: float
+) -> tuple[Any, Any]:
+    """Add a skeleton of one body; return its shape, by which contacts are told apart, and the body."""
+    skeleton = dart.dynamics.Skeleton(body.name)
+    if body.immovable:
+        joint, node = skeleton.createWeldJointAndBodyNodePair()
+        joint.setTransformFromParentBodyNode(_transform(dart, _placed(body, settings)))
+    else:
+        joint, node = skeleton.createFreeJointAndBodyNodePair()
+        joint.setTransform(_transform(dart, body))
+        joint.setLinearVelocity(body.velocity)
+        joint.setAngularVelocity(body.angular_velocity)
+    shape = _shape(dart, _placed(body, settings).shape)
+    shape_node = node.createShapeNode(shape)
+    shape_node.createCollisionAspect()
+    surface = shape_node.createDynamicsAspect()
+    surface.setRestitutionCoeff(restitution)
+    surface.setFrictionCoeff(friction)
+    if not body.immovable:
+        node.setInertia(dart.dynamics.Inertia(body.mass, [0.0, 0.0, 0.0], shape.computeInertia(body.mass)))
+    world.addSkeleton(skeleton)
+    return shape, node
+
+
+def _placed(body: Body, settings: Settings) -> Body:
+    """The body as DART gets it: a half-space's normal is the world's, and a large box may stand for it."""
+    if not isinstance(body.shape, HalfSpace):
+        return body
+    if settings.options.get("ground") != "box":
+        return replace(body, orientation=(1.0, 0.0, 0.0, 0.0))
+    normal = np.array(body.shape.normal)
+    orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), normal)
+    centre = np.array(body.position) - GROUND_DEPTH * normal
+    shape = Box((GROUND_EXTENT, GROUND_EXTENT, GROUND_DEPTH))
+    return replace(body, shape=shape, position=tuple(centre), orientation=tuple(orientation))
+
+
+def _transform(dart: Any, body: Body) -> Any:
+    transform = dart.math.Isometry3()
+    transform.set_quaternion(dart.math.Quaternion(*body.orientation))  # w x y z
+    transform.set_translation(body.position)
+    return transform
+
+
+def _shape(dart: Any, shape: Sphere | Box | HalfSpace) -> Any:
+    if isinstance(shape, Sphere):
+        return dart.dynamics.SphereShape(shape.radius)
+    if isinstance(shape, Box):
+        return dart.dynamics.BoxShape([2 * extent for extent in shape.half_extents])
+    return dart.dynamics.PlaneShape(shape.normal, 0.0)
+
+
+def _state(scenario: Scenario, bodies: list[Any], fixed: list[list[float]]) -> list[float]:
+    """The 13 numbers of every body. What cannot move is where the scenario has it."""
+    state: list[float] = []
+    for body, node, start in zip(scenario.bodies, bodies, fixed, strict=True):
+        if body.immovable:
+            state += start
+            continue
+        pose = node.getWorldTransform()
+        turn = pose.quaternion()
+        state += (*pose.translation().ravel(), turn.w(), turn.x(), turn.y(), turn.z())
+        state += (*node.getLinearVelocity().ravel(), *node.getAngularVelocity().ravel())
+    return state
+
+
+def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], contact: Any, flat: bool) -> None:
+    """DART's normal points from its second object to its first, and depth is positive inside.
+
+    Its point lies midway between the surfaces, but with DART's own detector (`flat`) for a ball on something flat: then
+    it lies on that. Bodies are told by their shapes; asking a collision object for its frame makes the process crash as
+    it ends.
+    """
+    first, second = (
+        next(place for place, shape in enumerate(shapes) if thing.getShape() is shape)
+        for thing in (contact.collisionObject1, contact.collisionObject2)
+    )
+    normal, depth = contact.normal.ravel(), contact.penetrationDepth
+    balls = [flat and isinstance(scenario.bodies[place].shape, Sphere) for place in (first, second)]
+    middle = contact.point.ravel() + (balls[1] - balls[0]) * depth / 2 * normal
+    recorder.contact(first, second, middle.tolist(), normal.tolist(), -depth)
+
+
+ENGINE = Dart
