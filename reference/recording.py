@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from reference.compare import Number, Row, Verdict, judged
-from reference.engines import load_engine
+from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
 from reference.errors import CollisionsError, InvalidInput
 from reference.family import Case, Family
@@ -79,12 +79,12 @@ def write(results: Iterable[JobResult], folder: Path | None = None, today: datet
     Raises
     ------
     InvalidInput
-        If a result is only a part of a run, or one that did not run here.
+        If a result is only a part of a run, one that did not run here, or of an engine that is none of the lab's.
     """
     found: dict[tuple[str, str], list[JobResult]] = {}
     for result in results:
         job = result.job
-        if job.cases or job.changes or not result.version or result.recording:
+        if job.engine not in engine_names() or job.cases or job.changes or not result.version or result.recording:
             raise InvalidInput(f"{job} is no whole run of its own; only what an engine measured here is recorded")
         found.setdefault((job.engine, job.family), []).append(result)
     day, written = (today or datetime.date.today()).isoformat(), []
@@ -146,6 +146,8 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
 
     A case whose scenarios or settings are not those of the recording gets a row that says so, and no number.
     """
+    if job.engine not in engine_names():  # an engine file: nobody has recorded it
+        return None
     content = _content((folder or FOLDER) / job.engine / f"{job.family}.json")
     taken = content["profiles"].get(job.profile) if content else None
     if not content or not taken:
