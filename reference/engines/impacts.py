@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from reference import geometry
-from reference.engines.kinds import ball_and_other, face_towards
+from reference.engines.kinds import ball_and_other, face_towards, in_own_axes
 from reference.engines.stepping import Array, Mask, policy_of, record, start
 from reference.errors import NeedsFunction, RunFailed
 from reference.implementation import Implementation
@@ -195,8 +195,7 @@ def _face(ball: Body, other: Body) -> tuple[Array, float]:
         return np.array(other.shape.normal), 0.0
     assert isinstance(other.shape, Box)
     normal = face_towards(ball, other)
-    own = geometry.rotate(np.array(other.orientation) * np.array([1.0, -1.0, -1.0, -1.0]), normal)
-    return normal, float(np.abs(own) @ np.array(other.shape.half_extents))
+    return normal, float(np.abs(in_own_axes(other, normal)) @ np.array(other.shape.half_extents))
 
 
 def strike_ball(

@@ -95,7 +95,7 @@ def ball_and_other(scenario: Scenario) -> tuple[Body, Body]:
 
 def face_towards(ball: Body, box: Body) -> Array:
     """Normal out of the face of the box, (3,), beyond which the ball lies farthest."""
-    along = _in_own_axes(box, np.subtract(ball.position, box.position))
+    along = in_own_axes(box, np.subtract(ball.position, box.position))
     nearest = int(np.argmax(np.abs(along) - np.array(box.shape.half_extents)))  # type: ignore[union-attr]
     return geometry.rotate(np.array(box.orientation), np.sign(along[nearest]) * np.eye(3)[nearest])
 
@@ -105,7 +105,7 @@ def _straight_at_a_face(scenario: Scenario, ball: Body, box: Body) -> bool:
     normal = face_towards(ball, box)
     pull = np.array(scenario.gravity) if ball.immovable != box.immovable else np.zeros(3)
     across = [np.cross(vector, normal) for vector in (np.subtract(ball.velocity, box.velocity), pull)]
-    place = np.abs(_in_own_axes(box, np.subtract(ball.position, box.position)))
+    place = np.abs(in_own_axes(box, np.subtract(ball.position, box.position)))
     beyond = place > np.array(box.shape.half_extents)  # type: ignore[union-attr]
     beside = np.sort(place[~beyond])
     over_the_face = beyond.sum() == 1 and beside[0] < _ROUNDING
@@ -134,10 +134,10 @@ def _may_tip(scenario: Scenario, body: Body, normal: Array) -> bool:
 
 def _along_own_axes(body: Body, direction: Array) -> Array:
     """Sizes of a direction's components along the body's own axes, (3,)."""
-    return np.asarray(np.abs(_in_own_axes(body, direction)))
+    return np.asarray(np.abs(in_own_axes(body, direction)))
 
 
-def _in_own_axes(body: Body, vector: Array) -> Array:
+def in_own_axes(body: Body, vector: Array) -> Array:
     """A vector of the world in the body's own axes, (3,)."""
     return geometry.rotate(np.array(body.orientation) * np.array([1.0, -1.0, -1.0, -1.0]), vector)
 

@@ -104,7 +104,9 @@ def test_whatever_ipctk_hits_is_hit_here_unless_the_features_stay_apart(kind, co
         assert hit or ours == math.inf  # ipctk never misses: what it calls free is free
         if hit and ours > theirs + 1e-2:  # it keeps a distance that grows with that at the start: they only pass by
             nearby = np.linspace(theirs - 0.01, theirs + 0.01, 201)
-            assert min(distance_at(kind, row, time) for time in np.clip(nearby, 0, 1)) > TOLERANCE
+            until_ours = np.linspace(theirs, min(ours, 1.0), 200)[: 200 if ours == math.inf else -1]
+            looks = np.clip(np.concatenate([nearby, until_ours]), 0, 1)
+            assert min(distance_at(kind, row, time) for time in looks) > TOLERANCE
         elif hit:
             # theirs is before the true contact, ours too; ours may be nearer to it by what theirs keeps
             assert distance_at(kind, row, float(ours)) <= TOLERANCE + 1e-8  # the oracle's own rounding
