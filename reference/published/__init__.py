@@ -9,14 +9,36 @@ from __future__ import annotations
 import functools
 import importlib
 import pkgutil
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from reference.engines.base import Engine
 from reference.errors import UnknownName
+from reference.implementation import Implementation
 
 Kind = Literal["verification", "validation", "cross-engine"]
 Figure = float | tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What one implementation says of one published figure.
+
+    tolerance: absolute, with its reason, where the method at hand allows less than what was printed; None for the
+    case's own. shift: what this implementation is known to do to the figure, with its reason and its own tolerance.
+    """
+
+    value: Figure
+    tolerance: float | None = None
+    reason: str = ""
+    shift: Figure = 0.0
+    shift_reason: str = ""
+    shift_tolerance: float = 0.0
+
+
+Answers = Mapping[str, Answer]
+"""By the names of the figures that are expected."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +48,8 @@ class Published:
     number: as in P15. statement: of the lecture, the one it bears on. setup: what to run, by name, SI units unless the
     source has none. expected: the published numbers by name. tolerance: for each of them, absolute, with `reason`: how
     many digits were printed, or what the method may be off by. source: who published it. note: what a reader must know.
+    origin: the engine here whose own number it is, if any. by_hand: how an implementation's functions answer it.
+    in_engine: how an engine runs it. why_not: of an engine by name, or `engines` or `by hand`, why it is not run there.
     """
 
     number: int
@@ -38,6 +62,10 @@ class Published:
     tolerance: Mapping[str, float]
     reason: str
     note: str = field(default="")
+    origin: str = ""
+    by_hand: Callable[[Published, Implementation], Answers] | None = field(default=None, compare=False)
+    in_engine: Callable[[Published, Engine], Answers] | None = field(default=None, compare=False)
+    why_not: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
