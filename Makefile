@@ -2,8 +2,13 @@
 PYTHON ?= $(shell command -v python3.11 || command -v python3 || command -v python)
 VENV   ?= .venv
 OUT    ?= report
+# Which extras to install; `make test EXTRAS=dev OPTIONAL= VENV=.venv-bare` tries the lab without any engine.
+EXTRAS ?= engines,dev
+# Extras that some machines have no wheel for, which must not stop an install.
+OPTIONAL ?= crowd dart
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.installed
+INSTALL := PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check
 
 .PHONY: help install report test docs verify lint clean
 help:            ## list the targets
@@ -12,11 +17,10 @@ help:            ## list the targets
 install: $(READY) ## create the environment and install the lab into it
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -m venv $(VENV)
-	PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[engines,dev]'
-	PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[crowd]' \
-		|| echo "navground has no wheel for this machine; the tests that compare with it are skipped"
-	PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dart]' \
-		|| echo "DART has no wheel for this machine; its rows will say 'not available'"
+	$(INSTALL) -e '.[$(EXTRAS)]'
+	for extra in $(OPTIONAL); do \
+		$(INSTALL) -e ".[$$extra]" || echo "The extra $$extra has no wheel for this machine; the lab works without it."; \
+	done
 	touch $(READY)
 
 report: $(READY) ## compare the four implementations and write the report
