@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 import sys
 from collections.abc import Callable
@@ -31,6 +32,7 @@ class Implementation:
         if not callable(found):
             raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.step})")
 
+        @functools.wraps(found)
         def call(*arguments: Any, **named: Any) -> Any:
             try:
                 return found(*arguments, **named)

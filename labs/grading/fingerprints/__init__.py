@@ -1,0 +1,11 @@
+"""What is known of the probes, kept as numbers: the right answers, and how far off each known mistake is on each.
+
+`python -m labs.grading.fingerprints` makes the files anew from the solutions and the bank; `--check` says
+what is stale.
+They hold texts and numbers, no formula, so that a student's tree may carry them.
+"""
+
+from labs.grading.fingerprints.building import build, stale, write
+from labs.grading.fingerprints.reading import Knowledge, Known, known
+
+__all__ = ["Knowledge", "Known", "build", "known", "stale", "write"]

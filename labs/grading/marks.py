@@ -1,0 +1,153 @@
+"""What a function says to its probes, and how far that is from right: one number a probe, by which answers are known.
+
+The deviations of all numbers of an answer from the right ones, in units of the probe's scale, are weighed and added up.
+Zero is right. Two answers with the same sum at every probe come from the same formula, however it is written; and a sum
+does not tell the formula.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from labs.grading.probes import Probe
+
+Array = NDArray[np.float64]
+Failure = Literal["", "error", "shape", "kind", "unwritten"]
+TOLERANCE = 3e-5
+"""In units of the scale: what some hundred roundings in single precision, 6e-8 each, may add up to."""
+AGAINST_INFINITY, INFINITE, NO_NUMBER = 11.0, 17.0, 29.0
+"""Stand-ins for a deviation where one of two numbers is not finite: unlike one another, and far beyond the scale."""
+_GOLDEN = (5**0.5 - 1) / 2
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came back from one probe. value: what was returned. error: the exception instead, its type and message.
+
+    changed: whether the call has changed its input.
+    """
+
+    value: Any = None
+    error: str = ""
+    changed: bool = False
+
+    @property
+    def unwritten(self) -> bool:
+        """Whether it is still the stub."""
+        return "NotImplementedError" in self.error or "NeedsFunction" in self.error
+
+
+@dataclass(frozen=True)
+class Right:
+    """The right answer to a probe. outputs: one array for each thing returned. scales: the size of each one's numbers.
+
+    The scale is the largest number of the output, or more where the numbers cancel: what an error in the input of some
+    part of it does to the output, over that part.
+    """
+
+    outputs: tuple[Array, ...]
+    scales: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Mark:
+    """One answer beside the right one.
+
+    deviation: the weighted sum, zero where right. spread: the same of absolute values, which says how sure the sum is.
+    failure: why there is none.
+    """
+
+    deviation: float = 0.0
+    spread: float = 0.0
+    failure: Failure = ""
+
+    @property
+    def right(self) -> bool:
+        """Whether nothing deviates."""
+        return not self.failure and self.spread == 0
+
+    def agrees(self, known: Mark) -> bool:
+        """Whether it is as far off as a known one, but for rounding."""
+        if self.failure or known.failure:
+            return self.failure == known.failure
+        if self.right or known.right:
+            return self.right and known.right
+        return abs(self.deviation - known.deviation) <= TOLERANCE * (1 + max(self.spread, abs(known.deviation)))
+
+
+def ask(call: Callable[..., Any], function: str, probes: Sequence[Probe]) -> list[Answer]:
+    """Put all probes of a function to `call(name, *arguments)`, each with inputs of its own."""
+    return [_asked(call, function, probe) for probe in probes]
+
+
+def _asked(call: Callable[..., Any], function: str, probe: Probe) -> Answer:
+    arguments = _copied(probe.arguments)
+    try:
+        value = call(function, *arguments)
+    except Exception as error:
+        return Answer(error=f"{type(error).__name__}: {error}", changed=not _same(arguments, probe.arguments))
+    return Answer(value, changed=not _same(arguments, probe.arguments))
+
+
+def _copied(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return tuple(_copied(item) for item in value)
+    return value.copy() if isinstance(value, np.ndarray) else value
+
+
+def _same(left: Any, right: Any) -> bool:
+    if isinstance(left, tuple):
+        return all(map(_same, left, right))
+    return np.array_equal(left, right, equal_nan=True) if isinstance(left, np.ndarray) else True
+
+
+def outputs(value: Any, count: int) -> tuple[Array, ...] | None:
+    """What was returned as `count` float arrays; None where it is not numbers, or not so many things."""
+    if count > 1 and not isinstance(value, list | tuple | np.ndarray):
+        return None
+    try:
+        parts = [value] if count == 1 else list(value)
+        arrays = tuple(_numbers(part) for part in parts)
+    except (TypeError, ValueError):  # a ragged list, a 0-dimensional array for several things
+        return None
+    return arrays if len(arrays) == count else None
+
+
+def _numbers(value: Any) -> Array:
+    array = np.asarray(value)
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"no numbers: {array.dtype}")
+    return array.astype(float)
+
+
+def mark(answer: Answer, right: Right) -> Mark:
+    """How far an answer is from right."""
+    if answer.error:
+        return Mark(failure="unwritten" if answer.unwritten else "error")
+    found = outputs(answer.value, len(right.outputs))
+    if found is None:
+        return Mark(failure="kind")
+    if any(mine.shape != theirs.shape for mine, theirs in zip(found, right.outputs, strict=True)):
+        return Mark(failure="shape")
+    parts = [_deviations(*entry) for entry in zip(found, right.outputs, right.scales, strict=True)]
+    off = np.concatenate([part.ravel() for part in parts])
+    if not np.any(np.abs(off) > TOLERANCE):
+        return Mark()
+    weights = 0.5 + (np.arange(1, len(off) + 1) * _GOLDEN) % 1
+    return Mark(float(weights @ off), float(weights @ np.abs(off)))
+
+
+def _deviations(mine: Array, theirs: Array, scale: float) -> Array:
+    """In units of the scale; where one of the two is not finite, a stand-in."""
+    known, finite = np.isfinite(theirs), np.isfinite(mine)
+    both = known & finite
+    off = (np.where(finite, mine, 0.0) - np.where(both, theirs, 0.0)) / scale
+    off = np.where(finite & ~known, off + AGAINST_INFINITY, off)
+    off = np.where(np.isinf(mine), np.sign(np.where(finite, 0.0, mine)) * INFINITE, off)
+    off = np.where(np.isnan(mine), NO_NUMBER, off)
+    return np.where((mine == theirs) | (np.isnan(mine) & np.isnan(theirs)), 0.0, off)

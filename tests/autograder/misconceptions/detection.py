@@ -1,0 +1,427 @@
+"""Known mistakes in detecting a collision."""
+
+import numpy as np
+
+from labs.grading.bank import Misconception as M
+from labs.grading.bank import dot, flat, over, size
+
+
+def plane(p, n, d):
+    return flat(dot(n, p)) + d
+
+
+def magnitudes(s0, s1, t, dt):
+    """The slide's T of signed distances."""
+    return t + dt * over(s0, s0 + s1)
+
+
+def guarded(fraction):
+    return lambda s0, s1, t, dt: np.where((s0 >= 0) & (s1 < 0), t + dt * fraction(s0, s1), np.inf)
+
+
+def fall(s, u, a, clamp=True):
+    s = np.maximum(s, 0.0) if clamp else np.asarray(s)
+    return s, np.asarray(u), np.asarray(a), np.asarray(u**2 - 2 * a * s)
+
+
+def roots(s, u, a):
+    """Both roots of s + u t + a t²/2, NaN where there is none; a = 0 as a straight line."""
+    s, u, a, disc = fall(s, u, a)
+    root = np.sqrt(disc)
+    straight = np.where(u < 0, -s / u, np.inf)
+    return np.where(a == 0, straight, (-u - root) / a), np.where(a == 0, straight, (-u + root) / a)
+
+
+def first_root(s, u, a):
+    low, high = roots(s, u, a)
+    return np.where(np.isnan(low), np.inf, np.minimum(low, high))
+
+
+def other_root(s, u, a):
+    high = roots(s, u, a)[1]
+    return np.where(np.isnan(high), np.inf, high)
+
+
+def straight_line(s, u, a):
+    return np.where(u < 0, np.maximum(s, 0.0) / -np.where(u < 0, u, 1), np.inf)
+
+
+def from_rest(s, u, a):
+    return np.where(a < 0, np.sqrt(2 * np.maximum(s, 0) / np.where(a < 0, -a, 1)), np.inf)
+
+
+def root_with(disc_of):
+    def time(s, u, a):
+        s, u, a, _ = fall(s, u, a)
+        disc = disc_of(s, u, a)
+        root = np.sqrt(np.maximum(disc, 0))
+        return np.where((disc >= 0) & (a < 0), (u + root) / np.where(a < 0, -a, 1), straight_line(s, u, a))
+
+    return time
+
+
+def clipped(s, u, a):
+    s, u, a, disc = fall(s, u, a)
+    root = np.sqrt(np.maximum(disc, 0.0))
+    rising = u >= 0
+    below = np.where(rising, -a, root - u)
+    return np.where(below > 0, np.where(rising, u + root, 2 * s) / np.where(below > 0, below, 1), np.inf)
+
+
+def right_fall(s, u, a):
+    return np.where(fall(s, u, a)[3] >= 0, clipped(s, u, a), np.inf)
+
+
+def not_clamped(s, u, a):
+    s, u, a, disc = fall(s, u, a, clamp=False)
+    root = np.sqrt(disc)
+    rising = u >= 0
+    below = np.where(rising, -a, root - u)
+    return np.where((disc >= 0) & (below > 0), np.where(rising, u + root, 2 * s) / below, np.inf)
+
+
+def now_where_on_plane(s, u, a):
+    return np.where(np.asarray(s) <= 0, 0.0, right_fall(s, u, a))
+
+
+def refuses_rising(s, u, a):
+    return np.where(u > 0, np.inf, right_fall(s, u, a))
+
+
+def interval(x, u, front, back, dt, clip=True, empty=(np.inf, -np.inf), always=None):
+    moves = np.asarray(u) != 0
+    at_front, at_back = (front - x) / np.where(moves, u, 1.0), (back - x) / np.where(moves, u, 1.0)
+    inside = (back <= x) & (x <= front)
+    first = np.where(moves, np.minimum(at_front, at_back), 0.0 if clip else -np.inf)
+    last = np.where(moves, np.maximum(at_front, at_back), np.where(inside, np.inf, -np.inf))
+    start, end = (np.maximum(first, 0.0), np.minimum(last, dt)) if clip else (first, last)
+    meets = start <= end
+    return np.where(meets, start, empty[0]), np.where(meets, end, empty[1])
+
+
+def instants(x, u, r, w, dt):
+    """Overlap at the start, at the end, and nothing in between."""
+    now, then = ((-(w + r) <= at) & (at <= r) for at in (x, x + u * dt))
+    return np.where(now, 0.0, np.where(then, dt, np.inf)), np.where(then, dt, np.where(now, 0.0, -np.inf))
+
+
+def ordered(x, u, r, w, dt):
+    """Front first, whichever way it goes."""
+    moves = np.asarray(u) != 0
+    start = np.where(moves, (r - x) / np.where(moves, u, 1), 0)
+    end = np.where(moves, (-(w + r) - x) / np.where(moves, u, 1), np.where((-(w + r) <= x) & (x <= r), np.inf, -np.inf))
+    start, end = np.maximum(start, 0), np.minimum(end, dt)
+    return np.where(start <= end, start, np.inf), np.where(start <= end, end, -np.inf)
+
+
+def half_open(x, u, r, w, dt):
+    start, end = interval(x, u, r, -(w + r), dt)
+    return np.where(start < end, start, np.inf), np.where(start < end, end, -np.inf)
+
+
+def within(x, u, r, w, dt):
+    """Fractions of the step."""
+    start, end = interval(x, u, r, -(w + r), dt)
+    return over(start, dt, 0), over(end, dt, 0)
+
+
+def missed(v, dt, caught, clamp=True):
+    way = np.asarray(v * dt)
+    chance = np.where(way > 0, 1 - over(caught, way, 0), 0)
+    return np.maximum(chance, 0) if clamp else chance
+
+
+# fmt: off
+BANK = (
+    M("signed_distance", "not over the length", plane,
+      "The slide's a x + b y + c z + d is taken for the distance. It is one only where the normal has length 1.",
+      "Double all four coefficients: is it another plane? Is your distance another?"),
+    M("signed_distance", "offset not over the length", lambda p, n, d: flat(dot(n, p) / size(n)) + d,
+      "The normal is made a unit vector, but the offset d belongs to the normal as it was given, and stays as it is.",
+      "Which number changes too when you divide the plane's whole equation by something?"),
+    M("signed_distance", "offset subtracted", lambda p, n, d: (flat(dot(n, p)) - d) / flat(size(n)),
+      "The offset has the wrong sign: the plane is n·p + d = 0, not n·p = d.",
+      "Put the point of the plane that is nearest to the origin into your formula. What must come out?"),
+    M("signed_distance", "sign lost", lambda p, n, d: np.abs(plane(p, n, d)) / flat(size(n)),
+      "The absolute value is returned, so that nobody can tell any more on which side the point is.",
+      "What tells a point behind the plane from one in front of it?"),
+    M("signed_distance", "sides swapped", lambda p, n, d: -plane(p, n, d) / flat(size(n)),
+      "The sign is turned round: a distance in front of the plane, where the normal points to, is positive.",
+      "Where does the normal point to, and what is the distance of a point there?"),
+    M("signed_distance", "length squared", lambda p, n, d: plane(p, n, d) / flat(dot(n, n)),
+      "It is divided by n·n, which is the length squared: that gives the foot of the perpendicular in units of n.",
+      "What unit has your result if the normal is given in metres?"),
+    M("signed_distance", "times the length", lambda p, n, d: plane(p, n, d) * flat(size(n)),
+      "It is multiplied with the normal's length instead of divided by it.",
+      "Make the normal ten times as long. What should happen to n·p + d, and what to the distance?"),
+    M("signed_distance", "offset left out", lambda p, n, d: flat(dot(n, p) / size(n)) + 0 * np.asarray(d),
+      "The offset d is not used, so that every plane goes through the origin.",
+      "Which of the four coefficients of the plane does not appear in your formula?"),
+    M("signed_distance", "offset over the length twice", lambda p, n, d: plane(p, n, d) / flat(dot(n, n)) ** 1.5,
+      "The normal is normalised first, and then everything is divided by its old length once more.",
+      "How often does the length have to be taken out?"),
+    M("signed_distance", "largest component", lambda p, n, d: plane(p, n, d) / np.max(np.abs(n), axis=-1),
+      "The normal is divided by its largest component, not by its length.",
+      "What is the length of (1, 1, 1)?"),
+    M("signed_distance", "sum of components", lambda p, n, d: plane(p, n, d) / np.sum(np.abs(n), axis=-1),
+      "The normal's length is taken as |a| + |b| + |c|, along the axes instead of straight.",
+      "How long is the way straight from corner to corner?"),
+    M("signed_distance", "one length for all", lambda p, n, d: plane(p, n, d) / np.linalg.norm(n),
+      "With several planes at once, one length is taken of all their normals together.",
+      "Along which axis do the components of a single normal lie?"),
+
+    M("is_colliding", "in front", lambda s, tol=0.0: np.asarray(s > tol),
+      "The test is true in front of the plane: that is where there is no collision.",
+      "Which sign has the separation of a point that is in the wall?"),
+    M("is_colliding", "not behind", lambda s, tol=0.0: np.asarray(s >= -tol),
+      "The answer is turned round: it is true of points that do not collide.",
+      "Try it on a point high above the floor."),
+    M("is_colliding", "touching counts", lambda s, tol=0.0: np.asarray(s <= -tol),
+      "A point exactly at the limit counts as colliding, as if ≤ stood where the slide has <.",
+      "What does the slide's < say of a point exactly on the plane?"),
+    M("is_colliding", "tolerance in front", lambda s, tol=0.0: np.asarray(s < tol),
+      "The tolerance is added on the wrong side: points that are still in front are taken for colliding.",
+      "The tolerance allows a little overlap. On which side of the plane is that?"),
+    M("is_colliding", "tolerance in front, touching counts", lambda s, tol=0.0: np.asarray(s <= tol),
+      "The tolerance is added on the wrong side, and a point exactly at the limit counts as colliding.",
+      "The tolerance allows a little overlap. On which side of the plane is that?"),
+    M("is_colliding", "tolerance left out", lambda s, tol=0.0: np.broadcast_to(s < 0, np.broadcast(s, tol).shape),
+      "The tolerance is not used.",
+      "Which of the two arguments makes no difference to your answer?"),
+    M("is_colliding", "distance alone", lambda s, tol=0.0: np.asarray(np.abs(s) <= tol),
+      "It asks whether the point is near the plane, on either side. A point far behind the plane collides as well.",
+      "What of a point that has gone a metre into the wall?"),
+    M("is_colliding", "depth alone", lambda s, tol=0.0: np.asarray(np.abs(s) > tol),
+      "The sign of the separation is lost: a point far in front of the plane is taken for one far behind.",
+      "What does the absolute value do to the two sides of the plane?"),
+    M("is_colliding", "tolerance left out, touching counts",
+      lambda s, tol=0.0: np.broadcast_to(s <= 0, np.broadcast(s, tol).shape),
+      "The tolerance is not used, and a point exactly on the plane counts as colliding.",
+      "Which argument makes no difference? And what does the slide's < say of zero?"),
+
+    M("time_of_impact_interpolated", "the slide's magnitudes", magnitudes,
+      "The slide's d1/(d1 + d2) is used with signed distances. Its d are magnitudes: behind the plane the distance is "
+      "negative, and the sum is no longer the whole way.",
+      "Draw the two distances on a line. How long is the way from the one end to the other?"),
+    M("time_of_impact_interpolated", "the slide's magnitudes, guarded", guarded(lambda a, b: over(a, a + b)),
+      "The slide's d1/(d1 + d2) is used with signed distances. Its d are magnitudes: behind the plane the distance is "
+      "negative, and the sum is no longer the whole way.",
+      "Draw the two distances on a line. How long is the way from the one end to the other?"),
+    M("time_of_impact_interpolated", "no guard", lambda s0, s1, t, dt: t + dt * over(s0, s0 - s1),
+      "A time is given whether or not the point goes through the plane in this step.",
+      "What should come out of a point that stays in front?"),
+    M("time_of_impact_interpolated", "no guard, magnitudes",
+      lambda s0, s1, t, dt: t + dt * over(np.abs(s0), np.abs(s0) + np.abs(s1)),
+      "With absolute values a time is given whether or not the point goes through the plane in this step.",
+      "What should come out of a point that stays in front? Do the absolute values know of it?"),
+    M("time_of_impact_interpolated", "from the end", guarded(lambda a, b: -b / (a - b)),
+      "The wrong distance is on top: this is the share of the step that is left after the impact.",
+      "A point that starts close to the plane: does it arrive early or late?"),
+    M("time_of_impact_interpolated", "start left out",
+      lambda s0, s1, t, dt: np.where((s0 >= 0) & (s1 < 0), dt * over(s0, s0 - s1) + 0 * np.asarray(t), np.inf),
+      "It is the time since the start of the step; the start t itself is not added.",
+      "Which argument makes no difference to your answer?"),
+    M("time_of_impact_interpolated", "step left out",
+      lambda s0, s1, t, dt: np.where((s0 >= 0) & (s1 < 0), t + over(s0, s0 - s1) + 0 * np.asarray(dt), np.inf),
+      "It is the share of the step, a number from 0 to 1, and not yet a time: the step's length is missing.",
+      "What unit has s0/(s0 − s1)?"),
+    M("time_of_impact_interpolated", "step over the share", guarded(lambda a, b: over(a - b, a)),
+      "The fraction is upside down: the impact comes out after the end of the step.",
+      "Can T be later than t + Δt?"),
+    M("time_of_impact_interpolated", "touching start left out",
+      lambda s0, s1, t, dt: np.where((s0 > 0) & (s1 < 0), t + dt * over(s0, s0 - s1), np.inf),
+      "A point that starts exactly on the plane and goes through is not seen: it tunnels.",
+      "What happens in the next step to a body that was left exactly on the plane?"),
+    M("time_of_impact_interpolated", "touching end counts",
+      lambda s0, s1, t, dt: np.where((s0 >= 0) & (s1 <= 0), t + dt * over(s0, s0 - s1, 0), np.inf),
+      "A point that ends exactly on the plane, or lies on it, counts as having gone through.",
+      "Is it behind the plane at the end of the step?"),
+    M("time_of_impact_interpolated", "sign change in both ways",
+      lambda s0, s1, t, dt: np.where(s0 * s1 < 0, t + dt * over(s0, s0 - s1), np.inf),
+      "Any change of sign counts: also a point that comes out from behind the plane.",
+      "Which way has to be gone for an impact? And what of a product of exactly zero?"),
+    M("time_of_impact_interpolated", "the step's end for no impact",
+      lambda s0, s1, t, dt: np.where((s0 >= 0) & (s1 < 0), t + dt * over(s0, s0 - s1), t + dt),
+      "Where nothing is hit the end of the step is returned, which looks like an impact at that instant.",
+      "How would the caller tell that nothing was hit?"),
+    M("time_of_impact_interpolated", "start taken away", guarded(lambda a, b: -over(a, a - b)),
+      "The share of the step has the wrong sign: the impact lies before the step.",
+      "Can T be earlier than t?"),
+
+    M("time_of_impact_exact", "gravity left out", straight_line,
+      "Time is way over speed, as if the velocity did not change on the way down.",
+      "Let a ball fall from rest: what does your formula say?"),
+    M("time_of_impact_exact", "start velocity left out", from_rest,
+      "It is the time of a fall from rest: the velocity at the start makes no difference.",
+      "Throw the ball down. Should it arrive sooner?"),
+    M("time_of_impact_exact", "earlier root", first_root,
+      "Of the two roots the smaller one is taken. Where the parabola opens downwards that one lies in the past.",
+      "Put in a fall from rest and look at the sign of the time."),
+    M("time_of_impact_exact", "half forgotten", root_with(lambda s, u, a: u * u - 4 * a * s),
+      "The quadratic formula is used with a in place of a/2: the motion is s + u t + a t²/2.",
+      "What is the coefficient of t²?"),
+    M("time_of_impact_exact", "without the two", root_with(lambda s, u, a: u * u - a * s),
+      "Under the root the factor 2 is missing: v² = u² − 2 a s.",
+      "With what speed does a ball arrive that falls from a height h?"),
+    M("time_of_impact_exact", "sign under the root", root_with(lambda s, u, a: u * u + 2 * a * s),
+      "Under the root the sign is wrong: the acceleration towards the plane is negative and makes the body faster.",
+      "Is the body slower or faster when it arrives?"),
+    M("time_of_impact_exact", "root of a negative number", clipped,
+      "A negative number under the root is set to zero and gives a time. It says that the body turns round before it "
+      "arrives.",
+      "What does it mean for the motion when the root does not exist?"),
+    M("time_of_impact_exact", "never when rising", refuses_rising,
+      "A body that moves away is said never to arrive. Thrown up, it comes down again.",
+      "Throw a ball up. What then?"),
+    M("time_of_impact_exact", "at once on the plane", now_where_on_plane,
+      "Whatever is on the plane is said to hit it now. One that moves away comes back later.",
+      "A ball has just bounced and is on its way up. When does it hit next?"),
+    M("time_of_impact_exact", "behind not on the plane", not_clamped,
+      "A body that rounding has put just behind the plane is not treated as one on it.",
+      "What should become of a separation below zero?"),
+    M("time_of_impact_exact", "later root always", other_root,
+      "The root with the plus is always taken. Which of the two comes first depends on the sign of a.",
+      "A positive acceleration: the parabola opens upwards. Which root is reached first?"),
+
+    M("side_of_plane", "sides swapped", lambda s, tol=0.0: 1 * (s < -tol) - 1 * (s > tol),
+      "Front and back are swapped: in front of the plane is +1.",
+      "On which side is a point whose separation is positive?"),
+    M("side_of_plane", "two sides", lambda s, tol=0.0: np.where(np.asarray(s) < -tol, -1, 1),
+      "There are only two sides, as on the slide: a point on the plane is said to be in front.",
+      "What should come out of a point that touches?"),
+    M("side_of_plane", "two sides, touching behind", lambda s, tol=0.0: np.where(np.asarray(s) > tol, 1, -1),
+      "There are only two sides: a point on the plane is said to be behind.",
+      "What should come out of a point that touches?"),
+    M("side_of_plane", "tolerance left out", lambda s, tol=0.0: np.sign(s) + 0 * np.asarray(tol),
+      "The tolerance is not used: rounding puts nearly every point that touches on one side or the other.",
+      "Which argument makes no difference to your answer?"),
+    M("side_of_plane", "open tolerance", lambda s, tol=0.0: 1 * (s >= tol) - 1 * (s <= -tol),
+      "At exactly the tolerance the point is no longer on the plane; up to and with this distance it should be. "
+      "With no tolerance a touching point is on both sides at once, and only by luck comes out as 0.",
+      "Read again what is promised of a point exactly at the tolerance."),
+    M("side_of_plane", "tolerance in front alone", lambda s, tol=0.0: 1 * (s > tol) - 1 * (s < 0),
+      "The tolerance is applied in front of the plane only.",
+      "How far behind the plane is a point still on it?"),
+    M("side_of_plane", "tolerance behind alone", lambda s, tol=0.0: 1 * (s > 0) - 1 * (s < -tol),
+      "The tolerance is applied behind the plane only.",
+      "How far in front of the plane is a point still on it?"),
+    M("side_of_plane", "moved plane", lambda s, tol=0.0: np.sign(s - tol),
+      "The tolerance is subtracted from the separation: that moves the plane, and it is as thin as before.",
+      "On how many sides of the plane does the tolerance matter?"),
+    M("side_of_plane", "true or false", lambda s, tol=0.0: 1 * (np.asarray(s) < -tol),
+      "It says whether there is a collision, 1 or 0, not on which side the point is.",
+      "How many answers are there?"),
+
+    M("overlap_interval", "two instants", instants,
+      "It looks at the start and at the end of the step only: what goes through in between is not seen.",
+      "When does the ball's front meet the wall's front? When does its back leave the wall's back?"),
+    M("overlap_interval", "radius left out", lambda x, u, r, w, dt: interval(x, u, 0 * r, -w - 0 * r, dt),
+      "The ball is treated as a point: it overlaps from one radius before the face on.",
+      "Where is the centre when the ball's surface touches the wall?"),
+    M("overlap_interval", "radius at the back left out", lambda x, u, r, w, dt: interval(x, u, r, -w, dt),
+      "At the back the ball is treated as a point: it has left only when its centre is one radius behind the wall.",
+      "Where is the centre when the ball leaves the wall's back?"),
+    M("overlap_interval", "radius at the front left out", lambda x, u, r, w, dt: interval(x, u, 0 * r, -(w + r), dt),
+      "At the front the ball is treated as a point: it touches when its centre is still one radius before the wall.",
+      "Where is the centre when the ball first touches the wall?"),
+    M("overlap_interval", "thickness left out", lambda x, u, r, w, dt: interval(x, u, r, -r - 0 * w, dt),
+      "The wall is treated as a sheet: its thickness makes no difference.",
+      "Which argument makes no difference to your answer?"),
+    M("overlap_interval", "thickness in front", lambda x, u, r, w, dt: interval(x, u, w + r, -r, dt),
+      "The wall stands before its front face: the distance counts from the front, and the wall is behind it.",
+      "On which side of x = 0 is the wall?"),
+    M("overlap_interval", "wall about its middle", lambda x, u, r, w, dt: interval(x, u, w / 2 + r, -w / 2 - r, dt),
+      "The distance is counted from the wall's middle; here it is counted from its front face.",
+      "Where is x = 0?"),
+    M("overlap_interval", "diameter", lambda x, u, r, w, dt: interval(x, u, 2 * r, -(w + 2 * r), dt),
+      "The ball reaches a diameter from its centre instead of a radius.",
+      "How far is the surface from the centre?"),
+    M("overlap_interval", "not within the step", lambda x, u, r, w, dt: interval(x, u, r, -(w + r), dt, clip=False),
+      "The instants are not limited to the step: some lie in the past or after its end.",
+      "From when to when does the step last?"),
+    M("overlap_interval", "from the front alone", ordered,
+      "The ball is expected to come from the front. From behind, the back face is met first.",
+      "Which of the two instants comes first for a ball that moves along the normal?"),
+    M("overlap_interval", "velocity towards the wall", lambda x, u, r, w, dt: interval(x, -u, r, -(w + r), dt),
+      "The velocity has the wrong sign: along the normal of the front face it leads away from the wall.",
+      "What sign has the velocity of a ball that comes nearer?"),
+    M("overlap_interval", "touching left out", half_open,
+      "A ball that touches for an instant only is not seen: the interval is closed.",
+      "Does touching count?"),
+    M("overlap_interval", "share of the step", within,
+      "The instants are given as shares of the step, not as times.",
+      "What unit should come out?"),
+    M("overlap_interval", "zeros for nothing", lambda x, u, r, w, dt: interval(x, u, r, -(w + r), dt, empty=(0, 0)),
+      "Where they do not meet, 0 and 0 come out, which looks like a touch at the start.",
+      "How would the caller tell that nothing was met?"),
+    M("overlap_interval", "whole step for nothing",
+      lambda x, u, r, w, dt: interval(x, u, r, -(w + r), dt, empty=(np.inf, np.inf)),
+      "Where they do not meet, both are infinite: then the end is not before the start, and the interval is not empty.",
+      "Which sign makes an interval empty?"),
+
+    M("missing_probability", "ball a point", lambda v, w, r, dt: missed(v, dt, w + 0 * r),
+      "The ball is treated as a point: a large ball is caught more easily.",
+      "On how long a way does the ball overlap the wall?"),
+    M("missing_probability", "one radius", lambda v, w, r, dt: missed(v, dt, w + r),
+      "The ball overlaps from one radius before the wall to one behind: that is the thickness and two radii.",
+      "How far does the centre go between the first touch and the last?"),
+    M("missing_probability", "seen, not missed", lambda v, w, r, dt: np.minimum(over(w + 2 * r, v * dt, 1), 1),
+      "It is the share that is caught, not the share that is missed.",
+      "A faster ball is missed more often. Is it so with yours?"),
+    M("missing_probability", "below zero", lambda v, w, r, dt: missed(v, dt, w + 2 * r, clamp=False),
+      "For a slow ball it comes out negative, which no probability is.",
+      "What is the chance to miss a ball that moves less than its own width in a step?"),
+    M("missing_probability", "step left out", lambda v, w, r, dt: missed(v, 1.0 + 0 * dt, w + 2 * r),
+      "Lengths are divided by a speed: the step's length is missing.",
+      "What unit has (w + 2r)/v?"),
+    M("missing_probability", "yes or no", lambda v, w, r, dt: 1.0 * (v * dt > w + 2 * r),
+      "It says whether a miss can happen at all, not how often it does.",
+      "A ball moves twice as far as it overlaps. Is it always missed?"),
+    M("missing_probability", "thickness twice", lambda v, w, r, dt: missed(v, dt, 2 * w + 2 * r),
+      "The wall's thickness is counted twice; two are the radii.",
+      "On how long a way does the ball overlap the wall?"),
+    M("missing_probability", "thickness left out", lambda v, w, r, dt: missed(v, dt, 2 * r + 0 * w),
+      "The wall is treated as a sheet: a thick wall is not missed as easily.",
+      "Which argument makes no difference to your answer?"),
+    M("missing_probability", "radius subtracted", lambda v, w, r, dt: missed(v, dt, w - 2 * r),
+      "The ball's size is subtracted from the wall's: a larger ball is easier to catch, not harder.",
+      "Does a larger ball overlap the wall on a longer way or on a shorter one?"),
+    M("missing_probability", "half the ways",
+      lambda v, w, r, dt: missed(v, dt, w / 2 + r),
+      "Only the way to the wall's middle counts. That is how far an engine is right that pushes out by the nearest "
+      "way; a test for overlap sees the whole wall.",
+      "Up to where does the ball overlap the wall?"),
+
+    M("substeps_needed", "ball a point", lambda v, w, r, dt: np.floor(over(v * dt, w + 0 * r)) + 1,
+      "The ball is treated as a point, and the step cut finer than needed.",
+      "On how long a way does the ball overlap the wall?"),
+    M("substeps_needed", "one radius", lambda v, w, r, dt: np.floor(v * dt / (w + r)) + 1,
+      "One radius is forgotten: the ball overlaps on the thickness and two radii.",
+      "How far does the centre go between the first touch and the last?"),
+    M("substeps_needed", "rounded down", lambda v, w, r, dt: np.maximum(np.floor(v * dt / (w + 2 * r)), 1),
+      "The number is rounded down: then a part of the step is longer than the wall, and a ball may slip through.",
+      "How far does the ball go in one part? Is that shorter than the wall?"),
+    M("substeps_needed", "rounded to the nearest", lambda v, w, r, dt: np.maximum(np.round(v * dt / (w + 2 * r)), 1),
+      "The number is rounded to the nearest: half of the time a part of the step is longer than the wall.",
+      "How far does the ball go in one part? Is that shorter than the wall?"),
+    M("substeps_needed", "rounded up", lambda v, w, r, dt: np.maximum(np.ceil(v * dt / (w + 2 * r)), 1),
+      "Where the way is exactly a whole number of walls, rounding up leaves parts as long as the wall: a touch may be "
+      "all that is seen. The part has to be shorter.",
+      "What if v Δt is exactly w + 2r?"),
+    M("substeps_needed", "none for a slow ball", lambda v, w, r, dt: np.ceil(v * dt / (w + 2 * r)),
+      "A ball that does not move gets no step at all; at least one is always made.",
+      "Into how many parts is a step cut that need not be cut?"),
+    M("substeps_needed", "not whole", lambda v, w, r, dt: v * dt / (w + 2 * r),
+      "It is not a whole number: nobody can make 3.4 steps.",
+      "Which whole number is large enough?"),
+    M("substeps_needed", "length of a part", lambda v, w, r, dt: dt / (np.floor(v * dt / (w + 2 * r)) + 1),
+      "It is the length of a part, not how many there are.",
+      "What unit should come out?"),
+    M("substeps_needed", "step left out", lambda v, w, r, dt: np.floor(v / (w + 2 * r)) + 1 + 0 * dt,
+      "The step's length is not used: a speed is divided by a length.",
+      "How far does the ball go in the whole step?"),
+    M("substeps_needed", "upside down", lambda v, w, r, dt: np.floor(over(w + 2 * r, v * dt, 0)) + 1,
+      "The ratio is upside down: a faster ball needs more parts, not fewer.",
+      "Double the speed. Should the number grow or fall?"),
+)
+# fmt: on
