@@ -1,0 +1,54 @@
+"""What can go wrong with a submission: each error is the student's to read and costs one test, never the grader."""
+
+from __future__ import annotations
+
+from reference.errors import CollisionsError, NeedsFunction, WorkerCrashed
+
+
+class UnreadableSubmission(CollisionsError):
+    """A file that holds no submission at all: missing, empty, too large, of another kind; the message says which."""
+
+    exit_code = 2
+
+
+class StudentError(CollisionsError):
+    """What the submission's code did instead of answering; the message is fit to be shown to the student."""
+
+
+class FunctionMissing(StudentError, NeedsFunction):
+    """The function is not in the submission, or still raises NotImplementedError."""
+
+
+class FunctionRaised(StudentError):
+    """The function raised an exception.
+
+    kind: the exception's type. line: of the submission's text, counted from 1, or None where it is not known.
+    """
+
+    def __init__(self, message: str, kind: str = "", line: int | None = None) -> None:
+        super().__init__(message)
+        self.kind, self.line = kind, line
+
+
+class WrongType(StudentError):
+    """The function gave an object that is no answer: neither a number, text, an array nor a tuple of these."""
+
+
+class OutOfTime(StudentError):
+    """A call, or all calls of a test together, went past the time limit; the process was stopped."""
+
+
+class ProcessDied(StudentError):
+    """The process ended before it answered: a crash, os._exit, or a limit that the system enforces."""
+
+
+class NoAnswer(StudentError):
+    """What came back is not a message of the worker: too long, or not written by it."""
+
+
+class NotSteady(StudentError):
+    """The same call in a fresh process gave another answer."""
+
+
+class GraderFailed(WorkerCrashed):
+    """The grader's own processes do not work on this machine, or offer less protection than was asked for."""

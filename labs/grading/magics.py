@@ -1,0 +1,69 @@
+"""Lines that only a notebook's kernel understands, taken out of a cell: magics, shell commands, questions.
+
+A line is taken out where a statement begins, never inside a bracket or a string, and `pass` stands in for it, so that
+blocks stay whole and every other line keeps its number.
+"""
+
+from __future__ import annotations
+
+import re
+
+_PYTHON_CELLS = {"time", "timeit", "capture", "prun"}  # what follows these is Python
+_MAGIC = re.compile(
+    r"""[ \t]*(?:
+        [%!?].*                                # %matplotlib inline, !pip install, ?name
+      | [\w.]+\?{1,2}[ \t]*                    # name?
+      | [\w., \t]+=[ \t]*[%!](?!=).*           # files = !ls
+    )$""",
+    re.VERBOSE | re.MULTILINE,
+)
+_TOKEN = re.compile(
+    r"""
+    (?P<long>'''|\"\"\")(?:\\.|(?!(?P=long)).)*(?:(?P=long)|\Z)
+  | '(?:\\.|[^'\\\n])*' | "(?:\\.|[^"\\\n])*"
+  | \#[^\n]* | \\\n | (?P<open>[(\[{]) | (?P<close>[)\]}]) | (?P<end>\n)
+    """,
+    re.VERBOSE | re.DOTALL,
+)
+
+
+def without_magics(source: str) -> str:
+    """The cell's Python; empty where its first line says that it is of another language."""
+    head, _, rest = source.lstrip("\n").partition("\n")
+    if head.startswith("%%"):
+        if head[2:].split()[:1] and head[2:].split()[0] in _PYTHON_CELLS:
+            return "\n" * (len(source) - len(source.lstrip("\n")) + 1) + without_magics(rest)
+        return ""
+    parts, at = [], 0
+    while at < len(source):
+        end = _end_of_line(source, at) if _MAGIC.match(source, at) else 0
+        if end:
+            line = source[at:end]
+            indent = line[: len(line) - len(line.lstrip())]
+            parts.append(f"{indent}pass" + "\n" * line.count("\n"))
+        else:
+            end = _end_of_statement(source, at)
+            parts.append(source[at:end])
+        at = end
+    return "".join(parts)
+
+
+def _end_of_line(source: str, at: int) -> int:
+    """Where a magic ends: its line, and those that a backslash joins to it."""
+    while True:
+        end = source.find("\n", at)
+        if end < 0:
+            return len(source)
+        if source[end - 1] != "\\":
+            return end + 1
+        at = end + 1
+
+
+def _end_of_statement(source: str, at: int) -> int:
+    """Where a logical line ends: brackets closed, strings over."""
+    depth = 0
+    for token in _TOKEN.finditer(source, at):
+        depth += (token["open"] is not None) - (token["close"] is not None)
+        if token["end"] and depth <= 0:
+            return token.end()
+    return len(source)

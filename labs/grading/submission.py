@@ -1,0 +1,162 @@
+"""A student's file as the source text of the functions that are wanted of it, and what is wrong with it.
+
+The file is never run here: it is read (`files`), freed of what only a notebook understands (`magics`) and cut down
+to what the functions need (`slicing`). Lines that are left out stay behind as empty lines, so an error's line number
+leads back to the line, and in a notebook the code cell, that the student knows.
+
+A function counts in the last place that defines it; a cell that is tagged with the function's name, or that nbgrader
+knows by it, comes before any other.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import warnings
+from collections.abc import Collection
+from dataclasses import dataclass
+from pathlib import Path
+
+from labs.grading.errors import UnreadableSubmission
+from labs.grading.files import Cell, Complaint, merge_marks, place, read_cells
+from labs.grading.magics import without_magics
+from labs.grading.plain import one_line
+from labs.grading.slicing import Group, defined_as, groups, needed
+
+__all__ = ["Complaint", "Submission", "read"]
+
+_TOO_MUCH = (ValueError, RecursionError, MemoryError)  # of ast, for what no person writes
+
+
+@dataclass(frozen=True)
+class Submission:
+    """What a student handed in.
+
+    name: the file's, fit to be shown. text: Python source of the functions and what they need. functions: those of
+    the wanted that it defines, in the order asked for. complaints: what the student should know. starts: the lines of
+    `text` before each code cell, with the cell's number; empty for a `.py` file.
+    """
+
+    name: str
+    text: str
+    functions: tuple[str, ...] = ()
+    complaints: tuple[Complaint, ...] = ()
+    starts: tuple[tuple[int, int], ...] = ()
+
+    def where(self, line: int) -> str:
+        """A line of the text in the student's words: "line 12", or "code cell 3, line 2"."""
+        before = [(start, cell) for start, cell in self.starts if start < line]
+        return place(before[-1][1], line - before[-1][0]) if before else place(None, line)
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """A group of statements and the cell that it stands in."""
+
+    group: Group
+    cell: Cell
+
+
+def read(path: Path | str, wanted: Collection[str]) -> Submission:
+    """Read a `.ipynb` or `.py` file, looking for the wanted functions.
+
+    Raises `UnreadableSubmission` where the file holds no code at all; anything smaller is a complaint.
+    """
+    path = Path(path)
+    name = one_line(path.name)
+    try:
+        cells, complaints = read_cells(path)
+    except UnreadableSubmission as error:
+        raise UnreadableSubmission(f"{name}: {error}") from None
+    pieces, sources = [], []
+    for cell in cells:
+        source, found = _parsed(cell, complaints)
+        sources.append(source)
+        pieces += [_Piece(group, cell) for group in found]
+    functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
+    text, starts = _assembled(cells, sources, pieces, functions)
+    return Submission(name, text, tuple(functions), tuple(complaints), starts)
+
+
+def _parsed(cell: Cell, complaints: list[Complaint]) -> tuple[str, list[Group]]:
+    """The cell's Python and its statements; a cell that cannot be read costs what it defines."""
+    if marks := list(merge_marks(cell)):
+        complaints.extend(marks)
+        return "", []
+    source = cell.source
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of a backslash in a text: the student sees that elsewhere
+        try:
+            return source, groups(source)
+        except (SyntaxError, *_TOO_MUCH):
+            source = without_magics(source)
+        try:
+            return source, groups(source)
+        except SyntaxError as error:
+            complaints.append(_told(error, cell, source))
+        except _TOO_MUCH:
+            complaints.append(Complaint("Python cannot read this: too deeply nested", cell.number))
+    return "", []
+
+
+def _told(error: SyntaxError, cell: Cell, source: str) -> Complaint:
+    lines = source.splitlines()
+    number = error.lineno or 1
+    line = one_line(lines[number - 1], 80) if number <= len(lines) else ""
+    lost = re.findall(r"^def (\w+)", source, re.MULTILINE)
+    effect = f"; so {', '.join(lost[:3])}{' …' if len(lost) > 3 else ''} cannot be read" if lost else ""
+    return Complaint(f"Python cannot read {line!r}: {one_line(error.msg)}{effect}", cell.number, number)
+
+
+def _check_definition(name: str, pieces: list[_Piece], complaints: list[Complaint]) -> bool:
+    """Whether the submission defines the function; complains of copies, of none, and of an import in its stead."""
+    found = [piece for piece in pieces if defined_as(piece.group, name)]
+    kinds = {defined_as(piece.group, name) for piece in found}
+    if not found:
+        complaints.append(Complaint(f"{name} is missing"))
+    elif kinds == {"import"}:
+        complaints.append(Complaint(f"{name} is imported, not written", found[-1].cell.number, found[-1].group.first))
+        return False
+    elif len(found) > 1:
+        counts = _counting(name, found)
+        where = place(counts.cell.number, counts.group.first)
+        complaints.append(Complaint(f"{name} is defined {len(found)} times; the one at {where} counts"))
+    return bool(found)
+
+
+def _counting(name: str, found: list[_Piece]) -> _Piece:
+    """The definition that counts: the last, in the cell made for it if there is one."""
+    return ([piece for piece in found if name in piece.cell.tags] or found)[-1]
+
+
+def _assembled(
+    cells: list[Cell], sources: list[str], pieces: list[_Piece], functions: list[str]
+) -> tuple[str, tuple[tuple[int, int], ...]]:
+    """The text of what the functions need, all other lines empty, and where each code cell starts in it."""
+    counting = [piece for piece in pieces if not _outdone(piece, pieces, functions)]
+    kept = [counting[at] for at in sorted(needed([piece.group for piece in counting], functions))]
+    lines: list[str] = []
+    starts = []
+    for cell, source in zip(cells, sources, strict=True):
+        if cell.number is not None:
+            starts.append((len(lines), cell.number))
+        own = [piece.group for piece in kept if piece.cell is cell]
+        lines += _only(source, own)
+    return "\n".join(lines).rstrip("\n") + "\n", tuple(starts)
+
+
+def _outdone(piece: _Piece, pieces: list[_Piece], functions: list[str]) -> bool:
+    """Whether it only defines a function anew that a later cell, or the cell made for it, defines as well."""
+    alone = len(piece.group.statements) == 1 and isinstance(piece.group.statements[0], ast.FunctionDef)
+    for name in piece.group.defines & set(functions) if alone else ():
+        found = [each for each in pieces if defined_as(each.group, name)]
+        if name in _counting(name, found).cell.tags and name not in piece.cell.tags:
+            return True
+    return False
+
+
+def _only(source: str, kept: list[Group]) -> list[str]:
+    """The source's lines, empty but for those of the groups kept."""
+    lines = source.split("\n")
+    wanted = {number for group in kept for number in range(group.first, group.last + 1)}
+    return [line if number in wanted else "" for number, line in enumerate(lines, start=1)]

@@ -1,0 +1,166 @@
+"""The bare parent: a process of the standard library and NumPy alone that forks one process for every test.
+
+Threat: a process forked from one that has loaded the tests carries them in its memory. This one is started on its own
+and never gets to see a test, a call, or even the submission: the grader opens a pair of pipes for every test, hands
+them over, and talks to the test's process past it. It cannot be looked into (not dumpable), takes in every orphan
+below it (subreaper), and says that a test is over only when no process of it is left, so that nothing can rewrite an
+answer later. When the grader is gone, the control socket ends, and everything here with it.
+
+It also saves time: a fork takes milliseconds, where a fresh interpreter would load NumPy anew for every test.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+import importlib
+import json
+import os
+import shutil
+import signal
+import socket
+import sys
+import sysconfig
+import time
+from typing import Any
+
+import numpy as np
+
+from labs.grading.worker import landlock, sandbox, seccomp, serving, system
+
+_PRELOADED = (
+    "cmath", "copy", "dataclasses", "enum", "fractions", "itertools", "operator", "random", "statistics", "typing",
+    "numpy.fft", "numpy.linalg", "numpy.random", "numpy.typing",
+)  # fmt: skip
+"""What solutions import: loaded once, and there even for a user who may not read the interpreter's folder."""
+_PATIENCE = 5.0  # s for the processes of a test to be gone
+
+
+def main() -> None:
+    """Answer the grader on the socket whose number is the third argument; one and two are folders to import from."""
+    control = socket.socket(fileno=int(sys.argv[3]))
+    without = json.loads(sys.argv[4])
+    readable = landlock.opened(prepare())
+    with contextlib.suppress(OSError):
+        system.prctl(system.CHILD_SUBREAPER, 1)
+    with contextlib.suppress(OSError):
+        system.prctl(system.SET_DUMPABLE, 0)
+    offline = ("seccomp" in without or not seccomp.available()) and "namespace" not in without and leave_network()
+    gc.collect()
+    gc.freeze()  # what is shared with the tests' processes stays shared
+    Nursery(control, readable, offline).run()
+
+
+def prepare() -> list[str]:
+    """Load what solutions import and forget the way to our own modules; returns the paths that tests may read."""
+    sys.dont_write_bytecode = True
+    for name in _PRELOADED:
+        importlib.import_module(name)
+    packages = os.path.dirname(os.path.dirname(os.path.abspath(np.__file__)))
+    sys.path[:] = [path for path in sys.path if path not in sys.argv[1:3]]
+    for name in [name for name in sys.modules if name.partition(".")[0] == "labs"]:
+        del sys.modules[name]
+    library = sysconfig.get_path("stdlib")
+    other = {"site-packages", "dist-packages"}  # what else is installed there, this project perhaps
+    found = [os.path.join(library, name) for name in os.listdir(library) if name not in other]
+    return [*found, *(os.path.join(packages, name) for name in ("numpy", "numpy.libs"))]
+
+
+def leave_network() -> bool:
+    """Move into a network namespace of our own, which has no network; says whether that worked."""
+    for namespaces in (system.NEW_NETWORK_NAMESPACE, system.NEW_USER_NAMESPACE | system.NEW_NETWORK_NAMESPACE):
+        with contextlib.suppress(OSError):
+            system.unshare(namespaces)
+            return True
+    return False
+
+
+class Nursery:
+    """Forks and buries the tests' processes. control: the grader's socket. readable, offline: as in `seal`."""
+
+    def __init__(self, control: socket.socket, readable: list[int], offline: bool) -> None:
+        self._control, self._readable, self._offline = control, readable, offline
+        self._folders: dict[int, str] = {}  # of every living test, by its process
+
+    def run(self) -> None:
+        """Answer one request after the other until the grader hangs up."""
+        while True:
+            request, descriptors, _, _ = socket.recv_fds(self._control, 2**16, 2)
+            if not request:
+                break
+            wanted = json.loads(request)
+            answer = self._start(wanted, descriptors) if "folder" in wanted else self._end(wanted["end"])
+            self._control.send(json.dumps(answer).encode())
+        for process in list(self._folders):
+            self._end(process)
+
+    def _start(self, wanted: dict[str, Any], descriptors: list[int]) -> dict[str, Any]:
+        plan = sandbox.Plan(**wanted)
+        os.mkdir(plan.folder, 0o555)
+        process = os.fork()
+        if process == 0:
+            self._become_test(plan, (descriptors[0], descriptors[1]))
+        for descriptor in descriptors:
+            os.close(descriptor)
+        self._folders[process] = plan.folder
+        return {"process": process}
+
+    def _become_test(self, plan: sandbox.Plan, pipes: tuple[int, int]) -> None:
+        """In the forked process; never returns."""
+        try:
+            os.setsid()
+            serving.hush({*pipes, *self._readable})
+            sealing = sandbox.seal(plan, self._readable, self._offline)
+            for descriptor in self._readable:
+                os.close(descriptor)
+            serving.serve(*pipes, sealing)
+        except BaseException:
+            os._exit(serving.FAILED)
+        finally:
+            os._exit(0)
+
+    def _end(self, process: int) -> dict[str, Any]:
+        """Kill the test's process and every stray; says how it ended and what it used."""
+        for kill in (os.killpg, os.kill):
+            with contextlib.suppress(OSError):
+                kill(process, signal.SIGKILL)
+        _, status, used = os.wait4(process, 0)
+        folder = self._folders.pop(process)
+        strays = self._kill_strays()
+        shutil.rmtree(folder, ignore_errors=True)
+        seconds = used.ru_utime + used.ru_stime
+        return {"status": status, "seconds": seconds, "memory": used.ru_maxrss * 1024, "strays": strays}
+
+    def _kill_strays(self) -> int:
+        """Kill all processes below this one that are no living test's; orphans have come here. Says how many."""
+        killed: set[int] = set()
+        until = time.monotonic() + _PATIENCE
+        while strays := _children() - set(self._folders):
+            for process in strays:
+                with contextlib.suppress(OSError):
+                    os.kill(process, signal.SIGKILL)
+                    killed.add(process)
+                with contextlib.suppress(OSError):
+                    os.waitpid(process, os.WNOHANG)
+            if time.monotonic() > until:
+                break
+        return len(killed)
+
+
+def _children() -> set[int]:
+    """The processes directly below this one, as far as the system tells."""
+    try:
+        with open(f"/proc/self/task/{os.getpid()}/children", encoding="ascii") as file:
+            return {int(word) for word in file.read().split()}
+    except OSError:  # a kernel without that file
+        return {process for process in _processes() if _parent(process) == os.getpid()}
+
+
+def _processes() -> list[int]:
+    return [int(name) for name in os.listdir("/proc") if name.isdigit()] if os.path.isdir("/proc") else []
+
+
+def _parent(process: int) -> int | None:
+    with contextlib.suppress(OSError, ValueError), open(f"/proc/{process}/stat", "rb") as file:
+        return int(file.read().rpartition(b")")[2].split()[1])
+    return None

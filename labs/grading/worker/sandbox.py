@@ -1,0 +1,130 @@
+"""Shuts a test's process in before it sees the submission, as far as the system allows, and says how far that was.
+
+Each measure answers a threat that another one leaves open:
+
+- limits: endless loops (processor time), memory, full disks (no byte may be written to a file), fork bombs and
+  threads left running (no further process or thread), core dumps of what is in memory;
+- another user, when started as root: root is above the limit on processes, and may read every file;
+- no new privileges: a set-user-id program would undo all of it;
+- Landlock and the filter of system calls: files, network, signals, other processes, see there;
+- an empty folder as the current one, no environment, no descriptor but the two of this test;
+- a death signal: the process ends with the nursery, whatever became of that.
+
+Any step may fail on some system; then the tier is lower and a line says what is missing. Nothing is switched on that
+the process could switch off again.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+
+from labs.grading.worker import landlock, seccomp, system
+from labs.grading.worker.tier import Tier
+
+if sys.platform == "linux":
+    import resource
+
+_DESCRIPTORS = 64
+_SPARE_SECONDS = 2  # of processor time beyond the wall-clock limit, which then speaks first and says more
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a process is allowed. folder: its current one. user: the id it gets when root. memory: bytes. seconds: of
+    processor time. without: measures to leave out, as on a system that lacks them.
+    """  # noqa: D205
+
+    folder: str
+    user: int
+    memory: int
+    seconds: int
+    without: Collection[str] = ()
+
+
+@dataclass(frozen=True)
+class Sealing:
+    """How far a process is shut in, and a line for everything that is missing."""
+
+    tier: Tier
+    missing: tuple[str, ...] = ()
+
+
+def seal(plan: Plan, readable: Sequence[int], offline: bool) -> Sealing:
+    """Shut in the process that calls this, for good.
+
+    readable: descriptors of what may be read. offline: whether it is in a network namespace without a network.
+    """
+    os.chdir(plan.folder)
+    os.environ.clear()
+    missing: list[str] = []
+
+    def took(measure: str, step: Callable[[], object], otherwise: str) -> bool:
+        try:
+            if measure not in plan.without:
+                step()
+                return True
+        except (OSError, ValueError, AttributeError):
+            pass
+        missing.append(otherwise)
+        return False
+
+    limited = took("limits", lambda: _limit(plan), "memory, time and processes are not limited")
+    if os.geteuid() == 0:
+        took("user", lambda: _become(plan.user), "it runs as root")
+    took("death", _end_with_parent, "it may outlive the nursery")
+    took("privileges", lambda: system.prctl(system.NO_NEW_PRIVILEGES, 1), "set-user-id programs work")
+    paths = took("landlock", lambda: landlock.restrict(readable), "no Landlock in this kernel")
+    calls = took("seccomp", lambda: seccomp.restrict(files=paths), "no filter of system calls in this kernel")
+    return _reached(limited, files=paths or calls, network=calls or offline, missing=missing)
+
+
+def _reached(limited: bool, files: bool, network: bool, missing: list[str]) -> Sealing:
+    if not files:
+        missing.append("files that its user may open are open to it")
+    if not network:
+        missing.append("it can reach the network")
+    tier = Tier.LIMITS if limited else Tier.PROCESS
+    if files and limited:
+        tier = Tier.NETWORK if network else Tier.FILES
+    return Sealing(tier, tuple(missing))
+
+
+def _limit(plan: Plan) -> None:
+    kinds = {
+        resource.RLIMIT_CORE: 0,
+        resource.RLIMIT_CPU: plan.seconds + _SPARE_SECONDS,
+        resource.RLIMIT_AS: _address_space() + plan.memory,
+        resource.RLIMIT_FSIZE: 0,
+        resource.RLIMIT_NOFILE: _DESCRIPTORS,
+        resource.RLIMIT_MEMLOCK: 0,
+        resource.RLIMIT_MSGQUEUE: 0,
+        resource.RLIMIT_NPROC: 0,
+    }
+    for kind, limit in kinds.items():
+        hard = resource.getrlimit(kind)[1]
+        allowed = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
+        resource.setrlimit(kind, (allowed, allowed))
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # so that writing a file is an OSError with a line
+
+
+def _address_space() -> int:
+    """Bytes of address space in use."""
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[0]) * resource.getpagesize()
+
+
+def _become(user: int) -> None:
+    os.setgroups([])
+    os.setresgid(user, user, user)
+    os.setresuid(user, user, user)
+
+
+def _end_with_parent() -> None:
+    parent = os.getppid()
+    system.prctl(system.PARENT_DEATH_SIGNAL, signal.SIGKILL)
+    if os.getppid() != parent:
+        os._exit(1)

@@ -1,0 +1,190 @@
+"""Inside a test's process: run the submission's text, then answer calls by name until the grader hangs up.
+
+Threat: everything here lies in the hands of the submission, which may patch this module, its NumPy and the two pipes.
+So nothing is kept here that would help it: no test, no expected value, no other function's answer. What it sends is
+read as plain values and judged elsewhere, so forging an answer is no more than answering.
+"""
+
+from __future__ import annotations
+import __future__
+
+import ast
+import io
+import itertools
+import os
+import sys
+import time
+import traceback
+from collections.abc import Collection, Iterator
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from labs.grading import messages
+from labs.grading.worker.sandbox import Sealing
+
+TITLE = "submission"
+"""Name of the module that the text becomes, and of the file in its tracebacks."""
+FAILED = 70
+"""Exit code of a process in which not the submission failed but what runs it."""
+_MESSAGE_CHARACTERS = 2000
+_FLAGS = __future__.annotations.compiler_flag  # a type hint that cannot be evaluated costs nothing
+
+
+class Printed(io.TextIOBase):
+    """Stands in for stdout and stderr: keeps the first characters and drops the rest."""
+
+    def __init__(self, limit: int) -> None:
+        super().__init__()
+        self._limit = limit
+        self._parts: list[str] = []
+        self._kept = 0
+
+    def writable(self) -> bool:
+        """It is there to be written to."""
+        return True
+
+    def write(self, text: str) -> int:
+        """Keep what there is room for."""
+        part = str(text)[: self._limit - self._kept]
+        if part:
+            self._parts.append(part)
+            self._kept += len(part)
+        return len(text)
+
+    def taken(self) -> str:
+        """What was kept since the last time, in full only up to the limit."""
+        text = "".join(self._parts)
+        self._parts, self._kept = [], 0
+        return text
+
+
+def serve(requests: int, answers: int, sealing: Sealing) -> None:
+    """Say how far the process is shut in, load the text that comes first, then answer every call."""
+    _send(answers, ("sealed", int(sealing.tier), list(sealing.missing)))
+    _, text, limit = _receive(requests)
+    printed = Printed(limit)
+    sys.stdout = sys.stderr = printed
+    module = ModuleType(TITLE)
+    failures = load(text, module)
+    _send(answers, ("loaded", [name for name, value in vars(module).items() if callable(value)], failures))
+    while True:
+        try:
+            _, number, name, arguments, named = _receive(requests)
+        except EOFError:
+            return
+        answer = _answer(module, name, arguments, dict(named))
+        try:
+            message = messages.pack(("answer", number, *answer, printed.taken()))
+        except messages.Refused as refused:
+            message = messages.pack(("answer", number, "refused", str(refused), printed.taken()))
+        _write(answers, message)
+
+
+def load(text: str, module: ModuleType) -> list[tuple[list[str], str, str, int | None]]:
+    """Run the text in the module, statement by statement; one that fails costs only the names that it defines.
+
+    Returns of each failure the names, the exception's type and message, and the line.
+    """
+    sys.modules[module.__name__] = module  # as any import does; a dataclass looks itself up there
+    failures: list[tuple[list[str], str, str, int | None]] = []
+    try:
+        statements = ast.parse(text, TITLE).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        return [([], *_described(error))]
+    for statement in statements:
+        try:
+            code = compile(ast.Module([statement], []), TITLE, "exec", _FLAGS, dont_inherit=True)
+            exec(code, module.__dict__)
+        except BaseException as error:
+            kind, message, line = _described(error)
+            failures.append((list(_names(statement)), kind, message, line or statement.lineno))
+    return failures
+
+
+def _answer(module: ModuleType, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> tuple[Any, ...]:
+    """One call: ("value", seconds, which arguments it changed, value), or ("raised", type, message, line)."""
+    function = vars(module).get(name)
+    if not callable(function):
+        return ("missing",)
+    every = (*arguments, *named.values())
+    before = [_bits(each) for each in every]
+    start = time.perf_counter()
+    try:
+        value = function(*arguments, **named)
+        seconds = time.perf_counter() - start
+        changed = [place for place, each in enumerate(every) if _bits(each) != before[place]]
+        return ("value", seconds, changed, value)
+    except BaseException as error:
+        return ("raised", *_described(error))
+
+
+def _bits(argument: Any) -> Any:
+    """What tells whether an argument was written to: arrays and lists can be."""
+    if isinstance(argument, np.ndarray):
+        return argument.shape, argument.tobytes()
+    if isinstance(argument, list | tuple):
+        return tuple([_bits(each) for each in argument])
+    return None
+
+
+def _described(error: BaseException) -> tuple[str, str, int | None]:
+    """The exception's type, its message, and the last line of the submission that it passed through."""
+    line = None
+    for frame, number in traceback.walk_tb(error.__traceback__):
+        if frame.f_code.co_filename == TITLE:
+            line = number
+    if isinstance(error, SyntaxError) and error.filename == TITLE:
+        line = error.lineno
+    try:
+        message = str(error)
+    except BaseException:
+        message = "(its message cannot be shown)"
+    return type(error).__name__[:100], message[:_MESSAGE_CHARACTERS], line
+
+
+def _names(statement: ast.stmt) -> Iterator[str]:
+    """The names that a statement would have defined."""
+    for node in ast.walk(statement):
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            yield node.name
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.id
+        elif isinstance(node, ast.alias):
+            yield node.asname or node.name.partition(".")[0]
+
+
+def _send(descriptor: int, value: Any) -> None:
+    _write(descriptor, messages.pack(value))
+
+
+def _write(descriptor: int, message: bytes) -> None:
+    rest = memoryview(message)
+    while rest:
+        rest = rest[os.write(descriptor, rest) :]
+
+
+def _receive(descriptor: int) -> Any:
+    return messages.unpack(_read(descriptor, messages.length(_read(descriptor, messages.HEADER))))
+
+
+def _read(descriptor: int, count: int) -> bytes:
+    parts = []
+    while count:
+        part = os.read(descriptor, count)
+        if not part:
+            raise EOFError
+        parts.append(part)
+        count -= len(part)
+    return b"".join(parts)
+
+
+def hush(keep: Collection[int]) -> None:
+    """Close every descriptor but those to keep; the standard three lead nowhere from now on."""
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for standard in (0, 1, 2):
+        os.dup2(nowhere, standard)
+    kept = sorted({*keep, 0, 1, 2})
+    for after, before in itertools.pairwise([*kept, os.sysconf("SC_OPEN_MAX")]):
+        os.closerange(after + 1, before)
