@@ -214,7 +214,7 @@ BANK = (
       lambda s0, s1, t, dt: t + dt * over(np.abs(s0), np.abs(s0) + np.abs(s1)),
       "With absolute values a time is given whether or not the point goes through the plane in this step.",
       "What should come out of a point that stays in front? Do the absolute values know of it?"),
-    M("time_of_impact_interpolated", "from the end", guarded(lambda a, b: -b / (a - b)),
+    M("time_of_impact_interpolated", "from the end", guarded(lambda a, b: over(-np.asarray(b), a - b)),
       "The wrong distance is on top: this is the share of the step that is left after the impact.",
       "A point that starts close to the plane: does it arrive early or late?"),
     M("time_of_impact_interpolated", "start left out",

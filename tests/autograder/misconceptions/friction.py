@@ -1,0 +1,552 @@
+"""Known mistakes of what presses and pushes a body, what holds it, and how it slides."""
+
+import numpy as np
+
+from labs.grading.bank import Misconception as M
+from labs.grading.bank import col, direction, dot, flat, over, size
+
+
+def part(f, n):
+    return np.asarray(f) - dot(f, n) * n
+
+
+def friction(push, v, N, s, k, moving=None, rest=None, breaks=None, held=None):
+    """Friction from what it is while moving, while held, and when it gives way."""
+    limit, kinetic = col(s * np.asarray(N)), col(k * np.asarray(N))
+    moving = -kinetic * direction(v) if moving is None else moving
+    rest = -np.asarray(push) if rest is None else rest
+    breaks = -kinetic * direction(push) if breaks is None else breaks
+    held = size(push) <= limit if held is None else held
+    return np.where(size(v) > 0, moving, np.where(held, rest, breaks))
+
+
+def of(**parts):
+    """A version of friction whose parts are functions of (push, v, N, s, k)."""
+
+    def force(push, v, N, s, k):
+        given = np.asarray(push), np.asarray(v), np.asarray(N), np.asarray(s), np.asarray(k)
+        return friction(*given, **{name: part(*given) for name, part in parts.items()})
+
+    return force
+
+
+def always_kinetic(push, v, N, s, k):
+    return -col(k * np.asarray(N)) * np.where(size(v) > 0, direction(v), direction(push)) + 0 * col(s)
+
+
+def slide_static(push, v, N, s, k):
+    """The slide: friction has the size of its limit."""
+    way = np.where(size(v) > 0, direction(v), direction(push))
+    return -np.where(size(v) > 0, col(k * np.asarray(N)), col(s * np.asarray(N))) * way
+
+
+def helps_throughout(push, v, N, s, k):
+    return -friction(push, v, N, s, k)
+
+
+def static_wherever_it_would_hold(push, v, N, s, k):
+    way = np.where(size(v) > 0, direction(v), direction(push))
+    return np.where(size(push) <= col(s * np.asarray(N)), -np.asarray(push), -col(k * np.asarray(N)) * way)
+
+
+def without_normal_force(push, v, N, s, k):
+    sliding, starting = -col(k) * direction(v) + 0 * col(N), -col(k) * direction(push)
+    return friction(push, v, N, s, k, moving=sliding, breaks=starting)
+
+
+grows_with_speed = of(moving=lambda f, v, N, s, k: -col(k * N) * v)
+
+
+def slide(p, v, f, N, s, k, m, dt, force=friction, stop=True, held=True, again=True, half=0.5):
+    """Exact motion, with what may be wrong about it."""
+    m, dt = col(m), np.asarray(dt)
+    a = (f + force(f, v, N, s, k)) / m
+    squared, closing = flat(dot(v, v)), -flat(dot(v, a))
+    stops = (squared > 0) & (squared <= closing * dt) & stop
+    time = np.where(stops, squared / np.where(stops, closing, 1), np.inf)
+    first = col(np.minimum(time, dt))
+    p, v = p + v * first + half * a * first**2, np.where(col(stops), 0, v + a * first)
+    rest = col(dt) - first
+    after = np.where(col(stops), (f + force(f, v, N, s, k)) / m if again else 0 * a, 0)
+    return p + half * after * rest**2, v + after * rest, time
+
+
+def euler(p, v, f, N, s, k, m, dt):
+    a, dt = (f + friction(f, v, N, s, k)) / col(m), col(dt)
+    time = slide(p, v, f, N, s, k, m, flat(dt))[2]
+    return p + v * dt, v + a * dt, time
+
+
+def never(p, v, f, N, s, k, m, dt):
+    """Without looking for the stop: friction turns the body round."""
+    return slide(p, v, f, N, s, k, m, dt, stop=False)
+
+
+def without_end(p, v, f, N, s, k, m, dt):
+    """The stopping time even where it lies after the step."""
+    a = (f + friction(f, v, N, s, k)) / col(m)
+    squared, closing = flat(dot(v, v)), -flat(dot(v, a))
+    place, speed, _ = slide(p, v, f, N, s, k, m, dt)
+    return place, speed, np.where((squared > 0) & (closing > 0), over(squared, np.maximum(closing, 0)), np.inf)
+
+
+def end_for_no_stop(p, v, f, N, s, k, m, dt):
+    place, speed, time = slide(p, v, f, N, s, k, m, dt)
+    return place, speed, np.where(np.isinf(time), dt, time)
+
+
+def without_mass(p, v, f, N, s, k, m, dt):
+    return slide(p, v, f, N, s, k, 1.0 + 0 * np.asarray(m), dt)
+
+
+def with_force(force):
+    return lambda *given: slide(*given, force=force)
+
+
+def ends_where_it_stops(p, v, f, N, s, k, m, dt):
+    """Resting for ever once stopped, from the start as well."""
+    place, speed, time = slide(p, v, f, N, s, k, m, dt, again=False)
+    return place, speed, time
+
+
+def no_motion_from_rest(p, v, f, N, s, k, m, dt):
+    place, speed, time = slide(p, v, f, N, s, k, m, dt)
+    return np.where(size(v) > 0, place, p), np.where(size(v) > 0, speed, v), time
+
+
+def square(f, limit, x, y, each=lambda c, limit: np.clip(c, -limit, limit)):
+    return sum(col(each(flat(dot(f, axis)), np.asarray(limit))) * axis for axis in (x, y))
+
+
+def fixed_axes(f, limit, x, y):
+    most = col(limit)
+    return np.clip(f + 0 * np.asarray(x) + 0 * np.asarray(y), -most, most)
+
+
+def keeps_rest(f, limit, x, y):
+    """What lies across the two axes goes through."""
+    f = np.asarray(f)
+    return square(f, limit, x, y) + f - dot(f, x) * x - dot(f, y) * y
+
+
+def side_by_side(f, limit, x, y):
+    """Components along the two axes as if they were along x and y."""
+    parts = [np.clip(flat(dot(f, axis)), -np.asarray(limit), limit) for axis in (x, y)]
+    return np.stack([*parts, 0 * parts[0]], axis=-1)
+
+
+def circle_for_square(f, limit, x, y):
+    f = dot(f, x) * x + dot(f, y) * y
+    return f * np.minimum(1, over(col(limit), size(f), 1))
+
+
+def leaving(force, rate, n, mu, press=None, now=True, coefficient=lambda mu: mu, earlier=False):
+    """When F_t + F_t' t is as long as μ (N + N' t): its first root, or what is mistaken for it."""
+    mu = coefficient(np.asarray(mu))
+    N, rise = -flat(dot(force, n)), -flat(dot(rate, n))
+    if press is not None:
+        N, rise = press(N, rise)
+    f, g = part(force, n), part(rate, n)
+    held = (flat(size(f)) <= mu * np.maximum(N, 0)) & (N >= 0)
+    a, b = flat(dot(g, g)) - (mu * rise) ** 2, flat(dot(f, g)) - mu**2 * N * rise
+    c = np.minimum(0, flat(dot(f, f)) - (mu * N) ** 2)
+    root = np.sqrt(np.maximum(0, b * b - a * c))
+    with np.errstate(all="ignore"):
+        sign = -1 if earlier else 1
+        late = np.where(a > 0, (sign * root - b) / np.where(a != 0, a, 1), np.inf)
+        leaves = late if earlier else np.where(b > 0, -c / (b + root), late)
+        lifts = np.where(rise < 0, -N / np.where(rise < 0, rise, 1), np.inf)
+    found = np.minimum(leaves, lifts)
+    return np.where(held, found, 0.0) if now else found
+
+
+def scalar_push(force, rate, n, mu):
+    """As if the push only grew in length, along itself."""
+    N, rise = -flat(dot(force, n)), -flat(dot(rate, n))
+    f, g = flat(size(part(force, n))), flat(size(part(rate, n)))
+    mu = np.asarray(mu)
+    held = (f <= mu * np.maximum(N, 0)) & (N >= 0)
+    gain = g - mu * rise
+    time = np.where(gain > 0, np.maximum(mu * N - f, 0) / np.where(gain > 0, gain, 1), np.inf)
+    lifts = np.where(rise < 0, -N / np.where(rise < 0, rise, 1), np.inf)
+    return np.where(held, np.minimum(time, lifts), 0.0)
+
+
+def from_no_push(force, rate, n, mu):
+    """μ N over the rate, as if nothing pushed at the start."""
+    return leaving(np.asarray(force) - part(force, n), rate, n, mu)
+
+
+def infinity_where_not_held(force, rate, n, mu):
+    time = leaving(force, rate, n, mu)
+    return np.where(time == 0, np.inf, time)
+
+
+# fmt: off
+BANK = (
+    M("apparent_force", "acceleration added", lambda m, g, f, a: col(m) * (g + a) + f,
+      "The support's acceleration is added to gravity. In a lift that starts up one feels heavier: it counts against "
+      "g.",
+      "A lift starts upwards. In which direction is its acceleration, and does the body press more or less?"),
+    M("apparent_force", "support at rest", lambda m, g, f, a: col(m) * g + f + 0 * np.asarray(a),
+      "The support's own acceleration makes no difference: a box on a braking lorry would not slide.",
+      "Which argument makes no difference to your answer?"),
+    M("apparent_force", "push left out", lambda m, g, f, a: col(m) * (np.asarray(g) - a) + 0 * np.asarray(f),
+      "The push on the body makes no difference: someone may lean on it or lift it.",
+      "Which argument makes no difference to your answer?"),
+    M("apparent_force", "weight alone", lambda m, g, f, a: col(m) * g + 0 * np.asarray(f) + 0 * np.asarray(a),
+      "It is the weight alone, which the slide takes for what presses on the support.",
+      "What else acts on the body? And what does the support do?"),
+    M("apparent_force", "no mass", lambda m, g, f, a: np.asarray(g) - a + f + 0 * col(m),
+      "Accelerations and a force are added: the accelerations have to be multiplied with the mass first.",
+      "What units have the three terms?"),
+    M("apparent_force", "everything times the mass", lambda m, g, f, a: col(m) * (np.asarray(g) - a + f),
+      "The push is multiplied with the mass as well; it is a force already.",
+      "What units have the three terms?"),
+    M("apparent_force", "acceleration without the mass", lambda m, g, f, a: col(m) * g - a + f,
+      "The support's acceleration is taken away as if it were a force: the mass is missing.",
+      "What units have the three terms?"),
+    M("apparent_force", "push taken away", lambda m, g, f, a: col(m) * (np.asarray(g) - a) - f,
+      "The push has the wrong sign: it acts on the body like its weight.",
+      "Someone leans on the body. Does it press more or less?"),
+    M("apparent_force", "gravity turned round", lambda m, g, f, a: col(m) * (-np.asarray(g) - a) + f,
+      "The gravity given is a vector that points down already; here it is turned round.",
+      "In which direction does g point?"),
+    M("apparent_force", "turned round", lambda m, g, f, a: col(m) * (np.asarray(a) - g) - f,
+      "All of it is turned round: that is what the support must do to hold the body, not what acts on it.",
+      "Who acts on whom?"),
+
+    M("normal_force", "sign", lambda f, n: np.maximum(0, flat(dot(f, n))),
+      "The sign is wrong: a force into the support presses, one out of it lifts.",
+      "The normal points out of the support, the weight into it. Which sign has F·n?"),
+    M("normal_force", "never lifts off", lambda f, n: -flat(dot(f, n)),
+      "A force that lifts the body off gives a negative normal force: the support would hold on to it.",
+      "Can a floor pull?"),
+    M("normal_force", "lifting presses", lambda f, n: np.abs(flat(dot(f, n))),
+      "With the absolute value a force that lifts the body off presses it on.",
+      "What is left of the normal force when someone lifts the body off?"),
+    M("normal_force", "whole force", lambda f, n: flat(size(f)) + 0 * flat(size(n)),
+      "The whole force is taken, as the slide takes the weight: N is only its part along the normal, on an incline "
+      "m g cos θ.",
+      "Which argument makes no difference to your answer?"),
+    M("normal_force", "part along the surface", lambda f, n: flat(size(part(f, n))),
+      "It is the part along the surface, m g sin θ on an incline.",
+      "On a level floor, what presses? What does your formula say there?"),
+    M("normal_force", "vertical part", lambda f, n: np.maximum(0, -np.asarray(f)[..., 2]) + 0 * flat(size(n)),
+      "The vertical part of the force is taken, whatever the support's normal.",
+      "Which argument makes no difference to your answer?"),
+    M("normal_force", "signed, not pressing", lambda f, n: flat(dot(f, n)),
+      "It is the part of the force along the normal: negative where the body presses.",
+      "How large should N be for a weight of 20 N on a level floor?"),
+    M("normal_force", "clamped the wrong way", lambda f, n: np.minimum(0, flat(dot(f, n))),
+      "It is the pressing part, but with the sign of the force on the support: N is the support's push, and positive.",
+      "How large should N be for a weight of 20 N on a level floor?"),
+
+    M("along_surface", "part along the normal", lambda f, n: dot(f, n) * n,
+      "It is the part along the normal, which is to be taken away.",
+      "What should be left of a force straight into the surface?"),
+    M("along_surface", "added", lambda f, n: f + dot(f, n) * n,
+      "The normal part is added instead of taken away.",
+      "What should be left of a force straight into the surface?"),
+    M("along_surface", "mirrored", lambda f, n: f - 2 * dot(f, n) * n,
+      "The normal part is taken away twice: that mirrors the vector at the surface.",
+      "What should be left of a force straight into the surface?"),
+    M("along_surface", "z left out", lambda f, n: np.asarray(f) * [1, 1, 0] + 0 * np.asarray(n),
+      "The z component is left out, whatever the normal: right on a level floor only.",
+      "Which argument makes no difference to your answer?"),
+    M("along_surface", "each component alone", lambda f, n: f - np.asarray(f) * n * n,
+      "Component is multiplied with component, and nothing is added up: F·n is one number.",
+      "What is (1, 2, 3)·(0, 0, 1)? And how many numbers is that?"),
+    M("along_surface", "pressing part alone", lambda f, n: f - np.minimum(dot(f, n), 0) * n,
+      "The normal part is taken away only where it presses.",
+      "What is left along the surface of a force that points out of it?"),
+    M("along_surface", "cross product", lambda f, n: np.cross(f, n),
+      "The cross product lies in the surface and has the right length, but it is turned by a right angle.",
+      "Which way should it point, beside the force itself?"),
+    M("along_surface", "unit vector", lambda f, n: direction(part(f, n)),
+      "It is the direction alone: the size is lost.",
+      "How large should it be for a force along the surface?"),
+    M("along_surface", "length of the force", lambda f, n: f - size(f) * n,
+      "The whole length of the force is taken away along the normal; it should be F·n.",
+      "How much of the force lies along the normal?"),
+
+    M("holds", "turned round", lambda f, N, s: flat(size(f)) > s * np.asarray(N),
+      "It is true where the body breaks away.",
+      "A weak push on a heavy body: does it hold?"),
+    M("holds", "not at the limit", lambda f, N, s: flat(size(f)) < s * np.asarray(N),
+      "At exactly the limit it says no; static friction can be as large as μ N.",
+      "How large can static friction be?"),
+    M("holds", "each component alone", lambda f, N, s: np.all(np.abs(f) <= col(s * np.asarray(N)), axis=-1),
+      "Each component is compared on its own: along the diagonal that lets √2 times too much through.",
+      "How large is a push of 4 N along x and 4 N along y?"),
+    M("holds", "sum of components", lambda f, N, s: np.abs(np.sum(f, axis=-1)) <= s * np.asarray(N),
+      "The components are added up: a push of (1, −1, 0) would be none.",
+      "How large is a push of 3 N along x and 4 N along y?"),
+    M("holds", "sum of sizes", lambda f, N, s: np.sum(np.abs(f), axis=-1) <= s * np.asarray(N),
+      "The sizes of the components are added up; that is the way round the corner, not the length.",
+      "How large is a push of 3 N along x and 4 N along y?"),
+    M("holds", "coefficient left out", lambda f, N, s: flat(size(f)) <= np.asarray(N) + 0 * np.asarray(s),
+      "The push is compared with the normal force; friction can only give a part of it.",
+      "Which argument makes no difference to your answer?"),
+    M("holds", "normal force left out", lambda f, N, s: flat(size(f)) <= s + 0 * np.asarray(N),
+      "The push, in newtons, is compared with a coefficient that has no unit.",
+      "Which argument makes no difference to your answer?"),
+    M("holds", "squared on one side", lambda f, N, s: flat(dot(f, f)) <= s * np.asarray(N),
+      "The square of the push is compared with the limit itself.",
+      "What has to be done to the other side when one is squared?"),
+    M("holds", "first component", lambda f, N, s: np.asarray(f)[..., 0] <= s * np.asarray(N),
+      "Only the first component is looked at, and with its sign.",
+      "Which components of the push make no difference to your answer?"),
+    M("holds", "one for all", lambda f, N, s: np.linalg.norm(f) <= s * np.asarray(N),
+      "With several bodies in one call, one length is taken of all pushes together.",
+      "Along which axis do the components of a single push lie?"),
+    M("holds", "limit over the coefficient", lambda f, N, s: s * flat(size(f)) <= np.asarray(N),
+      "The coefficient is on the wrong side: the rougher, the less would hold.",
+      "Double μ. Should a larger or a smaller push be held?"),
+
+    M("friction_angle", "sine", lambda s: np.arcsin(np.minimum(s, 1)),
+      "It is the arc sine: both the weight along the slope and the normal force depend on the angle, so that the "
+      "tangent is left.",
+      "How large is the normal force on the slope?"),
+    M("friction_angle", "cosine", lambda s: np.arccos(np.minimum(s, 1)),
+      "It is the arc cosine: without friction the slope would have to be vertical.",
+      "On which slope does a body stay without friction?"),
+    M("friction_angle", "degrees", lambda s: np.degrees(np.arctan(s)),
+      "The angle is in degrees; it should be in radians.",
+      "What unit is asked for?"),
+    M("friction_angle", "degrees taken for radians", lambda s: np.radians(np.arctan(s)),
+      "The angle that comes from the arc tangent is in radians already, and is converted once more.",
+      "What unit does np.arctan return?"),
+    M("friction_angle", "tangent", lambda s: np.where(np.isfinite(s), np.tan(np.where(np.isfinite(s), s, 0)), np.inf),
+      "It is the tangent of μ: μ is the tangent of the angle.",
+      "Of which of the two is the tangent taken in tan θ = μ?"),
+    M("friction_angle", "small angles", lambda s: np.asarray(s) * 1.0,
+      "μ itself is taken for the angle: right only for small ones.",
+      "What angle belongs to μ = 1?"),
+    M("friction_angle", "upside down", lambda s: np.pi / 2 - np.arctan(s),
+      "The ratio is upside down: it is counted from the vertical.",
+      "On which slope does a body stay without friction?"),
+    M("friction_angle", "doubled", lambda s: 2 * np.arctan(s),
+      "The angle is twice too large.",
+      "What slope has the tangent 1?"),
+
+    M("friction_force", "the slide's static friction", slide_static,
+      "At rest friction has the size μ_s N, as the slide prints it. That is only the largest value: it pushes back "
+      "harder than one pushes, and sets the body in motion.",
+      "Push a heavy box gently. How large is the friction?"),
+    M("friction_force", "along the velocity", of(moving=lambda f, v, N, s, k: col(k * N) * direction(v)),
+      "Friction acts along the velocity and makes the body faster.",
+      "Which way does friction point on a body that slides to the right?"),
+    M("friction_force", "along everything",
+      helps_throughout,
+      "The sign is wrong throughout: friction acts along the motion and along the push.",
+      "Which way does friction point on a body that slides to the right?"),
+    M("friction_force", "along the velocity's size", grows_with_speed,
+      "The velocity itself is taken for its direction: the faster, the more friction. Dry friction does not depend on "
+      "the speed.",
+      "How long is the vector that you multiply with μ N?"),
+    M("friction_force", "sign of each component", of(moving=lambda f, v, N, s, k: -col(k * N) * np.sign(v)),
+      "Each component gets the full friction, by its sign: along the diagonal that is too much, and points askew.",
+      "How large is the friction on a body that slides along the diagonal?"),
+    M("friction_force", "static while sliding", of(moving=lambda f, v, N, s, k: -col(s * N) * direction(v)),
+      "The static coefficient is used while the body slides.",
+      "Which coefficient belongs to a body that slides?"),
+    M("friction_force", "static when it gives way", of(breaks=lambda f, v, N, s, k: -col(s * N) * direction(f)),
+      "A body that breaks away slides: from then on it is the kinetic coefficient that counts.",
+      "Which coefficient belongs to a body that has broken away?"),
+    M("friction_force", "kinetic limit", of(held=lambda f, v, N, s, k: size(f) <= col(k * N)),
+      "Whether the body holds is decided by the kinetic coefficient.",
+      "Which coefficient says how much a body at rest can take?"),
+    M("friction_force", "coefficients swapped",
+      lambda f, v, N, s, k: friction(f, v, N, k, s),
+      "The two coefficients are swapped: the static one, the larger, is of a body at rest.",
+      "Which of them is larger, and when is it felt?"),
+    M("friction_force", "always kinetic", always_kinetic,
+      "A body at rest gets kinetic friction, even where it pushes back harder than one pushes.",
+      "Push a heavy box gently. How large is the friction?"),
+    M("friction_force", "none at rest", of(rest=lambda f, v, N, s, k: 0 * f, breaks=lambda f, v, N, s, k: 0 * f),
+      "A body at rest gets no friction: it would slide off the gentlest slope.",
+      "What holds a box on a slope?"),
+    M("friction_force", "no limit", of(breaks=lambda f, v, N, s, k: -f),
+      "Whatever the push, a body at rest is held: there is no limit.",
+      "Push a light box hard. What happens?"),
+    M("friction_force", "static wherever it would hold",
+      static_wherever_it_would_hold,
+      "Static friction is applied to a body that slides, whenever the push is small: it would slide on for ever.",
+      "Slide a book over a table and let go. Nothing pushes it. Is there friction?"),
+    M("friction_force", "against the push while sliding", of(moving=lambda f, v, N, s, k: -col(k * N) * direction(f)),
+      "While the body slides friction opposes the push; it should oppose the velocity.",
+      "Slide a book to the right and push it to the left. Which way does friction point?"),
+    M("friction_force", "normal force left out",
+      without_normal_force,
+      "The kinetic friction is μ_k without the normal force: a number without a unit is taken for a force.",
+      "What unit has μ_k?"),
+    M("friction_force", "nothing when it gives way", of(breaks=lambda f, v, N, s, k: 0 * f),
+      "A body that breaks away gets no friction at all; it slides, and kinetic friction opposes it.",
+      "What acts on a box that has just broken away?"),
+    M("friction_force", "along the push when it gives way", of(breaks=lambda f, v, N, s, k: col(k * N) * direction(f)),
+      "Once the push is too large friction helps it: it should oppose the motion that begins.",
+      "Which way will the body start to slide?"),
+    M("friction_force", "held not at the limit", of(held=lambda f, v, N, s, k: size(f) < col(s * N)),
+      "At exactly the limit the body is let go; static friction can be as large as μ_s N.",
+      "How large can static friction be?"),
+
+    M("sliding_motion", "friction turns it round", never,
+      "The stop within the step is not looked for: friction goes on pushing and turns the body round.",
+      "Can friction set a body in motion against the way it slid?"),
+    M("sliding_motion", "explicit Euler", euler,
+      "It is a step of explicit Euler: the place lacks a t²/2, and the body is turned round where it should stop.",
+      "The acceleration is constant while it slides. What is the exact motion?"),
+    M("sliding_motion", "mass left out", without_mass,
+      "The force is taken for the acceleration: the mass is missing.",
+      "Which argument makes no difference to your answer?"),
+    M("sliding_motion", "stays where it stops", ends_where_it_stops,
+      "Once it has stopped it stays, even where the push is more than static friction can hold.",
+      "It has slid up a steep slope and stopped. What then?"),
+    M("sliding_motion", "never starts", no_motion_from_rest,
+      "A body at rest stays at rest, however hard it is pushed.",
+      "Push a light box hard. What happens?"),
+    M("sliding_motion", "a t² whole", lambda *given: slide(*given, half=1),
+      "The way has a t² without the half.",
+      "How far does a body get that is braked to a stop from v by a?"),
+    M("sliding_motion", "way without braking", lambda *given: slide(*given, half=0),
+      "The way is v t: the braking on the way is left out.",
+      "How far does a body get that is braked to a stop from v by a?"),
+    M("sliding_motion", "no friction", with_force(lambda f, v, N, s, k: 0 * f + 0 * v),
+      "Friction makes no difference: the body slides as on ice.",
+      "Which arguments make no difference to your answer?"),
+    M("sliding_motion", "friction drives", with_force(lambda f, v, N, s, k: -friction(f, v, N, s, k)),
+      "Friction has the wrong sign and drives the body.",
+      "Which way does friction point on a body that slides to the right?"),
+    M("sliding_motion", "static friction while sliding",
+      with_force(of(moving=lambda f, v, N, s, k: -col(s * N) * direction(v))),
+      "The static coefficient is used while the body slides.",
+      "Which coefficient belongs to a body that slides?"),
+    M("sliding_motion", "push left out", lambda p, v, f, N, s, k, m, dt: slide(p, v, 0 * np.asarray(f), N, s, k, m, dt),
+      "The push makes no difference to the motion.",
+      "Which argument makes no difference to your answer?"),
+    M("sliding_motion", "stops after the step", without_end,
+      "A stopping time is given even where the body has not stopped at the end of the step.",
+      "What should come out of a body that still moves at the end of the step?"),
+    M("sliding_motion", "step for no stop", end_for_no_stop,
+      "Where the body does not stop, the step's length is returned, which looks like a stop at its end.",
+      "How would the caller tell that it did not stop?"),
+    M("sliding_motion", "velocity over the friction",
+      with_force(grows_with_speed),
+      "The velocity itself is taken for its direction: the faster, the more friction.",
+      "How long is the vector that you multiply with μ N?"),
+
+    M("clamp_to_circle", "each component alone", lambda f, limit: np.clip(f, -col(limit), col(limit)),
+      "Each component is clamped on its own: that is a square, and it turns the force.",
+      "Does your answer point the same way as the force?"),
+    M("clamp_to_circle", "always the limit", lambda f, limit: col(limit) * direction(f),
+      "The force is scaled to the limit even where it is smaller: friction would push back harder than one pushes.",
+      "What should come out of a force below the limit?"),
+    M("clamp_to_circle", "not clamped", lambda f, limit: 1.0 * np.asarray(f) + 0 * col(limit),
+      "The force comes back unchanged, however large.",
+      "Which argument makes no difference to your answer?"),
+    M("clamp_to_circle", "nothing beyond the limit", lambda f, limit: np.where(size(f) <= col(limit), f, 0.0),
+      "Beyond the limit nothing is left; friction still gives as much as it can.",
+      "How large should the answer be to a force far beyond the limit?"),
+    M("clamp_to_circle", "not scaled by the length", lambda f, limit: np.where(size(f) > col(limit), f * col(limit), f),
+      "Beyond the limit the force is multiplied with it: it has to be divided by its own length first.",
+      "How long is your answer?"),
+    M("clamp_to_circle", "ratio upside down", lambda f, limit: f * np.maximum(1, over(size(f), col(limit), 1)),
+      "The ratio is upside down: the force grows where it should be cut.",
+      "Should the factor be more or less than 1?"),
+    M("clamp_to_circle", "short ones stretched", lambda f, limit: f * np.maximum(1, over(col(limit), size(f), 1)),
+      "The larger of the two factors is taken: short forces are stretched, long ones are left.",
+      "Should the factor be more or less than 1?"),
+    M("clamp_to_circle", "largest component",
+      lambda f, limit: f * np.minimum(1, over(col(limit), np.max(np.abs(f), axis=-1, keepdims=True), 1)),
+      "The largest component is taken for the length: along the diagonal too much is left.",
+      "How long is a force of 4 N along x and 4 N along y?"),
+    M("clamp_to_circle", "from above alone", lambda f, limit: np.minimum(f, col(limit)),
+      "Components are cut from above only, each on its own: a force backwards is not cut at all.",
+      "What becomes of (−9, 0, 0)?"),
+    M("clamp_to_circle", "turned round", lambda f, limit: -f * np.minimum(1, over(col(limit), size(f), 1)),
+      "The sign is turned round; the direction should stay.",
+      "What should come out of a force below the limit?"),
+    M("clamp_to_circle", "one for all", lambda f, limit: f * np.minimum(1, over(col(limit), np.linalg.norm(f), 1)),
+      "With several forces in one call, one length is taken of all of them together.",
+      "Along which axis do the components of a single force lie?"),
+    M("clamp_to_circle", "squared length",
+      lambda f, limit: np.where(size(f) > col(limit), f * over(col(limit), size(f) ** 2, 1), f),
+      "It is divided by the square of the length.",
+      "How long is your answer?"),
+
+    M("clamp_to_square", "circle", circle_for_square,
+      "The length is clamped: that is the circle. Here each component is to be clamped on its own.",
+      "What comes out of (4, 4) with a limit of 5?"),
+    M("clamp_to_square", "along x and y whatever the axes", fixed_axes,
+      "The components of the vector as given are clamped: the axes make no difference.",
+      "Which arguments make no difference to your answer?"),
+    M("clamp_to_square", "rest goes through", keeps_rest,
+      "What lies across both axes is kept: it is no friction.",
+      "What should be left of a force straight out of the surface?"),
+    M("clamp_to_square", "from above alone", lambda *given: square(*given, each=np.minimum),
+      "The components are cut from above only.",
+      "What becomes of a component of −9 with a limit of 5?"),
+    M("clamp_to_square", "from below alone", lambda *given: square(*given, each=lambda c, limit: np.maximum(c, -limit)),
+      "The components are cut from below only.",
+      "What becomes of a component of 9 with a limit of 5?"),
+    M("clamp_to_square", "always the limit", lambda *given: square(*given, each=lambda c, limit: np.sign(c) * limit),
+      "Each component is set to the limit even where it is smaller.",
+      "What should come out of a force below the limit?"),
+    M("clamp_to_square", "not clamped", lambda *given: square(*given, each=lambda c, limit: c + 0 * limit),
+      "The components are found, but none is clamped.",
+      "Which argument makes no difference to your answer?"),
+    M("clamp_to_square", "nothing beyond the limit",
+      lambda *given: square(*given, each=lambda c, limit: np.where(np.abs(c) <= limit, c, 0)),
+      "Beyond the limit nothing is left; friction still gives as much as it can.",
+      "How large should a component be that is far beyond the limit?"),
+    M("clamp_to_square", "sign lost", lambda *given: square(*given, each=lambda c, limit: np.minimum(np.abs(c), limit)),
+      "The sign of the components is lost.",
+      "What becomes of a component of −1 with a limit of 5?"),
+    M("clamp_to_square", "first axis alone",
+      lambda f, limit, x, y: col(np.clip(flat(dot(f, x)), -np.asarray(limit), limit)) * x + 0 * np.asarray(y),
+      "Only the component along the first axis is there.",
+      "Which argument makes no difference to your answer?"),
+    M("clamp_to_square", "inside the circle", lambda f, limit, x, y: square(f, np.asarray(limit) / np.sqrt(2), x, y),
+      "The square lies within the circle; here it is the one around it.",
+      "What comes out of a force along the first axis?"),
+    M("clamp_to_square", "components, not a vector",
+      side_by_side,
+      "The clamped components are returned side by side; they belong to the axes given, which have to be put together "
+      "again.",
+      "In which axes is your answer?"),
+
+    M("break_away_time", "normal force constant", lambda *given: leaving(*given, press=lambda N, rise: (N, 0 * rise)),
+      "The normal force is taken to stay as it is; it changes with the force.",
+      "What does a lifting force do to the limit while it grows?"),
+    M("break_away_time", "from no push", from_no_push,
+      "The push that is there at the start makes no difference.",
+      "A push near the limit and one far from it: which lets go sooner?"),
+    M("break_away_time", "lengths for vectors", scalar_push,
+      "The push is taken to grow along itself: lengths are added where vectors have to be. A push that first has to "
+      "turn round comes out wrong.",
+      "The push is 3 N to the right and changes by 2 N/s to the left. How large is it after a second?"),
+    M("break_away_time", "earlier root", lambda *given: leaving(*given, earlier=True),
+      "Of the two roots the earlier one is taken, which lies in the past.",
+      "It holds now. Can it have broken away before?"),
+    M("break_away_time", "μ not squared", lambda *given: leaving(*given, coefficient=np.sqrt),
+      "When both sides are squared, μ is squared as well.",
+      "What is the square of μ N?"),
+    M("break_away_time", "not held now", lambda *given: leaving(*given, now=False),
+      "A body that is not held even now gets another time than 0.",
+      "What should come out where the push is too large already?"),
+    M("break_away_time", "infinity where it is not held", infinity_where_not_held,
+      "Where it is not held even now, infinity comes out, which says that it is always held.",
+      "What should come out where the push is too large already?"),
+    M("break_away_time", "frictionless", lambda *given: leaving(*given, coefficient=lambda mu: 0 * mu),
+      "Friction makes no difference: any push breaks it away.",
+      "Which argument makes no difference to your answer?"),
+    M("break_away_time", "normal force falls and rises",
+      lambda *given: leaving(*given, press=lambda N, rise: (N, -rise)),
+      "The change of the normal force has the wrong sign.",
+      "The force grows into the support. Does N grow or fall?"),
+    M("break_away_time", "no friction left over", lambda *given: leaving(*given, coefficient=lambda mu: 1 + 0 * mu),
+      "The push is compared with the normal force itself: μ makes no difference.",
+      "Which argument makes no difference to your answer?"),
+)
+# fmt: on

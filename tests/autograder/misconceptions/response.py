@@ -1,0 +1,417 @@
+"""Known mistakes in responding to a collision with a plane by a new velocity."""
+
+import numpy as np
+
+from labs.grading.bank import Misconception as M
+from labs.grading.bank import col, dot, size
+
+
+def closing(v, n):
+    return np.minimum(dot(v, n), 0)
+
+
+def respond(v, n, e):
+    return v - (1 + col(e)) * closing(v, n) * n
+
+
+def flight(p, v, a, t):
+    t = col(t)
+    return p + v * t + a * t**2 / 2, v + a * t
+
+
+def plane(p, n, d):
+    return dot(p, n) + col(d)
+
+
+def split(kept, turned):
+    """Response from what becomes of the two components: factors of (tangent, normal), where it approaches."""
+
+    def response(v, n, e):
+        normal = dot(v, n) * n
+        e = col(e)
+        return np.where(dot(v, n) < 0, kept(e) * (v - normal) + turned(e) * normal, v)
+
+    return response
+
+
+def axis_only(v, n, e):
+    """The floor's response, whatever the normal."""
+    after = np.array(np.broadcast_arrays(v, n)[0])
+    after[..., 2] = np.where(after[..., 2] < 0, -np.asarray(e) * after[..., 2], after[..., 2])
+    return after
+
+
+def in_place(v, n, e):
+    v -= (1 + col(e)) * closing(v, n) * n
+    return v
+
+
+def all_at_once(v, n, e):
+    """One decision for all contacts of a call."""
+    return np.where(np.all(dot(v, n) < 0), v - (1 + col(e)) * dot(v, n) * n, v)
+
+
+def struck(p, v, a, n, e, T, dt, answer=respond, rest=lambda T, dt: dt - T, glide=lambda a: a, last=np.less_equal):
+    hit, before = col(last(T, dt)), np.minimum(T, dt)
+    p, v = flight(p, v, a, before)
+    v = np.where(hit, answer(v, n, e), v)
+    return flight(p, v, glide(a), np.where(last(T, dt), rest(np.where(np.isfinite(T), T, 0), dt), dt - before))
+
+
+def stops_there(p, v, a, n, e, T, dt):
+    hit, before = col(np.less_equal(T, dt)), np.minimum(T, dt)
+    p, v = flight(p, v, a, before)
+    return p, np.where(hit, respond(v, n, e), v)
+
+
+def goes_on_unanswered(p, v, a, n, e, T, dt):
+    """The end of the free step, with the velocity answered."""
+    p, v = flight(p, v, a, dt + 0 * np.minimum(T, 1))
+    return p, np.where(col(np.less_equal(T, dt)), respond(v, n, e), v)
+
+
+def old_velocity(p, v, a, n, e, T, dt):
+    """The velocity at the start of the step is the one that is answered."""
+    hit, before = col(np.less_equal(T, dt)), np.minimum(T, dt)
+    p, at = flight(p, v, a, before)
+    return flight(p, np.where(hit, respond(v, n, e), at), a, dt - before)
+
+
+def always_struck(p, v, a, n, e, T, dt):
+    before = np.minimum(T, dt)
+    p, v = flight(p, v, a, before)
+    return flight(p, respond(v, n, e), a, dt - before)
+
+
+def euler_to_impact(p, v, a, n, e, T, dt):
+    hit, before = col(np.less_equal(T, dt)), np.minimum(T, dt)
+    p, v = p + v * col(before), v + a * col(before)
+    v, rest = np.where(hit, respond(v, n, e), v), col(dt - before)
+    return p + v * rest, v + a * rest
+
+
+def semi_euler_to_impact(p, v, a, n, e, T, dt):
+    hit, before = col(np.less_equal(T, dt)), np.minimum(T, dt)
+    v = v + a * col(before)
+    p = p + v * col(before)
+    v, rest = np.where(hit, respond(v, n, e), v), col(dt - before)
+    v = v + a * rest
+    return p + v * rest, v
+
+
+def mirror(v, n, e):
+    return v - 2 * closing(v, n) * n + 0 * col(e)
+
+
+def unguarded(v, n, e):
+    return v - (1 + col(e)) * dot(v, n) * n
+
+
+def at_step(p, v, a, n, d, e, dt, answer=respond, move=flight, behind=lambda s: s < 0, gap=plane):
+    p, v = move(p, v, a, dt)
+    return p, np.where(behind(gap(p, n, d)), answer(v, n, e), v)
+
+
+def euler(p, v, a, dt):
+    return p + v * col(dt), v + a * col(dt)
+
+
+def semi_euler(p, v, a, dt):
+    return p + (v + a * col(dt)) * col(dt), v + a * col(dt)
+
+
+def speed_unchanged(p, v, a, dt):
+    return flight(p, v, a, dt)[0], v + 0 * col(dt)
+
+
+def put_back(p, v, a, n, d, e, dt):
+    p, v = flight(p, v, a, dt)
+    gap = plane(p, n, d)
+    return p - np.minimum(gap, 0) * n, np.where(gap < 0, respond(v, n, e), v)
+
+
+def put_on_the_other_side(p, v, a, n, d, e, dt):
+    p, v = flight(p, v, a, dt)
+    gap = plane(p, n, d)
+    return p - (1 + col(e)) * np.minimum(gap, 0) * n, np.where(gap < 0, respond(v, n, e), v)
+
+
+def asks_at_the_start(p, v, a, n, d, e, dt):
+    behind = plane(p, n, d) < 0
+    p, v = flight(p, v, a, dt)
+    return p, np.where(behind, respond(v, n, e), v)
+
+
+def answers_first(p, v, a, n, d, e, dt):
+    """The velocity before the step is the one that is answered, where the step ends behind the plane."""
+    p, after = flight(p, v, a, dt)
+    return p, np.where(plane(p, n, d) < 0, respond(v, n, e), after)
+
+
+def arrival(s, u, a):
+    s = np.maximum(s, 0)
+    squared = u * u - 2 * a * s
+    root, rising = np.sqrt(np.maximum(squared, 0)), np.asarray(u) >= 0
+    below = np.where(rising, -a, root - u)
+    come = (squared >= 0) & (below > 0)
+    return np.where(come, np.where(rising, u + root, 2 * s) / np.where(come, below, 1), np.inf), root
+
+
+def rests(total, lies=True):
+    """Time to rest from the first arrival t1, its speed w, the size g of the acceleration, and e."""
+
+    def time(s, u, a, e):
+        t, w = arrival(s, u, a)
+        g = np.where(np.asarray(a) < 0, -a, 1.0)
+        with np.errstate(all="ignore"):
+            found = total(t, w, g, np.asarray(e), np.asarray(u))
+        found = np.where(np.asarray(a) < 0, found, np.where((e == 0) & (np.asarray(a) == 0), t, np.inf))
+        there = (np.maximum(s, 0) == 0) & (u == 0) & (a <= 0)
+        return np.where(there, 0.0, found) if lies else found
+
+    return time
+
+
+def series(e, first, scale):
+    return first + np.where(e < 1, scale * e / np.where(e < 1, 1 - e, 1), np.inf)
+
+
+# fmt: off
+BANK = (
+    M("kinematic_response", "no guard", unguarded,
+      "The response is given whether or not the body approaches: the slide has no guard. A body that is leaving "
+      "already "
+      "is thrown back into the plane, and sticks there.",
+      "What should become of a body that moves away?"),
+    M("kinematic_response", "the slide's mirror", lambda v, n, e: v - 2 * dot(v, n) * n + 0 * col(e),
+      "It is the slide's v − 2(v·N)N: every bounce is perfect, and there is no guard for a body that moves away.",
+      "Where does the restitution come in? And what of a body that is leaving?"),
+    M("kinematic_response", "always perfect", mirror,
+      "Every bounce is perfect, as with the slide's 2: the restitution makes no difference.",
+      "The slide's formula is right for one value of e. Which? What takes the place of the 2?"),
+    M("kinematic_response", "e for 1 + e", lambda v, n, e: v - col(e) * closing(v, n) * n,
+      "e times the normal velocity is taken away. That only slows the body down: it goes on into the plane.",
+      "How much has to be taken away to stop it? And how much more to send it back?"),
+    M("kinematic_response", "2 e for 1 + e", lambda v, n, e: v - 2 * col(e) * closing(v, n) * n,
+      "The slide's 2 was multiplied with e. For e = 1 that is right; for e = 0 the body goes through the plane.",
+      "Try e = 0. Where should the normal velocity be afterwards?"),
+    M("kinematic_response", "not turned round", lambda v, n, e: v - (1 - col(e)) * closing(v, n) * n,
+      "The normal velocity comes out as e times itself, not reversed, as with 1 − e in place of 1 + e or with the "
+      "prose "
+      "of the slides: the body goes on into the plane, only more slowly.",
+      "In which direction should it move afterwards? Try e = 1."),
+    M("kinematic_response", "sign of the change", lambda v, n, e: v + (1 + col(e)) * closing(v, n) * n,
+      "The change is added where it has to be taken away: the body is driven into the plane faster than it came.",
+      "v·N is negative here. Which way does (v·N)N point?"),
+    M("kinematic_response", "guard turned round", lambda v, n, e: v - (1 + col(e)) * np.maximum(dot(v, n), 0) * n,
+      "The guard is the wrong way round: bodies that move away are answered, bodies that approach go through.",
+      "Which sign has v·N of a body that comes nearer, with N out of the plane?"),
+    M("kinematic_response", "tangent damped too", split(lambda e: e, lambda e: -e),
+      "e is applied to the whole velocity. Restitution is about the normal component alone: without friction a body "
+      "keeps its speed along the plane.",
+      "A puck slides along the boards and touches them. What slows its sliding?"),
+    M("kinematic_response", "tangent turned too", split(lambda e: -1, lambda e: -e),
+      "The component along the plane is turned round as well: the body goes back the way it came.",
+      "Draw a ball that hits the floor slanting. Which component changes?"),
+    M("kinematic_response", "whole velocity turned", split(lambda e: -e, lambda e: -e),
+      "The whole velocity is turned round and scaled by e: the body goes back the way it came.",
+      "Draw a ball that hits the floor slanting. Which component changes?"),
+    M("kinematic_response", "tangent lost", split(lambda e: 0, lambda e: -e),
+      "Only the normal component comes back: the motion along the plane is lost.",
+      "What becomes of the velocity along the plane?"),
+    M("kinematic_response", "tangent mirrored", split(lambda e: -1, lambda e: 1),
+      "2(v·N)N − v is the mirror image across the normal: right for a ray of light seen from its source, not for a "
+      "ball.",
+      "Which of the two components should change its sign?"),
+    M("kinematic_response", "e squared", split(lambda e: 1, lambda e: -e**2),
+      "e² scales the height of a bounce; the velocity is scaled by e.",
+      "How does the height depend on the speed?"),
+    M("kinematic_response", "root of e", split(lambda e: 1, lambda e: -np.sqrt(e)),
+      "The root of e would be right if e were a share of the energy. It is one of the speed.",
+      "Of which quantity is e the fraction?"),
+    M("kinematic_response", "loses the rest", split(lambda e: 1, lambda e: -(1 - e)),
+      "e is taken for the share that is lost. It is the share that is kept.",
+      "What does e = 1 stand for?"),
+    M("kinematic_response", "tangent scaled", split(lambda e: e, lambda e: -1),
+      "e is applied to the component along the plane, and the normal one bounces perfectly: the two are mixed up.",
+      "Which component does restitution speak of?"),
+    M("kinematic_response", "along z only", axis_only,
+      "Only the z component is changed, whatever the normal: right for a floor, for no other plane.",
+      "Which argument makes no difference to your answer?"),
+    M("kinematic_response", "speed for velocity",
+      lambda v, n, e: np.where(dot(v, n) < 0, v + (1 + col(e)) * size(v) * n, v),
+      "The whole speed is used in place of the normal velocity v·N: right only for a body that comes straight on.",
+      "How fast does a body come nearer that moves nearly along the plane?"),
+    M("kinematic_response", "one for all", all_at_once,
+      "With several contacts in one call, one decision is made for all of them.",
+      "One body approaches, another leaves. Does each get its own answer?"),
+
+    M("moving_plane_response", "plane at rest", lambda v, w, n, e: respond(v, n, e) + 0 * w,
+      "The plane's velocity makes no difference: a racket that comes to meet the ball sends it back no faster.",
+      "Which argument makes no difference to your answer?"),
+    M("moving_plane_response", "velocity in the plane's frame", lambda v, w, n, e: respond(v - w, n, e),
+      "It is the velocity as seen from the plane: the plane's own has to be added again.",
+      "In whose frame was v given, and in whose is your answer?"),
+    M("moving_plane_response", "no guard", lambda v, w, n, e: v - (1 + col(e)) * dot(v - w, n) * n,
+      "The response is given whether or not the plane gains on the body.",
+      "What should become of a body that gets away?"),
+    M("moving_plane_response", "plane's velocity added", lambda v, w, n, e: v - (1 + col(e)) * closing(v + w, n) * n,
+      "The velocities are added. What counts is their difference: how fast the body comes nearer, seen from the plane.",
+      "Body and plane move side by side at the same speed. Do they collide?"),
+    M("moving_plane_response", "guard of the body alone",
+      lambda v, w, n, e: np.where(dot(v, n) < 0, v - (1 + col(e)) * dot(v - w, n) * n, v + 0 * w),
+      "The guard looks at the body's own velocity; a plane may catch up with a body that moves away.",
+      "Whose velocity says whether they come nearer?"),
+    M("moving_plane_response", "plane's velocity once", lambda v, w, n, e: respond(v, n, e) + dot(w, n) * n,
+      "The plane's velocity is added to the bounce off a plane at rest: it should come in 1 + e times, through the "
+      "relative velocity.",
+      "Perfect bounce: a ball at rest is met by a racket at speed w. How fast is it afterwards, seen from the racket?"),
+    M("moving_plane_response", "dragged along", lambda v, w, n, e: respond(v, n, e) + w,
+      "The whole velocity of the plane is added: without friction a plane that slides in itself drags nothing along.",
+      "What does the plane's motion along itself do to the body?"),
+    M("moving_plane_response", "e for 1 + e", lambda v, w, n, e: v - col(e) * closing(v - w, n) * n,
+      "e stands in place of 1 + e: the body is slowed down and goes on into the plane.",
+      "How much has to be taken away to stop it? And how much more to send it back?"),
+    M("moving_plane_response", "always perfect", lambda v, w, n, e: v - 2 * closing(v - w, n) * n + 0 * col(e),
+      "Every bounce is perfect: the restitution makes no difference.",
+      "What takes the place of the slide's 2?"),
+    M("moving_plane_response", "relative velocity turned", lambda v, w, n, e: v - (1 + col(e)) * closing(w - v, n) * n,
+      "The relative velocity has the wrong order: with the normal out of the plane it is the body's less the plane's.",
+      "Which sign has (v − w)·N of a body that comes nearer?"),
+    M("moving_plane_response", "plane stopped",
+      lambda v, w, n, e: v - dot(v - w, n) * n * (dot(v - w, n) < 0) - col(e) * closing(v, n) * n,
+      "The body's own velocity is scaled by e, not its velocity relative to the plane.",
+      "What does e scale: a speed seen from the ground or from the plane?"),
+    M("moving_plane_response", "1 − e", lambda v, w, n, e: v - (1 - col(e)) * closing(v - w, n) * n,
+      "1 − e stands in place of 1 + e: with e = 1 nothing happens at all.",
+      "A perfect bounce turns the relative normal velocity round. Does yours?"),
+
+    M("respond_at_impact", "rest of the step lost", stops_there,
+      "It stops at the impact: the rest of the step is not integrated. That is where the slide stops, and every bounce "
+      "loses on average half a step.",
+      "What time is it when your function returns?"),
+    M("respond_at_impact", "a whole step after the impact",
+      lambda *given: struck(*given, rest=lambda T, dt: dt + 0 * T),
+      "After the impact a whole step is made; only the rest of it is left.",
+      "How long after the impact does the step end?"),
+    M("respond_at_impact", "T again after the impact", lambda *given: struck(*given, rest=lambda T, dt: T + 0 * dt),
+      "After the impact the time T is made once more; what is left is the rest of the step.",
+      "How long after the impact does the step end?"),
+    M("respond_at_impact", "not backed up", goes_on_unanswered,
+      "The body goes on through the plane to the end of the step and gets its new velocity there: it is not backed up.",
+      "Where is the body when it hits?"),
+    M("respond_at_impact", "velocity of the start", old_velocity,
+      "The velocity at the start of the step is answered; on its way to the plane the body has become faster.",
+      "How fast is it when it hits?"),
+    M("respond_at_impact", "always struck", always_struck,
+      "A response is given even where the time of impact lies after the step.",
+      "What does T = infinity say?"),
+    M("respond_at_impact", "no guard of the response", lambda *given: struck(*given, answer=unguarded),
+      "At the impact the velocity is turned whether or not the body approaches.",
+      "What should become of a body that moves away?"),
+    M("respond_at_impact", "always perfect", lambda *given: struck(*given, answer=mirror),
+      "Every bounce is perfect: the restitution makes no difference.",
+      "Which argument makes no difference to your answer?"),
+    M("respond_at_impact", "no gravity after", lambda *given: struck(*given, glide=lambda a: 0 * a),
+      "After the impact the acceleration is forgotten.",
+      "Does gravity end at the bounce?"),
+    M("respond_at_impact", "euler", euler_to_impact,
+      "The places lack a t²/2: with constant acceleration the exact motion is known.",
+      "How far does a body fall from rest in t seconds?"),
+    M("respond_at_impact", "semi-implicit euler", semi_euler_to_impact,
+      "The places come from the new velocity; with constant acceleration the exact motion is known.",
+      "How far does a body fall from rest in t seconds?"),
+    M("respond_at_impact", "last instant left out", lambda *given: struck(*given, last=np.less),
+      "An impact at the very end of the step is not answered, and the next step may not see it either.",
+      "Does the end belong to the step?"),
+    M("respond_at_impact", "whole velocity turned",
+      lambda *given: struck(*given, answer=split(lambda e: -e, lambda e: -e)),
+      "At the impact the whole velocity is turned round; it should be its normal component.",
+      "Which component does restitution speak of?"),
+
+    M("respond_at_step", "put back", put_back,
+      "The body is put back on the plane. Here it is to stay where it is: the response is after the fact, and what "
+      "that "
+      "costs is to be seen.",
+      "What does the description say of the place?"),
+    M("respond_at_step", "mirrored back", put_on_the_other_side,
+      "The body is put where it would be after the bounce. Here it is to stay where it is.",
+      "What does the description say of the place?"),
+    M("respond_at_step", "always answered", lambda *given: at_step(*given, behind=lambda s: s < np.inf),
+      "The velocity is answered wherever the body is, also far from the plane.",
+      "When does a body collide?"),
+    M("respond_at_step", "answered in front", lambda *given: at_step(*given, behind=lambda s: s > 0),
+      "The test is the wrong way round: bodies in front of the plane are answered.",
+      "Which sign has the distance of a body behind the plane?"),
+    M("respond_at_step", "touching answered", lambda *given: at_step(*given, behind=lambda s: s <= 0),
+      "A body that ends exactly on the plane is answered as well; behind it means less than zero.",
+      "What does the slide's < say of a point exactly on the plane?"),
+    M("respond_at_step", "test at the start", asks_at_the_start,
+      "It asks where the body was at the start of the step.",
+      "After the fact: of which instant is that?"),
+    M("respond_at_step", "velocity of the start", answers_first,
+      "The velocity at the start of the step is answered, not the one at its end.",
+      "Which velocity has the body where it is answered?"),
+    M("respond_at_step", "no guard", lambda *given: at_step(*given, answer=unguarded),
+      "A body that is behind the plane but on its way out is thrown back in, step after step: it sticks.",
+      "It ends behind the plane and moves out. What then?"),
+    M("respond_at_step", "always perfect", lambda *given: at_step(*given, answer=mirror),
+      "Every bounce is perfect: the restitution makes no difference.",
+      "Which argument makes no difference to your answer?"),
+    M("respond_at_step", "offset subtracted", lambda *given: at_step(*given, gap=lambda p, n, d: dot(p, n) - col(d)),
+      "The plane's offset has the wrong sign: the plane is n·p + d = 0.",
+      "Where is the plane n·p + d = 0 for d = −2?"),
+    M("respond_at_step", "offset left out", lambda *given: at_step(*given, gap=lambda p, n, d: dot(p, n) + 0 * col(d)),
+      "The plane's offset is not used: every plane goes through the origin.",
+      "Which argument makes no difference to your answer?"),
+    M("respond_at_step", "euler", lambda *given: at_step(*given, move=euler),
+      "The place lacks a Δt²/2: with constant acceleration the exact motion is known.",
+      "How far does a body fall from rest in t seconds?"),
+    M("respond_at_step", "semi-implicit euler", lambda *given: at_step(*given, move=semi_euler),
+      "The place has a Δt² without the half, as when it comes from the new velocity. With constant acceleration the "
+      "exact motion is known.",
+      "How far does a body fall from rest in t seconds?"),
+    M("respond_at_step", "velocity not integrated", lambda *given: at_step(*given, move=speed_unchanged),
+      "The acceleration moves the body but does not make it faster.",
+      "How fast is a body after falling for t seconds?"),
+
+    M("time_until_rest", "first impact alone", rests(lambda t, w, g, e, u: t),
+      "It is the time of the first impact; the bounces after it are not counted.",
+      "Does it lie still after the first impact?"),
+    M("time_until_rest", "flights alone", rests(lambda t, w, g, e, u: series(e, 0 * t, 2 * w / g)),
+      "The way down to the first impact is not counted.",
+      "When does the first bounce begin?"),
+    M("time_until_rest", "half the flights", rests(lambda t, w, g, e, u: series(e, t, w / g)),
+      "Of each bounce only one half is counted: it goes up and comes down.",
+      "How long is a ball in the air that leaves the floor with speed w?"),
+    M("time_until_rest", "one bounce", rests(lambda t, w, g, e, u: np.where(e < 1, t + 2 * w * e / g, np.inf)),
+      "One bounce is counted; there are infinitely many, each shorter by e.",
+      "What happens after the first bounce?"),
+    M("time_until_rest", "series from 1",
+      rests(lambda t, w, g, e, u: t + np.where(e < 1, 2 * w / g / np.where(e < 1, 1 - e, 1), np.inf)),
+      "The series starts with 1 instead of e: the first bounce leaves with e w, not with w.",
+      "With what speed does it leave the floor for the first time?"),
+    M("time_until_rest", "e squared", rests(lambda t, w, g, e, u: series(e**2, t, 2 * w / g)),
+      "e² is the ratio of the heights; times in the air go with the speed, so their ratio is e.",
+      "How does the time in the air depend on the speed?"),
+    M("time_until_rest", "1 + e below",
+      rests(lambda t, w, g, e, u: np.where(e < 1, t + 2 * w / g * e / (1 + e), np.inf)),
+      "The sum of e + e² + … has the wrong sign below the line.",
+      "What is 1/2 + 1/4 + 1/8 + …?"),
+    M("time_until_rest", "from rest",
+      rests(lambda t, w, g, e, u: np.where(e < 1, w / g * (1 + e) / np.where(e < 1, 1 - e, 1), np.inf)),
+      "t1(1 + e)/(1 − e) holds for a fall from rest. Thrown, the body takes another time to arrive than w/g.",
+      "Throw the ball down. How long does it take to arrive?"),
+    M("time_until_rest", "first impact for the fall",
+      rests(lambda t, w, g, e, u: np.where(e < 1, t * (1 + e) / np.where(e < 1, 1 - e, 1), np.inf)),
+      "t1(1 + e)/(1 − e) holds for a fall from rest only: otherwise the bounces do not last t1 each.",
+      "How long is a ball in the air that leaves the floor with speed e w?"),
+    M("time_until_rest", "speed of the start",
+      rests(lambda t, w, g, e, u: series(e, t, 2 * np.abs(u) / g)),
+      "The speed at the start is taken for the speed at the impact.",
+      "How fast is a ball when it arrives that was let fall from rest?"),
+    M("time_until_rest", "lying not at rest", rests(lambda t, w, g, e, u: series(e, t, 2 * w / g), lies=False),
+      "A body that lies on the plane already is not recognised: with e = 1 it comes out as bouncing for ever.",
+      "When is a body at rest that is at rest?"),
+)
+# fmt: on
