@@ -66,8 +66,10 @@ def unpack(body: bytes) -> Any:
 def encoded(value: Any, depth: int = 0) -> Any:
     """The value in terms of JSON. Lists, tuples, arrays, scalars and odd floats become lists that begin with a tag."""
     exact = type(value)
-    if value is None or exact is bool or exact is str:
+    if value is None or exact is bool:
         return value
+    if exact is str:
+        return _short(value, MESSAGE_LIMIT, "text", "characters")
     if exact is int:
         if value.bit_length() > INTEGER_LIMIT:
             raise Refused(f"an integer of {value.bit_length()} bits")
@@ -77,6 +79,7 @@ def encoded(value: Any, depth: int = 0) -> Any:
     if exact is tuple or exact is list:
         if depth == _DEEPEST:
             raise Refused(f"a {exact.__name__} nested more than {_DEEPEST} deep")
+        _short(value, PARTS_LIMIT, exact.__name__, "parts")
         return [exact.__name__, [encoded(part, depth + 1) for part in value]]
     if exact is np.ndarray:
         return ["array", _dtype_name(value.dtype), list(value.shape), _text_of(value)]
@@ -108,6 +111,13 @@ def decoded(parts: Any) -> Any:
 _SCALARS = frozenset(
     {np.dtype(code).type for code in (*np.typecodes["AllInteger"], *np.typecodes["AllFloat"], "?", "U", "S")}
 )
+
+
+def _short(value: Any, limit: int, kind: str, parts: str) -> Any:
+    """The value, unless it is too long to be worth the time of writing it out."""
+    if len(value) > limit:
+        raise Refused(f"a {kind} of {len(value)} {parts}; at most {limit} are sent")
+    return value
 
 
 def _dtype_name(dtype: np.dtype[Any]) -> str:

@@ -2,7 +2,7 @@
 
 Threat: reading the tests, the gradebook, /proc of the grader, other students' work; filling the disk; rewriting
 results. Paths are opened before (they may lie where the dropped user cannot go) and granted for reading alone, so
-that there is nowhere to write: not even in the process's own folder. What the kernel knows of TCP (version 4 of the
+that there is nowhere to write, not even in the process's own folder. What the kernel knows of TCP (version 4 of the
 interface), of abstract sockets and of signals to outside (version 6) is denied as well; it never covers UDP, and lets
 a path be asked whether it exists. The system call filter sees to both.
 """
@@ -10,6 +10,7 @@ a path be asked whether it exists. The system call filter sees to both.
 from __future__ import annotations
 
 import ctypes
+import errno
 import os
 import stat
 from collections.abc import Sequence
@@ -44,28 +45,39 @@ def version() -> int:
         return 0
 
 
-def opened(paths: Sequence[str]) -> list[int]:
-    """Descriptors that stand for those of the files and folders that exist."""
-    return [os.open(path, os.O_PATH | os.O_CLOEXEC) for path in paths if os.path.exists(path)]
+def ruleset(paths: Sequence[str]) -> int | None:
+    """A descriptor of the rules that let those of the files and folders be read that exist; None without Landlock.
 
-
-def restrict(readable: Sequence[int]) -> int:
-    """Deny this process all files but those under the descriptors; returns the version that did it.
-
-    Raises OSError where the kernel refuses. The process must have given up new privileges before.
+    Made once: what it lists takes time, and every test's process gets the same.
     """
     known = version()
-    files = (1 << max((count for since, count in _FILE_RIGHTS.items() if since <= known), default=0)) - 1
+    if not known:
+        return None
+    files = (1 << max(count for since, count in _FILE_RIGHTS.items() if since <= known)) - 1
     rules = _Ruleset(files, _TCP if known >= 4 else 0, _SCOPES if known >= 6 else 0)
     size = 8 if known < 4 else 16 if known < 6 else 24
-    ruleset = system.syscall(_CREATE_RULESET, ctypes.byref(rules), size, 0)
+    made = system.syscall(_CREATE_RULESET, ctypes.byref(rules), size, 0)
+    for path in paths:
+        if os.path.exists(path):
+            _allow(made, path)
+    return made
+
+
+def restrict(rules: int | None) -> None:
+    """Deny this process all files but those that the rules name; raises OSError where that cannot be.
+
+    The process must have given up new privileges before.
+    """
+    if rules is None:
+        raise OSError(errno.ENOSYS, os.strerror(errno.ENOSYS))
+    system.syscall(_RESTRICT_SELF, rules, 0)
+
+
+def _allow(rules: int, path: str) -> None:
+    descriptor = os.open(path, os.O_PATH | os.O_CLOEXEC)
     try:
-        for descriptor in readable:
-            folder = stat.S_ISDIR(os.fstat(descriptor).st_mode)
-            rights = _READ_FILE | _EXECUTE | (_READ_FOLDER if folder else 0)
-            rule = _PathBeneath(rights, descriptor)
-            system.syscall(_ADD_RULE, ruleset, _PATH_BENEATH, ctypes.byref(rule), 0)
-        system.syscall(_RESTRICT_SELF, ruleset, 0)
+        folder = stat.S_ISDIR(os.fstat(descriptor).st_mode)
+        rule = _PathBeneath(_READ_FILE | _EXECUTE | (_READ_FOLDER if folder else 0), descriptor)
+        system.syscall(_ADD_RULE, rules, _PATH_BENEATH, ctypes.byref(rule), 0)
     finally:
-        os.close(ruleset)
-    return known
+        os.close(descriptor)

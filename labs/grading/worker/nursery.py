@@ -40,7 +40,7 @@ def main() -> None:
     """Answer the grader on the socket whose number is the third argument; one and two are folders to import from."""
     control = socket.socket(fileno=int(sys.argv[3]))
     without = json.loads(sys.argv[4])
-    readable = landlock.opened(prepare())
+    rules = landlock.ruleset(prepare())
     with contextlib.suppress(OSError):
         system.prctl(system.CHILD_SUBREAPER, 1)
     with contextlib.suppress(OSError):
@@ -48,7 +48,7 @@ def main() -> None:
     offline = ("seccomp" in without or not seccomp.available()) and "namespace" not in without and leave_network()
     gc.collect()
     gc.freeze()  # what is shared with the tests' processes stays shared
-    Nursery(control, readable, offline).run()
+    Nursery(control, rules, offline).run()
 
 
 def prepare() -> list[str]:
@@ -76,10 +76,11 @@ def leave_network() -> bool:
 
 
 class Nursery:
-    """Forks and buries the tests' processes. control: the grader's socket. readable, offline: as in `seal`."""
+    """Forks and buries the tests' processes. control: the grader's socket. rules, offline: as in `seal`."""
 
-    def __init__(self, control: socket.socket, readable: list[int], offline: bool) -> None:
-        self._control, self._readable, self._offline = control, readable, offline
+    def __init__(self, control: socket.socket, rules: int | None, offline: bool) -> None:
+        self._control, self._rules, self._offline = control, rules, offline
+        self._own_space = sandbox.address_space()  # a test's memory is what it takes beyond this
         self._folders: dict[int, str] = {}  # of every living test, by its process
 
     def run(self) -> None:
@@ -95,7 +96,7 @@ class Nursery:
             self._end(process)
 
     def _start(self, wanted: dict[str, Any], descriptors: list[int]) -> dict[str, Any]:
-        plan = sandbox.Plan(**wanted)
+        plan = sandbox.Plan(**wanted | {"memory": wanted["memory"] + self._own_space})
         os.mkdir(plan.folder, 0o555)
         process = os.fork()
         if process == 0:
@@ -109,10 +110,10 @@ class Nursery:
         """In the forked process; never returns."""
         try:
             os.setsid()
-            serving.hush({*pipes, *self._readable})
-            sealing = sandbox.seal(plan, self._readable, self._offline)
-            for descriptor in self._readable:
-                os.close(descriptor)
+            serving.hush({*pipes} if self._rules is None else {*pipes, self._rules})
+            sealing = sandbox.seal(plan, self._rules, self._offline)
+            if self._rules is not None:
+                os.close(self._rules)
             serving.serve(*pipes, sealing)
         except BaseException:
             os._exit(serving.FAILED)

@@ -19,7 +19,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 from labs.grading.worker import landlock, seccomp, system
@@ -34,8 +34,8 @@ _SPARE_SECONDS = 2  # of processor time beyond the wall-clock limit, which then 
 
 @dataclass(frozen=True)
 class Plan:
-    """What a process is allowed. folder: its current one. user: the id it gets when root. memory: bytes. seconds: of
-    processor time. without: measures to leave out, as on a system that lacks them.
+    """What a process is allowed. folder: its current one. user: the id it gets when root. memory: bytes of
+    address space. seconds: of processor time. without: measures to leave out, as on a system that lacks them.
     """  # noqa: D205
 
     folder: str
@@ -53,10 +53,10 @@ class Sealing:
     missing: tuple[str, ...] = ()
 
 
-def seal(plan: Plan, readable: Sequence[int], offline: bool) -> Sealing:
+def seal(plan: Plan, rules: int | None, offline: bool) -> Sealing:
     """Shut in the process that calls this, for good.
 
-    readable: descriptors of what may be read. offline: whether it is in a network namespace without a network.
+    rules: of Landlock, what may be read. offline: whether it is in a network namespace without a network.
     """
     os.chdir(plan.folder)
     os.environ.clear()
@@ -75,9 +75,11 @@ def seal(plan: Plan, readable: Sequence[int], offline: bool) -> Sealing:
     limited = took("limits", lambda: _limit(plan), "memory, time and processes are not limited")
     if os.geteuid() == 0:
         took("user", lambda: _become(plan.user), "it runs as root")
+        if not os.access(os.__file__, os.R_OK):
+            missing.append("its user may not read the interpreter's folder: it has the modules that were loaded before")
     took("death", _end_with_parent, "it may outlive the nursery")
     took("privileges", lambda: system.prctl(system.NO_NEW_PRIVILEGES, 1), "set-user-id programs work")
-    paths = took("landlock", lambda: landlock.restrict(readable), "no Landlock in this kernel")
+    paths = took("landlock", lambda: landlock.restrict(rules), "no Landlock in this kernel")
     calls = took("seccomp", lambda: seccomp.restrict(files=paths), "no filter of system calls in this kernel")
     return _reached(limited, files=paths or calls, network=calls or offline, missing=missing)
 
@@ -97,7 +99,7 @@ def _limit(plan: Plan) -> None:
     kinds = {
         resource.RLIMIT_CORE: 0,
         resource.RLIMIT_CPU: plan.seconds + _SPARE_SECONDS,
-        resource.RLIMIT_AS: _address_space() + plan.memory,
+        resource.RLIMIT_AS: plan.memory,
         resource.RLIMIT_FSIZE: 0,
         resource.RLIMIT_NOFILE: _DESCRIPTORS,
         resource.RLIMIT_MEMLOCK: 0,
@@ -111,7 +113,7 @@ def _limit(plan: Plan) -> None:
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # so that writing a file is an OSError with a line
 
 
-def _address_space() -> int:
+def address_space() -> int:
     """Bytes of address space in use."""
     with open("/proc/self/statm", encoding="ascii") as file:
         return int(file.read().split()[0]) * resource.getpagesize()

@@ -75,10 +75,12 @@ def serve(requests: int, answers: int, sealing: Sealing) -> None:
         except EOFError:
             return
         answer = _answer(module, name, arguments, dict(named))
+        said = printed.taken()
         try:
-            message = messages.pack(("answer", number, *answer, printed.taken()))
-        except messages.Refused as refused:
-            message = messages.pack(("answer", number, "refused", str(refused), printed.taken()))
+            message = messages.pack(("answer", number, *answer, said))
+        except BaseException as error:  # a value that no message carries, too little memory, or what was patched
+            why = str(error) if isinstance(error, messages.Refused) else f"what cannot be sent ({type(error).__name__})"
+            message = messages.pack(("answer", number, "refused", why, said))
         _write(answers, message)
 
 
