@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 
 from labs.grading.processes import Ended
+from labs.grading.worker.serving import FAILED
 
 _SIGNALS = {
     "SIGSEGV": "it crashed (segmentation fault): a recursion without end, or memory written past NumPy",
@@ -18,6 +19,8 @@ _SIGNALS = {
 
 def reason(ended: Ended) -> str:
     """The exit code or signal, and what usually leads to it."""
+    if ended.code == FAILED:
+        return "what answers for it in its process was patched or broken"
     if ended.code >= 0:
         return f"it ended itself (exit code {ended.code}), as os._exit does"
     try:

@@ -74,6 +74,7 @@ class Process:
 
     def __init__(self, number: int, requests: int, answers: int, host: Host) -> None:
         self.number, self._requests, self._answers, self._host = number, requests, answers, host
+        self._read = bytearray()
         self._ended: Ended | None = None
         if os.name == "posix":
             os.set_blocking(requests, False)
@@ -87,11 +88,13 @@ class Process:
         """
         until = time.monotonic() + seconds
         with self._killed_at(until):
-            rest = memoryview(message)
-            while rest:
-                self._wait(self._requests, "POLLOUT", until)
-                rest = rest[os.write(self._requests, rest[: 2**16]) :]
-            return self._read(messages.length(self._read(messages.HEADER, until)), until)
+            self._write(message, until)
+            self._fill(messages.HEADER, until)
+            end = messages.HEADER + messages.length(bytes(self._read[: messages.HEADER]))
+            self._fill(end, until)
+        answer = bytes(self._read[messages.HEADER : end])
+        del self._read[:end]
+        return answer
 
     def end(self) -> Ended:
         """Kill the process with all that it started; afterwards nothing of it can do anything."""
@@ -101,16 +104,22 @@ class Process:
             self._ended = self._host.end(self)
         return self._ended
 
-    def _read(self, count: int, until: float) -> bytes:
-        parts = []
-        while count:
+    def _write(self, message: bytes, until: float) -> None:
+        rest = memoryview(message)
+        while rest:
+            try:
+                rest = rest[os.write(self._requests, rest) :]
+            except BlockingIOError:
+                self._wait(self._requests, "POLLOUT", until)
+
+    def _fill(self, count: int, until: float) -> None:
+        """Read until there are so many bytes."""
+        while len(self._read) < count:
             self._wait(self._answers, "POLLIN", until)
-            part = os.read(self._answers, min(count, 2**20))
+            part = os.read(self._answers, 2**18)
             if not part:
                 raise EOFError
-            parts.append(part)
-            count -= len(part)
-        return b"".join(parts)
+            self._read += part
 
     def _wait(self, descriptor: int, event: str, until: float) -> None:
         """Until the pipe is ready; on Windows, whose pipes cannot be asked, the reading itself waits."""

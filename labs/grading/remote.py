@@ -232,7 +232,7 @@ class Call:
 
     def _said(self, kind: str, text: str, line: int | None) -> str:
         where = f" ({self._remote.submission.where(line)})" if line else ""
-        return f"{one_line(kind, 100)}: {one_line(text)}{where}"
+        return f"{one_line(kind, 100)}{': ' * bool(text)}{one_line(text)}{where}"
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ import contextlib
 import os
 import re
 import socket
+import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -30,6 +31,7 @@ ROOT = Path(__file__).parents[2]
 ATTACKS = sorted((Path(__file__).parent / "hostile").glob("*.py"))
 CALLS = ((-2.0, 0.5), (-3.0, 0.25))  # what the hidden test asks
 SECRET = "def expected(velocity, restitution):\n    return -restitution * velocity\n"
+SYSTEM_PYTHONS = (f"/usr/bin/python3.{sys.version_info[1]}", f"/usr/local/bin/python3.{sys.version_info[1]}")
 LIMITS = Limits(call=0.4, test=1.0)
 """Shorter than usual: an attack that waits, waits for as long. Everything honest here takes a hundredth of it."""
 
@@ -74,7 +76,7 @@ class Lair:
                 if each.type == socket.SOCK_DGRAM:
                     each.recv(10)
                 else:
-                    each.accept()
+                    each.accept()[0].close()
                 return True
         return False
 
@@ -124,6 +126,60 @@ def test_an_attack_is_not_paid_harms_nothing_and_is_told_why(attack, lair, grade
     assert lair.listing() == lair.before
     assert not lair.heard()
     assert hidden_test(SECRET.replace("expected", "rebound_velocity"), grader) == ""  # the next student is graded
+
+
+@pytest.mark.parametrize(
+    ("name", "without"),
+    [("reads_tests", ("landlock", "seccomp")), ("takes_rights_back", ("landlock", "seccomp"))],
+)
+def test_the_same_attack_is_paid_where_files_are_not_sealed(name, without, lair):
+    attack = Path(__file__).parent / "hostile" / f"{name}.py"
+    with Grader(LIMITS, without=without) as open_grader:
+        assert grader_tier(open_grader) == Tier.LIMITS
+        assert hidden_test(lair.filled(attack), open_grader) == ""
+
+
+def test_the_same_attack_is_heard_where_the_network_is_not_sealed(lair):
+    attack = Path(__file__).parent / "hostile" / "sockets.py"
+    with Grader(LIMITS, without=("landlock", "seccomp", "namespace")) as open_grader:
+        hidden_test(lair.filled(attack), open_grader)
+    assert lair.heard()
+    while lair.heard():
+        pass  # the other kinds of sockets: the next test listens anew
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("measure", ["landlock", "user"])
+def test_no_attack_is_paid_where_one_measure_is_missing_that_another_covers(measure, lair):
+    with Grader(LIMITS, without=(measure,)) as lesser:
+        assert grader_tier(lesser) == Tier.NETWORK
+        for attack in ATTACKS:
+            assert re.search(says(attack), hidden_test(lair.filled(attack), lesser)), attack.stem
+    assert lair.listing() == lair.before
+    assert not lair.heard()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.geteuid() != 0, reason="the tests above ran as an ordinary user already")
+def test_attacks_are_no_better_off_where_the_grader_is_an_ordinary_user():
+    nobody = {"user": 65534, "group": 65534, "extra_groups": []}
+    packages = os.pathsep.join(path for path in sys.path if path)
+    environment = {"PATH": os.environ["PATH"], "PYTHONPATH": packages, "PYTHONDONTWRITEBYTECODE": "1"}
+    usable = [each for each in (sys.executable, *SYSTEM_PYTHONS) if can_run(each, nobody, environment)]
+    if not usable:
+        pytest.skip("no interpreter that an ordinary user may run")
+    command = [usable[0], "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", "not_paid_harms", str(Path(__file__))]
+    ran = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False, **nobody)
+    assert ran.returncode == 0, ran.stdout[-2000:]
+    assert f"{len(ATTACKS)} passed" in ran.stdout
+
+
+def can_run(interpreter: str, user: dict, environment: dict) -> bool:
+    command = [interpreter, "-c", "import numpy, pytest, hypothesis, pytest_timeout"]
+    try:
+        return subprocess.run(command, env=environment, capture_output=True, check=False, **user).returncode == 0
+    except OSError:
+        return False
 
 
 def grader_tier(grader: Grader) -> Tier:

@@ -81,18 +81,19 @@ def seal(plan: Plan, rules: int | None, offline: bool) -> Sealing:
     took("privileges", lambda: system.prctl(system.NO_NEW_PRIVILEGES, 1), "set-user-id programs work")
     paths = took("landlock", lambda: landlock.restrict(rules), "no Landlock in this kernel")
     calls = took("seccomp", lambda: seccomp.restrict(files=paths), "no filter of system calls in this kernel")
-    return _reached(limited, files=paths or calls, network=calls or offline, missing=missing)
+    if not (paths or calls):
+        missing.append("what its user may open is open to it")
+    if not calls:
+        missing.append("other processes of its user, and sockets that lie in files, are within its reach")
+    if not (calls or offline):
+        missing.append("so is the network")
+    return Sealing(_reached(limited, paths or calls, calls), tuple(missing))
 
 
-def _reached(limited: bool, files: bool, network: bool, missing: list[str]) -> Sealing:
-    if not files:
-        missing.append("files that its user may open are open to it")
-    if not network:
-        missing.append("it can reach the network")
-    tier = Tier.LIMITS if limited else Tier.PROCESS
-    if files and limited:
-        tier = Tier.NETWORK if network else Tier.FILES
-    return Sealing(tier, tuple(missing))
+def _reached(limited: bool, files: bool, network: bool) -> Tier:
+    if not limited:
+        return Tier.PROCESS
+    return Tier.LIMITS if not files else Tier.NETWORK if network else Tier.FILES
 
 
 def _limit(plan: Plan) -> None:

@@ -1,5 +1,5 @@
 """What /proc tells of the grader: memory, environment, open files."""
-# says: gave 0.0
+# says: gave 0.0|no answer within
 
 import os
 

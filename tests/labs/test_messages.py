@@ -1,0 +1,200 @@
+"""The wire between grader and worker: exact types arrive bit by bit, and nothing else is sent or read."""
+
+from __future__ import annotations
+
+import base64
+import json
+import math
+import struct
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+from labs.grading import messages
+from labs.grading.messages import HEADER, MESSAGE_LIMIT, PARTS_LIMIT, Refused, pack, unpack
+
+DTYPES = st.one_of(
+    hnp.boolean_dtypes(),
+    hnp.integer_dtypes(endianness="?"),
+    hnp.unsigned_integer_dtypes(endianness="?"),
+    hnp.floating_dtypes(endianness="?", sizes=(16, 32, 64)),
+    hnp.complex_number_dtypes(endianness="?"),
+    hnp.unicode_string_dtypes(endianness="?", max_len=5),
+    hnp.byte_string_dtypes(max_len=5),
+)
+ARRAYS = hnp.arrays(DTYPES, hnp.array_shapes(min_dims=0, max_dims=4, min_side=0, max_side=4))
+PLAIN = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers(-(2**200), 2**200)
+    | st.floats(allow_nan=False)
+    | st.text(st.characters(), max_size=20)
+    | ARRAYS
+    | ARRAYS.map(lambda array: array.reshape(-1)[0] if array.size else None),
+    lambda parts: st.lists(parts, max_size=4) | st.lists(parts, max_size=4).map(tuple),
+    max_leaves=10,
+)
+
+
+def there_and_back(value):
+    return unpack(pack(value)[HEADER:])
+
+
+def same(sent, arrived) -> bool:
+    """Whether both have one type and the same bits, all the way down."""
+    if type(sent) is not type(arrived):
+        return False
+    if isinstance(sent, list | tuple):
+        return len(sent) == len(arrived) and all(map(same, sent, arrived))
+    if isinstance(sent, np.ndarray | np.generic):
+        layout = sent.dtype.str == arrived.dtype.str and sent.shape == arrived.shape
+        return layout and sent.tobytes() == arrived.tobytes()
+    return struct.pack("d", sent) == struct.pack("d", arrived) if isinstance(sent, float) else sent == arrived
+
+
+@given(PLAIN)
+def test_every_plain_value_arrives_as_it_was_sent(value):
+    assert same(value, there_and_back(value))
+
+
+@given(st.integers(0, 2**52 - 1), st.booleans())
+def test_a_nan_keeps_its_payload_and_an_infinity_its_sign(payload, negative):
+    bits = (0x7FF << 52 | payload | negative << 63).to_bytes(8, "big")
+    odd = struct.unpack(">d", bits)[0]
+    assert struct.pack(">d", there_and_back(odd)) == bits
+    array = np.frombuffer(bits, ">f8")
+    assert there_and_back(array).tobytes() == bits
+
+
+@pytest.mark.parametrize("array", [np.arange(12.0).reshape(3, 4).T, np.arange(10)[::-2], np.broadcast_to(1.0, (2, 3))])
+def test_a_view_arrives_as_an_array_of_its_own_that_can_be_written_to(array):
+    arrived = there_and_back(array)
+    np.testing.assert_array_equal(arrived, array, strict=True)
+    arrived[...] = 0
+    assert arrived.base is None
+
+
+class Subclass(float):
+    pass
+
+
+class Array(np.ndarray):
+    pass
+
+
+@pytest.mark.parametrize(
+    ("value", "named"),
+    [
+        (Subclass(1), "test_messages.Subclass"),
+        (np.zeros(2).view(Array), "Array"),
+        (np.ma.zeros(2), "numpy.ma.MaskedArray"),
+        (type("Pair", (tuple,), {})(), "Pair"),
+        ({"a": 1}, "dict"),
+        ({1.0}, "set"),
+        (b"bytes", "bytes"),
+        (1j, "complex"),
+        (len, "builtin_function_or_method"),
+        (range(3), "range"),
+        (object(), "object"),
+        (np.array([None]), "array of objects"),
+        (np.zeros(1, "i4,f8"), "an array of dtype"),
+        (np.array(["2026-01-01"], "M8[D]"), "an array of dtype datetime64"),
+        (np.float64, "type"),
+        (2**5000, "an integer of 5001 bits"),
+        ("x" * (MESSAGE_LIMIT + 1), "a text of"),
+        ("\u00e9" * MESSAGE_LIMIT, "a message of"),  # six bytes each on the wire
+        (np.zeros(MESSAGE_LIMIT // 8 + 1), "an array of"),
+        ([0.0] * (PARTS_LIMIT + 1), "a list of"),
+        ([[0.0] * (PARTS_LIMIT // 2)] * 3, "parts"),
+    ],
+    ids=lambda value: value if isinstance(value, str) and len(value) < 60 else "",
+)
+@pytest.mark.parametrize("wrapped", [False, True])
+def test_anything_else_is_refused_by_the_name_of_its_type(value, named, wrapped):
+    with pytest.raises(Refused, match=named):
+        pack((value,) if wrapped else value)
+
+
+def array_of(dtype: object, shape: object, raw: bytes) -> list[object]:
+    return ["array", dtype, shape, base64.b64encode(raw).decode()]
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        {"a": 1},
+        ["tuple", {"a": 1}],
+        ["tuple"],
+        [],
+        ["set", []],
+        ["list", [["dict", []]]],
+        ["float", "7ff000000000000"],  # a digit short
+        ["float", "0000000000000000"],  # finite, so to be written as a number
+        ["float", "zz"],
+        array_of("|O", [1], bytes(8)),
+        array_of("O", [1], bytes(8)),
+        array_of("f8", [1], bytes(8)),  # another spelling of <f8
+        array_of("<f8,<f8", [1], bytes(16)),
+        array_of("(2,)<f8", [1], bytes(16)),
+        array_of("<M8[D]", [1], bytes(8)),
+        array_of("V8", [1], bytes(8)),
+        array_of(["a", "b"], [1], bytes(8)),
+        array_of("import os", [1], bytes(8)),
+        array_of("<f8", [2], bytes(8)),
+        array_of("<f8", [-1], bytes(8)),
+        array_of("<f8", [True], bytes(8)),
+        array_of("<f8", [1.0], bytes(8)),
+        array_of("<f8", [0, 2**62], b""),
+        array_of("<f8", [1] * 33, bytes(8)),
+        array_of("|b1", [1], b"\2"),  # a truth value that is neither
+        array_of("<U1", [1], b"\xff\xff\xff\x7f"),  # beyond Unicode
+        ["array", "<f8", [1], "not base64!"],
+        ["scalar", "<f8", [1], "AAAAAAAAAAA="],
+    ],
+    ids=repr,
+)
+def test_a_message_that_pack_does_not_write_is_refused(parts):
+    with pytest.raises(Refused):
+        unpack(json.dumps(parts).encode())
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        b"",
+        b"{",
+        b"NaN",
+        b"Infinity",
+        b"1e5x",
+        b"\xff",
+        b"[" * 100_000,
+        b"1" * 10_000,
+        b"[" + b"[]," * PARTS_LIMIT + b"[]]",
+    ],
+    ids=lambda body: repr(body[:12]),
+)
+def test_bytes_that_are_no_message_are_refused(body):
+    with pytest.raises(Refused):
+        unpack(body)
+
+
+@given(st.binary(max_size=200))
+def test_no_bytes_make_anything_but_a_plain_value_or_a_refusal(body):
+    try:
+        value = unpack(body)
+    except Refused:
+        return
+    assert type(value) in {type(None), bool, int, float, str, tuple, list, np.ndarray}
+
+
+def test_a_number_too_large_for_a_float_arrives_as_infinity_and_nothing_else():
+    assert unpack(b"1e999") == math.inf
+
+
+def test_a_length_above_the_limit_is_refused_before_anything_is_read():
+    assert messages.length(pack(1.0)[:HEADER]) == len(b"1.0")
+    with pytest.raises(Refused, match="at most"):
+        messages.length((MESSAGE_LIMIT + 1).to_bytes(HEADER, "big"))
