@@ -24,6 +24,8 @@ from labs.grading.plain import one_line
 
 FILE_LIMIT = 10 * 2**20
 """Bytes of the largest file."""
+CELL_LIMIT = 2000
+"""The most code cells."""
 CODE_LIMIT = 2**20
 """Characters of the longest source, all code cells together."""
 
@@ -81,6 +83,8 @@ def read_cells(path: Path) -> tuple[list[Cell], list[Complaint]]:
         raise UnreadableSubmission(f"its name ends in {one_line(path.suffix)!r}: hand in a .ipynb or a .py file")
     if not any(cell.source.strip() for cell in cells):
         raise UnreadableSubmission("it holds no code")
+    if len(cells) > CELL_LIMIT:
+        raise UnreadableSubmission(f"it has {len(cells)} code cells, and at most {CELL_LIMIT} are read")
     if sum(len(cell.source) for cell in cells) > CODE_LIMIT:
         raise UnreadableSubmission(f"it holds more than {CODE_LIMIT} characters of code")
     return cells, complaints
@@ -99,13 +103,14 @@ def _bytes(path: Path) -> bytes:
         if path.is_symlink():
             raise UnreadableSubmission("it is a symbolic link: hand in the file itself")
         descriptor = os.open(path, flags)
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            os.close(descriptor)
+            raise UnreadableSubmission("it is a folder or a device, not a file")
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise UnreadableSubmission(f"it cannot be opened: {reason}") from None
     with open(descriptor, "rb") as file:
-        status = os.fstat(descriptor)
-        if not stat.S_ISREG(status.st_mode):
-            raise UnreadableSubmission("it is a folder or a device, not a file")
         if status.st_size > FILE_LIMIT:
             size = status.st_size / 2**20
             raise UnreadableSubmission(

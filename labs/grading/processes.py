@@ -1,44 +1,21 @@
-"""Our side of the tests' processes: starts them through the nursery and talks to them with a deadline.
+"""Our side of a test's process: messages to it and from it, with a deadline.
 
 Threat: a process that never answers, answers without end, or stops reading. Every wait here has a deadline, and
-what is read is limited before it is read. The nursery is talked to on a socket of its own, which no test's process
-holds. While it is open, this process cannot be looked into by others of the same user.
+what is read is limited before it is read.
 """
 
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import select
-import shutil
-import signal
-import socket
-import subprocess
-import sys
-import tempfile
 import threading
 import time
-from collections.abc import Collection, Iterator
-from dataclasses import asdict, dataclass
-from pathlib import Path
+from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Protocol
 
-import numpy as np
-
 from labs.grading import messages
-from labs.grading.errors import GraderFailed
-from labs.grading.worker import system
-from labs.grading.worker.sandbox import Plan
-
-MEASURES = ("limits", "user", "death", "privileges", "landlock", "seccomp", "namespace")
-"""What can be left out, to see what the others are worth."""
-
-_FOLDERS = (str(Path(__file__).parents[2]), str(Path(np.__file__).parents[1]))  # ours and NumPy's
-_INTERPRETER = (sys.executable, "-I", "-S", "-B", "-X", "utf8", "-c")
-_START = "import sys; sys.path[:0] = sys.argv[1:3]; from labs.grading.worker import {0}; {0}.main()"
-_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
-_PATIENCE = 30.0  # s for the nursery, which nobody untrusted can keep waiting
 
 
 @dataclass(frozen=True)
@@ -143,132 +120,3 @@ class Process:
             raise (TimeoutError() if time.monotonic() >= until else EOFError()) from None
         finally:
             timer.cancel()
-
-
-class NurseryHost:
-    """The nursery, started when the first test needs it, and anew when it died."""
-
-    def __init__(self, user: int, without: Collection[str] = ()) -> None:
-        self._user, self._without = user, tuple(without)
-        self._lock = threading.Lock()
-        self._tests = 0
-        self._folder = tempfile.mkdtemp(prefix="grading-")
-        self._was_dumpable = _hide()
-        self._open()
-
-    def _open(self) -> None:
-        self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self._control.settimeout(_PATIENCE)
-        command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), json.dumps(self._without)]
-        with theirs, open(Path(self._folder, "log"), "wb") as log:
-            self._process = subprocess.Popen(
-                command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=log, pass_fds=[theirs.fileno()],
-                env=dict.fromkeys(_THREADS, "1"), cwd=self._folder, start_new_session=True,
-            )  # fmt: skip
-
-    def start(self, limits: Limits) -> Process:
-        """Fork a process; raises `GraderFailed` where the nursery does not answer."""
-        with self._lock:
-            if self._process.poll() is not None:
-                self._stop()
-                self._open()
-            self._tests += 1
-            folder = str(Path(self._folder, str(self._tests)))
-            plan = Plan(folder, self._user, limits.memory, int(limits.test) + 1, self._without)
-            (their_requests, requests), (answers, their_answers) = os.pipe(), os.pipe()
-            try:
-                started = self._ask(asdict(plan), [their_requests, their_answers])
-            except GraderFailed:
-                os.close(requests)
-                os.close(answers)
-                raise
-            finally:
-                os.close(their_requests)
-                os.close(their_answers)
-            return Process(started["process"], requests, answers, self)
-
-    def end(self, process: Process) -> Ended:
-        """Have the nursery kill the process and its descendants."""
-        with self._lock:
-            try:
-                answer = self._ask({"end": process.number}, [])
-            except GraderFailed:  # the nursery is gone, and its tests with it
-                return Ended(-signal.SIGKILL)
-        code = os.waitstatus_to_exitcode(answer["status"])
-        return Ended(code, answer["seconds"], answer["memory"], answer["strays"])
-
-    def close(self) -> None:
-        """Stop the nursery and what is left of its tests."""
-        with self._lock:
-            self._stop()
-            shutil.rmtree(self._folder, ignore_errors=True)
-            if self._was_dumpable:
-                system.prctl(system.SET_DUMPABLE, 1)
-                self._was_dumpable = False
-
-    def _ask(self, request: dict[str, object], descriptors: list[int]) -> dict[str, int]:
-        try:
-            socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
-            answer = self._control.recv(2**16)
-        except OSError as error:
-            answer = str(error).encode()
-        try:
-            found: dict[str, int] = json.loads(answer)
-        except ValueError:
-            log = Path(self._folder, "log").read_text(encoding="utf-8", errors="replace")
-            raise GraderFailed(f"the grader's nursery does not answer: {log.strip()[-300:] or answer!r}") from None
-        return found
-
-    def _stop(self) -> None:
-        self._control.close()
-        try:
-            self._process.wait(_PATIENCE)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
-
-
-class LoneHost:
-    """A fresh interpreter for each test, where there is no sandbox."""
-
-    def __init__(self) -> None:
-        self._folder = tempfile.mkdtemp(prefix="grading-")
-        self._running: dict[int, subprocess.Popen[bytes]] = {}
-
-    def start(self, limits: Limits) -> Process:
-        """Start an interpreter."""
-        command = [*_INTERPRETER, _START.format("lone"), *_FOLDERS, self._folder]
-        kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}  # Windows needs it
-        running = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=self._folder,
-            env=kept | dict.fromkeys(_THREADS, "1"), start_new_session=True, bufsize=0,
-        )  # fmt: skip
-        self._running[running.pid] = running
-        assert running.stdin is not None
-        assert running.stdout is not None
-        pipes = [os.dup(stream.fileno()) for stream in (running.stdin, running.stdout)]
-        running.stdin.close()
-        running.stdout.close()
-        return Process(running.pid, pipes[0], pipes[1], self)
-
-    def end(self, process: Process) -> Ended:
-        """Kill it, and on POSIX its session."""
-        running = self._running[process.number]
-        with contextlib.suppress(OSError):
-            if os.name == "posix":
-                os.killpg(running.pid, signal.SIGKILL)
-            running.kill()
-        return Ended(running.wait())
-
-    def close(self) -> None:
-        """Nothing runs between tests."""
-        shutil.rmtree(self._folder, ignore_errors=True)
-
-
-def _hide() -> bool:
-    """Keep others of this user from looking into this process; says whether they could before."""
-    with contextlib.suppress(OSError):
-        if system.prctl(system.GET_DUMPABLE) == 1:
-            system.prctl(system.SET_DUMPABLE, 0)
-            return True
-    return False

@@ -29,8 +29,9 @@ from labs.grading.errors import (
     StudentError,
     WrongType,
 )
+from labs.grading.hosts import LoneHost, NurseryHost
 from labs.grading.plain import one_line, plain
-from labs.grading.processes import Ended, Host, Limits, LoneHost, NurseryHost, Process
+from labs.grading.processes import Ended, Host, Limits, Process
 from labs.grading.submission import Submission
 from labs.grading.worker.sandbox import Sealing
 from labs.grading.worker.tier import Tier
@@ -46,7 +47,7 @@ class Grader:
     """What runs tests: one for all submissions of a class.
 
     least: the tier below which nothing is graded. user: the id that tests run as when this is root, `nobody` unless
-    said otherwise. without: measures to leave out (`processes.MEASURES`), or "nursery" for what other systems offer.
+    said otherwise. without: measures to leave out (`hosts.MEASURES`), or "nursery" for what other systems offer.
     """
 
     def __init__(

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ast
 import symtable
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 _SCOPES = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.Lambda
@@ -33,7 +33,9 @@ class Group:
 def groups(source: str) -> list[Group]:
     """The source's top-level statements; raises SyntaxError, ValueError, RecursionError or MemoryError."""
     tree = ast.parse(source)
-    scopes = symtable.symtable(source, "submission", "exec").get_children()
+    scopes: dict[int, list[symtable.SymbolTable]] = {}
+    for scope in symtable.symtable(source, "submission", "exec").get_children():
+        scopes.setdefault(scope.get_lineno(), []).append(scope)
     found: list[list[ast.stmt]] = []
     for statement in tree.body:
         if found and _first(statement) <= (found[-1][-1].end_lineno or 0):
@@ -45,22 +47,24 @@ def groups(source: str) -> list[Group]:
 
 def needed(every: list[Group], wanted: Collection[str]) -> set[int]:
     """Which groups, by their place, the wanted names need."""
-    names, kept = set(wanted), set[int]()
-    while True:
-        more = {
-            place
-            for place, group in enumerate(every)
-            if place not in kept and (group.defines & names or group.touches & names or _is_star(group))
-        }
-        if not more:
-            return kept
-        kept |= more
-        names.update(name for place in more for name in every[place].uses)
+    concerned: dict[str, list[int]] = {}
+    for at, group in enumerate(every):
+        for name in group.defines | group.touches:
+            concerned.setdefault(name, []).append(at)
+    kept = {at for at, group in enumerate(every) if _is_star(group)}
+    waiting, seen = list(wanted), set(wanted)
+    while waiting:
+        for at in concerned.get(waiting.pop(), []):
+            if at not in kept:
+                kept.add(at)
+                waiting.extend(every[at].uses - seen)
+                seen |= every[at].uses
+    return kept
 
 
 def defined_as(group: Group, name: str) -> str | None:
     """How a group binds a name: "def", "class", "import", "value", or not at all."""
-    for statement in reversed(group.statements):
+    for statement in reversed(group.statements) if name in group.defines else ():
         for node in _outside_scopes(statement):
             if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and node.name == name:
                 return "def"
@@ -73,10 +77,10 @@ def defined_as(group: Group, name: str) -> str | None:
     return None
 
 
-def _group(statements: list[ast.stmt], scopes: Iterable[symtable.SymbolTable]) -> Group:
+def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.SymbolTable]]) -> Group:
     first, last = _first(statements[0]), statements[-1].end_lineno or statements[-1].lineno
     nodes = [node for statement in statements for node in _outside_scopes(statement)]
-    inner = {name for scope in scopes if first <= scope.get_lineno() <= last for name in _looked_up(scope)}
+    inner = {name for line in range(first, last + 1) for scope in scopes.get(line, []) for name in _looked_up(scope)}
     outer = {node.id for node in nodes if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Store)}
     return Group(
         first,

@@ -133,26 +133,27 @@ def _assembled(
     cells: list[Cell], sources: list[str], pieces: list[_Piece], functions: list[str]
 ) -> tuple[str, tuple[tuple[int, int], ...]]:
     """The text of what the functions need, all other lines empty, and where each code cell starts in it."""
-    counting = [piece for piece in pieces if not _outdone(piece, pieces, functions)]
+    made_for_it = _in_cells_made_for(pieces, functions)
+    counting = [piece for piece in pieces if not _outdone(piece, made_for_it)]
     kept = [counting[at] for at in sorted(needed([piece.group for piece in counting], functions))]
     lines: list[str] = []
     starts = []
     for cell, source in zip(cells, sources, strict=True):
         if cell.number is not None:
             starts.append((len(lines), cell.number))
-        own = [piece.group for piece in kept if piece.cell is cell]
-        lines += _only(source, own)
+        lines += _only(source, [piece.group for piece in kept if piece.cell is cell])
     return "\n".join(lines).rstrip("\n") + "\n", tuple(starts)
 
 
-def _outdone(piece: _Piece, pieces: list[_Piece], functions: list[str]) -> bool:
-    """Whether it only defines a function anew that a later cell, or the cell made for it, defines as well."""
+def _in_cells_made_for(pieces: list[_Piece], functions: list[str]) -> dict[str, _Piece]:
+    """The functions that a cell made for them defines, each with the definition that counts."""
+    return {name: piece for piece in pieces for name in piece.group.defines & set(functions) if name in piece.cell.tags}
+
+
+def _outdone(piece: _Piece, made_for_it: dict[str, _Piece]) -> bool:
+    """Whether it only defines a function anew that the cell made for it defines as well."""
     alone = len(piece.group.statements) == 1 and isinstance(piece.group.statements[0], ast.FunctionDef)
-    for name in piece.group.defines & set(functions) if alone else ():
-        found = [each for each in pieces if defined_as(each.group, name)]
-        if name in _counting(name, found).cell.tags and name not in piece.cell.tags:
-            return True
-    return False
+    return alone and any(name not in piece.cell.tags for name in piece.group.defines & made_for_it.keys())
 
 
 def _only(source: str, kept: list[Group]) -> list[str]:
