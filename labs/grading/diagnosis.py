@@ -43,8 +43,8 @@ class Diagnosis:
     """What is known of one function of a submission.
 
     mistakes: the known ones that explain its numbers. counterexample: the simplest probe that it fails. crashes: the
-    errors that it ended in on good input. accepted: cases of bad input that it answered. changes_input: whether it
-    writes into its arguments.
+    errors that it ended in on good input. alone: whether that was with several contacts in one call only. accepted:
+    cases of bad input that it answered. changes_input: whether it writes into its arguments.
     """
 
     function: str
@@ -52,6 +52,7 @@ class Diagnosis:
     mistakes: tuple[Known, ...] = ()
     counterexample: Counterexample | None = None
     crashes: tuple[str, ...] = ()
+    alone: bool = False
     accepted: tuple[str, ...] = ()
     changes_input: bool = False
 
@@ -100,6 +101,7 @@ class _Case:
             mistakes,
             None if verdict in ("right", "unwritten") else self._counterexample(),
             tuple(dict.fromkeys(answer.error for _, _, answer in self.answered if answer.error)),
+            all(probe.group == "many" for probe, _, answer in self.answered if answer.error),
             tuple(probe.note for probe, answer in self.refused if not answer.error),
             any(answer.changed for _, _, answer in self.answered),
         )

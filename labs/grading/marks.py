@@ -14,7 +14,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from labs.grading.errors import GraderFailed
 from labs.grading.probes import Probe
+from reference.errors import CollisionsError, NeedsFunction, one_line
 
 Array = NDArray[np.float64]
 Failure = Literal["", "error", "shape", "kind", "unwritten"]
@@ -27,19 +29,16 @@ _GOLDEN = (5**0.5 - 1) / 2
 
 @dataclass(frozen=True)
 class Answer:
-    """What came back from one probe. value: what was returned. error: the exception instead, its type and message.
+    """What came back from one probe.
 
-    changed: whether the call has changed its input.
+    value: what was returned. error: the exception instead, in words. unwritten: whether that says that it is still the
+    stub. changed: whether the call has changed its input.
     """
 
     value: Any = None
     error: str = ""
+    unwritten: bool = False
     changed: bool = False
-
-    @property
-    def unwritten(self) -> bool:
-        """Whether it is still the stub."""
-        return "NotImplementedError" in self.error or "NeedsFunction" in self.error
 
 
 @dataclass(frozen=True)
@@ -81,7 +80,10 @@ class Mark:
 
 
 def ask(call: Callable[..., Any], function: str, probes: Sequence[Probe]) -> list[Answer]:
-    """Put all probes of a function to `call(name, *arguments)`, each with inputs of its own."""
+    """Put all probes of a function to `call(name, *arguments)`, each with inputs of its own.
+
+    A `call` that runs elsewhere says in `call.changed` which arguments the function has written to.
+    """
     return [_asked(call, function, probe) for probe in probes]
 
 
@@ -89,9 +91,12 @@ def _asked(call: Callable[..., Any], function: str, probe: Probe) -> Answer:
     arguments = _copied(probe.arguments)
     try:
         value = call(function, *arguments)
+    except GraderFailed:
+        raise
     except Exception as error:
-        return Answer(error=f"{type(error).__name__}: {error}", changed=not _same(arguments, probe.arguments))
-    return Answer(value, changed=not _same(arguments, probe.arguments))
+        unwritten = isinstance(error, NotImplementedError | NeedsFunction)
+        return Answer(error=str(error) if isinstance(error, CollisionsError) else one_line(error), unwritten=unwritten)
+    return Answer(value, changed=bool(getattr(call, "changed", ())) or not _same(arguments, probe.arguments))
 
 
 def _copied(value: Any) -> Any:

@@ -26,7 +26,8 @@ def told(diagnosis: Diagnosis) -> str:
     if diagnosis.changes_input:
         lines += _wrapped("It writes into its arguments: the caller's own arrays have other numbers afterwards.")
     if diagnosis.crashes and diagnosis.verdict not in ("crashes", "unwritten"):
-        lines += _wrapped(f"On some input it ends in {diagnosis.crashes[0]}")
+        where = "With several contacts in one call" if diagnosis.alone else "On some input"
+        lines += _wrapped(f"{where} it ends in an error: {diagnosis.crashes[0]}")
     if diagnosis.accepted and diagnosis.verdict != "unwritten":
         lines += _wrapped(f"It should refuse, with a ValueError: {'; '.join(diagnosis.accepted)}.")
     return "\n".join(lines)

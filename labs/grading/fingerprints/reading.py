@@ -42,6 +42,7 @@ class Knowledge:
     mistakes: tuple[Known, ...]
 
 
+@functools.cache
 def known(function: str) -> Knowledge:
     """What is known of a function.
 

@@ -1,0 +1,173 @@
+"""Right answers by other formulas."""
+
+import numpy as np
+
+
+def col(value):
+    return np.expand_dims(np.asarray(value), -1)
+
+
+def signed_distance(point, normal, offset):
+    length = np.sqrt(np.einsum("...i,...i", normal, normal))
+    return np.einsum("...i,...i", point, normal / length[..., None]) + offset / length
+
+
+def time_of_impact_interpolated(separation_0, separation_1, t, dt):
+    s0, s1 = np.broadcast_arrays(separation_0, separation_1)
+    with np.errstate(all="ignore"):
+        end = t + dt + dt * s1 / (s0 - s1)  # from the end backwards
+    return np.where((s0 >= 0) & (s1 < 0), end, np.inf)
+
+
+def overlap_interval(distance, normal_velocity, radius, thickness, dt):
+    middle, half = -thickness / 2, thickness / 2 + radius
+    distance, u = np.asarray(distance), np.asarray(normal_velocity)
+    front, back = np.asarray(radius), -(thickness + radius)
+    with np.errstate(all="ignore"):
+        times = np.sort(np.stack(np.broadcast_arrays((front - distance) / u, (back - distance) / u)), axis=0)
+    inside = (distance <= front) & (distance >= back) if np.all(np.isinf(half)) else np.abs(distance - middle) <= half
+    start = np.where(u == 0, np.where(inside, 0, np.inf), np.clip(times[0], 0, None))
+    end = np.where(u == 0, np.where(inside, dt, -np.inf), np.minimum(times[1], dt))
+    return np.where(start <= end, start, np.inf), np.where(start <= end, end, -np.inf)
+
+
+def missing_probability(speed, thickness, radius, dt):
+    way = np.asarray(speed * dt, dtype=float)
+    gap = way - thickness - 2 * radius
+    return np.where(gap > 0, gap / np.where(gap > 0, way, 1), 0.0)
+
+
+def kinematic_response(velocity, normal, restitution):
+    across = np.asarray(normal)[..., :, None] * np.asarray(normal)[..., None, :]
+    mirror = np.eye(3) - (1 + np.asarray(restitution))[..., None, None] * across
+    bounced = np.matvec(mirror, velocity)
+    return np.where(np.sum(velocity * normal, axis=-1, keepdims=True) < 0, bounced, velocity)
+
+
+def moving_plane_response(velocity, plane_velocity, normal, restitution):
+    return plane_velocity + kinematic_response(velocity - plane_velocity, normal, restitution)
+
+
+def respond_at_impact(position, velocity, acceleration, normal, restitution, time_of_impact, dt):
+    struck = col(np.asarray(time_of_impact) <= dt)
+    t = col(np.where(np.isfinite(time_of_impact), time_of_impact, 0.0))
+    dt = col(dt)
+    at = position + t * (velocity + t / 2 * acceleration)
+    bounced = kinematic_response(velocity + t * acceleration, normal, restitution)
+    left = dt - t
+    hit = at + left * (bounced + left / 2 * acceleration), bounced + left * acceleration
+    free = position + dt * (velocity + dt / 2 * acceleration), velocity + dt * acceleration
+    return tuple(np.where(struck, one, other) for one, other in zip(hit, free, strict=True))
+
+
+def penalty_force(separation, normal_velocity, normal, stiffness, damping=0.0, adhesive=False):
+    push = -(stiffness * np.asarray(separation) + damping * np.asarray(normal_velocity))
+    touches = np.asarray(separation) < 0
+    if not adhesive:
+        touches = touches & (push > 0)
+    return col(touches * push) * normal
+
+
+def penalty_step_limit(mass, stiffness, damping=0.0):
+    damping = np.asarray(damping)
+    return (np.sqrt(damping**2 + 4 * mass * stiffness) - damping) / stiffness
+
+
+def along_surface(force, normal):
+    return np.cross(normal, np.cross(force, normal))
+
+
+def normal_force(force, normal):
+    pressing = np.einsum("...i,...i", -np.asarray(force), normal)
+    return (np.abs(pressing) + pressing) / 2
+
+
+def friction_angle(static_friction):
+    return np.pi / 2 - np.arctan2(1.0, static_friction)
+
+
+def clamp_to_circle(tangent_force, limit):
+    size, limit = np.linalg.norm(tangent_force, axis=-1), np.asarray(limit)
+    largest = np.maximum(size, limit)
+    return tangent_force * col(limit / np.where(largest > 0, largest, 1.0))
+
+
+def sphere_grips(slip, approach_speed, restitution, friction):
+    return 2 * np.asarray(slip) - 7 * friction * (1 + np.asarray(restitution)) * approach_speed <= 0
+
+
+def point_velocity(velocity, angular_velocity, arm):
+    x, y, z = np.moveaxis(np.asarray(angular_velocity), -1, 0)
+    zero = np.zeros_like(x)
+    spin = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=-1).reshape(*x.shape, 3, 3)
+    return velocity + np.matvec(spin, arm)
+
+
+def rebound_velocity(normal_velocity, restitution):
+    u = np.asarray(normal_velocity)
+    return np.maximum(u, 0) + restitution * np.maximum(-u, 0)
+
+
+def classify_contact(normal_velocity, threshold=0.0):
+    return np.sign(normal_velocity) * (np.abs(normal_velocity) > threshold)
+
+
+def world_inverse_inertia(inertia, orientation):
+    w, x, y, z = np.moveaxis(np.asarray(orientation), -1, 0)
+    rows = (
+        (w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z),
+    )
+    turn = np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    share = np.array(inertia, dtype=float)
+    np.reciprocal(share, out=share, where=share > 0)
+    return np.einsum("...ik,...k,...jk->...ij", turn, share, turn)
+
+
+def _cross_matrix(arm):
+    return np.swapaxes(np.cross(np.asarray(arm)[..., None, :], np.eye(3)), -1, -2)
+
+
+def _give(body):
+    """K of one body: what a unit impulse does to its point."""
+    _, _, arm, share, turning = body
+    across = _cross_matrix(arm)
+    return np.asarray(share)[..., None, None] * np.eye(3) - across @ turning @ across
+
+
+def inverse_effective_mass(body_a, body_b, normal):
+    return np.einsum("...i,...ij,...j", normal, _give(body_a) + _give(body_b), normal)
+
+
+def impulse_magnitude(body_a, body_b, normal, restitution):
+    moves = [point_velocity(*body[:3]) for body in (body_a, body_b)]
+    give = inverse_effective_mass(body_a, body_b, normal)
+    change = -(np.asarray(restitution) + 1) * np.einsum("...i,...i", moves[0] - moves[1], normal)
+    return np.divide(change, give, out=np.zeros(np.broadcast(change, give).shape), where=give > 0)
+
+
+def apply_impulse(body_a, body_b, impulse):
+    after = []
+    for sign, (velocity, spin, arm, share, turning) in ((1, body_a), (-1, body_b)):
+        after += [velocity + sign * col(share) * impulse]
+        after += [spin - sign * np.matvec(turning, np.cross(impulse, arm))]
+    return tuple(after)
+
+
+def collide(body_a, body_b, normal, restitution, threshold=0.0):
+    moves = [point_velocity(*body[:3]) for body in (body_a, body_b)]
+    approach = np.einsum("...i,...i", moves[1] - moves[0], normal)
+    j = impulse_magnitude(body_a, body_b, normal, restitution) * (approach > threshold)
+    return apply_impulse(body_a, body_b, col(j) * normal)
+
+
+def solve_by_sweeps(matrix, offset, sweeps, start=0.0):
+    a, b = np.asarray(matrix), np.asarray(offset)
+    f = np.zeros(np.broadcast(a[..., 0], b, start).shape) + start
+    for _ in range(sweeps):
+        for i in range(b.shape[-1]):
+            others = np.sum(np.delete(a[..., i, :] * f, i, axis=-1), axis=-1)
+            own = a[..., i, i]
+            f[..., i] = np.where(own > 0, np.clip(-(others + b[..., i]) / np.where(own > 0, own, 1), 0, None), 0)
+    return f

@@ -1,0 +1,98 @@
+"""Right answers for one contact alone, in plain Python, and as lists."""
+
+from math import atan, ceil, floor, inf, sqrt
+
+
+def signed_distance(point, normal, offset):
+    (x, y, z), (a, b, c) = point, normal
+    return float((a * x + b * y + c * z + offset) / sqrt(a * a + b * b + c * c))
+
+
+def is_colliding(separation, tolerance=0.0):
+    return bool(separation + tolerance < 0)
+
+
+def substeps_needed(speed, thickness, radius, dt):
+    ratio = speed * dt / (thickness + radius + radius)
+    return int(ratio) + 1 if ratio == floor(ratio) else ceil(ratio)
+
+
+def kinematic_response(velocity, normal, restitution):
+    speed = sum(float(v) * float(n) for v, n in zip(velocity, normal, strict=True))
+    if speed > 0:
+        return [float(v) for v in velocity]
+    tangent = [v - speed * n for v, n in zip(velocity, normal, strict=True)]
+    return [float(t - restitution * speed * n) for t, n in zip(tangent, normal, strict=True)]
+
+
+def time_until_rest(separation, normal_velocity, normal_acceleration, restitution):
+    s, u, a, e = max(separation, 0.0), normal_velocity, normal_acceleration, restitution
+    if s == 0 and u == 0 and a <= 0:
+        return 0.0
+    if a > 0:
+        return inf
+    if a == 0:
+        return s / -u if u < 0 and e == 0 else inf
+    if e == 1:
+        return inf
+    w = sqrt(u * u - 2 * a * s)
+    first = (w + u) / -a
+    return first + 2 * e * w / (-a * (1 - e))
+
+
+def penalty_rest_depth(mass, gravity, stiffness):
+    return mass / stiffness * gravity
+
+
+def apparent_force(mass, gravity, push, frame_acceleration):
+    return [mass * g - mass * a + f for g, a, f in zip(gravity, frame_acceleration, push, strict=True)]
+
+
+def holds(push, normal_force, static_friction):
+    return bool(sum(float(f) ** 2 for f in push) <= (static_friction * normal_force) ** 2)
+
+
+def friction_angle(static_friction):
+    return atan(static_friction)
+
+
+def mean_force(momentum_change, duration, other_force=(0.0, 0.0, 0.0)):
+    return [float((p - duration * f) / duration) for p, f in zip(momentum_change, other_force, strict=True)]
+
+
+def rebound_velocity(normal_velocity, restitution):
+    if normal_velocity >= 0:
+        return normal_velocity
+    return restitution * abs(normal_velocity)
+
+
+def contact_impulses(magnitude, normal):
+    on_a = [float(magnitude * n) for n in normal]
+    return [on_a, [-part for part in on_a]]
+
+
+def apply_impulse_to_momenta(momentum, angular_momentum, arm, impulse):
+    (x, y, z), (a, b, c) = arm, impulse
+    turned = (y * c - z * b, z * a - x * c, x * b - y * a)
+    return (
+        [float(p + j) for p, j in zip(momentum, impulse, strict=True)],
+        [float(old + new) for old, new in zip(angular_momentum, turned, strict=True)],
+    )
+
+
+def propagate_impacts(velocity, mass, restitution, most=10_000):
+    v = [float(each) for each in velocity]
+    count = len(v)
+    m = [float(mass)] * count if getattr(mass, "ndim", 0) == 0 else [float(each) for each in mass]
+    e = [float(restitution)] * count if getattr(restitution, "ndim", 0) == 0 else [float(each) for each in restitution]
+    for _ in range(most):
+        struck = False
+        for i in range(count - 1):
+            closing = v[i] - v[i + 1]
+            if closing > 1e-13:
+                struck = True
+                share = 1 / (1 + m[i] / m[i + 1])  # of the change, what the left one takes
+                v[i], v[i + 1] = v[i] - (1 + e[i]) * closing * share, v[i + 1] + (1 + e[i]) * closing * (1 - share)
+        if not struck:
+            break
+    return v

@@ -1,0 +1,263 @@
+"""A mistake is named by its numbers; what is not certain is not said."""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from labs.grading import fingerprints
+from labs.grading.bank import Misconception, read_bank
+from labs.grading.diagnosis import diagnose
+from labs.grading.fingerprints import building
+from labs.grading.fingerprints.__main__ import main
+from labs.grading.probes import probed, probes
+from reference import lecture
+from reference.errors import InvalidInput, UnknownName
+from solutions.impulse import impulse_magnitude, point_velocity, rebound_velocity
+from solutions.response import kinematic_response
+
+BANK = read_bank()
+TOPICS = ("detection", "response", "friction", "impulse")
+pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
+
+
+def of(function):
+    """A submission of one function."""
+    return lambda _, *arguments: function(*arguments)
+
+
+def bounce(v, n, e):
+    """Right for one contact or many, without checks of its input."""
+    return v - (1 + np.asarray(e))[..., None] * np.minimum(np.sum(v * n, axis=-1), 0)[..., None] * n
+
+
+# The bank and its fingerprints
+
+
+def test_every_function_that_a_student_writes_has_probes_of_each_kind_and_four_known_mistakes():
+    written = [entry.name for topic in TOPICS for entry in lecture.functions_of(topic) if entry.role == "written"]
+    assert [entry.name for entry in probed()] == written
+    for name in written:
+        groups = [probe.group for probe in probes(name)]
+        assert len(groups) >= 30
+        assert set(groups) >= {"usual", "edge", "many"}
+        assert len([entry for entry in BANK if entry.function == name]) >= 4
+
+
+def test_probes_are_the_same_each_time():
+    first, again = probes("impulse_magnitude"), probes("impulse_magnitude")
+    assert [repr(probe) for probe in first] == [repr(probe) for probe in again]
+
+
+def test_the_fingerprints_are_fresh():
+    assert fingerprints.stale() == []
+
+
+def test_a_fingerprint_that_is_stale_is_found(tmp_path, monkeypatch):
+    numbers = {"is_colliding": {"right": [1.0, 2.0]}}
+    content = {"schema": "collisions-lab/fingerprints", "version": 1, "functions": numbers}
+    monkeypatch.setattr(building, "build", lambda *_: {"detection": content})
+    assert building.stale(tmp_path) == ["detection.json: there is none"]
+    building.write(tmp_path)
+    assert building.stale(tmp_path) == []
+    numbers["is_colliding"]["right"] = [1.0, 2.5]
+    assert building.stale(tmp_path) == ["detection.json: /functions/is_colliding/right[1] is 2.0, now 2.5"]
+
+
+def test_the_command_knows_two_ways(capsys):
+    assert main(["--what"]) == 2
+    assert "usage" in capsys.readouterr().out
+
+
+def test_two_entries_that_are_the_same_mistake_are_refused():
+    entry = next(entry for entry in BANK if entry.function == "rebound_velocity")
+    with pytest.raises(InvalidInput, match=r"give the same numbers; merge them"):
+        building.learned("rebound_velocity", rebound_velocity, [entry, replace(entry, name="again")])
+
+
+def test_an_entry_that_is_right_is_refused():
+    right = Misconception("kinematic_response", "none", bounce, "", "")
+    with pytest.raises(InvalidInput, match="is right on every probe"):
+        building.learned("kinematic_response", kinematic_response, [right])
+
+
+def test_no_formula_and_no_code_is_in_the_fingerprints():
+    for path in fingerprints.reading.FOLDER.glob("*.json"):
+        text = path.read_text(encoding="utf-8")
+        assert "lambda" not in text
+        assert "np.where" not in text
+
+
+def test_texts_end_as_sentences_and_a_hint_asks_something():
+    assert [entry.id for entry in BANK if not entry.rationale.endswith((".", ".)"))] == []
+    assert [entry.id for entry in BANK if not entry.help.endswith(("?", ".")) or entry.help == entry.rationale] == []
+
+
+def fails_to_be_named(bank):
+    found = [(entry.id, diagnose(entry.function, of(entry.formula))) for entry in bank]
+    return [(name, str(own)) for name, own in found if (own.verdict, own.mistakes[:1][0].id) != ("named", name)]
+
+
+def test_mistakes_are_named_as_themselves():
+    assert fails_to_be_named(BANK[::8]) == []
+
+
+@pytest.mark.slow
+def test_every_mistake_is_named_as_itself():
+    assert fails_to_be_named(BANK) == []
+
+
+# One function at a time
+
+
+def test_a_right_answer_that_checks_nothing_is_right_and_hears_of_it():
+    found = diagnose("kinematic_response", of(bounce))
+    assert found.right
+    assert found.accepted == ("a normal that is not of unit length", "a restitution above 1")
+    assert "It should refuse, with a ValueError" in str(found)
+
+
+def test_a_right_answer_that_checks_its_input_hears_of_nothing_else():
+    assert str(diagnose("kinematic_response", of(kinematic_response))) == "kinematic_response: right on every probe."
+
+
+def test_the_mistake_is_named_with_a_hint_and_the_simplest_example():
+    found = diagnose("kinematic_response", of(lambda v, n, e: bounce(v, n, 1 + 0 * np.asarray(e))))
+    text = str(found)
+    assert found.mistakes[0].id == "kinematic_response/always perfect"
+    assert "Every bounce is perfect" in text
+    assert "velocity=(0, 0, -2), normal=(0, 0, 1), restitution=0.5 (straight down on the floor)" in text
+    assert "gives   (0, 0, 2)\n  physics (0, 0, 1)" in text
+
+
+def test_a_mistake_for_one_contact_alone_is_named_all_the_same():
+    def single(velocity, normal, restitution):
+        if velocity @ normal < 0:
+            velocity = velocity - restitution * (velocity @ normal) * normal
+        return velocity
+
+    found = diagnose("kinematic_response", of(single))
+    assert found.mistakes[0].id == "kinematic_response/e for 1 + e"
+    assert "With several contacts in one call it ends in an error" in str(found)
+
+
+def test_what_is_right_for_one_contact_alone_is_said_to_be():
+    found = diagnose("point_velocity", of(lambda v, w, r: point_velocity(v.reshape(3), w.reshape(3), r.reshape(3))))
+    assert found.verdict == "one at a time"
+    assert not found.mistakes
+
+
+def test_writing_into_the_arguments_is_seen_though_the_numbers_are_right():
+    def in_place(velocity, normal, restitution):
+        after = bounce(velocity, normal, restitution)
+        velocity *= 2
+        return after
+
+    found = diagnose("kinematic_response", of(in_place))
+    assert (found.verdict, found.changes_input, found.right) == ("right", True, False)
+    assert "It writes into its arguments" in str(found)
+
+
+def test_a_change_of_the_input_elsewhere_is_believed():
+    class Elsewhere:
+        changed = (0,)
+
+        def __call__(self, _, *arguments):
+            return kinematic_response(*arguments)
+
+    assert diagnose("kinematic_response", Elsewhere()).changes_input
+
+
+def test_a_stub_is_unwritten():
+    def stub(*arguments):
+        raise NotImplementedError("your turn")
+
+    found = diagnose("collide", of(stub))
+    assert (found.verdict, found.counterexample) == ("unwritten", None)
+    assert str(found) == "collide: not written yet."
+
+
+def test_an_error_everywhere_is_shown_with_its_input():
+    found = diagnose("signed_distance", of(lambda point, normal, offset: point.no_such_thing))
+    assert found.verdict == "crashes"
+    assert "AttributeError" in str(found)
+
+
+@pytest.mark.parametrize("value", [None, "up", {"a": 1}, [[1, 2], [3]], np.zeros(2, complex), np.zeros((3, 1))])
+def test_what_is_no_answer_has_the_wrong_shape(value):
+    found = diagnose("point_velocity", of(lambda *_: value))
+    assert found.verdict == "shape"
+    assert not found.mistakes
+
+
+def test_one_thing_where_two_are_promised_has_the_wrong_shape():
+    found = diagnose("contact_impulses", of(lambda j, n: np.asarray(j)[..., None] * n))
+    assert "something of type ndarray, where 2 arrays of numbers should be" in str(found)
+
+
+def test_an_unknown_mistake_gets_the_example_alone():
+    found = diagnose("point_velocity", of(lambda v, w, r: 1.37 * v + np.cross(w, r)))
+    assert (found.verdict, found.mistakes) == ("unknown", ())
+    assert "in a way that the lab does not know" in str(found)
+    assert "velocity=(1, 2, 3)" in str(found)
+
+
+def test_a_known_mistake_with_another_one_in_limiting_cases_is_likely_not_certain():
+    """Against the push where there is none: 0/0."""
+
+    def divides_by_zero(push, v, normal_force, static, kinetic):
+        speed, size = np.linalg.norm(v, axis=-1)[..., None], np.linalg.norm(push, axis=-1)[..., None]
+        mu_n = np.asarray(kinetic * np.asarray(normal_force))[..., None]
+        held = size <= (static * np.asarray(normal_force))[..., None]
+        broken = -mu_n * push / size
+        return np.where(speed > 0, mu_n * v / speed, np.where(held & (size > 0), -push, broken))
+
+    found = diagnose("friction_force", of(divides_by_zero))
+    assert found.verdict == "likely"
+    assert found.mistakes[0].id == "friction_force/along the velocity"
+    assert "something else is wrong besides" in " ".join(str(found).split())
+
+
+def test_more_than_one_explanation_is_said_and_none_is_picked():
+    """The two mistakes differ in touching alone, where this one has no answer."""
+
+    def without_touching(separation, tolerance=0.0):
+        if np.any(separation == 0):
+            raise ZeroDivisionError("float division by zero")
+        return np.broadcast_to(separation < 0, np.broadcast(separation, tolerance).shape)
+
+    found = diagnose("is_colliding", of(without_touching))
+    assert found.verdict == "several"
+    assert [known.id for known in found.mistakes] == [
+        "is_colliding/tolerance left out",
+        "is_colliding/tolerance left out, touching counts",
+    ]
+    assert "do not say which it is" in " ".join(str(found).split())
+
+
+def test_one_wrong_number_is_no_mistake_with_a_name():
+    """Right but for a single probe: no known mistake explains that alone."""
+
+    def nearly(a, b, n, e):
+        right = impulse_magnitude(a, b, n, e)
+        return right + 1 if np.ndim(right) == 0 and np.array_equal(a[0], [0, 0, -1]) else right
+
+    found = diagnose("impulse_magnitude", of(nearly))
+    assert not found.mistakes
+
+
+def test_a_function_without_probes_is_refused():
+    with pytest.raises(UnknownName, match="no_such"):
+        diagnose("no_such", of(kinematic_response))
+
+
+@pytest.mark.parametrize("topic", TOPICS)
+def test_the_names_of_parameters_are_those_of_the_solutions(topic):
+    module = importlib.import_module(f"solutions.{topic}")
+    for entry in lecture.functions_of(topic):
+        if entry.role == "written":
+            code = getattr(module, entry.name).__code__
+            assert fingerprints.known(entry.name).parameters == code.co_varnames[: code.co_argcount]
