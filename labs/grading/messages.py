@@ -84,7 +84,8 @@ def encoded(value: Any, depth: int = 0) -> Any:
     if exact is np.ndarray:
         return ["array", _dtype_name(value.dtype), list(value.shape), _text_of(value)]
     if exact in _SCALARS:
-        return ["scalar", _dtype_name(value.dtype), [], _text_of(np.asarray(value))]
+        array = np.asarray(value)  # its dtype has room for a character even where the text is empty
+        return ["scalar", _dtype_name(array.dtype), [], _text_of(array)]
     raise Refused(f"an object of type {_type_name(exact)}")
 
 

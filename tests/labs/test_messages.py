@@ -9,7 +9,7 @@ import struct
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
@@ -56,6 +56,7 @@ def same(sent, arrived) -> bool:
 
 
 @given(PLAIN)
+@settings(max_examples=50)
 def test_every_plain_value_arrives_as_it_was_sent(value):
     assert same(value, there_and_back(value))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tracemalloc
@@ -244,9 +245,8 @@ def test_odd_notebooks_are_read(content, tmp_path):
     ],
 )
 def test_a_file_without_a_submission_is_refused_in_one_line(name, content, line, tmp_path):
-    with pytest.raises(UnreadableSubmission, match=".") as refused:
+    with pytest.raises(UnreadableSubmission, match=re.escape(line)) as refused:
         handed_in(tmp_path, content, name)
-    assert line in str(refused.value)
     assert "\n" not in str(refused.value)
 
 
@@ -299,9 +299,9 @@ def test_a_notebook_under_another_name_is_read_and_it_is_said(tmp_path):
         "x = " + "lambda: " * 50_000 + "1",
         "if 1: pass\n" + "elif 1: pass\n" * 20_000,
         "".join(" " * depth + "def f():\n" for depth in range(90)) + " " * 90 + "pass",
-        "def f(): pass\n" * 5_000,
-        "def rebound_velocity(v, e): return 0\n" * 5_000,
-        "".join(f"a{i} = a{i + 1}\n" for i in range(5_000)) + "def normal_velocity(): return a0",
+        "def f(): pass\n" * 2_000,
+        "def rebound_velocity(v, e): return 0\n" * 2_000,
+        "".join(f"a{i} = a{i + 1}\n" for i in range(2_000)) + "def normal_velocity(): return a0",
         "%" * 50_000 + "\n?" * 20_000,
     ],
     ids=lambda source: source[:12],
