@@ -12,11 +12,19 @@ class UnreadableSubmission(CollisionsError):
 
 
 class StudentError(CollisionsError):
-    """What the submission's code did instead of answering; the message is fit to be shown to the student."""
+    """What the submission's code did instead of answering; the message is fit to be shown to the student.
+
+    gist: the same without a word of the student's code, for the feedback of a hidden test, whose inputs a message, or
+    the name of a type, could be made to carry out.
+    """
+
+    gist = "gave no answer"
 
 
 class FunctionMissing(StudentError, NeedsFunction):
     """The function is not in the submission, or still raises NotImplementedError."""
+
+    gist = "is not written yet"
 
 
 class FunctionRaised(StudentError):
@@ -24,6 +32,8 @@ class FunctionRaised(StudentError):
 
     kind: the exception's type. line: of the submission's text, counted from 1, or None where it is not known.
     """
+
+    gist = "raised an exception"
 
     def __init__(self, message: str, kind: str = "", line: int | None = None) -> None:
         super().__init__(message)
@@ -33,13 +43,19 @@ class FunctionRaised(StudentError):
 class WrongType(StudentError):
     """The function gave an object that is no answer: neither a number, text, an array nor a tuple of these."""
 
+    gist = "gave an object that is no answer"
+
 
 class OutOfTime(StudentError):
     """A call, or all calls of a test together, went past the time limit; the process was stopped."""
 
+    gist = "took too long"
+
 
 class ProcessDied(StudentError):
     """The process ended before it answered: a crash, os._exit, or a limit that the system enforces."""
+
+    gist = "ended its process"
 
 
 class NoAnswer(StudentError):
@@ -48,6 +64,8 @@ class NoAnswer(StudentError):
 
 class NotSteady(StudentError):
     """The same call in a fresh process gave another answer."""
+
+    gist = "answered the same call in two ways"
 
 
 class GraderFailed(WorkerCrashed):

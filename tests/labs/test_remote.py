@@ -153,9 +153,8 @@ def test_a_call_that_takes_too_long_ends_its_test_alone(of):
 
 
 def test_calls_that_are_each_in_time_cannot_take_for_ever_together(of):
-    with of("import time\ndef f(): time.sleep(0.3)").fresh() as call:
-        with pytest.raises(OutOfTime, match="time is up"):
-            calls_until_it_fails(call, "f")
+    with of("import time\ndef f(): time.sleep(0.3)").fresh() as call, pytest.raises(OutOfTime, match="time is up"):
+        calls_until_it_fails(call, "f")
 
 
 def test_each_test_has_a_process_that_knows_nothing_of_the_others(of):

@@ -63,11 +63,11 @@ class Printed(io.TextIOBase):
 def serve(requests: int, answers: int, sealing: Sealing) -> None:
     """Say how far the process is shut in, load the text that comes first, then answer every call."""
     _send(answers, ("sealed", int(sealing.tier), list(sealing.missing)))
-    _, text, limit = _receive(requests)
+    text, limit = _receive(requests)
     printed = Printed(limit)
     sys.stdout = sys.stderr = printed
     module = ModuleType(TITLE)
-    failures = load(text, module)
+    failures = load(text.tobytes().decode(), module)
     _send(answers, ("loaded", [name for name, value in vars(module).items() if callable(value)], failures))
     while True:
         try:

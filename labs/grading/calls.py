@@ -1,0 +1,219 @@
+"""The calls of one test: functions of a submission by name, in one process, within the test's time.
+
+Threat: answers that are forged, stale or of no plain type, and errors whose text is the student's own. Every answer is
+matched part by part, with the number of its call; every text is made fit to be shown; whatever is odd ends the process.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from labs.grading import deaths, messages
+from labs.grading.errors import (
+    FunctionMissing,
+    FunctionRaised,
+    GraderFailed,
+    NoAnswer,
+    NotSteady,
+    OutOfTime,
+    ProcessDied,
+    StudentError,
+    WrongType,
+)
+from labs.grading.plain import one_line, plain
+from labs.grading.processes import Ended, Host, Limits, Process
+from labs.grading.submission import Submission
+from labs.grading.worker.sandbox import Sealing
+from labs.grading.worker.tier import Tier
+from reference import lecture
+from reference.errors import InvalidInput, NeedsFunction
+from reference.implementation import Implementation
+
+_STARTING = 10.0  # s for the process itself, before it has seen the submission
+
+
+class Call:
+    """Calls functions of the submission in one process.
+
+    Of the last call: printed, what it printed; changed, which of its arguments it wrote to, by place. Of the process:
+    sealing, how far it is shut in; ended, once it has, how that was and what it used.
+    """
+
+    def __init__(
+        self, submission: Submission, limits: Limits, fresh: Callable[[], AbstractContextManager[Call]]
+    ) -> None:
+        self._submission, self._limits, self._fresh = submission, limits, fresh
+        self._process: Process | None = None
+        self._left = limits.test  # s of waiting that are left to this test
+        self._number = 0
+        self._lost: StudentError | None = None
+        self._names: frozenset[str] = frozenset()
+        self._failures: list[Any] = []
+        self.printed = ""
+        self.changed: tuple[int, ...] = ()
+        self.sealing = Sealing(Tier.PROCESS)
+        self.ended: Ended | None = None
+
+    def begin(self, host: Host, least: Tier, unloadable: StudentError | None = None) -> StudentError | None:
+        """Start the process and have it run the submission's text; returns why that cannot be, for every call to tell.
+
+        least: the tier below which it is not run. unloadable: what was found before, so that it need not be again.
+        """
+        self._lost = unloadable
+        if unloadable is None:
+            self._process = host.start(self._limits)
+            self._seal(self._process, least)
+            try:
+                self._load()
+            except StudentError as error:
+                return error
+        return unloadable
+
+    def _seal(self, process: Process, least: Tier) -> None:
+        """Send the text and learn how far the process is shut in, which it says before it runs any of it."""
+        text = np.frombuffer(self._submission.text.encode(), np.uint8)  # as bytes, whose commas nobody counts
+        try:
+            match messages.unpack(process.exchange(messages.pack((text, self._limits.printed)), _STARTING)):
+                case ("sealed", int(tier), list(missing)):
+                    self.sealing = Sealing(Tier(tier), tuple(missing))
+        except (OSError, EOFError, messages.Refused) as error:
+            raise GraderFailed(f"a test's process did not start: {error or deaths.reason(process.end())}") from None
+        if self.sealing.tier < least:
+            offered, lacking = self.sealing.tier.title, "; ".join(self.sealing.missing)
+            raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {lacking}")
+
+    def _load(self) -> None:
+        match self._exchange("the submission, on loading,", b""):
+            case ("loaded", list(names), list(failures)):
+                self._names = frozenset(name for name in names if isinstance(name, str))
+                self._failures = [each for each in failures if _is_failure(each)]
+            case _:
+                raise self._lose(NoAnswer("the submission wrote into the grader's pipe on loading"))
+
+    def __call__(self, name: str, /, *arguments: Any, **named: Any) -> Any:
+        """Call a function; raises a `StudentError` where it does not answer with plain values.
+
+        Arguments and answers are None, bool, int, float, str, tuples and lists of these, NumPy arrays and scalars.
+        """
+        if self._lost is not None:
+            raise self._lost
+        self._number += 1
+        self.printed, self.changed = "", ()
+        try:
+            message = messages.pack(("call", self._number, name, arguments, list(named.items())))
+        except messages.Refused as refused:
+            raise InvalidInput(f"{name} cannot be called with {refused}") from None
+        match self._exchange(name, message):
+            case ("answer", self._number, "value", float(), list(changed), value, str(printed)):
+                self.printed = plain(printed, self._limits.printed)
+                self.changed = tuple(place for place in changed if isinstance(place, int))
+                return value
+            case ("answer", self._number, "raised", str(kind), str(text), line, str(printed)):
+                self.printed = plain(printed, self._limits.printed)
+                raise self._raised(name, kind, text, line if isinstance(line, int) else None)
+            case ("answer", self._number, "refused", str(why), str(printed)):
+                self.printed = plain(printed, self._limits.printed)
+                raise WrongType(
+                    f"{name} gave {one_line(why)}; an answer is a number, text, an array or a tuple of these"
+                )
+            case ("answer", self._number, "missing", str()):
+                raise self._missing(name)
+        raise self._lose(NoAnswer(f"{name} wrote into the grader's pipe instead of answering"))
+
+    def steady(self, name: str, /, *arguments: Any, **named: Any) -> Any:
+        """Call a function here and in a fresh process; raises `NotSteady` unless both give the same, bit by bit."""
+        value = self(name, *arguments, **named)
+        with self._fresh() as other:
+            again = other(name, *arguments, **named)
+        if messages.pack(value) != messages.pack(again):
+            raise NotSteady(f"{name} answered the same call otherwise in a fresh process; only the arguments may count")
+        return value
+
+    def defines(self, name: str) -> bool:
+        """Whether the submission has a function of that name."""
+        return name in self._names
+
+    def implementation(self) -> RemoteImplementation:
+        """These functions as what the drivers of scenarios call."""
+        return RemoteImplementation("submission", self)
+
+    def end(self) -> None:
+        """Kill the process with all that it started."""
+        if self._process is not None:
+            self.ended = self._process.end()
+
+    def _exchange(self, name: str, message: bytes) -> Any:
+        """Send a message and read the answer, within what time is left; whatever goes wrong ends the process."""
+        assert self._process is not None
+        allowed, began = min(self._limits.call, self._left), time.monotonic()
+        try:
+            answer = messages.unpack(self._process.exchange(message, allowed))
+        except TimeoutError:
+            limit = f"{allowed:.3g} s" + (" (the test's time is up)" if allowed < self._limits.call else "")
+            raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
+        except (OSError, EOFError):
+            raise self._lose(ProcessDied(f"{name} gave no answer: {deaths.reason(self._process.end())}")) from None
+        except messages.Refused as refused:
+            raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None
+        self._left -= time.monotonic() - began
+        return answer
+
+    def _lose(self, error: StudentError) -> StudentError:
+        self._lost = error
+        self.end()
+        return error
+
+    def _missing(self, name: str) -> StudentError:
+        for names, kind, text, line in self._failures:
+            if name in names or not names:
+                return FunctionRaised(f"{name} could not be defined: {self._said(kind, text, line)}", kind, line)
+        return FunctionMissing(f"{_needs(name)}: it is not in the submission")
+
+    def _raised(self, name: str, kind: str, text: str, line: int | None) -> StudentError:
+        if kind == "NotImplementedError":
+            return FunctionMissing(f"{_needs(name)}: it is not written yet")
+        message = f"{name} raised {self._said(kind, text, line)}"
+        if kind == "NameError":
+            message += "".join(
+                f". On loading: {self._said(why, said, where)}"
+                for names, why, said, where in self._failures
+                if any(f"'{each}'" in text for each in names)
+            )
+        return FunctionRaised(message, one_line(kind), line)
+
+    def _said(self, kind: str, text: str, line: int | None) -> str:
+        where = f" ({self._submission.where(line)})" if line else ""
+        return f"{one_line(kind, 100)}{': ' * bool(text)}{one_line(text)}{where}"
+
+
+@dataclass(frozen=True)
+class RemoteImplementation(Implementation):
+    """A submission as what drivers call: they and the trajectory stay here, the functions run over there."""
+
+    call: Call | None = None
+
+    def function(self, name: str) -> Callable[..., Any]:
+        """Return a proxy of the function; where it is not written yet, raise `NeedsFunction`."""
+        call = self.call
+        if call is None or not call.defines(name):
+            raise NeedsFunction(_needs(name))
+        return lambda *arguments, **named: call(name, *arguments, **named)
+
+
+def _needs(name: str) -> str:
+    entry = lecture.FUNCTIONS.get(name)
+    return f"needs {name} ({entry.topic}, step {entry.step})" if entry else f"needs {name}"
+
+
+def _is_failure(found: object) -> bool:
+    """Whether it is what the worker says of a statement that failed: names, type, message, line."""
+    match found:
+        case (list(names), str(), str(), int() | None):
+            return all(isinstance(name, str) for name in names)
+    return False
