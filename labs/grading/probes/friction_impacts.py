@@ -113,7 +113,7 @@ def _propagate() -> list[Probe]:
         usual("from the right", [0, 0, -1], 1.0, 1.0),
         usual("moving apart", [-1, 0, 2], 1.0, 0.5),
         usual("different restitutions", [2, 0, 0], 1.0, [0.5, 1.0]),
-        usual("a wall at the end", [1, 0, 0], [1, 1, INFINITY], 1.0),
+        edge("a wall at the end", [1, 0, 0], [1, 1, INFINITY], 1.0),
         edge("a single ball", [3], 1.0, 0.5),
         edge("all at the same speed", [2, 2, 2], 1.0, 0.5),
         refused("no mass", [1, 0], 0.0, 1.0),
@@ -176,6 +176,7 @@ def _sweeps() -> list[Probe]:
         edge("no sweep", coupled, [-4, -4], 0, [1, 2]),
         edge("all lift off", coupled, [4, 4], 3),
         edge("a contact that moves nothing", [[2, 0], [0, 0]], [-4, 1], 2),
+        edge("a contact that moves nothing and is pressed", [[2, 0], [0, 0]], [-4, -1], 2),
         refused("a matrix that does not fit", two, [1], 1),
     ]
     maker = lambda draw: (*_problem(draw), 2, np.abs(draw.vector(2)))  # noqa: E731

@@ -114,6 +114,27 @@ def ordered(x, u, r, w, dt):
     return np.where(start <= end, start, np.inf), np.where(start <= end, end, -np.inf)
 
 
+def past(x, u, r, w, dt):
+    """(whether they meet, raw, clipped) of start and end, the start not clipped."""
+    start, end = interval(x, u, r, -(w + r), dt)
+    first = interval(x, u, r, -(w + r), dt, clip=False)[0]
+    return (start <= end, first, start), (start <= end, end, end)
+
+
+def future(x, u, r, w, dt):
+    start, end = interval(x, u, r, -(w + r), dt)
+    last = interval(x, u, r, -(w + r), dt, clip=False)[1]
+    return (start <= end, start, start), (start <= end, last, end)
+
+
+def unguarded(x, u, r, w, dt):
+    moves = np.asarray(u) != 0
+    front, back = (r - x) / np.where(moves, u, 1.0), (-(w + r) - x) / np.where(moves, u, 1.0)
+    inside = (-(w + r) <= x) & (x <= r)
+    last = np.where(moves, np.maximum(front, back), np.where(inside, np.inf, -np.inf))
+    return np.maximum(np.where(moves, np.minimum(front, back), 0.0), 0.0), np.minimum(last, dt)
+
+
 def half_open(x, u, r, w, dt):
     start, end = interval(x, u, r, -(w + r), dt)
     return np.where(start < end, start, np.inf), np.where(start < end, end, -np.inf)
@@ -247,6 +268,14 @@ BANK = (
     M("time_of_impact_interpolated", "start taken away", guarded(lambda a, b: -over(a, a - b)),
       "The share of the step has the wrong sign: the impact lies before the step.",
       "Can T be earlier than t?"),
+    M("time_of_impact_interpolated", "guard of the end alone",
+      lambda s0, s1, t, dt: np.where(np.asarray(s1) < 0, t + dt * over(s0, s0 - s1), np.inf),
+      "It asks only whether the step ends behind the plane. One that starts behind it met it in an earlier step.",
+      "What should come out of a point that is behind the plane all the time?"),
+    M("time_of_impact_interpolated", "guard of the start alone",
+      lambda s0, s1, t, dt: np.where(np.asarray(s0) >= 0, t + dt * over(s0, s0 - s1), np.inf),
+      "It asks only whether the step starts in front of the plane, not whether it ends behind it.",
+      "What should come out of a point that stays in front?"),
 
     M("time_of_impact_exact", "gravity left out", straight_line,
       "Time is way over speed, as if the velocity did not change on the way down.",
@@ -282,6 +311,12 @@ BANK = (
     M("time_of_impact_exact", "later root always", other_root,
       "The root with the plus is always taken. Which of the two comes first depends on the sign of a.",
       "A positive acceleration: the parabola opens upwards. Which root is reached first?"),
+    M("time_of_impact_exact", "velocity's sign", lambda s, u, a: right_fall(s, -np.asarray(u), a),
+      "The velocity has the wrong sign: it is positive when moving away from the plane.",
+      "Throw the ball up. Should it arrive later or sooner?"),
+    M("time_of_impact_exact", "acceleration's sign", lambda s, u, a: right_fall(s, u, -np.asarray(a)),
+      "The acceleration has the wrong sign: towards the plane it is negative already.",
+      "What is a for a ball that falls?"),
 
     M("side_of_plane", "sides swapped", lambda s, tol=0.0: 1 * (s < -tol) - 1 * (s > tol),
       "Front and back are swapped: in front of the plane is +1.",
@@ -358,6 +393,20 @@ BANK = (
       lambda x, u, r, w, dt: interval(x, u, r, -(w + r), dt, empty=(np.inf, np.inf)),
       "Where they do not meet, both are infinite: then the end is not before the start, and the interval is not empty.",
       "Which sign makes an interval empty?"),
+    M("overlap_interval", "may begin in the past",
+      lambda x, u, r, w, dt: tuple(np.where(met, raw, clipped) for met, raw, clipped in past(x, u, r, w, dt)),
+      "The start may lie before the step: a ball that overlaps already starts at 0.",
+      "From when does the step last?"),
+    M("overlap_interval", "may end after the step",
+      lambda x, u, r, w, dt: tuple(np.where(met, raw, clipped) for met, raw, clipped in future(x, u, r, w, dt)),
+      "The end may lie after the step.",
+      "Until when does the step last?"),
+    M("overlap_interval", "distance's sign", lambda x, u, r, w, dt: interval(-np.asarray(x), u, r, -(w + r), dt),
+      "The distance has the wrong sign: before the wall it is positive.",
+      "Where is a ball whose distance is positive?"),
+    M("overlap_interval", "never empty", unguarded,
+      "Where they do not meet, the start lies after the end: that is not recognised.",
+      "What should come out where they do not meet?"),
 
     M("missing_probability", "ball a point", lambda v, w, r, dt: missed(v, dt, w + 0 * r),
       "The ball is treated as a point: a large ball is caught more easily.",
@@ -423,5 +472,15 @@ BANK = (
     M("substeps_needed", "upside down", lambda v, w, r, dt: np.floor(over(w + 2 * r, v * dt, 0)) + 1,
       "The ratio is upside down: a faster ball needs more parts, not fewer.",
       "Double the speed. Should the number grow or fall?"),
+    M("substeps_needed", "rounded down to none", lambda v, w, r, dt: np.floor(v * dt / (w + 2 * r)),
+      "The number is rounded down: then a part of the step is longer than the wall, and a slow ball gets no step at "
+      "all.",
+      "How far does the ball go in one part? Is that shorter than the wall?"),
+    M("substeps_needed", "one too many", lambda v, w, r, dt: np.ceil(v * dt / (w + 2 * r)) + 1,
+      "There is mostly one part too many: rounded up, and one more.",
+      "What is the smallest number of parts, for a ball that moves half of the wall's way?"),
+    M("substeps_needed", "thickness left out", lambda v, w, r, dt: np.floor(over(v * dt, 2 * r + 0 * w)) + 1,
+      "The wall is treated as a sheet.",
+      "Which argument makes no difference to your answer?"),
 )
 # fmt: on

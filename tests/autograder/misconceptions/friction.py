@@ -57,6 +57,10 @@ def without_normal_force(push, v, N, s, k):
 grows_with_speed = of(moving=lambda f, v, N, s, k: -col(k * N) * v)
 
 
+def viscosity(push, v, N, s, k):
+    return -col(k * np.asarray(N)) * v + 0 * np.asarray(push) + 0 * col(s)
+
+
 def slide(p, v, f, N, s, k, m, dt, force=friction, stop=True, held=True, again=True, half=0.5):
     """Exact motion, with what may be wrong about it."""
     m, dt = col(m), np.asarray(dt)
@@ -390,6 +394,14 @@ BANK = (
     M("friction_force", "held not at the limit", of(held=lambda f, v, N, s, k: size(f) < col(s * N)),
       "At exactly the limit the body is let go; static friction can be as large as μ_s N.",
       "How large can static friction be?"),
+    M("friction_force", "divides by no speed",
+      lambda f, v, N, s, k: -col(k * np.asarray(N)) * np.asarray(v) / size(v) + 0 * np.asarray(f) + 0 * col(s),
+      "The velocity is divided by its size even where there is none: 0/0. And a body at rest has no case of its own.",
+      "What is v/‖v‖ of a body at rest? And which friction has it?"),
+    M("friction_force", "viscosity",
+      viscosity,
+      "Friction is taken to be −μ N v, as if it were viscosity: it grows with the speed, and there is none at rest.",
+      "What holds a box on a slope?"),
 
     M("sliding_motion", "friction turns it round", never,
       "The stop within the step is not looked for: friction goes on pushing and turns the body round.",
@@ -474,6 +486,9 @@ BANK = (
       lambda f, limit: np.where(size(f) > col(limit), f * over(col(limit), size(f) ** 2, 1), f),
       "It is divided by the square of the length.",
       "How long is your answer?"),
+    M("clamp_to_circle", "0/0", lambda f, limit: f * np.minimum(1, col(limit) / size(f)),
+      "Without force and without friction it divides 0 by 0.",
+      "What is limit/‖F‖ when both are zero?"),
 
     M("clamp_to_square", "circle", circle_for_square,
       "The length is clamped: that is the circle. Here each component is to be clamped on its own.",

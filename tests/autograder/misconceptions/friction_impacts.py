@@ -99,6 +99,11 @@ def block(v, w, n, R, e, mu, share=0.4):
     return after, w + 0 * np.asarray(v)
 
 
+def driven_in(v, w, n, R, e, mu, share=0.4):
+    after, spin = sphere(v, w, n, R, e, mu, share)
+    return 2 * np.asarray(v) - after, spin
+
+
 def without_inertia(v, w, n, R, e, mu, share=0.4):
     after, spin = sphere(v, w, n, R, e, mu, share)
     return after, w + (spin - w) * col(share) * col(R) ** 2
@@ -214,6 +219,10 @@ BANK = (
     M("sphere_grips", "e for 1 + e", lambda s, v, e, mu: s <= 3.5 * mu * np.asarray(e) * v,
       "e stands in place of 1 + e: only the rebound is counted, not the stop before it.",
       "How large is the impulse along the normal when e = 0?"),
+    M("sphere_grips", "approach speed left out",
+      lambda s, v, e, mu: s <= 3.5 * mu * (1 + np.asarray(e)) + 0 * np.asarray(v),
+      "The approach speed makes no difference: a speed is compared with a number without a unit.",
+      "Which argument makes no difference to your answer?"),
 
     M("friction_impulse", "no friction", frictionless,
       "Friction makes no difference: the impulse is along the normal alone.",
@@ -269,6 +278,9 @@ BANK = (
       with_(slip=clamped_components),
       "Each component along the surface is cut on its own: the cone is round.",
       "How large is friction along the diagonal?"),
+    M("friction_impulse", "always at the cone's edge", with_(limit=lambda mu, j, n: -1 + 0 * flat(dot(j, n))),
+      "It always slips: the impulse is at the edge of the cone even where less stops the slip.",
+      "A very small slip and a lot of friction: what should be left?"),
 
     M("sphere_impact", "no friction",
       lambda v, w, n, R, e, mu, share=0.4: sphere(v, w, n, R, e, 0 * np.asarray(mu), share),
@@ -319,6 +331,14 @@ BANK = (
       lambda v, w, n, R, e, mu, share=0.4: sphere(v, w, n, R, 1 + 0 * np.asarray(e), mu, share),
       "Every bounce is perfect: the restitution makes no difference.",
       "Which argument makes no difference to your answer?"),
+    M("sphere_impact", "radius not squared",
+      lambda v, w, n, R, e, mu, share=0.4: sphere(v, w, n, R, e, mu, share / np.asarray(R)),
+      "The moment of inertia is taken as a share of m R: the radius is to be squared.",
+      "What unit has a moment of inertia?"),
+    M("sphere_impact", "impulse taken away",
+      driven_in,
+      "The impulse is taken away from the velocity: the ball goes on into the plane.",
+      "Which way must the ball be pushed?"),
 
     M("propagate_impacts", "one pass", lambda v, m, e, most=1: row(v, m, e, most=1),
       "The pairs are gone through once; some of them approach again afterwards.",
@@ -440,6 +460,9 @@ BANK = (
       residual(lambda own, f, w: np.max(np.abs(np.minimum(pressed(own, f), w))) + 0 * f[..., 0]),
       "With several problems in one call, the worst of all of them is given to each.",
       "Along which axis do the contacts of a single problem lie?"),
+    M("complementarity_residual", "offset left out", lambda a, b, f: residual(worst)(a, 0 * np.asarray(b), f),
+      "The offset makes no difference: the second number is A f + b.",
+      "Which argument makes no difference to your answer?"),
 
     M("solve_by_sweeps", "old forces", sweeps(jacobi=True),
       "All contacts of a sweep use the forces from before it: that is Jacobi's method. Gauss and Seidel use what is "
@@ -485,5 +508,9 @@ BANK = (
     M("solve_by_sweeps", "absolute value", sweeps(update=lambda f, gap, own: np.abs(f - gap / own)),
       "The absolute value is taken in place of the clamp: a contact that lifts off gets a force.",
       "What should the force of a contact be that lifts off?"),
+    M("solve_by_sweeps", "no coupling",
+      lambda a, b, count, start=0.0: sweep(np.asarray(a) * np.eye(np.shape(a)[-1]), b, count, start),
+      "Each contact is solved on its own: what the others carry makes no difference.",
+      "Push one corner of a table. What do the other legs feel?"),
 )
 # fmt: on

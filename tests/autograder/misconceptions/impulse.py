@@ -158,6 +158,9 @@ BANK = (
     M("rebound_velocity", "always away", lambda u, e: e * np.abs(u),
       "The absolute value scales the velocity of points that separate as well; they should keep it.",
       "What happens to points that move apart?"),
+    M("rebound_velocity", "unchanged", lambda u, e: 1.0 * np.asarray(u) + 0 * np.asarray(e),
+      "The velocity comes back unchanged: nothing has been answered.",
+      "What should be different afterwards?"),
 
     M("classify_contact", "the slide's tests", lambda u, t=0.0: np.where(u > t, -1, np.where(u < -np.asarray(t), 0, 1)),
       "They are the slide's two tests. Its V_rel counts along a normal from A to B, and its second < should be >: what "

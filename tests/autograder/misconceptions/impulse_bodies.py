@@ -74,6 +74,11 @@ def magnitude(a, b, n, e, below=denominator, factor=lambda e: -(1 + e), speed=cl
     return over(factor(np.asarray(e)) * speed(a, b, n), below(a, b, n), 0.0)
 
 
+def undivided(a, b, n, e):
+    """0/0 between immovable bodies."""
+    return -(1 + np.asarray(e)) * closing(a, b, n) / np.asarray(soft(a, n) + soft(b, n))
+
+
 def size_with(**parts):
     return lambda a, b, n, e: magnitude(a, b, n, e, **parts)
 
@@ -269,6 +274,13 @@ BANK = (
       lambda a, b, n: over(1, mass(a[3]) + mass(b[3]), 0) + turning(a, n) + turning(b, n),
       "1/(M_A + M_B) stands in place of 1/M_A + 1/M_B.",
       "What is left of it when B is immovable?"),
+    M("inverse_effective_mass", "turning alone", both(lambda body, n: turning(body, n) + 0 * np.asarray(body[3])),
+      "The masses make no difference: only the turning is there.",
+      "What is the number where the normal goes through both centres?"),
+    M("inverse_effective_mass", "lever from the wrong side",
+      both(lambda body, n: body[3] + flat(dot(lever(body[2], n), np.cross(body[2], turned(body[4], n))))),
+      "I⁻¹ is applied to the normal in place of the lever r × n.",
+      "What does an impulse do to the spin: I⁻¹ of what?"),
 
     M("impulse_magnitude", "sign", size_with(factor=lambda e: 1 + e),
       "The minus is missing: the impulse drives the bodies into each other.",
@@ -357,6 +369,14 @@ BANK = (
       "Below the line B's terms are taken away: its minus in the impulse and the minus of the relative velocity make a "
       "plus.",
       "Two equal bodies: is your denominator zero?"),
+    M("impulse_magnitude", "masses left out below",
+      size_with(below=both(lambda body, n: turning(body, n) + 0 * np.asarray(body[3]))),
+      "Below the line the masses make no difference: only the turning is there.",
+      "What is below the line where the normal goes through both centres?"),
+    M("impulse_magnitude", "0/0",
+      undivided,
+      "Of two immovable bodies it divides by zero: no impulse stops them, and 0 is to be returned.",
+      "What is below the line when both are immovable?"),
 
     M("apply_impulse", "+J to both", apply_with(b_sign=1),
       "+J went to both bodies, as the slide prints it: momentum is not conserved.",
@@ -420,6 +440,9 @@ BANK = (
       apply_with(change=change_with(angular=lambda s, k, r, j: turned(k, turned(k, np.cross(r, j))))),
       "The inverse inertia comes in twice.",
       "What unit has I⁻¹(r × J)?"),
+    M("apply_impulse", "−J to both", lambda a, b, j: applied(a, b, -np.asarray(j), b_sign=1),
+      "−J went to both bodies: momentum is not conserved.",
+      "Add up the momenta before and after."),
 
     M("collide", "+J to both", collide_with(apply=apply_with(b_sign=1)),
       "+J went to both bodies, as slide 18 prints it: momentum is not conserved.",
@@ -492,5 +515,17 @@ BANK = (
       collide_with(j_of=size_with(speed=crossed), speed=crossed),
       "The velocities of the points have r × ω in place of ω × r.",
       "A wheel turns to the left, seen from above. Which way does its rightmost point move?"),
+    M("collide", "0/0",
+      collide_with(j_of=undivided),
+      "Two immovable bodies: it divides by zero. No impulse stops them, and they are to stay unchanged.",
+      "What is below the line when both are immovable?"),
+    M("collide", "unchanged",
+      collide_with(j_of=lambda a, b, n, e: 0 * magnitude(a, b, n, e)),
+      "The velocities come back unchanged: nothing has been answered.",
+      "What should be different afterwards?"),
+    M("collide", "masses for their inverses",
+      collide_with(j_of=size_with(below=both(lambda body, n: mass(body[3]) + turning(body, n)))),
+      "Below the line the masses stand in place of their inverses.",
+      "What unit has each of the terms below the line?"),
 )
 # fmt: on

@@ -195,5 +195,11 @@ BANK = (
     M("penalty_step_limit", "damping alone", limit(lambda w, z, m, c: 2 / (w * (1 + z))),
       "It has the right ends, 2/ω and nearly none, but in between it is only near the truth.",
       "Which root does the description have?"),
+    M("penalty_step_limit", "no root", limit(lambda w, z, m, c: 2 / w * (1 + z**2 - z)),
+      "The root is missing: √(1 + ζ²).",
+      "What should the limit be close to for a lot of damping?"),
+    M("penalty_step_limit", "ζ not taken away", limit(lambda w, z, m, c: 2 / w * np.sqrt(1 + z**2)),
+      "ζ is not taken away from the root: damping would allow longer steps.",
+      "What happens to the limit when the damping grows?"),
 )
 # fmt: on
