@@ -57,9 +57,10 @@ class _Piece:
     cell: Cell
 
 
-def read(path: Path | str, wanted: Collection[str]) -> Submission:
+def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) -> Submission:
     """Read a `.ipynb` or `.py` file, looking for the wanted functions.
 
+    also: functions that are kept where they are defined, and not missed where they are not.
     Raises `UnreadableSubmission` where the file holds no code at all; anything smaller is a complaint.
     """
     path = Path(path)
@@ -74,6 +75,11 @@ def read(path: Path | str, wanted: Collection[str]) -> Submission:
         sources.append(source)
         pieces += [_Piece(group, cell) for group in found]
     functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
+    missing = [each for each in wanted if not any(each in piece.group.defines for piece in pieces)]
+    if missing:
+        complaints.append(Complaint(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"))
+    defined = {name for piece in pieces for name in piece.group.defines}
+    functions += [name for name in also if name in defined and name not in wanted]
     text, starts = _assembled(cells, sources, pieces, functions)
     return Submission(name, text, tuple(functions), tuple(complaints), starts)
 
@@ -109,15 +115,13 @@ def _told(error: SyntaxError, cell: Cell, source: str) -> Complaint:
 
 
 def _check_definition(name: str, pieces: list[_Piece], complaints: list[Complaint]) -> bool:
-    """Whether the submission defines the function; complains of copies, of none, and of an import in its stead."""
+    """Whether the submission defines the function; complains of copies, and of an import in its stead."""
     found = [piece for piece in pieces if defined_as(piece.group, name)]
     kinds = {defined_as(piece.group, name) for piece in found}
-    if not found:
-        complaints.append(Complaint(f"{name} is missing"))
-    elif kinds == {"import"}:
+    if kinds == {"import"}:
         complaints.append(Complaint(f"{name} is imported, not written", found[-1].cell.number, found[-1].group.first))
         return False
-    elif len(found) > 1:
+    if len(found) > 1:
         counts = _counting(name, found)
         where = place(counts.cell.number, counts.group.first)
         complaints.append(Complaint(f"{name} is defined {len(found)} times; the one at {where} counts"))

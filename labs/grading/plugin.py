@@ -1,0 +1,228 @@
+"""A pytest plugin: tests call a submission's functions as if they were here, and are worth points.
+
+    pytest tests/autograder --submission lab.ipynb
+
+A test asks the fixture `submission`, `submission.rebound_velocity(-2.0, 0.5)`; each test has a process of its own.
+Markers say what it is worth: `points(3)`, one where nothing is said; `rationale("…")`, why it asks; `help("…")`, what
+to look at. The fixture `part` gives points for a part: `with part(2, "the normal direction"): assert …`; the test goes
+on after it, and fails in the end. Properties (hypothesis) draw the same examples whenever the same file is graded.
+Without `--submission` these tests are skipped. What was earned is in `config.stash[SHEET]`.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+from collections.abc import Callable, Generator, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import hypothesis
+import pytest
+
+from labs.grading.errors import StudentError
+from labs.grading.plain import one_line, plain
+from labs.grading.remote import Call, Grader, Remote
+from labs.grading.sheet import Outcome, Part, Sheet
+from labs.grading.submission import read
+from reference import lecture
+from reference.errors import CollisionsError
+
+SHEET = pytest.StashKey[Sheet]()
+_PARTS = pytest.StashKey[list[Part]]()
+_LINES = 8  # of what a failed assertion says
+_OBVIOUS = tuple(f"{name} = submission.{name}" for name in lecture.FUNCTIONS)  # as pytest adds it
+_MARKERS = {
+    "points(n)": "what the test is worth, a whole number",
+    "rationale(text)": "why a submission has to pass it",
+    "help(text)": "what a student should look at",
+}
+
+
+@dataclass(frozen=True)
+class Function:
+    """One function, which reads in pytest's own words as a student writes it: `rebound_velocity(-2.0, 0.5)`."""
+
+    functions: Functions
+    name: str
+
+    def __call__(self, *arguments: Any, **named: Any) -> Any:
+        """Call it in the process of the test that runs."""
+        return self.functions.process()(self.name, *arguments, **named)
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+class Functions:
+    """A submission's functions as attributes; each test has a process of its own, from its first call on."""
+
+    def __init__(self, remote: Remote, sheet: Sheet) -> None:
+        self._remote, self._sheet = remote, sheet
+        self._test = contextlib.ExitStack()
+        self._call: Call | None = None
+
+    def __getattr__(self, name: str) -> Function:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return Function(self, name)
+
+    def __repr__(self) -> str:
+        return "submission"
+
+    def process(self) -> Call:
+        """The process of the test that runs, for what is more than a call: `steady`, `changed`, `implementation`."""
+        if self._call is None:
+            self._call = self._test.enter_context(self._remote.fresh())
+            self._sheet.tier = self._call.sealing.tier.title
+        return self._call
+
+    def end_test(self) -> None:
+        """End the test's process."""
+        self._call = None
+        self._test.close()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add `--submission`."""
+    group = parser.getgroup("grading")
+    group.addoption("--submission", type=Path, metavar="FILE", help="the .ipynb or .py file that is graded")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the markers known."""
+    config.stash[SHEET] = Sheet()
+    for marker, meaning in _MARKERS.items():
+        config.addinivalue_line("markers", f"{marker}: {meaning}")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Check the points, and seed the properties from the submission, so that regrading gives the same marks."""
+    path: Path | None = config.getoption("--submission")
+    seed = int.from_bytes(hashlib.sha256(path.read_bytes()).digest()[:8]) if path and path.is_file() else 0
+    for item in _graded(items):
+        if type(points := _marker(item, "points", 1)) is not int or points < 0:
+            raise pytest.UsageError(f"{item.nodeid}: points are a whole number, not {points!r}")
+        test: Any = getattr(item, "obj", None)
+        if hypothesis.is_hypothesis_test(test):
+            hypothesis.seed(seed)(getattr(test, "__func__", test))
+
+
+@pytest.fixture(scope="session")
+def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
+    """The functions of the file given by `--submission`."""
+    config, path = request.config, request.config.getoption("--submission")
+    if path is None:
+        pytest.skip("give --submission FILE to grade one")
+    topics = {item.path.stem.removeprefix("test_") for item in _graded(request.session.items)}
+    wanted = [name for name, entry in lecture.FUNCTIONS.items() if entry.topic in topics and entry.role == "written"]
+    found = read(path, wanted, also=lecture.FUNCTIONS)
+    sheet = config.stash[SHEET]
+    sheet.submission, sheet.complaints = found.name, [str(complaint) for complaint in found.complaints]
+    with Grader() as grader, Remote(found, grader) as remote:
+        yield Functions(remote, sheet)
+
+
+@pytest.fixture
+def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.AbstractContextManager[None]]:
+    """Points for a part of the test: a block that may fail without ending it."""
+    parts = _parts(request.node)
+
+    @contextlib.contextmanager
+    def worth(points: int, reason: str) -> Iterator[None]:
+        try:
+            yield
+        except (AssertionError, StudentError) as error:
+            parts.append(Part(points, reason, _said(error, _is_hidden(request.node))))
+        else:
+            parts.append(Part(points, reason))
+
+    return worth
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
+    """Fail a test that lost a part, and end its process."""
+    try:
+        result = yield
+        lost = [each for each in _parts(item) if not each.passed]
+        if lost:
+            pytest.fail("\n".join(f"{each.reason}: {each.said}" for each in lost), pytrace=False)
+        return result
+    finally:
+        functions = getattr(item, "funcargs", {}).get("submission")
+        if isinstance(functions, Functions):
+            functions.end_test()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Note what the test earned; what the submission did wrong is told in a line, not as our own traceback."""
+    report = yield
+    error = call.excinfo.value if call.excinfo else None
+    if "submission" in getattr(item, "fixturenames", ()) and not report.skipped:
+        if report.failed and isinstance(error, CollisionsError):
+            report.longrepr = one_line(str(error), 1000)
+        if report.when == "call" or (report.when == "setup" and report.failed):
+            item.config.stash[SHEET].outcomes.append(_outcome(item, report.passed, error))
+    return report
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """For the student: what is wrong with the file, what each lost test is about, and the points."""
+    sheet = config.stash[SHEET]
+    if not sheet.outcomes:
+        return
+    write = terminalreporter.write_line
+    terminalreporter.section(sheet.submission or "no submission")
+    for complaint in sheet.complaints:
+        write(complaint)
+    for outcome in sheet.outcomes:
+        write("\n    ".join(line for lines in outcome.lines() for line in lines.splitlines()))
+    write(f"{sheet.earned} of {sheet.points} points ({sheet.tier or 'not run'})")
+
+
+def _graded(items: list[pytest.Item]) -> list[pytest.Item]:
+    return [item for item in items if "submission" in getattr(item, "fixturenames", ())]
+
+
+def _parts(item: pytest.Item) -> list[Part]:
+    return item.stash.setdefault(_PARTS, [])
+
+
+def _outcome(item: pytest.Item, passed: bool, error: BaseException | None) -> Outcome:
+    hidden, parts = _is_hidden(item), tuple(_parts(item))
+    return Outcome(
+        test=item.name,
+        points=_marker(item, "points", 1),
+        passed=passed,
+        hidden=hidden,
+        said="" if passed or any(not part.passed for part in parts) else _said(error, hidden),
+        rationale=_marker(item, "rationale", ""),
+        help=_marker(item, "help", ""),
+        parts=parts,
+    )
+
+
+def _said(error: BaseException | None, hidden: bool) -> str:
+    """What may be told of a failure. A hidden test keeps its numbers, and what the submission could make of them."""
+    if isinstance(error, StudentError):
+        return f"the function {error.gist}" if hidden else str(error)
+    if isinstance(error, CollisionsError):
+        return str(error)
+    if hidden:
+        return "the answer is wrong"
+    lines = [line.strip() for line in plain(str(error), 1000).splitlines()]
+    return "\n".join([line for line in lines if line and not line.endswith(_OBVIOUS)][:_LINES])
+
+
+def _is_hidden(item: pytest.Item) -> bool:
+    return "hidden" in item.path.parts
+
+
+def _marker(item: pytest.Item, name: str, otherwise: Any) -> Any:
+    marker = item.get_closest_marker(name)
+    return marker.args[0] if marker and marker.args else otherwise

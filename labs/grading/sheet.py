@@ -1,0 +1,76 @@
+"""What a submission earned, test by test: whole points, and words that a student may read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a test that has points of its own. said: why it failed, empty where it passed."""
+
+    points: int
+    reason: str
+    said: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether its points are earned."""
+        return not self.said
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One test. said: what happened, fit to be shown; for a hidden test without inputs or expected values.
+
+    rationale: why the test is right to ask. help: what to look at. parts: what has points of its own in it.
+    """
+
+    test: str
+    points: int
+    passed: bool
+    hidden: bool = False
+    said: str = ""
+    rationale: str = ""
+    help: str = ""
+    parts: tuple[Part, ...] = ()
+
+    @property
+    def title(self) -> str:
+        """The test's name as the statement that it is."""
+        return self.test.removeprefix("test_").replace("_", " ")
+
+    @property
+    def earned(self) -> int:
+        """All points where it passed, else those of the parts that did."""
+        return self.points if self.passed else min(self.points, sum(part.points for part in self.parts if part.passed))
+
+    def lines(self) -> Iterator[str]:
+        """For a student: what is missing and why, nothing where it passed."""
+        if self.passed:
+            return
+        yield f"{self.title}: {self.earned} of {self.points}"
+        yield from (line for line in (self.said, self.rationale, self.help) if line)
+        for part in self.parts:
+            yield f"{part.points if part.passed else 0} of {part.points} for {part.reason}"
+
+
+@dataclass
+class Sheet:
+    """All outcomes of one submission. complaints: about the file. tier: how far its processes were shut in."""
+
+    submission: str = ""
+    complaints: list[str] = field(default_factory=list)
+    tier: str = ""
+    outcomes: list[Outcome] = field(default_factory=list)
+
+    @property
+    def earned(self) -> int:
+        """The points of all tests together."""
+        return sum(outcome.earned for outcome in self.outcomes)
+
+    @property
+    def points(self) -> int:
+        """What could be earned."""
+        return sum(outcome.points for outcome in self.outcomes)

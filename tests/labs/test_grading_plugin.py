@@ -1,0 +1,142 @@
+"""Tests of a submission: they look like any test, are worth points, and keep to themselves what is hidden."""
+
+from __future__ import annotations
+
+import pytest
+
+from labs.grading.plugin import SHEET
+from labs.grading.sheet import Sheet
+
+pytest_plugins = "pytester"
+
+VISIBLE = """
+import pytest
+from hypothesis import given, strategies as st
+
+@pytest.mark.points(3)
+@pytest.mark.rationale("A ball leaves with e times the speed it came with.")
+@pytest.mark.help("Statement 12.")
+def test_rebound(submission):
+    assert submission.rebound_velocity(-2.0, 0.5) == 1.0
+
+@pytest.mark.points(4)
+def test_in_parts(submission, part):
+    with part(1, "a ball at rest"):
+        assert submission.rebound_velocity(0.0, 0.5) == 0.0
+    with part(2, "the sign"):
+        assert submission.rebound_velocity(-1.0, 1.0) > 0
+    with part(1, "each function"):
+        submission.normal_velocity(1.0)
+
+@given(speed=st.floats(0, 100))
+def test_property(submission, speed):
+    print("drawn", speed.hex())
+    assert submission.rebound_velocity(-speed, 0.0) == 0.0
+
+def test_without_a_submission():
+    pass
+"""
+HIDDEN = """
+import pytest
+
+@pytest.mark.points(5)
+@pytest.mark.rationale("Nothing is gained by a bounce.")
+def test_secret(submission):
+    assert submission.rebound_velocity(-7.125, 0.5) == 3.5625
+
+def test_error(submission):
+    submission.normal_velocity(-7.125)
+"""
+RIGHT = "def rebound_velocity(v, e): return -e * v\ndef normal_velocity(u): return u\n"
+WRONG = """
+class Told(Exception): pass
+def rebound_velocity(v, e): return e * v
+def normal_velocity(u): raise Told(f"asked for {u}")
+"""
+
+
+def graded(pytester: pytest.Pytester, text: str | None, *options: str) -> tuple[pytest.RunResult, Sheet]:
+    for folder, tests in (("visible", VISIBLE), ("hidden", HIDDEN)):
+        (pytester.path / folder).mkdir(exist_ok=True)
+        (pytester.path / folder / "test_impulse.py").write_text(tests)
+    (pytester.path / "lab.py").write_text(text or "")
+    sheets: list[Sheet] = []
+
+    class Keep:
+        def pytest_unconfigure(self, config: pytest.Config) -> None:
+            sheets.append(config.stash[SHEET])
+
+    given = ["--submission", "lab.py"] if text is not None else []
+    common = ["-p", "labs.grading.plugin", "-p", "no:cacheprovider", "--import-mode=importlib", "--strict-markers"]
+    result = pytester.runpytest_inprocess(*common, *given, *options, plugins=[Keep()])
+    return result, sheets[0]
+
+
+def test_a_right_submission_earns_every_point(pytester):
+    result, sheet = graded(pytester, RIGHT)
+    result.assert_outcomes(passed=6)
+    assert (sheet.earned, sheet.points) == (14, 3 + 4 + 1 + 5 + 1)
+    assert sheet.submission == "lab.py"
+    assert not [line for outcome in sheet.outcomes for line in outcome.lines()]
+
+
+def test_a_wrong_one_is_told_why_and_gets_the_points_of_its_parts(pytester):
+    result, sheet = graded(pytester, WRONG)
+    result.assert_outcomes(passed=2, failed=4)
+    outcomes = {outcome.test: outcome for outcome in sheet.outcomes}
+    assert outcomes["test_in_parts"].earned == 1
+    assert [part.passed for part in outcomes["test_in_parts"].parts] == [True, False, False]
+    told = "\n".join(outcomes["test_rebound"].lines())
+    assert told.startswith("rebound: 0 of 3\nassert -1.0 == 1.0\n+  where -1.0 = rebound_velocity(-2.0, 0.5)\nA ball")
+    assert told.endswith("leaves with e times the speed it came with.\nStatement 12.")
+    assert sheet.earned == 1 + 1
+    assert outcomes["test_in_parts"].parts[2].said == "normal_velocity raised Told: asked for 1.0 (line 4)"
+    result.stdout.fnmatch_lines(["point_velocity, relative_velocity, *are missing", "2 of 14 points (*)"])
+
+
+def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_them(pytester):
+    result, sheet = graded(pytester, WRONG)
+    hidden = [line for outcome in sheet.outcomes if outcome.hidden for line in outcome.lines()]
+    assert hidden == [
+        "secret: 0 of 5", "the answer is wrong", "Nothing is gained by a bounce.",
+        "error: 0 of 1", "the function raised an exception",
+    ]  # fmt: skip
+    assert "7.125" not in result.stdout.str().partition(" lab.py ")[2].partition("short test summary")[0]
+
+
+def test_what_is_not_written_yet_is_a_list_of_things_to_do(pytester):
+    _, sheet = graded(pytester, "def rebound_velocity(v, e):\n    raise NotImplementedError\n")
+    assert sheet.earned == 0
+    assert "normal_velocity" in sheet.complaints[0]
+    told = {outcome.test: outcome.said for outcome in sheet.outcomes}
+    assert told["test_rebound"] == "needs rebound_velocity (impulse, step 4): it is not written yet"
+    assert told["test_property"] == told["test_rebound"]
+
+
+def test_a_file_that_cannot_be_read_earns_nothing_and_says_why_once_a_test(pytester):
+    _, sheet = graded(pytester, "\n")
+    assert (sheet.earned, sheet.points) == (0, 14)
+    assert {outcome.said for outcome in sheet.outcomes} == {"lab.py: it is empty"}
+
+
+def test_without_a_submission_the_tests_are_skipped(pytester):
+    result, sheet = graded(pytester, None)
+    result.assert_outcomes(passed=1, skipped=5)
+    assert sheet.outcomes == []
+
+
+def test_grading_the_same_file_again_draws_the_same_examples(pytester):
+    def drawn(text: str) -> list[str]:
+        result, _ = graded(pytester, text, "-k", "property", "-s")
+        return [line for line in result.outlines if line.startswith(("drawn", ".drawn"))]
+
+    first = drawn(RIGHT)
+    assert len(first) > 10
+    assert drawn(RIGHT) == first
+    assert drawn(RIGHT + "# changed\n") != first
+
+
+def test_points_that_are_no_whole_number_are_refused(pytester):
+    pytester.makepyfile(test_impulse="import pytest\n@pytest.mark.points(0.5)\ndef test_x(submission): pass\n")
+    result = pytester.runpytest_inprocess("-p", "labs.grading.plugin", "-p", "no:cacheprovider")
+    result.stderr.fnmatch_lines(["*points are a whole number, not 0.5*"])
