@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from labs.grading.errors import (
     StudentError,
     WrongType,
 )
+from labs.grading.files import CODE_LIMIT
 from labs.grading.plain import one_line, plain
 from labs.grading.processes import Ended, Host, Limits, Process
 from labs.grading.submission import Submission
@@ -112,11 +113,11 @@ class Call:
         match self._exchange(name, message):
             case ("answer", self._number, "value", float(), list(changed), value, str(printed)):
                 self.printed = plain(printed, self._limits.printed)
-                self.changed = tuple(place for place in changed if isinstance(place, int))
+                self.changed = tuple(place for place in range(len(arguments) + len(named)) if place in changed)
                 return value
             case ("answer", self._number, "raised", str(kind), str(text), line, str(printed)):
                 self.printed = plain(printed, self._limits.printed)
-                raise self._raised(name, kind, text, line if isinstance(line, int) else None)
+                raise self._raised(name, kind, text, line if _is_line(line) else None)
             case ("answer", self._number, "refused", str(why), str(printed)):
                 self.printed = plain(printed, self._limits.printed)
                 raise WrongType(
@@ -214,6 +215,11 @@ def _needs(name: str) -> str:
 def _is_failure(found: object) -> bool:
     """Whether it is what the worker says of a statement that failed: names, type, message, line."""
     match found:
-        case (list(names), str(), str(), int() | None):
-            return all(isinstance(name, str) for name in names)
+        case (list(names), str(), str(), line):
+            return all(isinstance(name, str) for name in names) and (line is None or _is_line(line))
     return False
+
+
+def _is_line(found: object) -> TypeGuard[int]:
+    """Whether it can be the number of a line."""
+    return isinstance(found, int) and 0 < found <= CODE_LIMIT

@@ -162,7 +162,7 @@ def _array(name: str, shape: list[Any], text: str) -> np.ndarray[Any, Any]:
 
 def _plain_dtype(name: str) -> np.dtype[Any]:
     try:
-        dtype = np.dtype(name)
+        dtype = np.dtype(name[:20])
     except (TypeError, ValueError, SyntaxError):
         raise Refused(f"not a message: no dtype {name[:20]!r}") from None
     if dtype.kind not in _KINDS or dtype.str != name:  # one spelling only, so no fields, subarrays or objects

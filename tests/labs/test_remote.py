@@ -174,6 +174,13 @@ def test_an_answer_that_depends_on_earlier_calls_is_not_steady(of):
             call.steady("f", 1.0)
 
 
+def test_an_answer_drawn_at_random_is_not_steady(of):
+    remote = of("import numpy as np, random\ndef f(): return np.random.random()\ndef g(): return random.random()")
+    for name in ("f", "g"):
+        with remote.fresh() as call, pytest.raises(NotSteady):
+            call.steady(name)
+
+
 @linux
 def test_the_process_holds_nothing_of_the_grader(of):
     text = """

@@ -75,12 +75,12 @@ def seal(plan: Plan, rules: int | None, offline: bool) -> Sealing:
     limited = took("limits", lambda: _limit(plan), "memory, time and processes are not limited")
     if os.geteuid() == 0:
         took("user", lambda: _become(plan.user), "it runs as root")
-        if not os.access(os.__file__, os.R_OK):
-            missing.append("its user may not read the interpreter's folder: it has the modules that were loaded before")
     took("death", _end_with_parent, "it may outlive the nursery")
     took("privileges", lambda: system.prctl(system.NO_NEW_PRIVILEGES, 1), "set-user-id programs work")
     paths = took("landlock", lambda: landlock.restrict(rules), "no Landlock in this kernel")
     calls = took("seccomp", lambda: seccomp.restrict(files=paths), "no filter of system calls in this kernel")
+    if not os.access(os.__file__, os.R_OK):
+        missing.append("the interpreter's folder cannot be read: there are only the modules that were loaded before")
     if not (paths or calls):
         missing.append("what its user may open is open to it")
     if not calls:
