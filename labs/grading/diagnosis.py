@@ -13,20 +13,20 @@ from typing import Any, Literal
 
 from labs.grading.fingerprints.reading import Knowledge, Known, known
 from labs.grading.marks import Answer, Right, ask, mark
-from labs.grading.probes import Probe, probes
+from labs.grading.probes import Group, Probe, probes
 from labs.grading.telling import called, compared, told
 
 Verdict = Literal["right", "named", "likely", "several", "unknown", "one at a time", "crashes", "shape", "unwritten"]
-"""right: on every probe. named: one known mistake explains every answer. likely: one explains the usual cases, but not
-all limiting ones. several: more than one explains the same. unknown: none does. one at a time: right for a single
-contact only. crashes, shape: it gives no number to compare. unwritten: it is the stub."""
+"""right: on every probe. named: one known mistake explains every answer of a single contact. likely: one explains the
+usual cases, but not all limiting ones. several: more than one explains the same. unknown: none does. one at a time:
+right for a single contact only. crashes, shape: it gives no number to compare. unwritten: it is the stub."""
 LEAST = 3
-"""Usual cases that must be wrong in just the known way before a mistake with wrong usual cases is named."""
+"""Cases that must be wrong in just the known way where others say nothing, or otherwise."""
 
 
 @dataclass(frozen=True)
 class Counterexample:
-    """The simplest probe that a submission fails. note: the case in words. came, expected: what it gave, and should."""
+    """The simplest probe that a submission fails, what came of it, and what should have."""
 
     probe: Probe
     parameters: tuple[str, ...]
@@ -43,8 +43,9 @@ class Diagnosis:
     """What is known of one function of a submission.
 
     mistakes: the known ones that explain its numbers. counterexample: the simplest probe that it fails. crashes: the
-    errors that it ended in on good input. alone: whether that was with several contacts in one call only. accepted:
-    cases of bad input that it answered. changes_input: whether it writes into its arguments.
+    errors that it ended in on good input. one_alone: whether the mistake explains single contacts, and several in one
+    call go wrong in another way. crash_in_many: whether it is several alone that end in an error. accepted: cases of
+    bad input that it answered. changes_input: whether it writes into its arguments.
     """
 
     function: str
@@ -52,7 +53,8 @@ class Diagnosis:
     mistakes: tuple[Known, ...] = ()
     counterexample: Counterexample | None = None
     crashes: tuple[str, ...] = ()
-    alone: bool = False
+    one_alone: bool = False
+    crash_in_many: bool = False
     accepted: tuple[str, ...] = ()
     changes_input: bool = False
 
@@ -95,13 +97,16 @@ class _Case:
 
     def diagnosis(self) -> Diagnosis:
         verdict, mistakes = self._verdict()
+        errors = {answer.error: probe.group for probe, _, answer in reversed(self.answered) if answer.error}
+        known_in_many = any(self._fits(entry, ("many",), silently=True) for entry in mistakes)
         return Diagnosis(
             self.knowledge.function,
             verdict,
             mistakes,
             None if verdict in ("right", "unwritten") else self._counterexample(),
-            tuple(dict.fromkeys(answer.error for _, _, answer in self.answered if answer.error)),
-            all(probe.group == "many" for probe, _, answer in self.answered if answer.error),
+            tuple(reversed(errors)),
+            verdict == "named" and not known_in_many,
+            bool(errors) and set(errors.values()) == {"many"},
             tuple(probe.note for probe, answer in self.refused if not answer.error),
             any(answer.changed for _, _, answer in self.answered),
         )
@@ -111,13 +116,38 @@ class _Case:
             return "right", ()
         if all(own.failure == "unwritten" for own in self.marks):
             return "unwritten", ()
-        whole = [entry for entry in self.knowledge.mistakes if self._explains(entry, strictly=True)]
-        if whole:
-            return ("named" if len(whole) == 1 else "several"), tuple(whole)
-        usual = [entry for entry in self.knowledge.mistakes if self._explains(entry, strictly=False)]
-        if usual:
-            return ("likely" if len(usual) == 1 else "several"), tuple(usual)
+        whole = self._explained(("usual", "edge"))
+        closer = [entry for entry in whole if self._fits(entry, ("many",), silently=True)]
+        in_many = self._explained(("many",), ("usual", "edge"))
+        for found, certain in ((closer or whole or in_many, True), (self._explained(("usual",)), False)):
+            if found:
+                one: Verdict = "named" if certain else "likely"
+                return (one if len(found) == 1 else "several"), tuple(found)
         return self._without_name(), ()
+
+    def _explained(self, shows: tuple[Group, ...], agrees: tuple[Group, ...] = ()) -> list[Known]:
+        """The known mistakes that give what the submission gives in some groups, and are seen in the first of them."""
+        fit = [entry for entry in self.knowledge.mistakes if self._fits(entry, shows + agrees)]
+        return [entry for entry in fit if self._shown(entry, shows)]
+
+    def _fits(self, entry: Known, groups: tuple[Group, ...], silently: bool = False) -> bool:
+        """Whether a known mistake gives what the submission gives.
+
+        An error says nothing: plain Python ends in one where NumPy has infinity. Silently: nor does any other failure,
+        as of who writes for one contact alone.
+        """
+        for own, theirs, group in zip(self.marks, entry.marks, self.groups, strict=True):
+            nothing_said = own.failure == "error" or (silently and (own.failure or theirs.failure))
+            if group in groups and not nothing_said and not own.agrees(theirs):
+                return False
+        return True
+
+    def _shown(self, entry: Known, groups: tuple[Group, ...]) -> bool:
+        """Whether there are wrong numbers enough, the same ones, to speak of a mistake."""
+        rows = [row for row in zip(self.marks, entry.marks, self.groups, strict=True) if row[2] in groups]
+        seen = sum(not own.right and not own.failure and own.agrees(theirs) for own, theirs, _ in rows)
+        errors = any(own.failure == "error" for own, _, _ in rows)
+        return seen >= (LEAST if errors or groups == ("usual",) else 1)
 
     def _without_name(self) -> Verdict:
         single = [own for own, group in zip(self.marks, self.groups, strict=True) if group != "many"]
@@ -127,27 +157,6 @@ class _Case:
         if all(failure == "error" for failure in wrong):
             return "crashes"
         return "shape" if all(failure in ("shape", "kind") for failure in wrong) else "unknown"
-
-    def _explains(self, entry: Known, strictly: bool) -> bool:
-        """Whether a known mistake gives what the submission gives; strictly: in limiting cases and in many as well.
-
-        Who writes for one contact alone may have no answer for several: that is told apart, and hides no mistake.
-        """
-        seen = 0
-        for own, theirs, group in zip(self.marks, entry.marks, self.groups, strict=True):
-            silent = group == "many" and (own.failure or theirs.failure)
-            if group == "usual":
-                seen += not own.right
-            if not silent and (strictly or group == "usual") and not own.agrees(theirs):
-                return False
-        return self._shown(entry, seen, strictly)
-
-    def _shown(self, entry: Known, seen: int, strictly: bool) -> bool:
-        """Whether there are wrong numbers enough to speak of a mistake."""
-        if strictly:
-            pairs = zip(self.marks, entry.marks, strict=True)
-            return any(not own.right and not own.failure and own.agrees(theirs) for own, theirs in pairs)
-        return seen >= LEAST and not all(own.failure for own in self.marks)
 
     def _counterexample(self) -> Counterexample | None:
         for (probe, right, answer), own in zip(self.answered, self.marks, strict=True):

@@ -25,8 +25,10 @@ def told(diagnosis: Diagnosis) -> str:
         lines += ["For example", textwrap.indent(str(diagnosis.counterexample), "  ")]
     if diagnosis.changes_input:
         lines += _wrapped("It writes into its arguments: the caller's own arrays have other numbers afterwards.")
+    if diagnosis.one_alone and not diagnosis.crash_in_many:
+        lines += _wrapped("With several contacts in one call it is wrong in another way besides.")
     if diagnosis.crashes and diagnosis.verdict not in ("crashes", "unwritten"):
-        where = "With several contacts in one call" if diagnosis.alone else "On some input"
+        where = "With several contacts in one call" if diagnosis.crash_in_many else "On some input"
         lines += _wrapped(f"{where} it ends in an error: {diagnosis.crashes[0]}")
     if diagnosis.accepted and diagnosis.verdict != "unwritten":
         lines += _wrapped(f"It should refuse, with a ValueError: {'; '.join(diagnosis.accepted)}.")
