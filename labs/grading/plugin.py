@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import re
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,7 +22,7 @@ from typing import Any
 import hypothesis
 import pytest
 
-from labs.grading.errors import StudentError
+from labs.grading.errors import FunctionMissing, StudentError
 from labs.grading.plain import one_line, plain
 from labs.grading.remote import Call, Grader, Remote
 from labs.grading.sheet import Outcome, Part, Sheet
@@ -91,8 +92,14 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the markers known."""
+    """Make the markers known, and let properties depend on nothing but the file: no database, no deadline."""
     config.stash[SHEET] = Sheet()
+    if config.getoption("--submission"):
+        slow = [hypothesis.HealthCheck.too_slow]
+        hypothesis.settings.register_profile(
+            "grading", derandomize=True, deadline=None, report_multiple_bugs=False, suppress_health_check=slow
+        )
+        hypothesis.settings.load_profile("grading")
     for marker, meaning in _MARKERS.items():
         config.addinivalue_line("markers", f"{marker}: {meaning}")
 
@@ -209,14 +216,20 @@ def _outcome(item: pytest.Item, passed: bool, error: BaseException | None) -> Ou
 
 def _said(error: BaseException | None, hidden: bool) -> str:
     """What may be told of a failure. A hidden test keeps its numbers, and what the submission could make of them."""
-    if isinstance(error, StudentError):
-        return f"the function {error.gist}" if hidden else str(error)
-    if isinstance(error, CollisionsError):
-        return str(error)
-    if hidden:
+    if hidden and isinstance(error, StudentError):
+        return f"the function {error.gist}"
+    if hidden and not isinstance(error, CollisionsError):
         return "the answer is wrong"
     lines = [line.strip() for line in plain(str(error), 1000).splitlines()]
-    return "\n".join([line for line in lines if line and not line.endswith(_OBVIOUS)][:_LINES])
+    kept = [line for line in lines if line and not line.endswith(_OBVIOUS)][:_LINES]
+    notes = [] if isinstance(error, FunctionMissing) else getattr(error, "__notes__", [])
+    return "\n".join([*kept, *(f"for {example}" for note in notes if (example := _example(note)))])
+
+
+def _example(note: str) -> str:
+    """The arguments of the smallest example that hypothesis found, as it notes them, one a line."""
+    arguments = re.findall(r"^ {4}(\w+=.*?),?(?:  #.*)?$", plain(note, 1000), re.MULTILINE)
+    return ", ".join(argument for argument in arguments if argument != "submission=submission")
 
 
 def _is_hidden(item: pytest.Item) -> bool:
