@@ -32,8 +32,8 @@ ATTACKS = sorted((Path(__file__).parent / "hostile").glob("*.py"))
 CALLS = ((-2.0, 0.5), (-3.0, 0.25))  # what the hidden test asks
 SECRET = "def expected(velocity, restitution):\n    return -restitution * velocity\n"
 SYSTEM_PYTHONS = (f"/usr/bin/python3.{sys.version_info[1]}", f"/usr/local/bin/python3.{sys.version_info[1]}")
-LIMITS = Limits(call=0.4, test=1.0)
-"""Shorter than usual: an attack that waits, waits for as long. Everything honest here takes a hundredth of it."""
+HASTY, PATIENT = Limits(call=0.4, test=1.0), Limits()
+"""For attacks that only wait, and for all others: on a busy machine they take their time as well."""
 
 
 class Lair:
@@ -94,13 +94,14 @@ def lair() -> Iterator[Lair]:
 
 @pytest.fixture(scope="module")
 def grader() -> Iterator[Grader]:
-    with Grader(LIMITS) as found:
+    with Grader() as found:
         yield found
 
 
-def hidden_test(text: str, grader: Grader) -> str:
+def hidden_test(text: str, grader: Grader, limits: Limits = PATIENT) -> str:
     """What a test says to a submission of that text; empty where every answer is right."""
     expected = {call: -call[1] * call[0] for call in CALLS}  # in a frame of the grader, where attacks look for it
+    grader.limits = limits
     with Remote(Submission("hostile.py", text), grader).fresh() as call:
         try:
             for velocity, restitution in CALLS:
@@ -112,6 +113,10 @@ def hidden_test(text: str, grader: Grader) -> str:
     return ""
 
 
+def limits_for(attack: Path) -> Limits:
+    return HASTY if "no answer within" in says(attack) else PATIENT
+
+
 def says(attack: Path) -> str:
     return attack.read_text(encoding="utf-8").splitlines()[1].removeprefix("# says: ")
 
@@ -120,7 +125,7 @@ def says(attack: Path) -> str:
 def test_an_attack_is_not_paid_harms_nothing_and_is_told_why(attack, lair, grader):
     if grader_tier(grader) < Tier.NETWORK:
         pytest.skip("this kernel cannot seal a process in")
-    told = hidden_test(lair.filled(attack), grader)
+    told = hidden_test(lair.filled(attack), grader, limits_for(attack))
     assert re.search(says(attack), told), told
     assert all(character.isprintable() or character in "\n\t" for character in told)
     assert lair.listing() == lair.before
@@ -134,14 +139,14 @@ def test_an_attack_is_not_paid_harms_nothing_and_is_told_why(attack, lair, grade
 )
 def test_the_same_attack_is_paid_where_files_are_not_sealed(name, without, lair):
     attack = Path(__file__).parent / "hostile" / f"{name}.py"
-    with Grader(LIMITS, without=without) as open_grader:
+    with Grader(without=without) as open_grader:
         assert grader_tier(open_grader) == Tier.LIMITS
         assert hidden_test(lair.filled(attack), open_grader) == ""
 
 
 def test_the_same_attack_is_heard_where_the_network_is_not_sealed(lair):
     attack = Path(__file__).parent / "hostile" / "sockets.py"
-    with Grader(LIMITS, without=("landlock", "seccomp", "namespace")) as open_grader:
+    with Grader(without=("landlock", "seccomp", "namespace")) as open_grader:
         hidden_test(lair.filled(attack), open_grader)
     assert lair.heard()
     while lair.heard():
@@ -151,10 +156,11 @@ def test_the_same_attack_is_heard_where_the_network_is_not_sealed(lair):
 @pytest.mark.slow
 @pytest.mark.parametrize("measure", ["landlock", "user"])
 def test_no_attack_is_paid_where_one_measure_is_missing_that_another_covers(measure, lair):
-    with Grader(LIMITS, without=(measure,)) as lesser:
+    with Grader(without=(measure,)) as lesser:
         assert grader_tier(lesser) == Tier.NETWORK
         for attack in ATTACKS:
-            assert re.search(says(attack), hidden_test(lair.filled(attack), lesser)), attack.stem
+            told = hidden_test(lair.filled(attack), lesser, limits_for(attack))
+            assert re.search(says(attack), told), f"{attack.stem}: {told}"
     assert lair.listing() == lair.before
     assert not lair.heard()
 

@@ -1,5 +1,5 @@
 """A loop without end while it is loaded."""
-# says: on loading
+# says: on loading, gave no answer within
 
 while True:
     pass
