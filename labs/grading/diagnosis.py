@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from labs.grading.fingerprints.reading import Knowledge, Known, known
-from labs.grading.marks import Answer, Right, ask, mark
+from labs.grading.marks import Answer, Mark, Right, ask, mark
 from labs.grading.probes import Group, Probe, probes
 from labs.grading.telling import called, compared, told
 
@@ -20,6 +20,8 @@ Verdict = Literal["right", "named", "likely", "several", "unknown", "one at a ti
 """right: on every probe. named: one known mistake explains every answer of a single contact. likely: one explains the
 usual cases, but not all limiting ones. several: more than one explains the same. unknown: none does. one at a time:
 right for a single contact only. crashes, shape: it gives no number to compare. unwritten: it is the stub."""
+DIFFERENT = 5
+"""Different wrong numbers by which a formula is known although several contacts at once are wrong in another way."""
 LEAST = 3
 """Cases that must be wrong in just the known way where others say nothing, or otherwise."""
 
@@ -119,7 +121,11 @@ class _Case:
         whole = self._explained(("usual", "edge"))
         closer = [entry for entry in whole if self._fits(entry, ("many",), silently=True)]
         in_many = self._explained(("many",), ("usual", "edge"))
-        for found, certain in ((closer or whole or in_many, True), (self._explained(("usual",)), False)):
+        for found, certain in (
+            (closer or in_many, True),
+            (whole, self._telling()),
+            (self._explained(("usual",)), False),
+        ):
             if found:
                 one: Verdict = "named" if certain else "likely"
                 return (one if len(found) == 1 else "several"), tuple(found)
@@ -149,8 +155,15 @@ class _Case:
         errors = any(own.failure == "error" for own, _, _ in rows)
         return seen >= (LEAST if errors or groups == ("usual",) else 1)
 
+    def _telling(self) -> bool:
+        """Whether single contacts give enough different wrong numbers to know a formula by, though several disagree."""
+        return len({own.deviation for own, group in self._single() if not own.right}) >= DIFFERENT
+
+    def _single(self) -> list[tuple[Mark, Group]]:
+        return [(own, group) for own, group in zip(self.marks, self.groups, strict=True) if group != "many"]
+
     def _without_name(self) -> Verdict:
-        single = [own for own, group in zip(self.marks, self.groups, strict=True) if group != "many"]
+        single = [own for own, _ in self._single()]
         if all(own.right for own in single):
             return "one at a time"
         wrong = [own.failure for own in single if not own.right]

@@ -16,10 +16,12 @@ from labs.grading.fingerprints.__main__ import main
 from labs.grading.probes import probed, probes
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
+from solutions import as_printed
 from solutions.impulse import impulse_magnitude, point_velocity, rebound_velocity
 from solutions.response import kinematic_response
 
 BANK = read_bank()
+KINDS = ("colliding", "resting", "separating")
 TOPICS = ("detection", "response", "friction", "impulse")
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
 
@@ -108,6 +110,38 @@ def test_mistakes_are_named_as_themselves():
 @pytest.mark.slow
 def test_every_mistake_is_named_as_itself():
     assert fails_to_be_named(BANK) == []
+
+
+# What the slides print
+
+
+@pytest.mark.parametrize(
+    ("function", "printed", "name"),
+    [
+        ("kinematic_response", lambda v, n, e: as_printed.mirror_response(v, n), "the slide's mirror"),
+        (
+            "time_of_impact_interpolated",
+            lambda s0, s1, t, dt: as_printed.time_of_impact(t, dt, s0, s1),
+            "the slide's magnitudes",
+        ),
+        (
+            "penalty_force",
+            lambda s, u, n, k, c=0.0, adhesive=False: as_printed.penalty_force(k, s)[..., None] * n,
+            "the slide's spring",
+        ),
+        ("rebound_velocity", as_printed.velocity_after_restitution, "not turned round, no guard"),
+        (
+            "classify_contact",
+            lambda u, limit=0.0: np.select([as_printed.contact_kind(u, limit) == kind for kind in KINDS], [-1, 0, 1]),
+            "the slide's tests",
+        ),
+        ("contact_impulses", lambda j, n: (np.asarray(j)[..., None] * n,) * 2, "+J to both"),
+        ("point_velocity", lambda v, w, r: r + np.cross(w, r), "a place"),
+    ],
+)
+def test_a_formula_of_the_slides_is_named_where_it_is_wrong(function, printed, name):
+    found = diagnose(function, of(printed))
+    assert [entry.id for entry in found.mistakes] == [f"{function}/{name}"]
 
 
 # One function at a time

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from labs.grading.probes.making import Draw, Probe, edge, made, refused, usual
+from labs.grading.probes.making import YES_OR_NO, Draw, Probe, edge, made, refused, usual
 
 UP = [0.0, 0.0, 1.0]
 
@@ -44,7 +44,7 @@ def _is_colliding() -> list[Probe]:
         refused("a separation that is no number", float("nan"), 0.0),
         refused("a negative tolerance", 1.0, -0.5),
     ]
-    return made("is_colliding", by_hand, _separation_and_tolerance)
+    return made("is_colliding", by_hand, _separation_and_tolerance, count=YES_OR_NO)
 
 
 def _separation_and_tolerance(draw: Draw) -> tuple[float, float]:
@@ -111,7 +111,7 @@ def _side() -> list[Probe]:
         refused("a separation that is no number", float("nan"), 0.0),
         refused("a negative tolerance", 1.0, -0.5),
     ]
-    return made("side_of_plane", by_hand, _separation_and_tolerance)
+    return made("side_of_plane", by_hand, _separation_and_tolerance, count=YES_OR_NO)
 
 
 def _overlap() -> list[Probe]:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from labs.grading.probes import friction_impacts
-from labs.grading.probes.making import Draw, Probe, edge, made, refused, usual
+from labs.grading.probes.making import YES_OR_NO, Draw, Probe, edge, made, refused, usual
 
 UP, LEANS, REST = [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 INFINITY = float("inf")
@@ -78,7 +78,7 @@ def _holds() -> list[Probe]:
         refused("a negative normal force", [1, 0, 0], -10.0, 0.5),
     ]
     maker = lambda draw: (draw.vector(7), draw.number(4, 20), draw.number(0.2, 1))  # noqa: E731
-    return made("holds", by_hand, maker)
+    return made("holds", by_hand, maker, count=YES_OR_NO)
 
 
 def _angle() -> list[Probe]:

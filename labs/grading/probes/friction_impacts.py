@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.probes.making import Array, Draw, Probe, edge, made, refused, usual
+from labs.grading.probes.making import YES_OR_NO, Array, Draw, Probe, edge, made, refused, usual
 
 UP, LEANS, REST = [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 ONE = np.eye(3).tolist()
@@ -34,7 +34,7 @@ def _grips() -> list[Probe]:
         speed, e, friction = draw.number(0.5, 4), draw.number(0.1, 0.9), draw.number(0.1, 0.8)
         return round(3.5 * friction * speed * (1 + e) * draw.number(0.05, 1.6), 2), speed, e, friction
 
-    return made("sphere_grips", by_hand, maker)
+    return made("sphere_grips", by_hand, maker, count=YES_OR_NO)
 
 
 def _matrix(draw: Draw) -> Array:

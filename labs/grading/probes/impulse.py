@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from labs.grading.probes import impulse_bodies
-from labs.grading.probes.making import Array, Draw, Probe, edge, made, refused, usual
+from labs.grading.probes.making import YES_OR_NO, Array, Draw, Probe, edge, made, refused, usual
 
 X, Y, UP, LEANS = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3]
 REST = [0.0, 0.0, 0.0]
@@ -90,7 +90,8 @@ def _classify() -> list[Probe]:
         refused("a velocity that is no number", float("nan"), 0.5),
         refused("a negative threshold", 1.0, -0.5),
     ]
-    return made("classify_contact", by_hand, lambda draw: (draw.number(-2, 2), draw.number(0.1, 1)))
+    maker = lambda draw: (draw.number(-2, 2), draw.number(0.1, 1))  # noqa: E731
+    return made("classify_contact", by_hand, maker, count=YES_OR_NO)
 
 
 def _impulse_of_force() -> list[Probe]:

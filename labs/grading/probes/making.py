@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 Group = Literal["usual", "edge", "many", "refused"]
 GROUPS: tuple[Group, ...] = get_args(Group)
 Arguments = tuple[Any, ...]
+YES_OR_NO = 40
+"""So many are drawn where an answer is one of two or three: it tells little of the formula."""
 _LENGTHS = ((1, 2, 2, 3), (2, 3, 6, 7), (1, 4, 8, 9), (4, 4, 7, 9), (2, 6, 9, 11), (6, 6, 7, 11), (0, 3, 4, 5))
 """Whole numbers with a² + b² + c² = d²: unit vectors that point anywhere and are of length 1 to the last digit."""
 _TURNS = (

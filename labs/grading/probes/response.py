@@ -88,6 +88,7 @@ def _at_step() -> list[Probe]:
         usual("with gravity", start, [1, 0, -3], FALL, UP, 0.0, 0.5, 0.5),
         usual("it stays above the floor", start, [1, 0, -1], FALL, UP, 0.0, 0.5, 0.125),
         usual("behind, but on its way out", [0, 0, -2], [1, 0, 1], REST, UP, 0.0, 0.5, 0.5),
+        usual("behind all the time, on its way in", [0, 0, -0.5], [1, 0, -1], REST, UP, 0.0, 0.5, 0.5),
         usual("a plane elsewhere", [0, 0, 3], [1, 0, -4], FALL, UP, -2.0, 0.5, 0.5),
         usual("in front of a plane below the origin", [0, 0, 0.5], [1, 0, -2], REST, UP, 2.0, 0.5, 0.5),
         usual("no bounce", start, [1, 0, -3], REST, UP, 0.0, 0.0, 0.5),
