@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import weakref
 from collections.abc import Collection
 from dataclasses import asdict
 from pathlib import Path
@@ -46,6 +47,7 @@ class NurseryHost:
         self._lock = threading.Lock()
         self._tests = 0
         self._folder = tempfile.mkdtemp(prefix="grading-")
+        self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
         self._was_dumpable = _hide()
         self._open()
 
@@ -94,7 +96,7 @@ class NurseryHost:
         """Stop the nursery and what is left of its tests."""
         with self._lock:
             self._stop()
-            shutil.rmtree(self._folder, ignore_errors=True)
+            self._clear()
             if self._was_dumpable:
                 system.prctl(system.SET_DUMPABLE, 1)
                 self._was_dumpable = False
@@ -126,6 +128,7 @@ class LoneHost:
 
     def __init__(self) -> None:
         self._folder = tempfile.mkdtemp(prefix="grading-")
+        self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
         self._running: dict[int, subprocess.Popen[bytes]] = {}
 
     def start(self, limits: Limits) -> Process:
@@ -155,7 +158,7 @@ class LoneHost:
 
     def close(self) -> None:
         """Nothing runs between tests."""
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self._clear()
 
 
 def _hide() -> bool:
