@@ -91,7 +91,7 @@ class Call:
 
     def _load(self) -> None:
         match self._exchange("the submission, on loading,", b""):
-            case ("loaded", list(names), list(failures)):
+            case (str(), list(names), list(failures)):
                 self._names = frozenset(name for name in names if isinstance(name, str))
                 self._failures = [each for each in failures if _is_failure(each)]
             case _:
@@ -111,19 +111,24 @@ class Call:
         except messages.Refused as refused:
             raise InvalidInput(f"{name} cannot be called with {refused}") from None
         match self._exchange(name, message):
-            case ("answer", self._number, "value", float(), list(changed), value, str(printed)):
+            case (str(), int(number), str(outcome), *rest, str(printed)) if number == self._number:
                 self.printed = plain(printed, self._limits.printed)
-                self.changed = tuple(place for place in range(len(arguments) + len(named)) if place in changed)
+                return self._judged(name, outcome, rest, len(arguments) + len(named))
+        raise self._lose(NoAnswer(f"{name} wrote into the grader's pipe instead of answering"))
+
+    def _judged(self, name: str, outcome: str, rest: list[Any], arguments: int) -> Any:
+        """The value that was answered. Types come before any comparison: an array compared is no truth value."""
+        match rest:
+            case [float(), list(changed), value] if outcome == "value":
+                written = {place for place in changed if isinstance(place, int)}
+                self.changed = tuple(place for place in range(arguments) if place in written)
                 return value
-            case ("answer", self._number, "raised", str(kind), str(text), line, str(printed)):
-                self.printed = plain(printed, self._limits.printed)
+            case [str(kind), str(text), line] if outcome == "raised":
                 raise self._raised(name, kind, text, line if _is_line(line) else None)
-            case ("answer", self._number, "refused", str(why), str(printed)):
-                self.printed = plain(printed, self._limits.printed)
-                raise WrongType(
-                    f"{name} gave {one_line(why)}; an answer is a number, text, an array or a tuple of these"
-                )
-            case ("answer", self._number, "missing", str()):
+            case [str(why)] if outcome == "refused":
+                allowed = "a number, text, an array or a tuple of these"
+                raise WrongType(f"{name} gave {one_line(why)}; an answer is {allowed}")
+            case [] if outcome == "missing":
                 raise self._missing(name)
         raise self._lose(NoAnswer(f"{name} wrote into the grader's pipe instead of answering"))
 

@@ -17,6 +17,7 @@ import base64
 import binascii
 import json
 import math
+import re
 import struct
 from typing import Any, Final
 
@@ -32,6 +33,7 @@ HEADER: Final = 8
 """Bytes that say how long the message is."""
 
 _KINDS = "biufcUS"  # bool, integers, floats, complex, text, bytes
+_DTYPE = re.compile(r"[<>|](?:b1|[iufc][0-9]{1,2}|[US][0-9]{1,7})")  # as `dtype.str` writes them
 _DEEPEST = 20  # lists in lists in lists
 
 
@@ -161,12 +163,14 @@ def _array(name: str, shape: list[Any], text: str) -> np.ndarray[Any, Any]:
 
 
 def _plain_dtype(name: str) -> np.dtype[Any]:
-    try:
-        dtype = np.dtype(name[:20])
-    except (TypeError, ValueError, SyntaxError):
-        raise Refused(f"not a message: no dtype {name[:20]!r}") from None
-    if dtype.kind not in _KINDS or dtype.str != name:  # one spelling only, so no fields, subarrays or objects
+    if not _DTYPE.fullmatch(name):  # NumPy's own reading knows much more, warns of some of it, and takes its time
         raise Refused(f"not a message: dtype {name[:20]!r}")
+    try:
+        dtype = np.dtype(name)
+    except (TypeError, ValueError):
+        raise Refused(f"not a message: no dtype {name!r}") from None
+    if dtype.str != name:
+        raise Refused(f"not a message: dtype {name!r}")
     return dtype
 
 

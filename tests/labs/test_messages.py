@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import json
 import math
 import struct
@@ -144,6 +145,9 @@ def array_of(dtype: object, shape: object, raw: bytes) -> list[object]:
         array_of("V8", [1], bytes(8)),
         array_of(["a", "b"], [1], bytes(8)),
         array_of("import os", [1], bytes(8)),
+        array_of("a8", [1], bytes(8)),  # NumPy warns of it
+        array_of("<i3", [1], bytes(3)),
+        array_of("<f8\n", [1], bytes(8)),
         array_of("<f8", [2], bytes(8)),
         array_of("<f8", [-1], bytes(8)),
         array_of("<f8", [True], bytes(8)),
@@ -189,6 +193,18 @@ def test_no_bytes_make_anything_but_a_plain_value_or_a_refusal(body):
     except Refused:
         return
     assert type(value) in {type(None), bool, int, float, str, tuple, list, np.ndarray}
+
+
+PARTS = st.sampled_from(
+    ["tuple", "list", "array", "scalar", "float", "<f8", ">f8", "|b1", "<U1", "|S1", "AAAAAAAAAAA=", "AA==", ""]
+    + [0, 1, -1, 1.5, None, True, [], [0], [1], [2, 1], [[]], ["list", []], {}]
+)
+
+
+@given(st.lists(PARTS, min_size=1, max_size=4))
+def test_no_json_makes_anything_but_a_plain_value_or_a_refusal(parts):
+    with contextlib.suppress(Refused):
+        pack(unpack(json.dumps(parts).encode()))
 
 
 def test_a_number_too_large_for_a_float_arrives_as_infinity_and_nothing_else():
