@@ -196,8 +196,34 @@ def test_no_bytes_make_anything_but_a_plain_value_or_a_refusal(body):
 
 
 PARTS = st.sampled_from(
-    ["tuple", "list", "array", "scalar", "float", "<f8", ">f8", "|b1", "<U1", "|S1", "AAAAAAAAAAA=", "AA==", ""]
-    + [0, 1, -1, 1.5, None, True, [], [0], [1], [2, 1], [[]], ["list", []], {}]
+    [
+        "tuple",
+        "list",
+        "array",
+        "scalar",
+        "float",
+        "<f8",
+        ">f8",
+        "|b1",
+        "<U1",
+        "|S1",
+        "AAAAAAAAAAA=",
+        "AA==",
+        "",
+        0,
+        1,
+        -1,
+        1.5,
+        None,
+        True,
+        [],
+        [0],
+        [1],
+        [2, 1],
+        [[]],
+        ["list", []],
+        {},
+    ]
 )
 
 
