@@ -17,7 +17,7 @@ from labs.grading.probes import probed, probes
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 from solutions import as_printed
-from solutions.impulse import impulse_magnitude, point_velocity, rebound_velocity
+from solutions.impulse import collide, impulse_magnitude, point_velocity, rebound_velocity
 from solutions.response import kinematic_response
 
 BANK = read_bank()
@@ -55,18 +55,23 @@ def test_probes_are_the_same_each_time():
 
 
 def test_the_fingerprints_are_fresh():
+    assert fingerprints.stale(inheriting=False) == []
+
+
+@pytest.mark.slow
+def test_the_fingerprints_of_what_is_inherited_are_fresh():
     assert fingerprints.stale() == []
 
 
 def test_a_fingerprint_that_is_stale_is_found(tmp_path, monkeypatch):
     numbers = {"is_colliding": {"right": [1.0, 2.0]}}
     content = {"schema": "collisions-lab/fingerprints", "version": 1, "functions": numbers}
-    monkeypatch.setattr(building, "build", lambda *_: {"detection": content})
-    assert building.stale(tmp_path) == ["detection.json: there is none"]
+    monkeypatch.setattr(building, "build", lambda *_, **__: {"detection": content})
+    assert fingerprints.stale(tmp_path) == ["detection.json: there is none"]
     building.write(tmp_path)
-    assert building.stale(tmp_path) == []
+    assert fingerprints.stale(tmp_path) == []
     numbers["is_colliding"]["right"] = [1.0, 2.5]
-    assert building.stale(tmp_path) == ["detection.json: /functions/is_colliding/right[1] is 2.0, now 2.5"]
+    assert fingerprints.stale(tmp_path) == ["detection.json: /functions/is_colliding/right[1] is 2.0, now 2.5"]
 
 
 def test_the_command_knows_two_ways(capsys):
@@ -203,6 +208,14 @@ def test_a_change_of_the_input_elsewhere_is_believed():
             return kinematic_response(*arguments)
 
     assert diagnose("kinematic_response", Elsewhere()).changes_input
+
+
+def test_a_function_that_uses_a_wrong_one_is_said_to_be_right_itself(monkeypatch):
+    entry = next(entry for entry in BANK if entry.id == "point_velocity/component by component")
+    monkeypatch.setattr("solutions.impulse.impact.point_velocity", entry.formula)
+    found = diagnose("collide", of(collide))
+    assert found.mistakes[0].origins == (entry.id,)
+    assert "It would be right itself, but point_velocity goes wrong" in " ".join(str(found).split())
 
 
 def test_a_stub_is_unwritten():

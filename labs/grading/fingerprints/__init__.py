@@ -5,7 +5,8 @@ what is stale.
 They hold texts and numbers, no formula, so that a student's tree may carry them.
 """
 
-from labs.grading.fingerprints.building import build, stale, write
+from labs.grading.fingerprints.building import build, write
+from labs.grading.fingerprints.checking import stale
 from labs.grading.fingerprints.reading import Knowledge, Known, known
 
 __all__ = ["Knowledge", "Known", "build", "known", "stale", "write"]

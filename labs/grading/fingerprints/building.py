@@ -8,14 +8,15 @@ import itertools
 import json
 import math
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from labs.grading.bank import Misconception, read_bank
-from labs.grading.fingerprints.reading import FOLDER, SCHEMA, VERSION, known, read
+from labs.grading.fingerprints.inheriting import inherited
+from labs.grading.fingerprints.reading import BETWEEN, FOLDER, SCHEMA, VERSION, known, read
 from labs.grading.marks import Array, Mark, Right, ask, mark, outputs
 from labs.grading.probes import Probe, probed, probes
 from reference.errors import InvalidInput
@@ -26,8 +27,6 @@ NUDGE = 2e-7
 JUMP = 1e4
 """An output that moves by more than this many times its size is on an edge: there the scale is its size."""
 DIGITS = 9
-AGREES = 1e-6
-"""How near two machines' numbers are: they differ in the last of 16 digits, and those that cancel somewhat more."""
 Content = dict[str, Any]
 
 
@@ -36,29 +35,19 @@ def write(folder: Path | None = None, implementation: Implementation | None = No
     written = []
     for topic, content in build(implementation).items():
         path = (folder or FOLDER) / f"{topic}.json"
-        path.write_text(_lines(content) + "\n", encoding="utf-8")
+        path.write_text(lines(content) + "\n", encoding="utf-8")
         written.append(path)
     read.cache_clear()
     known.cache_clear()
     return written
 
 
-def stale(folder: Path | None = None, implementation: Implementation | None = None) -> list[str]:
-    """What the files say otherwise than they would if they were made now, a line each."""
-    found = []
-    for topic, content in build(implementation).items():
-        path = (folder or FOLDER) / f"{topic}.json"
-        if not path.exists():
-            found.append(f"{topic}.json: there is none")
-            continue
-        found += [f"{topic}.json: {place}" for place in _differences(json.loads(_lines(content)), dict(read(path)), "")]
-    return found
-
-
 def build(
-    implementation: Implementation | None = None, bank: Iterable[Misconception] | None = None
+    implementation: Implementation | None = None,
+    bank: Iterable[Misconception] | None = None,
+    inheriting: bool = True,
 ) -> dict[str, Content]:
-    """The files' content by topic.
+    """The files' content by topic; on request without what a function inherits from others, which takes longest.
 
     Raises
     ------
@@ -68,20 +57,29 @@ def build(
     """
     right, table = implementation or Implementation("solutions"), tuple(read_bank() if bank is None else bank)
     content: dict[str, Content] = {}
+    earlier: dict[str, tuple[Callable[..., Any], list[Misconception]]] = {}
     for entry in probed():
         head = {"schema": SCHEMA, "version": VERSION, "functions": {}}
         own = [known for known in table if known.function == entry.name]
         functions = content.setdefault(entry.topic, head)["functions"]
-        functions[entry.name] = learned(entry.name, right.function(entry.name), own)
+        function = inspect.unwrap(right.function(entry.name))
+        functions[entry.name] = learned(entry.name, function, own, earlier if inheriting else {})
+        earlier[entry.name] = function, own
     return content
 
 
-def learned(name: str, right: Callable[..., Any], bank: list[Misconception]) -> Content:
+def learned(
+    name: str,
+    right: Callable[..., Any],
+    bank: list[Misconception],
+    earlier: Mapping[str, tuple[Callable[..., Any], Sequence[Misconception]]] | None = None,
+) -> Content:
     """What is known of one function, as the file holds it; raises as `build`."""
     cases = probes(name)
     answers = [None if probe.group == "refused" else right_answer(right, probe) for probe in cases]
     marks = {entry.name: marks_of(entry.formula, name, cases, answers) for entry in bank}
     _tell_apart(name, marks)
+    through = inherited(name, right, earlier or {}, cases, answers, list(marks.values()), marks_of)
     return {
         "parameters": list(inspect.signature(right).parameters),
         "right": [answer and _kept(answer) for answer in answers],
@@ -89,10 +87,11 @@ def learned(name: str, right: Callable[..., Any], bank: list[Misconception]) -> 
             entry.name: {
                 "rationale": entry.rationale,
                 "help": entry.help,
-                "marks": [known.failure or _digits(known.deviation) for known in marks[entry.name]],
+                "marks": _short(marks[entry.name]),
             }
             for entry in bank
         },
+        "inherited": {BETWEEN.join(ids): _short(own) for ids, own in through},
     }
 
 
@@ -166,6 +165,10 @@ def _nudged(value: Any, seed: int) -> Any:
 # The files
 
 
+def _short(marks: Iterable[Mark]) -> list[Any]:
+    return [known.failure or _digits(known.deviation) for known in marks]
+
+
 def _kept(answer: Right) -> list[list[Any]]:
     pairs = zip(answer.outputs, answer.scales, strict=True)
     return [[list(array.shape), [_digits(number) for number in array.ravel()], scale] for array, scale in pairs]
@@ -179,22 +182,9 @@ def _digits(number: float) -> float | int | str:
     return int(rounded) if rounded == int(rounded) and abs(rounded) < 1e9 else rounded
 
 
-def _lines(content: Any, depth: int = 6) -> str:
+def lines(content: Any, depth: int = 6) -> str:
     """JSON with a line for each entry down to some depth, so that a mistake that changes changes few lines."""
     if depth == 0 or not isinstance(content, Mapping) or not content:
         return json.dumps(content, ensure_ascii=False, separators=(",", ":"))
-    entries = (f"{json.dumps(name, ensure_ascii=False)}: {_lines(value, depth - 1)}" for name, value in content.items())
+    entries = (f"{json.dumps(name, ensure_ascii=False)}: {lines(value, depth - 1)}" for name, value in content.items())
     return "{\n" + ",\n".join(entries) + "\n}"
-
-
-def _differences(made: Any, kept: Any, place: str) -> list[str]:
-    if isinstance(made, dict) and isinstance(kept, dict):
-        names = [*made, *(name for name in kept if name not in made)]
-        return [line for name in names for line in _differences(made.get(name), kept.get(name), f"{place}/{name}")]
-    if isinstance(made, list) and isinstance(kept, list) and len(made) == len(kept):
-        pairs = enumerate(zip(made, kept, strict=True))
-        return [line for i, (a, b) in pairs for line in _differences(a, b, f"{place}[{i}]")]
-    if isinstance(made, int | float) and isinstance(kept, int | float):
-        near = abs(made - kept) <= AGREES * (1 + max(abs(made), abs(kept)))
-        return [] if near else [f"{place} is {kept}, now {made}"]
-    return [] if made == kept else [f"{place} has changed"]

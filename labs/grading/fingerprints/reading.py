@@ -17,16 +17,22 @@ from reference.errors import InvalidInput, UnknownName
 
 SCHEMA, VERSION = "collisions-lab/fingerprints", 1
 FOLDER = Path(__file__).parent
+BETWEEN = " | "
+"""Between the ids of mistakes that another function inherits alike."""
 
 
 @dataclass(frozen=True)
 class Known:
-    """One known mistake without its formula: its marks, one a probe, and its texts."""
+    """One known mistake without its formula: its marks, one a probe, and its texts.
+
+    origins: the ids of the mistakes that it may come from, where it lies in another function that this one uses.
+    """
 
     id: str
     rationale: str
     help: str
     marks: tuple[Mark, ...]
+    origins: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -73,11 +79,29 @@ def read(path: Path) -> Mapping[str, Any]:
 
 def _knowledge(function: str, entry: Mapping[str, Any]) -> Knowledge:
     right = tuple(None if answer is None else _right(answer) for answer in entry["right"])
-    mistakes = tuple(
+    own = tuple(
         Known(f"{function}/{name}", text["rationale"], text["help"], tuple(map(_mark, text["marks"])))
         for name, text in entry["mistakes"].items()
     )
-    return Knowledge(function, tuple(entry["parameters"]), right, mistakes)
+    others = tuple(_inherited(function, ids, marks) for ids, marks in entry["inherited"].items())
+    return Knowledge(function, tuple(entry["parameters"]), right, own + others)
+
+
+def _inherited(function: str, ids: str, marks: list[Any]) -> Known:
+    """A mistake of a function that is right itself; its texts are those of where it comes from."""
+    origins = tuple(ids.split(BETWEEN))
+    texts = [_own(*origin.split("/", 1)) for origin in origins]
+    names = " or ".join(dict.fromkeys(origin.split("/")[0] for origin in origins))
+    rationale = f"It would be right itself, but {names} goes wrong: " + " Or: ".join(
+        text["rationale"] for text in texts
+    )
+    return Known(f"{function} < {ids}", rationale, texts[0]["help"], tuple(map(_mark, marks)), origins)
+
+
+def _own(function: str, name: str) -> Mapping[str, str]:
+    content = read(FOLDER / f"{lecture.function(function).topic}.json")
+    texts: Mapping[str, str] = content["functions"][function]["mistakes"][name]
+    return texts
 
 
 def _right(answer: list[list[Any]]) -> Right:
