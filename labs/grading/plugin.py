@@ -22,7 +22,10 @@ from typing import Any
 import hypothesis
 import pytest
 
+from labs.grading.diagnosis import diagnose
 from labs.grading.errors import FunctionMissing, StudentError
+from labs.grading.examples import Examples
+from labs.grading.files import FILE_LIMIT
 from labs.grading.plain import one_line, plain
 from labs.grading.remote import Call, Grader, Remote
 from labs.grading.sheet import Outcome, Part, Sheet
@@ -36,6 +39,7 @@ _LINES = 8  # of what a failed assertion says
 _OBVIOUS = tuple(f"{name} = submission.{name}" for name in lecture.FUNCTIONS)  # as pytest adds it
 _MARKERS = {
     "points(n)": "what the test is worth, a whole number",
+    "function(name)": "which function it is about; where a test of it fails, the feedback says what is wrong with it",
     "rationale(text)": "why a submission has to pass it",
     "help(text)": "what a student should look at",
 }
@@ -106,8 +110,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Check the points, and seed the properties from the submission, so that regrading gives the same marks."""
-    path: Path | None = config.getoption("--submission")
-    seed = int.from_bytes(hashlib.sha256(path.read_bytes()).digest()[:8]) if path and path.is_file() else 0
+    seed = _seed(config)
     for item in _graded(items):
         if type(points := _marker(item, "points", 1)) is not int or points < 0:
             raise pytest.UsageError(f"{item.nodeid}: points are a whole number, not {points!r}")
@@ -129,6 +132,15 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
     sheet.submission, sheet.complaints = found.name, [str(complaint) for complaint in found.complaints]
     with Grader() as grader, Remote(found, grader) as remote:
         yield Functions(remote, sheet)
+        for name in sheet.lost:
+            with remote.fresh() as call:
+                sheet.diagnoses[name] = diagnose(name, call)
+
+
+@pytest.fixture
+def examples(request: pytest.FixtureRequest) -> Examples:
+    """Inputs drawn for this test from the submission's text."""
+    return Examples(_seed(request.config), told=not _is_hidden(request.node))
 
 
 @pytest.fixture
@@ -192,6 +204,15 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     write(f"{sheet.earned} of {sheet.points} points ({sheet.tier or 'not run'})")
 
 
+def _seed(config: pytest.Config) -> int:
+    """What examples are drawn with: a number made of the submission's text."""
+    path: Path | None = config.getoption("--submission")
+    if path is None or not path.is_file():
+        return 0
+    with path.open("rb") as file:  # no more of it than a submission may have
+        return int.from_bytes(hashlib.sha256(file.read(FILE_LIMIT)).digest()[:8])
+
+
 def _graded(items: list[pytest.Item]) -> list[pytest.Item]:
     return [item for item in items if "submission" in getattr(item, "fixturenames", ())]
 
@@ -211,6 +232,7 @@ def _outcome(item: pytest.Item, passed: bool, error: BaseException | None) -> Ou
         rationale=_marker(item, "rationale", ""),
         help=_marker(item, "help", ""),
         parts=parts,
+        function=_marker(item, "function", ""),
     )
 
 

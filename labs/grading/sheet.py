@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from labs.grading.diagnosis import Diagnosis
+
 
 @dataclass(frozen=True)
 class Part:
@@ -24,7 +26,8 @@ class Part:
 class Outcome:
     """One test. said: what happened, fit to be shown; for a hidden test without inputs or expected values.
 
-    rationale: why the test is right to ask. help: what to look at. parts: what has points of its own in it.
+    rationale: why the test is right to ask. help: what to look at. parts: what has points of its own in it. function:
+    which one it is about, empty where it is about several.
     """
 
     test: str
@@ -35,6 +38,7 @@ class Outcome:
     rationale: str = ""
     help: str = ""
     parts: tuple[Part, ...] = ()
+    function: str = ""
 
     @property
     def title(self) -> str:
@@ -58,12 +62,21 @@ class Outcome:
 
 @dataclass
 class Sheet:
-    """All outcomes of one submission. complaints: about the file. tier: how far its processes were shut in."""
+    """All outcomes of one submission.
+
+    complaints: about the file. tier: how far its processes were shut in. diagnoses: of the functions that lost points.
+    """
 
     submission: str = ""
     complaints: list[str] = field(default_factory=list)
     tier: str = ""
     outcomes: list[Outcome] = field(default_factory=list)
+    diagnoses: dict[str, Diagnosis] = field(default_factory=dict)
+
+    @property
+    def lost(self) -> list[str]:
+        """The functions that a test of failed, in the order of the tests."""
+        return list(dict.fromkeys(outcome.function for outcome in self.outcomes if outcome.function and not outcome.passed))
 
     @property
     def earned(self) -> int:

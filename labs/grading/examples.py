@@ -1,0 +1,140 @@
+"""Examples that are drawn from the submission's text: the same file meets the same ones whenever it is graded.
+
+Numbers are drawn quickly, without hypothesis; where one fails, hypothesis looks for the smallest example that does.
+"""
+
+from __future__ import annotations
+
+import inspect
+import warnings
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from labs.grading.errors import StudentError
+from labs.grading.expecting import Called, Formula, check, each, refuse_changes
+from labs.grading.fingerprints.building import right_answer
+from labs.grading.probes.making import Draw, Maker, Probe, made
+from labs.grading.telling import called
+
+COUNT = 12
+"""Examples a part. A wrong formula that shows only in one of so many is a limiting case, and asked for by itself."""
+MOST = 150
+"""Examples that hypothesis may try to find a small one."""
+Check = Callable[..., None]
+
+
+@dataclass(frozen=True)
+class Examples:
+    """What draws examples for one test. seed: of the submission's text. told: whether a student reads what failed."""
+
+    seed: int
+    told: bool = True
+
+    def agree(self, function: Called, formula: Formula, maker: Maker, count: int = COUNT) -> None:
+        """The function gives what the formula for one contact gives, one example after another."""
+
+        def agrees(*arguments: Any) -> None:
+            check(function, arguments, right_answer(formula, Probe(arguments)))
+
+        self._every(maker, agrees, agrees, count)
+
+    def together(self, function: Called, formula: Formula, maker: Maker, single: Sequence[int] = ()) -> None:
+        """Several contacts in one call, side by side in every way in which they may stand, and nothing written to.
+
+        single: the places of the arguments that all contacts of a call share.
+        """
+        name = f"{function.name} {self.seed}"
+        sample = maker(Draw(np.random.default_rng(0)))
+        for probe in made(name, (), maker, 0, single):
+            check(function, probe.arguments, right_answer(each(formula, sample), probe))
+            refuse_changes(function)
+
+    def every(self, maker: Maker, holds: Check, count: int = COUNT) -> None:
+        """A property: `holds(*arguments)` raises an AssertionError where it does not hold.
+
+        Raises
+        ------
+        AssertionError
+            With what it said, and the smallest example that was found.
+        """
+
+        def told(*arguments: Any) -> None:
+            try:
+                holds(*arguments)
+            except AssertionError as error:
+                names = list(inspect.signature(holds).parameters)
+                raise AssertionError(f"{error}\nfor {called(names, arguments)}") from None
+
+        self._every(maker, holds, told, count)
+
+    def _every(self, maker: Maker, holds: Check, told: Check, count: int) -> None:
+        draw = Draw(np.random.default_rng(self.seed))
+        for _ in range(count):
+            arguments = maker(draw)
+            try:
+                holds(*arguments)
+            except (AssertionError, StudentError):
+                told(*(self._smallest(maker, holds) or arguments) if self.told else arguments)
+                raise  # told should have raised: the function does not always answer alike
+
+    def _smallest(self, maker: Maker, holds: Check) -> tuple[Any, ...] | None:
+        """The smallest arguments that hypothesis finds for which it does not hold; None where it finds none."""
+        import hypothesis  # noqa: PLC0415 - takes as long to load as NumPy, and a right submission never needs it
+        from hypothesis import strategies as st  # noqa: PLC0415
+
+        failing: list[tuple[Any, ...]] = []
+
+        @hypothesis.seed(self.seed)
+        @hypothesis.settings(
+            max_examples=MOST,
+            database=None,
+            deadline=None,
+            derandomize=False,
+            report_multiple_bugs=False,
+            suppress_health_check=list(hypothesis.HealthCheck),
+        )
+        @hypothesis.given(st.data())
+        def search(data: Any) -> None:
+            arguments = maker(Draw(Chosen(data)))  # type: ignore[arg-type]
+            try:
+                holds(*arguments)
+            except (AssertionError, StudentError):
+                failing.append(arguments)
+                raise AssertionError from None
+
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                search()
+        except Exception:  # what hypothesis says of it, in any of its ways; the last example tried is the smallest
+            return failing[-1] if failing else None
+        return None
+
+
+class Chosen:
+    """What `Draw` asks of a random generator, chosen by hypothesis, which can make it smaller."""
+
+    def __init__(self, data: Any) -> None:
+        from hypothesis import strategies as st  # noqa: PLC0415
+
+        self._data, self._st = data, st
+
+    def uniform(self, low: float = 0.0, high: float = 1.0) -> float:
+        """A number, whole where it can be."""
+        return float(self._data.draw(self._st.floats(low, high, allow_subnormal=False)))
+
+    def integers(self, count: int) -> int:
+        """A whole number from 0 to below the count."""
+        return int(self._data.draw(self._st.integers(0, count - 1)))
+
+    def choice(self, options: Sequence[Any], size: int | None = None) -> Any:
+        """One of the options, or an array of so many; the last of them is the simplest."""
+        simple_first = self._st.sampled_from(list(options)[::-1])
+        return self._data.draw(simple_first) if size is None else np.array([self._data.draw(simple_first) for _ in range(size)])
+
+    def permutation(self, values: Sequence[Any]) -> Any:
+        """The values in some order."""
+        return np.array(self._data.draw(self._st.permutations(list(values))))

@@ -1,0 +1,137 @@
+"""What the tests of a submission are written with: a call and its right answer, and what a test is worth.
+
+    @asks("rebound_velocity", 2, "A ball leaves with e times the speed it came with.", "Statement 12.")
+    def test_a_ball_leaves_with_e_times_its_speed(submission, part):
+        with part(1, "the direction and the speed"):
+            expect(submission.rebound_velocity, (-2.0, 0.5), 1.0)
+
+Vectors may be written as lists: the submission gets arrays, as in the lab. Any answer with the right numbers will do: a
+list, single precision. `marks` says how near is near enough.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol, TypeVar
+
+import numpy as np
+import pytest
+
+from labs.grading.marks import Answer, Right, mark, outputs
+from labs.grading.probes.making import usual
+from labs.grading.telling import called, compared
+
+Test = TypeVar("Test", bound=Callable[..., None])
+Formula = Callable[..., Any]
+
+
+class Called(Protocol):
+    """A function of a submission, as the fixture `submission` gives it."""
+
+    name: str
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Call it in the test's process."""
+
+
+def asks(function: str, points: int, rationale: str, help: str = "") -> Callable[[Test], Test]:
+    """Mark a test: which function it is about, what it is worth, why it asks, and what to look at."""
+
+    def marked(test: Test) -> Test:
+        for each in (
+            pytest.mark.function(function),
+            pytest.mark.points(points),
+            pytest.mark.rationale(rationale),
+            pytest.mark.help(help),
+        ):
+            test = each(test)
+        return test
+
+    return marked
+
+
+def expect(function: Called, arguments: tuple[Any, ...], answer: Any) -> None:
+    """Call a function and compare: `answer` is a number, a list, or a tuple of these where it gives several things.
+
+    Raises
+    ------
+    AssertionError
+        If the answer is another, with the call, what came and what physics says.
+    """
+    outputs = tuple(np.asarray(part, dtype=float) for part in (answer if isinstance(answer, tuple) else (answer,)))
+    check(function, plainly(*arguments), Right(outputs, tuple(_size(array) for array in outputs)))
+
+
+def check(function: Called, arguments: tuple[Any, ...], right: Right) -> None:
+    """The same with the right answer as marks know it."""
+    found = Answer(function(*arguments))
+    if not mark(found, right).right:
+        raise AssertionError(f"{function.name} of {called(_parameters(function.name), arguments)}\n{compared(found, right)}")
+
+
+def numbers(function: Called, arguments: tuple[Any, ...], count: int = 1) -> Any:
+    """What a function gives, as an array of floats, or so many of them; an AssertionError where it is no such thing."""
+    value = function(*arguments)
+    found = outputs(value, count)
+    if found is None:
+        wanted = "numbers" if count == 1 else f"{count} arrays of numbers"
+        given = called(_parameters(function.name), arguments)
+        raise AssertionError(f"{function.name} of {given}\ngives {type(value).__name__}, where {wanted} should be")
+    return found if count > 1 else found[0]
+
+
+def refuse_changes(function: Any) -> None:
+    """Raise an AssertionError if the last call has written into its arguments."""
+    if function.functions.process().changed:
+        raise AssertionError(f"{function.name} writes into its arguments: the caller's arrays have other numbers now")
+
+
+def plainly(*arguments: Any) -> tuple[Any, ...]:
+    """Arguments as a submission gets them: lists as arrays of floats, also in tuples; numbers and flags as they are."""
+    return usual("", *arguments).arguments
+
+
+def each(formula: Formula, sample: tuple[Any, ...]) -> Formula:
+    """A formula for one contact as one for many; `sample` holds arguments of one, whose shapes say what one is."""
+    depths = [np.ndim(part) for part in _leaves(sample)]
+
+    def for_many(*arguments: Any) -> Any:
+        leaves = [np.asarray(part) for part in _leaves(arguments)]
+        several = [leaf.shape[: leaf.ndim - depth] for leaf, depth in zip(leaves, depths, strict=True)]
+        shape = np.broadcast_shapes(*several)
+        spread = [
+            np.broadcast_to(leaf, shape + leaf.shape[leaf.ndim - depth :])
+            for leaf, depth in zip(leaves, depths, strict=True)
+        ]
+        answers = [formula(*_as_in(sample, iter([leaf[place] for leaf in spread]))) for place in np.ndindex(shape)]
+        if not isinstance(answers[0], tuple):
+            return _side_by_side(answers, shape)
+        return tuple(_side_by_side(part, shape) for part in zip(*answers, strict=True))
+
+    return for_many
+
+
+def _side_by_side(answers: Any, shape: tuple[int, ...]) -> Any:
+    stacked = np.stack([np.asarray(answer, dtype=float) for answer in answers])
+    return stacked.reshape(shape + stacked.shape[1:])
+
+
+def _leaves(value: Any) -> list[Any]:
+    return [leaf for part in value for leaf in _leaves(part)] if isinstance(value, tuple) else [value]
+
+
+def _as_in(sample: Any, leaves: Any) -> Any:
+    if isinstance(sample, tuple):
+        return tuple(_as_in(part, leaves) for part in sample)
+    leaf = next(leaves)
+    return leaf if isinstance(sample, np.ndarray) else leaf.item()
+
+
+def _size(array: Any) -> float:
+    return float(np.max(np.abs(array[np.isfinite(array)]), initial=0.0)) or 1.0
+
+
+def _parameters(function: str) -> tuple[str, ...]:
+    from labs.grading.fingerprints.reading import known  # noqa: PLC0415 - only a failure needs the names
+
+    return known(function).parameters

@@ -1,0 +1,119 @@
+"""Detecting a collision (slides 2, 4, 5 and 9): examples that a student sees."""
+
+from __future__ import annotations
+
+import math
+
+from labs.grading.expecting import asks, expect
+
+UP = [0.0, 0.0, 1.0]
+INFINITY = math.inf
+
+
+@asks(
+    "signed_distance", 3, "A distance says how far a point is from a plane, and its sign on which side.",
+    "Slide 4: a x + b y + c z + d. When is that a distance in metres?",
+)  # fmt: skip
+def test_a_point_has_a_distance_from_a_plane_with_a_sign(submission, part):
+    with part(1, "above and below a floor"):
+        expect(submission.signed_distance, ([3, 1, 2], UP, 0.0), 2.0)
+        expect(submission.signed_distance, ([3, 1, -0.5], UP, 0.0), -0.5)
+        expect(submission.signed_distance, ([0, 0, 3], UP, -1.0), 2.0)  # the plane z = 1
+    with part(1, "a normal that is longer than 1"):
+        expect(submission.signed_distance, ([0, 0, 3], [0, 0, 2], -4.0), 1.0)  # 2 z − 4 = 0 is the plane z = 2
+    with part(1, "two points in one call"):
+        expect(submission.signed_distance, ([[0, 0, 1], [0, 0, -2]], UP, 0.0), [1.0, -2.0])
+
+
+@asks(
+    "is_colliding", 2, "A point collides when it is behind the plane by more than the tolerance.",
+    "Slide 4: which sign has the distance of a point inside?",
+)  # fmt: skip
+def test_a_point_collides_behind_the_plane_by_more_than_the_tolerance(submission, part):
+    with part(1, "in front, behind, touching"):
+        expect(submission.is_colliding, (1.0,), False)
+        expect(submission.is_colliding, (-1.0,), True)
+        expect(submission.is_colliding, (0.0,), False)
+    with part(1, "with a tolerance, several in one call"):
+        expect(submission.is_colliding, ([-0.5, -0.125, 0.125, 2.0], 0.25), [True, False, False, False])
+
+
+@asks(
+    "time_of_impact_interpolated", 3, "Between two samples of opposite sign the separation is zero somewhere.",
+    "Slide 5. Draw the separation over the step as a straight line; d2 on the slide is a magnitude.",
+)  # fmt: skip
+def test_the_separation_is_zero_where_a_straight_line_crosses_it(submission, part):
+    with part(1, "half way, and a quarter of the way"):
+        expect(submission.time_of_impact_interpolated, (1.0, -1.0, 0.0, 2.0), 1.0)
+        expect(submission.time_of_impact_interpolated, (1.0, -3.0, 5.0, 0.5), 5.125)
+    with part(1, "no impact in this step"):
+        expect(submission.time_of_impact_interpolated, (2.0, 1.0, 0.0, 0.5), INFINITY)
+        expect(submission.time_of_impact_interpolated, (-1.0, 2.0, 0.0, 0.5), INFINITY)
+    with part(1, "several in one call, one of them without an impact"):
+        expect(submission.time_of_impact_interpolated, ([1.0, 2.0], [-1.0, 1.0], 0.0, 2.0), [1.0, INFINITY])
+
+
+@asks(
+    "time_of_impact_exact", 3, "Under gravity the way is a parabola, and its root is the time of impact.",
+    "s + u t + a t²/2 = 0. Which of its two roots is the one on the way down?",
+)  # fmt: skip
+def test_a_falling_body_meets_the_plane_at_the_root_of_its_parabola(submission, part):
+    with part(1, "let fall, thrown down, thrown up"):
+        expect(submission.time_of_impact_exact, (5.0, 0.0, -10.0), 1.0)
+        expect(submission.time_of_impact_exact, (15.0, -10.0, -10.0), 1.0)
+        expect(submission.time_of_impact_exact, (15.0, 10.0, -10.0), 3.0)
+    with part(1, "without gravity, towards the plane and away"):
+        expect(submission.time_of_impact_exact, (3.0, -1.5, 0.0), 2.0)
+        expect(submission.time_of_impact_exact, (3.0, 1.5, 0.0), INFINITY)
+    with part(1, "several in one call"):
+        expect(submission.time_of_impact_exact, ([5.0, 15.0], [0.0, 10.0], -10.0), [1.0, 3.0])
+
+
+@asks("side_of_plane", 2, "A point is in front, behind, or on the plane: three answers, 1, −1 and 0.")
+def test_a_point_is_in_front_behind_or_on_the_plane(submission, part):
+    with part(1, "without a tolerance"):
+        expect(submission.side_of_plane, (2.0,), 1)
+        expect(submission.side_of_plane, (-2.0,), -1)
+        expect(submission.side_of_plane, (0.0,), 0)
+    with part(1, "with a tolerance, several in one call"):
+        expect(submission.side_of_plane, ([-2.0, -0.25, 0.125, 2.0], 0.25), [-1, 0, 0, 1])
+
+
+@asks(
+    "overlap_interval", 3, "A ball that flies through a wall overlaps it from its front face to behind its back.",
+    "Slide 2. Where is the ball's centre when it touches the front, and where when it leaves the back?",
+)  # fmt: skip
+def test_a_ball_overlaps_a_wall_from_touching_its_front_to_leaving_its_back(submission, part):
+    with part(1, "through the wall within the step"):
+        expect(submission.overlap_interval, (2.0, -4.0, 0.5, 1.0, 2.0), (0.375, 0.875))
+    with part(1, "inside already, and still inside at the end"):
+        expect(submission.overlap_interval, (0.0, -1.0, 0.5, 2.0, 1.0), (0.0, 1.0))
+    with part(1, "no overlap, beside one, in one call"):
+        expect(
+            submission.overlap_interval, ([2.0, 2.0], [-4.0, 4.0], 0.5, 1.0, 2.0), ([0.375, INFINITY], [0.875, -INFINITY])
+        )  # fmt: skip
+
+
+@asks(
+    "missing_probability", 2, "A ball is missed when it crosses the wall between two tests.",
+    "Slide 9. On which way does it overlap the wall, and which way does it go between two tests?",
+)  # fmt: skip
+def test_a_fast_ball_is_missed_by_the_share_of_its_way_that_no_test_sees(submission, part):
+    with part(1, "half of the balls, and none"):
+        expect(submission.missing_probability, (64.0, 0.125, 0.0625, 0.0078125), 0.5)
+        expect(submission.missing_probability, (1.0, 0.125, 0.0625, 0.0078125), 0.0)
+    with part(1, "several in one call"):
+        expect(submission.missing_probability, ([64.0, 128.0], 0.125, 0.0625, 0.0078125), [0.5, 0.75])
+
+
+@asks(
+    "substeps_needed", 2, "Cut the step finely enough, and some test sees the ball in the wall.",
+    "Slide 9. How far may the ball go between two tests?",
+)  # fmt: skip
+def test_a_step_is_cut_so_finely_that_no_ball_passes_unseen(submission, part):
+    with part(1, "one is enough; three and a bit; just four times the way"):
+        expect(submission.substeps_needed, (1.0, 0.125, 0.0625, 0.0078125), 1)
+        expect(submission.substeps_needed, (104.0, 0.125, 0.0625, 0.0078125), 4)
+        expect(submission.substeps_needed, (128.0, 0.125, 0.0625, 0.0078125), 5)
+    with part(1, "several in one call"):
+        expect(submission.substeps_needed, ([1.0, 104.0], 0.125, 0.0625, 0.0078125), [1, 4])
