@@ -11,7 +11,7 @@ pytest_plugins = "pytester"
 
 VISIBLE = """
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import given, settings, strategies as st
 
 @pytest.mark.points(3)
 @pytest.mark.rationale("A ball leaves with e times the speed it came with.")
@@ -28,6 +28,7 @@ def test_in_parts(submission, part):
     with part(1, "each function"):
         submission.normal_velocity(1.0)
 
+@settings(max_examples=20)
 @given(speed=st.floats(0, 40))
 def test_property(submission, speed):
     print("drawn", speed.hex())
