@@ -39,6 +39,13 @@ from reference.implementation import Implementation
 _STARTING = 10.0  # s for the process itself, before it has seen the submission
 
 
+@dataclass
+class Patience:
+    """How much longer a submission is waited for, all its tests together, s."""
+
+    left: float
+
+
 class Call:
     """Calls functions of the submission in one process.
 
@@ -47,9 +54,13 @@ class Call:
     """
 
     def __init__(
-        self, submission: Submission, limits: Limits, fresh: Callable[[], AbstractContextManager[Call]]
+        self,
+        submission: Submission,
+        limits: Limits,
+        patience: Patience,
+        fresh: Callable[[], AbstractContextManager[Call]],
     ) -> None:
-        self._submission, self._limits, self._fresh = submission, limits, fresh
+        self._submission, self._limits, self._patience, self._fresh = submission, limits, patience, fresh
         self._process: Process | None = None
         self._left = limits.test  # s of waiting that are left to this test
         self._number = 0
@@ -157,18 +168,21 @@ class Call:
     def _exchange(self, name: str, message: bytes) -> Any:
         """Send a message and read the answer, within what time is left; whatever goes wrong ends the process."""
         assert self._process is not None
-        allowed, began = min(self._limits.call, self._left), time.monotonic()
+        allowed, began = max(0.0, min(self._limits.call, self._left, self._patience.left)), time.monotonic()
         try:
-            answer = messages.unpack(self._process.exchange(message, allowed))
+            return messages.unpack(self._process.exchange(message, allowed))
         except TimeoutError:
-            limit = f"{allowed:.3g} s" + (" (the test's time is up)" if allowed < self._limits.call else "")
+            whose = "submission" if allowed == max(0.0, self._patience.left) else "test"
+            limit = f"{allowed:.3g} s" + (f" (the {whose}'s time is up)" if allowed < self._limits.call else "")
             raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
         except (OSError, EOFError):
             raise self._lose(ProcessDied(f"{name} gave no answer: {deaths.reason(self._process.end())}")) from None
         except messages.Refused as refused:
             raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None
-        self._left -= time.monotonic() - began
-        return answer
+        finally:
+            spent = time.monotonic() - began
+            self._left -= spent
+            self._patience.left -= spent
 
     def _lose(self, error: StudentError) -> StudentError:
         self._lost = error

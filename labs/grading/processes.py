@@ -20,10 +20,14 @@ from labs.grading import messages
 
 @dataclass(frozen=True)
 class Limits:
-    """What a test may use. call, test: s of wall-clock time. memory: bytes beyond NumPy's. printed: characters kept."""
+    """What a test may use. memory: bytes beyond NumPy's. printed: characters that are kept.
+
+    call, test, submission: s of wall-clock time for a call, for all calls of a test, and for all tests together.
+    """
 
     call: float = 5.0
     test: float = 20.0
+    submission: float = 180.0
     memory: int = 2**30
     printed: int = 10_000
 

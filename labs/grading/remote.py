@@ -15,8 +15,8 @@ from collections.abc import Collection, Iterator
 from types import TracebackType
 from typing import Self
 
-from labs.grading.calls import Call
-from labs.grading.errors import StudentError
+from labs.grading.calls import Call, Patience
+from labs.grading.errors import OutOfTime, StudentError
 from labs.grading.hosts import LoneHost, NurseryHost
 from labs.grading.processes import Host, Limits
 from labs.grading.submission import Submission
@@ -65,14 +65,17 @@ class Remote:
         self.grader = grader or Grader()
         self._own = grader is None
         self._unloadable: StudentError | None = None
+        self._patience = Patience(self.grader.limits.submission)
 
     @contextlib.contextmanager
     def fresh(self) -> Iterator[Call]:
         """A process for one test; at the end of the block nothing of it is left.
 
-        Where the submission does not even load, that is found out once: later tests are told so without the wait.
+        Where the submission does not even load, or its time is up, later tests are told so without the wait.
         """
-        call = Call(self.submission, self.grader.limits, self.fresh)
+        if self._patience.left <= 0 and self._unloadable is None:
+            self._unloadable = OutOfTime("the submission has used up the time of all its tests together")
+        call = Call(self.submission, self.grader.limits, self._patience, self.fresh)
         try:
             self._unloadable = call.begin(self.grader.host, self.grader.least, self._unloadable)
             yield call

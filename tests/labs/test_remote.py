@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 
 from labs.grading import messages
+from labs.grading.calls import Patience
 from labs.grading.errors import (
     FunctionMissing,
     FunctionRaised,
@@ -166,6 +167,21 @@ def test_a_call_that_takes_too_long_ends_its_test_alone(of, hasty):
 def test_calls_that_are_each_in_time_cannot_take_for_ever_together(of, hasty):
     with of("import time\ndef f(): time.sleep(0.3)").fresh() as call, pytest.raises(OutOfTime, match="time is up"):
         calls_until_it_fails(call, "f")
+
+
+def test_a_submission_that_always_hangs_cannot_hold_up_a_class():
+    text = "def f():\n    while True: pass\ndef g(): return 1"
+    with Grader(Limits(call=0.2, submission=0.5)) as own:
+        remote, began, told = Remote(Submission("lab.py", text), own), time.monotonic(), []
+        for _ in range(50):
+            with remote.fresh() as call, pytest.raises(OutOfTime) as error:
+                call("f")
+            told.append(str(error.value))
+        assert time.monotonic() - began < 10  # s; fifty waits of 0.2 s, and fifty processes to end
+        assert "submission's time is up" in told[2]
+        assert told[-1] == "the submission has used up the time of all its tests together"
+        with Remote(Submission("lab.py", text), own).fresh() as call:  # the next student has time again
+            assert call("g") == 1
 
 
 def test_each_test_has_a_process_that_knows_nothing_of_the_others(of):
@@ -352,7 +368,7 @@ PAIR = np.zeros(2)  # compared with anything, it is neither true nor false
 )  # fmt: skip
 def test_a_forged_answer_is_no_answer(forged):
     process = Scripted(SEALED, LOADED, forged)
-    call = Call(Submission("lab.py", ""), PATIENT, contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
     call.begin(process, Tier.NETWORK)
     with pytest.raises(NoAnswer, match="wrote into the grader's pipe"):
         call("f", 1.0)
@@ -366,7 +382,7 @@ def test_odd_parts_of_an_answer_are_left_out():
         ("answer", 2, "raised", "E", "m", 10**1000, ""),
         ("answer", 3, "raised", "E", "m", PAIR, ""),
     )
-    call = Call(Submission("lab.py", ""), PATIENT, contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
     call.begin(process, Tier.NETWORK)
     assert (call("f", 1.0), call.changed, call.printed) == (5.0, (0,), "said")
     for _ in range(2):
@@ -376,7 +392,7 @@ def test_odd_parts_of_an_answer_are_left_out():
 
 @pytest.mark.parametrize("forged", [PAIR, (PAIR, PAIR, PAIR), ("loaded", PAIR, []), ("answer", 1), None])
 def test_a_submission_that_forges_its_own_loading_cannot_be_called(forged):
-    call = Call(Submission("lab.py", ""), PATIENT, contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
     assert isinstance(call.begin(Scripted(SEALED, forged), Tier.NETWORK), NoAnswer)
     with pytest.raises(NoAnswer, match="on loading"):
         call("f", 1.0)
