@@ -120,6 +120,7 @@ def _until_rest() -> list[Probe]:
         edge("no bounce, without gravity", 3.0, -1.5, 0.0, 0.0),
         edge("pulled away", 3.0, -1.0, 2.0, 0.5),
         edge("it arrives and is pulled off again", 1.0, -4.0, 2.0, 0.5),
+        edge("it arrives for good, and is pulled off again", 1.0, -4.0, 2.0, 0.0),
         edge("pulled off the plane", 0.0, 0.0, 2.0, 0.5),
         edge("behind the plane, moving out", -0.5, 2.0, -10.0, 0.5),
         edge("it bounces for ever", 2.0, 0.0, -10.0, 1.0),
