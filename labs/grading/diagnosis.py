@@ -121,15 +121,12 @@ class _Case:
         whole = self._explained(("usual", "edge"))
         closer = [entry for entry in whole if self._fits(entry, ("many",), silently=True)]
         in_many = self._explained(("many",), ("usual", "edge"))
-        for found, certain in (
-            (closer or in_many, True),
-            (whole, self._telling()),
-            (self._explained(("usual",)), False),
-        ):
-            if found:
-                one: Verdict = "named" if certain else "likely"
-                return (one if len(found) == 1 else "several"), tuple(found)
-        return self._without_name(), ()
+        mostly = [entry for entry in self._explained(("usual",)) if not entry.origins]  # not by way of another function
+        certain = closer or in_many or (whole if self._telling() else [])
+        found = certain or mostly
+        if not found:
+            return self._without_name(), ()
+        return ("several" if len(found) > 1 else "named" if certain else "likely"), tuple(found)
 
     def _explained(self, shows: tuple[Group, ...], agrees: tuple[Group, ...] = ()) -> list[Known]:
         """The known mistakes that give what the submission gives in some groups, and are seen in the first of them."""
