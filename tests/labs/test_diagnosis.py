@@ -215,7 +215,7 @@ def test_a_function_that_uses_a_wrong_one_is_said_to_be_right_itself(monkeypatch
     monkeypatch.setattr("solutions.impulse.impact.point_velocity", entry.formula)
     found = diagnose("collide", of(collide))
     assert found.mistakes[0].origins == (entry.id,)
-    assert "It would be right itself, but point_velocity goes wrong" in " ".join(str(found).split())
+    assert "It answers as if it were right itself and used a wrong point_velocity" in " ".join(str(found).split())
 
 
 def test_a_stub_is_unwritten():

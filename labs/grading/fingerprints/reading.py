@@ -92,7 +92,7 @@ def _inherited(function: str, ids: str, marks: list[Any]) -> Known:
     origins = tuple(ids.split(BETWEEN))
     texts = [_own(*origin.split("/", 1)) for origin in origins]
     names = " or ".join(dict.fromkeys(origin.split("/")[0] for origin in origins))
-    rationale = f"It would be right itself, but {names} goes wrong: " + " Or: ".join(
+    rationale = f"It answers as if it were right itself and used a wrong {names}: " + " Or: ".join(
         text["rationale"] for text in texts
     )
     return Known(f"{function} < {ids}", rationale, texts[0]["help"], tuple(map(_mark, marks)), origins)
