@@ -14,12 +14,12 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import re
+import sys
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import hypothesis
 import pytest
 
 from labs.grading.diagnosis import diagnose
@@ -34,6 +34,7 @@ from reference import lecture
 from reference.errors import CollisionsError
 
 SHEET = pytest.StashKey[Sheet]()
+_GRADER = pytest.StashKey[Grader]()
 _PARTS = pytest.StashKey[list[Part]]()
 _LINES = 8  # of what a failed assertion says
 _OBVIOUS = tuple(f"{name} = submission.{name}" for name in lecture.FUNCTIONS)  # as pytest adds it
@@ -96,16 +97,30 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the markers known, and let properties depend on nothing but the file: no database, no deadline."""
+    """Make the markers known; the grader gets ready while the tests are collected."""
     config.stash[SHEET] = Sheet()
     if config.getoption("--submission"):
+        config.stash[_GRADER] = Grader()
+    for marker, meaning in _MARKERS.items():
+        config.addinivalue_line("markers", f"{marker}: {meaning}")
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """End what was started."""
+    if _GRADER in config.stash:
+        config.stash[_GRADER].close()
+
+
+def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> None:
+    """Let the properties of a file depend on nothing but the submission: no database, no deadline."""
+    if parent.config.getoption("--submission") and b"hypothesis" in module_path.read_bytes():
+        import hypothesis  # noqa: PLC0415 - takes as long to load as NumPy, and few files need it
+
         slow = [hypothesis.HealthCheck.too_slow]
         hypothesis.settings.register_profile(
             "grading", derandomize=True, deadline=None, report_multiple_bugs=False, suppress_health_check=slow
         )
         hypothesis.settings.load_profile("grading")
-    for marker, meaning in _MARKERS.items():
-        config.addinivalue_line("markers", f"{marker}: {meaning}")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -115,7 +130,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         if type(points := _marker(item, "points", 1)) is not int or points < 0:
             raise pytest.UsageError(f"{item.nodeid}: points are a whole number, not {points!r}")
         test: Any = getattr(item, "obj", None)
-        if hypothesis.is_hypothesis_test(test):
+        if (hypothesis := sys.modules.get("hypothesis")) and hypothesis.is_hypothesis_test(test):
             hypothesis.seed(seed)(getattr(test, "__func__", test))
 
 
@@ -130,7 +145,7 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
     found = read(path, wanted, also=lecture.FUNCTIONS)
     sheet = config.stash[SHEET]
     sheet.submission, sheet.complaints = found.name, [str(complaint) for complaint in found.complaints]
-    with Grader() as grader, Remote(found, grader) as remote:
+    with Remote(found, config.stash[_GRADER]) as remote:
         yield Functions(remote, sheet)
         for name in sheet.lost:
             with remote.fresh() as call:
