@@ -49,7 +49,7 @@ class Examples:
         name = f"{function.name} {self.seed}"
         sample = maker(Draw(np.random.default_rng(0)))
         for probe in made(name, (), maker, 0, single):
-            check(function, probe.arguments, right_answer(each(formula, sample), probe))
+            check(function, probe.arguments, right_answer(each(formula, sample), probe), repeated=True)
             refuse_changes(function)
 
     def every(self, maker: Maker, holds: Check, count: int = COUNT) -> None:

@@ -62,11 +62,26 @@ def expect(function: Called, arguments: tuple[Any, ...], answer: Any) -> None:
     check(function, plainly(*arguments), Right(outputs, tuple(_size(array) for array in outputs)))
 
 
-def check(function: Called, arguments: tuple[Any, ...], right: Right) -> None:
-    """The same with the right answer as marks know it."""
+def check(function: Called, arguments: tuple[Any, ...], right: Right, repeated: bool = False) -> None:
+    """The same with the right answer as marks know it.
+
+    repeated: whether what is the same for all contacts of a call, as it hangs on no argument that differs, may be given
+    once.
+    """
     found = Answer(function(*arguments))
+    if repeated:
+        found = Answer(_repeated(found.value, right))
     if not mark(found, right).right:
         raise AssertionError(f"{function.name} of {called(_parameters(function.name), arguments)}\n{compared(found, right)}")
+
+
+def _repeated(value: Any, right: Right) -> Any:
+    arrays = outputs(value, len(right.outputs))
+    try:
+        spread = tuple(np.broadcast_to(a, b.shape) for a, b in zip(arrays or (), right.outputs, strict=True))
+    except ValueError:
+        return value
+    return spread if len(spread) > 1 else spread[0]
 
 
 def numbers(function: Called, arguments: tuple[Any, ...], count: int = 1) -> Any:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from labs.grading.expecting import asks, expect
+from labs.grading.runs import compared_with_theory, with_solutions
 
 UP = [0.0, 0.0, 1.0]
 INFINITY = math.inf
@@ -117,3 +118,12 @@ def test_a_step_is_cut_so_finely_that_no_ball_passes_unseen(submission, part):
         expect(submission.substeps_needed, (128.0, 0.125, 0.0625, 0.0078125), 5)
     with part(1, "several in one call"):
         expect(submission.substeps_needed, ([1.0, 104.0], 0.125, 0.0625, 0.0078125), [1, 4])
+
+
+@asks("time_of_impact_exact", 2, "A ball bounces at the instant at which it meets the floor, not a step later.")
+def test_a_falling_ball_turns_round_on_the_floor(submission, part):
+    code = with_solutions(submission, "detection")
+    with part(1, "how high it rises"):
+        compared_with_theory(code, "dropped-ball", ("e=0.5",), ("rebound",))
+    with part(1, "when it comes to rest"):
+        compared_with_theory(code, "ball-to-rest", ("e=0.5",), ("rest_time",))

@@ -1,0 +1,148 @@
+"""Bouncing off a plane (slides 3, 6, 7 and 8): examples that a student sees."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from labs.grading.expecting import asks, expect, numbers
+from labs.grading.runs import compared_with_theory, with_solutions
+
+UP, REST = [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
+FALL = [0.0, 0.0, -8.0]
+INFINITY = math.inf
+
+
+@asks(
+    "kinematic_response", 4, "A bounce turns the normal part of the velocity round and leaves e of it.",
+    "Slide 7 is the bounce with e = 1. What should become of a body that moves away already?",
+)  # fmt: skip
+def test_a_bounce_turns_the_normal_part_and_leaves_the_other(submission, part, examples):
+    with part(1, "down on a floor"):
+        expect(submission.kinematic_response, ([3, 0, -4], UP, 0.5), [3.0, 0.0, 2.0])
+        expect(submission.kinematic_response, ([3, 0, -4], UP, 1.0), [3.0, 0.0, 4.0])
+    with part(1, "already on its way out"):
+        expect(submission.kinematic_response, ([3, 0, 4], UP, 0.5), [3.0, 0.0, 4.0])
+    with part(1, "no bounce makes a body faster"):
+
+        def no_faster(velocity, normal, restitution):
+            after = numbers(submission.kinematic_response, (velocity, normal, restitution))
+            assert np.linalg.norm(after) <= np.linalg.norm(velocity) * 1.00001, f"{after} is faster than {velocity}"
+
+        examples.every(lambda draw: (draw.vector(), draw.unit(), draw.number(0, 1)), no_faster)
+    with part(1, "two bodies in one call"):
+        expect(submission.kinematic_response, ([[0, 0, -2], [1, 0, 2]], UP, 0.5), [[0, 0, 1], [1, 0, 2]])
+
+
+@asks(
+    "moving_plane_response", 3, "What counts is how the body moves as seen from the plane.",
+    "Sit on the plane: which velocity do you see before the bounce, and which after it?",
+)  # fmt: skip
+def test_a_bounce_is_that_of_the_velocity_seen_from_the_plane(submission, part):
+    with part(1, "a racket that comes to meet the ball"):
+        expect(submission.moving_plane_response, ([0, 0, -2], [0, 0, 2], UP, 0.5), [0.0, 0.0, 4.0])
+    with part(1, "a plane that draws back, and one that catches up"):
+        expect(submission.moving_plane_response, ([1, 0, -1], [0, 0, -3], UP, 0.5), [1.0, 0.0, -1.0])
+        expect(submission.moving_plane_response, ([1, 0, 1], [0, 0, 3], UP, 1.0), [1.0, 0.0, 5.0])
+    with part(1, "two bodies in one call"):
+        expect(submission.moving_plane_response, ([[0, 0, -2], [0, 0, 3]], REST, UP, 0.5), [[0, 0, 1], [0, 0, 3]])
+
+
+@asks(
+    "respond_at_step", 3, "Fly the whole step; a body that then is behind the plane and moves in gets its new velocity.",
+    "Slide 6, after the fact: where is the body at the end of the step, and how fast is it there?",
+)  # fmt: skip
+def test_a_body_behind_the_plane_at_the_end_of_the_step_turns_round_there(submission, part):
+    with part(1, "it ends behind the floor"):
+        expect(submission.respond_at_step, ([0, 0, 1], [1, 0, -3], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -0.5], [1, 0, 1.5]))
+    with part(1, "it ends above the floor, falling"):
+        expect(submission.respond_at_step, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.0, 0.5, 0.5), ([0.5, 0, 8], [1, 0, -4]))
+    with part(1, "both in one call"):
+        expect(
+            submission.respond_at_step,
+            ([[0, 0, 1], [0, 0, 9]], [[1, 0, -3], [1, 0, 0]], REST, UP, 0.0, 0.5, 0.5),
+            ([[0.5, 0, -0.5], [0.5, 0, 9]], [[1, 0, 1.5], [1, 0, 0]]),
+        )
+
+
+@asks(
+    "respond_at_impact", 3, "Fly to the impact, respond, and fly on for the rest of the step.",
+    "Slide 6, backing up: how much of the step is left after the impact?",
+)  # fmt: skip
+def test_the_step_goes_on_after_the_impact(submission, part):
+    with part(1, "half way through the step"):
+        expect(
+            submission.respond_at_impact, ([0, 0, 2], [1, 0, -4], REST, UP, 0.5, 0.5, 1.0), ([1, 0, 1], [1, 0, 2])
+        )  # fmt: skip
+    with part(1, "no impact in this step"):
+        expect(
+            submission.respond_at_impact, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.5, INFINITY, 0.5), ([0.5, 0, 8], [1, 0, -4])
+        )  # fmt: skip
+    with part(1, "both in one call"):
+        expect(
+            submission.respond_at_impact,
+            ([0, 0, 2], [1, 0, -4], REST, UP, 0.5, [0.5, INFINITY], 1.0),
+            ([[1, 0, 1], [1, 0, -2]], [[1, 0, 2], [1, 0, -4]]),
+        )
+
+
+@asks(
+    "time_until_rest", 3, "Infinitely many bounces end in a finite time: each flight lasts e times the one before.",
+    "How long is the first fall? And the flight after the first bounce? The rest is a geometric series.",
+)  # fmt: skip
+def test_infinitely_many_bounces_end_in_a_finite_time(submission, part):
+    with part(1, "let fall: the fall lasts 1 s, then flights of 1 s, 1/2 s, 1/4 s …"):
+        expect(submission.time_until_rest, (4.0, 0.0, -8.0, 0.5), 3.0)
+    with part(1, "no bounce; bouncing for ever; lying there already"):
+        expect(submission.time_until_rest, (4.0, 0.0, -8.0, 0.0), 1.0)
+        expect(submission.time_until_rest, (4.0, 0.0, -8.0, 1.0), INFINITY)
+        expect(submission.time_until_rest, (0.0, 0.0, -8.0, 0.5), 0.0)
+    with part(1, "several in one call"):
+        expect(submission.time_until_rest, ([4.0, 0.0], 0.0, -8.0, 0.5), [3.0, 0.0])
+
+
+@asks(
+    "penalty_force", 3, "The contact is a spring with a dashpot: it pushes while they overlap, and never pulls.",
+    "Slide 8. Which sign has the depth, and what should happen when the dashpot is stronger than the spring?",
+)  # fmt: skip
+def test_the_contact_pushes_while_they_overlap_and_never_pulls(submission, part):
+    with part(1, "pressed in, moving in, moving out"):
+        expect(submission.penalty_force, (-0.125, 0.0, UP, 800.0, 10.0), [0.0, 0.0, 100.0])
+        expect(submission.penalty_force, (-0.125, -2.0, UP, 800.0, 10.0), [0.0, 0.0, 120.0])
+        expect(submission.penalty_force, (-0.125, 2.0, UP, 800.0, 10.0), [0.0, 0.0, 80.0])
+    with part(1, "in front of the plane; moving out fast, without adhesion and with it"):
+        expect(submission.penalty_force, (0.5, -2.0, UP, 800.0, 10.0), REST)
+        expect(submission.penalty_force, (-0.125, 20.0, UP, 800.0, 10.0), REST)
+        expect(submission.penalty_force, (-0.125, 20.0, UP, 800.0, 10.0, True), [0.0, 0.0, -100.0])
+    with part(1, "two contacts in one call"):
+        expect(submission.penalty_force, ([-0.125, 0.5], 0.0, UP, 800.0, 10.0), [[0, 0, 100], REST])
+
+
+@asks("penalty_rest_depth", 2, "A body lies so deep in a penalty floor that the spring carries its weight.")
+def test_a_body_lies_so_deep_that_the_spring_carries_it(submission, part):
+    with part(1, "2 kg on 160 N/m, where g is 8 m/s²"):
+        expect(submission.penalty_rest_depth, (2.0, 8.0, 160.0), 0.1)
+    with part(1, "two floors in one call"):
+        expect(submission.penalty_rest_depth, (2.0, 8.0, [160.0, 320.0]), [0.1, 0.05])
+
+
+@asks(
+    "penalty_step_limit", 2, "Too long a step shakes the contact: with ω = √(k/m) no more than 2/ω, less with damping.",
+    "Write one step of semi-implicit Euler as a matrix. When has it the eigenvalue −1?",
+)  # fmt: skip
+def test_a_stiff_contact_needs_a_short_step(submission, part):
+    with part(1, "without damping, with it"):
+        expect(submission.penalty_step_limit, (1.0, 100.0), 0.2)
+        expect(submission.penalty_step_limit, (1.0, 100.0, 15.0), 0.1)  # ζ = 3/4
+    with part(1, "several in one call"):
+        expect(submission.penalty_step_limit, (1.0, 100.0, [0.0, 15.0]), [0.2, 0.1])
+
+
+@asks("kinematic_response", 2, "A ball that is let fall rises to e² of its height, and comes to rest, as in every engine.")
+def test_a_ball_rises_to_e_squared_of_its_height_and_comes_to_rest(submission, part):
+    code = with_solutions(submission, "response")
+    with part(1, "how high it rises"):
+        compared_with_theory(code, "dropped-ball", ("e=0.5", "e=0.8"), ("rebound",))
+    with part(1, "when it comes to rest, and where"):
+        compared_with_theory(code, "ball-to-rest", ("e=0.5",), ("rest_time", "rest_height"))
