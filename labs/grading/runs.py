@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from labs.grading.calls import Call
-from reference import lecture
+from reference import lecture, scenarios
 from reference.compare import Row, Verdict, compare_case
 from reference.engines import engine_names, load_engine
 from reference.errors import NeedsFunction, RunFailed
@@ -23,7 +23,6 @@ from reference.family import Case, Family
 from reference.implementation import Implementation
 from reference.recording import recall
 from reference.results import Job
-from reference.scenarios import catalogue
 
 TIMESTEP = 0.02
 """s. The hand-written drivers solve for the instant of an impact: with long steps as well as with short ones."""
@@ -84,7 +83,7 @@ def compared_with_theory(code: Implementation, family: str, cases: Collection[st
 
     It says what came, what theory says and what the engines gave, as recorded.
     """
-    found = catalogue()[family]
+    found = scenarios.family(family)
     for name in cases:
         case = found.case(name)
         for row in _rows(code, found, replace(case, scenarios=case.scenarios[:1])):
