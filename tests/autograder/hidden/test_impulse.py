@@ -1,0 +1,399 @@
+"""Impulses between rigid bodies: drawn examples against closed forms, limiting cases, and many at once.
+
+A body is (v, ω, r, 1/M, I⁻¹). Formulas here are for one contact.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from labs.grading.expecting import asks, expect, numbers, plainly
+
+X, UP, LEANS, REST = [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
+FLAT, NO_TURN = np.diag([2.0, 2.0, 2.0]), np.zeros((3, 3))
+GROUND = (REST, REST, REST, 0.0, NO_TURN)
+
+
+def body(velocity, arm=REST, spin=REST, share=1.0, turning=FLAT):
+    """A body of 1 kg, unless said otherwise."""
+    return plainly(velocity, spin, arm, share, turning)
+
+
+def point(velocity, spin, arm):
+    """Turned about the axis by hand: component by component of ω × r."""
+    (a, b, c), (x, y, z) = spin, arm
+    return velocity + np.array([b * z - c * y, c * x - a * z, a * y - b * x])
+
+
+@asks("point_velocity", 3, "v + ω × r, whatever the axis.")
+def test_any_point_of_any_body(submission, part, examples):
+    def motions(draw):
+        return draw.vector(), draw.vector(), draw.vector(2)
+
+    with part(1, "any point"):
+        examples.agree(submission.point_velocity, point, motions)
+    with part(1, "the centre, the axis, a body at rest"):
+        expect(submission.point_velocity, ([1, 2, 3], [4, 5, 6], REST), [1.0, 2.0, 3.0])
+        expect(submission.point_velocity, ([1, 2, 3], [0, 0, 2], [0, 0, 3]), [1.0, 2.0, 3.0])
+        expect(submission.point_velocity, (REST, REST, X), REST)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.point_velocity, point, motions)
+
+
+@asks("relative_velocity", 2, "A's velocity less B's.")
+def test_the_second_is_taken_from_the_first(submission, part, examples):
+    def points(draw):
+        return draw.vector(), draw.vector()
+
+    with part(1, "any two points"):
+        examples.agree(submission.relative_velocity, lambda a, b: a - b, points)
+        expect(submission.relative_velocity, ([1, 2, 3], [1, 2, 3]), REST)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.relative_velocity, lambda a, b: a - b, points)
+
+
+@asks("normal_velocity", 2, "The part of the relative velocity along the normal.")
+def test_only_the_part_along_the_normal_counts(submission, part, examples):
+    def points(draw):
+        return draw.vector(), draw.vector(), draw.unit()
+
+    with part(1, "any two points"):
+        examples.agree(submission.normal_velocity, lambda a, b, n: n @ a - n @ b, points)
+        expect(submission.normal_velocity, ([3, 1, 0], [-1, 2, 0], UP), 0.0)
+        expect(submission.normal_velocity, (REST, [0, 3, 2], UP), -2.0)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.normal_velocity, lambda a, b, n: n @ a - n @ b, points)
+
+
+@asks("rebound_velocity", 3, "−e u_n⁻ of what approaches; what parts goes on as it did.")
+def test_what_approaches_turns_round_and_what_parts_does_not(submission, part, examples):
+    def rebound(u, e):
+        return e * abs(u) if u < 0 else u
+
+    def approaches(draw):
+        return draw.number(-5, 2), draw.number(0.1, 0.9)
+
+    with part(1, "any approach"):
+        examples.agree(submission.rebound_velocity, rebound, approaches, count=20)
+    with part(1, "grazing, no bounce, perfect bounce"):
+        for u, e in ((0.0, 0.5), (-3.0, 0.0), (-3.0, 1.0), (3.0, 0.0), (3.0, 1.0), (0.25, 0.5)):
+            expect(submission.rebound_velocity, (u, e), rebound(u, e))
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.rebound_velocity, rebound, approaches)
+
+
+@asks("classify_contact", 3, "The sign of u_n where it is more than the threshold, else 0.")
+def test_up_to_the_threshold_a_contact_rests(submission, part, examples):
+    def kind(u, threshold):
+        return 0 if abs(u) <= threshold else np.sign(u)
+
+    def contacts(draw):
+        return draw.number(-2, 2), draw.number(0.1, 1)
+
+    with part(1, "any contact"):
+        examples.agree(submission.classify_contact, kind, contacts, count=40)
+    with part(1, "at the threshold, and without one"):
+        for u, threshold in ((0.5, 0.5), (-0.5, 0.5), (0.0, 0.0), (0.0, 0.5), (1e-9, 0.0), (-1e-9, 0.0)):
+            expect(submission.classify_contact, (u, threshold), kind(u, threshold))
+        expect(submission.classify_contact, (-1.0,), -1)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.classify_contact, kind, contacts)
+
+
+@asks("impulse_of_force", 3, "The area below straight lines between the samples.")
+def test_the_force_changes_steadily_between_the_samples(submission, part, examples):
+    def area(force, time):
+        return sum((time[i + 1] - time[i]) * (force[i] + force[i + 1]) / 2 for i in range(len(time) - 1))
+
+    def records(draw):
+        return np.array([draw.vector(9) for _ in range(4)]), np.cumsum([draw.number(0.1, 0.9) for _ in range(4)])
+
+    with part(1, "any record"):
+        examples.agree(submission.impulse_of_force, area, records)
+    with part(1, "a single sample, and a jump"):
+        expect(submission.impulse_of_force, ([[1, 2, 3]], [0.5]), REST)
+        expect(submission.impulse_of_force, ([REST, X, [5, 0, 0], [5, 0, 0]], [0.0, 1.0, 1.0, 2.0]), [5.5, 0.0, 0.0])
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.impulse_of_force, area, records)
+
+
+@asks("mean_force", 3, "ΔP = (F + F_other) Δt.")
+def test_contact_and_other_forces_together_change_the_momentum(submission, part, examples):
+    def mean(change, duration, other):
+        return (change - other * duration) / duration
+
+    def contacts(draw):
+        return draw.vector(), draw.number(0.05, 2), draw.vector(10)
+
+    with part(1, "any contact"):
+        examples.agree(submission.mean_force, mean, contacts)
+    with part(1, "nothing changes, and no other force"):
+        expect(submission.mean_force, (REST, 0.25, [0, 0, -10]), [0.0, 0.0, 10.0])
+        expect(submission.mean_force, ([1, 2, 3], 0.25), [4.0, 8.0, 12.0])
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.mean_force, mean, contacts)
+
+
+def towards_a(normal, a, b):
+    """Of unit length, on A's side."""
+    unit = normal / np.sqrt(normal @ normal)
+    return -unit if unit @ a < unit @ b else unit
+
+
+@asks("point_plane_normal", 3, "Of unit length, and on A's side wherever the two are.")
+def test_the_normal_of_any_face_is_a_unit_vector_on_the_side_of_a(submission, part, examples):
+    def faces(draw):
+        return draw.vector(), draw.vector(3), draw.vector(3)
+
+    with part(1, "any face"):
+        examples.agree(submission.point_plane_normal, towards_a, faces)
+    with part(1, "both centres on one side, and side by side"):
+        for normal, a, b, right in (
+            ([0, 0, 3], [0, 0, 5], [0, 0, 9], [0, 0, -1]), ([0, 0, -3], [0, 0, -5], [0, 0, -9], UP),
+            ([0, 0, -3], [4, 0, 1], [0, 0, 1], [0, 0, -1]), ([0, 0, 3], [4, 0, 1], [0, 0, 1], UP),
+            ([2, 4, 4], [0, 0, 1], REST, LEANS),
+        ):  # fmt: skip
+            expect(submission.point_plane_normal, (normal, a, b), right)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.point_plane_normal, towards_a, faces)
+
+
+@asks("edge_edge_normal", 3, "At right angles to both edges, of unit length, on A's side.")
+def test_the_normal_of_any_two_edges_is_a_unit_vector_on_the_side_of_a(submission, part, examples):
+    def across(edge_a, edge_b, a, b):
+        return towards_a(point(np.zeros(3), edge_a, edge_b), a, b)
+
+    def edges(draw):
+        return draw.vector(), draw.vector(), draw.vector(3), draw.vector(3)
+
+    with part(1, "any two edges"):
+        examples.agree(submission.edge_edge_normal, across, edges)
+    with part(1, "both centres on one side, and side by side"):
+        for a, b, right in (([0, 0, 5], [0, 0, 9], [0, 0, -1]), ([4, 0, 1], [0, 0, 1], UP), ([9, 9, -1], REST, [0, 0, -1])):
+            expect(submission.edge_edge_normal, ([3, 0, 0], [1, 2, 0], a, b), right)
+        expect(submission.edge_edge_normal, ([1, 2, 0], [3, 0, 0], [4, 0, 1], [0, 0, 1]), [0.0, 0.0, -1.0])
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.edge_edge_normal, across, edges)
+
+
+@asks("world_inverse_inertia", 4, "Each of the body's axes, turned, keeps its own moment.")
+def test_each_axis_of_the_body_keeps_its_moment(submission, part, examples):
+    def turned(axis, orientation):
+        w, q = orientation[0], orientation[1:]
+        return axis + 2 * w * np.cross(q, axis) + 2 * np.cross(q, np.cross(q, axis))
+
+    def inverse(moments, orientation):
+        axes = [turned(axis, orientation) for axis in np.eye(3)]
+        return sum(np.outer(axis, axis) / moment for axis, moment in zip(axes, moments, strict=True))
+
+    def bodies(draw):
+        orientation = np.array([draw.number(0.1, 1) * draw.sign() for _ in range(4)])
+        return np.array([draw.number(0.2, 4) for _ in range(3)]), orientation / np.sqrt(orientation @ orientation)
+
+    with part(2, "any body"):
+        examples.agree(submission.world_inverse_inertia, inverse, bodies)
+    with part(1, "a ball, a thin rod, what cannot be turned"):
+        lying = turned(np.array(UP), np.array([0.8, 0, 0.6, 0]))
+        expect(submission.world_inverse_inertia, ([2, 2, 2], [0.8, 0, 0.6, 0]), np.eye(3) / 2)
+        expect(submission.world_inverse_inertia, ([2, 2, 0], [0.8, 0, 0.6, 0]), (np.eye(3) - np.outer(lying, lying)) / 2)
+        expect(submission.world_inverse_inertia, ([np.inf] * 3, [0.8, 0, 0.6, 0]), NO_TURN)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.world_inverse_inertia, inverse, bodies)
+
+
+def moved(one, impulse):
+    """Velocities of a body after an impulse on it."""
+    v, w, r, share, turning = one
+    return v + share * impulse, w + turning @ np.cross(r, impulse)
+
+
+def parting(a, b, normal):
+    """How fast the points of contact part, along the normal."""
+    return normal @ (point(*a[:3]) - point(*b[:3]))
+
+
+def after(a, b, impulse):
+    """Both bodies' velocities after J on A and −J on B."""
+    return (*moved(a, impulse), *moved(b, -impulse))
+
+
+def softness(a, b, normal):
+    """What a unit impulse adds to the speed of parting: tried out."""
+    v_a, w_a, v_b, w_b = after(a, b, normal)
+    return parting((v_a, w_a, a[2]), (v_b, w_b, b[2]), normal) - parting(a, b, normal)
+
+
+def magnitude(a, b, normal, e):
+    """The impulse after which they part at −e times the speed before."""
+    k = softness(a, b, normal)
+    return -(1 + e) * parting(a, b, normal) / k if k > 1e-12 else 0.0
+
+
+def collision(a, b, normal, e, threshold=0.0):
+    """Velocities after an impact, unchanged where it is none."""
+    colliding = parting(a, b, normal) < -threshold
+    return after(a, b, magnitude(a, b, normal, e) * normal if colliding else np.zeros(3))
+
+
+def pairs(draw):
+    """Two bodies and a normal, mostly coming nearer."""
+    normal = draw.unit()
+    velocity, *others = draw.body()
+    return (velocity - draw.number(1, 6) * normal, *others), draw.body(), normal
+
+
+def with_e(draw):
+    """The same with a restitution."""
+    return (*pairs(draw), draw.number(0.1, 0.9))
+
+
+LIMITS = tuple(
+    plainly(*case)
+    for case in (
+        (body([0, 0, -2], [0.5, 0, -0.5]), GROUND, UP),
+        (GROUND, body([0, 0, 2], [0.5, 0, 0.5]), UP),
+        (body(REST, [1, 0, 0], [0, 2, 0], 0.0), body([0, 0, 1]), UP),  # on a pivot
+        (body([3, 0, 0], [0, 0, -1]), body(REST), UP),  # grazing
+        (body(REST, X), body(REST), UP),
+        (body([0, 0, -2], X, turning=NO_TURN), body(REST), UP),
+        (body([1, 0, -2], [0.25, 0, -1], [0, 1, 0]), body([0, 1, 0], [0, 0, 1], [2, 0, 0], 0.25), LEANS),
+        (body([0, 0, 2], [0.5, 0, -0.5]), body([0, 0, -1]), UP),  # parting
+        (body([0, 0, -2], share=0.0, turning=NO_TURN), GROUND, UP),  # both immovable
+    )
+)
+"""A on the ground, B on the ground, a pivot, grazing, at rest, what cannot turn, a slanting plane, parting, immovable."""
+
+
+@asks("inverse_effective_mass", 5, "The speed of parting that a unit impulse gives.")
+def test_a_unit_impulse_tried_out_gives_the_inverse_effective_mass(submission, part, examples):
+    with part(2, "any two bodies"):
+        examples.agree(submission.inverse_effective_mass, softness, pairs)
+    with part(1, "limiting cases: the ground, a pivot, what cannot turn"):
+        for case in LIMITS:
+            expect(submission.inverse_effective_mass, case, softness(*case))
+    with part(1, "the same for −n, and for A and B swapped"):
+
+        def symmetric(a, b, normal):
+            k = numbers(submission.inverse_effective_mass, (a, b, normal))
+            for other in ((a, b, -normal), (b, a, normal)):
+                np.testing.assert_allclose(numbers(submission.inverse_effective_mass, other), k, rtol=1e-4)
+
+        examples.every(pairs, symmetric)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.inverse_effective_mass, softness, pairs)
+
+
+@asks("impulse_magnitude", 5, "With that impulse they part at −e times the speed before.")
+def test_with_that_impulse_they_part_at_e_times_the_speed(submission, part, examples):
+    with part(2, "any two bodies"):
+        examples.agree(submission.impulse_magnitude, magnitude, with_e)
+    with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting"):
+        for case in LIMITS:
+            for e in (0.0, 0.5, 1.0):
+                expect(submission.impulse_magnitude, (*case, e), magnitude(*case, e))
+    with part(1, "twice the speed takes twice the impulse"):
+
+        def in_proportion(a, b, normal, e):
+            double = tuple((2 * one[0], 2 * one[1], *one[2:]) for one in (a, b))
+            twice = numbers(submission.impulse_magnitude, (*double, normal, e))
+            once = numbers(submission.impulse_magnitude, (a, b, normal, e))
+            np.testing.assert_allclose(twice, 2 * once, rtol=1e-3, atol=1e-4)
+
+        examples.every(with_e, in_proportion)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.impulse_magnitude, magnitude, with_e)
+
+
+@asks("contact_impulses", 2, "j n and −j n.")
+def test_the_two_impulses_add_up_to_nothing(submission, part, examples):
+    def impulses(draw):
+        return draw.number(-5, 5), draw.unit()
+
+    with part(1, "any impulse, and none"):
+        examples.agree(submission.contact_impulses, lambda j, n: (j * n, -j * n), impulses)
+        expect(submission.contact_impulses, (0.0, LEANS), (REST, REST))
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.contact_impulses, lambda j, n: (j * n, -j * n), impulses)
+
+
+@asks("apply_impulse", 5, "J at the end of A's arm, −J at the end of B's.")
+def test_the_impulse_acts_at_the_end_of_each_arm(submission, part, examples):
+    def struck(draw):
+        return draw.body(), draw.body(), draw.vector(4)
+
+    with part(2, "any two bodies"):
+        examples.agree(submission.apply_impulse, after, struck)
+    with part(1, "limiting cases: the ground, no impulse"):
+        for a, b, _ in LIMITS:
+            for impulse in (np.array([0, 1, 3.0]), np.zeros(3)):
+                expect(submission.apply_impulse, (a, b, impulse), after(a, b, impulse))
+    with part(1, "angular momentum about the point of contact is kept"):
+
+        def kept(a, b, impulse):
+            v_a, w_a, v_b, w_b = numbers(submission.apply_impulse, (a, b, impulse), 4)
+            for (_, _, r, share, turning), dv, dw in ((a, v_a - a[0], w_a - a[1]), (b, v_b - b[0], w_b - b[1])):
+                gained = np.linalg.solve(turning, dw) - np.cross(r, dv / share)
+                np.testing.assert_allclose(gained, 0, atol=1e-3)
+
+        examples.every(struck, kept)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.apply_impulse, after, struck)
+
+
+@asks("apply_impulse_to_momenta", 2, "P += J, L += r × J.")
+def test_momentum_takes_the_impulse_and_angular_momentum_its_moment(submission, part, examples):
+    def momenta(p, angular, r, j):
+        return p + j, point(angular, r, j)
+
+    def struck(draw):
+        return draw.vector(), draw.vector(), draw.vector(2), draw.vector(4)
+
+    with part(1, "any body, no arm, no impulse"):
+        examples.agree(submission.apply_impulse_to_momenta, momenta, struck)
+        expect(submission.apply_impulse_to_momenta, ([1, 2, 3], [3, 2, 1], REST, X), ([2, 2, 3], [3, 2, 1]))
+        expect(submission.apply_impulse_to_momenta, ([1, 2, 3], [3, 2, 1], X, REST), ([1, 2, 3], [3, 2, 1]))
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.apply_impulse_to_momenta, momenta, struck)
+
+
+@asks("velocities_from_momenta", 3, "v = P/M, ω = I⁻¹ L.")
+def test_the_velocities_belong_to_the_momenta(submission, part, examples):
+    def velocities(p, angular, share, turning):
+        return p * share, np.array([row @ angular for row in turning])
+
+    def bodies(draw):
+        return draw.vector(), draw.vector(), draw.number(0.2, 2), draw.inverse_inertia()
+
+    with part(1, "any body"):
+        examples.agree(submission.velocities_from_momenta, velocities, bodies)
+    with part(1, "immovable, at rest, a rod"):
+        expect(submission.velocities_from_momenta, ([1, 2, 3], [3, 2, 1], 0.0, NO_TURN), (REST, REST))
+        expect(submission.velocities_from_momenta, (REST, REST, 0.5, FLAT), (REST, REST))
+        expect(submission.velocities_from_momenta, (X, [1, 2, 3], 0.5, np.diag([2, 2, 0])), ([0.5, 0, 0], [2, 4, 0]))
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.velocities_from_momenta, velocities, bodies)
+
+
+@asks("collide", 6, "An impact where they approach faster than the threshold, and nothing else.")
+def test_an_impact_of_any_two_bodies(submission, part, examples):
+    with part(2, "any two bodies"):
+        examples.agree(submission.collide, collision, with_e)
+    with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting, grazing"):
+        for case in LIMITS:
+            for e in (0.0, 0.5, 1.0):
+                expect(submission.collide, (*case, e), collision(*case, e))
+    with part(1, "below, at and above the threshold, approaching and parting"):
+        for speed in (-2.0, -0.25, 0.25, 2.0):
+            for threshold in (0.125, 0.25, 0.5):
+                case = body([0, 0, speed], X), body(REST), np.array(UP), 0.5, threshold
+                expect(submission.collide, case, collision(*case))
+    with part(1, "the points part with e times the speed of their approach"):
+
+        def as_asked(a, b, normal, e):
+            v_a, w_a, v_b, w_b = numbers(submission.collide, (a, b, normal, e), 4)
+            before, found = parting(a, b, normal), parting((v_a, w_a, a[2]), (v_b, w_b, b[2]), normal)
+            np.testing.assert_allclose(found, -e * before if before < 0 else before, atol=1e-3)
+
+        examples.every(with_e, as_asked)
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.collide, collision, with_e)

@@ -1,0 +1,261 @@
+"""Impulses between rigid bodies (slides 11 to 21): examples that a student sees.
+
+A body is (v, ω, r, 1/M, I⁻¹). The normal points from B to A, so what approaches has a negative normal velocity.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from labs.grading.expecting import asks, expect, numbers
+from labs.grading.runs import compared_with_theory, with_solutions
+
+X, UP, REST = [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
+TURNS = np.diag([2.0, 2.0, 2.0])
+FALLING = ([0, 0, -2], REST, REST, 1.0, TURNS)
+"""A body of 1 kg that comes down with 2 m/s, struck right below its centre."""
+BESIDE = ([0, 0, -2], REST, [0.5, 0, 0], 1.0, TURNS)
+"""The same, struck half a metre beside its centre."""
+STILL = (REST, REST, REST, 1.0, TURNS)
+GROUND = (REST, REST, REST, 0.0, np.zeros((3, 3)))
+
+
+@asks("point_velocity", 2, "A point of a body moves with the centre and turns about it.", "Slide 14. Which way round is ω × r?")
+def test_a_point_moves_with_the_centre_and_turns_about_it(submission, part):
+    with part(1, "turning alone, and both"):
+        expect(submission.point_velocity, (REST, [0, 0, 2], X), [0.0, 2.0, 0.0])
+        expect(submission.point_velocity, ([1, 0, 0], [0, 2, 0], [0, 0, -0.5]), REST)  # a ball that rolls
+    with part(1, "two points in one call"):
+        expect(submission.point_velocity, (X, [0, 0, 2], [X, REST]), [[1, 2, 0], [1, 0, 0]])
+
+
+@asks("relative_velocity", 2, "It is A's velocity as seen from B.", "Slide 15: which is taken from which?")
+def test_the_relative_velocity_is_that_of_a_as_seen_from_b(submission, part):
+    with part(1, "both move"):
+        expect(submission.relative_velocity, ([1, 2, 3], [3, 1, 0]), [-2.0, 1.0, 3.0])
+    with part(1, "two pairs in one call"):
+        expect(submission.relative_velocity, ([[1, 2, 3], REST], [3, 1, 0]), [[-2, 1, 3], [-3, -1, 0]])
+
+
+@asks("normal_velocity", 2, "It is the rate at which the bodies part: negative while they approach.", "Slides 15 and 19.")
+def test_bodies_that_approach_have_a_negative_normal_velocity(submission, part):
+    with part(1, "approaching, parting, sliding along"):
+        expect(submission.normal_velocity, ([1, 0, -2], REST, UP), -2.0)
+        expect(submission.normal_velocity, ([0, 0, 3], [0, 0, -1], UP), 4.0)
+        expect(submission.normal_velocity, ([3, 1, 0], REST, UP), 0.0)
+    with part(1, "two pairs in one call"):
+        expect(submission.normal_velocity, ([[1, 0, -2], [0, 0, 3]], REST, UP), [-2.0, 3.0])
+
+
+@asks("rebound_velocity", 2, "They part with e times the speed of their approach.", "Slide 12 leaves out the sign.")
+def test_they_part_with_e_times_the_speed_of_their_approach(submission, part):
+    with part(1, "approaching, and parting already"):
+        expect(submission.rebound_velocity, (-2.0, 0.5), 1.0)
+        expect(submission.rebound_velocity, (2.0, 0.5), 2.0)
+    with part(1, "several in one call"):
+        expect(submission.rebound_velocity, ([-2.0, 3.0], 0.5), [1.0, 3.0])
+
+
+@asks(
+    "classify_contact", 2, "Colliding −1, resting 0, separating 1; up to the threshold a contact rests.",
+    "Slide 21. With the normal from B to A, which sign has u_n when they approach?",
+)  # fmt: skip
+def test_a_contact_is_colliding_resting_or_separating(submission, part):
+    with part(1, "approaching, slowly, parting"):
+        expect(submission.classify_contact, (-2.0, 0.5), -1)
+        expect(submission.classify_contact, (-0.25, 0.5), 0)
+        expect(submission.classify_contact, (2.0, 0.5), 1)
+    with part(1, "several in one call"):
+        expect(submission.classify_contact, ([-2.0, 0.0, 0.25, 2.0], 0.5), [-1, 0, 0, 1])
+
+
+@asks("impulse_of_force", 2, "An impulse is the area below the force over time.", "Slide 13. What if F changes between samples?")
+def test_an_impulse_is_the_area_below_the_force(submission, part):
+    with part(1, "a steady force, and one that grows and falls"):
+        expect(submission.impulse_of_force, ([[2, 0, 0], [2, 0, 0]], [0.0, 0.5]), [1.0, 0.0, 0.0])
+        expect(submission.impulse_of_force, ([REST, [0, 0, 4], REST], [0.0, 1.0, 3.0]), [0.0, 0.0, 6.0])
+    with part(1, "two contacts in one call"):
+        expect(submission.impulse_of_force, ([[X, X], [UP, UP]], [0.0, 2.0]), [[2, 0, 0], [0, 0, 2]])
+
+
+@asks("mean_force", 2, "What the contact gives is the net force less all others.", "Slide 13. A ball on the floor also has weight.")
+def test_the_mean_force_of_a_contact_is_the_net_force_less_the_others(submission, part):
+    with part(1, "without and with a weight of 10 N"):
+        expect(submission.mean_force, ([0, 0, 4], 0.5), [0.0, 0.0, 8.0])
+        expect(submission.mean_force, ([0, 0, 4], 0.5, [0, 0, -10]), [0.0, 0.0, 18.0])
+    with part(1, "two contacts in one call"):
+        expect(submission.mean_force, ([[0, 0, 4], [2, 0, 0]], 0.5), [[0, 0, 8], [4, 0, 0]])
+
+
+@asks("point_plane_normal", 2, "The normal of a face has unit length and points towards A.", "Slide 17. Where are the two centres?")
+def test_the_normal_of_a_face_points_towards_a(submission, part):
+    with part(1, "A above, A below"):
+        expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, 1], REST), UP)
+        expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, -1], REST), [0.0, 0.0, -1.0])
+    with part(1, "both in one call"):
+        expect(submission.point_plane_normal, ([0, 0, 2], [[3, 0, 1], [3, 0, -1]], REST), [UP, [0, 0, -1]])
+
+
+@asks("edge_edge_normal", 2, "The normal of two edges stands on both, has unit length and points towards A.", "Slide 17.")
+def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission, part):
+    with part(1, "A above, A below"):
+        expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, 1], REST), UP)
+        expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, -1], REST), [0.0, 0.0, -1.0])
+    with part(1, "both in one call"):
+        expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [[0, 0, 1], [0, 0, -1]], REST), [UP, [0, 0, -1]])
+
+
+@asks(
+    "world_inverse_inertia", 3, "I⁻¹ turns with the body: R I_body⁻¹ Rᵀ.",
+    "Slide 18. Turned by a quarter about z, the body's x axis lies along the world's y.",
+)  # fmt: skip
+def test_the_inverse_inertia_turns_with_the_body(submission, part):
+    half = np.sqrt(0.5)
+    with part(1, "not turned, and a quarter turn about z"):
+        expect(submission.world_inverse_inertia, ([1, 2, 4], [1, 0, 0, 0]), np.diag([1.0, 0.5, 0.25]))
+        expect(submission.world_inverse_inertia, ([1, 2, 4], [half, 0, 0, half]), np.diag([0.5, 1.0, 0.25]))
+    with part(1, "what cannot be turned, and a thin rod"):
+        expect(submission.world_inverse_inertia, ([np.inf] * 3, [1, 0, 0, 0]), np.zeros((3, 3)))
+        expect(submission.world_inverse_inertia, ([2, 2, 0], [1, 0, 0, 0]), np.diag([0.5, 0.5, 0.0]))
+    with part(1, "two bodies in one call"):
+        both = [np.diag([1.0, 0.5, 0.25]), np.diag([0.5, 1.0, 0.25])]
+        expect(submission.world_inverse_inertia, ([1, 2, 4], [[1, 0, 0, 0], [half, 0, 0, half]]), both)
+
+
+def many(*bodies):
+    """Bodies side by side, as one that holds them all."""
+    return tuple(np.stack([np.asarray(part, dtype=float) for part in parts]) for parts in zip(*bodies, strict=True))
+
+
+@asks(
+    "inverse_effective_mass", 3, "A body gives way more easily where it can turn.",
+    "Slide 20, the denominator: what does a unit impulse do to the velocity of each point?",
+)  # fmt: skip
+def test_a_body_gives_way_more_easily_beside_its_centre(submission, part):
+    with part(1, "through both centres: 1/M_A + 1/M_B"):
+        expect(submission.inverse_effective_mass, (FALLING, STILL, UP), 2.0)
+        expect(submission.inverse_effective_mass, (FALLING, GROUND, UP), 1.0)
+    with part(1, "beside a centre: r²/I more"):
+        expect(submission.inverse_effective_mass, (BESIDE, GROUND, UP), 1.5)
+    with part(1, "two contacts in one call"):
+        expect(submission.inverse_effective_mass, (many(FALLING, BESIDE), GROUND, UP), [1.0, 1.5])
+
+
+@asks(
+    "impulse_magnitude", 3, "After the impulse the points part with e times the speed of their approach.",
+    "Slide 20. Put u_n⁺ in terms of the unknown j, and ask for −e u_n⁻.",
+)  # fmt: skip
+def test_the_impulse_makes_the_points_part_as_asked(submission, part):
+    with part(1, "a body on the ground, two equal bodies"):
+        expect(submission.impulse_magnitude, (FALLING, GROUND, UP, 0.5), 3.0)
+        expect(submission.impulse_magnitude, (FALLING, STILL, UP, 0.5), 1.5)
+    with part(1, "beside the centre; nothing to push away"):
+        expect(submission.impulse_magnitude, (BESIDE, GROUND, UP, 0.5), 2.0)
+        expect(submission.impulse_magnitude, (GROUND, GROUND, UP, 0.5), 0.0)
+    with part(1, "two contacts in one call"):
+        expect(submission.impulse_magnitude, (many(FALLING, BESIDE), GROUND, UP, 0.5), [3.0, 2.0])
+
+
+@asks("contact_impulses", 2, "What pushes A pushes B just as hard the other way.", "Slide 16, and Newton's third law.")
+def test_both_bodies_get_the_same_impulse_in_opposite_directions(submission, part):
+    with part(1, "along the normal"):
+        expect(submission.contact_impulses, (3.0, UP), ([0, 0, 3], [0, 0, -3]))
+    with part(1, "two contacts in one call"):
+        expect(submission.contact_impulses, ([3.0, 1.0], UP), ([[0, 0, 3], [0, 0, 1]], [[0, 0, -3], [0, 0, -1]]))
+
+
+@asks(
+    "apply_impulse", 4, "An impulse moves and turns A, and B the other way: momentum stays.",
+    "Slide 18 has a plus for both. Compare the slide's own pseudo-code, P_B −= J.",
+)  # fmt: skip
+def test_an_impulse_moves_a_and_b_in_opposite_directions(submission, part, examples):
+    with part(1, "through the centres, and beside one"):
+        expect(submission.apply_impulse, (FALLING, STILL, [0, 0, 3]), ([0, 0, 1], REST, [0, 0, -3], REST))
+        expect(submission.apply_impulse, (BESIDE, GROUND, [0, 0, 2]), (REST, [0, -2, 0], REST, REST))
+    with part(2, "momentum is kept"):
+
+        def kept(body_a, body_b, impulse):
+            v_a, _, v_b, _ = numbers(submission.apply_impulse, (body_a, body_b, impulse), 4)
+            gained = (v_a - body_a[0]) / body_a[3] + (v_b - body_b[0]) / body_b[3]
+            assert np.allclose(gained, 0, atol=3e-4), f"the two together gain a momentum of {gained.round(3)} kg m/s"
+
+        examples.every(lambda draw: (draw.body(), draw.body(), draw.vector(4)), kept)
+    with part(1, "two impulses in one call"):
+        expect(
+            submission.apply_impulse,
+            (FALLING, GROUND, [[0, 0, 3], [0, 0, 2]]),
+            ([[0, 0, 1], REST], [REST, REST], [REST, REST], [REST, REST]),
+        )
+
+
+@asks("apply_impulse_to_momenta", 2, "P changes by J, L by r × J.", "Slide 21. Which mass does it take?")
+def test_the_momenta_change_by_the_impulse_and_its_moment(submission, part):
+    with part(1, "at the end of an arm"):
+        expect(submission.apply_impulse_to_momenta, ([1, 0, 0], [0, 1, 0], X, [0, 2, 0]), ([1, 2, 0], [0, 1, 2]))
+    with part(1, "two arms in one call"):
+        expect(
+            submission.apply_impulse_to_momenta, ([REST, X], REST, [X, REST], [0, 2, 0]),
+            ([[0, 2, 0], [1, 2, 0]], [[0, 0, 2], REST]),
+        )  # fmt: skip
+
+
+@asks("velocities_from_momenta", 2, "v = P/M and ω = I⁻¹ L.", "Slide 21 stops at P and L.")
+def test_velocities_follow_from_momenta(submission, part):
+    with part(1, "a body, and an immovable one"):
+        expect(submission.velocities_from_momenta, ([4, 0, 0], [0, 0, 1], 0.5, TURNS), ([2, 0, 0], [0, 0, 2]))
+        expect(submission.velocities_from_momenta, ([4, 0, 0], [0, 0, 1], 0.0, np.zeros((3, 3))), (REST, REST))
+    with part(1, "two bodies in one call"):
+        expect(
+            submission.velocities_from_momenta, ([[4, 0, 0], REST], [[0, 0, 1], X], 0.5, TURNS),
+            ([[2, 0, 0], REST], [[0, 0, 2], [2, 0, 0]]),
+        )  # fmt: skip
+
+
+@asks(
+    "collide", 5, "A collision keeps momentum, gains no energy, and leaves alone what does not approach.",
+    "Slide 21: point velocities, normal velocity, is it colliding, impulse, new velocities.",
+)  # fmt: skip
+def test_a_collision_keeps_momentum_and_gains_no_energy(submission, part, examples):
+    with part(1, "down on the ground, one body on another"):
+        expect(submission.collide, (FALLING, GROUND, UP, 0.5), ([0, 0, 1], REST, REST, REST))
+        expect(submission.collide, (FALLING, STILL, UP, 1.0), (REST, REST, [0, 0, -2], REST))
+    with part(1, "parting already, or slower than the threshold"):
+        expect(submission.collide, (([0, 0, 2], REST, REST, 1.0, TURNS), GROUND, UP, 0.5), ([0, 0, 2], REST, REST, REST))
+        expect(submission.collide, (FALLING, GROUND, UP, 0.5, 3.0), ([0, 0, -2], REST, REST, REST))
+    with part(2, "momentum is kept, and no energy gained"):
+
+        def kept(body_a, body_b, normal, restitution):
+            v_a, w_a, v_b, w_b = numbers(submission.collide, (body_a, body_b, normal, restitution), 4)
+            gained = (v_a - body_a[0]) / body_a[3] + (v_b - body_b[0]) / body_b[3]
+            assert np.allclose(gained, 0, atol=1e-3), f"the two together gain a momentum of {gained.round(3)} kg m/s"
+            before = energy(body_a[0], body_a[1], body_a) + energy(body_b[0], body_b[1], body_b)
+            after = energy(v_a, w_a, body_a) + energy(v_b, w_b, body_b)
+            assert after <= before * 1.0001, f"their energy grows from {before:.4g} J to {after:.4g} J"
+
+        examples.every(pair, kept)
+    with part(1, "two collisions in one call"):
+        expect(
+            submission.collide, (many(FALLING, STILL), GROUND, UP, 0.5),
+            ([[0, 0, 1], REST], [REST, REST], [REST, REST], [REST, REST]),
+        )  # fmt: skip
+
+
+def energy(velocity, spin, body):
+    """Kinetic energy of a body with other velocities, J."""
+    return velocity @ velocity / body[3] / 2 + spin @ np.linalg.solve(body[4], spin) / 2
+
+
+def pair(draw):
+    """Two bodies, a normal, e; mostly coming nearer."""
+    normal = draw.unit()
+    velocity, *others = draw.body()
+    return (velocity - draw.number(2, 6) * normal, *others), draw.body(), normal, draw.number(0.1, 0.9)
+
+
+@asks("collide", 2, "Two balls, and a rod that is struck at its end, do what theory says, as in every engine.")
+def test_balls_and_a_rod_part_as_theory_says(submission, part):
+    code = with_solutions(submission, "impulse")
+    with part(1, "two balls, head on and beside"):
+        compared_with_theory(code, "two-balls", ("e=1,m=1,b=0", "e=0.5,m=1,b=0.5"), ("striker", "target", "energy"))
+    with part(1, "a rod, struck at its end"):
+        compared_with_theory(code, "struck-rod", ("e=0.5,x=0.499",), ("impulse", "spin", "kept"))
