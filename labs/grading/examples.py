@@ -133,7 +133,11 @@ class Chosen:
     def choice(self, options: Sequence[Any], size: int | None = None) -> Any:
         """One of the options, or an array of so many; the last of them is the simplest."""
         simple_first = self._st.sampled_from(list(options)[::-1])
-        return self._data.draw(simple_first) if size is None else np.array([self._data.draw(simple_first) for _ in range(size)])
+        return (
+            self._data.draw(simple_first)
+            if size is None
+            else np.array([self._data.draw(simple_first) for _ in range(size)])
+        )
 
     def permutation(self, values: Sequence[Any]) -> Any:
         """The values in some order."""

@@ -72,7 +72,9 @@ def check(function: Called, arguments: tuple[Any, ...], right: Right, repeated: 
     if repeated:
         found = Answer(_repeated(found.value, right))
     if not mark(found, right).right:
-        raise AssertionError(f"{function.name} of {called(_parameters(function.name), arguments)}\n{compared(found, right)}")
+        raise AssertionError(
+            f"{function.name} of {called(_parameters(function.name), arguments)}\n{compared(found, right)}"
+        )
 
 
 def _repeated(value: Any, right: Right) -> Any:

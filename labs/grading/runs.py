@@ -78,7 +78,9 @@ def with_solutions(submission: Any, topic: str) -> Implementation:
     return code
 
 
-def compared_with_theory(code: Implementation, family: str, cases: Collection[str], quantities: Collection[str]) -> None:
+def compared_with_theory(
+    code: Implementation, family: str, cases: Collection[str], quantities: Collection[str]
+) -> None:
     """Run cases of a family and raise an AssertionError unless the quantities are what theory says.
 
     It says what came, what theory says and what the engines gave, as recorded.

@@ -76,7 +76,9 @@ class Sheet:
     @property
     def lost(self) -> list[str]:
         """The functions that a test of failed, in the order of the tests."""
-        return list(dict.fromkeys(outcome.function for outcome in self.outcomes if outcome.function and not outcome.passed))
+        return list(
+            dict.fromkeys(outcome.function for outcome in self.outcomes if outcome.function and not outcome.passed)
+        )
 
     @property
     def earned(self) -> int:

@@ -157,4 +157,6 @@ def test_lists_and_single_precision_lose_no_point(shape):
         right = getattr(Here(), name)
         return lambda *arguments: said(right(*arguments))
 
-    assert [line for entry in WRITTEN for line in lost(entry.name, Here(**{entry.name: answering(entry.name)}))[1]] == []
+    assert [
+        line for entry in WRITTEN for line in lost(entry.name, Here(**{entry.name: answering(entry.name)}))[1]
+    ] == []

@@ -57,7 +57,16 @@ def test_t_divides_the_step_as_the_separations_divide_the_way(submission, part, 
     with part(1, "steps that start or end on the plane, or behind it"):
         expect(submission.time_of_impact_interpolated, (0.0, -2.0, 3.0, 0.25), 3.0)
         expect(submission.time_of_impact_interpolated, (1.0, -1.0, 3.0, 0.0), 3.0)
-        for s0, s1 in ((0.0, 2.0), (2.0, 0.0), (0.0, 0.0), (2.0, 2.0), (2.0, 3.0), (-1.0, -3.0), (-3.0, -1.0), (-1.0, 2.0)):
+        for s0, s1 in (
+            (0.0, 2.0),
+            (2.0, 0.0),
+            (0.0, 0.0),
+            (2.0, 2.0),
+            (2.0, 3.0),
+            (-1.0, -3.0),
+            (-3.0, -1.0),
+            (-1.0, 2.0),
+        ):
             expect(submission.time_of_impact_interpolated, (s0, s1, 3.0, 0.25), INFINITY)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.time_of_impact_interpolated, crossing, steps)

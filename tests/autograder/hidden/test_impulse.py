@@ -169,7 +169,11 @@ def test_the_normal_of_any_two_edges_is_a_unit_vector_on_the_side_of_a(submissio
     with part(1, "any two edges"):
         examples.agree(submission.edge_edge_normal, across, edges)
     with part(1, "both centres on one side, and side by side"):
-        for a, b, right in (([0, 0, 5], [0, 0, 9], [0, 0, -1]), ([4, 0, 1], [0, 0, 1], UP), ([9, 9, -1], REST, [0, 0, -1])):
+        for a, b, right in (
+            ([0, 0, 5], [0, 0, 9], [0, 0, -1]),
+            ([4, 0, 1], [0, 0, 1], UP),
+            ([9, 9, -1], REST, [0, 0, -1]),
+        ):
             expect(submission.edge_edge_normal, ([3, 0, 0], [1, 2, 0], a, b), right)
         expect(submission.edge_edge_normal, ([1, 2, 0], [3, 0, 0], [4, 0, 1], [0, 0, 1]), [0.0, 0.0, -1.0])
     with part(1, "many at once, their arrays left as they were"):
@@ -195,7 +199,9 @@ def test_each_axis_of_the_body_keeps_its_moment(submission, part, examples):
     with part(1, "a ball, a thin rod, what cannot be turned"):
         lying = turned(np.array(UP), np.array([0.8, 0, 0.6, 0]))
         expect(submission.world_inverse_inertia, ([2, 2, 2], [0.8, 0, 0.6, 0]), np.eye(3) / 2)
-        expect(submission.world_inverse_inertia, ([2, 2, 0], [0.8, 0, 0.6, 0]), (np.eye(3) - np.outer(lying, lying)) / 2)
+        expect(
+            submission.world_inverse_inertia, ([2, 2, 0], [0.8, 0, 0.6, 0]), (np.eye(3) - np.outer(lying, lying)) / 2
+        )
         expect(submission.world_inverse_inertia, ([np.inf] * 3, [0.8, 0, 0.6, 0]), NO_TURN)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.world_inverse_inertia, inverse, bodies)

@@ -24,7 +24,9 @@ def fly(x, v, a, t):
     return x + v * t + a * t**2 / 2, v + a * t
 
 
-@asks("kinematic_response", 5, "The normal part turns round and shrinks to e, the other stays, also on planes that lean.")
+@asks(
+    "kinematic_response", 5, "The normal part turns round and shrinks to e, the other stays, also on planes that lean."
+)
 def test_any_plane_turns_the_normal_part_round(submission, part, examples):
     def flights(draw):
         return draw.vector(), draw.unit(), draw.number(0.1, 0.9)

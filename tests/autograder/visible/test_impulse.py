@@ -20,7 +20,12 @@ STILL = (REST, REST, REST, 1.0, TURNS)
 GROUND = (REST, REST, REST, 0.0, np.zeros((3, 3)))
 
 
-@asks("point_velocity", 2, "A point of a body moves with the centre and turns about it.", "Slide 14. Which way round is ω × r?")
+@asks(
+    "point_velocity",
+    2,
+    "A point of a body moves with the centre and turns about it.",
+    "Slide 14. Which way round is ω × r?",
+)
 def test_a_point_moves_with_the_centre_and_turns_about_it(submission, part):
     with part(1, "turning alone, and both"):
         expect(submission.point_velocity, (REST, [0, 0, 2], X), [0.0, 2.0, 0.0])
@@ -37,7 +42,9 @@ def test_the_relative_velocity_is_that_of_a_as_seen_from_b(submission, part):
         expect(submission.relative_velocity, ([[1, 2, 3], REST], [3, 1, 0]), [[-2, 1, 3], [-3, -1, 0]])
 
 
-@asks("normal_velocity", 2, "It is the rate at which the bodies part: negative while they approach.", "Slides 15 and 19.")
+@asks(
+    "normal_velocity", 2, "It is the rate at which the bodies part: negative while they approach.", "Slides 15 and 19."
+)
 def test_bodies_that_approach_have_a_negative_normal_velocity(submission, part):
     with part(1, "approaching, parting, sliding along"):
         expect(submission.normal_velocity, ([1, 0, -2], REST, UP), -2.0)
@@ -69,7 +76,12 @@ def test_a_contact_is_colliding_resting_or_separating(submission, part):
         expect(submission.classify_contact, ([-2.0, 0.0, 0.25, 2.0], 0.5), [-1, 0, 0, 1])
 
 
-@asks("impulse_of_force", 2, "An impulse is the area below the force over time.", "Slide 13. What if F changes between samples?")
+@asks(
+    "impulse_of_force",
+    2,
+    "An impulse is the area below the force over time.",
+    "Slide 13. What if F changes between samples?",
+)
 def test_an_impulse_is_the_area_below_the_force(submission, part):
     with part(1, "a steady force, and one that grows and falls"):
         expect(submission.impulse_of_force, ([[2, 0, 0], [2, 0, 0]], [0.0, 0.5]), [1.0, 0.0, 0.0])
@@ -78,7 +90,12 @@ def test_an_impulse_is_the_area_below_the_force(submission, part):
         expect(submission.impulse_of_force, ([[X, X], [UP, UP]], [0.0, 2.0]), [[2, 0, 0], [0, 0, 2]])
 
 
-@asks("mean_force", 2, "What the contact gives is the net force less all others.", "Slide 13. A ball on the floor also has weight.")
+@asks(
+    "mean_force",
+    2,
+    "What the contact gives is the net force less all others.",
+    "Slide 13. A ball on the floor also has weight.",
+)
 def test_the_mean_force_of_a_contact_is_the_net_force_less_the_others(submission, part):
     with part(1, "without and with a weight of 10 N"):
         expect(submission.mean_force, ([0, 0, 4], 0.5), [0.0, 0.0, 8.0])
@@ -87,7 +104,12 @@ def test_the_mean_force_of_a_contact_is_the_net_force_less_the_others(submission
         expect(submission.mean_force, ([[0, 0, 4], [2, 0, 0]], 0.5), [[0, 0, 8], [4, 0, 0]])
 
 
-@asks("point_plane_normal", 2, "The normal of a face has unit length and points towards A.", "Slide 17. Where are the two centres?")
+@asks(
+    "point_plane_normal",
+    2,
+    "The normal of a face has unit length and points towards A.",
+    "Slide 17. Where are the two centres?",
+)
 def test_the_normal_of_a_face_points_towards_a(submission, part):
     with part(1, "A above, A below"):
         expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, 1], REST), UP)
@@ -96,7 +118,9 @@ def test_the_normal_of_a_face_points_towards_a(submission, part):
         expect(submission.point_plane_normal, ([0, 0, 2], [[3, 0, 1], [3, 0, -1]], REST), [UP, [0, 0, -1]])
 
 
-@asks("edge_edge_normal", 2, "The normal of two edges stands on both, has unit length and points towards A.", "Slide 17.")
+@asks(
+    "edge_edge_normal", 2, "The normal of two edges stands on both, has unit length and points towards A.", "Slide 17."
+)
 def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission, part):
     with part(1, "A above, A below"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, 1], REST), UP)
@@ -220,7 +244,9 @@ def test_a_collision_keeps_momentum_and_gains_no_energy(submission, part, exampl
         expect(submission.collide, (FALLING, GROUND, UP, 0.5), ([0, 0, 1], REST, REST, REST))
         expect(submission.collide, (FALLING, STILL, UP, 1.0), (REST, REST, [0, 0, -2], REST))
     with part(1, "parting already, or slower than the threshold"):
-        expect(submission.collide, (([0, 0, 2], REST, REST, 1.0, TURNS), GROUND, UP, 0.5), ([0, 0, 2], REST, REST, REST))
+        expect(
+            submission.collide, (([0, 0, 2], REST, REST, 1.0, TURNS), GROUND, UP, 0.5), ([0, 0, 2], REST, REST, REST)
+        )
         expect(submission.collide, (FALLING, GROUND, UP, 0.5, 3.0), ([0, 0, -2], REST, REST, REST))
     with part(2, "momentum is kept, and no energy gained"):
 

@@ -55,7 +55,9 @@ def test_a_bounce_is_that_of_the_velocity_seen_from_the_plane(submission, part):
 )  # fmt: skip
 def test_a_body_behind_the_plane_at_the_end_of_the_step_turns_round_there(submission, part):
     with part(1, "it ends behind the floor"):
-        expect(submission.respond_at_step, ([0, 0, 1], [1, 0, -3], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -0.5], [1, 0, 1.5]))
+        expect(
+            submission.respond_at_step, ([0, 0, 1], [1, 0, -3], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -0.5], [1, 0, 1.5])
+        )
     with part(1, "it ends above the floor, falling"):
         expect(submission.respond_at_step, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.0, 0.5, 0.5), ([0.5, 0, 8], [1, 0, -4]))
     with part(1, "both in one call"):
@@ -139,7 +141,9 @@ def test_a_stiff_contact_needs_a_short_step(submission, part):
         expect(submission.penalty_step_limit, (1.0, 100.0, [0.0, 15.0]), [0.2, 0.1])
 
 
-@asks("kinematic_response", 2, "A ball that is let fall rises to e² of its height, and comes to rest, as in every engine.")
+@asks(
+    "kinematic_response", 2, "A ball that is let fall rises to e² of its height, and comes to rest, as in every engine."
+)
 def test_a_ball_rises_to_e_squared_of_its_height_and_comes_to_rest(submission, part):
     code = with_solutions(submission, "response")
     with part(1, "how high it rises"):

@@ -1,0 +1,231 @@
+"""Friction, sticking and sliding (slides 16, 22 and 24): examples that a student sees."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from labs.grading.expecting import asks, expect, numbers
+from labs.grading.runs import compared_with_theory, with_solutions
+
+X, Y, UP, REST = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
+INFINITY = math.inf
+
+
+@asks("apparent_force", 2, "Seen from a lift or a lorry, a body has another weight.", "m (g − a) + F.")
+def test_in_a_lift_a_body_has_another_weight(submission, part):
+    with part(1, "at rest with a push, in a lift that starts upwards"):
+        expect(submission.apparent_force, (2.0, [0, 0, -10], [5, 0, 0], REST), [5.0, 0.0, -20.0])
+        expect(submission.apparent_force, (2.0, [0, 0, -10], REST, [0, 0, 3]), [0.0, 0.0, -26.0])
+    with part(1, "two bodies in one call"):
+        expect(submission.apparent_force, ([2.0, 1.0], [0, 0, -10], REST, REST), [[0, 0, -20], [0, 0, -10]])
+
+
+@asks("normal_force", 2, "The support pushes as hard as the body is pressed on it, and never pulls.", "Slide 24.")
+def test_the_support_pushes_and_never_pulls(submission, part):
+    with part(1, "pressed on a floor, pushed along it, lifted off"):
+        expect(submission.normal_force, ([7, 0, -20], UP), 20.0)
+        expect(submission.normal_force, ([7, 0, 0], UP), 0.0)
+        expect(submission.normal_force, ([0, 0, 5], UP), 0.0)
+    with part(1, "two bodies in one call"):
+        expect(submission.normal_force, ([[0, 0, -20], [0, 0, 5]], UP), [20.0, 0.0])
+
+
+@asks("along_surface", 2, "What is left of a force when its part along the normal is taken away.")
+def test_along_the_surface_is_what_the_normal_part_leaves(submission, part):
+    with part(1, "on a floor"):
+        expect(submission.along_surface, ([3, 4, -20], UP), [3.0, 4.0, 0.0])
+        expect(submission.along_surface, ([0, 0, -20], UP), REST)
+    with part(1, "two forces in one call"):
+        expect(submission.along_surface, ([[3, 4, -20], [1, 0, 9]], UP), [[3, 4, 0], [1, 0, 0]])
+
+
+@asks(
+    "holds", 2, "Static friction holds against any push up to μ_s N.", "Slide 24. μ_s N is the most that it can take."
+)
+def test_static_friction_holds_up_to_its_limit(submission, part):
+    with part(1, "a weak push and a strong one, along an axis and across"):
+        expect(submission.holds, ([1, 0, 0], 10.0, 0.5), True)
+        expect(submission.holds, ([8, 0, 0], 10.0, 0.5), False)
+        expect(submission.holds, ([4, 4, 0], 10.0, 0.5), False)
+    with part(1, "two bodies in one call"):
+        expect(submission.holds, ([[1, 0, 0], [0, -8, 0]], 10.0, 0.5), [True, False])
+
+
+@asks("friction_angle", 2, "The steepest slope on which a body stays has tan θ = μ_s.")
+def test_the_steepest_slope_has_the_tangent_of_the_friction(submission, part):
+    with part(1, "45°, and no friction"):
+        expect(submission.friction_angle, (1.0,), math.pi / 4)
+        expect(submission.friction_angle, (0.0,), 0.0)
+    with part(1, "several in one call"):
+        expect(submission.friction_angle, ([1.0, math.sqrt(3)],), [math.pi / 4, math.pi / 3])
+
+
+@asks(
+    "friction_force", 4, "Sliding: μ_k N against the velocity. At rest: just as much as the push, as long as it holds.",
+    "Slide 24. Three cases: it slides, it is held, it gives way.",
+)  # fmt: skip
+def test_friction_opposes_sliding_and_holds_what_it_can(submission, part, examples):
+    with part(1, "it slides"):
+        expect(submission.friction_force, (REST, [3, -4, 0], 10.0, 0.75, 0.5), [-3.0, 4.0, 0.0])
+    with part(1, "it is held, and it gives way"):
+        expect(submission.friction_force, ([3, 1, 0], REST, 10.0, 0.75, 0.5), [-3.0, -1.0, 0.0])
+        expect(submission.friction_force, ([0, 9, 0], REST, 10.0, 0.75, 0.5), [0.0, -5.0, 0.0])
+    with part(1, "friction never drives a body that slides"):
+
+        def brakes(push, velocity, normal_force, kinetic):
+            found = numbers(submission.friction_force, (push, velocity, normal_force, kinetic + 0.25, kinetic))
+            assert found @ velocity <= 1e-4, f"friction {found.round(4)} drives a body with velocity {velocity}"
+
+        examples.every(lambda draw: (draw.vector(), draw.vector(), draw.number(1, 20), draw.number(0, 1)), brakes)
+    with part(1, "two bodies in one call"):
+        expect(submission.friction_force, ([3, 0, 0], [[4, 0, 0], REST], 10.0, 0.75, 0.5), [[-5, 0, 0], [-3, 0, 0]])
+
+
+@asks(
+    "sliding_motion", 3, "A body that slides to a stop within the step stays, or is pushed on from there.",
+    "When does the velocity reach zero? What is left of the step then?",
+)  # fmt: skip
+def test_a_sliding_body_stops_and_does_not_turn_round(submission, part):
+    with part(1, "it slides on"):
+        found = ([2.5, 0, 0], [2, 0, 0], INFINITY)
+        expect(submission.sliding_motion, (REST, [3, 0, 0], REST, 10.0, 0.5, 0.2, 2.0, 1.0), found)
+    with part(1, "it stops within the step"):
+        found = ([1.0, 0, 0], REST, 1.0)
+        expect(submission.sliding_motion, (REST, [2, 0, 0], REST, 10.0, 0.5, 0.2, 1.0, 4.0), found)
+    with part(1, "both in one call"):
+        found = ([[2.5, 0, 0], [1, 0, 0]], [[2, 0, 0], REST], [INFINITY, 1.0])
+        expect(
+            submission.sliding_motion, (REST, [[3, 0, 0], [2, 0, 0]], REST, 10.0, 0.5, 0.2, [2.0, 1.0], [1.0, 4.0]), found
+        )  # fmt: skip
+
+
+@asks("clamp_to_circle", 2, "Too large a force is shortened to the limit; its direction stays.", "Slide 24.")
+def test_a_force_beyond_the_limit_is_shortened(submission, part):
+    with part(1, "below and above the limit"):
+        expect(submission.clamp_to_circle, ([1, 2, 0], 5.0), [1.0, 2.0, 0.0])
+        expect(submission.clamp_to_circle, ([6, -8, 0], 5.0), [3.0, -4.0, 0.0])
+    with part(1, "two forces in one call"):
+        expect(submission.clamp_to_circle, ([[1, 2, 0], [6, 8, 0]], 5.0), [[1, 2, 0], [3, 4, 0]])
+
+
+@asks("clamp_to_square", 2, "Each component is clamped on its own, along the axes given.")
+def test_each_component_is_clamped_on_its_own(submission, part):
+    with part(1, "along x and y, and along axes that are turned"):
+        expect(submission.clamp_to_square, ([6, -3, 0], 5.0, X, Y), [5.0, -3.0, 0.0])
+        expect(submission.clamp_to_square, ([3, 4, 0], 4.0, [0.6, 0.8, 0], [-0.8, 0.6, 0]), [2.4, 3.2, 0.0])
+    with part(1, "two forces in one call"):
+        expect(submission.clamp_to_square, ([[6, -3, 0], [-6, -9, 0]], 5.0, X, Y), [[5, -3, 0], [-5, -5, 0]])
+
+
+@asks(
+    "break_away_time", 2, "A push that grows breaks the body away when it reaches μ_s N.",
+    "Both the push and the normal force may change with time.",
+)  # fmt: skip
+def test_a_growing_push_breaks_the_body_away(submission, part):
+    with part(1, "growing, too strong already, never"):
+        expect(submission.break_away_time, ([1, 0, -10], [2, 0, 0], UP, 0.5), 2.0)
+        expect(submission.break_away_time, ([8, 0, -10], X, UP, 0.5), 0.0)
+        expect(submission.break_away_time, ([1, 0, -10], REST, UP, 0.5), INFINITY)
+    with part(1, "two bodies in one call"):
+        expect(submission.break_away_time, ([[1, 0, -10], [8, 0, -10]], [2, 0, 0], UP, 0.5), [2.0, 0.0])
+
+
+@asks("sphere_grips", 2, "Friction stops the slip of a solid sphere if it is at most 7/2 μ (1 + e) v_n.")
+def test_a_sphere_grips_where_friction_can_stop_its_slip(submission, part):
+    with part(1, "little slip, a lot of it"):
+        expect(submission.sphere_grips, (1.0, 2.0, 0.5, 0.5), True)
+        expect(submission.sphere_grips, (6.0, 2.0, 0.5, 0.5), False)
+    with part(1, "several in one call"):
+        expect(submission.sphere_grips, ([1.0, 5.0, 6.0], 2.0, 0.5, 0.5), [True, True, False])
+
+
+@asks(
+    "friction_impulse", 3, "The impulse that grips, where friction is strong enough for it, else one at the cone's edge.",
+    "First find the impulse that stops the slip and turns the approach round.",
+)  # fmt: skip
+def test_an_impact_grips_or_slips(submission, part):
+    one = np.eye(3)  # of a body of 1 kg that does not turn
+    with part(1, "straight on, gripping, parting"):
+        expect(submission.friction_impulse, ([0, 0, -2], UP, one, 0.5, 0.5), [0.0, 0.0, 3.0])
+        expect(submission.friction_impulse, ([1, 0, -2], UP, one, 0.5, 0.5), [-1.0, 0.0, 3.0])
+        expect(submission.friction_impulse, ([1, 0, 2], UP, one, 0.5, 0.5), REST)
+    with part(1, "slipping"):
+        expect(submission.friction_impulse, ([9, 0, -2], UP, one, 0.5, 0.5), [-1.5, 0.0, 3.0])
+    with part(1, "two contacts in one call"):
+        expect(
+            submission.friction_impulse, ([[1, 0, -2], [9, 0, -2]], UP, one, 0.5, 0.5), [[-1, 0, 3], [-1.5, 0, 3]]
+        )  # fmt: skip
+
+
+@asks(
+    "sphere_impact", 3, "Friction in an impact turns spin into way.",
+    "A solid sphere that grips leaves with v_t = 2/7 R ω of its backspin.",
+)  # fmt: skip
+def test_a_spinning_ball_that_grips_rolls_away(submission, part):
+    with part(1, "it grips: 2/7 of the surface's speed"):
+        expect(submission.sphere_impact, ([0, 0, -4], [0, 7, 0], UP, 0.5, 0.5, 1.0), ([1, 0, 2], [0, 2, 0]))
+    with part(1, "no friction; straight on without spin"):
+        expect(submission.sphere_impact, ([1, 0, -4], [0, 7, 0], UP, 0.5, 0.5, 0.0), ([1, 0, 2], [0, 7, 0]))
+        expect(submission.sphere_impact, ([0, 0, -4], REST, UP, 0.5, 0.5, 1.0), ([0, 0, 2], REST))
+    with part(1, "two balls in one call"):
+        found = ([[1, 0, 2], [0, 0, 2]], [[0, 2, 0], REST])
+        expect(submission.sphere_impact, ([0, 0, -4], [[0, 7, 0], REST], UP, 0.5, 0.5, 1.0), found)
+
+
+@asks(
+    "propagate_impacts",
+    3,
+    "Two at a time, from the left and again, until no ball is faster than the next.",
+    "Slide 22.",
+)
+def test_the_impact_runs_through_the_row(submission, part):
+    with part(1, "Newton's cradle"):
+        expect(submission.propagate_impacts, ([1, 0, 0, 0, 0], 1.0, 1.0), [0.0, 0.0, 0.0, 0.0, 1.0])
+        expect(submission.propagate_impacts, ([1, 1, 0, 0, 0], 1.0, 1.0), [0.0, 0.0, 0.0, 1.0, 1.0])
+    with part(1, "two balls that are not alike, and lose"):
+        expect(submission.propagate_impacts, ([2, 0], [1, 3], 0.5), [-0.25, 0.75])
+    with part(1, "two rows in one call"):
+        expect(submission.propagate_impacts, ([[1, 0, 0], [0, 0, 2]], 1.0, 1.0), [[0, 0, 1], [0, 0, 2]])
+
+
+@asks(
+    "resting_problem", 2, "A = G M⁻¹ Gᵀ and b = G M⁻¹ F.", "Slide 22. What does a unit force at a contact accelerate?"
+)
+def test_the_problem_of_resting_contacts(submission, part):
+    with part(1, "one body on one contact"):
+        expect(submission.resting_problem, ([[0, 0, 1]], np.eye(3) / 2, [0, 0, -20]), ([[0.5]], [-10.0]))
+    with part(1, "two loads in one call"):
+        found = ([[0.5]], [[-10.0], [-5.0]])
+        g, w = np.broadcast_to([[0.0, 0.0, 1.0]], (2, 1, 3)), np.eye(3) / 2
+        expect(submission.resting_problem, (g, w, [[0, 0, -20], [0, 0, -10]]), ([[[0.5]], [[0.5]]], found[1]))
+
+
+@asks("complementarity_residual", 2, "Of pressing and parting one has to be zero, and neither below it.")
+def test_the_residual_is_zero_for_a_solution_alone(submission, part):
+    with part(1, "a solution, too little force, a force where it lifts off"):
+        expect(submission.complementarity_residual, ([[2]], [-4], [2]), 0.0)
+        expect(submission.complementarity_residual, ([[2]], [-4], [1.5]), 1.0)
+        expect(submission.complementarity_residual, ([[2]], [4], [1]), 2.0)
+    with part(1, "two guesses in one call"):
+        expect(submission.complementarity_residual, ([[2]], [-4], [[2], [1.5]]), [0.0, 1.0])
+
+
+@asks("solve_by_sweeps", 2, "Contact after contact gets what it needs now, and no contact pulls.", "Slide 22.")
+def test_sweeps_go_from_contact_to_contact(submission, part):
+    with part(1, "one contact; two that share a load, after one sweep and after many"):
+        expect(submission.solve_by_sweeps, ([[2]], [-4], 1), [2.0])
+        expect(submission.solve_by_sweeps, ([[2, 1], [1, 2]], [-4, -4], 1), [2.0, 1.0])
+        expect(submission.solve_by_sweeps, ([[2, 1], [1, 2]], [-6, -6], 60), [2.0, 2.0])
+    with part(1, "two loads in one call"):
+        expect(submission.solve_by_sweeps, ([[2]], [[-4], [4]], 1), [[2.0], [0.0]])
+
+
+@asks("sliding_motion", 2, "A block slides v²/(2 μ g) far, as in every engine.")
+def test_a_block_slides_as_far_as_theory_says(submission, part):
+    code = with_solutions(submission, "friction")
+    with part(1, "on the level: how far, and how long"):
+        compared_with_theory(code, "sliding-slab", ("μ=0.2,v=2",), ("stopping_distance", "stopping_time"))
+    with part(1, "on a slope: it holds, or slides down"):
+        compared_with_theory(code, "incline", ("μ=0.3,θ=10°", "μ=0.1,θ=20°"), ("moves", "way"))
