@@ -81,7 +81,7 @@ TESTS = tests_by_function()
 def lost(function, submission, seed=1):
     """The points that a submission loses in the tests of a function, and what was said."""
     total, said = 0, []
-    for folder, test, points in TESTS[function]:
+    for _, test, points in TESTS[function]:
         earned = []
 
         @contextlib.contextmanager

@@ -81,7 +81,8 @@ def test_the_length_of_the_push_decides(submission, part, examples):
     with part(1, "just at the limit, no push, nothing to hold with"):
         for push, normal_force, friction, answer in (
             ([3, 4, 0], 10.0, 0.5, True), (REST, 10.0, 0.5, True), (REST, 0.0, 0.5, True), (X, 0.0, 0.5, False),
-            (X, 10.0, 0.0, False), ([0, -4, 4], 10.0, 0.5, False), ([-9, 0, 0], 10.0, 0.5, False), ([8, 6, 0], 10.0, 1.25, True),
+            (X, 10.0, 0.0, False), ([0, -4, 4], 10.0, 0.5, False), ([-9, 0, 0], 10.0, 0.5, False),
+            ([8, 6, 0], 10.0, 1.25, True),
         ):  # fmt: skip
             expect(submission.holds, (push, normal_force, friction), answer)
     with part(1, "many at once, their arrays left as they were"):
@@ -154,10 +155,13 @@ def test_a_body_brakes_stops_and_rests_or_starts_again(submission, part, example
         examples.agree(submission.sliding_motion, motion, slides, count=30)
     with part(2, "held, pushed away, it stops at the very end, no friction, no time"):
         for v, push, static, kinetic, m, dt in (
-            (REST, [2, 0, 0], 0.5, 0.25, 2.0, 1.0), (REST, [8, 0, 0], 0.5, 0.25, 2.0, 1.0), (REST, REST, 0.5, 0.25, 2.0, 1.0),
-            ([1.25, 0, 0], REST, 0.5, 0.25, 1.0, 0.5), ([1, 2, 0], REST, 0.0, 0.0, 2.0, 0.5), (X, REST, 0.5, 0.25, 2.0, 0.0),
+            (REST, [2, 0, 0], 0.5, 0.25, 2.0, 1.0), (REST, [8, 0, 0], 0.5, 0.25, 2.0, 1.0),
+            (REST, REST, 0.5, 0.25, 2.0, 1.0),
+            ([1.25, 0, 0], REST, 0.5, 0.25, 1.0, 0.5), ([1, 2, 0], REST, 0.0, 0.0, 2.0, 0.5),
+            (X, REST, 0.5, 0.25, 2.0, 0.0),
             ([3, -4, 0], REST, 0.5, 0.25, 1.0, 8.0), ([2, 0, 0], [-9, 0, 0], 0.5, 0.25, 2.0, 1.0),
-            ([2, 0, 0], [-2, 0, 0], 0.5, 0.25, 2.0, 4.0), ([2, 0, 0], [-4, 0, 0], 0.5, 0.25, 2.0, 4.0), (X, [4, 0, 0], 0.5, 0.25, 2.0, 0.5),
+            ([2, 0, 0], [-2, 0, 0], 0.5, 0.25, 2.0, 4.0), ([2, 0, 0], [-4, 0, 0], 0.5, 0.25, 2.0, 4.0),
+            (X, [4, 0, 0], 0.5, 0.25, 2.0, 0.5),
         ):  # fmt: skip
             case = plainly(X, v, push, 10.0, static, kinetic, m, dt)
             expect(submission.sliding_motion, case, motion(*case))
@@ -240,8 +244,10 @@ def test_the_push_leaves_the_cone_at_that_instant(submission, part, examples):
         examples.agree(submission.break_away_time, leaves, loads)
     with part(1, "just held, not held, lifted off, held for ever"):
         for force, rate, mu, time in (
-            ([0, 0, -8], [2, 0, 0], 0.5, 2.0), ([3, 0, -8], [-2, 0, 0], 0.5, 3.5), ([0, 0, -8], [1, 0, -4], 0.5, INFINITY),
-            ([0, 0, -8], [0, 0, 2], 0.5, 4.0), ([8, 0, -8], X, 0.5, 0.0), ([0, 0, 2], X, 0.5, 0.0), ([1, 0, -8], REST, 0.5, INFINITY),
+            ([0, 0, -8], [2, 0, 0], 0.5, 2.0), ([3, 0, -8], [-2, 0, 0], 0.5, 3.5), ([0, 0, -8],
+            [1, 0, -4], 0.5, INFINITY),
+            ([0, 0, -8], [0, 0, 2], 0.5, 4.0), ([8, 0, -8], X, 0.5, 0.0), ([0, 0, 2], X, 0.5, 0.0),
+            ([1, 0, -8], REST, 0.5, INFINITY),
             ([4, 0, -8], X, 0.5, 0.0), ([0, 0, -8], [2, 0, 0], 0.0, 0.0), ([3, 0, -10], [0, 2, 0], 0.5, 2.0),
             (REST, REST, 0.5, INFINITY), ([0, 0, -8], [1, 0, 2], 0.5, 2.0), ([3, 0, -10], [3, 0, -4], 0.5, 2.0),
         ):  # fmt: skip
@@ -263,8 +269,10 @@ def test_a_sphere_grips_up_to_seven_halves_of_the_friction(submission, part, exa
         examples.agree(submission.sphere_grips, grips, impacts, count=60)
     with part(1, "just gripping, no slip, no friction, no approach"):
         for impact, answer in (
-            ((5.25, 2.0, 0.5, 0.5), True), ((0.0, 2.0, 0.5, 0.5), True), ((0.0, 2.0, 0.5, 0.0), True), ((1.0, 0.0, 0.5, 0.5), False),
-            ((6.5, 2.0, 1.0, 0.5), True), ((4.0, 2.0, 0.0, 0.5), False), ((1.0, 2.0, 0.5, 0.0), False), ((3.0, 2.0, 0.0, 0.5), True),
+            ((5.25, 2.0, 0.5, 0.5), True), ((0.0, 2.0, 0.5, 0.5), True), ((0.0, 2.0, 0.5, 0.0), True),
+            ((1.0, 0.0, 0.5, 0.5), False),
+            ((6.5, 2.0, 1.0, 0.5), True), ((4.0, 2.0, 0.0, 0.5), False), ((1.0, 2.0, 0.5, 0.0), False),
+            ((3.0, 2.0, 0.0, 0.5), True),
         ):  # fmt: skip
             expect(submission.sphere_grips, impact, answer)
     with part(1, "many at once, their arrays left as they were"):
@@ -300,8 +308,10 @@ def test_the_impulse_obeys_newton_and_coulomb(submission, part, examples):
         ball = np.diag([3.5, 3.5, 1.0])
         for u, normal, k, e, mu in (
             ([3, 0, 0], UP, ball, 0.5, 0.5), (REST, UP, ball, 0.5, 0.5), ([1.5, 0, -2], UP, np.eye(3), 0.5, 0.5),
-            ([3, 1, -2], UP, np.eye(3), 0.5, 0.0), ([6, 0, -2], UP, np.eye(3), 0.0, 0.25), ([6, 0, -2], UP, ball, 1.0, 0.25),
-            ([3, 0, 2], UP, ball, 0.5, 0.5), ([9, -12, -2], UP, ball, 0.5, 0.25), ([1, 0, -4], LEANS, np.eye(3), 0.5, 0.25),
+            ([3, 1, -2], UP, np.eye(3), 0.5, 0.0), ([6, 0, -2], UP, np.eye(3), 0.0, 0.25),
+            ([6, 0, -2], UP, ball, 1.0, 0.25),
+            ([3, 0, 2], UP, ball, 0.5, 0.5), ([9, -12, -2], UP, ball, 0.5, 0.25),
+            ([1, 0, -4], LEANS, np.eye(3), 0.5, 0.25),
             ([3, 1, -2], UP, ball, 0.5, 0.5),
         ):  # fmt: skip
             case = plainly(u, normal, k, e, mu)
@@ -342,7 +352,8 @@ def test_way_and_spin_change_together(submission, part, examples):
             ([2, 1, 3], [3, -8, 1], UP, 0.5, 0.5, 0.4), ([2, 0, -3], [0, -8, 0], UP, 0.5, 0.5, 2 / 3),
             ([2, 1, -3], [3, -8, 1], UP, 0.5, 0.0, 0.4), ([2, 0, -3], REST, UP, 0.0, 0.25, 0.4),
             ([0, 0, -3], [0, 0, 5], UP, 0.5, 0.5, 0.4), ([0, 0, -3], X, LEANS, 0.5, 0.25, 0.4),
-            ([9, 0, -2], REST, UP, 0.5, 0.25, 0.4), ([1, 0, -3], [0, 30, 0], UP, 0.5, 0.25, 0.4), ([2, 0, -3], REST, UP, 1.0, 0.25, 0.4),
+            ([9, 0, -2], REST, UP, 0.5, 0.25, 0.4), ([1, 0, -3], [0, 30, 0], UP, 0.5, 0.25, 0.4),
+            ([2, 0, -3], REST, UP, 1.0, 0.25, 0.4),
         ):  # fmt: skip
             case = plainly(v, spin, n, 0.5, e, mu, share)
             expect(submission.sphere_impact, case, impact(*case))
@@ -427,7 +438,8 @@ def test_the_worst_contact_counts(submission, part, examples):
         examples.agree(submission.complementarity_residual, residual, lambda draw: (*contacts(draw), draw.vector(3)))
     with part(1, "lifting off, a contact that pulls, one that moves nothing"):
         for case in (
-            ([[2]], [4], [0]), ([[2]], [4], [-2]), ([[0]], [1], [0.5]), ([[2]], [0], [0]), ([[2, 0], [0, 1]], [-4, -1], [2, 3]),
+            ([[2]], [4], [0]), ([[2]], [4], [-2]), ([[0]], [1], [0.5]), ([[2]], [0], [0]), ([[2, 0],
+            [0, 1]], [-4, -1], [2, 3]),
             ([[2]], [-4], [3]), ([[2]], [-4], [2]),
         ):  # fmt: skip
             case = plainly(*case)
@@ -456,7 +468,8 @@ def test_each_contact_sees_what_the_others_give_now(submission, part, examples):
         coupled = [[2, 1], [1, 2]]
         for case in (
             (coupled, [-4, -4], 0, [1, 2]), (coupled, [4, 4], 3), (coupled, [-6, 4], 3), (coupled, [-4, -4], 1, [3, 1]),
-            (coupled, [-4, 2], 1, [5, 5]), ([[2, 0], [0, 0]], [-4, 1], 2), ([[2, 0], [0, 0]], [-4, -1], 2), (coupled, [-4, -4], 100),
+            (coupled, [-4, 2], 1, [5, 5]), ([[2, 0], [0, 0]], [-4, 1], 2), ([[2, 0], [0, 0]], [-4, -1], 2),
+            (coupled, [-4, -4], 100),
         ):  # fmt: skip
             case = plainly(*case)
             expect(submission.solve_by_sweeps, case, sweep(*case))

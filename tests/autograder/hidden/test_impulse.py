@@ -267,7 +267,8 @@ LIMITS = tuple(
         (body([0, 0, -2], share=0.0, turning=NO_TURN), GROUND, UP),  # both immovable
     )
 )
-"""A on the ground, B on the ground, a pivot, grazing, at rest, what cannot turn, a slanting plane, parting, immovable."""
+"""A on the ground, B on the ground, a pivot, grazing, at rest, what cannot turn, a slanting plane, parting,
+immovable."""
 
 
 @asks("inverse_effective_mass", 5, "The speed of parting that a unit impulse gives.")

@@ -91,7 +91,8 @@ def test_a_ball_overlaps_a_wall_from_touching_its_front_to_leaving_its_back(subm
         expect(submission.overlap_interval, (0.0, -1.0, 0.5, 2.0, 1.0), (0.0, 1.0))
     with part(1, "no overlap, beside one, in one call"):
         expect(
-            submission.overlap_interval, ([2.0, 2.0], [-4.0, 4.0], 0.5, 1.0, 2.0), ([0.375, INFINITY], [0.875, -INFINITY])
+            submission.overlap_interval, ([2.0, 2.0], [-4.0, 4.0], 0.5, 1.0, 2.0), ([0.375, INFINITY],
+            [0.875, -INFINITY])
         )  # fmt: skip
 
 

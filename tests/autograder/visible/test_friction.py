@@ -97,7 +97,8 @@ def test_a_sliding_body_stops_and_does_not_turn_round(submission, part):
     with part(1, "both in one call"):
         found = ([[2.5, 0, 0], [1, 0, 0]], [[2, 0, 0], REST], [INFINITY, 1.0])
         expect(
-            submission.sliding_motion, (REST, [[3, 0, 0], [2, 0, 0]], REST, 10.0, 0.5, 0.2, [2.0, 1.0], [1.0, 4.0]), found
+            submission.sliding_motion, (REST, [[3, 0, 0], [2, 0, 0]], REST, 10.0, 0.5, 0.2, [2.0, 1.0],
+            [1.0, 4.0]), found
         )  # fmt: skip
 
 
@@ -142,7 +143,7 @@ def test_a_sphere_grips_where_friction_can_stop_its_slip(submission, part):
 
 
 @asks(
-    "friction_impulse", 3, "The impulse that grips, where friction is strong enough for it, else one at the cone's edge.",
+    "friction_impulse", 3, "The impulse that grips, where friction is strong enough, else one at the cone's edge.",
     "First find the impulse that stops the slip and turns the approach round.",
 )  # fmt: skip
 def test_an_impact_grips_or_slips(submission, part):

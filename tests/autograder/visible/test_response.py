@@ -50,7 +50,8 @@ def test_a_bounce_is_that_of_the_velocity_seen_from_the_plane(submission, part):
 
 
 @asks(
-    "respond_at_step", 3, "Fly the whole step; a body that then is behind the plane and moves in gets its new velocity.",
+    "respond_at_step", 3,
+    "Fly the whole step; a body that then is behind the plane and moves in gets its new velocity.",
     "Slide 6, after the fact: where is the body at the end of the step, and how fast is it there?",
 )  # fmt: skip
 def test_a_body_behind_the_plane_at_the_end_of_the_step_turns_round_there(submission, part):
@@ -79,7 +80,8 @@ def test_the_step_goes_on_after_the_impact(submission, part):
         )  # fmt: skip
     with part(1, "no impact in this step"):
         expect(
-            submission.respond_at_impact, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.5, INFINITY, 0.5), ([0.5, 0, 8], [1, 0, -4])
+            submission.respond_at_impact, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.5, INFINITY, 0.5),
+            ([0.5, 0, 8], [1, 0, -4])
         )  # fmt: skip
     with part(1, "both in one call"):
         expect(
