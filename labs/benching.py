@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
 
+from labs.programs import Environment, Run
 from reference.errors import UnknownName
 
 Prepare = Callable[[], Callable[[], object]]
@@ -20,23 +21,32 @@ PLACE = Path(__file__).resolve().parents[1] / "tests" / "bench"
 
 @dataclass(frozen=True)
 class Bench:
-    """One question of speed. what: the task in words. ours, rivals: who does it. goal: s that ours should keep to."""
+    """One question of speed. what: the task in words. ours, rivals: who does it. goal: s that ours should keep to.
+
+    who: what ours is called. environments: what rivals need that is not installed beside the lab.
+    """
 
     name: str
     what: str
     ours: Prepare
     rivals: Mapping[str, Prepare] = field(default_factory=dict)
     goal: float | None = None
+    who: str = "hand-written"
+    environments: tuple[Environment, ...] = ()
 
 
 @dataclass(frozen=True)
 class Timing:
-    """Median and fastest of several calls, s; None where a rival is not installed, and `note` says so."""
+    """Median and fastest of several calls, s; None where a rival is not installed, and `note` says so.
+
+    memory: bytes, the most that a call took, where the calls are programs of their own and say so.
+    """
 
     who: str
     median: float | None
     fastest: float | None
     note: str = ""
+    memory: int | None = None
 
 
 def benches(place: Path | None = None) -> dict[str, Bench]:
@@ -64,7 +74,8 @@ def measure(bench: Bench, repeats: int = REPEATS) -> list[Timing]:
     timings: list[Timing] = []
     calls: dict[str, Callable[[], object]] = {}
     samples: dict[str, list[float]] = {}
-    for who, prepare in {"hand-written": bench.ours, **bench.rivals}.items():
+    memory: dict[str, int] = {}
+    for who, prepare in {bench.who: bench.ours, **bench.rivals}.items():
         try:
             calls[who] = prepare()
         except ImportError as missing:
@@ -75,9 +86,13 @@ def measure(bench: Bench, repeats: int = REPEATS) -> list[Timing]:
     for _ in range(repeats):
         for who, call in calls.items():
             start = time.perf_counter()
-            call()
+            result = call()
             samples[who].append(time.perf_counter() - start)
-    return [Timing(who, statistics.median(found), min(found)) for who, found in samples.items()] + timings
+            if isinstance(result, Run) and result.memory:
+                memory[who] = max(result.memory, memory.get(who, 0))
+    return [
+        Timing(who, statistics.median(found), min(found), memory=memory.get(who)) for who, found in samples.items()
+    ] + timings
 
 
 def _load(path: Path) -> ModuleType:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Annotated
 
 import typer
+from rich.markup import escape
 from rich.table import Table
 from rich.text import Text
 
 from labs import benching
 from labs.cli.console import errors, output
-from reference.errors import InvalidInput
+from labs.programs import Environment
+from reference.errors import CollisionsError, InvalidInput
 
 
 def bench(
@@ -19,15 +21,30 @@ def bench(
 ) -> None:
     """Time hand-written functions beside other libraries on the same input, in one run.
 
+    A bench that is asked for by name installs what it needs into an environment of its own, and says so.
+
     For example:  collisions bench point-plane
     """
     chosen = [benching.find(each) for each in name] if name else list(benching.benches().values())
     if not chosen:
         raise InvalidInput("there is nothing to time: the folder tests/bench of the project is missing")
+    for environment in [environment for each in chosen if name for environment in each.environments]:
+        _install(environment)
     for each in chosen:
         with errors.status(each.name):
             timings = benching.measure(each, repeats)
         _print(each, timings)
+
+
+def _install(environment: Environment) -> None:
+    if environment.ready:
+        return
+    packages = ", ".join(environment.packages)
+    errors.print(f"Installing {packages} into {environment.folder}, for this bench alone …", soft_wrap=True)
+    try:
+        environment.install()
+    except CollisionsError as error:  # the table says who is missing
+        errors.print(escape(str(error)), soft_wrap=True)
 
 
 def _print(bench: benching.Bench, timings: list[benching.Timing]) -> None:
@@ -35,12 +52,15 @@ def _print(bench: benching.Bench, timings: list[benching.Timing]) -> None:
     output.print(Text.assemble((bench.name, "bold"), f": {bench.what}.{goal}"))
     table = Table(box=None, header_style="bold", padding=(0, 1), pad_edge=False)
     table.add_column("")
-    for heading in ("median, s", "fastest, s", "÷ ours"):
+    counted = any(timing.memory for timing in timings)
+    for heading in ("median, s", "fastest, s", "÷ ours", *(["MB"] if counted else [])):
         table.add_column(heading, justify="right")
     own = next(timing.median for timing in timings if timing.median is not None)
     for timing in timings:
         if timing.median is None or timing.fastest is None:
             table.add_row(timing.who, timing.note, "", "")
         else:
-            table.add_row(timing.who, f"{timing.median:.3g}", f"{timing.fastest:.3g}", f"{timing.median / own:.2f}")
+            memory = f"{timing.memory / 1e6:.0f}" if timing.memory else ""
+            ratio = f"{timing.median / own:.2f}"
+            table.add_row(timing.who, f"{timing.median:.3g}", f"{timing.fastest:.3g}", ratio, *[memory] * counted)
     output.print(table, "")

@@ -1,0 +1,81 @@
+"""Running the tests of topics on a file, in this process: what pytest would print is left out, what it found returned."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import io
+from collections.abc import Collection, Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from labs.grading.errors import GraderFailed
+from labs.grading.submission import Submission, read
+from reference import lecture
+from reference.errors import InvalidInput
+
+if TYPE_CHECKING:
+    from labs.grading.sheet import Sheet
+
+ROOT = Path(__file__).resolve().parents[2]
+TESTS = ROOT / "tests" / "autograder"
+VISIBLE, HIDDEN = "visible", "hidden"
+_FINE = (0, 1)  # all tests passed, some failed
+_TAIL = 400  # characters of what pytest printed, where it could not run
+
+
+def run(path: Path | str, topics: Collection[str], folders: Iterable[str] = (VISIBLE, HIDDEN)) -> Sheet:
+    """Run the tests of some topics on a file. No process of the submission is left when this returns.
+
+    Raises
+    ------
+    InvalidInput
+        If a topic has no tests.
+    GraderFailed
+        If pytest is missing or could not run the tests.
+    """
+    if importlib.util.find_spec("pytest") is None:
+        raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
+    import pytest  # noqa: PLC0415 - a student's install may lack it
+
+    from labs.grading.plugin import SHEET  # noqa: PLC0415
+
+    class Keep:
+        sheet: Sheet | None = None
+
+        def pytest_unconfigure(self, config: Any) -> None:
+            self.sheet = config.stash[SHEET]
+
+    keep, printed = Keep(), io.StringIO()
+    options = ["-q", "-c", str(ROOT / "pyproject.toml"), "--rootdir", str(ROOT), "-p", "no:cacheprovider"]
+    options += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # the plugin may be loaded already, and asserts nothing
+    files = [str(file) for folder in folders for file in _files(folder, topics)]
+    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+        code = pytest.main([*options, "--submission", str(Path(path).resolve()), *files], plugins=[keep])
+    if code not in _FINE or keep.sheet is None or not keep.sheet.outcomes:
+        raise GraderFailed(f"the tests could not be run: {printed.getvalue().strip()[-_TAIL:]}")
+    return keep.sheet
+
+
+def tested() -> tuple[str, ...]:
+    """The topics that have tests, in the order of teaching."""
+    return tuple(topic.name for topic in lecture.TOPICS if (TESTS / VISIBLE / f"test_{topic.name}.py").exists())
+
+
+def topics_of(path: Path | str) -> tuple[Submission, tuple[str, ...]]:
+    """A file as it is read, and the topics of which it defines a function that students write."""
+    written = [
+        entry.name for topic in tested() for entry in lecture.functions_of(topic) if entry.role == "written"
+    ]  # fmt: skip
+    submission = read(path, written)
+    found = {lecture.function(name).topic for name in submission.functions}
+    return submission, tuple(topic for topic in tested() if topic in found)
+
+
+def _files(folder: str, topics: Collection[str]) -> list[Path]:
+    """The test files of a folder; a student's tree has no hidden ones."""
+    files = {lecture.topic(topic).name: TESTS / folder / f"test_{topic}.py" for topic in topics}
+    missing = [topic for topic, file in files.items() if not file.exists()]
+    if missing and folder == VISIBLE:
+        raise InvalidInput(f"no tests of {', '.join(missing)}; there are tests of {', '.join(tested())}")
+    return [file for file in files.values() if file.exists()]
