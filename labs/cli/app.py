@@ -14,7 +14,7 @@ from rich.logging import RichHandler
 from rich.markup import escape
 from typer.core import TyperGroup
 
-from labs.cli import bench, compare, engines, record, report, show
+from labs.cli import bench, check, compare, engines, record, report, show
 from labs.cli.console import errors, speak_unicode
 from reference.errors import CollisionsError
 
@@ -42,6 +42,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     help="Collisions Lab: hand-written physics, PyBullet, MuJoCo and DART, compared with theory and with each other.",
 )
+app.command("check")(check.check)
 app.command("compare")(compare.compare)
 app.command("report")(report.report)
 app.command("engines")(engines.engines)

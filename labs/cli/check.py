@@ -1,0 +1,48 @@
+"""`collisions check`: the visible tests of what a file contains, in words."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from labs.cli.console import errors, output
+from labs.grading import running, saying
+from labs.grading.submission import Submission
+from reference import lecture
+
+WRONG = 1
+
+
+def check(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="Your notebook or .py file.", show_default=False)],
+    topic: Annotated[
+        list[str] | None,
+        typer.Option(help="A topic; repeat for several. Those that the file has functions of, if none is named."),
+    ] = None,
+) -> None:
+    """Check a notebook or a .py file: what is right, what is wrong and why, and what is to do.
+
+    For example:  collisions check lab.ipynb
+    """
+    submission, found = running.topics_of(file)
+    topics = tuple(lecture.topic(name).name for name in topic) if topic else found
+    if not topics:
+        _nothing(submission)
+        raise typer.Exit(WRONG)
+    errors.print(f"Checking {submission.name} …", markup=False)
+    sheet = running.run(file, topics, (running.VISIBLE,))
+    for line in saying.report(sheet, topics):
+        output.print(line, markup=False, soft_wrap=True)
+    raise typer.Exit(0 if saying.all_right(sheet) else WRONG)
+
+
+def _nothing(submission: Submission) -> None:
+    """Say why there is nothing to check: what is wrong with the file, or what would be looked for."""
+    for complaint in submission.complaints:
+        if "missing" not in complaint.text:
+            output.print(str(complaint), markup=False, soft_wrap=True)
+    first = next(entry.name for entry in lecture.functions_of(running.tested()[0]) if entry.role == "written")
+    output.print(f"{submission.name} defines no function of the lab, such as {first}.", markup=False, soft_wrap=True)
+    output.print(f"Topics that can be checked: {', '.join(running.tested())} (--topic)", soft_wrap=True)
