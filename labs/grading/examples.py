@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import inspect
 import itertools
+import math
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -87,7 +88,9 @@ class Examples:
         from hypothesis import strategies as st  # noqa: PLC0415
 
         failing: list[tuple[Any, ...]] = []
-        tries = itertools.count()
+        tries, once = itertools.count(), Chosen(())
+        maker(_drawing(once))
+        whole = st.lists(st.integers(0, Chosen.MOST), min_size=once.taken, max_size=once.taken)
 
         @hypothesis.seed(self.seed)
         @hypothesis.settings(
@@ -95,14 +98,15 @@ class Examples:
             database=None,
             deadline=None,
             derandomize=False,
+            phases=(hypothesis.Phase.generate, hypothesis.Phase.shrink),
             report_multiple_bugs=False,
             suppress_health_check=list(hypothesis.HealthCheck),
         )
-        @hypothesis.given(st.data())
-        def search(data: Any) -> None:
-            arguments = maker(Draw(Chosen(data)))  # type: ignore[arg-type]
+        @hypothesis.given(whole)
+        def search(choices: list[int]) -> None:
             if next(tries) > MOST_CALLS:
                 return
+            arguments = maker(_drawing(Chosen(choices)))
             try:
                 holds(*arguments)
             except (AssertionError, FunctionRaised):
@@ -132,31 +136,42 @@ def _tidy(value: Any) -> Any:
     return np.round(value, 9) if isinstance(value, float | np.ndarray) else value
 
 
+def _drawing(chosen: Chosen) -> Draw:
+    return Draw(cast(np.random.Generator, chosen))
+
+
 class Chosen:
-    """What `Draw` asks of a random generator, chosen by hypothesis, which can make it smaller."""
+    """What `Draw` asks of a random generator, made of whole numbers that hypothesis makes smaller; 0 is the simplest.
 
-    def __init__(self, data: Any) -> None:
-        from hypothesis import strategies as st  # noqa: PLC0415
+    taken: how many of them were asked for.
+    """
 
-        self._data, self._st = data, st
+    MOST = 1000
+
+    def __init__(self, choices: Sequence[int]) -> None:
+        self._choices, self.taken = iter(choices), 0
+
+    def _next(self) -> int:
+        self.taken += 1
+        return next(self._choices, 0)
 
     def uniform(self, low: float = 0.0, high: float = 1.0) -> float:
-        """A number, whole where it can be."""
-        return float(self._data.draw(self._st.floats(low, high, allow_subnormal=False)))
+        """A number: 1 or 0 where they will do."""
+        choice = self._next()
+        if choice:
+            return low + (high - low) * choice / self.MOST
+        return next((simple for simple in (1.0, 0.0, float(math.ceil(low))) if low <= simple <= high), (low + high) / 2)
 
     def integers(self, count: int) -> int:
         """A whole number from 0 to below the count."""
-        return int(self._data.draw(self._st.integers(0, count - 1)))
+        return self._next() % count
 
     def choice(self, options: Sequence[Any], size: int | None = None) -> Any:
         """One of the options, or an array of so many; the last of them is the simplest."""
-        simple_first = self._st.sampled_from(list(options)[::-1])
-        return (
-            self._data.draw(simple_first)
-            if size is None
-            else np.array([self._data.draw(simple_first) for _ in range(size)])
-        )
+        found = [options[-1 - self._next() % len(options)] for _ in range(size or 1)]
+        return found[0] if size is None else np.array(found)
 
     def permutation(self, values: Sequence[Any]) -> Any:
         """The values in some order."""
-        return np.array(self._data.draw(self._st.permutations(list(values))))
+        choice = self._next()
+        return np.random.default_rng(choice).permutation(values) if choice else np.array(values)

@@ -79,9 +79,7 @@ class Grade:
         }
 
 
-def grade(
-    path: Path | str, topics: Collection[str] | None = None, folders: Iterable[str] = (VISIBLE, HIDDEN)
-) -> Grade:
+def grade(path: Path | str, topics: Collection[str] | None = None, folders: Iterable[str] = (VISIBLE, HIDDEN)) -> Grade:
     """Grade a file: the topics named, or those of which it defines a function.
 
     Raises
@@ -91,7 +89,9 @@ def grade(
     """
     wanted = tuple(topics) if topics is not None else topics_of(path)[1]
     if not wanted:
-        raise InvalidInput(f"{Path(path).name} defines no function of the lab; name the topic that it is to be graded for")
+        raise InvalidInput(
+            f"{Path(path).name} defines no function of the lab; name the topic that it is to be graded for"
+        )
     return Grade(wanted, run(path, wanted, folders))
 
 

@@ -1,4 +1,4 @@
-"""Running the tests of topics on a file, in this process: what pytest would print is left out, what it found returned."""
+"""Running the tests of topics on a file, in this process: returned is what was found, and nothing is printed."""
 
 from __future__ import annotations
 
@@ -48,7 +48,10 @@ def run(path: Path | str, topics: Collection[str], folders: Iterable[str] = (VIS
 
     keep, printed = Keep(), io.StringIO()
     options = ["-q", "-c", str(ROOT / "pyproject.toml"), "--rootdir", str(ROOT), "-p", "no:cacheprovider"]
-    options += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # the plugin may be loaded already, and asserts nothing
+    options += [
+        "-W",
+        "ignore::pytest.PytestAssertRewriteWarning",
+    ]  # the plugin may be loaded already, and asserts nothing
     files = [str(file) for folder in folders for file in _files(folder, topics)]
     with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
         code = pytest.main([*options, "--submission", str(Path(path).resolve()), *files], plugins=[keep])

@@ -119,5 +119,9 @@ def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
 def _wrapped(text: str, indent: str) -> list[str]:
     lead = " " * (len(text) - len(text.lstrip()))
     return textwrap.wrap(
-        text.strip(), WIDTH, initial_indent=indent + lead, subsequent_indent=indent + lead + "  ", break_on_hyphens=False
+        text.strip(),
+        WIDTH,
+        initial_indent=indent + lead,
+        subsequent_indent=indent + lead + "  ",
+        break_on_hyphens=False,
     )

@@ -59,7 +59,7 @@ _WITHOUT_NAME = {
 
 
 def _wrapped(text: str) -> list[str]:
-    return textwrap.wrap(text, WIDTH)
+    return textwrap.wrap(text, WIDTH, break_on_hyphens=False)
 
 
 def called(parameters: Sequence[str], arguments: Sequence[Any]) -> str:
