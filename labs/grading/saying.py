@@ -87,7 +87,9 @@ def _diagnosis(diagnosis: Diagnosis, has_example: bool) -> Iterator[str]:
         return
     shown = replace(diagnosis, accepted=(), counterexample=None if has_example else diagnosis.counterexample)
     told = str(shown).removeprefix(f"{diagnosis.function}: ")
-    for paragraph in _paragraphs(told[:1].upper() + told[1:]):
+    if diagnosis.verdict != "named":  # a mistake's own text may begin with a symbol, such as e
+        told = told[:1].upper() + told[1:]
+    for paragraph in _paragraphs(told):
         yield from _wrapped(paragraph, _INDENT)
 
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 import contextlib
 import importlib
 import importlib.util
-import zlib
+import os
+import sys
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,7 +17,14 @@ import numpy as np
 import pytest
 
 from labs.grading.bank import read_bank
+from labs.grading.diagnosis import diagnose
 from labs.grading.examples import Examples
+from labs.grading.plugin import Functions
+from labs.grading.processes import Limits
+from labs.grading.remote import Grader, Remote
+from labs.grading.saying import report
+from labs.grading.sheet import Outcome, Sheet
+from labs.grading.submission import Submission
 from reference import lecture
 from reference.errors import CollisionsError
 
@@ -60,7 +68,7 @@ class Asked:
         return answer
 
 
-def tests_by_function():
+def collected():
     found = {}
     for folder in ("visible", "hidden"):
         for topic in TOPICS:
@@ -75,34 +83,42 @@ def tests_by_function():
     return found
 
 
-TESTS = tests_by_function()
+TESTS = collected()
+"""By function: folder, test and points."""
 
 
-def lost(function, submission, seed=1):
-    """The points that a submission loses in the tests of a function, and what was said."""
+def lost(function, submission, seed=1, runs=True):
+    """The points that a submission loses in the tests of a function, and what was said; or without scenarios."""
     total, said = 0, []
     for _, test, points in TESTS[function]:
-        earned = []
-
-        @contextlib.contextmanager
-        def part(worth, reason, earned=earned):
-            try:
-                yield
-            except (AssertionError, CollisionsError) as error:
-                said.append(f"{reason}: {error}")
-            else:
-                earned.append(worth)
-
-        given = {"submission": submission, "part": part, "examples": Examples(seed, told=False)}
-        wanted = test.__code__.co_varnames[: test.__code__.co_argcount]
-        test(**{name: given[name] for name in wanted})
-        total += points - sum(earned)
+        if not runs and "with_solutions" in test.__code__.co_names:
+            continue
+        missed, told = run_test(test, points, submission, seed)
+        total, said = total + missed, said + told
     return total, said
+
+
+def run_test(test, points, submission, seed=1):
+    """The points that a submission loses in one test, and what was said."""
+    said, earned = [], []
+
+    @contextlib.contextmanager
+    def part(worth, reason):
+        try:
+            yield
+        except (AssertionError, CollisionsError) as error:
+            said.append(f"{reason}: {error}")
+        else:
+            earned.append(worth)
+
+    given = {"submission": submission, "part": part, "examples": Examples(seed, told=False)}
+    test(**{name: given[name] for name in test.__code__.co_varnames[: test.__code__.co_argcount]})
+    return points - sum(earned), said
 
 
 def test_every_function_that_a_student_writes_has_visible_and_hidden_tests():
     for entry in WRITTEN:
-        assert [folder for folder, *_ in TESTS[entry.name]] == ["visible", "hidden"], entry.name
+        assert {folder for folder, *_ in TESTS[entry.name]} == {"visible", "hidden"}, entry.name
 
 
 @pytest.mark.parametrize("topic", TOPICS)
@@ -112,12 +128,33 @@ def test_the_solutions_lose_no_point(topic):
             assert lost(entry.name, Here()) == (0, [])
 
 
+def unnamed(bank):
+    """The entries whose rationale is not in what a student reads."""
+    found = []
+    for entry in bank:
+        sheet = Sheet(outcomes=[Outcome("test_x", 1, False, said="wrong", function=entry.function)])
+        sheet.diagnoses[entry.function] = diagnose(entry.function, lambda _, *given, own=entry: own.formula(*given))
+        told = " ".join("\n".join(report(sheet, [lecture.function(entry.function).topic])).split())
+        if entry.rationale not in told or entry.help not in told:
+            found.append(entry.id)
+    return found
+
+
+def test_mistakes_are_named_in_the_feedback():
+    assert unnamed(BANK[::24]) == []
+
+
+@pytest.mark.slow
+def test_every_mistake_is_named_in_the_feedback():
+    assert unnamed(BANK) == []
+
+
 def unpunished(bank):
     return [entry.id for entry in bank if not lost(entry.function, Here(**{entry.function: entry.formula}))[0]]
 
 
 def test_mistakes_lose_points():
-    assert unpunished(BANK[zlib.crc32(b"a sample") % 12 :: 12]) == []
+    assert unpunished(BANK[5::16]) == []
 
 
 @pytest.mark.slow
@@ -140,23 +177,75 @@ def test_other_answers_by_hand_lose_no_point(path):
     space = {}
     exec(compile(path.read_text(encoding="utf-8"), path, "exec"), space)
     written = {entry.name: space[entry.name] for entry in WRITTEN if entry.name in space}
-    told = [line for name in written for line in lost(name, Here(**written))[1]]
-    if path.stem == "single":  # for one contact alone: what asks for several is all that is lost
+    one_alone = path.stem == "single"
+    told = [line for name in written for line in lost(name, Here(**written), runs=not one_alone)[1]]
+    if one_alone:  # what asks for several contacts is all that is lost, as the runs do
         told = [line for line in told if "one call" not in line.split(":")[0] and "at once" not in line.split(":")[0]]
     assert told == []
 
 
-@pytest.mark.parametrize("shape", ["lists", "single precision"])
-def test_lists_and_single_precision_lose_no_point(shape):
-    def said(value):
-        if isinstance(value, tuple):
-            return tuple(map(said, value))
-        return np.asarray(value).tolist() if shape == "lists" else np.asarray(value, dtype=np.float32)
+def as_lists(value):
+    return tuple(map(as_lists, value)) if isinstance(value, tuple) else np.asarray(value).tolist()
+
+
+def as_single_precision(value):
+    return tuple(map(as_single_precision, value)) if isinstance(value, tuple) else np.asarray(value, dtype=np.float32)
+
+
+def told_of(entries, said):
+    """What is said to the solutions' own answers in another form."""
 
     def answering(name):
         right = getattr(Here(), name)
-        return lambda *arguments: said(right(*arguments))
+        return lambda *arguments, **named: said(right(*arguments, **named))
 
-    assert [
-        line for entry in WRITTEN for line in lost(entry.name, Here(**{entry.name: answering(entry.name)}))[1]
-    ] == []
+    return [line for entry in entries for line in lost(entry.name, Here(**{entry.name: answering(entry.name)}))[1]]
+
+
+@pytest.mark.parametrize("form", [as_lists, as_single_precision])
+def test_lists_and_single_precision_lose_no_point(form):
+    assert told_of(WRITTEN[2::5], form) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("form", [as_lists, as_single_precision])
+def test_lists_and_single_precision_of_every_function_lose_no_point(form):
+    assert told_of(WRITTEN, form) == []
+
+
+# Hostile submissions, asked by the real tests
+
+
+@pytest.fixture(scope="module")
+def grader():
+    with Grader(Limits(call=0.4, test=1.0)) as found:
+        yield found
+
+
+def hidden_points(text, grader):
+    """What a submission of that text earns in the hidden tests of rebound_velocity, and what is to be earned."""
+    earned = possible = 0
+    for folder, test, points in TESTS["rebound_velocity"]:
+        if folder == "hidden":
+            with Remote(Submission("hostile.py", text), grader) as remote:
+                functions = Functions(remote, Sheet())
+                try:
+                    lost_here, _ = run_test(test, points, functions)
+                finally:
+                    functions.end_test()
+            earned, possible = earned + points - lost_here, possible + points
+    return earned, possible
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is a time limit alone, and it says so")
+@pytest.mark.parametrize("path", sorted(Path(__file__).parent.glob("hostile/*.py")), ids=lambda path: path.stem)
+def test_an_attack_earns_no_hidden_point(path, grader, tmp_path):
+    text = path.read_text(encoding="utf-8")
+    for name, value in (("FOLDER", tmp_path), ("ROOT", FOLDER.parents[1]), ("GRADER", os.getpid()), ("PORT", 9)):
+        text = text.replace("{" + name + "}", str(value))
+    for name in ("SECRET", "RESULTS"):
+        text = text.replace("{" + name + "}", str(tmp_path / name))
+    assert hidden_points(text, grader)[0] == 0
+    right = "import numpy as np\ndef rebound_velocity(u, e): return np.where(np.asarray(u) < 0, -e * u, u)\n"
+    assert hidden_points(right, grader) == (3, 3)
