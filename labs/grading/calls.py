@@ -6,8 +6,9 @@ matched part by part, with the number of its call; every text is made fit to be 
 
 from __future__ import annotations
 
+import contextlib
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Any, TypeGuard
@@ -72,33 +73,49 @@ class Call:
         self.sealing = Sealing(Tier.PROCESS)
         self.ended: Ended | None = None
 
+    def start(self, host: Host) -> None:
+        """Start the process and send it the text, which it runs at once; `begin` asks what came of it."""
+        self._process = host.start(self._limits)
+        text = np.frombuffer(self._submission.text.encode(), np.uint8)  # as bytes, whose commas nobody counts
+        with self._starting():
+            self._process.send(messages.pack((text, self._limits.printed)), _STARTING)
+
     def begin(self, host: Host, least: Tier, unloadable: StudentError | None = None) -> StudentError | None:
-        """Start the process and have it run the submission's text; returns why that cannot be, for every call to tell.
+        """Have the process run the submission's text; returns why that cannot be, for every call to tell.
 
         least: the tier below which it is not run. unloadable: what was found before, so that it need not be again.
         """
         self._lost = unloadable
         if unloadable is None:
-            self._process = host.start(self._limits)
-            self._seal(self._process, least)
+            if self._process is None:
+                self.start(host)
+            self._seal(least)
             try:
                 self._load()
             except StudentError as error:
                 return error
         return unloadable
 
-    def _seal(self, process: Process, least: Tier) -> None:
-        """Send the text and learn how far the process is shut in, which it says before it runs any of it."""
-        text = np.frombuffer(self._submission.text.encode(), np.uint8)  # as bytes, whose commas nobody counts
-        try:
-            match messages.unpack(process.exchange(messages.pack((text, self._limits.printed)), _STARTING)):
+    def _seal(self, least: Tier) -> None:
+        """Learn how far the process is shut in, which it says before it runs any of the text."""
+        assert self._process is not None
+        with self._starting():
+            match messages.unpack(self._process.exchange(b"", _STARTING)):
                 case ("sealed", int(tier), list(missing)):
                     self.sealing = Sealing(Tier(tier), tuple(missing))
-        except (OSError, EOFError, messages.Refused) as error:
-            raise GraderFailed(f"a test's process did not start: {error or deaths.reason(process.end())}") from None
         if self.sealing.tier < least:
             offered, lacking = self.sealing.tier.title, "; ".join(self.sealing.missing)
             raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {lacking}")
+
+    @contextlib.contextmanager
+    def _starting(self) -> Iterator[None]:
+        try:
+            yield
+        except (OSError, EOFError, messages.Refused) as error:
+            assert self._process is not None
+            raise GraderFailed(
+                f"a test's process did not start: {error or deaths.reason(self._process.end())}"
+            ) from None
 
     def _load(self) -> None:
         match self._exchange("the submission, on loading,", b""):
@@ -107,6 +124,11 @@ class Call:
                 self._failures = [each for each in failures if _is_failure(each)]
             case _:
                 raise self._lose(NoAnswer("the submission wrote into the grader's pipe on loading"))
+
+    @property
+    def gone(self) -> bool:
+        """Whether the process has ended by itself."""
+        return self._process is None or self._process.gone
 
     def __call__(self, name: str, /, *arguments: Any, **named: Any) -> Any:
         """Call a function; raises a `StudentError` where it does not answer with plain values.

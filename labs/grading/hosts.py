@@ -149,7 +149,9 @@ class LoneHost:
 
     def end(self, process: Process) -> Ended:
         """Kill it, and on POSIX its session."""
-        running = self._running[process.number]
+        return self._end(self._running[process.number])
+
+    def _end(self, running: subprocess.Popen[bytes]) -> Ended:
         with contextlib.suppress(OSError):
             if os.name == "posix":
                 os.killpg(running.pid, signal.SIGKILL)
@@ -157,7 +159,10 @@ class LoneHost:
         return Ended(running.wait())
 
     def close(self) -> None:
-        """Nothing runs between tests."""
+        """End what runs."""
+        for running in self._running.values():
+            if running.poll() is None:
+                self._end(running)
         self._clear()
 
 

@@ -67,15 +67,30 @@ class Process:
         Raises TimeoutError after so many seconds, OSError or EOFError when the process hung up, and
         `messages.Refused` for an answer that is too long.
         """
+        self.send(message, seconds)
         until = time.monotonic() + seconds
         with self._killed_at(until):
-            self._write(message, until)
             self._fill(messages.HEADER, until)
             end = messages.HEADER + messages.length(bytes(self._read[: messages.HEADER]))
             self._fill(end, until)
         answer = bytes(self._read[messages.HEADER : end])
         del self._read[:end]
         return answer
+
+    def send(self, message: bytes, seconds: float) -> None:
+        """Send a message without waiting for an answer; raises as `exchange`."""
+        until = time.monotonic() + seconds
+        with self._killed_at(until):
+            self._write(message, until)
+
+    @property
+    def gone(self) -> bool:
+        """Whether nobody is left who could answer."""
+        if os.name != "posix":
+            return False
+        poll = select.poll()
+        poll.register(self._answers, select.POLLIN)
+        return any(event & select.POLLHUP for _, event in poll.poll(0))
 
     def end(self) -> Ended:
         """Kill the process with all that it started; afterwards nothing of it can do anything."""

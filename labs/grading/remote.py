@@ -16,7 +16,7 @@ from types import TracebackType
 from typing import Self
 
 from labs.grading.calls import Call, Patience
-from labs.grading.errors import OutOfTime, StudentError
+from labs.grading.errors import GraderFailed, OutOfTime, StudentError
 from labs.grading.hosts import LoneHost, NurseryHost
 from labs.grading.processes import Host, Limits
 from labs.grading.submission import Submission
@@ -66,24 +66,62 @@ class Remote:
         self._own = grader is None
         self._unloadable: StudentError | None = None
         self._patience = Patience(self.grader.limits.submission)
+        self._next: Call | None = None
 
     @contextlib.contextmanager
     def fresh(self) -> Iterator[Call]:
         """A process for one test; at the end of the block nothing of it is left.
 
-        Where the submission does not even load, or its time is up, later tests are told so without the wait.
+        The process for the next test gets ready meanwhile, on another processor if there is one. Where the submission
+        does not even load, or its time is up, later tests are told so without the wait.
         """
         if self._patience.left <= 0 and self._unloadable is None:
             self._unloadable = OutOfTime("the submission has used up the time of all its tests together")
-        call = Call(self.submission, self.grader.limits, self._patience, self.fresh)
+        call = self._begun()
         try:
-            self._unloadable = call.begin(self.grader.host, self.grader.least, self._unloadable)
+            if self._unloadable is None:
+                self._get_ready()
             yield call
         finally:
             call.end()
 
+    def _begun(self) -> Call:
+        """The process that got ready; a new one where there is none, or the nursery died and took it along."""
+        ready, self._next = self._next, None
+        if ready is not None:
+            with contextlib.suppress(GraderFailed):
+                if self._begin(ready, self._unloadable) == self._unloadable and not ready.gone:
+                    return ready
+            ready.end()
+        call = self._new()
+        self._unloadable = self._begin(call, self._unloadable)
+        return call
+
+    def _begin(self, call: Call, unloadable: StudentError | None) -> StudentError | None:
+        try:
+            return call.begin(self.grader.host, self.grader.least, unloadable)
+        except BaseException:
+            call.end()
+            raise
+
+    def _new(self) -> Call:
+        return Call(self.submission, self.grader.limits, self._patience, self.fresh)
+
+    def _get_ready(self) -> None:
+        if self._next is None:
+            call = self._new()
+            try:
+                call.start(self.grader.host)
+            except GraderFailed:  # the next test starts its own, and says so if that fails as well
+                call.end()
+            else:
+                self._next = call
+
     def close(self) -> None:
-        """End the grader, where it is our own."""
+        """End the process that nobody needs any more, and the grader where it is our own."""
+        if self._next is not None:
+            self._next.end()
+            self._next = None
         if self._own:
             self.grader.close()
 

@@ -300,18 +300,38 @@ def test_the_grader_outlives_its_nursery_and_the_nursery_not_the_grader():
                 calls_until_it_fails(call, "parent")
         with remote.fresh() as call:
             another = call("parent")
-        assert another != nursery
+            time.sleep(0.2)  # the process for the next test has said that it is ready
+            os.kill(another, signal.SIGKILL)
+            with pytest.raises(StudentError):
+                calls_until_it_fails(call, "parent")
+            time.sleep(0.2)  # it has ended as well
+        with remote.fresh() as call:
+            third = call("parent")
+        assert len({nursery, another, third}) == 3
     with pytest.raises(ProcessLookupError):
-        os.kill(another, 0)
+        os.kill(third, 0)
+
+
+@linux
+def test_the_process_for_the_next_test_is_ready_and_has_seen_nothing_of_this_one(of):
+    remote = of("import time\ntime.sleep(0.3)\nseen = []\ndef f(x):\n    seen.append(x)\n    return len(seen)")
+    with remote.fresh() as call:
+        assert call("f", 7) == 1
+        time.sleep(0.5)
+    began = time.perf_counter()
+    with remote.fresh() as call:
+        assert call("f", 8) == 1
+    assert time.perf_counter() - began < 0.3, "it loads while the test before it runs"
+    remote.close()
 
 
 @linux
 def test_tests_leave_no_descriptor_open(of):
-    remote = of("def f(): return 1")
     before = len(os.listdir("/proc/self/fd"))
-    for _ in range(5):
-        with remote.fresh() as call:
-            call("f")
+    with of("def f(): return 1") as remote:
+        for _ in range(5):
+            with remote.fresh() as call:
+                call("f")
     assert len(os.listdir("/proc/self/fd")) == before
 
 
@@ -342,6 +362,9 @@ class Scripted:
 
     def start(self, limits: Limits) -> Scripted:
         return self
+
+    def send(self, message: bytes, seconds: float) -> None:
+        pass
 
     def exchange(self, message: bytes, seconds: float) -> bytes:
         return self._said.pop(0)

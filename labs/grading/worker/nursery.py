@@ -98,21 +98,22 @@ class Nursery:
     def _start(self, wanted: dict[str, Any], descriptors: list[int]) -> dict[str, Any]:
         plan = sandbox.Plan(**wanted | {"memory": wanted["memory"] + self._own_space})
         os.mkdir(plan.folder, 0o555)
+        parent = os.getpid()
         process = os.fork()
         if process == 0:
-            self._become_test(plan, (descriptors[0], descriptors[1]))
+            self._become_test(plan, (descriptors[0], descriptors[1]), parent)
         for descriptor in descriptors:
             os.close(descriptor)
         self._folders[process] = plan.folder
         return {"process": process}
 
-    def _become_test(self, plan: sandbox.Plan, pipes: tuple[int, int]) -> None:
+    def _become_test(self, plan: sandbox.Plan, pipes: tuple[int, int], parent: int) -> None:
         """In the forked process; never returns."""
         try:
             os.setsid()
             np.random.seed()  # noqa: NPY002 - or every test's process would draw the same, and what is drawn would seem computed
             serving.hush({*pipes} if self._rules is None else {*pipes, self._rules})
-            sealing = sandbox.seal(plan, self._rules, self._offline)
+            sealing = sandbox.seal(plan, self._rules, self._offline, parent)
             if self._rules is not None:
                 os.close(self._rules)
             serving.serve(*pipes, sealing)

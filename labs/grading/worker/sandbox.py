@@ -53,10 +53,11 @@ class Sealing:
     missing: tuple[str, ...] = ()
 
 
-def seal(plan: Plan, rules: int | None, offline: bool) -> Sealing:
+def seal(plan: Plan, rules: int | None, offline: bool, parent: int) -> Sealing:
     """Shut in the process that calls this, for good.
 
-    rules: of Landlock, what may be read. offline: whether it is in a network namespace without a network.
+    rules: of Landlock, what may be read. offline: whether it is in a network namespace without a network. parent: the
+    nursery, with which it ends.
     """
     os.chdir(plan.folder)
     os.environ.clear()
@@ -75,7 +76,7 @@ def seal(plan: Plan, rules: int | None, offline: bool) -> Sealing:
     limited = took("limits", lambda: _limit(plan), "memory, time and processes are not limited")
     if os.geteuid() == 0:
         took("user", lambda: _become(plan.user), "it runs as root")
-    took("death", _end_with_parent, "it may outlive the nursery")
+    took("death", lambda: _end_with(parent), "it may outlive the nursery")
     took("privileges", lambda: system.prctl(system.NO_NEW_PRIVILEGES, 1), "set-user-id programs work")
     paths = took("landlock", lambda: landlock.restrict(rules), "no Landlock in this kernel")
     calls = took("seccomp", lambda: seccomp.restrict(files=paths), "no filter of system calls in this kernel")
@@ -129,8 +130,7 @@ def _become(user: int) -> None:
     os.setresuid(user, user, user)
 
 
-def _end_with_parent() -> None:
-    parent = os.getppid()
+def _end_with(parent: int) -> None:
     system.prctl(system.PARENT_DEATH_SIGNAL, signal.SIGKILL)
     if os.getppid() != parent:
         os._exit(1)
