@@ -11,12 +11,13 @@ import math
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, cast
 
 import numpy as np
 
 from labs.grading.errors import FunctionRaised
-from labs.grading.expecting import Called, Formula, check, each, refuse_changes
+from labs.grading.expecting import Called, Formula, check, each, outputs_of, refuse_changes
 from labs.grading.fingerprints.building import right_answer
 from labs.grading.probes.making import Draw, Maker, Probe, made
 from labs.grading.telling import called
@@ -39,7 +40,9 @@ class Examples:
         """The function gives what the formula for one contact gives, one example after another."""
 
         def agrees(*arguments: Any) -> None:
-            check(function, arguments, right_answer(formula, Probe(arguments)))
+            check(
+                function, arguments, partial(right_answer, formula, Probe(arguments)), outputs_of(formula(*arguments))
+            )
 
         self._every(maker, agrees, agrees, count)
 
@@ -51,7 +54,9 @@ class Examples:
         name = f"{function.name} {self.seed}"
         sample = maker(Draw(np.random.default_rng(0)))
         for probe in made(name, (), maker, 0, single):
-            check(function, probe.arguments, right_answer(each(formula, sample), probe), repeated=True)
+            for_many = each(formula, sample)
+            right, outputs = partial(right_answer, for_many, probe), outputs_of(for_many(*probe.arguments))
+            check(function, probe.arguments, right, outputs, repeated=True)
             refuse_changes(function)
 
     def every(self, maker: Maker, holds: Check, count: int = COUNT) -> None:
