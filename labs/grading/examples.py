@@ -142,7 +142,13 @@ def _tidy(value: Any) -> Any:
 
 
 def _drawing(chosen: Chosen) -> Draw:
-    return Draw(cast(np.random.Generator, chosen))
+    return _SimpleDraw(cast(np.random.Generator, chosen))
+
+
+class _SimpleDraw(Draw):
+    def sign(self) -> int:
+        """1 or −1; 1 is the simpler one."""
+        return int(self.rng.choice([-1, 1]))
 
 
 class Chosen:

@@ -23,7 +23,7 @@ TESTS = ROOT / "tests" / "autograder"
 VISIBLE, HIDDEN = "visible", "hidden"
 _OPTIONS = (
     "-q", "--noconftest", "--disable-plugin-autoload", "-p", "labs.grading.plugin", "-p", "no:cacheprovider",
-    "--import-mode=importlib", "--strict-markers", "-W", "error",
+    "-p", "no:unraisableexception", "--import-mode=importlib", "--strict-markers", "-W", "error",
 )  # fmt: skip
 """Nothing but the tests and the plugin: what else is installed, or set for the project's own tests, takes its time."""
 _FINE = (0, 1)  # all tests passed, some failed
@@ -53,7 +53,7 @@ def run(path: Path | str, topics: Collection[str], folders: Iterable[str] = (VIS
             self.sheet = config.stash[SHEET]
 
     keep, printed = Keep(), io.StringIO()
-    options = [*_OPTIONS, "-c", os.devnull, "--rootdir", str(ROOT)]
+    options = [*_OPTIONS, "-c", os.devnull, "--rootdir", str(TESTS.parent)]
     options += [
         "-W",
         "ignore::pytest.PytestAssertRewriteWarning",
