@@ -19,7 +19,7 @@ from pathlib import Path
 from reference.cache import default_folder
 from reference.errors import CollisionsError, RunFailed
 
-_LOOKS_EVERY = 0.01  # s
+_LOOKS_EVERY = 0.02  # s
 _SAID = 400  # characters of a program that failed
 
 
@@ -37,8 +37,8 @@ class Run:
 def run(command: Sequence[str | Path], folder: Path, environment: Mapping[str, str] | None = None) -> Run:
     """Run a program to its end.
 
-    Memory is the resident size of the program and of all processes below it, added up, so that what processes share
-    counts for each of them; looked at every 10 ms, on Linux alone.
+    Memory is that of the program and of all processes below it, looked at all the while, on Linux alone. What several
+    processes share counts once; of a process that does not let us look, all that it has counts, shared or not.
 
     Raises
     ------
@@ -57,7 +57,7 @@ def run(command: Sequence[str | Path], folder: Path, environment: Mapping[str, s
             raise RunFailed(f"{command[0]} cannot be started: {error}") from None
         with started:
             while started.poll() is None:
-                most = max(most, _resident(started.pid))
+                most = max(most, _memory(started.pid))
                 with contextlib.suppress(subprocess.TimeoutExpired):
                     started.wait(_LOOKS_EVERY)
         seconds = time.perf_counter() - start
@@ -68,18 +68,27 @@ def run(command: Sequence[str | Path], folder: Path, environment: Mapping[str, s
     return Run(seconds, most or None, text)
 
 
-def _resident(process: int) -> int:
+def _memory(process: int) -> int:
     """Bytes of a process and of all below it; zero for what is gone, or where there is no `/proc`."""
+    own = Path("/proc", str(process))
     try:
-        pages = int(Path(f"/proc/{process}/statm").read_text(encoding="ascii").split()[1])
         below = [
             int(child)
-            for children in Path(f"/proc/{process}/task").glob("*/children")
+            for children in own.glob("task/*/children")
             for child in children.read_text(encoding="ascii").split()
         ]
+        return _share(own) + sum(map(_memory, below))
     except (OSError, IndexError):
         return 0
-    return pages * os.sysconf("SC_PAGE_SIZE") + sum(map(_resident, below))
+
+
+def _share(process: Path) -> int:
+    """Bytes of a process, of shared ones its share."""
+    with contextlib.suppress(OSError):
+        for line in (process / "smaps_rollup").read_text(encoding="ascii").splitlines():
+            if line.startswith("Pss:"):
+                return int(line.split()[1]) * 1024
+    return int((process / "statm").read_text(encoding="ascii").split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
 @dataclass(frozen=True)

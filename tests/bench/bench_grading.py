@@ -14,6 +14,7 @@ import sys
 import tempfile
 import zipfile
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ import pytest
 
 from labs.benching import Bench
 from labs.grading.calls import Call
+from labs.grading.grade import read_grade
 from labs.programs import Environment, Run, run
 from reference.errors import RunFailed
 
@@ -33,6 +35,16 @@ OTTER = Environment("otter", ("otter-grader==7.0.0", "ipykernel", NUMPY))
 NBGRADER = Environment("nbgrader", ("nbgrader==0.9.6", NUMPY))
 HEADER = "import numpy as np\nfrom numpy import inf, nan\n"
 IMPORTS = re.compile(r"^from (solutions|__future__)[\w.]* import .*\n", re.MULTILINE)
+
+CLASS = 20
+GRADE = """
+import sys
+from pathlib import Path
+from labs.grading.grade import grade
+
+for submission in map(Path, sys.argv[1:]):
+    grade(submission, ["impulse"]).write(submission.with_suffix(".json"))
+"""
 
 Asserts = dict[str, list[str]]
 """Our tests by name with their calls, each as an assert."""
@@ -69,19 +81,33 @@ def written(folder: Path) -> Path:
 # Ours
 
 
-def graded(submission: Path, *options: str) -> Run:
-    """Grade it by our tests; raises `RunFailed` unless it has all points."""
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *TESTS, "--submission", submission]
-    found = run([*command, *options], ROOT)
-    if not (points := re.search(r"(\d+) of (\d+) points", found.said)) or points[1] != points[2]:
-        raise RunFailed(f"the solutions do not have all points: {found.said[-400:]}")
+def graded(*submissions: Path) -> Run:
+    """Grade them by our tests, one after another; raises `RunFailed` unless each has all points."""
+    found = run([sys.executable, "-c", GRADE, *submissions], ROOT)
+    for submission in submissions:
+        grade = read_grade(submission.with_suffix(".json"))
+        _full(found, grade["got"], grade["possible"])
     return found
 
 
 def ours() -> Callable[[], Run]:
-    folder = a_folder()
-    submission = written(folder)
+    submission = written(a_folder())
     return lambda: graded(submission)
+
+
+def one_by_one() -> Callable[[], Run]:
+    submissions = [written(a_folder()) for _ in range(CLASS)]
+    return lambda: graded(*submissions)
+
+
+def two_at_a_time() -> Callable[[], list[Run]]:
+    submissions = [written(a_folder()) for _ in range(CLASS)]
+
+    def grade() -> list[Run]:
+        with ThreadPoolExecutor(2) as pool:
+            return list(pool.map(lambda half: graded(*half), (submissions[::2], submissions[1::2])))
+
+    return grade
 
 
 def a_folder() -> Path:
@@ -261,6 +287,13 @@ BENCHES = (
         goal=1.0,
         who="collisions-lab",
         environments=(OTTER, NBGRADER),
+    ),
+    Bench(
+        "grading-class",
+        f"{CLASS} such submissions one after another in one process, and in two processes at once",
+        one_by_one,
+        {"two at a time": two_at_a_time},
+        who="one by one",
     ),
 )
 
