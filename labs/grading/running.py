@@ -53,7 +53,7 @@ def run(path: Path | str, topics: Collection[str], folders: Iterable[str] = (VIS
             self.sheet = config.stash[SHEET]
 
     keep, printed = Keep(), io.StringIO()
-    options = [*_OPTIONS, "-c", os.devnull, "--rootdir", str(TESTS.parent)]
+    options = [*_OPTIONS, "-c", os.devnull, "--rootdir", str(TESTS.parent), "--confcutdir", str(TESTS)]
     options += [
         "-W",
         "ignore::pytest.PytestAssertRewriteWarning",

@@ -83,7 +83,7 @@ def written(folder: Path) -> Path:
 
 def graded(*submissions: Path) -> Run:
     """Grade them by our tests, one after another; raises `RunFailed` unless each has all points."""
-    found = run([sys.executable, "-c", GRADE, *submissions], ROOT)
+    found = run([sys.executable, "-c", GRADE, *submissions], ROOT, {"PYTHONDONTWRITEBYTECODE": ""})  # as installed
     for submission in submissions:
         grade = read_grade(submission.with_suffix(".json"))
         _full(found, grade["got"], grade["possible"])
