@@ -29,6 +29,7 @@ TITLE = "submission"
 FAILED = 70
 """Exit code of a process in which not the submission failed but what runs it."""
 _MESSAGE_CHARACTERS = 2000
+Failure = tuple[list[str], str, str, int | None]
 _FLAGS = __future__.annotations.compiler_flag  # a type hint that cannot be evaluated costs nothing
 
 
@@ -84,17 +85,36 @@ def serve(requests: int, answers: int, sealing: Sealing) -> None:
         _write(answers, message)
 
 
-def load(text: str, module: ModuleType) -> list[tuple[list[str], str, str, int | None]]:
-    """Run the text in the module, statement by statement; one that fails costs only the names that it defines.
+def load(text: str, module: ModuleType) -> list[Failure]:
+    """Run the text in the module; a statement that fails costs only the names that it defines.
 
     Returns of each failure the names, the exception's type and message, and the line.
     """
     sys.modules[module.__name__] = module  # as any import does; a dataclass looks itself up there
-    failures: list[tuple[list[str], str, str, int | None]] = []
+    try:
+        whole = compile(text, TITLE, "exec", _FLAGS, dont_inherit=True)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return _load_rest(text, module)  # which finds the statement
+    try:
+        exec(whole, module.__dict__)
+    except BaseException as error:
+        return _load_rest(text, module, error)
+    return []
+
+
+def _load_rest(text: str, module: ModuleType, failed: BaseException | None = None) -> list[Failure]:
+    """Statement by statement, which takes longer: all of the text, or what comes after the statement that failed."""
+    failures: list[Failure] = []
     try:
         statements = ast.parse(text, TITLE).body
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         return [([], *_described(error))]
+    if failed is not None:
+        place = _place(failed)
+        reached = [statement for statement in statements if _start(statement) <= place]
+        kind, message, line = _described(failed)
+        failures.append((list(_names(reached[-1])), kind, message, line or reached[-1].lineno))
+        statements = statements[len(reached) :]
     for statement in statements:
         try:
             code = compile(ast.Module([statement], []), TITLE, "exec", _FLAGS, dont_inherit=True)
@@ -103,6 +123,21 @@ def load(text: str, module: ModuleType) -> list[tuple[list[str], str, str, int |
             kind, message, line = _described(error)
             failures.append((list(_names(statement)), kind, message, line or statement.lineno))
     return failures
+
+
+def _place(error: BaseException) -> tuple[int, int]:
+    """Line and column that the outermost statement of the text was at when it failed."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_frame.f_code.co_filename != TITLE:
+        trace = trace.tb_next
+    assert trace is not None
+    line, _, column, _ = next(itertools.islice(trace.tb_frame.f_code.co_positions(), trace.tb_lasti // 2, None))
+    return line or trace.tb_lineno, column or 0
+
+
+def _start(statement: ast.stmt) -> tuple[int, int]:
+    first = min([statement, *getattr(statement, "decorator_list", [])], key=lambda node: node.lineno)
+    return first.lineno, first.col_offset
 
 
 def _answer(module: ModuleType, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> tuple[Any, ...]:
