@@ -31,7 +31,7 @@ from labs.grading.remote import Call, Grader, Remote
 from labs.grading.sheet import Outcome, Part, Sheet
 from labs.grading.submission import read
 from reference import lecture
-from reference.errors import CollisionsError
+from reference.errors import CollisionsError, UnknownName
 
 SHEET = pytest.StashKey[Sheet]()
 _GRADER = pytest.StashKey[Grader]()
@@ -148,7 +148,7 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
     with Remote(found, config.stash[_GRADER]) as remote:
         yield Functions(remote, sheet)
         for name in sheet.lost:
-            with remote.fresh() as call:
+            with contextlib.suppress(UnknownName), remote.fresh() as call:  # of a function that has no probes yet
                 sheet.diagnoses[name] = diagnose(name, call)
 
 
@@ -215,7 +215,10 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     for complaint in sheet.complaints:
         write(complaint)
     for outcome in sheet.outcomes:
-        write("\n    ".join(line for lines in outcome.lines() for line in lines.splitlines()))
+        if not outcome.passed:
+            write("\n    ".join(line for lines in outcome.lines() for line in lines.splitlines()))
+    for diagnosis in sheet.diagnoses.values():
+        write(str(diagnosis))
     write(f"{sheet.earned} of {sheet.points} points ({sheet.tier or 'not run'})")
 
 
