@@ -10,6 +10,8 @@ import pytest
 from reference.engines import Engine, load_engine
 from reference.errors import EngineNotInstalled
 
+AUTOGRADER = Path(__file__).parent / "autograder"
+
 
 def pytest_configure(config: pytest.Config) -> None:
     """The same examples in every run, and no limit on the time of one: a busy machine must not fail a test."""
@@ -19,6 +21,13 @@ def pytest_configure(config: pytest.Config) -> None:
 
     settings.register_profile("lab", derandomize=True, deadline=None)
     settings.load_profile("lab")
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Tests of a submission are none of the lab's: without one they are left out, unless they are asked for by name."""
+    if collection_path != AUTOGRADER or config.getoption("--submission"):
+        return None
+    return True if not any(AUTOGRADER.name in argument for argument in config.args) else None
 
 
 @pytest.fixture(autouse=True)
