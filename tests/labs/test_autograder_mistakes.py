@@ -213,6 +213,35 @@ def test_lists_and_single_precision_of_every_function_lose_no_point(form):
     assert told_of(WRITTEN, form) == []
 
 
+def equivalents():
+    """How the diagnosis' own tests say the solutions in other words."""
+    path = Path(__file__).parent / "test_diagnosis_equivalents.py"
+    spec = importlib.util.spec_from_file_location("equivalents", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def told_of_rewritten(entries, kinds):
+    otherwise, told = equivalents().said_otherwise, []
+    for entry in entries:
+        said = otherwise(entry.name, kinds)
+        function = {entry.name: lambda *arguments, said=said, name=entry.name: said(name, *arguments)}
+        told += lost(entry.name, Here(**function))[1]
+    return told
+
+
+def test_the_solutions_in_other_words_lose_no_point():
+    assert told_of_rewritten(WRITTEN[1::7], ["commuted", "differences turned", "branches turned", "roots"]) == []
+
+
+@pytest.mark.slow
+def test_each_way_of_saying_the_solutions_in_other_words_loses_no_point():
+    for kind in equivalents().KINDS:
+        if kind != "single precision":  # of which there is a test of its own
+            assert told_of_rewritten(WRITTEN, [kind]) == []
+
+
 # Hostile submissions, asked by the real tests
 
 
