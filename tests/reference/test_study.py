@@ -569,17 +569,23 @@ def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_i
 
 
 @pytest.mark.parametrize("name", ["pybullet", "mujoco"])
-def test_an_engine_that_cannot_be_imported_gives_one_row_that_says_how_to_get_it(name, tmp_path, monkeypatch):
+def test_an_engine_that_cannot_be_imported_answers_from_its_recording_or_says_what_was_not_recorded(
+    name, tmp_path, monkeypatch
+):
     (tmp_path / f"{name}.py").write_text("raise ImportError('a library of it is missing')\n")
     monkeypatch.syspath_prepend(tmp_path)  # workers get this path too
     stop_workers()  # those that are idle have the old one
+    recorded = Job("dropped-ball", name, "tuned", ("e=0.5",))
     try:
-        result = run_safely(Job("dropped-ball", name, "tuned", ("e=0.5",)), ENOUGH)
+        answered = run_safely(recorded, ENOUGH)
+        changed = run_safely(replace(recorded, changes=(("timestep", 0.00123),)), ENOUGH)
     finally:
         stop_workers()
-    (row,) = result.rows
+    assert answered.recording
+    assert {row.verdict for row in answered.rows} == {Verdict.PASS, Verdict.SHOWN}
+    (row,) = changed.rows
     assert row.verdict is Verdict.NOT_AVAILABLE
-    assert f'pip install -e ".[{name}]"' in row.note
+    assert "is not installed here, and with timestep=0.00123 nothing was recorded" in row.note
 
 
 # Hand-written code that is not finished
