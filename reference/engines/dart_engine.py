@@ -20,7 +20,7 @@ from reference.engines import dart_bodies, mixing
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import CannotExpress, InvalidInput
 from reference.query import Query, Ray
-from reference.scenario import Box, HalfSpace, Scenario, Sphere
+from reference.scenario import Box, Scenario, Sphere
 from reference.settings import Move, Option, Settings, steps_per_sample
 from reference.trajectory import Recorder, Trajectory
 
