@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from reference import geometry
-from reference.engines import load_engine
+from reference.engines import dart_engine, load_engine
 from reference.errors import CannotExpress, InvalidInput
 from reference.query import Distance, Ray
 from reference.scenario import Body, Box, HalfSpace, Sphere
@@ -94,6 +94,25 @@ def test_dart_takes_a_face_for_the_nearest_unless_a_pair_of_edges_is_nearer_by_a
     assert min(excess) > -1e-9  # rounding
     assert 0.015 < max(excess) < 0.02
     assert np.count_nonzero(np.array(excess) > 1e-9) < 0.2 * len(excess)
+
+
+@pytest.mark.parametrize(
+    ("detector", "casts_rays", "measures"),
+    [("dart", True, True), ("fcl", False, True), ("bullet", True, False), ("ode", False, False)],
+)
+def test_of_darts_detectors_its_own_alone_answers_both_questions_and_knows_depths(
+    detector, casts_rays, measures, installed, monkeypatch
+):
+    engine = installed("dart")
+    monkeypatch.setitem(dart_engine.DETECTORS, "dart", dart_engine.DETECTORS[detector])
+    assert (engine.query(RAYS["a box"][0]) == pytest.approx(0.375)) is casts_rays
+    if not measures:
+        with pytest.raises(CannotExpress):
+            engine.query(DISTANCES["two balls"][0])
+        return
+    assert engine.query(DISTANCES["two balls"][0]) == pytest.approx(3.5)
+    depths = [engine.query(DISTANCES[what][0]) for what in ("two balls that overlap", "a ball in a floor")]
+    assert depths == ([-0.5, -0.5] if detector == "dart" else [-1.0, 0.0])
 
 
 def test_dart_knows_no_distance_of_two_half_spaces(installed):
