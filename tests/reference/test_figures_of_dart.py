@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from reference import measure, truth
-from reference.engines import load_engine
+from reference.engines import dart_bodies, dart_engine, load_engine
 from reference.engines.base import AT_STEP, Method
 from reference.errors import CannotExpress, InvalidInput
 from reference.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario, Sphere
@@ -148,6 +148,15 @@ def test_overlap_comes_back_with_a_millimetre_a_second_and_tuned_without_speed()
     assert pushed.velocity("ball")[500, 2] == pytest.approx(1e-3, rel=1e-3)
 
 
+def test_what_would_come_back_in_less_than_a_hundred_steps_comes_back_by_a_hundredth_a_step():
+    ball = Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 0.1 - 2e-5))
+    trajectory = run(Scenario("sunk in", (FLOOR, ball), (Pair("ball", "floor"),), 0.1))
+    depth = -measure.separation(trajectory, "ball", "floor")
+    # 1 mm/s is 1e-7 m a step, a hundredth of 1e-5 m, which is left after 10 ms; then 400 steps. Gravity adds 1e-10 m.
+    assert depth[10] == pytest.approx(1e-5, rel=1e-3)
+    assert depth[50] == pytest.approx(1e-5 * 0.99**400, rel=0.01)
+
+
 # Contacts
 
 
@@ -204,6 +213,13 @@ def test_a_slope_that_holds_lets_a_slab_creep_by_less_than_a_micrometre():
     assert abs(measured("incline", "μ=1,θ=40°", "way")) < 1e-6
 
 
+@pytest.mark.parametrize(("sleep", "left"), [(False, 0.5e-3), (True, 0.0)])
+def test_what_slides_below_a_millimetre_a_second_is_frozen_after_half_a_second_if_it_may_sleep(sleep, left):
+    ball = Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 0.1), velocity=(0.5e-3, 0.0, 0.0))
+    trajectory = run(Scenario("creeping", (FLOOR, ball), (Pair("ball", "floor"),), 1.0), sleep=sleep)
+    assert trajectory.velocity("ball")[[400, -1], 0] == pytest.approx([0.5e-3, left], abs=1e-12)
+
+
 # Solvers
 
 
@@ -242,6 +258,17 @@ def test_below_a_milliradian_a_step_the_angle_is_taken_for_its_sine(angle, share
     w, _, _, z = run(Scenario("turning", (ball,), (), 1.0, (0.0, 0.0, 0.0)), timestep=1e-3).orientation("ball")[-1]
     error = 2 * math.atan2(z, w) - 1000 * angle
     assert error == pytest.approx(share * 1000 * angle**3 / 6, rel=2e-3, abs=1e-10)  # measured: 0.12 % more
+
+
+def test_a_velocity_that_is_no_number_stays_and_the_pose_becomes_the_origin(installed):
+    dart, engine, scenario = installed("dart").module(), load_engine("dart"), falling_ball("ball", 0.5, 1.0, 1.0)
+    settings = engine.settings(scenario, "stock")
+    world = dart_engine._world(dart, scenario, settings)
+    _, node = dart_bodies.add_body(dart, world, scenario.body("ball"), settings, 0.0, 0.0)
+    node.getParentJoint().setLinearVelocity([math.nan, 0.0, 0.0])
+    world.step()
+    assert np.isnan(node.getLinearVelocity()).all()
+    assert not node.getWorldTransform().translation().any()
 
 
 # Stock

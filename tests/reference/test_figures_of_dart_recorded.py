@@ -74,6 +74,11 @@ def test_stock_boxes_rock_walk_off_and_sink():
     assert (len(outcomes), sum(row.measured == row.expected for row in outcomes)) == (9, 5)
 
 
+def test_stock_a_box_dropped_on_an_edge_sinks_in_by_millimetres():
+    deep = [-row.error / 9.81 for row in recorded("box-on-edge", "stock", "energy").values()]
+    assert (min(deep), max(deep)) == pytest.approx((1.5e-3, 3.1e-3), abs=0.05e-3)
+
+
 @pytest.mark.parametrize("quantity", ["height", "drift", "speed"])
 def test_stock_stacks_stand(quantity):
     assert all(row.verdict is Verdict.PASS for row in recorded("stack", "stock", quantity).values())
