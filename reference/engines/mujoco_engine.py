@@ -220,7 +220,7 @@ def _geom(mujoco: Any, shape: Sphere | Box | HalfSpace) -> tuple[Any, list[float
 
 def _set_velocity(state: Any, slot: int, body: Body) -> None:
     """A free joint's velocity: linear in the world frame, angular in the body's own."""
-    conjugate = np.array(body.orientation) * np.array([1, -1, -1, -1])
+    conjugate = geometry.opposite(np.array(body.orientation))
     state.qvel[6 * slot : 6 * slot + 3] = body.velocity
     state.qvel[6 * slot + 3 : 6 * slot + 6] = geometry.rotate(conjugate, np.array(body.angular_velocity))
 

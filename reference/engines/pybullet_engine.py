@@ -237,7 +237,7 @@ def _collision_shape(bullet: Any, body: Body, here: dict[str, int]) -> int:
     elif isinstance(shape, Box):
         number = bullet.createCollisionShape(bullet.GEOM_BOX, halfExtents=shape.half_extents, **here)
     else:
-        own_frame = geometry.rotate(np.array(body.orientation) * np.array([1, -1, -1, -1]), np.array(shape.normal))
+        own_frame = geometry.rotate(geometry.opposite(np.array(body.orientation)), np.array(shape.normal))
         number = bullet.createCollisionShape(bullet.GEOM_PLANE, planeNormal=own_frame.tolist(), **here)
     return number
 

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 
 from reference.compare import TUNED, Row, Verdict
 from reference.engines import engine_names
@@ -220,7 +221,7 @@ class Section:
 
 def sections(results: Iterable[JobResult]) -> list[Section]:
     """Gather results by family, in the catalogue's order; engines in the order of the tables, tuned first."""
-    results, families = list(results), catalogue()
+    results, families = _told_apart(list(results)), catalogue()
     engines = engine_names()
 
     def place(result: JobResult) -> tuple[object, ...]:
@@ -237,6 +238,21 @@ def sections(results: Iterable[JobResult]) -> list[Section]:
         if own:
             found.append(Section(family, tuple(Line(result, family) for result in own)))
     return found
+
+
+def _told_apart(results: Sequence[JobResult]) -> list[JobResult]:
+    """The results; where engines of two files share a title, each with its file behind it, or the way to it."""
+    engines: dict[str, dict[str, None]] = {}
+    for result in results:
+        engines.setdefault(result.title, {})[result.job.engine] = None
+
+    def title(result: JobResult) -> str:
+        alike = engines[result.title]
+        files = {Path(engine).name for engine in alike}
+        told = Path(result.job.engine).name if len(files) == len(alike) else result.job.engine
+        return f"{result.title} ({told})" if len(alike) > 1 else result.title
+
+    return [replace(result, title=title(result)) for result in results]
 
 
 def title_of(result: JobResult) -> str:

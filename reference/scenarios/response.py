@@ -100,11 +100,13 @@ def _expect_rebound(case: Case, settings: Settings, method: Method) -> Expectati
     # A share r of the depth d that comes back as speed adds r d/dt, r v/2 on the average: e v · r v/2 ÷ g = e r h.
     shift += restitution * method.speed_recovery
     why = "−(1 − e − c) v dt/2 + e r h: half a step late, shares c and r of the overlap taken back, r as speed"
+    # A share s of the change, (1 + e) v, that is missing takes 2 e (1 + e) s from (e v)²/(2g h) = e².
+    shift -= 2 * restitution * (1 + restitution) * method.softness
     if method.weighed:
         shift += method.weighed * _mean_share(
             case, lambda height: truth.weighed_apex_shift(height, restitution, GRAVITY, dt)
         )
-        why = "−(1 − e) v dt/2 + e² v dt: half a step late, and with the speed that this step has added"
+        why = "−(1 − e) v dt/2 + e² v dt − 2e(1 + e) s h: half a step late, with the speed that it added, and softly"
     # The mean of a sawtooth as high as the overlap over N even phases is out by less than 1/N of it; then second order.
     near = (
         truth.impact_speed(DROP_HEIGHT, GRAVITY) * dt / DROP_HEIGHT / len(case.scenarios)

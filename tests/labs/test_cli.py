@@ -12,13 +12,12 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
+from program import Said, collisions
 
-from labs.cli import app, jobs, main
+from labs.cli import jobs, main
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.isolate import stop_workers
@@ -72,30 +71,6 @@ NO_WORDS = "raise CannotExpress('an odd one has no words for it')"
 EVERYTHING = "".join(f"from solutions.{topic} import *\n" for topic in ("detection", "response", "forces", "friction"))
 WRONG = EVERYTHING + "right = kinematic_response\ndef kinematic_response(v, n, e):\n    return right(v, n, 0.9 * e)\n"
 MISSING = EVERYTHING + "del kinematic_response\n"
-
-
-@dataclass(frozen=True)
-class Said:
-    """What the program ended with and printed; `text` and `error` with their line breaks made spaces."""
-
-    code: int
-    output: str
-    errors: str
-
-    @property
-    def text(self) -> str:
-        return " ".join(self.output.split())
-
-    @property
-    def error(self) -> str:
-        return " ".join(re.sub("[│╭╮╰╯─]", " ", self.errors).split())
-
-
-def collisions(*arguments: str | Path) -> Said:
-    """Run the program within this process."""
-    ended = CliRunner().invoke(app, list(map(str, arguments)))
-    assert ended.exception is None or isinstance(ended.exception, SystemExit), ended.exception
-    return Said(ended.exit_code, ended.stdout, ended.stderr)
 
 
 @pytest.fixture

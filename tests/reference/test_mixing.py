@@ -56,4 +56,6 @@ def test_the_smaller_of_two_can_say_what_a_product_of_ours_cannot():
 
 def test_a_body_that_touches_nothing_gets_none():
     assert mixing.factors(scenario(), restitution) == [0.0] * 4
+    two = scenario(Pair("ball 0", "floor", 0.3), Pair("ball 1", "floor", 0.5))
+    assert mixing.factors(two, restitution) == [1.0, 0.3, 0.5, 0.0]
     assert mixing.least(scenario(Pair("ball 0", "floor", 0.3)), restitution) == [0.3, 0.3, 0.0, 0.0]

@@ -18,7 +18,7 @@ from reference.scenarios import catalogue
 from reference.study import run_job, run_safely
 
 DAY = datetime.date(2026, 11, 21)
-JOBS = [Job("incline", "handwritten", profile, with_studies=True) for profile in ("tuned", "stock")]
+JOBS = [Job("cradle", "handwritten", profile, with_studies=True) for profile in ("tuned", "stock")]
 
 
 @pytest.fixture(scope="module")
@@ -28,13 +28,13 @@ def results():
 
 @pytest.fixture
 def folder(tmp_path, results):
-    assert write(results, tmp_path, DAY) == [tmp_path / "handwritten" / "incline.json"]
+    assert write(results, tmp_path, DAY) == [tmp_path / "handwritten" / "cradle.json"]
     return tmp_path
 
 
 def edited(folder, change) -> None:
     """Change what the file holds."""
-    path = folder / "handwritten" / "incline.json"
+    path = folder / "handwritten" / "cradle.json"
     content = json.loads(path.read_text(encoding="utf-8"))
     change(content)
     path.write_text(json.dumps(content), encoding="utf-8")
@@ -62,9 +62,9 @@ def test_it_says_that_it_is_a_recording_when_and_where_it_was_made(folder):
 
 
 def test_some_cases_of_a_recording_are_those_cases(folder, results):
-    some = replace(JOBS[0], cases=("μ=0.1,θ=10°",))
+    some = replace(JOBS[0], cases=("5, 1 mm apart",))
     rows = recall(some, folder).rows
-    assert rows == tuple(row for row in results[0].rows if row.case == "μ=0.1,θ=10°")
+    assert rows == tuple(row for row in results[0].rows if row.case == "5, 1 mm apart")
     assert rows
 
 
@@ -81,27 +81,27 @@ def test_what_was_never_recorded_has_no_recording(folder):
 
 def test_a_stale_case_says_so_and_gives_no_number_while_the_others_answer(folder):
     def other_scenario(content):
-        content["profiles"]["tuned"]["cases"]["μ=0.1,θ=10°"]["fingerprint"] = "0" * 16
+        content["profiles"]["tuned"]["cases"]["5, 1 mm apart"]["fingerprint"] = "0" * 16
 
     edited(folder, other_scenario)
     stale = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
-    assert [row.case for row in stale] == ["μ=0.1,θ=10°"]
+    assert [row.case for row in stale] == ["5, 1 mm apart"]
     assert stale[0].measured is None
     assert "its recording is stale: scenario or settings have changed" in stale[0].note
     assert "collisions record" in stale[0].note
 
 
 def test_a_quantity_that_is_measured_only_since_makes_a_case_stale(folder):
-    def without_the_way(content):
-        del content["profiles"]["tuned"]["cases"]["μ=0.1,θ=10°"]["numbers"]["way"]
+    def without_one(content):
+        del content["profiles"]["tuned"]["cases"]["5, 1 mm apart"]["numbers"]["off"]
 
-    edited(folder, without_the_way)
+    edited(folder, without_one)
     (stale,) = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
-    assert "stale: it has no way" in stale.note
+    assert "stale: it has no off" in stale.note
 
 
 def test_a_case_that_was_never_recorded_says_so(folder):
-    edited(folder, lambda content: content["profiles"]["tuned"]["cases"].pop("μ=0.1,θ=10°"))
+    edited(folder, lambda content: content["profiles"]["tuned"]["cases"].pop("5, 1 mm apart"))
     (missing,) = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
     assert missing.note == "hand-written is not installed here, and this case was never recorded"
 
@@ -114,22 +114,22 @@ def test_other_settings_than_the_recorded_ones_have_no_number(folder):
 
 
 def test_a_tolerance_that_has_changed_since_judges_the_old_number_anew(folder, monkeypatch):
-    family = catalogue()["incline"]
+    family = catalogue()["cradle"]
 
     def far(case, settings, method):
-        return replace(way.expect(case, settings, method), value=1e3)
+        return replace(off.expect(case, settings, method), value=1e3)
 
-    way = family.quantity("way")
-    other = replace(family, quantities=tuple(replace(q, expect=far) if q is way else q for q in family.quantities))
-    monkeypatch.setattr(recording, "catalogue", lambda: {"incline": other})
-    verdicts = {row.verdict for row in recall(JOBS[0], folder).rows if row.quantity == "way"}
+    off = family.quantity("off")
+    other = replace(family, quantities=tuple(replace(q, expect=far) if q is off else q for q in family.quantities))
+    monkeypatch.setattr(recording, "catalogue", lambda: {"cradle": other})
+    verdicts = {row.verdict for row in recall(JOBS[0], folder).rows if row.quantity == "off"}
     assert verdicts == {Verdict.FAIL}
 
 
 def test_only_a_whole_run_of_its_own_is_recorded(results, tmp_path):
     whole = results[0]
     for part in (
-        replace(whole, job=replace(whole.job, cases=("μ=0.1,θ=10°",))),
+        replace(whole, job=replace(whole.job, cases=("5, 1 mm apart",))),
         replace(whole, job=replace(whole.job, changes=(("timestep", 2e-3),))),
         replace(whole, version=""),
         replace(whole, recording="* elsewhere"),
@@ -143,11 +143,11 @@ def test_only_a_whole_run_of_its_own_is_recorded(results, tmp_path):
     "content", ["{", "[]", '{"schema": "other", "version": 1}', '{"schema": "collisions-lab/recording", "version": 99}']
 )
 def test_a_file_that_is_no_recording_is_refused_by_name(content, tmp_path):
-    path = tmp_path / "handwritten" / "incline.json"
+    path = tmp_path / "handwritten" / "cradle.json"
     path.parent.mkdir()
     path.write_text(content, encoding="utf-8")
     recording._content.cache_clear()
-    with pytest.raises(InvalidInput, match=r"incline\.json' is no recording"):
+    with pytest.raises(InvalidInput, match=r"cradle\.json' is no recording"):
         recall(JOBS[0], tmp_path)
 
 

@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from reference import isolate
+from reference import isolate, recording
 from reference.compare import ALL_CASES, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
@@ -568,24 +568,24 @@ def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_i
     assert {row.verdict for row in results[GOOD].rows} == {Verdict.PASS}
 
 
-@pytest.mark.parametrize("name", ["pybullet", "mujoco"])
-def test_an_engine_that_cannot_be_imported_answers_from_its_recording_or_says_what_was_not_recorded(
-    name, tmp_path, monkeypatch
+@pytest.mark.parametrize(("name", "package"), [("pybullet", "pybullet"), ("mujoco", "mujoco"), ("dart", "dartpy")])
+def test_an_engine_that_cannot_be_imported_answers_from_its_recording_or_says_how_to_get_it(
+    name, package, tmp_path, monkeypatch
 ):
-    (tmp_path / f"{name}.py").write_text("raise ImportError('a library of it is missing')\n")
+    (tmp_path / f"{package}.py").write_text("raise ImportError('a library of it is missing')\n")
     monkeypatch.syspath_prepend(tmp_path)  # workers get this path too
     stop_workers()  # those that are idle have the old one
-    recorded = Job("dropped-ball", name, "tuned", ("e=0.5",))
+    job = Job("dropped-ball", name, "tuned", ("e=0.5",))
     try:
-        answered = run_safely(recorded, ENOUGH)
-        changed = run_safely(replace(recorded, changes=(("timestep", 0.00123),)), ENOUGH)
+        recorded = run_safely(job, ENOUGH)
+        monkeypatch.setattr(recording, "FOLDER", tmp_path)  # nothing of the kind
+        (without,) = run_safely(job, ENOUGH).rows
     finally:
         stop_workers()
-    assert answered.recording
-    assert {row.verdict for row in answered.rows} == {Verdict.PASS, Verdict.SHOWN}
-    (row,) = changed.rows
-    assert row.verdict is Verdict.NOT_AVAILABLE
-    assert "is not installed here, and with timestep=0.00123 nothing was recorded" in row.note
+    assert "it is not run here" in recorded.recording
+    assert recorded.rows[0].measured is not None
+    assert without.verdict is Verdict.NOT_AVAILABLE
+    assert f'pip install -e ".[{name}]"' in without.note
 
 
 # Hand-written code that is not finished
