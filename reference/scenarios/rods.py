@@ -10,6 +10,7 @@ import numpy as np
 from reference import truth
 from reference.engines.base import COMPLIANT, EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.grid import TENTHS, Grid, Parameter
 from reference.scenario import GRAVITY, Body, Box, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Trajectory
@@ -29,6 +30,8 @@ AFTER = 0.05
 SHARE = 1e-3
 """Accepted share of a value: 0.1 %."""
 ARMS = (0.0, 0.25, END)
+MOVED = Parameter("restitution", "", TENTHS, 0.5), Parameter("arm", "m", (0.0, 0.125, 0.25, 0.375, END), END)
+"""What can be moved in both families."""
 Measure = Callable[[Trajectory], float]
 
 
@@ -173,6 +176,7 @@ STRUCK_ROD = Family(
         lambda trajectory: trajectory.angular_velocity("rod")[:, 1],
     ),
     convergence=Convergence("e=0.5,x=0.499", "spin"),
+    grid=Grid(MOVED, (1e-3, 2e-3, 5e-3), _struck),
 )
 
 ROD_ON_PEG = Family(
@@ -201,6 +205,7 @@ ROD_ON_PEG = Family(
         lambda trajectory: trajectory.position("rod")[:, 2],
     ),
     convergence=Convergence("e=0.5,x=0.499", "spin"),
+    grid=Grid(MOVED, (1e-3, 2e-3, 5e-3), _dropped),
 )
 
 FAMILIES = (STRUCK_ROD, ROD_ON_PEG)
