@@ -134,7 +134,9 @@ def unpack(track: Track, title: str, recording: str = "") -> Poses:
     found = _steps(np.frombuffer(zlib.decompress(track.packed), dtype="<u4"), track)
     orientations = _unit(np.asarray(found[..., 3:], dtype=np.float64) * TURN)
     times = np.arange(track.count) / track.rate
-    return Poses(title, track.bodies, times, np.asarray(found[..., :3], dtype=np.float64) * LENGTH, orientations, recording)
+    return Poses(
+        title, track.bodies, times, np.asarray(found[..., :3], dtype=np.float64) * LENGTH, orientations, recording
+    )
 
 
 def _whole(poses: Poses) -> NDArray[np.uint32]:
