@@ -77,7 +77,7 @@ def test_a_plan_takes_parameters_with_defaults_for_the_rest_and_refuses_what_mak
     (job,) = study.plan([incline], ["handwritten"], ["tuned"], at={"angle": 25.0})
     assert job.at == (("friction", 0.3), ("angle", 25.0))
     assert str(job) == "incline, friction 0.3, angle 25 in handwritten, tuned"
-    with pytest.raises(InvalidInput, match="stack has no parameters that can be moved; these have: .*dropped-ball"):
+    with pytest.raises(InvalidInput, match=r"stack has no parameters that can be moved; these have: .*dropped-ball"):
         study.plan([catalogue()["stack"]], ["handwritten"], at={"restitution": 0.5})
     with pytest.raises(UnknownName, match="unknown parameter 'restitution'"):
         study.plan([incline], ["handwritten"], at={"restitution": 0.5})
@@ -86,12 +86,12 @@ def test_a_plan_takes_parameters_with_defaults_for_the_rest_and_refuses_what_mak
 
 
 def test_a_job_at_some_values_runs_that_one_case_and_brings_its_curve_and_poses():
-    job = Job("incline", "handwritten", "tuned", at=(("friction", 0.25), ("angle", 25.0)), with_poses=True)
+    job = Job("cradle", "handwritten", "tuned", at=(("balls", 3.0), ("gap", 2e-4)), with_poses=True)
     result = study.run_job(job)
-    assert {row.case for row in result.rows} == {"μ=0.25,θ=25°"}
+    assert {row.case for row in result.rows} == {"3, 200 µm apart"}
     assert result.series is not None
     (track,) = result.poses
-    assert track.bodies == ("slab",)
+    assert track.bodies == ("ball 1", "ball 2", "ball 3")
     assert study.run_job(replace(job, with_poses=False)).poses == ()
 
 
@@ -108,7 +108,9 @@ def test_all_of_a_comparison_go_to_the_nearest_point_if_one_engine_is_only_recor
     assert {(job.at, job.changes) for job in found} == {((("restitution", 0.4),), (("timestep", 2e-3),))}
     words = "dropped-ball: restitution 0.37 → 0.4, timestep 1.5 ms → 2 ms: PyBullet answers from recordings"
     assert {job.snapped for job in found} == {words}
-    assert moved(JOBS[0], ["pybullet", "mujoco", "dart"]).snapped.endswith("PyBullet, MuJoCo and DART answer from recordings")
+    assert moved(JOBS[0], ["pybullet", "mujoco", "dart"]).snapped.endswith(
+        "PyBullet, MuJoCo and DART answer from recordings"
+    )
 
 
 def test_nothing_moves_where_all_engines_run_or_nothing_that_is_recorded_is_asked_for(monkeypatch):

@@ -77,7 +77,7 @@ def test_recorded_tuned_numbers_agree_with_theory_as_live_ones_do():
 
 
 def test_a_replay_starts_where_its_scenario_does_and_lasts_as_long():
-    """One of each family: first positions are the scenario's, to rounding, and the last sample is in its last 1/60 s."""
+    """One of each family: first positions are the scenario's, to rounding; the last sample is in its last 1/60 s."""
     for family in catalogue().values():
         case = family.cases[0]
         scenario = case.scenarios[0]

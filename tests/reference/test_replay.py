@@ -13,6 +13,7 @@ from reference.engines import load_engine
 from reference.errors import InvalidInput
 from reference.replay import FARTHEST, LENGTH, RATE, TURN, Poses, pack, poses_of, read_tracks, unpack, write_tracks
 from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
+from reference.scenarios import catalogue
 from reference.settings import Settings
 from reference.trajectory import Trajectory
 
@@ -46,7 +47,8 @@ def test_a_replay_has_the_moving_bodies_sixty_times_a_second():
     assert_allclose(poses.times, np.arange(76) / RATE)  # 1.25 s and the first
     # Straight lines between samples of 1 ms are off a parabola by up to g dt²/8 = 1.2 µm.
     assert_allclose(poses.positions[:, 0, 2], 9.0 - 4.905 * poses.times**2, atol=1.3e-6)
-    assert not (poses.times.flags.writeable or poses.positions.flags.writeable or poses.orientations.flags.writeable)
+    for values in (poses.times, poses.positions, poses.orientations):
+        assert not values.flags.writeable
 
 
 def test_orientations_turn_on_where_an_engine_lets_their_sign_jump():
@@ -59,8 +61,6 @@ def test_orientations_turn_on_where_an_engine_lets_their_sign_jump():
 
 def test_a_short_run_is_sampled_more_often_so_that_it_can_be_watched_slowly():
     engine = load_engine("handwritten")
-    from reference.scenarios import catalogue
-
     scenario = catalogue()["cradle"].case("3 touching").scenarios[0]
     poses = poses_of(engine.run(scenario, engine.settings(scenario, "tuned")))
     assert len(poses.times) >= 60
