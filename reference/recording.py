@@ -9,6 +9,7 @@ so instead of answering. `reference.record` writes all this.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import hashlib
 import json
@@ -22,7 +23,7 @@ from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
 from reference.errors import CollisionsError, InvalidInput, NotRecorded
 from reference.family import Case, Family
-from reference.replay import Poses, Track, pack, poses_of, read_tracks, unpack
+from reference.replay import Poses, Track, pack, poses_of, read_tracks, trajectory_of, unpack
 from reference.results import Errors, Job, JobResult, Series
 from reference.scenario import Scenario
 from reference.scenarios import catalogue
@@ -119,11 +120,22 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         tuple(rows),
         taken["settings"] if not moved else next((row.settings for row in rows), ""),
         made.version,
-        Series(**_tuples(taken["series"])) if taken["series"] and not moved else None,
+        _series(family, job, taken, folder),
         Errors(**_tuples(taken["convergence"])) if taken["convergence"] and whole else None,
         _split(taken["split"]) if taken["split"] and whole else None,
         recording=f"{MARK} {made}",
     )
+
+
+def _series(family: Family, job: Job, taken: Mapping[str, Any], folder: Path | None) -> Series | None:
+    """The plotted curve as it was recorded; at a point of the grid as its replay has it."""
+    if job.at:
+        (case,) = job.chosen(family)
+        settings = load_engine(job.engine).settings(case.scenarios[0], job.profile).change(**dict(job.changes))
+        with contextlib.suppress(NotRecorded):
+            return Series.of(family, trajectory_of(replay(job, case.name, folder), case.scenarios[0], settings))
+    kept = taken["series"] if not (job.changes or job.at or job.grid) else None
+    return Series(**_tuples(kept)) if kept else None
 
 
 def replay(job: Job, case: str, folder: Path | None = None) -> Poses:

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from reference.errors import InvalidInput
 from reference.scenario import Scenario
+from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
 
 SCHEMA, VERSION = "collisions-lab/poses", 1
@@ -117,6 +118,26 @@ def _at(times: Array, known: Array, values: Array) -> Array:
 
 def _unit(orientations: Array) -> Array:
     return np.asarray(orientations / np.linalg.norm(orientations, axis=-1, keepdims=True), dtype=np.float64)
+
+
+def trajectory_of(poses: Poses, scenario: Scenario, settings: Settings) -> Trajectory:
+    """A trajectory for plots: velocities are differences of the poses, so that an impact takes two samples."""
+    shape = len(poses.times), len(scenario.bodies)
+    positions = np.tile([body.position for body in scenario.bodies], (shape[0], 1, 1))
+    orientations = np.tile([body.orientation for body in scenario.bodies], (shape[0], 1, 1))
+    for place, body in enumerate(poses.bodies):
+        positions[:, scenario.index(body)] = poses.positions[:, place]
+        orientations[:, scenario.index(body)] = poses.orientations[:, place]
+    velocities = np.gradient(positions, poses.times, axis=0)
+    spins = _spins(orientations, poses.times)
+    return Trajectory(scenario, settings, poses.title, poses.times, positions, orientations, velocities, spins)
+
+
+def _spins(orientations: Array, times: Array) -> Array:
+    """Angular velocities (n, b, 3), rad/s, world frame: the vector part of 2 q̇ q*."""
+    rates = np.gradient(orientations, times, axis=0)
+    (w, q), (w_rate, q_rate) = ((part[..., :1], part[..., 1:]) for part in (orientations, rates))
+    return np.asarray(2 * (w * q_rate - w_rate * q - np.cross(q_rate, q)))
 
 
 # Packing

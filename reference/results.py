@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from reference.compare import Row
 from reference.errors import InvalidInput
 from reference.family import Case, Family
 from reference.replay import Track
 from reference.settings import Option
 from reference.shares import Split
+from reference.trajectory import Trajectory
+
+PLOTTED_POINTS = 600
 
 
 @dataclass(frozen=True)
@@ -58,6 +63,15 @@ class Series:
 
     times: tuple[float, ...]
     values: tuple[float, ...]
+
+    @classmethod
+    def of(cls, family: Family, trajectory: Trajectory) -> Series:
+        """The family's curve of a trajectory, thinned to some `PLOTTED_POINTS`."""
+        end = family.curve.until or trajectory.times[-1]
+        times, values = trajectory.times, family.curve.values(trajectory)
+        inside = np.flatnonzero((times <= end) & np.isfinite(values))
+        kept = inside[:: max(1, len(inside) // PLOTTED_POINTS)]
+        return cls(tuple(np.round(times[kept], 6).tolist()), tuple(np.round(values[kept], 7).tolist()))
 
 
 @dataclass(frozen=True)

@@ -34,13 +34,11 @@ from reference.results import Errors, Job, JobResult, Series
 from reference.scenarios import catalogue
 from reference.settings import Option
 from reference.shares import split
-from reference.trajectory import Trajectory
 
 TIME_LIMIT = 300.0
 """Wall-clock limit of one job, s."""
 ROUNDING = 1e-9
 """Errors below this share of the value are rounding: no order can be read off them."""
-PLOTTED_POINTS = 600
 _STOP_INTERVAL = 0.05
 """Time between two rounds of stopping workers, s: enough for a thread to see that its worker is gone."""
 
@@ -221,7 +219,7 @@ def run_job(job: Job) -> JobResult:
         if case.name == family.curve.case or not shown:
             shown = settings.describe()
         if trajectories and not job.grid and (job.at or case.name == family.curve.case):
-            series = _series(family, trajectories[0])
+            series = Series.of(family, trajectories[0])
         if trajectories and job.with_poses:
             tracks.append(track_of(job, engine, case, settings, trajectories[0]))
         if case == asked.case:
@@ -242,14 +240,6 @@ def run_job(job: Job) -> JobResult:
         poses=tuple(tracks),
         seconds=time.perf_counter() - start,
     )
-
-
-def _series(family: Family, trajectory: Trajectory) -> Series:
-    end = family.curve.until or trajectory.times[-1]
-    times, values = trajectory.times, family.curve.values(trajectory)
-    inside = np.flatnonzero((times <= end) & np.isfinite(values))
-    kept = inside[:: max(1, len(inside) // PLOTTED_POINTS)]
-    return Series(tuple(np.round(times[kept], 6).tolist()), tuple(np.round(values[kept], 7).tolist()))
 
 
 def _convergence(asked: Question, factors: Sequence[float], job: Job) -> Errors | None:

@@ -227,6 +227,9 @@ def test_parameters_at_a_point_of_the_grid_find_it_and_between_two_nothing(cradl
     live, found = run_job(job), recall(job, folder)
     assert [row.measured for row in found.rows] == pytest.approx([row.measured for row in live.rows], rel=1e-10)
     assert {row.case for row in found.rows} == {"4, 100 µm apart"}
+    assert found.series.times[-1] == pytest.approx(live.series.times[-1], abs=1 / 60)  # drawn from the replay
+    assert found.series.values[0] == pytest.approx(live.series.values[0], abs=1e-3)
+    assert found.series.values[-1] == pytest.approx(live.series.values[-1], abs=4e-3)  # 0.01 mm in a 180th of a second
     (row,) = recall(replace(job, at=(("balls", 4.0), ("gap", 2e-4))), folder).rows
     assert "with balls=4.0, gap=0.0002, timestep=0.002 nothing was recorded" in row.note
 

@@ -11,7 +11,19 @@ from numpy.testing import assert_allclose
 
 from reference.engines import load_engine
 from reference.errors import InvalidInput
-from reference.replay import FARTHEST, LENGTH, RATE, TURN, Poses, pack, poses_of, read_tracks, unpack, write_tracks
+from reference.replay import (
+    FARTHEST,
+    LENGTH,
+    RATE,
+    TURN,
+    Poses,
+    pack,
+    poses_of,
+    read_tracks,
+    trajectory_of,
+    unpack,
+    write_tracks,
+)
 from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scenarios import catalogue
 from reference.settings import Settings
@@ -65,6 +77,17 @@ def test_a_short_run_is_sampled_more_often_so_that_it_can_be_watched_slowly():
     poses = poses_of(engine.run(scenario, engine.settings(scenario, "tuned")))
     assert len(poses.times) >= 60
     assert (round(1 / poses.times[1]) % RATE, poses.times[-1] <= scenario.duration) == (0, True)
+
+
+def test_a_trajectory_made_of_poses_has_the_velocities_and_the_spin_of_the_one_that_they_were_taken_of():
+    trajectory = trajectory_of(poses_of(falling()), FALLING, Settings(1e-3))
+    inside = slice(1, -1)  # a difference at an end is of first order
+    exact = -9.81 * trajectory.times[inside]
+    # The middle difference of a parabola is exact; its samples are off by 1.2 µm, each sixtieth of a second.
+    assert_allclose(trajectory.velocity("ball")[inside, 2], exact, atol=2 * 1.2e-6 * RATE)
+    # The middle difference of a turn of ω/60 a sample is short by (ω/120)²/6 = 0.46 %: a sine of half the angle.
+    assert_allclose(trajectory.angular_velocity("ball")[inside], [[0, SPIN, 0]] * (len(exact)), atol=5e-3 * SPIN)
+    assert_allclose(trajectory.position("floor"), 0.0)
 
 
 def test_packed_poses_come_back_within_half_a_step_of_rounding():

@@ -25,9 +25,9 @@ from reference.compare import ALL_CASES, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
 from reference.isolate import stop_workers
-from reference.results import Job, JobResult
+from reference.results import Job, JobResult, Series
 from reference.scenarios import catalogue
-from reference.study import _series, longest_first, order_of, plan, run_job, run_jobs, run_safely
+from reference.study import longest_first, order_of, plan, run_job, run_jobs, run_safely
 
 DROPPED, SLIDING = catalogue()["dropped-ball"], catalogue()["sliding-slab"]
 GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
@@ -241,7 +241,7 @@ def test_a_curve_has_a_gap_where_its_value_is_not_finite():
     engine, scenario = load_engine("handwritten"), DROPPED.case(DROPPED.curve.case).scenarios[0]
     trajectory = engine.run(scenario, engine.settings(scenario, "tuned").change(timestep=0.01))
     values = np.where(trajectory.times < 0.105, np.inf, 1.0)
-    curve = _series(replace(DROPPED, curve=replace(DROPPED.curve, values=lambda _: values)), trajectory)
+    curve = Series.of(replace(DROPPED, curve=replace(DROPPED.curve, values=lambda _: values)), trajectory)
     assert curve.times == pytest.approx(trajectory.times[11:])
     assert set(curve.values) == {1.0}
 
