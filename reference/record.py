@@ -37,7 +37,7 @@ GRID_DIGITS = 11
 
 def jobs_of(family: Family, engine: str) -> list[Job]:
     """The runs that a recording takes: all cases in each profile with the studies, and the grid at each timestep."""
-    found = []
+    found: list[Job] = []
     for profile in profiles_of(load_engine(engine), family):
         whole = Job(family.name, engine, profile, with_poses=True)
         found.append(replace(whole, with_studies=True))
@@ -73,10 +73,11 @@ def why_stale(family: Family, engine: str, folder: Path | None = None) -> str:
     for job in jobs_of(family, engine):
         taken = content["profiles"].get(job.profile)
         if not taken or taken["quantities"] != [quantity.name for quantity in family.quantities]:
-            return f"{job}: not recorded, or with other quantities"
+            return f"{job.profile} is not recorded, or with other quantities"
         for case in job.chosen(family):
             if why := _why_stale(case, job, taken["entries"], tracks):
-                return f"{job}: {case.name} {why}"
+                at = "".join(f" at a {name} of {value} s" for name, value in job.changes)
+                return f"{job.profile}, {case.name}{at} {why}"
     return ""
 
 

@@ -249,7 +249,7 @@ def test_what_is_of_todays_scenarios_is_not_stale_and_what_is_not_says_why(cradl
     first, *others = family.cases
     other = replace(first, scenarios=(replace(first.scenarios[0], duration=9.0),))
     changed = replace(family, cases=(other, *others))
-    assert why_stale(changed, "handwritten", folder).endswith("3 touching has changed since it was recorded")
+    assert why_stale(changed, "handwritten", folder) == "tuned, 3 touching has changed since it was recorded"
     assert why_stale(replace(family, quantities=family.quantities[1:]), "handwritten", folder)
     assert why_stale(family, "mujoco", folder) == "never recorded"
     monkeypatch.setattr(type(load_engine("handwritten")), "version", lambda self: "0.0")
