@@ -10,7 +10,7 @@ import numpy as np
 from reference import truth
 from reference.engines.base import COMPLIANT, EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
-from reference.grid import Grid, Parameter
+from reference.grid import TENTHS, Grid, Parameter
 from reference.scenario import Body, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -166,7 +166,7 @@ TWO_BALLS = Family(
     convergence=Convergence("e=1,m=1,b=0.5", "way"),
     grid=Grid(
         (
-            Parameter("restitution", "", (0.0, 0.2, 0.4, 0.5, 0.6, 0.8, 1.0), 1.0),
+            Parameter("restitution", "", TENTHS, 1.0),
             Parameter("mass", "kg", (1 / 3, 1.0, 3.0, 1e6), 1.0),
             Parameter("offset", "", (0.0, 0.3, 0.5, 0.8), 0.5),
         ),
