@@ -190,7 +190,7 @@ def _why_not(family: Family, engine: Engine, job: Job, known: bool) -> str:
     wish = ", ".join(f"{name}={value}" for name, value in (*job.at, *job.changes))
     if not wish:
         return f"{absent}, and this case was never recorded"
-    hint = "" if others or job.at or not family.grid else f"; some is with --at {family.grid.names[0]}=…"
+    hint = "" if others or job.at or not family.grid else f"; with --at {family.grid.names[0]}=… some was"
     return f"{absent}, and with {wish} nothing was recorded{hint}"
 
 

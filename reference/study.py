@@ -96,6 +96,9 @@ def _place(family: Family, at: Mapping[str, float], cases: Sequence[str]) -> dic
         raise InvalidInput(f"{family.name} has no parameters that can be moved; these have: {others}")
     if cases:
         raise InvalidInput(f"{family.name}/{cases[0]} is one case, and so is what parameters make; name one of the two")
+    for name in at:
+        if name not in family.grid.names:
+            raise UnknownName(f"parameter of {family.name}", name, family.grid.names)
     return family.grid.full(at)
 
 

@@ -210,7 +210,7 @@ def test_with_verbose_it_logs_what_is_run():
         (["incline", "--at", "friction=2"], "friction is 2.0; it must be a number from 0 to 1"),
         (
             ["incline", "--at", "frictoin=1"],
-            "unknown parameter 'frictoin'. Did you mean 'friction'? Choices: friction, angle.",
+            "unknown parameter of incline 'frictoin'. Did you mean 'friction'? Choices: friction, angle.",
         ),
         (["stack", "--at", "friction=1"], "stack has no parameters that can be moved; these have: "),
         ([*QUICK, "--at", "restitution=0.5"], "ball-to-rest/e=0.5 is one case, and so is what parameters make"),
@@ -314,12 +314,30 @@ def without_mujoco(tmp_path, monkeypatch) -> Iterator[None]:
 
 @pytest.mark.usefixtures("without_mujoco")
 def test_a_missing_engine_answers_at_the_nearest_recorded_point_and_all_others_too():
-    wish = "two-walls", "--at", "restitution=0.87", "--timestep", "0.003", "--cases", "--profile", "tuned"
+    wish = "ball-to-rest", "--at", "restitution=0.57", "--timestep", "0.003", "--cases", "--profile", "tuned"
     said = collisions("compare", *wish, "--engine", "handwritten", "--engine", "mujoco")
-    assert "two-walls: restitution 0.87 → 0.9, timestep 3 ms → 2 ms: MuJoCo answers from recordings" in said.text
-    assert re.search(
-        r"e=0.9 1.1810 m/s expected hand-written, tuned 1.18\d* m/s .* MuJoCo\*, tuned 1.1\d+ m/s", said.text
-    )
+    assert "ball-to-rest: restitution 0.57 → 0.6, timestep 3 ms → 2 ms: MuJoCo answers from recordings" in said.text
+    # √(2h/g) (1 + e)/(1 − e) = 0.451524 · 1.6/0.4
+    assert "e=0.6 1.8061 s expected hand-written, tuned 1.8061 s" in said.text
+    assert re.search(r"MuJoCo\*, tuned 1\.[78]\d* s", said.text)
+
+
+@pytest.mark.usefixtures("without_mujoco")
+def test_an_engine_that_is_missing_is_not_recorded_and_its_recordings_stay(tmp_path):
+    said = collisions("record", "cradle", "--engine", "mujoco", "--out", tmp_path / "new")
+    assert (said.code, said.text) == (3, "MuJoCo is not installed here: its recordings stay as they are.")
+    assert not (tmp_path / "new").exists()
+
+
+def test_only_what_is_stale_is_recorded_and_sizes_are_printed(tmp_path, installed):
+    installed("mujoco")
+    wish = "record", "parting-ball", "--engine", "mujoco", "--only-stale", "--out", tmp_path
+    first, again = collisions(*wish), collisions(*wish)
+    assert first.text.startswith("parting-ball in MuJoCo: never recorded kB of numbers + poses MuJoCo parting-ball ")
+    assert sorted(path.name for path in (tmp_path / "mujoco").iterdir()) == ["parting-ball.json", "parting-ball.npz"]
+    assert (again.code, again.text) == (0, "All recordings are of today's scenarios and settings.")
+    refused = collisions("record", "parting-ball/v=0.1")
+    assert (refused.code, "'parting-ball/v=0.1' is one case" in refused.error) == (2, True)
 
 
 def test_what_is_set_reaches_the_run():

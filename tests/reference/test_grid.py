@@ -79,7 +79,7 @@ def test_a_plan_takes_parameters_with_defaults_for_the_rest_and_refuses_what_mak
     assert str(job) == "incline, friction 0.3, angle 25 in handwritten, tuned"
     with pytest.raises(InvalidInput, match=r"stack has no parameters that can be moved; these have: .*dropped-ball"):
         study.plan([catalogue()["stack"]], ["handwritten"], at={"restitution": 0.5})
-    with pytest.raises(UnknownName, match="unknown parameter 'restitution'"):
+    with pytest.raises(UnknownName, match="unknown parameter of incline 'restitution'"):
         study.plan([incline], ["handwritten"], at={"restitution": 0.5})
     with pytest.raises(InvalidInput, match="name one of the two"):
         study.plan([incline], ["handwritten"], cases={"incline": ("μ=0.1,θ=3°",)}, at={"angle": 25.0})

@@ -239,7 +239,8 @@ def test_a_familys_own_case_at_a_timestep_of_the_grid_is_found_if_it_is_a_point_
     rows = recall(Job("cradle", "handwritten", "tuned", changes=(("timestep", 2e-3),)), folder).rows
     missing = {row.case for row in rows if row.verdict is Verdict.NOT_AVAILABLE}
     assert missing == {"3 touching", "5, 1 mm apart, two struck"}
-    assert next(row for row in rows if row.case in missing).note.endswith("recorded; some is with --at balls=…")
+    why = next(row.note for row in rows if row.case in missing)
+    assert why.endswith("with timestep=0.002 nothing was recorded; with --at balls=… some was")
 
 
 def test_what_is_of_todays_scenarios_is_not_stale_and_what_is_not_says_why(cradle, monkeypatch):

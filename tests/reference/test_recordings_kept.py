@@ -88,13 +88,16 @@ def test_a_replay_starts_where_its_scenario_does_and_lasts_as_long():
 
 
 def same(now: Row, then: Row) -> None:
-    assert (now.case, now.quantity, now.verdict) == (then.case, then.quantity, then.verdict)
-    if now.measured is None:
-        assert then.measured is None
+    assert (now.case, now.quantity) == (then.case, then.quantity)
+    if now.measured is None or then.measured is None:
+        assert (now.measured, now.verdict) == (then.measured, then.verdict)
         return
     # Another processor rounds differently, and thousands of steps add that up: far below what is judged by.
     near = max(1e-6 * abs(then.measured), 0.01 * (then.tolerance or 0.0), 1e-9)
     assert math.isclose(now.measured, then.measured, rel_tol=0, abs_tol=near), (now.case, now.quantity)
+    # A way that is a t dt/2 long is, at a timestep of t/1000, off by just the 0.1 % that are accepted.
+    on_edge = then.tolerance and math.isclose(abs(then.error), then.tolerance, rel_tol=1e-6)
+    assert now.verdict == then.verdict or on_edge, (now.case, now.quantity)
 
 
 @pytest.mark.slow
