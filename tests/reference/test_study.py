@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from reference import isolate
+from reference import isolate, recording
 from reference.compare import ALL_CASES, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
@@ -569,7 +569,10 @@ def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_i
 
 
 @pytest.mark.parametrize("name", ["pybullet", "mujoco"])
-def test_an_engine_that_cannot_be_imported_gives_one_row_that_says_how_to_get_it(name, tmp_path, monkeypatch):
+def test_an_engine_that_cannot_be_imported_nor_was_recorded_gives_one_row_that_says_how_to_get_it(
+    name, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(recording, "FOLDER", tmp_path)
     (tmp_path / f"{name}.py").write_text("raise ImportError('a library of it is missing')\n")
     monkeypatch.syspath_prepend(tmp_path)  # workers get this path too
     stop_workers()  # those that are idle have the old one
