@@ -165,6 +165,7 @@ def _reads_hand_written(job: Job) -> bool:
 
 def _shared(job: Job) -> Job:
     """The job without what it does not hang on: a student's own code need not cost new runs of PyBullet."""
+    job = dataclasses.replace(job, snapped="")
     return job if _reads_hand_written(job) else dataclasses.replace(job, implementation="")
 
 

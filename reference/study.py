@@ -28,17 +28,17 @@ from reference.family import Case, Family
 from reference.implementation import Implementation
 from reference.isolate import run_isolated, stop_workers
 from reference.question import Question
+from reference.recording import track_of
+from reference.replay import Track
 from reference.results import Errors, Job, JobResult, Series
 from reference.scenarios import catalogue
 from reference.settings import Option
 from reference.shares import split
-from reference.trajectory import Trajectory
 
 TIME_LIMIT = 300.0
 """Wall-clock limit of one job, s."""
 ROUNDING = 1e-9
 """Errors below this share of the value are rounding: no order can be read off them."""
-PLOTTED_POINTS = 600
 _STOP_INTERVAL = 0.05
 """Time between two rounds of stopping workers, s: enough for a thread to see that its worker is gone."""
 
@@ -53,18 +53,20 @@ def plan(
     implementation: str = "solutions",
     changes: Mapping[str, Option] | None = None,
     with_studies: bool = False,
+    at: Mapping[str, float] | None = None,
 ) -> list[Job]:
     """List the jobs that compare these families in these engines, each job once.
 
-    Where no profiles are named an engine runs in all that it has, and where no cases are, a family runs all of its own.
+    Where no profiles are named an engine runs in all that it has, and where no cases are, a family runs all of its own;
+    or, where parameters are given, one case `at` these values.
 
     Raises
     ------
     UnknownName
         If none of these engines has a profile that is asked for in any of these families, an engine has no setting
-        that is to be changed, or a family has no such case.
+        that is to be changed, or a family has no such case or parameter.
     InvalidInput
-        If a case cannot be run with the changed settings.
+        If a case cannot be run with the changed settings, or a parameter is out of range.
     """
     families, changes = list(families), dict(changes or {})
     loaded = {name: load_engine(name, Implementation(implementation)) for name in engines}
@@ -75,15 +77,29 @@ def plan(
     jobs = []
     for family in families:
         wanted = tuple(dict.fromkeys((cases or {}).get(family.name, ())))
-        chosen = [family.case(case) for case in wanted] or family.cases
+        place = tuple(_place(family, at, wanted).items()) if at else ()
+        chosen = [family.case(case) for case in wanted] or Job(family.name, "", "", at=place).chosen(family)
         for name, engine in loaded.items():
             has = profiles_of(engine, family)
             for profile in profiles or has:
                 if profile in has:  # or it is another engine's word, or another family's
                     _check(engine, profile, chosen, changes)
                     fixed = tuple(sorted(changes.items()))
-                    jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies))
+                    jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies, place))
     return list(dict.fromkeys(jobs))
+
+
+def _place(family: Family, at: Mapping[str, float], cases: Sequence[str]) -> dict[str, float]:
+    """All parameters of a family, with defaults for those that nobody named."""
+    if family.grid is None:
+        others = ", ".join(each.name for each in catalogue().values() if each.grid is not None)
+        raise InvalidInput(f"{family.name} has no parameters that can be moved; these have: {others}")
+    if cases:
+        raise InvalidInput(f"{family.name}/{cases[0]} is one case, and so is what parameters make; name one of the two")
+    for name in at:
+        if name not in family.grid.names:
+            raise UnknownName(f"parameter of {family.name}", name, family.grid.names)
+    return family.grid.full(at)
 
 
 def _check(engine: Engine, profile: str, cases: Iterable[Case], changes: Mapping[str, Option]) -> None:
@@ -113,7 +129,7 @@ def longest_first(jobs: Iterable[Job]) -> list[Job]:
 def _steps(job: Job) -> float:
     """Steps that a job takes, times what moves in each: what its duration goes with, roughly."""
     engine, family = load_engine(job.engine), catalogue()[job.family]
-    scenarios = [each for case in family.cases if not job.cases or case.name in job.cases for each in case.scenarios]
+    scenarios = [each for case in job.chosen(family) for each in case.scenarios]
     moving = sum(each.duration * sum(not body.immovable for body in each.bodies) for each in scenarios)
     try:
         return moving / engine.settings(scenarios[0], job.profile).change(**dict(job.changes)).timestep
@@ -198,17 +214,17 @@ def run_job(job: Job) -> JobResult:
     version, has = engine.version(), profiles_of(engine, family)
     engine.module()  # where it cannot be imported, nothing is asked of it
     asked, rows = Question.of(family, engine), list[Row]()
-    series, shown = None, ""
-    for case in family.cases:
-        if job.cases and case.name not in job.cases:
-            continue
+    series, shown, tracks = None, "", list[Track]()
+    for case in job.chosen(family):
         settings = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
         found, trajectories = compare_case(family, case, engine, job.profile, settings)
         rows += found
         if case.name == family.curve.case or not shown:
             shown = settings.describe()
-        if case.name == family.curve.case and trajectories:
-            series = _series(family, trajectories[0])
+        if trajectories and not job.grid and (job.at or case.name == family.curve.case):
+            series = Series.of(family, trajectories[0])
+        if trajectories and job.with_poses:
+            tracks.append(track_of(job, engine, case, settings, trajectories[0]))
         if case == asked.case:
             asked.remember(settings, trajectories)
     convergence = _convergence(asked, family.convergence.factors, job) if job.with_studies else None
@@ -224,16 +240,9 @@ def run_job(job: Job) -> JobResult:
         series,
         convergence,
         splits,
+        poses=tuple(tracks),
         seconds=time.perf_counter() - start,
     )
-
-
-def _series(family: Family, trajectory: Trajectory) -> Series:
-    end = family.curve.until or trajectory.times[-1]
-    times, values = trajectory.times, family.curve.values(trajectory)
-    inside = np.flatnonzero((times <= end) & np.isfinite(values))
-    kept = inside[:: max(1, len(inside) // PLOTTED_POINTS)]
-    return Series(tuple(np.round(times[kept], 6).tolist()), tuple(np.round(values[kept], 7).tolist()))
 
 
 def _convergence(asked: Question, factors: Sequence[float], job: Job) -> Errors | None:

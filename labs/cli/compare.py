@@ -22,6 +22,12 @@ def compare(
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="Another setting, in the engine's words.", show_default=False),
     ] = None,
+    at: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--at", metavar="NAME=VALUE", help="A scenario's parameter instead of its cases.", show_default=False
+        ),
+    ] = None,
     implementation: jobs.Implementations = "solutions",
     workers: jobs.Workers = None,
     fresh: jobs.Fresh = False,
@@ -31,7 +37,7 @@ def compare(
 
     For example:  collisions compare dropped-ball --profile tuned --cases
     """
-    planned = jobs.planned(scenario, engine, profile, implementation, timestep, assignments)
+    planned = jobs.planned(scenario, engine, profile, implementation, timestep, assignments, parameters=at)
     results = jobs.run(planned, workers, Cache(fresh=fresh))
     print_comparison(output, sections(results), cases)
     raise typer.Exit(jobs.exit_code(results))

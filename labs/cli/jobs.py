@@ -12,6 +12,7 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors
+from reference import checks
 from reference.cache import Cache
 from reference.compare import Verdict, failures, without_answer
 from reference.engines import engine_names
@@ -20,9 +21,11 @@ from reference.family import Family
 from reference.results import Job, JobResult
 from reference.scenarios import catalogue, find
 from reference.settings import Option
+from reference.snapping import snapped
 from reference.study import longest_first, plan, recall, run_jobs
 
 FAILED, COULD_NOT_COMPARE = 1, 3
+SETTING, PARAMETER = "--set contact_erp=0.2 with --engine pybullet", "--at restitution=0.4"
 
 Scenarios = Annotated[
     list[str] | None,
@@ -51,13 +54,16 @@ def planned(
     timestep: float | None = None,
     assignments: Sequence[str] | None = None,
     with_studies: bool = False,
+    parameters: Sequence[str] | None = None,
 ) -> list[Job]:
-    """List the jobs that a command line asks for."""
+    """List the jobs that a command line asks for; they are at a recorded point where an engine has nothing else."""
     families, cases = _chosen(scenarios or [])
-    changes: dict[str, Option] = dict(_assignment(text) for text in assignments or [])
+    changes: dict[str, Option] = dict(_assignment(text, SETTING) for text in assignments or [])
+    at = dict(_parameter(text) for text in parameters or [])
     if timestep is not None:
         changes["timestep"] = timestep
-    return plan(families, engines or engine_names(), profiles or (), cases, implementation, changes, with_studies)
+    engines = engines or engine_names()
+    return snapped(plan(families, engines, profiles or (), cases, implementation, changes, with_studies, at))
 
 
 def _chosen(names: Sequence[str]) -> tuple[list[Family], dict[str, tuple[str, ...]]]:
@@ -73,13 +79,17 @@ def _chosen(names: Sequence[str]) -> tuple[list[Family], dict[str, tuple[str, ..
     return families, {name: tuple(dict.fromkeys(cases)) for name, cases in wanted.items() if cases}
 
 
-def _assignment(text: str) -> tuple[str, Option]:
+def _parameter(text: str) -> tuple[str, float]:
+    """`name=value` of a scenario's parameter."""
+    name, value = _assignment(text, PARAMETER)
+    return name, checks.finite(name, value)  # type: ignore[arg-type]
+
+
+def _assignment(text: str, example: str) -> tuple[str, Option]:
     """`name=value` of a setting; the settings themselves say what kind of value it takes."""
     name, equals, value = text.partition("=")
     if not equals or not name or not value:
-        raise InvalidInput(
-            f"--set {text!r} is not of the form name=value, such as contact_erp=0.2 with --engine pybullet"
-        )
+        raise InvalidInput(f"{example.split()[0]} {text!r} is not of the form name=value, such as {example}")
     return name.strip().replace(" ", "_").replace("-", "_"), value.strip()
 
 

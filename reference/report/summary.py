@@ -13,7 +13,7 @@ from pathlib import Path
 
 from reference.compare import TUNED, Row, Verdict
 from reference.engines import engine_names
-from reference.family import Family, Quantity
+from reference.family import Case, Family, Quantity
 from reference.report import numbers
 from reference.results import JobResult
 from reference.scenarios import catalogue
@@ -177,10 +177,16 @@ class Section:
     lines: tuple[Line, ...]
 
     @cached_property
+    def _asked(self) -> dict[str, Case]:
+        """The cases that were asked for, by name; the family's own too."""
+        moved = (case for line in self.lines if line.result.job.at for case in line.result.job.chosen(self.family))
+        return {case.name: case for case in (*self.family.cases, *moved)}
+
+    @cached_property
     def cases(self) -> tuple[str, ...]:
         """The cases that were run, in the family's order; all of them where no line has any number."""
         run = {row.case for line in self.lines for row in line.result.rows}
-        names = tuple(case.name for case in self.family.cases)
+        names = tuple(self._asked)
         return tuple(name for name in names if name in run) or names
 
     @property
@@ -196,7 +202,7 @@ class Section:
         """What theory says of a quantity in one case; empty where it has no figure."""
         rows = (line.row(case, quantity.name) for line in self.lines)
         compared = next((row.expected for row in rows if row is not None and row.expected is not None), None)
-        value = quantity.theory(self.family.case(case)) if compared is None else compared
+        value = quantity.theory(self._asked[case]) if compared is None else compared
         return "" if value is None else numbers.quantity(value, quantity.unit)
 
     def remarks(self) -> list[tuple[str, list[str]]]:
@@ -261,8 +267,10 @@ def title_of(result: JobResult) -> str:
 
 
 def recordings(results: Iterable[JobResult]) -> list[str]:
-    """What was not run here but recorded elsewhere: each recording once."""
-    return list(dict.fromkeys(result.recording for result in results if result.recording))
+    """What was not run here but recorded elsewhere, each recording once, and what was moved to a recorded point."""
+    results = list(results)
+    notes = [result.recording for result in results] + [result.job.snapped for result in results]
+    return list(dict.fromkeys(note for note in notes if note))
 
 
 def columns(found: Sequence[Section]) -> list[str]:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from reference import geometry, measure, truth
 from reference.engines.base import COMPLIANT, EXACT, INTERPOLATED, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.grid import TENTHS, Grid, Parameter
 from reference.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -18,6 +19,8 @@ DROP_HEIGHT = 1.0
 """Gap below the ball at the start, m; the mean one where drops are jittered."""
 DROPS = 107
 """Drops in an ensemble, a prime: whatever the timestep, their phases within a step come out evenly spread."""
+GRID_DROPS = 7
+"""The same for a point of the grid: there are many of them, and the rest is one more step of a drop in seven."""
 SPREAD = 0.1
 """The fall times of an ensemble span this, s: whole steps of 1/60 s and 4 ms, and of whatever divides these."""
 WINDOW = 5.0
@@ -49,7 +52,8 @@ def dropped(family: str, restitution: float, falling: Falling, count: int = DROP
 
     Their number, a prime, makes the phases come out evenly spread as well.
     """
-    fall, name = truth.fall_time(DROP_HEIGHT, GRAVITY), f"e={restitution:g}"
+    fall = truth.fall_time(DROP_HEIGHT, GRAVITY)
+    name = f"e={restitution:g}" + (f",drops={count}" if count == GRID_DROPS else "")
     falls = [fall + SPREAD * (drop - count // 2) / count for drop in range(count)]
     scenarios = tuple(
         falling(
@@ -177,6 +181,11 @@ DROPPED_BALL = Family(
     ),
     curve=Curve("e=0.5", "One drop at e = 0.5", "gap below the ball, m", _gap),
     convergence=Convergence("e=0.5", "rebound"),
+    grid=Grid(
+        (Parameter("restitution", "", (*TENTHS[:10], 0.95, 1.0), 0.5),),
+        (2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2),
+        lambda restitution: dropped("dropped-ball", restitution, falling_ball, GRID_DROPS),
+    ),
 )
 
 
@@ -271,6 +280,7 @@ BALL_TO_REST = Family(
     ),
     curve=Curve("e=0.8", "The bounces at e = 0.8", "gap below the ball, m", _gap, until=5.0),
     convergence=Convergence("e=0.5", "rest_time", (2.0, 1.0, 0.5, 0.25, 0.125), every_step=True),
+    grid=Grid((Parameter("restitution", "", TENTHS[1:10], 0.5),), (1e-3, 2e-3, 5e-3), _to_rest),
 )
 
 FAMILIES = (DROPPED_BALL, BALL_TO_REST)

@@ -8,6 +8,7 @@ from reference import truth
 from reference.engines.base import EXACT, Method
 from reference.errors import RunFailed
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.grid import TENTHS, Grid, Parameter
 from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -95,6 +96,11 @@ CORNER = Family(
     ),
     curve=Curve("e=0.8", "Both at once at e = 0.8", "distance from the corner, m", _distance),
     convergence=Convergence("e=0.8", "kept_by_floor"),
+    grid=Grid(
+        (Parameter("restitution", "", TENTHS[1:], 0.8), Parameter("later", "s", (0.0, 5e-4, 2e-2), 0.0)),
+        (1e-3, 2e-3, 5e-3),
+        _corner,
+    ),
 )
 
 
@@ -203,6 +209,7 @@ TWO_WALLS = Family(
     ),
     curve=Curve("e=0.8", "To and fro at e = 0.8", "place, m", lambda trajectory: trajectory.position("ball")[:, 0]),
     convergence=Convergence("e=0.8", "last_impact"),
+    grid=Grid((Parameter("restitution", "", TENTHS[5:], 0.8),), (5e-4, 1e-3, 2e-3, 5e-3), _between),
 )
 
 FAMILIES = (CORNER, TWO_WALLS)

@@ -18,6 +18,7 @@ import pytest
 from program import Said, collisions
 
 from labs.cli import jobs, main
+from reference import snapping
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.isolate import stop_workers
@@ -179,6 +180,15 @@ def test_with_verbose_it_logs_what_is_run():
         ([*QUICK, "--set", "timestep=soon"], "timestep is 'soon'; it must be a number"),
         ([*QUICK, "--set", "policy"], "--set 'policy' is not of the form name=value, such as"),
         ([*QUICK, "--set", "[bold]"], "--set '[bold]' is not of the form name=value, such as"),
+        (["incline", "--at", "friction"], "--at 'friction' is not of the form name=value, such as"),
+        (["incline", "--at", "friction=much"], "friction is 'much'; it must be a number"),
+        (["incline", "--at", "friction=2"], "friction is 2.0; it must be a number from 0 to 1"),
+        (
+            ["incline", "--at", "frictoin=1"],
+            "unknown parameter of incline 'frictoin'. Did you mean 'friction'? Choices: friction, angle.",
+        ),
+        (["stack", "--at", "friction=1"], "stack has no parameters that can be moved; these have: "),
+        ([*QUICK, "--at", "restitution=0.5"], "ball-to-rest/e=0.5 is one case, and so is what parameters make"),
         ([*QUICK, "--set", "=3"], "--set '=3' is not of the form name=value, such as"),
         ([*QUICK, "--set", "policy="], "--set 'policy=' is not of the form name=value, such as"),
         (
@@ -252,6 +262,57 @@ def test_a_setting_may_be_written_as_it_is_printed():
     for text in ("shortest_flight=3", "shortest-flight = 3", "shortest flight=3"):
         (job,) = jobs.planned([QUICK[0]], ["handwritten"], ["tuned"], assignments=[text])
         assert job.changes == (("shortest_flight", "3"),)
+
+
+def test_parameters_take_the_place_of_the_cases_and_may_have_any_value_in_range():
+    found = jobs.planned(["incline"], ["handwritten"], ["tuned"], parameters=["friction=0.123", "angle = 7"])
+    assert [job.at for job in found] == [(("friction", 0.123), ("angle", 7.0))]
+    rest = "ball-to-rest", "--engine", "handwritten", "--profile", "tuned", "--at", "restitution=0.37", "--cases"
+    # √(2h/g) (1 + e)/(1 − e) = 0.451524 · 1.37/0.63
+    assert "e=0.37 0.98188 s expected hand-written, tuned 0.98188 s" in collisions("compare", *rest).text
+
+
+@pytest.fixture
+def without_mujoco(tmp_path, monkeypatch) -> Iterator[None]:
+    """MuJoCo cannot be imported, neither here nor in a worker."""
+
+    def forget() -> None:
+        stop_workers()  # those that are idle have the old path
+        snapping.absent.cache_clear()
+
+    (tmp_path / "mujoco.py").write_text("raise ImportError('not here')")
+    monkeypatch.syspath_prepend(tmp_path)
+    forget()
+    yield
+    forget()
+
+
+@pytest.mark.usefixtures("without_mujoco")
+def test_a_missing_engine_answers_at_the_nearest_recorded_point_and_all_others_too():
+    wish = "ball-to-rest", "--at", "restitution=0.57", "--timestep", "0.003", "--cases", "--profile", "tuned"
+    said = collisions("compare", *wish, "--engine", "handwritten", "--engine", "mujoco")
+    assert "ball-to-rest: restitution 0.57 → 0.6, timestep 3 ms → 2 ms: MuJoCo answers from recordings" in said.text
+    # √(2h/g) (1 + e)/(1 − e) = 0.451524 · 1.6/0.4
+    assert "e=0.6 1.8061 s expected hand-written, tuned 1.8061 s" in said.text
+    assert re.search(r"MuJoCo\*, tuned 1\.[78]\d* s", said.text)
+
+
+@pytest.mark.usefixtures("without_mujoco")
+def test_an_engine_that_is_missing_is_not_recorded_and_its_recordings_stay(tmp_path):
+    said = collisions("record", "cradle", "--engine", "mujoco", "--out", tmp_path / "new")
+    assert (said.code, said.text) == (3, "MuJoCo is not installed here: its recordings stay as they are.")
+    assert not (tmp_path / "new").exists()
+
+
+def test_only_what_is_stale_is_recorded_and_sizes_are_printed(tmp_path, installed):
+    installed("mujoco")
+    wish = "record", "parting-ball", "--engine", "mujoco", "--only-stale", "--out", tmp_path
+    first, again = collisions(*wish), collisions(*wish)
+    assert first.text.startswith("parting-ball in MuJoCo: never recorded kB of numbers + poses MuJoCo parting-ball ")
+    assert sorted(path.name for path in (tmp_path / "mujoco").iterdir()) == ["parting-ball.json", "parting-ball.npz"]
+    assert (again.code, again.text) == (0, "All recordings are of today's scenarios and settings.")
+    refused = collisions("record", "parting-ball/v=0.1")
+    assert (refused.code, "'parting-ball/v=0.1' is one case" in refused.error) == (2, True)
 
 
 def test_what_is_set_reaches_the_run():

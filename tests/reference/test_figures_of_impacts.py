@@ -115,7 +115,13 @@ def test_the_tolerance_of_a_rod_is_that_of_a_step_s_weight():
     speed, dt = truth.impact_speed(0.5, G), 1e-3
     found = impulse.expect(case, Settings(dt), Method(AT_STEP))
     assert found.value == pytest.approx(1.5, rel=1e-15)
-    assert found.tolerance == pytest.approx(1e-3 + 2 * G * dt * (1 / 1.5 + 1 / 2) / speed, rel=1e-12)
+    share = G * dt * (1 / 1.5 + 1 / 2) / speed  # of the impulse: the step's weight, and g dt/2 of (1 + e) v
+    assert found.tolerance == pytest.approx(1e-3 + 1.5 * share, rel=1e-12)
+    aside, spin = family.case("e=0.5,x=0.25"), family.quantity("spin")
+    found = spin.expect(aside, Settings(dt), Method(AT_STEP))
+    assert found.tolerance == pytest.approx(0.5e-3 * speed / 0.5 + found.value * share, rel=1e-12)  # ω goes with j
+    found = impulse.expect(case, Settings(dt), Method(AT_STEP, weighed=1.0))  # g dt is turned back: (1 + e) g dt
+    assert found.tolerance == pytest.approx(1e-3 + 1.5 * G * dt * (1 + 1 / 2) / speed, rel=1e-12)
     floating = catalogue()["struck-rod"]
     found = floating.quantity("impulse").expect(floating.case("e=0.5,x=0"), Settings(dt), Method(AT_STEP))
     assert (found.value, found.tolerance) == (pytest.approx(0.75, rel=1e-15), pytest.approx(1e-3, rel=1e-12))
