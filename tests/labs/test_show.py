@@ -19,6 +19,7 @@ from typer.testing import CliRunner
 from labs.cli import app, jobs, show
 from labs.demonstrations import DEMONSTRATIONS, Demonstration, find
 from labs.seen import Seen, filled
+from reference import recording
 from reference.compare import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.base import EXACT
@@ -318,7 +319,8 @@ def test_shown_a_second_time_nothing_is_run():
     assert "from the cache" not in collisions(*arguments, "--fresh").errors
 
 
-def test_engines_that_cannot_be_imported_are_named_and_the_rest_is_shown(tmp_path, monkeypatch):
+def test_engines_that_cannot_be_imported_nor_were_recorded_are_named_and_the_rest_is_shown(tmp_path, monkeypatch):
+    monkeypatch.setattr(recording, "FOLDER", tmp_path / "nothing")
     for package in ("pybullet", "mujoco"):
         (tmp_path / f"{package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
     monkeypatch.syspath_prepend(str(tmp_path))
