@@ -31,6 +31,8 @@ from reference.results import Job, JobResult
 from reference.scenarios import catalogue
 from reference.study import profiles_of
 
+OTHER_VERSION = "recorded in version"
+"""How the reason begins where nothing but the engine is another one."""
 GRID_DIGITS = 11
 """Of a number at a point of a grid: no tolerance of an engine is as fine, and the files stay half as large."""
 
@@ -67,9 +69,6 @@ def why_stale(family: Family, engine: str, folder: Path | None = None) -> str:
         return str(error)
     if content is None:
         return "never recorded"
-    made = Made(**content["made"])
-    if (here := _version(load_engine(engine))) not in ("", made.version):
-        return f"recorded with {made.engine} {made.version}; here is {here}"
     for job in jobs_of(family, engine):
         taken = content["profiles"].get(job.profile)
         if not taken or taken["quantities"] != [quantity.name for quantity in family.quantities]:
@@ -78,7 +77,8 @@ def why_stale(family: Family, engine: str, folder: Path | None = None) -> str:
             if why := _why_stale(case, job, taken["entries"], tracks):
                 at = "".join(f" at a {name} of {value} s" for name, value in job.changes)
                 return f"{job.profile}, {case.name}{at} {why}"
-    return ""
+    made, here = Made(**content["made"]), _version(load_engine(engine))
+    return f"{OTHER_VERSION} {made.version}; here is {here}" if here not in ("", made.version) else ""
 
 
 def _why_stale(case: Case, job: Job, entries: Mapping[str, Any], tracks: Mapping[tuple[str, str], Track]) -> str:
