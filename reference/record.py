@@ -16,13 +16,13 @@ from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
 from reference.errors import EngineNotInstalled, InvalidInput
 from reference.family import Case, Family
+from reference.fingerprint import fingerprint
 from reference.recording import (
     FOLDER,
     SCHEMA,
     VERSION,
     Made,
     content_of,
-    fingerprint,
     forget,
     keys_of,
     tracks_of,
