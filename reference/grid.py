@@ -101,7 +101,10 @@ class Grid:
 
 @dataclass(frozen=True)
 class Nearest:
-    """A point of a grid. at: all parameters. timestep: s, None for a profile's own. moved: what that changes, in words, or ""."""
+    """A point of a grid.
+
+    at: all parameters. timestep: s, None for a profile's own. moved: what that changes, in words, or "".
+    """
 
     at: Mapping[str, float]
     timestep: float | None
@@ -111,7 +114,7 @@ class Nearest:
 def nearest(grid: Grid, at: Mapping[str, float], timestep: float | None = None) -> Nearest:
     """The point of a grid that is nearest to a wish: each value for itself, the timestep in ratio.
 
-    `moved` is such as `restitution 0.37 → 0.4, timestep 2 ms → 2 ms`: parameters that moved, and the timestep asked for.
+    `moved` is such as `restitution 0.37 → 0.4, timestep 2 ms → 2 ms`: what moved, and a timestep if asked for.
     """
     full = grid.full(at)
     values = {each.name: each.nearest(full[each.name]) for each in grid.parameters}
