@@ -101,7 +101,10 @@ class Grid:
 
 @dataclass(frozen=True)
 class Nearest:
-    """A point of a grid. at: all parameters. timestep: s, None for a profile's own. moved: what that changes, or ""."""
+    """A point of a grid.
+
+    at: all parameters. timestep: s, None for a profile's own. moved: what that changes, in words, or "".
+    """
 
     at: Mapping[str, float]
     timestep: float | None
@@ -111,25 +114,24 @@ class Nearest:
 def nearest(grid: Grid, at: Mapping[str, float], timestep: float | None = None) -> Nearest:
     """The point of a grid that is nearest to a wish: each value for itself, the timestep in ratio.
 
-    `moved` is such as `restitution 0.37 → 0.4, timestep 2 ms → 2 ms`: all that was asked for, if any of it moved.
+    `moved` is such as `restitution 0.37 → 0.4, timestep 2 ms → 2 ms`: what moved, and a timestep if asked for.
     """
     full = grid.full(at)
     values = {each.name: each.nearest(full[each.name]) for each in grid.parameters}
-    step = None if timestep is None else nearest_timestep(grid.timesteps, timestep)
-    words = [f"{each.name} {each.said(full[each.name])} → {each.said(values[each.name])}" for each in _named(grid, at)]
-    if timestep is not None and step is not None:
+    words = [
+        f"{each.name} {each.said(full[each.name])} → {each.said(values[each.name])}"
+        for each in grid.parameters
+        if not math.isclose(full[each.name], values[each.name])
+    ]
+    if timestep is None:
+        return Nearest(values, None, ", ".join(words))
+    step = nearest_timestep(grid.timesteps, timestep)
+    if words or not math.isclose(timestep, step):
         words.append(f"timestep {1e3 * timestep:g} ms → {1e3 * step:g} ms")
-    stays = all(math.isclose(full[name], values[name]) for name in full) and (
-        timestep is None or step is None or math.isclose(timestep, step)
-    )
-    return Nearest(values, step, "" if stays else ", ".join(words))
+    return Nearest(values, step, ", ".join(words))
 
 
 def nearest_timestep(known: Iterable[float], timestep: float) -> float:
     """The timestep, s, whose ratio to the one that is asked for is nearest to 1."""
     wanted = math.log(checks.positive("timestep", timestep))
     return min(known, key=lambda each: abs(math.log(each) - wanted))
-
-
-def _named(grid: Grid, at: Mapping[str, float]) -> list[Parameter]:
-    return [parameter for parameter in grid.parameters if parameter.name in at]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import functools
 import json
 import platform
 from collections.abc import Iterable, Mapping
@@ -15,13 +16,13 @@ from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
 from reference.errors import EngineNotInstalled, InvalidInput
 from reference.family import Case, Family
+from reference.fingerprint import fingerprint
 from reference.recording import (
     FOLDER,
     SCHEMA,
     VERSION,
     Made,
     content_of,
-    fingerprint,
     forget,
     keys_of,
     tracks_of,
@@ -29,8 +30,11 @@ from reference.recording import (
 from reference.replay import Track, write_tracks
 from reference.results import Job, JobResult
 from reference.scenarios import catalogue
+from reference.settings import Settings
 from reference.study import profiles_of
 
+OTHER_VERSION = "recorded in version"
+"""How the reason begins where nothing but the engine is another one."""
 GRID_DIGITS = 11
 """Of a number at a point of a grid: no tolerance of an engine is as fine, and the files stay half as large."""
 
@@ -67,22 +71,23 @@ def why_stale(family: Family, engine: str, folder: Path | None = None) -> str:
         return str(error)
     if content is None:
         return "never recorded"
-    made = Made(**content["made"])
-    if (here := _version(load_engine(engine))) not in ("", made.version):
-        return f"recorded with {made.engine} {made.version}; here is {here}"
+    own_of = functools.cache(load_engine(engine).settings)
     for job in jobs_of(family, engine):
         taken = content["profiles"].get(job.profile)
         if not taken or taken["quantities"] != [quantity.name for quantity in family.quantities]:
             return f"{job.profile} is not recorded, or with other quantities"
         for case in job.chosen(family):
-            if why := _why_stale(case, job, taken["entries"], tracks):
+            own = own_of(case.scenarios[0], job.profile)
+            if why := _why_stale(case, job, own, taken["entries"], tracks):
                 at = "".join(f" at a {name} of {value} s" for name, value in job.changes)
                 return f"{job.profile}, {case.name}{at} {why}"
-    return ""
+    made, here = Made(**content["made"]), _version(load_engine(engine))
+    return f"{OTHER_VERSION} {made.version}; here is {here}" if here not in ("", made.version) else ""
 
 
-def _why_stale(case: Case, job: Job, entries: Mapping[str, Any], tracks: Mapping[tuple[str, str], Track]) -> str:
-    own = load_engine(job.engine).settings(case.scenarios[0], job.profile)
+def _why_stale(
+    case: Case, job: Job, own: Settings, entries: Mapping[str, Any], tracks: Mapping[tuple[str, str], Track]
+) -> str:
     settings = own.change(**dict(job.changes))
     wanted, keys = fingerprint(case, settings), keys_of(case.name, own, settings)
     takes = [entries[key] for key in keys if key in entries]

@@ -11,10 +11,9 @@ from __future__ import annotations
 
 import contextlib
 import functools
-import hashlib
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -23,9 +22,9 @@ from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
 from reference.errors import CollisionsError, InvalidInput, NotRecorded
 from reference.family import Case, Family
+from reference.fingerprint import fingerprint
 from reference.replay import Poses, Track, pack, poses_of, read_tracks, trajectory_of, unpack
 from reference.results import Errors, Job, JobResult, Series
-from reference.scenario import Scenario
 from reference.scenarios import catalogue
 from reference.settings import Settings
 from reference.shares import Share, Split
@@ -35,12 +34,6 @@ SCHEMA, VERSION = "collisions-lab/recording", 2
 FOLDER = Path(__file__).parent / "recordings"
 MARK = "*"
 """Behind the title of an engine that did not run here."""
-DIGITS = 16
-"""Of a fingerprint; that two of some ten thousand agree by chance has odds of 10⁻¹¹."""
-_SURE_DIGITS = 10
-"""Of a number in a fingerprint: two machines may round a sine differently in its sixteenth digit, not in its tenth."""
-_NOTHING = 1e-14
-"""What is smaller is zero to a fingerprint: what is left of a difference of rounded numbers."""
 
 
 @dataclass(frozen=True)
@@ -56,33 +49,6 @@ class Made:
     def __str__(self) -> str:
         where = f"Python {self.python}, {self.platform}"
         return f"{self.engine} {self.version} was recorded on {self.date} ({where}); it is not run here"
-
-
-def fingerprint(case: Case, settings: Settings) -> str:
-    """A hash of all scenarios of a case and of the settings that they ran with."""
-    return _hash([_hash_of(case.scenarios), _plain(settings)])
-
-
-@functools.lru_cache(1024)
-def _hash_of(scenarios: tuple[Scenario, ...]) -> str:
-    return _hash(_plain(scenarios))
-
-
-def _hash(known: Any) -> str:
-    return hashlib.sha256(json.dumps(known, sort_keys=True).encode()).hexdigest()[:DIGITS]
-
-
-def _plain(value: Any) -> Any:
-    """Dataclasses as dictionaries that also say of what kind they are, and numbers without their last digits."""
-    if is_dataclass(value):
-        return {"kind": type(value).__name__} | {
-            field.name: _plain(getattr(value, field.name)) for field in fields(value)
-        }
-    if isinstance(value, Mapping):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, float):
-        return float(f"{value:.{_SURE_DIGITS}g}") if abs(value) > _NOTHING else 0.0
-    return [_plain(item) for item in value] if isinstance(value, tuple) else value
 
 
 def keys_of(case: str, own: Settings, settings: Settings) -> tuple[str, ...]:
@@ -124,6 +90,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         Errors(**_tuples(taken["convergence"])) if taken["convergence"] and whole else None,
         _split(taken["split"]) if taken["split"] and whole else None,
         recording=f"{MARK} {made}",
+        poses=tuple(_poses(family, job, folder)) if job.with_poses else (),
     )
 
 
@@ -148,16 +115,29 @@ def replay(job: Job, case: str, folder: Path | None = None) -> Poses:
     """
     family, engine = catalogue()[job.family], load_engine(job.engine)
     found = next((each for each in job.chosen(family) if each.name == case), None) or family.case(case)
-    own = engine.settings(found.scenarios[0], job.profile)
-    settings = own.change(**dict(job.changes))
     known, made = tracks_of(job.engine, job.family, folder)
-    tracks = [known[job.profile, key] for key in keys_of(case, own, settings) if (job.profile, key) in known]
+    return unpack(_track(job, found, known), f"{engine.title}{MARK}", f"{MARK} {Made(**made)}")
+
+
+def _track(job: Job, case: Case, known: Mapping[tuple[str, str], Track]) -> Track:
+    """The recorded track of a case; `NotRecorded` where there is none of today's scenario and settings."""
+    own = load_engine(job.engine).settings(case.scenarios[0], job.profile)
+    settings = own.change(**dict(job.changes))
+    tracks = [known[job.profile, key] for key in keys_of(case.name, own, settings) if (job.profile, key) in known]
     if not tracks:
-        raise NotRecorded(f"{job}: no poses of {case} were recorded with these settings")
-    track = next((track for track in tracks if track.fingerprint == fingerprint(found, settings)), None)
-    if track is None:
-        raise NotRecorded(f"{job}: the poses of {case} are stale; collisions record makes new ones")
-    return unpack(track, f"{engine.title}{MARK}", f"{MARK} {Made(**made)}")
+        raise NotRecorded(f"{job}: no poses of {case.name} were recorded with these settings")
+    for track in tracks:
+        if track.fingerprint == fingerprint(case, settings):
+            return track
+    raise NotRecorded(f"{job}: the poses of {case.name} are stale; collisions record makes new ones")
+
+
+def _poses(family: Family, job: Job, folder: Path | None) -> Iterator[Track]:
+    """The tracks of those cases of a job that have one."""
+    known, _ = tracks_of(job.engine, job.family, folder)
+    for case in job.chosen(family):
+        with contextlib.suppress(CollisionsError):  # the row says why
+            yield _track(job, case, known)
 
 
 def _rows(family: Family, case: Case, engine: Engine, job: Job, taken: Mapping[str, Any]) -> list[Row]:

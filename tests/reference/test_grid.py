@@ -69,6 +69,9 @@ def test_the_nearest_point_is_nearest_in_each_value_and_in_the_ratio_of_timestep
     assert nearest_timestep((1e-3, 4e-3), 2.2e-3) == 4e-3
     assert nearest(DROPPED.grid, {"restitution": 0.37}, 2e-3).moved.endswith("timestep 2 ms → 2 ms")
     assert nearest(DROPPED.grid, {"restitution": 0.4}, 2e-3).moved == ""
+    assert nearest(DROPPED.grid, {"restitution": 0.4}, 3e-3).moved == "timestep 3 ms → 2 ms"
+    incline = catalogue()["incline"].grid
+    assert nearest(incline, {"friction": 0.4, "angle": 24.0}).moved == "angle 24° → 20°"
     assert nearest(DROPPED.grid, {"restitution": 0.96}).at == {"restitution": 0.95}
 
 

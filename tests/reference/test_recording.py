@@ -12,9 +12,10 @@ from reference import recording, study
 from reference.compare import Verdict
 from reference.engines import load_engine
 from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
+from reference.fingerprint import fingerprint
 from reference.grid import Parameter
 from reference.record import jobs_of, why_stale, write
-from reference.recording import fingerprint, recall, replay
+from reference.recording import recall, replay
 from reference.replay import poses_of
 from reference.results import Job
 from reference.scenarios import catalogue
@@ -277,6 +278,14 @@ def test_a_recorded_replay_is_that_of_the_run_itself(cradle):
         assert found.bodies == live.bodies == tuple(f"ball {number}" for number in range(1, 6))
         assert abs(found.positions - live.positions).max() <= 0.5e-5 + 1e-12  # half of 0.01 mm
         assert (found.title, found.recording[:15]) == ("hand-written*", "* hand-written ")
+
+
+def test_a_result_has_the_same_poses_whether_it_ran_here_or_was_recorded(cradle):
+    folder, results = cradle
+    for result in results[:2]:  # the cases, then the grid
+        assert [track.packed for track in recall(result.job, folder).poses] == [track.packed for track in result.poses]
+        assert result.poses
+        assert recall(replace(result.job, with_poses=False), folder).poses == ()
 
 
 def test_a_replay_that_was_not_recorded_or_is_stale_is_refused(cradle, monkeypatch):
