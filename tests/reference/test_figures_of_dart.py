@@ -288,6 +288,8 @@ def test_the_method_says_what_the_contact_does():
     engine, scenario = load_engine("dart"), falling_ball("ball", 0.5, 1.0, 1.0)
     method = engine.method(scenario, engine.settings(scenario, "tuned"))
     assert method == Method(AT_STEP, rest_speed=0.2, inset=1.0, softness=SOFTNESS, weighed=1.0)
+    (move,) = engine.moves(scenario, engine.settings(scenario, "tuned"))
+    assert (move.option, move.value) == ("solver_tolerance", pytest.approx(1e-13))  # a tenth
 
 
 def test_an_impact_too_slow_to_rebound_is_a_known_deviation_between_two_walls_and_nowhere_else():
