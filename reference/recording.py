@@ -58,11 +58,11 @@ def fingerprint(case: Case, settings: Settings) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Dataclasses as dictionaries that also say of what kind they are."""
+    """Dataclasses as dictionaries that also say of what kind they are. What may be left empty, and is, is left out."""
     if is_dataclass(value):
-        return {"kind": type(value).__name__} | {
-            field.name: _plain(getattr(value, field.name)) for field in fields(value)
-        }
+        every = ((field, getattr(value, field.name)) for field in fields(value))
+        told = {field.name: _plain(own) for field, own in every if own != () or field.default != ()}
+        return {"kind": type(value).__name__} | told
     if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in value.items()}
     return [_plain(item) for item in value] if isinstance(value, tuple) else value

@@ -15,7 +15,7 @@ from reference import geometry, measure
 from reference.engines import Engine, engine_names, load_engine
 from reference.engines.base import AT_STEP, COMPLIANT, EXACT, INTERPOLATED
 from reference.errors import CannotExpress, InvalidInput, NeedsFunction, UnknownName
-from reference.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scenario import GRAVITY, Body, Box, Force, HalfSpace, Pair, Scenario, Sphere
 from reference.scenarios import catalogue
 from reference.settings import Settings
 from reference.trajectory import Trajectory
@@ -647,3 +647,34 @@ def test_a_ball_that_lands_just_at_the_end_of_a_step_on_a_tilted_plane_bounces_o
             speeds = trajectory.velocity("ball") @ normal
             # v + g t in, the same out; rounding of 1e-14 m in the gap moves the landing by that over 0.1 m/s.
             assert speeds[-1] == pytest.approx(-speeds[0] + 2 * GRAVITY * landing - GRAVITY * end, abs=1e-9)
+
+
+# Forces
+
+
+PUSHED = replace(
+    SCENARIOS["thrown-ball"], forces=(Force("thrown", (3.0, -1.0, 0.5)), Force("thrown", (0.0, 0.0, 2.0 * GRAVITY)))
+)
+"""A ball of 2 kg whose weight one force carries, and which another one pushes."""
+
+
+@pytest.mark.parametrize("name", [name for name in ENGINES if load_engine(name).applies_forces])
+def test_constant_forces_add_up_and_give_a_free_body_their_sum_over_its_mass(name, installed):
+    engine = installed(name)
+    for profile in ("tuned", "stock"):
+        pushed = engine.run(PUSHED, engine.settings(PUSHED, profile))
+        expected = np.array([3, -2, 4]) + np.outer(pushed.times, [1.5, -0.5, 0.25])
+        # v grows by F/m dt in every step, to rounding. Bullet, stock, brakes the ball's 5.4 m/s by 0.04 (1 + v) v a
+        # second.
+        speed = np.linalg.norm([3, -2, 4]) + 0.1
+        near = DAMPING * (1 + speed) * speed * DURATION if (name, profile) == ("pybullet", "stock") else 1e-12
+        np.testing.assert_allclose(pushed.velocity("thrown"), expected, atol=near)
+        # A force at the centre turns nothing, but for rounding of where the centre is.
+        assert np.abs(pushed.angular_velocity("thrown")).max() < 1e-12
+
+
+@pytest.mark.parametrize("name", [name for name in ENGINES if not load_engine(name).applies_forces])
+def test_an_engine_that_applies_no_forces_says_so(name):
+    engine = load_engine(name)
+    with pytest.raises(CannotExpress, match="it knows no forces but weight and those of contacts"):
+        engine.run(PUSHED, engine.settings(PUSHED, "tuned"))
