@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from reference.compare import Row
+from reference.published.judging import PublishedRow
 from reference.settings import Option
 from reference.shares import Split
 
@@ -62,3 +63,38 @@ class JobResult:
     recording: str = ""
     seconds: float = field(default=0.0, compare=False)
     cached: bool = field(default=False, compare=False)
+
+    @property
+    def label(self) -> str:
+        """What a progress bar says of it."""
+        return f"{self.job.family}, {self.title}, {self.job.profile}"
+
+
+@dataclass(frozen=True)
+class PublishedJob:
+    """One published case × engine."""
+
+    case: str
+    engine: str
+    implementation: str = "solutions"
+
+    def __str__(self) -> str:
+        return f"{self.case} in {self.engine}"
+
+
+@dataclass(frozen=True)
+class PublishedResult:
+    """What a published case gave in one engine; plain data. version, recording, seconds, cached: as in `JobResult`."""
+
+    job: PublishedJob
+    title: str
+    rows: tuple[PublishedRow, ...]
+    version: str = ""
+    recording: str = ""
+    seconds: float = field(default=0.0, compare=False)
+    cached: bool = field(default=False, compare=False)
+
+    @property
+    def label(self) -> str:
+        """What a progress bar says of it."""
+        return f"{self.job.case}, {self.title}"

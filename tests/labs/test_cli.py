@@ -24,7 +24,6 @@ from reference.errors import InvalidInput
 from reference.isolate import stop_workers
 from reference.report.files import read_rows
 from reference.scenarios import catalogue
-from reference.study import run_jobs
 
 QUICK = ("ball-to-rest/e=0.5", "--engine", "handwritten")
 TUNED = (*QUICK, "--profile", "tuned")
@@ -344,7 +343,7 @@ def test_a_run_without_a_usable_answer_ends_with_3_and_the_others_are_printed(bo
 
 def test_a_run_that_hangs_is_stopped_and_ends_with_3(odd, monkeypatch):
     # 1 s: whatever the limit, it hangs for longer; what it is here only makes the test quick.
-    monkeypatch.setattr(jobs, "run_jobs", functools.partial(run_jobs, timeout=1.0))
+    monkeypatch.setattr(jobs, "TIME_LIMIT", 1.0)
     ended = collisions("compare", QUICK[0], "--profile", "tuned", "--engine", odd("time.sleep(600)"))
     assert ended.code == 3
     assert "an odd one, tuned: crashed: no answer within 1 s" in ended.text

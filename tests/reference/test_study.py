@@ -482,7 +482,7 @@ def test_a_worker_that_starts_while_the_others_are_being_stopped_is_stopped_too(
 
     late: list[threading.Thread] = []
     monkeypatch.setattr(isolate, "_take", take_late)
-    monkeypatch.setattr("reference.study.stop_workers", stop_and_say)
+    monkeypatch.setattr("reference.running.stop_workers", stop_and_say)
     with LastIsLate(2) as executor:
         results = run_jobs([job, GOOD], executor, 2 * ENOUGH)
         assert next(results).job == GOOD

@@ -1,0 +1,146 @@
+"""What the tables of published cases say, on the page and in the terminal: cells, reasons and the sum of it all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from reference.compare import Verdict
+from reference.engines import engine_names, load_engine
+from reference.published import Kind, Published, published_cases
+from reference.published.judging import PublishedRow, passes
+from reference.recording import MARK
+from reference.report.summary import AGREES, MARKS, SEVERITY
+from reference.results import PublishedResult
+
+TITLES: dict[Kind, str] = {
+    "verification": "Verification: closed forms, and methods that can be repeated digit by digit",
+    "validation": "Validation against measurement",
+    "cross-engine": "Cross-engine: what another simulator said",
+}
+
+
+@dataclass(frozen=True)
+class PublishedCell:
+    """What stands for all numbers of one case in one implementation."""
+
+    result: PublishedResult
+
+    @property
+    def rows(self) -> tuple[PublishedRow, ...]:
+        """A row a number."""
+        return self.result.rows
+
+    @cached_property
+    def verdict(self) -> Verdict:
+        """The worst verdict among the numbers that there are; where there is none, why there is none."""
+        judged = [row for row in self.rows if row.verdict is not Verdict.CANNOT_EXPRESS] or self.rows
+        return min((row.verdict for row in judged), key=SEVERITY.index)
+
+    @property
+    def text(self) -> str:
+        """`✓ 3/5`: the mark, and how many numbers agree of all that were published; `∅` alone where none was asked."""
+        agreeing = sum(row.verdict in AGREES for row in self.rows)
+        count = (
+            f" {agreeing}/{len(self.rows)}" if any(row.figure and row.measured is not None for row in self.rows) else ""
+        )
+        return f"{MARKS[self.verdict]}{count}{MARK if self.result.recording else ''}"
+
+    @property
+    def reasons(self) -> list[str]:
+        """Why a number deviates or is missing, each reason once."""
+        return list(dict.fromkeys(f"{row.verdict}: {row.note}" for row in self.rows if row.note))
+
+
+@dataclass(frozen=True)
+class PublishedLine:
+    """One case and what the implementations said, by engine."""
+
+    case: Published
+    cells: dict[str, PublishedCell]
+
+    @property
+    def found_by(self) -> list[str]:
+        """The engines that found every number as published, but for the one whose own the numbers are."""
+        return [name for name, cell in self.cells.items() if name != self.case.origin and passes(cell.rows)]
+
+
+@dataclass(frozen=True)
+class PublishedTables:
+    """All lines, in the order of the cases, and the engines, in the order of the tables."""
+
+    lines: tuple[PublishedLine, ...]
+    engines: tuple[str, ...]
+
+    @staticmethod
+    def of(results: Iterable[PublishedResult]) -> PublishedTables:
+        """Gather results by case."""
+        by_job = {(result.job.case, result.job.engine): result for result in results}
+        asked = {engine for _, engine in by_job}
+        engines = [*(name for name in engine_names() if name in asked), *sorted(asked - set(engine_names()))]
+        lines = [
+            PublishedLine(
+                case, {name: PublishedCell(by_job[key]) for name in engines if (key := (case.name, name)) in by_job}
+            )
+            for case in published_cases().values()
+        ]
+        return PublishedTables(tuple(line for line in lines if line.cells), tuple(engines))
+
+    def of_kind(self, kind: Kind) -> list[PublishedLine]:
+        """The lines of one of the three tables."""
+        return [line for line in self.lines if line.case.kind == kind]
+
+    @property
+    def rows(self) -> list[PublishedRow]:
+        """Every row of every line."""
+        return [row for line in self.lines for cell in line.cells.values() for row in cell.rows]
+
+    @property
+    def recordings(self) -> list[str]:
+        """What was not run here but recorded elsewhere: each recording once."""
+        found = [cell.result.recording for line in self.lines for cell in line.cells.values()]
+        return list(dict.fromkeys(filter(None, found)))
+
+    @property
+    def sentence(self) -> str:
+        """How many cases are found as published by an implementation whose own they are not."""
+        found = sum(bool(line.found_by) for line in self.lines)
+        of = f"{found} of {len(self.lines)} published cases"
+        return f"{of} come out as published, to every number, in an implementation that is not their own."
+
+    @property
+    def exceptions(self) -> list[str]:
+        """Each other case with what kept it from that."""
+        return [f"{line.case.name}: {_why(line)}" for line in self.lines if not line.found_by]
+
+
+def engine_title(name: str) -> str:
+    """As in the head of a column."""
+    return load_engine(name).title
+
+
+def label(case: Published, row: PublishedRow) -> str:
+    """A figure's name as a reader would say it, with what this number of it belongs to and its unit."""
+    name = row.figure.replace("_", " ")
+    labels = case.labels.get(row.figure, ())
+    which = labels[row.place - 1] if row.place and labels else str(row.place or "")
+    return f"{name} {which}".strip() if not labels else f"{name}, {which}"
+
+
+def figure(value: float | None) -> str:
+    """A number with the digits that others print."""
+    return "" if value is None else f"{value:.9g}".replace("-", "−")
+
+
+def _why(line: PublishedLine) -> str:
+    reasons: dict[str, list[str]] = {}
+    for name, cell in line.cells.items():
+        for reason in cell.reasons or [str(cell.verdict)]:
+            reasons.setdefault(reason, []).append(engine_title(name))
+    return "; ".join(f"{', '.join(names)}: {reason}" for reason, names in reasons.items())
+
+
+def seen_verdicts(rows: Sequence[PublishedRow]) -> list[Verdict]:
+    """The verdicts that occur, in the order in which they are defined."""
+    return [verdict for verdict in Verdict if any(row.verdict is verdict for row in rows)]
