@@ -35,7 +35,7 @@ class Answer:
     reason: str = ""
     shift: Figure = 0.0
     shift_reason: str = ""
-    shift_tolerance: float = 0.0
+    shift_tolerance: Figure = 0.0
 
 
 Answers = Mapping[str, Answer]

@@ -107,7 +107,8 @@ def _rows(case: Published, engine: str, figure: str, given: Answer) -> list[Publ
     tolerance = case.tolerance[figure] if given.tolerance is None else given.tolerance
     columns = [numbers_of(expected), numbers_of(given.value)]
     columns += [
-        numbers_of(part) if isinstance(part, tuple) else (part,) * max(count, 1) for part in (tolerance, given.shift)
+        numbers_of(part) if isinstance(part, tuple) else (part,) * max(count, 1)
+        for part in (tolerance, given.shift, given.shift_tolerance)
     ]
     return [
         _row(replace(blank, place=place if count else 0, note=""), case, given, *numbers)
@@ -123,9 +124,10 @@ def _row(
     measured: float,
     tolerance: float,
     shift: float,
+    shift_tolerance: float,
 ) -> PublishedRow:
     reason = given.reason or case.reason
-    expectation = Expectation(expected, tolerance, reason, shift, given.shift_reason, given.shift_tolerance)
+    expectation = Expectation(expected, tolerance, reason, shift, given.shift_reason, shift_tolerance)
     verdict = judge(measured, expectation)
     note = given.shift_reason if verdict is Verdict.KNOWN_DEVIATION else ""
     row = replace(blank, verdict=verdict, expected=expected, tolerance=tolerance, reason=reason, shift=shift, note=note)
