@@ -42,6 +42,11 @@ Answers = Mapping[str, Answer]
 """By the names of the figures that are expected."""
 
 
+def said(**figures: Figure) -> Answers:
+    """Answers that need no more than the number itself."""
+    return {name: Answer(value) for name, value in figures.items()}
+
+
 @dataclass(frozen=True)
 class Published:
     """One published case.
@@ -76,6 +81,24 @@ class Published:
     def name(self) -> str:
         """As it is cited: P15."""
         return f"P{self.number}"
+
+    def value(self, name: str) -> float:
+        """A number of the set-up."""
+        found = self.setup[name]
+        assert not isinstance(found, tuple), f"{self.name} has several numbers as {name}"
+        return found
+
+    def expected_value(self, name: str) -> float:
+        """A figure that is a single number."""
+        found = self.expected[name]
+        assert not isinstance(found, tuple), f"{self.name} expects several numbers as {name}"
+        return found
+
+    def values(self, *names: str) -> tuple[float, ...]:
+        """Several single numbers of the set-up, or all numbers of one that has several."""
+        if len(names) == 1 and isinstance(found := self.setup[names[0]], tuple):
+            return found
+        return tuple(map(self.value, names))
 
 
 @functools.cache
