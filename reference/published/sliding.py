@@ -98,7 +98,7 @@ CASES = (
         number=2,
         title="A plate is pushed from under twenty-five balls",
         statement=24,
-        kind="cross-engine",
+        kind="verification",
         source="SimBenchmark (leggedrobotics), test rolling: its closed form, and the score of a friction pyramid",
         setup={"box_mass": 10.0, "box_size": (20.0, 20.0, 1.0), "push": 150.0, "push_angle": 60.0, "balls": 25.0,
                "ball_mass": 1.0, "ball_radius": 0.5, "ground_friction": 0.4, "ball_friction": 0.8, "gravity": 9.81,
