@@ -46,7 +46,7 @@ def glycerol(case: Published, code: Implementation) -> Answers:
     lift = code.function("buoyancy")(4 / 3 * math.pi * radius**3, fluid, gravity)
     shape = code.function("sphere_shape_factor")(radius)
     drag_at_one = code.function("stokes_drag")(-speed * UP, STILL, 1.0, shape)
-    with_lift, without = (float(-(force / drag_at_one)[2]) for force in (weight + lift, weight))
+    with_lift, without = (-float(force[2] / drag_at_one[2]) for force in (weight + lift, weight))
     return said(viscosity=with_lift, viscosity_without_buoyancy=without)
 
 
