@@ -13,7 +13,7 @@ from reference.published import Answers, Published, said
 X, Y, UP = np.eye(3)
 LONG = 100.0
 """s; whatever slides here has stopped by then."""
-STEP = 0.4
+STEP = 1.0
 """s. All forces are constant, so that a step may be as long as one likes."""
 
 

@@ -11,9 +11,12 @@ from reference.engines import engine_names, load_engine
 from reference.published import Kind, Published, published_cases
 from reference.published.judging import PublishedRow, passes
 from reference.recording import MARK
+from reference.report import numbers
 from reference.report.summary import AGREES, MARKS, SEVERITY
 from reference.results import PublishedResult
 
+PRINTED = 9
+"""Digits of a number in the tables."""
 TITLES: dict[Kind, str] = {
     "verification": "Verification: closed forms, and methods that can be repeated digit by digit",
     "validation": "Validation against measurement",
@@ -59,6 +62,25 @@ class PublishedLine:
 
     case: Published
     cells: dict[str, PublishedCell]
+
+    @property
+    def reasons(self) -> list[tuple[str, list[str]]]:
+        """Why a number deviates or is missing, each reason once, with the titles of those for whom it holds."""
+        return _gathered((reason, name) for name, cell in self.cells.items() for reason in cell.reasons)
+
+    @property
+    def tolerances(self) -> list[tuple[str, list[str]]]:
+        """Why so near is near enough, in the same way."""
+        return _gathered((row.reason, name) for name, cell in self.cells.items() for row in cell.rows if row.reason)
+
+    def figures(self) -> list[dict[str, PublishedRow]]:
+        """For each published number the row of every engine that was asked for it."""
+        found: dict[tuple[str, int], dict[str, PublishedRow]] = {}
+        for name, cell in self.cells.items():
+            for row in cell.rows:
+                if row.figure:
+                    found.setdefault((row.figure, row.place), {})[name] = row
+        return list(found.values())
 
     @property
     def found_by(self) -> list[str]:
@@ -122,23 +144,25 @@ def engine_title(name: str) -> str:
 
 def label(case: Published, row: PublishedRow) -> str:
     """A figure's name as a reader would say it, with what this number of it belongs to and its unit."""
-    name = row.figure.replace("_", " ")
-    labels = case.labels.get(row.figure, ())
-    which = labels[row.place - 1] if row.place and labels else str(row.place or "")
-    return f"{name} {which}".strip() if not labels else f"{name}, {which}"
+    labels, unit = case.labels.get(row.figure), case.units.get(row.figure)
+    which = f" {labels[row.place - 1]}," if labels and row.place else f" {row.place}," if row.place else ","
+    return f"{row.figure.replace('_', ' ')}{which} {unit or ''}".rstrip(" ,")
 
 
 def figure(value: float | None) -> str:
     """A number with the digits that others print."""
-    return "" if value is None else f"{value:.9g}".replace("-", "−")
+    return "" if value is None else numbers.digits(value, PRINTED)
+
+
+def _gathered(found: Iterable[tuple[str, str]]) -> list[tuple[str, list[str]]]:
+    titles: dict[str, dict[str, None]] = {}
+    for reason, name in found:
+        titles.setdefault(reason, {})[engine_title(name)] = None
+    return [(reason, list(names)) for reason, names in titles.items()]
 
 
 def _why(line: PublishedLine) -> str:
-    reasons: dict[str, list[str]] = {}
-    for name, cell in line.cells.items():
-        for reason in cell.reasons or [str(cell.verdict)]:
-            reasons.setdefault(reason, []).append(engine_title(name))
-    return "; ".join(f"{', '.join(names)}: {reason}" for reason, names in reasons.items())
+    return "; ".join(f"{', '.join(names)}: {reason}" for reason, names in line.reasons)
 
 
 def seen_verdicts(rows: Sequence[PublishedRow]) -> list[Verdict]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rich.console import Console
+from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
@@ -30,7 +31,8 @@ LEGEND = {
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
     Verdict.CRASHED: "the run died, hung or gave no usable state",
 }
-_ALWAYS = (Verdict.FAIL, Verdict.CRASHED, Verdict.NEEDS, Verdict.NOT_AVAILABLE)
+_ALWAYS = tuple(map(str, (Verdict.FAIL, Verdict.CRASHED, Verdict.NEEDS, Verdict.NOT_AVAILABLE)))
+"""What the overview explains, too; all else is left to the cases."""
 
 
 def print_published(console: Console, tables: PublishedTables, with_cases: bool = False) -> None:
@@ -48,16 +50,17 @@ def print_published(console: Console, tables: PublishedTables, with_cases: bool 
     _print_end(console, tables, with_cases)
 
 
-def _table(*headings: str) -> Table:
-    table = Table(box=None, header_style="bold", padding=(0, 1), pad_edge=False)
+def _table(*headings: str, wrapped: int | None = None) -> Table:
+    table = Table(box=None, header_style="bold", padding=(0, 1, 0, 0), pad_edge=False)
     for place, heading in enumerate(headings):
-        table.add_column(heading, no_wrap=place != 1)
+        table.add_column(heading, no_wrap=place != wrapped)
     return table
 
 
 def _overview(tables: PublishedTables, lines: list[PublishedLine]) -> Table:
     """One line a case; in each cell how many of its numbers agree."""
-    table = _table("", "case", *(engine_title(name).replace("hand-written", "by hand") for name in tables.engines))
+    titles = (engine_title(name).replace("hand-written", "by hand") for name in tables.engines)
+    table = _table("", "case", *titles, wrapped=1)
     for line in lines:
         cells = [line.cells.get(name) for name in tables.engines]
         texts = [Text(cell.text, style=style_of(cell.verdict)) if cell else Text() for cell in cells]
@@ -71,55 +74,45 @@ def _print_case(console: Console, line: PublishedLine) -> None:
     console.print()
     console.print(Text(f"{case.name} {case.title}", style="bold"))
     console.print(Text(case.source, style="dim"))
-    table = _table("figure", "", "ours", "difference", "tolerance", "verdict")
-    rows = {name: {(row.figure, row.place): row for row in cell.rows} for name, cell in line.cells.items()}
-    for key in dict.fromkeys(key for own in rows.values() for key in own if key[0]):
-        found = {name: own[key] for name, own in rows.items() if key in own}
+    table = _table("figure", "value", "difference", "accepted", "verdict")
+    for found in line.figures():
         _add_figure(table, line, found)
     if table.row_count:
         console.print(table)
-    for reason in _reasons(line):
-        console.print(Text(f"  {reason}", style="dim"))
+    accepted = [(f"accepted: {reason}", titles) for reason, titles in line.tolerances]
+    for reason, titles in [*accepted, *line.reasons]:
+        console.print(_indented(f"{', '.join(titles)}: {reason}"))
     if case.note:
-        console.print(Text(f"  {case.note}", style="dim"))
+        console.print(_indented(case.note))
+
+
+def _indented(text: str) -> Padding:
+    return Padding(Text(text, style="dim"), (0, 0, 0, 2))
 
 
 def _add_figure(table: Table, line: PublishedLine, found: dict[str, PublishedRow]) -> None:
-    first, unit = next(iter(found.values())), line.case.units.get(next(iter(found.values())).figure, "")
+    heading = label(line.case, next(iter(found.values())))
     theirs = next((row.expected for row in found.values() if row.expected is not None), None)
-    table.add_row(
-        Text(label(line.case, first), style="bold"), Text("published"), Text(f"{figure(theirs)} {unit}", "bold")
-    )
+    table.add_row(*(Text(text, style="bold") for text in (heading, figure(theirs), "", "", "published")))
     for name, row in found.items():
-        difference = "" if row.difference is None else numbers.deviation(row.difference, unit)
-        tolerance = "" if row.tolerance is None else numbers.size(row.tolerance, unit)
+        difference = "" if row.difference is None else numbers.deviation(row.difference, "")
+        accepted = "" if row.tolerance is None else numbers.size(row.tolerance, "")
         verdict = Text(f"{MARKS[row.verdict]} {row.verdict}", style=style_of(row.verdict))
-        table.add_row("", engine_title(name), figure(row.measured), difference, tolerance, verdict)
-
-
-def _reasons(line: PublishedLine) -> list[str]:
-    """Why so near is near enough, why a number deviates, why there is none: each once, with whom it holds for."""
-    found: dict[str, dict[str, None]] = {}
-    for name, cell in line.cells.items():
-        accepted = [f"accepted: {row.reason}" for row in cell.rows if row.reason]
-        for reason in [*accepted, *cell.reasons]:
-            found.setdefault(reason, {})[engine_title(name)] = None
-    return [f"{', '.join(names)}: {reason}" for reason, names in found.items()]
+        table.add_row(f"  {engine_title(name)}", figure(row.measured), difference, accepted, verdict)
 
 
 def _print_end(console: Console, tables: PublishedTables, with_cases: bool) -> None:
     console.print()
-    if not with_cases:
-        for line in tables.lines:
-            for name, cell in line.cells.items():
-                if cell.verdict in _ALWAYS:
-                    console.print(
-                        Text(f"{line.case.name}, {engine_title(name)}: {'; '.join(cell.reasons)}", style="dim")
-                    )
+    for line in [] if with_cases else tables.lines:
+        for reason, titles in line.reasons:
+            if reason.startswith(_ALWAYS):
+                console.print(Text(f"{line.case.name}, {', '.join(titles)}: {reason}", style="dim"))
     for verdict in seen_verdicts(tables.rows):
         console.print(Text.assemble((f"{MARKS[verdict]} {verdict}", style_of(verdict)), f": {LEGEND[verdict]}"))
     for recorded in tables.recordings:
         console.print(Text(recorded))
     console.print(Text(tables.sentence, style="bold"))
     for exception in tables.exceptions:
-        console.print(Text(f"  {exception}"))
+        console.print(_indented(exception))
+    if not with_cases:
+        console.print(Text("With --cases: every number, why so near is near enough, and what is not said to whom."))
