@@ -36,5 +36,6 @@ CASES = (
         units={"point": "m/s"},
         labels=dict.fromkeys(("point", "direction"), ("x", "y")),
         by_hand=half_plane,
+        why_not={"engines": "no engine steers; it moves what is steered"},
     ),
 )

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from reference.implementation import Implementation
 from reference.published import Answers, Published, said
+from reference.published.in_engines import bouncing
 
 Array = NDArray[np.float64]
 
@@ -141,6 +142,7 @@ CASES = (
         units={"ode": "J²", "bullet": "J²"},
         labels=dict.fromkeys(("ode", "bullet"), ("10 ms", "4 ms", "1 ms", "0.4 ms", "0.1 ms")),
         by_hand=elastic_balls,
+        in_engine=bouncing.elastic_balls,
     ),
     Published(
         5,
@@ -155,6 +157,7 @@ CASES = (
         "The height is that of the centre; apexes are counted from the height of the centre at contact.",
         units={"apexes": "m"},
         by_hand=apexes,
+        in_engine=bouncing.apexes,
     ),
     Published(
         6,
@@ -169,6 +172,7 @@ CASES = (
         "Rebound over drop, both measured from the contact: e².",
         labels={"ratio": ("e = 0.5", "e = 0.8")},
         by_hand=first_rebound,
+        in_engine=bouncing.first_rebounds,
     ),
     Published(
         12,
@@ -184,6 +188,7 @@ CASES = (
         "In each step: if y − R < slop and v < 0, v' = −e v, else v' = v − g dt; then y' = y + v' dt.",
         units={"height": "m", "velocity": "m/s"},
         by_hand=answered_at_the_step,
+        in_engine=bouncing.thousand_steps,
     ),
     Published(
         15,
@@ -199,6 +204,7 @@ CASES = (
         "The height is that of the gap.",
         units={"impacts": "s", "apexes": "m", "rest": "s"},
         by_hand=impacts_and_rest,
+        in_engine=bouncing.impacts_and_rest,
     ),
     Published(
         26,
@@ -214,5 +220,6 @@ CASES = (
         units={"rebound": "m"},
         labels={"rebound": ("tennis, least", "tennis, most", "table tennis, least", "table tennis, most")},
         by_hand=rebounds,
+        in_engine=bouncing.measured_rebounds,
     ),
 )  # fmt: skip

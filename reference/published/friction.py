@@ -9,6 +9,9 @@ from numpy.typing import NDArray
 
 from reference.implementation import Implementation
 from reference.published import Answer, Answers, Published, said
+from reference.published.in_engines import rolling, striking
+
+Array = NDArray[np.float64]
 
 X, Y, UP = np.eye(3)
 STILL = np.zeros(3)
@@ -49,7 +52,7 @@ def oblique_impacts(case: Published, code: Implementation) -> Answers:
     return against_rigid_law(case, tuple((after[:, 0] / before).tolist()), tuple(spin[:, 1].tolist()), 1e-9)
 
 
-def _struck(case: Published, code: Implementation, angles: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _struck(case: Published, code: Implementation, angles: str) -> tuple[Array, Array]:
     turned = np.radians(case.values(angles))
     before = case.value("speed") * (np.outer(np.sin(turned), X) - np.outer(np.cos(turned), UP))
     radius, e, mu = case.values("radius", "restitution", "friction")
@@ -74,17 +77,21 @@ def against_rigid_law(
     return answers
 
 
-def rigid_law(case: Published) -> dict[str, tuple[NDArray[np.float64], NDArray[np.bool_]]]:
-    """What a rigid sphere does at the angles of P11, and at which of them it grips, by figure."""
+def rigid_law(case: Published) -> dict[str, tuple[Array, NDArray[np.bool_]]]:
+    """What a rigid sphere does at the measured angles of P11, and at which of them it grips, by figure."""
+    kept, _, grips = rigid_sphere(case, np.array(case.values("angle")))
+    _, spin, turns = rigid_sphere(case, np.array(case.values("angle_of_spin")))
+    return {"tangent_restitution": (kept, grips), "spin": (spin, turns)}
+
+
+def rigid_sphere(case: Published, angle: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Share of the tangential speed that is left, spin, rad/s, and whether it grips, at angles from the normal, °."""
     radius, speed, e, mu = case.values("radius", "speed", "restitution", "friction")
-    straight, oblique = (np.radians(case.values(name)) for name in ("angle", "angle_of_spin"))
-    grips = [np.tan(angle) < 3.5 * mu * (1 + e) for angle in (straight, oblique)]
-    kept = np.where(grips[0], 5 / 7, 1 - mu * (1 + e) / np.tan(straight))
-    rolls, slides = 5 / 7 * np.sin(oblique), 2.5 * mu * (1 + e) * np.cos(oblique)
-    return {
-        "tangent_restitution": (kept, grips[0]),
-        "spin": (speed / radius * np.where(grips[1], rolls, slides), grips[1]),
-    }
+    turned = np.radians(angle)
+    grips = np.tan(turned) < 3.5 * mu * (1 + e)
+    kept = np.where(grips, 5 / 7, 1 - mu * (1 + e) / np.tan(turned))
+    spin = np.where(grips, 5 / 7 * np.sin(turned), 2.5 * mu * (1 + e) * np.cos(turned)) * speed / radius
+    return kept, spin, grips
 
 
 def rolls_down(case: Published, code: Implementation) -> Answers:
@@ -130,6 +137,7 @@ CASES = (
         "half a step behind theory, 0.8 and 1. The sphere rests on a spring, which it does not leave: N = m g.",
         units={"position": "m", "velocity": "m/s", "spin": "rad/s", "rolls_at": "s", "rolls_with": "m/s"},
         by_hand=begins_to_roll,
+        in_engine=rolling.set_sliding,
     ),
     Published(
         number=11,
@@ -160,6 +168,7 @@ CASES = (
             "spin": ("10.9°", "21.1°", "31.1°", "39.0°", "50.2°", "60.1°", "70.0°", "78.6°"),
         },
         by_hand=oblique_impacts,
+        in_engine=striking.oblique_impacts,
     ),
     Published(
         number=13,
@@ -175,6 +184,7 @@ CASES = (
         note="5/7 g sin θ and 2/7 m g sin θ, whatever the coefficient, if it is above 2/7 tan θ = 0.077.",
         units={"speed": "m/s", "friction": "N"},
         by_hand=rolls_down,
+        in_engine=rolling.down_a_slope,
     ),
     Published(
         number=17,
@@ -190,5 +200,6 @@ CASES = (
         note="The height is that of the centre. It grips in the first impact and rolls ever after: 2/7 of the spin.",
         units={"spin": "rad/s", "speed": "m/s"},
         by_hand=spinning_ball,
+        in_engine=rolling.spinning_ball,
     ),
 )  # fmt: skip

@@ -8,6 +8,7 @@ import numpy as np
 
 from reference.implementation import Implementation
 from reference.published import Answers, Published, said
+from reference.published.in_engines import striking
 
 X, _, UP = np.eye(3)
 STILL, RIGID = np.zeros(3), np.zeros((3, 3))
@@ -80,6 +81,7 @@ CASES = (
         "larger by the weight, 0.49 N.",
         units={"impulse": "N s", "net_force": "N", "contact_force": "N", "energy_change": "J"},
         by_hand=textbook_bounce,
+        in_engine=striking.textbook_bounce,
     ),
     Published(
         number=22,
@@ -94,6 +96,7 @@ CASES = (
         note="The value of g is not printed: 9.8 and 9.81 m/s² both give 2.71.",
         units={"impulse": "kg m/s"},
         by_hand=elastic_bounce,
+        in_engine=striking.textbook_bounce,
     ),
     Published(
         number=27,
@@ -117,5 +120,6 @@ CASES = (
         "The mass is ours: the result hangs on it in neither.",
         labels={"restitution": ("e = 0", "e = 0.25", "e = 0.5", "e = 0.75", "e = 1")},
         by_hand=colliding_pair,
+        in_engine=striking.colliding_pair,
     ),
 )

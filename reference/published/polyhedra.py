@@ -35,5 +35,6 @@ CASES = (
         "(q - p)×(r - p) in doubles. In exact arithmetic it is the sign of j - i. Written with q or r in place of p as "
         "the corner that is subtracted, the same test has another count of wrong signs.",
         by_hand=neighbouring_points,
+        why_not={"engines": "no engine says on which side of a line a point lies"},
     ),
 )

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from reference.implementation import Implementation
 from reference.published import Answers, Published, said
+from reference.published.in_engines import plate, sliding
 
 X, Y, UP = np.eye(3)
 LONG = 100.0
@@ -114,6 +115,7 @@ CASES = (
         units={"box_acceleration": "m/s²", "ball_acceleration": "m/s²", "box_speed": "m/s", "ball_speed": "m/s",
                "square_cone_error": "m²/s²"},
         by_hand=box_under_balls,
+        in_engine=plate.plate,
     ),
     Published(
         number=7,
@@ -129,6 +131,7 @@ CASES = (
         units={"distance": "m"},
         labels={"distance": ("μ = 0.2", "μ = 0.4", "μ = 0.7")},
         by_hand=stopping,
+        in_engine=sliding.stopping_box,
     ),
     Published(
         number=8,
@@ -143,6 +146,7 @@ CASES = (
         note="v²/(2μg) for a body that does not tip; a cube does not while μ is below 1.",
         units={"distance": "m"},
         by_hand=stopping,
+        in_engine=sliding.stopping_box,
     ),
     Published(
         number=10,
@@ -159,5 +163,6 @@ CASES = (
         note="1 for a box that rests, 0 for one that slides.",
         labels={"rests": tuple(f"μ = {mu:g}, {angle:g}°" for mu in _FRICTIONS for angle in _SLOPES)},
         by_hand=ramp,
+        in_engine=sliding.ramp,
     ),
 )  # fmt: skip

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from reference.implementation import Implementation
 from reference.published import Answers, Published, said
+from reference.published.in_engines import springs
 
 UP = np.array([0.0, 0.0, 1.0])
 _GRAVITY = 9.81
@@ -74,6 +75,9 @@ def _stiffness(first: float, second: float) -> float:
     return -first if first < 0 else 1 / (first * second) ** 2
 
 
+NO_SPRINGS = "its contacts have no spring and no dashpot that one could set"
+
+
 CASES = (
     Published(
         3,
@@ -91,6 +95,8 @@ CASES = (
         units={"position": "m", "velocity": "m/s"},
         labels={"position": ("step 1300", "step 1650", "step 2450"), "velocity": ("step 1650", "step 2450")},
         by_hand=spring_and_dashpot,
+        in_engine=springs.spring_and_dashpot,
+        why_not=dict.fromkeys(("pybullet", "dart"), NO_SPRINGS),
     ),
     Published(
         9,
@@ -111,6 +117,8 @@ CASES = (
         units={"depth": "m"},
         labels={"depth": tuple(f"({one:g}, {two:g}), d = {d:g}".replace("-", "−") for (one, two), d in _CONTACTS)},
         by_hand=rest_depths,
+        in_engine=springs.rest_depths,
+        why_not=dict.fromkeys(("pybullet", "dart"), NO_SPRINGS),
     ),
     Published(
         18,
@@ -125,5 +133,7 @@ CASES = (
         "The spring begins at the contact height and pushes below it.",
         units={"lowest": "m", "fastest": "m/s"},
         by_hand=undamped_spring,
+        in_engine=springs.undamped_spring,
+        why_not=dict.fromkeys(("pybullet", "dart"), NO_SPRINGS),
     ),
 )  # fmt: skip

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from reference.implementation import Implementation
 from reference.published import Answers, Published, said
+from reference.published.in_engines import questions
 
 STILL = np.zeros(3)
 
@@ -81,5 +82,6 @@ CASES = (
         "ray's segment is x = 0. The circle that a ray meets half-way has its centre at (1, 0) and radius 1.",
         units={"squared_distance": "m²"},
         by_hand=box2d,
+        in_engine=questions.rays,
     ),
 )
