@@ -89,26 +89,27 @@ def write(results: Iterable[JobResult], folder: Path | None = None, today: datet
         found.setdefault((job.engine, job.family), []).append(result)
     day, written = (today or datetime.date.today()).isoformat(), []
     for (engine, family), own in found.items():
-        made = Made(own[0].title, own[0].version, _platform(), platform.python_version(), day)
+        made = Made(own[0].title, own[0].version, machine(), platform.python_version(), day)
         profiles = {result.job.profile: _profile(result) for result in own}
         content = {"schema": SCHEMA, "version": VERSION, "made": asdict(made), "profiles": profiles}
         path = (folder or FOLDER) / engine / f"{family}.json"
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(_lines(content) + "\n", encoding="utf-8")
+        path.write_text(lines(content) + "\n", encoding="utf-8")
         written.append(path)
     _content.cache_clear()
     return written
 
 
-def _lines(content: Mapping[str, Any], depth: int = 4) -> str:
+def lines(content: Mapping[str, Any], depth: int = 4) -> str:
     """JSON with a line for each entry down to some depth: a case that changes changes one line."""
     if depth == 0 or not isinstance(content, Mapping) or not content:
         return json.dumps(content, ensure_ascii=False)
-    entries = (f"{json.dumps(name, ensure_ascii=False)}: {_lines(value, depth - 1)}" for name, value in content.items())
+    entries = (f"{json.dumps(name, ensure_ascii=False)}: {lines(value, depth - 1)}" for name, value in content.items())
     return "{\n" + ",\n".join(entries) + "\n}"
 
 
-def _platform() -> str:
+def machine() -> str:
+    """The system and processor that this runs on."""
     return f"{platform.system()} {platform.machine()}"
 
 

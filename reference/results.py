@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from reference.compare import Row
+from reference.published import Answer
 from reference.published.judging import PublishedRow
 from reference.settings import Option
 from reference.shares import Split
@@ -84,12 +86,16 @@ class PublishedJob:
 
 @dataclass(frozen=True)
 class PublishedResult:
-    """What a published case gave in one engine; plain data. version, recording, seconds, cached: as in `JobResult`."""
+    """What a published case gave in one engine; plain data.
+
+    answers: what the rows were judged from. version, recording, seconds, cached: as in `JobResult`.
+    """
 
     job: PublishedJob
     title: str
     rows: tuple[PublishedRow, ...]
     version: str = ""
+    answers: Mapping[str, Answer] = field(default_factory=dict)
     recording: str = ""
     seconds: float = field(default=0.0, compare=False)
     cached: bool = field(default=False, compare=False)

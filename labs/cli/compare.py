@@ -9,7 +9,6 @@ import typer
 from labs.cli import jobs
 from labs.cli.console import output
 from reference.cache import Cache
-from reference.compare import Verdict
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.published import running
@@ -67,5 +66,4 @@ def _published(
     planned = running.plan(names or (), engines or engine_names(), implementation)
     results = jobs.run_work(planned, running.PUBLISHED, workers, Cache(fresh=fresh))
     print_published(output, PublishedTables.of(results), cases)
-    verdicts = [row.verdict for result in results for row in result.rows]
-    return jobs.exit_code_of(verdicts, Verdict.FAIL in verdicts)
+    return jobs.published_exit_code(results)

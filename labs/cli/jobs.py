@@ -17,7 +17,7 @@ from reference.compare import Verdict, failures
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.family import Family
-from reference.results import Job, JobResult
+from reference.results import Job, JobResult, PublishedResult
 from reference.running import TIME_LIMIT, J, R, Work, recall, run_all
 from reference.scenarios import catalogue, find
 from reference.settings import Option
@@ -121,6 +121,12 @@ def exit_code(results: Sequence[JobResult]) -> int:
     """0 where all is well; 1 if a tuned verdict failed; 3 if a run gave no answer, or none of them did."""
     rows = [row for result in results for row in result.rows]
     return exit_code_of([row.verdict for row in rows], bool(failures(rows)))
+
+
+def published_exit_code(results: Sequence[PublishedResult]) -> int:
+    """The same of published cases; nothing there is stock."""
+    verdicts = [row.verdict for result in results for row in result.rows]
+    return exit_code_of(verdicts, Verdict.FAIL in verdicts)
 
 
 def exit_code_of(verdicts: Sequence[Verdict], failed: bool) -> int:

@@ -153,7 +153,7 @@ CASES = (
         {"radius": 0.1, "height": 0.5, "restitution": 0.9, "gravity": 9.81},
         {"apexes": (0.3240, 0.26244, 0.21258)},
         {"apexes": 5e-6},
-        "five printed decimals of e^(2n) (h − r)",
+        "five printed decimals of e²ⁿ (h − r)",
         "The height is that of the centre; apexes are counted from the height of the centre at contact.",
         units={"apexes": "m"},
         by_hand=apexes,

@@ -78,13 +78,29 @@ def by_hand(engine: Engine) -> bool:
     return engine.name == "handwritten"
 
 
-def compare_published(case: Published, engine: Engine) -> tuple[PublishedRow, ...]:
+def compare_published(case: Published, engine: Engine) -> tuple[tuple[PublishedRow, ...], Answers]:
     """Ask an engine and judge what it says; whatever it raises becomes a row, but for `InvalidInput`."""
     try:
         with as_failed_run():
-            return judged(case, engine.name, answer(case, engine))
+            answers = {name: _plain(given) for name, given in answer(case, engine).items()}
+            return judged(case, engine.name, answers), answers
     except (NeedsFunction, CannotExpress, RunFailed) as error:
-        return (refusal(case, engine.name, error),)
+        return (refusal(case, engine.name, error),), {}
+
+
+def _plain(given: Answer) -> Answer:
+    """The same, in floats and tuples of floats alone."""
+
+    def plain(figure: Figure) -> Figure:
+        return numbers_of(figure) if np.ndim(figure) else float(figure)  # type: ignore[arg-type]
+
+    return replace(
+        given,
+        value=None if given.value is None else plain(given.value),
+        tolerance=None if given.tolerance is None else plain(given.tolerance),
+        shift=plain(given.shift),
+        shift_tolerance=plain(given.shift_tolerance),
+    )
 
 
 def refusal(case: Published, engine: str, error: CollisionsError) -> PublishedRow:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from reference.engines import load_engine
 from reference.errors import CollisionsError
 from reference.implementation import Implementation
-from reference.published import published, published_cases
+from reference.published import published, published_cases, recorded
 from reference.published.judging import compare_published, refusal
 from reference.results import PublishedJob, PublishedResult
 from reference.running import Work
@@ -32,9 +32,9 @@ def run_job(job: PublishedJob) -> PublishedResult:
     """Run a job here and now."""
     start = time.perf_counter()
     engine = load_engine(job.engine, Implementation(job.implementation))
-    rows = compare_published(published(job.case), engine)
+    rows, answers = compare_published(published(job.case), engine)
     version = engine.version() if any(row.measured is not None for row in rows) else ""
-    return PublishedResult(job, engine.title, rows, version, seconds=time.perf_counter() - start)
+    return PublishedResult(job, engine.title, rows, version, answers, seconds=time.perf_counter() - start)
 
 
 def _refused(job: PublishedJob, error: CollisionsError, seconds: float) -> PublishedResult:
@@ -42,5 +42,5 @@ def _refused(job: PublishedJob, error: CollisionsError, seconds: float) -> Publi
     return PublishedResult(job, load_engine(job.engine).title, (row,), seconds=seconds)
 
 
-PUBLISHED: Work[PublishedJob, PublishedResult] = Work(run_job, lambda job: None, _refused, list)
+PUBLISHED: Work[PublishedJob, PublishedResult] = Work(run_job, recorded.recall, _refused, list)
 """The jobs of the second catalogue."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -21,6 +21,16 @@ TITLES: dict[Kind, str] = {
     "verification": "Verification: closed forms, and methods that can be repeated digit by digit",
     "validation": "Validation against measurement",
     "cross-engine": "Cross-engine: what another simulator said",
+}
+
+LEGEND = {
+    Verdict.PASS: "as published, within the tolerance",
+    Verdict.KNOWN_DEVIATION: "off by what the method is known to do, for a reason",
+    Verdict.FAIL: "neither",
+    Verdict.CANNOT_EXPRESS: "cannot be said to it",
+    Verdict.NEEDS: "a function that is not written yet",
+    Verdict.NOT_AVAILABLE: "the engine is not installed here",
+    Verdict.CRASHED: "the run died, hung or gave no usable state",
 }
 
 
@@ -81,6 +91,20 @@ class PublishedLine:
                 if row.figure:
                     found.setdefault((row.figure, row.place), {})[name] = row
         return list(found.values())
+
+    @staticmethod
+    def theirs(found: Mapping[str, PublishedRow]) -> float | None:
+        """What was published, of the rows of one number."""
+        return next((row.expected for row in found.values() if row.expected is not None), None)
+
+    @property
+    def asked(self) -> list[str]:
+        """The engines that gave a number, or should have."""
+        return [name for name, cell in self.cells.items() if any(row.figure for row in cell.rows)]
+
+    def title(self, name: str) -> str:
+        """An engine's title, marked where its numbers are recorded."""
+        return self.cells[name].result.title
 
     @property
     def found_by(self) -> list[str]:

@@ -11,6 +11,7 @@ from reference.compare import Verdict
 from reference.published.judging import PublishedRow
 from reference.report import numbers
 from reference.report.published_summary import (
+    LEGEND,
     TITLES,
     PublishedLine,
     PublishedTables,
@@ -22,15 +23,6 @@ from reference.report.published_summary import (
 from reference.report.summary import MARKS
 from reference.report.terminal import style_of
 
-LEGEND = {
-    Verdict.PASS: "as published, within the tolerance",
-    Verdict.KNOWN_DEVIATION: "off by what the method is known to do, for a reason",
-    Verdict.FAIL: "neither",
-    Verdict.CANNOT_EXPRESS: "cannot be said to it",
-    Verdict.NEEDS: "a function that is not written yet",
-    Verdict.NOT_AVAILABLE: "the engine is not installed here",
-    Verdict.CRASHED: "the run died, hung or gave no usable state",
-}
 _ALWAYS = tuple(map(str, (Verdict.FAIL, Verdict.CRASHED, Verdict.NEEDS, Verdict.NOT_AVAILABLE)))
 """What the overview explains, too; all else is left to the cases."""
 
@@ -92,8 +84,8 @@ def _indented(text: str) -> Padding:
 
 def _add_figure(table: Table, line: PublishedLine, found: dict[str, PublishedRow]) -> None:
     heading = label(line.case, next(iter(found.values())))
-    theirs = next((row.expected for row in found.values() if row.expected is not None), None)
-    table.add_row(*(Text(text, style="bold") for text in (heading, figure(theirs), "", "", "published")))
+    headings = (heading, figure(line.theirs(found)), "", "", "published")
+    table.add_row(*(Text(text, style="bold") for text in headings))
     for name, row in found.items():
         difference = "" if row.difference is None else numbers.deviation(row.difference, "")
         accepted = "" if row.tolerance is None else numbers.size(row.tolerance, "")

@@ -17,11 +17,12 @@ from reference.published.judging import PublishedRow, compare_published
 def judged() -> Callable[..., tuple[PublishedRow, ...]]:
     """Answer a case by hand, with parts of its set-up changed, and return its rows."""
 
-    def rows(name: str, **changed: Figure) -> tuple[PublishedRow, ...]:
+    def found(name: str, **changed: Figure) -> tuple[PublishedRow, ...]:
         case = published(name)
-        return compare_published(replace(case, setup={**case.setup, **changed}), load_engine("handwritten"))
+        rows, _ = compare_published(replace(case, setup={**case.setup, **changed}), load_engine("handwritten"))
+        return rows
 
-    return rows
+    return found
 
 
 @pytest.fixture
