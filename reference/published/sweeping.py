@@ -82,6 +82,6 @@ CASES = (
         "ray's segment is x = 0. The circle that a ray meets half-way has its centre at (1, 0) and radius 1.",
         units={"squared_distance": "m²"},
         by_hand=box2d,
-        in_engine=questions.rays,
+        in_engine=questions.rays_and_distance,
     ),
 )

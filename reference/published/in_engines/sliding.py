@@ -18,8 +18,8 @@ WATCHED = 0.5
 """How long a box that has stopped is watched, s."""
 RESTS = 1e-3
 """A box that creeps less than this in `LET_GO` rests, m."""
-LET_GO = 0.5
-"""How long a box on a slope is watched, s: the slowest of those that slide, 20° at μ = 0.3, goes 7 cm."""
+LET_GO = 0.2
+"""How long a box on a slope is watched, s: the slowest of those that slide, 20° at μ = 0.3, goes 12 mm."""
 SLAB = (0.2, 0.2, 0.02)
 """Half lengths of what is let go on a slope, m: flat, since a cube would turn over at 45°."""
 
