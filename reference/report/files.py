@@ -26,7 +26,7 @@ from reference.compare import Row, Verdict
 from reference.engines import load_engine
 from reference.errors import InvalidInput
 from reference.published.judging import PublishedRow
-from reference.report import figures, page, published_figures, published_page
+from reference.report import figures, page, published_page
 from reference.report.published_figures import oblique_impacts
 from reference.report.published_summary import PublishedTables
 from reference.report.summary import Section, sections
@@ -113,9 +113,10 @@ def _write_published(results: Sequence[PublishedResult], folder: Path) -> None:
     """The page of published cases and their rows."""
     tables = PublishedTables.of(results)
     impacts = next((line for line in tables.lines if line.case.name == "P11"), None)
-    drawn = {"P11": (oblique_impacts(impacts), published_figures.CAPTION)} if impacts else {}
-    for svg, _ in drawn.values():
-        _write(folder / "figures" / "published-oblique-impacts.svg", svg)
+    pictures = oblique_impacts(impacts) if impacts else []
+    for name, svg, _ in pictures:
+        _write(folder / "figures" / f"{name}.svg", svg)
+    drawn = {"P11": [(svg, caption) for _, svg, caption in pictures]}
     _write(folder / "published.json", _json(PUBLISHED, {"rows": [asdict(row) for row in tables.rows]}))
     ran = published_page.render(tables, drawn, _compared(results), _platform(), PAGE)
     _write(folder / PUBLISHED_PAGE, ran)

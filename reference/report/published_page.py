@@ -36,13 +36,13 @@ ABOUT: dict[Kind, str] = {
 
 def render(
     tables: PublishedTables,
-    figures: Mapping[str, tuple[str, str]],
+    figures: Mapping[str, Sequence[tuple[str, str]]],
     versions: Sequence[str],
     provenance: str,
     report: str,
 ) -> str:
-    """Return the page. figures: by case, SVG text with its caption. report: the address of the other page."""
-    drawn = {name: (Markup(svg), caption) for name, (svg, caption) in figures.items()}  # our own SVG
+    """Return the page. figures: by case, SVG texts with their captions. report: the address of the other page."""
+    drawn = {name: [(Markup(svg), caption) for svg, caption in pairs] for name, pairs in figures.items()}  # our own SVG
     return (
         environment()
         .get_template("published.html.j2")

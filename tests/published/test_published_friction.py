@@ -9,7 +9,7 @@ import pytest
 
 from reference.compare import Verdict
 from reference.published import published
-from reference.published.friction import rigid_law
+from reference.published.rigid_law import rigid_law
 from solutions.friction import sphere_grips, sphere_impact
 
 Y, UP = np.eye(3)[1:]

@@ -12,12 +12,15 @@ from reference.engines.base import Engine
 from reference.published import Answer, Answers, Published
 from reference.published.in_engines.at_step import LATE, Bounce, apexes_off
 from reference.published.in_engines.scenes import at_least, ball_over_floor, gravity_of, tuned
+from reference.published.rigid_law import against_rigid_law
 from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 
 ONE_STEP = "its impact lasts a step: a mean force needs a contact that lasts, and the 15 ms are not its own"
 FLOOR = Body("floor", HalfSpace())
 SHORT, APPROACH = 1e-6, 100
 """Timestep of an oblique impact, s, with an overlap of up to 4 µm for a ball of 2.5 mm; steps before it."""
+OVERLAP = 1.6e-3
+"""What that makes of the lever arm, as a share."""
 FLIGHT = 0.05
 """How long two balls fly before and after their impact, s."""
 
@@ -66,10 +69,7 @@ def oblique_impacts(case: Published, engine: Engine) -> Answers:
     """P11: tangent restitutions and spins. Where a rigid ball grips, a real one does not do what it does."""
     restitution, _ = sweep(case, engine, case.values("angle"))
     _, spin = sweep(case, engine, case.values("angle_of_spin"))
-    return {
-        "tangent_restitution": _with_grip(case, "tangent_restitution", "angle", restitution, 0, 1e-3),
-        "spin": _with_grip(case, "spin", "angle_of_spin", spin, 1, 1.0),
-    }
+    return against_rigid_law(case, restitution, spin, OVERLAP)
 
 
 def sweep(case: Published, engine: Engine, angles: Sequence[float]) -> tuple[tuple[float, ...], tuple[float, ...]]:
@@ -90,29 +90,3 @@ def _oblique(case: Published, angle: float) -> Scenario:
     ball = Body("ball", Sphere(radius), 1e-3, (0.0, 0.0, radius - APPROACH * SHORT * velocity[2]), velocity=velocity)
     pair = Pair("ball", "floor", case.value("restitution"), case.value("friction"))
     return Scenario(case.name, (FLOOR, ball), (pair,), 3 * APPROACH * SHORT, (0.0, 0.0, 0.0))
-
-
-def _with_grip(case: Published, figure: str, angles: str, found: tuple[float, ...], which: int, near: float) -> Answer:
-    """Where a rigid ball slides through the impact, the case's own tolerance; where it grips, what rigid theory says.
-
-    near: what an overlap of a step makes of the lever arm, 0.1 % of the value.
-    """
-    expected = case.expected[figure]
-    assert isinstance(expected, tuple)
-    shift = [
-        rigid_impact(case, math.radians(angle))[which] - measured if _grips(case, math.radians(angle)) else 0.0
-        for angle, measured in zip(case.values(angles), expected, strict=True)
-    ]
-    reason = "a rigid ball grips and keeps 5/7; a real one yields sideways and swings back, which no rigid impulse does"
-    return Answer(found, None, "", tuple(shift), reason, near)
-
-
-def rigid_impact(case: Published, angle: float) -> tuple[float, float]:
-    """Tangent restitution and spin, rad/s, of a rigid ball at an angle from the normal, rad."""
-    radius, speed, friction = case.value("radius"), case.value("speed"), case.value("friction")
-    lost = min(2 / 7, friction * (1 + case.value("restitution")) / math.tan(angle))
-    return 1 - lost, 2.5 * lost * speed * math.sin(angle) / radius
-
-
-def _grips(case: Published, angle: float) -> bool:
-    return rigid_impact(case, angle)[0] <= 5 / 7
