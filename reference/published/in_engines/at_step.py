@@ -11,8 +11,11 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+import numpy as np
+
 from reference import truth
 from reference.engines.base import EXACT, Method
+from reference.trajectory import Array
 
 LATE = "each impact is met up to a step late: what the overlap of up to v dt does to the bounces, summed up"
 
@@ -57,21 +60,33 @@ def apexes_off(bounce: Bounce, method: Method, count: int) -> tuple[float, ...]:
 def times_off(bounce: Bounce, method: Method, count: int) -> tuple[float, ...]:
     """By how much the first impacts may be off, s.
 
-    Semi-implicit Euler falls dt/2 too fast. A ball at speed v is seen s late, up to dt, comes out of its overlap in
-    (1 − c) s/e, and its flight takes dt more than 2u/g. Its launch speed is off by e g (s − dt/2) + w e g dt, and by
-    −g (1 − c) s/e once it is out; by shares r of v, and (1 + e) of a softness; and by e of what it was off before.
+    Semi-implicit Euler is on a parabola that is faster by g dt/2 than its own velocity as it rises, and falls dt/2 too
+    soon. A ball that meets the floor at v is seen s late, 0 ≤ s ≤ dt, at v + g (s − dt/2). It is sent off with e times
+    that, and w e g dt, on a parabola that is faster by g dt/2, and is out of the overlap (1 − c) s/e later. There it is
+    faster than e v by g dt ((1 − e)/2 + w e) + g s (e − (1 − c)/e), and its flight is longer by 2/g of that. Shares
+    r of v as speed, and (1 + e) of a softness, come on top; so does e of what v was off before, and terms of second
+    order, g dt²/(e v).
     """
     if method.kind == EXACT:
         return (0.0,) * count
-    e, dt, speed, off, found = bounce.restitution, bounce.timestep, bounce.speed, bounce.timestep / 2, []
-    out, speed_off = (1 - method.recovery) / e, 0.0
+    e, g, dt, landing = bounce.restitution, bounce.gravity, bounce.timestep, bounce.speed
+    out, weighed = (1 - method.recovery) / e, method.weighed
+    span = np.array([-1.0, 1.0])  # from the least to the most
+    time, speed, found = np.full(2, -dt / 2), np.zeros(2), []
     for _ in range(count):
-        found.append(off)
-        launched = (max(e / 2, abs(e / 2 - out)) + method.weighed * e) * bounce.gravity * dt
-        speed_off = e * speed_off + launched + (method.speed_recovery + (1 + e) * method.softness) * speed
-        off += (2 + out) * dt + 2 * speed_off / bounce.gravity
-        speed *= e
+        found.append(float(np.max(np.abs(time))))
+        gained = np.array([-(1 + e) * method.softness, method.speed_recovery]) * landing
+        # s + (1 − c) s/e until it is out, and 2/g of its speed there
+        time = time + 2 * (e * speed + gained) / g + dt * (1 - e + 2 * weighed * e + _reach(1 + 2 * e - out))
+        time += span * g * dt**2 / (e * landing)
+        speed = e * speed + gained + g * dt * ((1 - e) / 2 + weighed * e + _reach(e - out))
+        landing *= e
     return tuple(found)
+
+
+def _reach(slope: float) -> Array:
+    """Least and most of slope·s for 0 ≤ s ≤ 1, (2,)."""
+    return np.array([min(slope, 0.0), max(slope, 0.0)])
 
 
 def end_off(bounce: Bounce, method: Method, least_speed: float) -> float:

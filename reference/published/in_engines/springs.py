@@ -82,7 +82,7 @@ def _let_go(speed: float, stiffness: float, ratio: float, gravity: float) -> tup
     """When, s, where (gap, m) and how fast (m/s) a ball leaves a spring with a dashpot that never pulls.
 
     From the rest depth g/k on, x = −g/k + exp(−ζ ω t) (a cos νt + b sin νt) with x(0) = 0 and ẋ(0) = −v. It leaves when
-    the force per mass, g + ẍ, is zero: −ω² x − 2 ζ ω ẋ, of which that is the first root after t = 0.
+    the force per mass, −ω² x − 2 ζ ω ẋ, is zero, which it is once within six tenths of a swing.
     """
     frequency = math.sqrt(stiffness)
     decay, swing = ratio * frequency, frequency * math.sqrt(1 - ratio**2)
@@ -95,7 +95,7 @@ def _let_go(speed: float, stiffness: float, ratio: float, gravity: float) -> tup
         place = gone * (a * cosine + b * sine)
         return place - a, -decay * place + gone * swing * (b * cosine - a * sine)
 
-    low, high = 0.5 * math.pi / swing, 1.2 * math.pi / swing
+    low, high = 0.0, 1.2 * math.pi / swing
     for _ in range(100):
         middle = (low + high) / 2
         place, velocity = state(middle)
