@@ -118,8 +118,8 @@ def _write_published(results: Sequence[PublishedResult], folder: Path) -> None:
         _write(folder / "figures" / f"{name}.svg", svg)
     drawn = {"P11": [(svg, caption) for _, svg, caption in pictures]}
     _write(folder / "published.json", _json(PUBLISHED, {"rows": [asdict(row) for row in tables.rows]}))
-    ran = published_page.render(tables, drawn, _compared(results), _platform(), PAGE)
-    _write(folder / PUBLISHED_PAGE, ran)
+    ordered = [cell.result for name in tables.engines for line in tables.lines if (cell := line.cells.get(name))]
+    _write(folder / PUBLISHED_PAGE, published_page.render(tables, drawn, _compared(ordered), _platform(), PAGE))
 
 
 def read_published(path: Path) -> list[PublishedRow]:
