@@ -13,6 +13,7 @@ from reference.cache import Cache
 from reference.engines import engine_names
 from reference.published import running
 from reference.report import files
+from reference.report.published_summary import PublishedTables
 from reference.report.summary import verdict_line
 from reference.results import PublishedResult
 
@@ -34,6 +35,8 @@ def report(
         others = [] if only else _published(engine, implementation, workers, fresh)
         files.write(results, folder, others)
     output.print(verdict_line([row for result in results for row in result.rows]))
+    if others:
+        output.print(PublishedTables.of(others).sentence)
     output.print(f"Open {out / files.PAGE} in a browser.", soft_wrap=True, markup=False)
     raise typer.Exit(jobs.exit_code(results) or (jobs.published_exit_code(others) if others else 0))
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from reference.compare import Verdict
+from reference.compare import Verdict, why
 from reference.engines import engine_names, load_engine
 from reference.published import Kind, Published, published_cases
 from reference.published.judging import PublishedRow, passes
@@ -63,7 +63,7 @@ class PublishedCell:
     @property
     def reasons(self) -> list[str]:
         """Why a number deviates or is missing, each reason once."""
-        return list(dict.fromkeys(f"{row.verdict}: {row.note}" for row in self.rows if row.note))
+        return list(dict.fromkeys(why(row.verdict, row.note) for row in self.rows if row.note))
 
 
 @dataclass(frozen=True)

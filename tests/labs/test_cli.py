@@ -22,7 +22,7 @@ from labs.cli import app, jobs, main
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.isolate import stop_workers
-from reference.report.files import read_rows
+from reference.report.files import read_published, read_rows
 from reference.scenarios import catalogue
 
 QUICK = ("ball-to-rest/e=0.5", "--engine", "handwritten")
@@ -587,6 +587,8 @@ def test_the_whole_report_is_written_all_tuned_verdicts_agree_and_it_is_small_en
     assert {(row.engine, row.note) for row in needs} == {("handwritten", "needs a rigid-body world (world)")}
     assert "49 cases wait for hand-written functions" in " ".join(said.text.split())
     assert len(needs) == 2 * 49  # in both of its profiles
-    assert len(os.listdir(tmp_path / "report" / "figures")) == 2 * len(catalogue())
+    assert len(os.listdir(tmp_path / "report" / "figures")) == 2 * len(catalogue()) + 2
+    others = {str(row.verdict) for row in read_published(tmp_path / "report" / "published.json")}
+    assert others == {"pass", "known deviation", "cannot express"}
     size = (tmp_path / "report" / "index.html").stat().st_size
     assert size < 3_000_000  # bytes: what any mail takes, and a phone on the move loads
