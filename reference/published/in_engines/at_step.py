@@ -17,7 +17,10 @@ from reference import truth
 from reference.engines.base import EXACT, Method
 from reference.trajectory import Array
 
-LATE = "each impact is met up to a step late: what the overlap of up to v dt does to the bounces, summed up"
+
+def late(timestep: float) -> str:
+    """Why bounces may be off, with a timestep in s."""
+    return f"each impact is met up to a step of {1e3 * timestep:g} ms late; what overlaps of up to v dt do, summed up"
 
 
 @dataclass(frozen=True)
