@@ -163,6 +163,7 @@ class PyBullet(Engine):
             "contact_erp": "contactERP",
             "solver_iterations": "numSolverIterations",
             "solver_residual": "solverResidualThreshold",
+            "cone_friction": "enableConeFriction",  # without it friction is limited along two axes, each by itself
         }
         chosen = {word: settings[option] for option, word in words.items() if option in settings.options}
         if "split_impulse" in settings.options:
