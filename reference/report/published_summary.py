@@ -58,7 +58,7 @@ class PublishedCell:
         count = (
             f" {agreeing}/{len(self.rows)}" if any(row.figure and row.measured is not None for row in self.rows) else ""
         )
-        return f"{MARKS[self.verdict]}{count}{MARK if self.result.recording else ''}"
+        return f"{MARKS[self.verdict]}{count}{MARK if count and self.result.recording else ''}"
 
     @property
     def reasons(self) -> list[str]:

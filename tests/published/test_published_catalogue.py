@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -53,3 +55,9 @@ def test_each_case_is_answered_by_hand_and_in_the_engines_or_says_why_not():
 def test_a_name_that_there_is_not_is_refused_with_those_there_are():
     with pytest.raises(UnknownName, match=r"unknown published case 'P28'\. .*P1, P2"):
         published("P28")
+
+
+def test_the_documentation_lists_each_case_by_its_title_and_kind():
+    page = (Path(__file__).parents[2] / "docs" / "published.md").read_text(encoding="utf-8")
+    rows = [[cell.strip() for cell in line.split("|")] for line in page.splitlines() if line.startswith("| P")]
+    assert [(row[1], row[2], row[4]) for row in rows] == [(case.name, case.title, case.kind) for case in CASES]
