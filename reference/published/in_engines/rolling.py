@@ -10,8 +10,9 @@ import numpy as np
 from reference import truth, turning
 from reference.engines.base import EXACT, Engine
 from reference.published import Answer, Answers, Published
-from reference.published.in_engines.scenes import at_least, ball_over_floor, gravity_of, tuned
-from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
+from reference.published.in_engines.scenes import as_heavy, at_least, ball_over_floor, gravity_of, tuned
+from reference.scenario import Pair
+from reference.scenarios.rolling import ball_on_plane
 from reference.trajectory import Trajectory
 
 TWO_IMPACTS = 1.2
@@ -20,26 +21,12 @@ SLIPS = 0.01
 """A contact point faster than this slides for sure, m/s."""
 
 
-def ball_on_plane(
-    case: Published, friction: float, slope: float, speed: float, duration: float, mass: float = 1.0
-) -> Scenario:
-    """A ball without spin that touches a plane. slope: rad, downhill towards +x. speed: m/s, downhill."""
-    downhill, normal = (
-        np.array([math.cos(slope), 0.0, -math.sin(slope)]),
-        np.array([math.sin(slope), 0.0, math.cos(slope)]),
-    )
-    radius = case.value("radius")
-    ball = Body("ball", Sphere(radius), mass, tuple(radius * normal), velocity=tuple(speed * downhill))
-    plane, pair = Body("plane", HalfSpace(tuple(normal))), Pair("ball", "plane", kinetic_friction=friction)
-    return Scenario(case.name, (plane, ball), (pair,), duration, (0.0, 0.0, -gravity_of(case)))
-
-
 def set_sliding(case: Published, engine: Engine) -> Answers:
     """P4: the state at the published step, and when and with what the ball begins to roll."""
     friction, speed, dt = case.value("friction"), case.value("speed"), case.value("timestep")
     end, gravity = case.value("steps") * dt, gravity_of(case)
     duration = truth.rolling_start(speed, friction, gravity) + 0.2
-    scenario = ball_on_plane(case, friction, 0.0, speed, duration)
+    scenario = as_heavy(case, ball_on_plane(case.name, friction, 0.0, speed, duration, case.value("radius")))
     trajectory = engine.run(scenario, replace(tuned(engine, scenario, dt), sample_every=1))
     at = int(np.searchsorted(trajectory.times, end - dt / 2))
     lost = friction * gravity * dt / 2
@@ -69,10 +56,10 @@ def _slip_ends(trajectory: Trajectory) -> float:
 
 def down_a_slope(case: Published, engine: Engine) -> Answers:
     """P13: the speed at the end, and friction from the balance of momentum, m g sin θ − m a with a = v/t."""
-    slope, mass, duration = math.radians(case.value("slope")), case.value("mass"), case.value("duration")
-    scenario = ball_on_plane(case, case.value("friction"), slope, 0.0, duration, mass)
-    settings = tuned(engine, scenario)
-    trajectory = engine.run(scenario, settings)
+    friction, duration, radius, mass = case.values("friction", "duration", "radius", "mass")
+    slope = math.radians(case.value("slope"))
+    scenario = as_heavy(case, ball_on_plane(case.name, friction, slope, 0.0, duration, radius, mass))
+    trajectory = engine.run(scenario, tuned(engine, scenario))
     speed = turning.speed_along(trajectory, "ball", "plane")
     pull = mass * gravity_of(case) * math.sin(slope)
     return {"speed": Answer(speed), "friction": Answer(pull - mass * speed / float(trajectory.times[-1]))}

@@ -1,12 +1,15 @@
-"""What the published cases share in an engine: a ball above a floor, tuned settings, and an answer's tolerance."""
+"""What the published cases share in an engine: a ball above a floor, gravity, settings, an answer's tolerance."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 
 from reference.engines.base import Engine
 from reference.published import Answer, Figure, Published
-from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
+from reference.scenario import GRAVITY, Scenario
+from reference.scenarios.response import falling_ball
 from reference.settings import Settings
 
 FINE = 1e-4
@@ -16,15 +19,18 @@ FINE = 1e-4
 def ball_over_floor(
     case: Published, drop: float, duration: float, restitution: float, radius: float = 0.1, mass: float = 1.0
 ) -> Scenario:
-    """A ball let go above a floor; drop is the gap, m. Gravity is the case's, or that of all scenarios."""
-    ball = Body("ball", Sphere(radius), mass, (0.0, 0.0, radius + drop))
-    pair = Pair("ball", "floor", restitution)
-    return Scenario(case.name, (Body("floor", HalfSpace()), ball), (pair,), duration, (0.0, 0.0, -gravity_of(case)))
+    """A ball let go above a floor; drop is the gap, m."""
+    return as_heavy(case, falling_ball(case.name, restitution, drop, duration, radius, mass))
+
+
+def as_heavy(case: Published, scenario: Scenario) -> Scenario:
+    """The scenario with the case's gravity."""
+    return replace(scenario, gravity=(0.0, 0.0, -gravity_of(case)))
 
 
 def gravity_of(case: Published) -> float:
-    """The case's gravity, m/s², 9.81 where its figures do not hang on it."""
-    return case.value("gravity") if "gravity" in case.setup else 9.81
+    """The case's gravity, m/s², that of all scenarios where its figures do not hang on it."""
+    return case.value("gravity") if "gravity" in case.setup else GRAVITY
 
 
 def tuned(engine: Engine, scenario: Scenario, timestep: float = FINE) -> Settings:

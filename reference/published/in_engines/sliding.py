@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from reference import geometry, measure, truth
+from reference import measure, truth
 from reference.engines.base import Engine
-from reference.errors import RunFailed
 from reference.published import Answer, Answers, Published
-from reference.published.in_engines.scenes import gravity_of
-from reference.scenario import Body, Box, HalfSpace, Pair, Scenario
+from reference.published.in_engines.scenes import as_heavy, gravity_of
+from reference.scenario import Body, Box, Scenario
+from reference.scenarios.friction import slab_on_plane
 
 WATCHED = 0.5
 """How long a box that has stopped is watched, s."""
@@ -20,28 +20,6 @@ RESTS = 1e-3
 """A box that creeps less than this in `LET_GO` rests, m."""
 LET_GO = 0.2
 """How long a box on a slope is watched, s: the slowest of those that slide, 20° at μ = 0.3, goes 12 mm."""
-SLAB = (0.2, 0.2, 0.02)
-"""Half lengths of what is let go on a slope, m: flat, since a cube would turn over at 45°."""
-
-
-def box_on_plane(
-    case: Published,
-    half_extents: tuple[float, float, float],
-    friction: float,
-    slope: float,
-    speed: float,
-    duration: float,
-) -> Scenario:
-    """A box that starts flat on a plane. slope: rad, downhill towards +x. speed: m/s, downhill."""
-    normal = np.array([math.sin(slope), 0.0, math.cos(slope)])
-    downhill = np.array([math.cos(slope), 0.0, -math.sin(slope)])
-    orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), normal)
-    box = Body(
-        "box", Box(half_extents), 1.0, tuple(half_extents[2] * normal), tuple(orientation), tuple(speed * downhill)
-    )
-    pair = Pair("box", "plane", kinetic_friction=friction)
-    plane = Body("plane", HalfSpace(tuple(normal)))
-    return Scenario(case.name, (plane, box), (pair,), duration, (0.0, 0.0, -gravity_of(case)))
 
 
 def stopping_box(case: Published, engine: Engine) -> Answers:
@@ -50,11 +28,11 @@ def stopping_box(case: Published, engine: Engine) -> Answers:
     speed, found = case.value("speed"), []
     for friction in case.values("friction"):
         duration = truth.stopping_time(speed, friction, gravity_of(case)) + WATCHED
-        scenario = box_on_plane(case, (half, half, half), friction, 0.0, speed, duration)
+        scenario = as_heavy(case, slab_on_plane(case.name, friction, 0.0, speed, duration, 0.0, (half, half, half)))
         settings = engine.settings(scenario, "tuned")
         if "timestep" in case.setup:
             settings = settings.change(timestep=case.value("timestep"))
-        found.append(measure.stopping_distance(engine.run(scenario, settings), "box", "plane"))
+        found.append(measure.stopping_distance(engine.run(scenario, settings), "slab", "plane"))
     return {"distance": Answer(tuple(found) if len(found) > 1 else found[0])}
 
 
@@ -63,25 +41,20 @@ def ramp(case: Published, engine: Engine) -> Answers:
     rests = []
     for friction in case.values("friction"):
         for slope in case.values("slope"):
-            scenario = box_on_plane(case, SLAB, friction, math.radians(slope), 0.0, LET_GO)
+            scenario = as_heavy(case, slab_on_plane(case.name, friction, math.radians(slope), 0.0, LET_GO))
             settings = engine.settings(scenario, "tuned")
             trajectory = engine.run(scenario, replace(settings, sample_every=round(0.1 / settings.timestep)))
-            rests.append(float(measure.displacement(trajectory, "box") < RESTS))
+            rests.append(float(measure.displacement(trajectory, "slab") < RESTS))
     return {"rests": Answer(tuple(rests))}
 
 
 def free_flight(case: Published, engine: Engine) -> Answers:
     """P14: distance from the exact flight at the end."""
-    duration, velocity, gravity = (
-        case.value("duration"),
-        np.array(case.values("velocity")),
-        np.array(case.values("gravity")),
-    )
+    velocity, gravity = np.array(case.values("velocity")), np.array(case.values("gravity"))
     box = Body("box", Box((0.2, 0.3, 0.5)), 1.0, velocity=tuple(velocity), angular_velocity=(0.1, 5.0, 0.1))
-    scenario = Scenario(case.name, (box,), (), duration, tuple(gravity))
+    scenario = Scenario(case.name, (box,), (), case.value("duration"), tuple(gravity))
     settings = engine.settings(scenario, "tuned").change(timestep=case.value("timestep"))
     trajectory = engine.run(scenario, replace(settings, sample_every=100))
-    if not math.isclose(trajectory.times[-1], duration):
-        raise RunFailed(f"the flight ends at {trajectory.times[-1]} s")
+    duration = float(trajectory.times[-1])
     exact = velocity * duration + gravity * duration**2 / 2
     return {"position_error": Answer(float(np.linalg.norm(trajectory.position("box")[-1] - exact)))}
