@@ -115,38 +115,36 @@ def judged(case: Published, engine: str, answers: Answers) -> tuple[PublishedRow
 
 
 def _rows(case: Published, engine: str, figure: str, given: Answer) -> list[PublishedRow]:
-    expected = case.expected[figure]
-    count = len(expected) if isinstance(expected, tuple) else 0
-    blank = PublishedRow(case.name, engine, figure, 0, Verdict.CANNOT_EXPRESS, note=given.reason)
+    several, expected = isinstance(case.expected[figure], tuple), numbers_of(case.expected[figure])
+    blanks = [
+        PublishedRow(case.name, engine, figure, place if several else 0, Verdict.CANNOT_EXPRESS, None, number)
+        for place, number in enumerate(expected, 1)
+    ]
     if given.value is None:
-        return [replace(blank, expected=expected) if not isinstance(expected, tuple) else blank]
+        return [replace(blank, note=given.reason) for blank in blanks]
     tolerance = case.tolerance[figure] if given.tolerance is None else given.tolerance
-    columns = [numbers_of(expected), numbers_of(given.value)]
-    columns += [
-        numbers_of(part) if isinstance(part, tuple) else (part,) * max(count, 1)
+    columns = [numbers_of(given.value)] + [
+        numbers_of(part) if isinstance(part, tuple) else (part,) * len(expected)
         for part in (tolerance, given.shift, given.shift_tolerance)
     ]
-    return [
-        _row(replace(blank, place=place if count else 0, note=""), case, given, *numbers)
-        for place, numbers in enumerate(zip(*columns, strict=True), 1)
-    ]
+    return [_row(blank, case, given, *numbers) for blank, *numbers in zip(blanks, *columns, strict=True)]
 
 
 def _row(
     blank: PublishedRow,
     case: Published,
     given: Answer,
-    expected: float,
     measured: float,
     tolerance: float,
     shift: float,
     shift_tolerance: float,
 ) -> PublishedRow:
+    assert blank.expected is not None  # a published number
     reason = given.reason or case.reason
-    expectation = Expectation(expected, tolerance, reason, shift, given.shift_reason, shift_tolerance)
+    expectation = Expectation(blank.expected, tolerance, reason, shift, given.shift_reason, shift_tolerance)
     verdict = judge(measured, expectation)
     note = given.shift_reason if verdict is Verdict.KNOWN_DEVIATION else ""
-    row = replace(blank, verdict=verdict, expected=expected, tolerance=tolerance, reason=reason, shift=shift, note=note)
+    row = replace(blank, verdict=verdict, tolerance=tolerance, reason=reason, shift=shift, note=note)
     return replace(row, measured=measured) if math.isfinite(measured) else replace(row, note=NOTHING_FINITE)
 
 

@@ -82,4 +82,4 @@ def _said(value: Figure) -> str:
 
 
 def _difference(row: PublishedRow) -> str:
-    return "" if row.difference is None else numbers.deviation(row.difference, "")
+    return numbers.deviation(row.difference, "") if row.difference else ""

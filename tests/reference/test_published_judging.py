@@ -79,10 +79,11 @@ def test_the_numbers_of_a_figure_may_deviate_one_by_one():
 
 
 def test_a_figure_that_is_not_asked_or_has_no_answer_says_so_and_has_no_number():
-    speed, times = judged(CASE, "mujoco", {"times": Answer(None, reason="it keeps no time")})
-    assert [row.verdict for row in (speed, times)] == [Verdict.CANNOT_EXPRESS] * 2
-    assert [row.note for row in (speed, times)] == ["it was not asked", "it keeps no time"]
-    assert speed.difference is times.difference is None
+    rows = judged(CASE, "mujoco", {"times": Answer(None, reason="it keeps no time")})
+    assert [row.verdict for row in rows] == [Verdict.CANNOT_EXPRESS] * 3
+    assert [row.note for row in rows] == ["it was not asked", "it keeps no time", "it keeps no time"]
+    assert [row.expected for row in rows] == [2.0, 1.0, 3.0]
+    assert [row.measured for row in rows] == [row.difference for row in rows] == [None] * 3
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf])
