@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated
 
@@ -15,6 +16,7 @@ from reference.compare import Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
 from reference.published import recorded, running
+from reference.recording import MARK
 
 
 def record(
@@ -38,8 +40,7 @@ def record(
     others = [name for name in engine_names() if load_engine(name).package is not None]
     results = jobs.run(jobs.planned(scenario, engine or others, with_studies=True), workers, Cache(fresh=fresh))
     measured = [result for result in results if result.version and not result.recording]
-    for title in dict.fromkeys(result.title for result in results if result not in measured):
-        output.print(f"{title} is not installed here: its recordings stay as they are.", markup=False)
+    _say_missing(result.title for result in results if result not in measured)
     if not measured:
         raise typer.Exit(jobs.COULD_NOT_COMPARE)
     if crashed := [row for result in measured for row in result.rows if row.verdict is Verdict.CRASHED]:
@@ -51,12 +52,18 @@ def record(
     output.print(f"{len(written)} files, {size / 1e6:.1f} MB, in {written[0].parents[1]}", soft_wrap=True, markup=False)
 
 
+def _say_missing(titles: Iterable[str]) -> None:
+    for title in dict.fromkeys(title.rstrip(MARK) for title in titles):
+        output.print(f"{title} is not installed here: its recordings stay as they are.", markup=False)
+
+
 def _record_published(engines: list[str] | None, workers: int | None, fresh: bool, out: Path | None) -> None:
     """The same for the published cases."""
     others = [name for name in engine_names() if load_engine(name).package is not None]
     results = jobs.run_work(running.plan((), engines or others), running.PUBLISHED, workers, Cache(fresh=fresh))
     here = {result.job.engine for result in results if result.version and not result.recording}
     measured = [result for result in results if result.job.engine in here]
+    _say_missing(result.title for result in results if result not in measured)
     if not measured:
         raise typer.Exit(jobs.COULD_NOT_COMPARE)
     for path in recorded.write(measured, out):

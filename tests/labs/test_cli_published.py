@@ -10,6 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from labs.cli import app
+from reference.errors import EngineNotInstalled
 
 EVERYTHING = "".join(
     f"from solutions.{topic} import *\n" for topic in ("detection", "response", "forces", "friction", "impulse")
@@ -100,3 +101,22 @@ def test_an_engine_runs_a_published_case_and_its_answers_are_recorded(installed,
     # 2 g h, and the lab's own tolerance of three digits
     assert content["cases"]["P22"]["answers"]["impulse"]["value"] == pytest.approx(2.71, abs=5e-3)
     assert content["cases"]["P24"]["refused"][0] == "cannot express"
+
+
+def test_an_engine_that_is_not_installed_keeps_its_recordings(monkeypatch, tmp_path):
+    def missing(*_):
+        raise EngineNotInstalled("it is not here")
+
+    monkeypatch.setattr("reference.running.run_isolated", missing)
+    code, said, _ = collisions("record", "--published", "--engine", "dart", "--out", tmp_path)
+    assert code == 3
+    assert "DART is not installed here: its recordings stay as they are." in said
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.slow
+def test_by_hand_every_published_case_but_one_comes_out_to_every_number():
+    code, said, _ = collisions("compare", "--published", *BY_HAND)
+    assert code == 0
+    assert "26 of 27 published cases come out as published" in said
+    assert re.search("implementation that is not their own. P11: hand-written: known deviation: a real contact", said)
