@@ -537,11 +537,11 @@ def test_a_time_limit_that_is_no_time_is_the_callers_mistake(timeout):
 
 
 def test_the_log_says_when_a_job_starts_and_how_long_it_took(tmp_path, caplog):
-    caplog.set_level(logging.INFO, "reference.study")
+    caplog.set_level(logging.INFO, "reference.running")
     run_safely(GOOD)
     run_safely(Job("dropped-ball", engine_file(tmp_path, "bad", "os._exit(3)"), "stock", ("e=0.5",)))
-    assert [record.levelname for record in caplog.records if record.name == "reference.study"] == ["INFO"] * 4
-    said = [record.message for record in caplog.records if record.name == "reference.study"]
+    assert [record.levelname for record in caplog.records if record.name == "reference.running"] == ["INFO"] * 4
+    said = [record.message for record in caplog.records if record.name == "reference.running"]
     assert said[0] == "ball-to-rest in handwritten, tuned: started"
     assert re.fullmatch(r"ball-to-rest in handwritten, tuned: finished after \d+\.\d s", said[1])
     assert re.fullmatch(r"dropped-ball in .*bad\.py, stock: started", said[2])
