@@ -88,7 +88,7 @@ def _add_figure(table: Table, line: PublishedLine, found: dict[str, PublishedRow
     table.add_row(*(Text(text, style="bold") for text in headings))
     for name, row in found.items():
         difference = "" if row.difference is None else numbers.deviation(row.difference, "")
-        accepted = "" if row.tolerance is None else numbers.size(row.tolerance, "")
+        accepted = "" if row.tolerance is None else numbers.digits(row.tolerance, 2)
         verdict = Text(f"{MARKS[row.verdict]} {row.verdict}", style=style_of(row.verdict))
         table.add_row(f"  {engine_title(name)}", figure(row.measured), difference, accepted, verdict)
 
