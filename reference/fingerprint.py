@@ -23,24 +23,28 @@ _NOTHING = 1e-14
 
 def fingerprint(case: Case, settings: Settings) -> str:
     """A hash of all scenarios of a case and of the settings that they ran with."""
-    return _hash([_hash_of(case.scenarios), _plain(settings)])
+    return hashed((_hash_of(case.scenarios), settings))
 
 
 @functools.lru_cache(1024)
 def _hash_of(scenarios: tuple[Scenario, ...]) -> str:
-    return _hash(_plain(scenarios))
+    return hashed(scenarios)
 
 
-def _hash(known: Any) -> str:
-    return hashlib.sha256(json.dumps(known, sort_keys=True).encode()).hexdigest()[:DIGITS]
+def hashed(value: Any) -> str:
+    """A hash of plain data: dataclasses, mappings, tuples, numbers, words."""
+    return hashlib.sha256(json.dumps(_plain(value), sort_keys=True).encode()).hexdigest()[:DIGITS]
 
 
 def _plain(value: Any) -> Any:
-    """Dataclasses as dictionaries that also say of what kind they are, and numbers without their last digits."""
+    """Dataclasses as dictionaries that also say of what kind they are, and numbers without their last digits.
+
+    What may be left empty, and is, is left out.
+    """
     if is_dataclass(value):
-        return {"kind": type(value).__name__} | {
-            field.name: _plain(getattr(value, field.name)) for field in fields(value)
-        }
+        every = ((field, getattr(value, field.name)) for field in fields(value))
+        told = {field.name: _plain(own) for field, own in every if own != () or field.default != ()}
+        return {"kind": type(value).__name__} | told
     if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, float):

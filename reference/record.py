@@ -129,7 +129,7 @@ def write(results: Iterable[JobResult], folder: Path | None = None, today: datet
         found.setdefault((job.engine, job.family), []).append(result)
     day, written = (today or datetime.date.today()).isoformat(), list[Path]()
     for (engine, family), own in found.items():
-        made = Made(own[0].title, own[0].version, _platform(), platform.python_version(), day)
+        made = Made(own[0].title, own[0].version, machine(), platform.python_version(), day)
         path = (folder or FOLDER) / engine / f"{family}.json"
         path.parent.mkdir(parents=True, exist_ok=True)
         written += _write(path, own, asdict(made))
@@ -148,7 +148,7 @@ def _write(path: Path, results: Iterable[JobResult], made: dict[str, str]) -> li
         entries |= new
         tracks |= {(track.profile, track.key): track for track in result.poses if track.key in new}
     content = {"schema": SCHEMA, "version": VERSION, "made": made, "profiles": profiles}
-    path.write_text(_lines(content) + "\n", encoding="utf-8")
+    path.write_text(lines(content) + "\n", encoding="utf-8")
     if not tracks:
         return [path]
     poses = path.with_suffix(".npz")
@@ -162,15 +162,16 @@ def _known(key: str, take: list[Any], entries: Mapping[str, Any]) -> str | None:
     return case if case in entries and entries[case][0] == take[0] else None
 
 
-def _lines(content: Mapping[str, Any], depth: int = 4) -> str:
+def lines(content: Mapping[str, Any], depth: int = 4) -> str:
     """JSON with a line for each entry down to some depth: a case that changes changes one line."""
     if depth == 0 or not isinstance(content, Mapping) or not content:
         return json.dumps(content, ensure_ascii=False, separators=(",", ":"))
-    entries = (f"{json.dumps(name, ensure_ascii=False)}: {_lines(value, depth - 1)}" for name, value in content.items())
+    entries = (f"{json.dumps(name, ensure_ascii=False)}: {lines(value, depth - 1)}" for name, value in content.items())
     return "{\n" + ",\n".join(entries) + "\n}"
 
 
-def _platform() -> str:
+def machine() -> str:
+    """The system and processor that this runs on."""
     return f"{platform.system()} {platform.machine()}"
 
 

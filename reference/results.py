@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -9,6 +10,8 @@ import numpy as np
 from reference.compare import Row
 from reference.errors import InvalidInput
 from reference.family import Case, Family
+from reference.published import Answer
+from reference.published.judging import PublishedRow
 from reference.replay import Track
 from reference.settings import Option
 from reference.shares import Split
@@ -104,3 +107,42 @@ class JobResult:
     poses: tuple[Track, ...] = ()
     seconds: float = field(default=0.0, compare=False)
     cached: bool = field(default=False, compare=False)
+
+    @property
+    def label(self) -> str:
+        """What a progress bar says of it."""
+        return f"{self.job.family}, {self.title}, {self.job.profile}"
+
+
+@dataclass(frozen=True)
+class PublishedJob:
+    """One published case × engine."""
+
+    case: str
+    engine: str
+    implementation: str = "solutions"
+
+    def __str__(self) -> str:
+        return f"{self.case} in {self.engine}"
+
+
+@dataclass(frozen=True)
+class PublishedResult:
+    """What a published case gave in one engine; plain data.
+
+    answers: what the rows were judged from. version, recording, seconds, cached: as in `JobResult`.
+    """
+
+    job: PublishedJob
+    title: str
+    rows: tuple[PublishedRow, ...]
+    version: str = ""
+    answers: Mapping[str, Answer] = field(default_factory=dict)
+    recording: str = ""
+    seconds: float = field(default=0.0, compare=False)
+    cached: bool = field(default=False, compare=False)
+
+    @property
+    def label(self) -> str:
+        """What a progress bar says of it."""
+        return f"{self.job.case}, {self.title}"

@@ -5,42 +5,29 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Generator, Iterable, Mapping, Sequence
-from concurrent.futures import Executor, Future, as_completed, wait
+from concurrent.futures import Executor
 
 import numpy as np
 
 from reference import recording
-from reference.cache import Cache, key_of
+from reference.cache import Cache
 from reference.compare import ALL_CASES, TUNED, Row, Verdict, compare_case, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
-from reference.errors import (
-    CannotExpress,
-    CollisionsError,
-    EngineNotInstalled,
-    InvalidInput,
-    NeedsFunction,
-    RunFailed,
-    UnknownName,
-    one_line,
-)
+from reference.errors import CollisionsError, InvalidInput, UnknownName, one_line
 from reference.family import Case, Family
 from reference.implementation import Implementation
-from reference.isolate import run_isolated, stop_workers
 from reference.question import Question
 from reference.recording import track_of
 from reference.replay import Track
 from reference.results import Errors, Job, JobResult, Series
+from reference.running import TIME_LIMIT, Work, run_all, run_one
 from reference.scenarios import catalogue
 from reference.settings import Option
 from reference.shares import split
 
-TIME_LIMIT = 300.0
-"""Wall-clock limit of one job, s."""
 ROUNDING = 1e-9
 """Errors below this share of the value are rounding: no order can be read off them."""
-_STOP_INTERVAL = 0.05
-"""Time between two rounds of stopping workers, s: enough for a thread to see that its worker is gone."""
 
 _log = logging.getLogger(__name__)
 
@@ -137,35 +124,11 @@ def _steps(job: Job) -> float:
         return 0.0  # its own run will say what is wrong
 
 
-def recall(jobs: Iterable[Job], cache: Cache) -> list[JobResult]:
-    """The results of those jobs that the cache has."""
-    return [result for job in jobs if (result := cache.get(job)) is not None]
-
-
 def run_jobs(
     jobs: Sequence[Job], executor: Executor, timeout: float = TIME_LIMIT, cache: Cache | None = None
 ) -> Generator[JobResult, None, None]:
-    """Run jobs through an executor and yield their results as they come; what fails comes as a row that says so.
-
-    What a cache has is taken from it, in the executor's threads, without a worker process.
-
-    Whoever leaves early, by closing the generator or by an interrupt, stops every worker process and waits for no job.
-    """
-    waiting: list[Future[JobResult]] = []
-    try:
-        waiting.extend(executor.submit(run_safely, job, timeout, cache) for job in jobs)
-        for future in as_completed(waiting):
-            yield future.result()
-    finally:
-        _abandon(waiting)
-
-
-def _abandon(futures: Iterable[Future[JobResult]]) -> None:
-    """Cancel the jobs that have not started and stop the workers of those that have, until none is left."""
-    running = {future for future in futures if not (future.cancel() or future.done())}
-    while running:  # again and again: a thread may be just about to start a worker
-        stop_workers()
-        running = wait(running, _STOP_INTERVAL).not_done
+    """Run jobs through an executor and yield their results as they come, as `running.run_all` does."""
+    return run_all(jobs, SCENARIOS, executor, timeout, cache)
 
 
 def run_safely(job: Job, timeout: float = TIME_LIMIT, cache: Cache | None = None) -> JobResult:
@@ -173,29 +136,7 @@ def run_safely(job: Job, timeout: float = TIME_LIMIT, cache: Cache | None = None
 
     An engine that is not installed answers from its recording, or with a row that says how to get it.
     """
-    found = cache.get(job) if cache else None
-    if found is not None:
-        return found
-    start, key = time.perf_counter(), None
-    _log.info("%s: started", job)
-    try:
-        if cache:
-            key, result = run_isolated(_run_with_key, timeout, job)
-        else:
-            result = run_isolated(run_job, timeout, job)
-    except EngineNotInstalled as error:
-        result = recording.recall(job) or _without_answer(job, error, time.perf_counter() - start)
-    except (NeedsFunction, CannotExpress, RunFailed) as error:
-        result = _without_answer(job, error, time.perf_counter() - start)
-    _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)
-    if cache:
-        cache.put(job, key, result)
-    return result
-
-
-def _run_with_key(job: Job) -> tuple[str | None, JobResult]:
-    """Run a job in a worker, which says what code it runs: it may have imported it before a file was changed."""
-    return key_of(job, once=True), run_job(job)
+    return run_one(job, SCENARIOS, timeout, cache)
 
 
 def _without_answer(job: Job, error: CollisionsError, seconds: float) -> JobResult:
@@ -243,6 +184,10 @@ def run_job(job: Job) -> JobResult:
         poses=tuple(tracks),
         seconds=time.perf_counter() - start,
     )
+
+
+SCENARIOS: Work[Job, JobResult] = Work(run_job, recording.recall, _without_answer, longest_first)
+"""The jobs of the lab's own catalogue."""
 
 
 def _convergence(asked: Question, factors: Sequence[float], job: Job) -> Errors | None:

@@ -14,15 +14,16 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from labs.cli.console import errors
 from reference import checks
 from reference.cache import Cache
-from reference.compare import Verdict, failures, without_answer
+from reference.compare import Verdict, failures
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.family import Family
-from reference.results import Job, JobResult
+from reference.results import Job, JobResult, PublishedResult
+from reference.running import TIME_LIMIT, J, R, Work, recall, run_all
 from reference.scenarios import catalogue, find
 from reference.settings import Option
 from reference.snapping import snapped
-from reference.study import longest_first, plan, recall, run_jobs
+from reference.study import SCENARIOS, plan
 
 FAILED, COULD_NOT_COMPARE = 1, 3
 SETTING, PARAMETER = "--set contact_erp=0.2 with --engine pybullet", "--at restitution=0.4"
@@ -94,23 +95,30 @@ def _assignment(text: str, example: str) -> tuple[str, Option]:
 
 
 def run(jobs: Sequence[Job], workers: int | None, cache: Cache | None = None) -> list[JobResult]:
-    """Take from the cache what it has, run the rest in parallel and show how far it is; return the results."""
+    """Run scenarios, as `run_work` does."""
     if not jobs:
         raise InvalidInput("no engine has these profiles for these scenarios: there is nothing to run")
+    return run_work(jobs, SCENARIOS, workers, cache)
+
+
+def run_work(jobs: Sequence[J], work: Work[J, R], workers: int | None, cache: Cache | None = None) -> list[R]:
+    """Take from the cache what it has, run the rest in parallel and show how far it is; return the results."""
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     workers, results = workers or os.cpu_count() or 1, recall(jobs, cache) if cache else []
     errors.print(f"{_counted(len(jobs), len(results))}, {workers} at a time.")
     had = {result.job for result in results}
-    missing = longest_first(job for job in jobs if job not in had)
+    missing = work.in_order(job for job in jobs if job not in had)
     with (
         Progress(*columns, console=errors, transient=True) as progress,
         ThreadPoolExecutor(workers) as executor,
-        closing(run_jobs(missing, executor, cache=cache)) as finished,  # an interrupt stops the runs, then the executor
+        closing(
+            run_all(missing, work, executor, TIME_LIMIT, cache)
+        ) as finished,  # an interrupt stops the runs, then the executor
     ):
         task = progress.add_task("running", total=len(jobs), completed=len(results))
         for result in finished:
             results.append(result)
-            progress.update(task, advance=1, description=f"{result.job.family}, {result.title}, {result.job.profile}")
+            progress.update(task, advance=1, description=result.label)
     return results
 
 
@@ -122,7 +130,18 @@ def _counted(runs: int, cached: int) -> str:
 def exit_code(results: Sequence[JobResult]) -> int:
     """0 where all is well; 1 if a tuned verdict failed; 3 if a run gave no answer, or none of them did."""
     rows = [row for result in results for row in result.rows]
-    nothing = all(row.verdict in (Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS) for row in rows)
-    if failures(rows):
+    return exit_code_of([row.verdict for row in rows], bool(failures(rows)))
+
+
+def published_exit_code(results: Sequence[PublishedResult]) -> int:
+    """The same of published cases; nothing there is stock."""
+    verdicts = [row.verdict for result in results for row in result.rows]
+    return exit_code_of(verdicts, Verdict.FAIL in verdicts)
+
+
+def exit_code_of(verdicts: Sequence[Verdict], failed: bool) -> int:
+    """The same, of verdicts and whether one that counts failed."""
+    nothing = all(each in (Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS) for each in verdicts)
+    if failed:
         return FAILED
-    return COULD_NOT_COMPARE if nothing or without_answer(rows) else 0
+    return COULD_NOT_COMPARE if nothing or Verdict.CRASHED in verdicts else 0

@@ -17,6 +17,7 @@ from reference.compare import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
 from reference.family import Family
+from reference.published import recorded, running
 from reference.results import Job, JobResult
 from reference.scenarios import catalogue, find
 from reference.snapping import absent
@@ -34,32 +35,67 @@ def record(
         bool, typer.Option("--only-stale", help="Only what is missing, or of other scenarios or settings than now.")
     ] = False,
     out: Annotated[Path | None, typer.Option(help="Another folder than the lab's own.", show_default=False)] = None,
+    published: Annotated[bool, typer.Option("--published", help="Other people's cases and no scenarios.")] = False,
 ) -> None:
     """Run scenarios in the engines that are here and keep numbers and poses, for machines on which they are missing.
 
+    Where no scenario is named it takes all, and other people's cases as well.
+
     For example:  collisions record dropped-ball --engine pybullet
     """
-    families, engines = _families(scenario), list(engine or _others())
-    here = [name for name in engines if not absent(name)]
-    for name in engines:
+    if scenario and published:
+        raise InvalidInput(f"--published takes no scenarios, and {scenario[0]!r} is one; name one of the two")
+    families, here = _families(scenario), _here(engine)
+    cache = Cache(fresh=fresh, most_bytes=MOST_BYTES)
+    written = [] if published else _scenarios(families, here, only_stale, workers, cache, out)
+    if not scenario:
+        written += _published(here, only_stale, workers, cache, out)
+    if written:
+        _print_sizes(written)
+    else:
+        output.print("All recordings are of today's scenarios and settings.")
+
+
+def _here(engines: Sequence[str] | None) -> list[str]:
+    """Those of the engines that can run here; the others are named."""
+    wanted = engines or [name for name in engine_names() if load_engine(name).package is not None]
+    here = [name for name in wanted if not absent(name)]
+    for name in wanted:
         if name not in here:
             title = load_engine(name).title
             output.print(f"{title} is not installed here: its recordings stay as they are.", markup=False)
     if not here:
         raise typer.Exit(jobs.COULD_NOT_COMPARE)
-    wanted = [(family, name) for name in here for family in families]
+    return here
+
+
+def _scenarios(
+    families: Iterable[Family],
+    engines: Sequence[str],
+    only_stale: bool,
+    workers: int | None,
+    cache: Cache,
+    out: Path | None,
+) -> list[Path]:
+    """Record the lab's own scenarios; return the files."""
+    wanted = [(family, name) for name in engines for family in families]
     if only_stale and not (wanted := _stale(wanted, out)):
-        output.print("All recordings are of today's scenarios and settings.")
-        return
+        return []
     planned = [job for family, name in wanted for job in recordings.jobs_of(family, name)]
-    results = jobs.run(planned, workers, Cache(fresh=fresh, most_bytes=MOST_BYTES))
+    results = jobs.run(planned, workers, cache)
     _check(results)
-    _print_sizes(recordings.write(_in_order(results, planned), out))
+    return recordings.write(_in_order(results, planned), out)
 
 
-def _others() -> list[str]:
-    """The engines that are not the lab's own code."""
-    return [name for name in engine_names() if load_engine(name).package is not None]
+def _published(
+    engines: Sequence[str], only_stale: bool, workers: int | None, cache: Cache, out: Path | None
+) -> list[Path]:
+    """Record other people's cases; return the files."""
+    wanted = [name for name in engines if not only_stale or recorded.is_stale(name, out)]
+    planned = running.plan((), wanted) if wanted else []
+    results = jobs.run_work(planned, running.PUBLISHED, workers, cache) if planned else []
+    place = {job: number for number, job in enumerate(planned)}
+    return recorded.write(sorted(results, key=lambda result: place[result.job]), out)
 
 
 def _families(names: Sequence[str] | None) -> list[Family]:

@@ -53,6 +53,7 @@ class Dart(Engine):
     package = "dartpy"
     extra = "dart"
     wheels = "CPython from 3.10 on Linux, macOS 15 on ARM and Windows"
+    applies_forces = True
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at DART's default."""
@@ -115,7 +116,10 @@ class Dart(Engine):
             [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies
         ]
         recorder.sample([number for state in fixed for number in state])
+        pushes = [(bodies[scenario.index(force.body)], force.force) for force in scenario.forces]
         for number in range(1, steps + 1):
+            for node, force in pushes:
+                node.addExtForce(force, [0.0, 0.0, 0.0])  # at the centre; forgotten after the step
             world.step()
             if number % settings.sample_every == 0:
                 recorder.sample(_state(scenario, bodies, fixed))

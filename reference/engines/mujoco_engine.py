@@ -39,6 +39,7 @@ class MuJoCo(Engine):
     package = "mujoco"
     extra = "mujoco"
     wheels = "CPython from 3.11 on Linux, macOS on ARM and Windows"
+    applies_forces = True
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
         """`spring`, the resolved contact of the textbooks, joins where something falls."""
@@ -121,6 +122,8 @@ class MuJoCo(Engine):
         movable = [place for place, body in enumerate(scenario.bodies) if not body.immovable]
         for slot, place in enumerate(movable):
             _set_velocity(state, slot, scenario.bodies[place])
+        for force in scenario.forces:
+            state.xfrc_applied[1 + scenario.index(force.body), :3] += force.force  # body 0 is the world
         recorder = Recorder(self.name, scenario, settings)
         fixed = [
             [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies

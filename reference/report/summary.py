@@ -39,7 +39,7 @@ LEGEND = {
     Verdict.CRASHED: "the run died, hung or gave no usable state",
     Verdict.SHOWN: "theory has no figure; the largest value is shown",
 }
-_SEVERITY = (
+SEVERITY = (
     Verdict.CRASHED,
     Verdict.FAIL,
     Verdict.NEEDS,
@@ -62,7 +62,7 @@ class Cell:
     @cached_property
     def verdict(self) -> Verdict:
         """The worst verdict among the rows."""
-        return min((row.verdict for row in self.rows), key=_SEVERITY.index)
+        return min((row.verdict for row in self.rows), key=SEVERITY.index)
 
     @property
     def mark(self) -> str:
@@ -320,7 +320,7 @@ def verdict_line(rows: Sequence[Row]) -> str:
 def _badness(row: Row) -> tuple[int, float]:
     error = row.relative_error if row.relative_error is not None else row.error
     size = abs(error) if error is not None else abs(row.measured or 0.0)
-    return -_SEVERITY.index(row.verdict), size if math.isfinite(size) else math.inf
+    return -SEVERITY.index(row.verdict), size if math.isfinite(size) else math.inf
 
 
 def _times(title: str, count: int) -> str:

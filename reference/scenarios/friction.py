@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from reference import geometry, measure, truth
+from reference.checks import Vector
 from reference.engines.base import EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
 from reference.grid import TENTHS, Grid, Parameter
@@ -24,9 +25,15 @@ HOLDS, SLIDES = 0.0, 1.0
 
 
 def slab_on_plane(
-    name: str, friction: float, slope: float, speed: float, duration: float, heading: float = 0.0
+    name: str,
+    friction: float,
+    slope: float,
+    speed: float,
+    duration: float,
+    heading: float = 0.0,
+    half_extents: Vector = HALF_EXTENTS,
 ) -> Scenario:
-    """A slab that starts flat on a plane.
+    """A slab, or another box, that starts flat on a plane.
 
     slope: of the plane, rad, downhill towards +x. speed: m/s along the plane. heading: its angle from downhill, rad.
     """
@@ -36,9 +43,9 @@ def slab_on_plane(
     velocity = speed * (math.cos(heading) * downhill + math.sin(heading) * np.array([0.0, 1.0, 0.0]))
     slab = Body(
         "slab",
-        Box(HALF_EXTENTS),
+        Box(half_extents),
         mass=1.0,
-        position=tuple(normal * HALF_EXTENTS[2]),
+        position=tuple(normal * half_extents[2]),
         orientation=tuple(orientation),
         velocity=tuple(velocity),
     )

@@ -30,9 +30,11 @@ Falling = Callable[[str, float, float, float], Scenario]
 """Name, restitution, drop height in m, duration in s → the scenario of one drop."""
 
 
-def falling_ball(name: str, restitution: float, drop_height: float, duration: float) -> Scenario:
+def falling_ball(
+    name: str, restitution: float, drop_height: float, duration: float, radius: float = RADIUS, mass: float = 1.0
+) -> Scenario:
     """A ball let go above the floor; drop_height is the gap, m."""
-    ball = Body("ball", Sphere(RADIUS), mass=1.0, position=(0.0, 0.0, RADIUS + drop_height))
+    ball = Body("ball", Sphere(radius), mass, position=(0.0, 0.0, radius + drop_height))
     floor = Body("floor", HalfSpace())
     return Scenario(name, (floor, ball), (Pair("ball", "floor", restitution=restitution),), duration)
 

@@ -27,11 +27,19 @@ SHARE = 1e-3
 Expect = Callable[[Case, Settings, Method], Expectation]
 
 
-def ball_on_plane(name: str, friction: float, slope: float, speed: float, duration: float) -> Scenario:
+def ball_on_plane(
+    name: str,
+    friction: float,
+    slope: float,
+    speed: float,
+    duration: float,
+    radius: float = RADIUS,
+    mass: float = 1.0,
+) -> Scenario:
     """A ball without spin that touches a plane. slope: rad, downhill towards +x. speed: m/s, downhill."""
     downhill = np.array([math.cos(slope), 0.0, -math.sin(slope)])
     normal = np.array([math.sin(slope), 0.0, math.cos(slope)])
-    ball = Body("ball", Sphere(RADIUS), 1.0, tuple(RADIUS * normal), velocity=tuple(speed * downhill))
+    ball = Body("ball", Sphere(radius), mass, tuple(radius * normal), velocity=tuple(speed * downhill))
     plane = Body("plane", HalfSpace(tuple(normal)))
     return Scenario(name, (plane, ball), (Pair("ball", "plane", kinetic_friction=friction),), duration)
 

@@ -22,9 +22,8 @@ from reference import snapping
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.isolate import stop_workers
-from reference.report.files import read_rows
+from reference.report.files import read_published, read_rows
 from reference.scenarios import catalogue
-from reference.study import run_jobs
 
 QUICK = ("ball-to-rest/e=0.5", "--engine", "handwritten")
 TUNED = (*QUICK, "--profile", "tuned")
@@ -380,7 +379,7 @@ def test_a_run_without_a_usable_answer_ends_with_3_and_the_others_are_printed(bo
 
 def test_a_run_that_hangs_is_stopped_and_ends_with_3(odd, monkeypatch):
     # 1 s: whatever the limit, it hangs for longer; what it is here only makes the test quick.
-    monkeypatch.setattr(jobs, "run_jobs", functools.partial(run_jobs, timeout=1.0))
+    monkeypatch.setattr(jobs, "TIME_LIMIT", 1.0)
     ended = collisions("compare", QUICK[0], "--profile", "tuned", "--engine", odd("time.sleep(600)"))
     assert ended.code == 3
     assert "an odd one, tuned: crashed: no answer within 1 s" in ended.text
@@ -624,6 +623,8 @@ def test_the_whole_report_is_written_all_tuned_verdicts_agree_and_it_is_small_en
     assert {(row.engine, row.note) for row in needs} == {("handwritten", "needs a rigid-body world (world)")}
     assert "49 cases wait for hand-written functions" in " ".join(said.text.split())
     assert len(needs) == 2 * 49  # in both of its profiles
-    assert len(os.listdir(tmp_path / "report" / "figures")) == 2 * len(catalogue())
+    assert len(os.listdir(tmp_path / "report" / "figures")) == 2 * len(catalogue()) + 2
+    others = {str(row.verdict) for row in read_published(tmp_path / "report" / "published.json")}
+    assert others == {"pass", "known deviation", "cannot express"}
     size = (tmp_path / "report" / "index.html").stat().st_size
     assert size < 3_000_000  # bytes: what any mail takes, and a phone on the move loads

@@ -16,7 +16,8 @@ from reference import cache, sources
 from reference.cache import Cache, default_folder, key_of
 from reference.compare import Row, Verdict
 from reference.results import Job, JobResult
-from reference.study import recall, run_job, run_jobs, run_safely
+from reference.running import recall
+from reference.study import run_job, run_jobs, run_safely
 
 JOB = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
 OWN_CODE = """

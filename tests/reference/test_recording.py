@@ -8,7 +8,8 @@ from dataclasses import replace
 
 import pytest
 
-from reference import recording, study
+from reference import recording, running
+from reference.cache import Cache
 from reference.compare import Verdict
 from reference.engines import load_engine
 from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
@@ -183,9 +184,9 @@ def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(
     def missing(*_):
         raise EngineNotInstalled("it is not here")
 
-    monkeypatch.setattr(study, "run_isolated", missing)
+    monkeypatch.setattr(running, "run_isolated", missing)
     monkeypatch.setattr(recording, "FOLDER", folder)
-    cache = study.Cache(tmp_path / "cache")
+    cache = Cache(tmp_path / "cache")
     found = run_safely(JOBS[0], cache=cache)
     assert found.recording
     assert found.rows[0].measured is not None

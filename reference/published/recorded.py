@@ -1,0 +1,131 @@
+"""Recordings of published cases: what an engine said of them where it was installed, judged anew each time.
+
+One file an engine, `recordings/ENGINE/published.json`. It holds an engine's answers, with what its method is known to
+allow, never a verdict. A fingerprint of the case's set-up says what an answer belongs to; where that has changed since,
+the recording is stale, and says so instead of answering.
+"""
+
+from __future__ import annotations
+
+import datetime
+import json
+import platform
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+from reference.compare import Verdict
+from reference.engines import engine_names, load_engine
+from reference.errors import InvalidInput
+from reference.fingerprint import hashed
+from reference.published import Answer, Published, published, published_cases
+from reference.published.judging import PublishedRow, judged
+from reference.record import lines, machine
+from reference.recording import FOLDER, MARK, Made
+from reference.results import PublishedJob, PublishedResult
+
+SCHEMA, VERSION = "collisions-lab/published-recording", 1
+FILE = "published.json"
+
+
+def fingerprint(case: Published) -> str:
+    """A hash of the case's set-up."""
+    return hashed(case.setup)
+
+
+def write(
+    results: Iterable[PublishedResult], folder: Path | None = None, today: datetime.date | None = None
+) -> list[Path]:
+    """Write what engines have just said of all published cases, one file an engine, and return the files.
+
+    Raises
+    ------
+    InvalidInput
+        If an engine is none of the lab's, did not run here, crashed, or was asked only some of the cases.
+    """
+    found: dict[str, list[PublishedResult]] = {}
+    for result in results:
+        if result.job.engine not in engine_names() or result.recording:
+            raise InvalidInput(f"{result.job} did not run in an engine of the lab's own; only that is recorded")
+        found.setdefault(result.job.engine, []).append(result)
+    day, written = (today or datetime.date.today()).isoformat(), []
+    for name, own in found.items():
+        version = next((result.version for result in own if result.version), "")
+        made = Made(load_engine(name).title, version, machine(), platform.python_version(), day)
+        cases = {result.job.case: _entry(result) for result in own}
+        content = {"schema": SCHEMA, "version": VERSION, "made": asdict(made), "cases": cases}
+        path = (folder or FOLDER) / name / FILE
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(lines(content, 3) + "\n", encoding="utf-8")
+        written.append(path)
+    return written
+
+
+def _entry(result: PublishedResult) -> dict[str, Any]:
+    whole = next((row for row in result.rows if not row.figure), None)
+    if whole is not None and whole.verdict in (Verdict.CRASHED, Verdict.NOT_AVAILABLE):
+        raise InvalidInput(f"{result.job}: {whole.verdict}: {whole.note}; nothing is recorded")
+    return {
+        "fingerprint": fingerprint(published(result.job.case)),
+        "answers": {name: asdict(answer) for name, answer in result.answers.items()},
+        "refused": [whole.verdict, whole.note] if whole is not None else None,
+    }
+
+
+def recall(job: PublishedJob, folder: Path | None = None) -> PublishedResult | None:
+    """What an engine said elsewhere, judged here and now; None where nothing of it was recorded.
+
+    A case whose set-up is not that of the recording gets a row that says so, and no number.
+    """
+    if job.engine not in engine_names():  # an engine file: nobody has recorded it
+        return None
+    content = _content((folder or FOLDER) / job.engine / FILE)
+    if content is None:
+        return None
+    made, case = Made(**content["made"]), published(job.case)
+    rows, answers = _rows(case, job.engine, content["cases"].get(case.name))
+    title = f"{load_engine(job.engine).title}{MARK}"
+    return PublishedResult(job, title, rows, made.version, answers, f"{MARK} {made}")
+
+
+def is_stale(engine: str, folder: Path | None = None) -> bool:
+    """Whether a case is missing in an engine's recording, or was set up differently then."""
+    content = _content((folder or FOLDER) / engine / FILE)
+    entries = content["cases"] if content else {}
+    return any(
+        entries.get(name, {}).get("fingerprint") != fingerprint(case) for name, case in published_cases().items()
+    )
+
+
+def _rows(
+    case: Published, engine: str, entry: Mapping[str, Any] | None
+) -> tuple[tuple[PublishedRow, ...], dict[str, Answer]]:
+    blank = PublishedRow(case.name, engine, "", 0, Verdict.NOT_AVAILABLE)
+    if entry is None:
+        return (replace(blank, note="the engine is not installed here, and this case was never recorded"),), {}
+    if entry["fingerprint"] != fingerprint(case):
+        why = "its recording is stale: the set-up has changed since; collisions record makes a new one"
+        return (replace(blank, note=why),), {}
+    if entry["refused"]:
+        verdict, note = entry["refused"]
+        return (replace(blank, verdict=Verdict(verdict), note=note),), {}
+    answers = {name: Answer(**_tuples(answer)) for name, answer in entry["answers"].items()}
+    return judged(case, engine, answers), answers
+
+
+def _tuples(values: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: tuple(value) if isinstance(value, list) else value for name, value in values.items()}
+
+
+def _content(path: Path) -> dict[str, Any] | None:
+    """What a file of recordings holds; None where there is none."""
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return None
+    except ValueError as error:
+        raise InvalidInput(f"{str(path)!r} is no recording: {error}") from None
+    if not isinstance(content, dict) or (content.get("schema"), content.get("version")) != (SCHEMA, VERSION):
+        raise InvalidInput(f"{str(path)!r} is no {SCHEMA} of version {VERSION}; collisions record makes a new one")
+    return content
