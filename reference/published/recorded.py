@@ -90,12 +90,9 @@ def recall(job: PublishedJob, folder: Path | None = None) -> PublishedResult | N
 
 
 def is_stale(engine: str, folder: Path | None = None) -> bool:
-    """Whether a case is missing in an engine's recording, or was set up differently then."""
-    content = _content((folder or FOLDER) / engine / FILE)
-    entries = content["cases"] if content else {}
-    return any(
-        entries.get(name, {}).get("fingerprint") != fingerprint(case) for name, case in published_cases().items()
-    )
+    """Whether a case is missing in an engine's recording, or has another set-up now."""
+    found = [recall(PublishedJob(name, engine), folder) for name in published_cases()]
+    return any(each is None or each.rows[0].verdict is Verdict.NOT_AVAILABLE for each in found)
 
 
 def _rows(

@@ -87,6 +87,16 @@ def test_a_recording_of_another_set_up_is_stale_and_has_no_number(folder, monkey
     assert "its recording is stale" in row.note
 
 
+def test_an_engine_is_stale_while_a_case_is_missing_or_of_another_set_up(folder, monkeypatch):
+    assert recorded.is_stale("dart", folder)
+    assert recorded.is_stale("handwritten", folder)
+    monkeypatch.setattr(recorded, "published_cases", lambda: dict.fromkeys(NAMES))
+    assert not recorded.is_stale("handwritten", folder)
+    other = replace(published("P22"), setup={"mass": 0.3})
+    monkeypatch.setattr(recorded, "published", lambda name: other if name == "P22" else published(name))
+    assert recorded.is_stale("handwritten", folder)
+
+
 def test_a_case_that_was_refused_is_recorded_with_its_reason(tmp_path):
     job = PublishedJob("P24", "pybullet")
     refused = run_job(job)
