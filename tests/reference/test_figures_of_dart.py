@@ -288,6 +288,10 @@ def test_the_method_says_what_the_contact_does():
     engine, scenario = load_engine("dart"), falling_ball("ball", 0.5, 1.0, 1.0)
     method = engine.method(scenario, engine.settings(scenario, "tuned"))
     assert method == Method(AT_STEP, rest_speed=0.2, inset=1.0, softness=SOFTNESS, weighed=1.0)
+    other = replace(scenario.body("ball"), name="other", position=(1.0, 0.0, 1.1))
+    pairs = (*scenario.pairs, Pair("other", "floor", 0.8))
+    two = replace(scenario, bodies=(*scenario.bodies, other), pairs=pairs)
+    assert engine.method(two, engine.settings(two, "tuned")).rest_speed == 0.2  # the dullest pair's
     (move,) = engine.moves(scenario, engine.settings(scenario, "tuned"))
     assert (move.option, move.value) == ("solver_tolerance", pytest.approx(1e-13))  # a tenth
 
