@@ -213,10 +213,10 @@ def test_a_slope_that_holds_lets_a_slab_creep_by_less_than_a_micrometre():
     assert abs(measured("incline", "μ=1,θ=40°", "way")) < 1e-6
 
 
-@pytest.mark.parametrize(("sleep", "left"), [(False, 0.5e-3), (True, 0.0)])
-def test_what_slides_below_a_millimetre_a_second_is_frozen_after_half_a_second_if_it_may_sleep(sleep, left):
+@pytest.mark.parametrize(("changes", "left"), [({}, 0.5e-3), ({"sleep": True}, 0.0)])
+def test_what_slides_below_a_millimetre_a_second_is_frozen_after_half_a_second_if_it_may_sleep(changes, left):
     ball = Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 0.1), velocity=(0.5e-3, 0.0, 0.0))
-    trajectory = run(Scenario("creeping", (FLOOR, ball), (Pair("ball", "floor"),), 1.0), sleep=sleep)
+    trajectory = run(Scenario("creeping", (FLOOR, ball), (Pair("ball", "floor"),), 1.0), **changes)
     assert trajectory.velocity("ball")[[400, -1], 0] == pytest.approx([0.5e-3, left], abs=1e-12)
 
 
@@ -288,6 +288,10 @@ def test_the_method_says_what_the_contact_does():
     engine, scenario = load_engine("dart"), falling_ball("ball", 0.5, 1.0, 1.0)
     method = engine.method(scenario, engine.settings(scenario, "tuned"))
     assert method == Method(AT_STEP, rest_speed=0.2, inset=1.0, softness=SOFTNESS, weighed=1.0)
+    other = replace(scenario.body("ball"), name="other", position=(1.0, 0.0, 1.1))
+    pairs = (*scenario.pairs, Pair("other", "floor", 0.8))
+    two = replace(scenario, bodies=(*scenario.bodies, other), pairs=pairs)
+    assert engine.method(two, engine.settings(two, "tuned")).rest_speed == 0.2  # the dullest pair's
     (move,) = engine.moves(scenario, engine.settings(scenario, "tuned"))
     assert (move.option, move.value) == ("solver_tolerance", pytest.approx(1e-13))  # a tenth
 
