@@ -28,7 +28,7 @@ class Parameter:
     """One number that can be moved.
 
     values: those of the grid, increasing, in `unit`; the first and the last are the range. default: what it is where
-    nobody says. whole: whether only whole numbers make sense.
+    nobody says. whole: whether only whole numbers make sense. in_ratio: whether near means a ratio near 1.
     """
 
     name: str
@@ -36,11 +36,13 @@ class Parameter:
     values: tuple[float, ...]
     default: float
     whole: bool = False
+    in_ratio: bool = False
 
     def check(self, value: float) -> float:
         """Return the value as a number; refuse one out of range, and a broken one where only whole ones make sense."""
-        number = checks.finite(self.name, value)
-        least, most = self.values[0], self.values[-1]
+        number, (least, *_, most) = checks.finite(self.name, value), self.values
+        # An end of the range may be typed as it is printed, with six digits
+        number = next((end for end in (least, most) if math.isclose(number, end, rel_tol=1e-5)), number)
         if not least <= number <= most or (self.whole and not number.is_integer()):
             kind = "a whole number" if self.whole else "a number"
             raise InvalidInput(
@@ -50,7 +52,9 @@ class Parameter:
 
     def nearest(self, value: float) -> float:
         """The value of the grid that is nearest; of two as near, the smaller one."""
-        return min(self.values, key=lambda known: abs(known - value))
+        if self.in_ratio:
+            return nearest_in_ratio(self.values, value)
+        return min(self.values, key=lambda known: (round(abs(known - value), 9), known))
 
     def said(self, value: float) -> str:
         """The value with its unit."""
@@ -112,7 +116,7 @@ class Nearest:
 
 
 def nearest(grid: Grid, at: Mapping[str, float], timestep: float | None = None) -> Nearest:
-    """The point of a grid that is nearest to a wish: each value for itself, the timestep in ratio.
+    """The point of a grid that is nearest to a wish: each value for itself, timesteps and masses in ratio.
 
     `moved` is such as `restitution 0.37 → 0.4, timestep 2 ms → 2 ms`: what moved, and a timestep if asked for.
     """
@@ -125,13 +129,12 @@ def nearest(grid: Grid, at: Mapping[str, float], timestep: float | None = None) 
     ]
     if timestep is None:
         return Nearest(values, None, ", ".join(words))
-    step = nearest_timestep(grid.timesteps, timestep)
+    step = nearest_in_ratio(grid.timesteps, checks.positive("timestep", timestep))
     if words or not math.isclose(timestep, step):
         words.append(f"timestep {1e3 * timestep:g} ms → {1e3 * step:g} ms")
     return Nearest(values, step, ", ".join(words))
 
 
-def nearest_timestep(known: Iterable[float], timestep: float) -> float:
-    """The timestep, s, whose ratio to the one that is asked for is nearest to 1."""
-    wanted = math.log(checks.positive("timestep", timestep))
-    return min(known, key=lambda each: abs(math.log(each) - wanted))
+def nearest_in_ratio(known: Iterable[float], wanted: float) -> float:
+    """The one whose ratio to what is wanted is nearest to 1; all are above zero."""
+    return min(known, key=lambda each: abs(math.log(each / wanted)))

@@ -48,7 +48,7 @@ def moved(job: Job, recorded: Iterable[str]) -> Job:
     titles = [load_engine(name).title for name in recorded]
     who = " and ".join(filter(None, [", ".join(titles[:-1]), titles[-1]]))
     answers = "answer" if len(titles) > 1 else "answers"
-    words = f"{job.family}: {point.moved}: {who} {answers} from recordings"
+    words = f"{job.family}: {point.moved} for all, since {who} {answers} from recordings"
     at = tuple(point.at.items()) if job.at else ()
     return replace(job, at=at, changes=tuple(sorted(changes.items())), snapped=words)
 

@@ -167,7 +167,7 @@ TWO_BALLS = Family(
     grid=Grid(
         (
             Parameter("restitution", "", TENTHS, 1.0),
-            Parameter("mass", "kg", (1 / 3, 1.0, 3.0, 1e6), 1.0),
+            Parameter("mass", "kg", (1 / 3, 1.0, 3.0, 1e6), 1.0, in_ratio=True),
             Parameter("offset", "", (0.0, 0.3, 0.5, 0.8), 0.5),
         ),
         (1e-3, 2e-3, 5e-3),

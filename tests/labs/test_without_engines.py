@@ -48,7 +48,7 @@ def test_a_value_between_two_recorded_ones_moves_all_to_the_nearest():
     said = collisions("compare", "sliding-slab", "--at", "friction=0.37", "--profile", "tuned")
     assert said.code == 0, said.errors
     names = f"{', '.join(TITLES[:-1])} and {TITLES[-1]}"
-    assert f"friction 0.37 → 0.4: {names} answer from recordings" in said.text
+    assert f"friction 0.37 → 0.4 for all, since {names} answer from recordings" in said.text
     assert all(f"{title}*, tuned" in said.output for title in TITLES)
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from reference import snapping, study
 from reference.errors import InvalidInput, UnknownName
-from reference.grid import nearest, nearest_timestep
+from reference.grid import nearest, nearest_in_ratio
 from reference.results import Job
 from reference.scenarios import catalogue
 from reference.snapping import moved, snapped
@@ -65,14 +65,31 @@ def test_the_nearest_point_is_nearest_in_each_value_and_in_the_ratio_of_timestep
     found = nearest(DROPPED.grid, {"restitution": 0.37}, 1.5e-3)
     assert (found.at, found.timestep) == ({"restitution": 0.4}, 2e-3)  # 1.5/1 = 1.5 is farther than 2/1.5 = 1.33
     assert found.moved == "restitution 0.37 → 0.4, timestep 1.5 ms → 2 ms"
-    assert nearest_timestep((1e-3, 4e-3), 1.9e-3) == 1e-3  # in difference too, 2.2 ms is nearer to 1 ms, in ratio not
-    assert nearest_timestep((1e-3, 4e-3), 2.2e-3) == 4e-3
+    assert nearest_in_ratio((1e-3, 4e-3), 1.9e-3) == 1e-3  # in difference too, 2.2 ms is nearer to 1 ms, in ratio not
+    assert nearest_in_ratio((1e-3, 4e-3), 2.2e-3) == 4e-3
     assert nearest(DROPPED.grid, {"restitution": 0.37}, 2e-3).moved.endswith("timestep 2 ms → 2 ms")
     assert nearest(DROPPED.grid, {"restitution": 0.4}, 2e-3).moved == ""
     assert nearest(DROPPED.grid, {"restitution": 0.4}, 3e-3).moved == "timestep 3 ms → 2 ms"
     incline = catalogue()["incline"].grid
     assert nearest(incline, {"friction": 0.4, "angle": 24.0}).moved == "angle 24° → 20°"
     assert nearest(DROPPED.grid, {"restitution": 0.96}).at == {"restitution": 0.95}
+
+
+def test_of_two_values_as_near_the_smaller_one_is_taken_and_masses_are_compared_in_ratio():
+    for between in range(10):  # 0.05, 0.15, … 0.85 are a rounding error nearer to either; 0.925 has 0.9 and 0.95
+        assert nearest(DROPPED.grid, {"restitution": between / 10 + (0.025 if between == 9 else 0.05)}).at == {
+            "restitution": between / 10
+        }
+    balls = catalogue()["two-balls"].grid
+    assert nearest(balls, {"mass": 4e5}).at["mass"] == 1e6  # 4·10⁵ times 3 kg, but 0.4 of 10⁶ kg
+    assert nearest(balls, {"mass": 1.8}).at["mass"] == 3.0  # 1.8 times 1 kg, 3/1.67 kg
+
+
+def test_an_end_of_a_range_may_be_typed_with_the_digits_that_are_printed():
+    mass = catalogue()["two-balls"].grid.full({"mass": 0.333333})["mass"]
+    assert mass == 1 / 3
+    with pytest.raises(InvalidInput, match=r"from 0\.333333 kg"):
+        catalogue()["two-balls"].grid.full({"mass": 0.3333})
 
 
 def test_a_plan_takes_parameters_with_defaults_for_the_rest_and_refuses_what_makes_no_sense():
@@ -109,8 +126,8 @@ def test_all_of_a_comparison_go_to_the_nearest_point_if_one_engine_is_only_recor
     monkeypatch.setattr(snapping, "content_of", lambda engine, family: {} if engine == "dart" else {"made": {}})
     found = snapped(JOBS)
     assert {(job.at, job.changes) for job in found} == {((("restitution", 0.4),), (("timestep", 2e-3),))}
-    words = "dropped-ball: restitution 0.37 → 0.4, timestep 1.5 ms → 2 ms: PyBullet answers from recordings"
-    assert {job.snapped for job in found} == {words}
+    words = "dropped-ball: restitution 0.37 → 0.4, timestep 1.5 ms → 2 ms for all, since PyBullet answers from "
+    assert {job.snapped for job in found} == {words + "recordings"}
     assert moved(JOBS[0], ["pybullet", "mujoco", "dart"]).snapped.endswith(
         "PyBullet, MuJoCo and DART answer from recordings"
     )
