@@ -96,6 +96,9 @@ def _check(engine: Engine, profile: str, cases: Iterable[Case], changes: Mapping
             settings = engine.settings(case.scenarios[0], profile).change(**changes)
             for scenario in case.scenarios:
                 engine.check_settings(scenario, settings)
+        except UnknownName as error:
+            whose = f"{error.kind} of {engine.title}'s {profile} profile"
+            raise UnknownName(whose, error.value, error.choices) from None
         except InvalidInput:
             raise
         except Exception as error:

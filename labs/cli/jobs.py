@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
@@ -18,12 +18,15 @@ from reference.compare import Verdict, failures
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.family import Family
+from reference.published import published_cases
 from reference.results import Job, JobResult, PublishedResult
 from reference.running import TIME_LIMIT, J, R, Work, recall, run_all
 from reference.scenarios import catalogue, find
 from reference.settings import Option
 from reference.snapping import snapped
 from reference.study import SCENARIOS, plan
+
+V = TypeVar("V")
 
 FAILED, COULD_NOT_COMPARE = 1, 3
 SETTING, PARAMETER = "--set contact_erp=0.2 with --engine pybullet", "--at restitution=0.4"
@@ -59,10 +62,13 @@ def planned(
 ) -> list[Job]:
     """List the jobs that a command line asks for; they are at a recorded point where an engine has nothing else."""
     families, cases = _chosen(scenarios or [])
-    changes: dict[str, Option] = dict(_assignment(text, SETTING) for text in assignments or [])
-    at = dict(_parameter(text) for text in parameters or [])
+    changes: dict[str, Option] = _each_once(_assignment(text, SETTING) for text in assignments or [])
+    at = _each_once(_parameter(text) for text in parameters or [])
+    if at and not scenarios:
+        movable = ", ".join(family.name for family in families if family.grid is not None)
+        raise InvalidInput(f"--at {parameters[0]!r} is of which scenario? Name one of: {movable}")  # type: ignore[index]
     if timestep is not None:
-        changes["timestep"] = timestep
+        changes = _each_once([*changes.items(), ("timestep", timestep)])
     engines = engines or engine_names()
     return snapped(plan(families, engines, profiles or (), cases, implementation, changes, with_studies, at))
 
@@ -73,11 +79,23 @@ def _chosen(names: Sequence[str]) -> tuple[list[Family], dict[str, tuple[str, ..
         return list(catalogue().values()), {}
     wanted: dict[str, tuple[str, ...] | None] = {}
     for name in names:
+        if name.upper() in published_cases():
+            raise InvalidInput(f"{name} is other people's case, no scenario: collisions compare --published {name}")
         family, case = find(name)
         before = wanted.get(family.name, ())
         wanted[family.name] = None if case is None or before is None else (*before, case.name)
     families = [catalogue()[name] for name in wanted]
     return families, {name: tuple(dict.fromkeys(cases)) for name, cases in wanted.items() if cases}
+
+
+def _each_once(assignments: Iterable[tuple[str, V]]) -> dict[str, V]:
+    """Values by name; which of two values of one name was meant is not guessed."""
+    found: dict[str, V] = {}
+    for name, value in assignments:
+        if name in found:
+            raise InvalidInput(f"{name} is given twice, as {found[name]} and as {value}")
+        found[name] = value
+    return found
 
 
 def _parameter(text: str) -> tuple[str, float]:

@@ -22,7 +22,8 @@ def plan(names: Sequence[str], engines: Sequence[str], implementation: str = "so
     UnknownName
         If there is no such case or engine.
     """
-    cases = [published(name.upper()).name for name in names] or list(published_cases())
+    known = published_cases()
+    cases = [published(name.upper() if name.upper() in known else name).name for name in names] or list(known)
     for engine in engines:
         load_engine(engine)
     return list(dict.fromkeys(PublishedJob(case, engine, implementation) for case in cases for engine in engines))

@@ -192,7 +192,7 @@ def test_with_verbose_it_logs_what_is_run():
         ([*QUICK, "--set", "policy="], "--set 'policy=' is not of the form name=value, such as"),
         (
             [*QUICK, "--set", "polcy=at_step"],
-            "unknown setting 'polcy'. Did you mean 'policy'? Choices: timestep, sample_every, policy, shortest_flight.",
+            "unknown setting of hand-written's tuned profile 'polcy'. Did you mean 'policy'? Choices: timestep, sample_ev",
         ),
         ([*QUICK, "--set", "shortest_flight=long"], "shortest_flight is 'long'; it must be a number"),
         ([*QUICK, "--set", "policy=guess"], "policy is 'guess'; here it is one of exact_root, interpolated, at_step"),
@@ -631,3 +631,26 @@ def test_the_whole_report_is_written_all_tuned_verdicts_agree_and_it_is_small_en
     assert others == {"pass", "known deviation", "cannot express"}
     size = (tmp_path / "report" / "index.html").stat().st_size
     assert size < 3_000_000  # bytes: what any mail takes, and a phone on the move loads
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (
+            ("--at", "restitution=0.4"),
+            "--at 'restitution=0.4' is of which scenario? Name one of: thin-wall, dropped-ball,",
+        ),
+        (
+            ("dropped-ball", "--at", "restitution=0.4", "--at", "restitution=0.7"),
+            "restitution is given twice, as 0.4 and",
+        ),
+        (("dropped-ball", "--set", "timestep=0.002", "--timestep", "0.003"), "timestep is given twice, as 0.002 and"),
+        (("dropped-ball", "--set", "contact_erp=0.2", "--engine", "pybullet"), "setting of PyBullet's stock profile"),
+        (("p15",), "p15 is other people's case, no scenario: collisions compare --published p15"),
+        (("--published", "dropped-ball"), "unknown published case 'dropped-ball'"),
+    ],
+)
+def test_what_could_be_meant_in_two_ways_is_refused_with_what_to_say_instead(arguments, said):
+    refused = collisions("compare", *arguments)
+    assert refused.code == 2
+    assert said in refused.error
