@@ -77,7 +77,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
     family, engine = catalogue()[job.family], load_engine(job.engine)
     rows = [row for case in job.chosen(family) for row in _rows(family, case, engine, job, taken)]
     moved = bool(job.changes or job.at or job.grid)
-    whole = job.with_studies and not moved
+    studied = job.with_studies and not moved and _is_current(family.case(family.convergence.case), engine, job, taken)
     made = Made(**content["made"])
     return JobResult(
         job,
@@ -87,8 +87,8 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         taken["settings"] if not moved else next((row.settings for row in rows), ""),
         made.version,
         _series(family, job, taken, folder),
-        Errors(**_tuples(taken["convergence"])) if taken["convergence"] and whole else None,
-        _split(taken["split"]) if taken["split"] and whole else None,
+        Errors(**_tuples(taken["convergence"])) if taken["convergence"] and studied else None,
+        _split(taken["split"]) if taken["split"] and studied else None,
         recording=f"{MARK} {made}",
         poses=tuple(_poses(family, job, folder)) if job.with_poses else (),
     )
@@ -101,8 +101,18 @@ def _series(family: Family, job: Job, taken: Mapping[str, Any], folder: Path | N
         settings = load_engine(job.engine).settings(case.scenarios[0], job.profile).change(**dict(job.changes))
         with contextlib.suppress(NotRecorded):
             return Series.of(family, trajectory_of(replay(job, case.name, folder), case.scenarios[0], settings))
-    kept = taken["series"] if not (job.changes or job.at or job.grid) else None
-    return Series(**_tuples(kept)) if kept else None
+    plotted = [case for case in job.chosen(family) if case.name == family.curve.case]
+    if not plotted or not taken["series"] or job.changes or job.at or job.grid:
+        return None
+    return Series(**_tuples(taken["series"])) if _is_current(plotted[0], load_engine(job.engine), job, taken) else None
+
+
+def _is_current(case: Case, engine: Engine, job: Job, taken: Mapping[str, Any]) -> bool:
+    """Whether a case of the family was recorded with today's scenario and settings: what hangs on it is as it was."""
+    with contextlib.suppress(CollisionsError):  # the row says why
+        own = fingerprint(case, engine.settings(case.scenarios[0], job.profile))
+        return bool(taken["entries"].get(case.name, [""])[0] == own)
+    return False
 
 
 def replay(job: Job, case: str, folder: Path | None = None) -> Poses:

@@ -87,6 +87,15 @@ def test_a_recording_of_another_set_up_is_stale_and_has_no_number(folder, monkey
     assert "its recording is stale" in row.note
 
 
+@pytest.mark.parametrize("expected", [{"impulse": 2.71, "speed": 5.4}, {"impulse": (2.71, 2.71)}, {"change": 2.71}])
+def test_a_recording_of_other_figures_than_those_that_are_asked_is_stale(folder, monkeypatch, expected):
+    other = replace(published("P22"), expected=expected, tolerance=dict.fromkeys(expected, 5e-3))
+    monkeypatch.setattr(recorded, "published", lambda name: other)
+    (row,) = recall(JOBS[3], folder).rows
+    assert (row.verdict, row.measured) == (Verdict.NOT_AVAILABLE, None)
+    assert "its recording is stale: other figures" in row.note
+
+
 def test_an_engine_is_stale_while_a_case_is_missing_or_of_another_set_up(folder, monkeypatch):
     assert recorded.is_stale("dart", folder)
     assert recorded.is_stale("handwritten", folder)

@@ -98,6 +98,19 @@ def test_a_stale_case_says_so_and_gives_no_number_while_the_others_answer(folder
     assert "collisions record" in stale[0].note
 
 
+def test_a_curve_and_studies_of_a_case_that_is_stale_are_not_shown_either(folder):
+    family = catalogue()["incline"]
+
+    def other_scenario(name):
+        return lambda content: content["profiles"]["tuned"]["entries"][name].__setitem__(0, "0" * 16)
+
+    edited(folder, other_scenario(family.convergence.case))
+    found = recall(JOBS[0], folder)
+    assert found.convergence is found.split is None
+    edited(folder, other_scenario(family.curve.case))
+    assert recall(JOBS[0], folder).series is None
+
+
 def test_a_quantity_that_is_measured_only_since_makes_a_case_stale(folder):
     def without_the_way(content):
         content["profiles"]["tuned"]["quantities"].remove("way")

@@ -12,6 +12,7 @@ from reference.compare import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.published import recorded
 from reference.published.running import plan
+from reference.published.running import run_job as published_now
 from reference.record import OTHER_VERSION, jobs_of, why_stale
 from reference.recording import FOLDER, recall, replay
 from reference.replay import LENGTH, TURN, unpack
@@ -117,6 +118,21 @@ def test_a_live_engine_measures_what_was_recorded(job, installed):
     live, recorded = run_job(job), recall(job)
     for now, then in zip(live.rows, recorded.rows, strict=True):
         same(now, then)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_live_engine_says_of_published_cases_what_was_recorded_and_allows_as_much(engine, installed):
+    installed(engine)
+    for job in plan((), (engine,)):
+        live, kept = published_now(job), recorded.recall(job)
+        assert [row.verdict for row in live.rows] == [row.verdict for row in kept.rows], job.case
+        for now, then in zip(live.rows, kept.rows, strict=True):
+            # As above, rounding that adds up: 1e-6 of a number, or a hundredth of what is judged by.
+            if then.measured is not None:
+                found, wanted = ((row.measured, row.tolerance, row.shift) for row in (now, then))
+                near = pytest.approx(wanted, rel=1e-6, abs=0.01 * then.tolerance)
+                assert found == near, (job.case, now.figure, now.place)
 
 
 def points(engine: str, count: int) -> list[Job]:
