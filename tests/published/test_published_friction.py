@@ -9,7 +9,7 @@ import pytest
 
 from reference.compare import Verdict
 from reference.published import published
-from reference.published.rigid_law import rigid_law
+from reference.published.rigid_law import rigid_law, rigid_sphere
 from solutions.friction import sphere_grips, sphere_impact
 
 Y, UP = np.eye(3)[1:]
@@ -44,6 +44,15 @@ def test_a_sphere_grips_at_the_angles_of_the_rigid_law_and_follows_it_to_roundin
         turned = np.radians(case.values(angles))
         assert sphere_grips(np.sin(turned), np.cos(turned), e, mu).tolist() == grips.tolist()
         assert [row.measured for row in judged("P11") if row.figure == figure] == pytest.approx(law, rel=1e-13)
+
+
+def test_the_rigid_law_has_a_kink_but_no_jump_where_the_sphere_stops_gripping():
+    case, step = published("P11"), 0.01
+    kept, spin, grips = rigid_sphere(case, np.arange(1.0, 89.0, step))
+    assert 0 < np.sum(grips) * step < 88
+    # Slopes: μ (1 + e)/sin² θ is at most 0.64 where it slides; 5/7 v/r = 1114 rad/s the steepest of the spin
+    assert np.max(np.abs(np.diff(kept))) < 0.64 * math.radians(step)
+    assert np.max(np.abs(np.diff(spin))) < 1115 * math.radians(step)
 
 
 @pytest.mark.statement(24, oracle="P13: Drake's inclined plane")
