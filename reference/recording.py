@@ -87,7 +87,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         taken["settings"] if not moved else next((row.settings for row in rows), ""),
         made.version,
         _series(family, job, taken, folder),
-        Errors(**_tuples(taken["convergence"])) if taken["convergence"] and studied else None,
+        Errors(**tuples(taken["convergence"])) if taken["convergence"] and studied else None,
         _split(taken["split"]) if taken["split"] and studied else None,
         recording=f"{MARK} {made}",
         poses=tuple(_poses(family, job, folder)) if job.with_poses else (),
@@ -104,7 +104,7 @@ def _series(family: Family, job: Job, taken: Mapping[str, Any], folder: Path | N
     plotted = [case for case in job.chosen(family) if case.name == family.curve.case]
     if not plotted or not taken["series"] or job.changes or job.at or job.grid:
         return None
-    return Series(**_tuples(taken["series"])) if _is_current(plotted[0], load_engine(job.engine), job, taken) else None
+    return Series(**tuples(taken["series"])) if _is_current(plotted[0], load_engine(job.engine), job, taken) else None
 
 
 def _is_current(case: Case, engine: Engine, job: Job, taken: Mapping[str, Any]) -> bool:
@@ -211,14 +211,25 @@ _tracks = functools.lru_cache(8)(read_tracks)
 
 @functools.cache
 def _content(path: Path) -> dict[str, Any] | None:
+    return read(path, SCHEMA, VERSION)
+
+
+def read(path: Path, schema: str, version: int) -> dict[str, Any] | None:
+    """What a file of recorded numbers holds; None where there is none.
+
+    Raises
+    ------
+    InvalidInput
+        If it holds something else, or another version.
+    """
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         return None
     except ValueError as error:
         raise InvalidInput(f"{str(path)!r} is no recording: {error}") from None
-    if not isinstance(content, dict) or content.get("schema") != SCHEMA or content.get("version") != VERSION:
-        raise InvalidInput(f"{str(path)!r} is no recording of version {VERSION}; collisions record makes a new one")
+    if not isinstance(content, dict) or (content.get("schema"), content.get("version")) != (schema, version):
+        raise InvalidInput(f"{str(path)!r} is no recording of version {version}; collisions record makes a new one")
     return content
 
 
@@ -228,7 +239,8 @@ def forget() -> None:
     _tracks.cache_clear()
 
 
-def _tuples(values: Mapping[str, Any]) -> dict[str, Any]:
+def tuples(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The same values with tuples for lists, as they were before they went into a file."""
     return {name: tuple(value) if isinstance(value, list) else value for name, value in values.items()}
 
 

@@ -17,7 +17,8 @@ from reference.compare import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
 from reference.family import Family
-from reference.published import recorded, running
+from reference.published import recorded as published_recordings
+from reference.published import running
 from reference.results import Job, JobResult
 from reference.scenarios import catalogue, find
 from reference.snapping import absent
@@ -58,7 +59,10 @@ def record(
 
 def _here(engines: Sequence[str] | None) -> list[str]:
     """Those of the engines that can run here; the others are named."""
-    wanted = engines or [name for name in engine_names() if load_engine(name).package is not None]
+    recorded = [name for name in engine_names() if load_engine(name).package is not None]
+    wanted = list(dict.fromkeys(engines or recorded))
+    if others := [name for name in wanted if name not in recorded]:
+        raise InvalidInput(f"{others[0]!r} is not recorded; these engines are: {', '.join(recorded)}")
     here = [name for name in wanted if not absent(name)]
     for name in wanted:
         if name not in here:
@@ -91,11 +95,11 @@ def _published(
     engines: Sequence[str], only_stale: bool, workers: int | None, cache: Cache, out: Path | None
 ) -> list[Path]:
     """Record other people's cases; return the files."""
-    wanted = [name for name in engines if not only_stale or recorded.is_stale(name, out)]
+    wanted = [name for name in engines if not only_stale or published_recordings.is_stale(name, out)]
     planned = running.plan((), wanted) if wanted else []
     results = jobs.run_work(planned, running.PUBLISHED, workers, cache) if planned else []
     place = {job: number for number, job in enumerate(planned)}
-    return recorded.write(sorted(results, key=lambda result: place[result.job]), out)
+    return published_recordings.write(sorted(results, key=lambda result: place[result.job]), out)
 
 
 def _families(names: Sequence[str] | None) -> list[Family]:

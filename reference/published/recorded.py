@@ -8,7 +8,6 @@ the recording is stale, and says so instead of answering.
 from __future__ import annotations
 
 import datetime
-import json
 import platform
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, replace
@@ -22,7 +21,7 @@ from reference.fingerprint import hashed
 from reference.published import Answer, Figure, Published, published, published_cases
 from reference.published.judging import PublishedRow, judged
 from reference.record import lines, machine
-from reference.recording import FOLDER, MARK, Made
+from reference.recording import FOLDER, MARK, Made, read, tuples
 from reference.results import PublishedJob, PublishedResult
 
 SCHEMA, VERSION = "collisions-lab/published-recording", 1
@@ -80,7 +79,7 @@ def recall(job: PublishedJob, folder: Path | None = None) -> PublishedResult | N
     """
     if job.engine not in engine_names():  # an engine file: nobody has recorded it
         return None
-    content = _content((folder or FOLDER) / job.engine / FILE)
+    content = read((folder or FOLDER) / job.engine / FILE, SCHEMA, VERSION)
     if content is None:
         return None
     made, case = Made(**content["made"]), published(job.case)
@@ -107,7 +106,7 @@ def _rows(
     if entry["refused"]:
         verdict, note = entry["refused"]
         return (replace(blank, verdict=Verdict(verdict), note=note),), {}
-    answers = {name: Answer(**_tuples(answer)) for name, answer in entry["answers"].items()}
+    answers = {name: Answer(**tuples(answer)) for name, answer in entry["answers"].items()}
     if not _fits(case, answers):
         why = "its recording is stale: other figures are asked since; collisions record makes a new one"
         return (replace(blank, note=why),), {}
@@ -123,20 +122,3 @@ def _fits(case: Published, answers: Mapping[str, Answer]) -> bool:
     asked = answers.keys() == case.expected.keys()
     values = {name: answer.value for name, answer in answers.items() if answer.value is not None}
     return asked and all(count(value) == count(case.expected[name]) for name, value in values.items())
-
-
-def _tuples(values: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: tuple(value) if isinstance(value, list) else value for name, value in values.items()}
-
-
-def _content(path: Path) -> dict[str, Any] | None:
-    """What a file of recordings holds; None where there is none."""
-    try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        return None
-    except ValueError as error:
-        raise InvalidInput(f"{str(path)!r} is no recording: {error}") from None
-    if not isinstance(content, dict) or (content.get("schema"), content.get("version")) != (SCHEMA, VERSION):
-        raise InvalidInput(f"{str(path)!r} is no {SCHEMA} of version {VERSION}; collisions record makes a new one")
-    return content

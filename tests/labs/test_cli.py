@@ -654,3 +654,10 @@ def test_what_could_be_meant_in_two_ways_is_refused_with_what_to_say_instead(arg
     refused = collisions("compare", *arguments)
     assert refused.code == 2
     assert said in refused.error
+
+
+@pytest.mark.parametrize("name", ["handwritten", "mine.py"])
+def test_what_answers_everywhere_or_for_one_alone_is_not_recorded(name, tmp_path):
+    refused = collisions("record", "parting-ball", "--engine", name, "--out", tmp_path)
+    assert refused.code == 2
+    assert f"'{name}' is not recorded; these engines are: pybullet, mujoco, dart" in refused.error
