@@ -159,6 +159,16 @@ def test_a_box_stops_half_a_step_short_of_the_published_way(name, installed):
     assert [row.difference for row in rows_of("P7", name)] == pytest.approx(3 * [short], abs=1e-5)
 
 
+@each_engine
+def test_a_sphere_set_sliding_is_off_lammps_own_steps_by_what_is_said_of_the_half_step(name, installed):
+    installed(name)
+    lammps = rows(published("P4"), "handwritten")  # its own loop, with all digits
+    for theirs, found in zip(lammps[:3], rows_of("P4", name)[:3], strict=True):
+        assert found.shift != 0
+        # DART's solver is iterated: 2e-9 after 5000 steps
+        assert found.measured - theirs.measured == pytest.approx(found.shift, abs=1e-8)
+
+
 def by_steps(bounce: Bounce, weighed: float, duration: float) -> Trajectory:
     """A bounce by the loop of three lines, as a trajectory that can be measured like any other."""
     e, fall = bounce.restitution, bounce.gravity * bounce.timestep
@@ -190,10 +200,10 @@ def test_what_a_step_may_do_to_a_bounce_is_a_bound_that_is_reached_and_never_pas
         )
         most = np.maximum(most, [off, late])
     assert np.all(most <= 1)
-    assert np.all(most[0] > 0.5)  # apexes: extremes of later impacts do not all fall together
-    # Instants: the first is dt/2 early at any phase. At e = 1/2 the lateness of the second cancels to second order.
+    # The first apex reaches it but for 53 phases and terms of second order; the first instant is dt/2 early at any phase.
+    assert most[0, 0] > 0.95
     assert most[1, 0] > 0.99
-    assert np.all(most[1, 1:] > 0.3)
+    assert np.all(most > 0.7)  # extremes of later impacts do not all fall together
 
 
 def test_without_gravity_a_contact_lets_go_with_the_restitution_and_the_depth_of_theory():
