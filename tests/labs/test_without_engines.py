@@ -65,6 +65,13 @@ def test_a_class_is_shown_a_question_that_hand_written_code_cannot_answer_yet():
     assert "1.4286 m/s" in said.output
 
 
+def test_names_with_a_star_leave_room_for_every_column_of_a_terminal(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    said = collisions("show", "tip", "--no-plot")
+    assert said.code == 0, said.errors
+    assert "…" not in said.output
+
+
 @pytest.mark.parametrize("name", ENGINES)
 def test_there_is_a_replay_of_every_case_that_was_run(name):
     for family in catalogue().values():

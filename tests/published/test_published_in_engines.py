@@ -200,7 +200,7 @@ def test_what_a_step_may_do_to_a_bounce_is_a_bound_that_is_reached_and_never_pas
         )
         most = np.maximum(most, [off, late])
     assert np.all(most <= 1)
-    # The first apex reaches it but for 53 phases and terms of second order; the first instant is dt/2 early at any phase.
+    # Of 53 phases one is near the worst for the first apex; the first instant is dt/2 early at any phase.
     assert most[0, 0] > 0.95
     assert most[1, 0] > 0.99
     assert np.all(most > 0.7)  # extremes of later impacts do not all fall together
