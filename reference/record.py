@@ -81,7 +81,7 @@ def why_stale(family: Family, engine: str, folder: Path | None = None) -> str:
             if why := _why_stale(case, job, own, taken["entries"], tracks):
                 at = "".join(f" at a {name} of {value} s" for name, value in job.changes)
                 return f"{job.profile}, {case.name}{at} {why}"
-    made, here = Made(**content["made"]), _version(load_engine(engine))
+    made, here = Made(**content["made"]), version_here(load_engine(engine))
     return f"{OTHER_VERSION} {made.version}; here is {here}" if here not in ("", made.version) else ""
 
 
@@ -100,7 +100,8 @@ def _why_stale(
     return ""
 
 
-def _version(engine: Engine) -> str:
+def version_here(engine: Engine) -> str:
+    """An engine's version on this machine; "" where it is not installed."""
     try:
         return engine.version()
     except EngineNotInstalled:

@@ -20,7 +20,7 @@ from reference.errors import InvalidInput
 from reference.fingerprint import hashed
 from reference.published import Answer, Figure, Published, published, published_cases
 from reference.published.judging import PublishedRow, judged
-from reference.record import lines, machine
+from reference.record import lines, machine, version_here
 from reference.recording import FOLDER, MARK, Made, read, tuples
 from reference.results import PublishedJob, PublishedResult
 
@@ -89,9 +89,15 @@ def recall(job: PublishedJob, folder: Path | None = None) -> PublishedResult | N
 
 
 def is_stale(engine: str, folder: Path | None = None) -> bool:
-    """Whether a case is missing in an engine's recording, or has another set-up now."""
-    found = [recall(PublishedJob(name, engine), folder) for name in published_cases()]
-    return any(each is None or each.rows[0].verdict is Verdict.NOT_AVAILABLE for each in found)
+    """Whether an engine's recording is missing or unreadable, of another version, set-up or figures than now."""
+    try:
+        found = [recall(PublishedJob(name, engine), folder) for name in published_cases()]
+    except InvalidInput:
+        return True
+    here = version_here(load_engine(engine))
+    made = {each.version for each in found if each is not None}
+    missing = any(each is None or each.rows[0].verdict is Verdict.NOT_AVAILABLE for each in found)
+    return missing or bool(here and made != {here})
 
 
 def _rows(

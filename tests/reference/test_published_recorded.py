@@ -102,7 +102,13 @@ def test_an_engine_is_stale_while_a_case_is_missing_or_of_another_set_up(folder,
     monkeypatch.setattr(recorded, "published_cases", lambda: dict.fromkeys(NAMES))
     assert not recorded.is_stale("handwritten", folder)
     other = replace(published("P22"), setup={"mass": 0.3})
-    monkeypatch.setattr(recorded, "published", lambda name: other if name == "P22" else published(name))
+    with monkeypatch.context() as changed:
+        changed.setattr(recorded, "published", lambda name: other if name == "P22" else published(name))
+        assert recorded.is_stale("handwritten", folder)
+    with monkeypatch.context() as changed:
+        changed.setattr(recorded, "version_here", lambda engine: "99.0")
+        assert recorded.is_stale("handwritten", folder)
+    edited(folder, lambda content: content.update(version=99))
     assert recorded.is_stale("handwritten", folder)
 
 
