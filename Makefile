@@ -27,7 +27,7 @@ report: $(READY) ## compare the four implementations and write the report
 	$(BIN)/collisions report --out $(OUT)
 
 test: $(READY)   ## the tests, in a few minutes
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n auto --dist loadfile
 
 lint: $(READY)   ## style and types
 	$(BIN)/ruff check .
@@ -39,7 +39,7 @@ docs: $(READY)   ## draw the figures of the statements and write their page
 	$(BIN)/python docs/statement_table.py
 
 verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report
-	$(BIN)/python -m pytest -m slow --timeout=1200
+	$(BIN)/python -m pytest -n auto --dist loadfile -m slow --timeout=1200
 
 clean:           ## remove the environment and what was built
 	rm -rf $(VENV) $(OUT) .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -32,7 +32,7 @@ from reference import sources
 from reference.compare import Verdict
 from reference.engines import load_engine
 from reference.errors import CollisionsError
-from reference.results import Job, JobResult
+from reference.results import Job, JobResult, PublishedJob, PublishedResult
 
 SCHEMA = "collisions-lab result 1\n"
 VARIABLE = "COLLISIONS_CACHE"
@@ -61,7 +61,7 @@ class Cache:
     def __init__(self, folder: Path | None = None, fresh: bool = False, most_bytes: int = MOST_BYTES) -> None:
         self.folder, self.fresh, self.most_bytes = folder or default_folder(), fresh, most_bytes
 
-    def get(self, job: Job) -> JobResult | None:
+    def get(self, job: Job | PublishedJob) -> Any:
         """The result of this job, if it ran before with all that is the same now; None otherwise."""
         key = None if self.fresh else key_of(job)
         if key is None:
@@ -82,7 +82,7 @@ class Cache:
         _log.info("%s: from the cache, where it took %.1f s", job, result.seconds)
         return dataclasses.replace(result, job=job, cached=True)
 
-    def put(self, job: Job, key: str | None, result: JobResult) -> None:
+    def put(self, job: Job | PublishedJob, key: str | None, result: JobResult | PublishedResult) -> None:
         """Keep a complete result that ran here under the key that its worker had, if it is still the job's."""
         if key is None or result.recording or any(row.verdict in _INCOMPLETE for row in result.rows):
             return
@@ -90,7 +90,8 @@ class Cache:
             return
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            self._write(self._file(key), _packed(dataclasses.replace(result, job=_shared(job))))
+            kept: Any = result  # of either kind, with a job of its own kind
+            self._write(self._file(key), _packed(dataclasses.replace(kept, job=_shared(job))))
             self._make_room()
         except OSError as error:
             _log.info("%s: not kept, the cache cannot be written: %s", job, error)
@@ -129,7 +130,7 @@ class Cache:
             held -= size
 
 
-def key_of(job: Job, once: bool = False) -> str | None:
+def key_of(job: Job | PublishedJob, once: bool = False) -> str | None:
     """A hash of all that a job's result hangs on; None where that cannot be told, as for a missing engine.
 
     once: read packages once in a process, for a worker, which imports them once and never again.
@@ -158,22 +159,24 @@ def _surroundings() -> dict[str, str]:
     }
 
 
-def _reads_hand_written(job: Job) -> bool:
+def _reads_hand_written(job: Job | PublishedJob) -> bool:
     """Whether hand-written code has a part in it: an engine of ours that wraps a package runs that alone."""
     return job.engine.endswith(".py") or load_engine(job.engine).package is None
 
 
-def _shared(job: Job) -> Job:
+def _shared(job: Job | PublishedJob) -> Job | PublishedJob:
     """The job without what it does not hang on: a student's own code need not cost new runs of PyBullet."""
+    if isinstance(job, Job):
+        job = dataclasses.replace(job, snapped="")
     return job if _reads_hand_written(job) else dataclasses.replace(job, implementation="")
 
 
-def _packed(result: JobResult) -> bytes:
+def _packed(result: JobResult | PublishedResult) -> bytes:
     body = pickle.dumps(result, protocol=5)
     return SCHEMA.encode() + hashlib.sha256(body).digest() + body
 
 
-def _unpacked(content: bytes) -> JobResult | None:
+def _unpacked(content: bytes) -> Any:
     """The result in a file's bytes; None for a file that is damaged, of another version or no result at all."""
     header = SCHEMA.encode()
     digest, body = content[len(header) : len(header) + 32], content[len(header) + 32 :]
@@ -184,7 +187,7 @@ def _unpacked(content: bytes) -> JobResult | None:
     except Exception as error:
         _log.info("a file of the cache cannot be read: %s", error)
         return None
-    return found if type(found).__name__ == "JobResult" else None
+    return found if type(found).__name__ in ("JobResult", "PublishedResult") else None
 
 
 class _OwnData(pickle.Unpickler):

@@ -76,8 +76,8 @@ class Row:
 
     @property
     def why(self) -> str:
-        """The verdict with its note; a note that opens with the same word stands alone: `needs …`."""
-        return self.note if self.note.startswith(self.verdict) else f"{self.verdict}: {self.note}"
+        """The verdict with its note."""
+        return why(self.verdict, self.note)
 
     @property
     def error(self) -> float | None:
@@ -92,6 +92,11 @@ class Row:
         if self.error is None or not self.scale:
             return None
         return self.error / self.scale
+
+
+def why(verdict: Verdict, note: str) -> str:
+    """A verdict with its note; a note that opens with the same word stands alone: `needs …`."""
+    return note if note.startswith(verdict) else f"{verdict}: {note}"
 
 
 def judge(measured: float, expectation: Expectation) -> Verdict:

@@ -37,6 +37,10 @@ class EngineNotInstalled(CollisionsError):
     """The engine's package is missing on this machine; the message says how to get it."""
 
 
+class NotRecorded(CollisionsError):
+    """Nothing of this run was recorded, or its recording is stale; the message says which."""
+
+
 class CannotExpress(CollisionsError):
     """The engine has no words for this scenario; the message says which part and why."""
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from reference.engines.base import EXACT, Method
 from reference.errors import InvalidInput, UnknownName
+from reference.grid import Grid
 from reference.scenario import Scenario
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -101,7 +102,7 @@ class Family:
     """A family of cases and all that the report says about it.
 
     statements: numbers of the lecture's statements. about: what it is. expected: the expected value and why.
-    why: why the implementations differ.
+    why: why the implementations differ. grid: what can be moved, None where nothing can.
     """
 
     name: str
@@ -115,6 +116,7 @@ class Family:
     quantities: tuple[Quantity, ...]
     curve: Curve
     convergence: Convergence
+    grid: Grid | None = None
 
     def case(self, name: str) -> Case:
         """Return the case of that name."""

@@ -20,6 +20,11 @@ def rotate(orientation: Array, vector: Array) -> Array:
     return np.asarray(vector + w * twice + np.cross(q, twice))
 
 
+def opposite(orientation: Array) -> Array:
+    """The turns back of unit quaternions (..., 4), w x y z: their conjugates."""
+    return np.asarray(orientation * np.array([1.0, -1.0, -1.0, -1.0]))
+
+
 def turned(orientation: Array, rotation: Array) -> Array:
     """Orientations (..., 4), w x y z, after a turn by the vectors `rotation` (..., 3), rad, about the world's axes.
 
@@ -104,7 +109,7 @@ def out_of_box(place: Array, orientation: Array, half_extents: Array) -> Array:
 
     orientation: (..., 4), the box's. half_extents: (3,), m.
     """
-    own = rotate(orientation * np.array([1.0, -1.0, -1.0, -1.0]), place)
+    own = rotate(opposite(orientation), place)
     beyond = np.abs(own) - half_extents
     return np.asarray(np.linalg.norm(np.maximum(beyond, 0.0), axis=-1) + np.minimum(np.max(beyond, axis=-1), 0.0))
 

@@ -213,7 +213,7 @@ def momentum(trajectory: Trajectory) -> Array:
 
 def _into_body(orientation: Array, vector: Array) -> Array:
     """World vectors (n, 3) in the body's frame."""
-    return geometry.rotate(orientation * np.array([1.0, -1.0, -1.0, -1.0]), vector)
+    return geometry.rotate(geometry.opposite(orientation), vector)
 
 
 def _last(trajectory: Trajectory, window: float) -> NDArray[np.bool_]:

@@ -1,39 +1,39 @@
 """Recordings: what an engine measured where it was installed, for machines on which it is not.
 
-One file an engine and family, `recordings/ENGINE/FAMILY.json`. It holds the measured numbers of full runs, never a
-verdict: what theory says, and how near is near enough, is worked out anew each time. A fingerprint of the scenarios and
-the settings says what a number belongs to. Where either has changed since, the recording is stale, and says so instead
-of answering.
+Two files an engine and family, beside each other in `recordings/ENGINE`. `FAMILY.json` holds the measured numbers of
+full runs, of the family's cases and of every point of its grid, and never a verdict: what theory says, and how near is
+near enough, is worked out anew each time. `FAMILY.npz` holds the poses for a replay. A fingerprint of the scenarios and
+the settings says what a number or a replay belongs to. Where either has changed since, the recording is stale, and says
+so instead of answering. `reference.record` writes all this.
 """
 
 from __future__ import annotations
 
-import datetime
+import contextlib
 import functools
-import hashlib
 import json
-import platform
-from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, fields, is_dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from reference.compare import Number, Row, Verdict, judged
 from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
-from reference.errors import CollisionsError, InvalidInput
+from reference.errors import CollisionsError, InvalidInput, NotRecorded
 from reference.family import Case, Family
+from reference.fingerprint import fingerprint
+from reference.replay import Poses, Track, pack, poses_of, read_tracks, trajectory_of, unpack
 from reference.results import Errors, Job, JobResult, Series
 from reference.scenarios import catalogue
 from reference.settings import Settings
 from reference.shares import Share, Split
+from reference.trajectory import Trajectory
 
-SCHEMA, VERSION = "collisions-lab/recording", 1
+SCHEMA, VERSION = "collisions-lab/recording", 2
 FOLDER = Path(__file__).parent / "recordings"
 MARK = "*"
 """Behind the title of an engine that did not run here."""
-DIGITS = 16
-"""Of a fingerprint; that two of some thousands agree by chance has odds of 10⁻¹²."""
 
 
 @dataclass(frozen=True)
@@ -51,94 +51,18 @@ class Made:
         return f"{self.engine} {self.version} was recorded on {self.date} ({where}); it is not run here"
 
 
-def fingerprint(case: Case, settings: Settings) -> str:
-    """A hash of all scenarios of a case and of the settings that they ran with."""
-    known = [[_plain(scenario) for scenario in case.scenarios], _plain(settings)]
-    return hashlib.sha256(json.dumps(known, sort_keys=True).encode()).hexdigest()[:DIGITS]
+def keys_of(case: str, own: Settings, settings: Settings) -> tuple[str, ...]:
+    """What entries a case may have, run with some settings by a profile that has its own: of the family, of its grid.
 
-
-def _plain(value: Any) -> Any:
-    """Dataclasses as dictionaries that also say of what kind they are."""
-    if is_dataclass(value):
-        return {"kind": type(value).__name__} | {
-            field.name: _plain(getattr(value, field.name)) for field in fields(value)
-        }
-    if isinstance(value, Mapping):
-        return {key: _plain(item) for key, item in value.items()}
-    return [_plain(item) for item in value] if isinstance(value, tuple) else value
-
-
-# Writing
-
-
-def write(results: Iterable[JobResult], folder: Path | None = None, today: datetime.date | None = None) -> list[Path]:
-    """Write what engines have just measured, one file an engine and family, and return the files.
-
-    Every result is that of a whole run: all cases of a family in one profile, with nothing changed.
-
-    Raises
-    ------
-    InvalidInput
-        If a result is only a part of a run, one that did not run here, or of an engine that is none of the lab's.
+    A point of the grid has its timestep in its name.
     """
-    found: dict[tuple[str, str], list[JobResult]] = {}
-    for result in results:
-        job = result.job
-        if job.engine not in engine_names() or job.cases or job.changes or not result.version or result.recording:
-            raise InvalidInput(f"{job} is no whole run of its own; only what an engine measured here is recorded")
-        found.setdefault((job.engine, job.family), []).append(result)
-    day, written = (today or datetime.date.today()).isoformat(), []
-    for (engine, family), own in found.items():
-        made = Made(own[0].title, own[0].version, _platform(), platform.python_version(), day)
-        profiles = {result.job.profile: _profile(result) for result in own}
-        content = {"schema": SCHEMA, "version": VERSION, "made": asdict(made), "profiles": profiles}
-        path = (folder or FOLDER) / engine / f"{family}.json"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(_lines(content) + "\n", encoding="utf-8")
-        written.append(path)
-    _content.cache_clear()
-    return written
+    return (case, f"{case} @ own") if settings == own else (f"{case} @ {settings.timestep:.6g} s",)
 
 
-def _lines(content: Mapping[str, Any], depth: int = 4) -> str:
-    """JSON with a line for each entry down to some depth: a case that changes changes one line."""
-    if depth == 0 or not isinstance(content, Mapping) or not content:
-        return json.dumps(content, ensure_ascii=False)
-    entries = (f"{json.dumps(name, ensure_ascii=False)}: {_lines(value, depth - 1)}" for name, value in content.items())
-    return "{\n" + ",\n".join(entries) + "\n}"
-
-
-def _platform() -> str:
-    return f"{platform.system()} {platform.machine()}"
-
-
-def _profile(result: JobResult) -> dict[str, Any]:
-    family, engine = catalogue()[result.job.family], load_engine(result.job.engine)
-    return {
-        "description": result.description,
-        "settings": result.settings,
-        "cases": {case.name: _case(case, engine, result) for case in family.cases},
-        "series": asdict(result.series) if result.series else None,
-        "convergence": asdict(result.convergence) if result.convergence else None,
-        "split": asdict(result.split) if result.split else None,
-    }
-
-
-def _case(case: Case, engine: Engine, result: JobResult) -> dict[str, Any]:
-    rows = [row for row in result.rows if row.case == case.name]
-    settings = engine.settings(case.scenarios[0], result.job.profile)
-    return {
-        "fingerprint": fingerprint(case, settings),
-        "numbers": {
-            row.quantity: [row.measured, row.spread, "" if row.measured is not None else row.note]
-            for row in rows
-            if row.quantity
-        },
-        "refused": next(([row.verdict, row.note] for row in rows if not row.quantity), None),
-    }
-
-
-# Reading
+def track_of(job: Job, engine: Engine, case: Case, settings: Settings, trajectory: Trajectory) -> Track:
+    """The poses of a run, packed, with all that finds them again."""
+    key = keys_of(case.name, engine.settings(case.scenarios[0], job.profile), settings)[-1 if job.grid else 0]
+    return pack(poses_of(trajectory), job.profile, key, fingerprint(case, settings))
 
 
 def recall(job: Job, folder: Path | None = None) -> JobResult | None:
@@ -146,54 +70,100 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
 
     A case whose scenarios or settings are not those of the recording gets a row that says so, and no number.
     """
-    if job.engine not in engine_names():  # an engine file: nobody has recorded it
-        return None
-    content = _content((folder or FOLDER) / job.engine / f"{job.family}.json")
+    content = content_of(job.engine, job.family, folder)
     taken = content["profiles"].get(job.profile) if content else None
     if not content or not taken:
         return None
     family, engine = catalogue()[job.family], load_engine(job.engine)
-    rows = [
-        row
-        for case in family.cases
-        if not job.cases or case.name in job.cases
-        for row in _rows(family, case, engine, job, taken["cases"].get(case.name))
-    ]
-    whole = job.with_studies and not job.changes
+    rows = [row for case in job.chosen(family) for row in _rows(family, case, engine, job, taken)]
+    moved = bool(job.changes or job.at or job.grid)
+    studied = job.with_studies and not moved and _is_current(family.case(family.convergence.case), engine, job, taken)
     made = Made(**content["made"])
     return JobResult(
         job,
         f"{engine.title}{MARK}",
         taken["description"],
         tuple(rows),
-        taken["settings"] if not job.changes else "",
+        taken["settings"] if not moved else next((row.settings for row in rows), ""),
         made.version,
-        Series(**_tuples(taken["series"])) if taken["series"] and not job.changes else None,
-        Errors(**_tuples(taken["convergence"])) if taken["convergence"] and whole else None,
-        _split(taken["split"]) if taken["split"] and whole else None,
+        _series(family, job, taken, folder),
+        Errors(**tuples(taken["convergence"])) if taken["convergence"] and studied else None,
+        _split(taken["split"]) if taken["split"] and studied else None,
         recording=f"{MARK} {made}",
+        poses=tuple(_poses(family, job, folder)) if job.with_poses else (),
     )
 
 
-def _rows(family: Family, case: Case, engine: Engine, job: Job, take: Mapping[str, Any] | None) -> list[Row]:
+def _series(family: Family, job: Job, taken: Mapping[str, Any], folder: Path | None) -> Series | None:
+    """The plotted curve as it was recorded; at a point of the grid as its replay has it."""
+    if job.at:
+        (case,) = job.chosen(family)
+        settings = load_engine(job.engine).settings(case.scenarios[0], job.profile).change(**dict(job.changes))
+        with contextlib.suppress(NotRecorded):
+            return Series.of(family, trajectory_of(replay(job, case.name, folder), case.scenarios[0], settings))
+    plotted = [case for case in job.chosen(family) if case.name == family.curve.case]
+    if not plotted or not taken["series"] or job.changes or job.at or job.grid:
+        return None
+    return Series(**tuples(taken["series"])) if _is_current(plotted[0], load_engine(job.engine), job, taken) else None
+
+
+def _is_current(case: Case, engine: Engine, job: Job, taken: Mapping[str, Any]) -> bool:
+    """Whether a case of the family was recorded with today's scenario and settings: what hangs on it is as it was."""
+    with contextlib.suppress(CollisionsError):  # the row says why
+        own = fingerprint(case, engine.settings(case.scenarios[0], job.profile))
+        return bool(taken["entries"].get(case.name, [""])[0] == own)
+    return False
+
+
+def replay(job: Job, case: str, folder: Path | None = None) -> Poses:
+    """The poses of one case of a job as they were recorded elsewhere.
+
+    Raises
+    ------
+    NotRecorded
+        If there are none, or they are of other scenarios or settings than today's.
+    """
+    family, engine = catalogue()[job.family], load_engine(job.engine)
+    found = next((each for each in job.chosen(family) if each.name == case), None) or family.case(case)
+    known, made = tracks_of(job.engine, job.family, folder)
+    return unpack(_track(job, found, known), f"{engine.title}{MARK}", f"{MARK} {Made(**made)}")
+
+
+def _track(job: Job, case: Case, known: Mapping[tuple[str, str], Track]) -> Track:
+    """The recorded track of a case; `NotRecorded` where there is none of today's scenario and settings."""
+    own = load_engine(job.engine).settings(case.scenarios[0], job.profile)
+    settings = own.change(**dict(job.changes))
+    tracks = [known[job.profile, key] for key in keys_of(case.name, own, settings) if (job.profile, key) in known]
+    if not tracks:
+        raise NotRecorded(f"{job}: no poses of {case.name} were recorded with these settings")
+    for track in tracks:
+        if track.fingerprint == fingerprint(case, settings):
+            return track
+    raise NotRecorded(f"{job}: the poses of {case.name} are stale; collisions record makes new ones")
+
+
+def _poses(family: Family, job: Job, folder: Path | None) -> Iterator[Track]:
+    """The tracks of those cases of a job that have one."""
+    known, _ = tracks_of(job.engine, job.family, folder)
+    for case in job.chosen(family):
+        with contextlib.suppress(CollisionsError):  # the row says why
+            yield _track(job, case, known)
+
+
+def _rows(family: Family, case: Case, engine: Engine, job: Job, taken: Mapping[str, Any]) -> list[Row]:
     blank = Row(family.name, case.name, engine.name, job.profile, "", "", Verdict.NOT_AVAILABLE)
     try:
-        settings = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
+        own = engine.settings(case.scenarios[0], job.profile)
+        settings = own.change(**dict(job.changes))
     except CollisionsError as error:
         return [replace(blank, note=str(error))]
+    takes = [taken["entries"][key] for key in keys_of(case.name, own, settings) if key in taken["entries"]]
+    take = next((take for take in takes if take[0] == fingerprint(case, settings)), None)
     if take is None:
-        return [replace(blank, note=f"{engine.title} is not installed here, and this case was never recorded")]
-    if take["fingerprint"] != fingerprint(case, settings):
-        if job.changes:
-            changed = ", ".join(f"{name}={value}" for name, value in job.changes)
-            why = f"{engine.title} is not installed here, and with {changed} nothing was recorded"
-        else:
-            why = "its recording is stale: scenario or settings have changed since; collisions record makes a new one"
-        return [replace(blank, note=why)]
-    if take["refused"]:
-        verdict, note = take["refused"]
-        return [replace(blank, verdict=Verdict(verdict), note=note)]
-    numbers = {name: Number(*number) for name, number in take["numbers"].items()}
+        return [replace(blank, note=_why_not(family, engine, job, bool(takes)))]
+    if len(take) == 3:
+        return [replace(blank, verdict=Verdict(take[1]), note=take[2])]
+    numbers = dict(zip(taken["quantities"], map(_number, take[1]), strict=True))
     missing = [quantity.name for quantity in family.quantities if quantity.name not in numbers]
     if missing:
         why = f"its recording is stale: it has no {', '.join(missing)}; collisions record makes a new one"
@@ -202,14 +172,55 @@ def _rows(family: Family, case: Case, engine: Engine, job: Job, take: Mapping[st
     return judged(family, case, engine.name, job.profile, settings, method, numbers)
 
 
-@functools.cache
-def _content(path: Path) -> dict[str, Any] | None:
-    """What a file of recordings holds; None where there is none.
+def _why_not(family: Family, engine: Engine, job: Job, known: bool) -> str:
+    """Why there is no number. known: whether there is one of other scenarios or settings."""
+    absent, others = f"{engine.title} is not installed here", [name for name, _ in job.changes if name != "timestep"]
+    if known and not others:
+        return "its recording is stale: scenario or settings have changed since; collisions record makes a new one"
+    wish = ", ".join(f"{name}={value}" for name, value in (*job.at, *job.changes))
+    if not wish:
+        return f"{absent}, and this case was never recorded"
+    hint = "" if others or job.at or not family.grid else f"; with --at {family.grid.names[0]}=… some was"
+    return f"{absent}, and with {wish} nothing was recorded{hint}"
+
+
+def _number(take: float | list[Any]) -> Number:
+    return Number(*take) if isinstance(take, list) else Number(take)
+
+
+def content_of(engine: str, family: str, folder: Path | None = None) -> dict[str, Any] | None:
+    """What the file of recorded numbers holds; None where there is none, as for an engine of somebody's own.
 
     Raises
     ------
     InvalidInput
         If it is no recording, or one of another version.
+    """
+    return _content((folder or FOLDER) / engine / f"{family}.json") if engine in engine_names() else None
+
+
+def tracks_of(
+    engine: str, family: str, folder: Path | None = None
+) -> tuple[dict[tuple[str, str], Track], dict[str, str]]:
+    """The recorded poses by profile and entry, and where and when they were made; nothing where there are none."""
+    return _tracks((folder or FOLDER) / engine / f"{family}.npz") if engine in engine_names() else ({}, {})
+
+
+_tracks = functools.lru_cache(8)(read_tracks)
+
+
+@functools.cache
+def _content(path: Path) -> dict[str, Any] | None:
+    return read(path, SCHEMA, VERSION)
+
+
+def read(path: Path, schema: str, version: int) -> dict[str, Any] | None:
+    """What a file of recorded numbers holds; None where there is none.
+
+    Raises
+    ------
+    InvalidInput
+        If it holds something else, or another version.
     """
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
@@ -217,12 +228,19 @@ def _content(path: Path) -> dict[str, Any] | None:
         return None
     except ValueError as error:
         raise InvalidInput(f"{str(path)!r} is no recording: {error}") from None
-    if not isinstance(content, dict) or content.get("schema") != SCHEMA or content.get("version") != VERSION:
-        raise InvalidInput(f"{str(path)!r} is no recording of version {VERSION}; collisions record makes a new one")
+    if not isinstance(content, dict) or (content.get("schema"), content.get("version")) != (schema, version):
+        raise InvalidInput(f"{str(path)!r} is no recording of version {version}; collisions record makes a new one")
     return content
 
 
-def _tuples(values: Mapping[str, Any]) -> dict[str, Any]:
+def forget() -> None:
+    """Read the files anew when they are next asked for."""
+    _content.cache_clear()
+    _tracks.cache_clear()
+
+
+def tuples(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The same values with tuples for lists, as they were before they went into a file."""
     return {name: tuple(value) if isinstance(value, list) else value for name, value in values.items()}
 
 

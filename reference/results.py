@@ -2,16 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from reference.compare import Row
+from reference.errors import InvalidInput
+from reference.family import Case, Family
+from reference.published import Answer
+from reference.published.judging import PublishedRow
+from reference.replay import Track
 from reference.settings import Option
 from reference.shares import Split
+from reference.trajectory import Trajectory
+
+PLOTTED_POINTS = 600
 
 
 @dataclass(frozen=True)
 class Job:
-    """One family × engine × profile. cases: names, all when empty. changes: settings to change, by name."""
+    """One family × engine × profile.
+
+    cases: names, all when empty. changes: settings to change, by name. at: values of the family's parameters, for one
+    case at these instead of its own. grid: every point of the family's grid instead. with_poses: whether the result
+    has poses for a replay. snapped: what was moved to a recorded point, in words; nothing hangs on it.
+    """
 
     family: str
     engine: str
@@ -20,9 +36,28 @@ class Job:
     implementation: str = "solutions"
     changes: tuple[tuple[str, Option], ...] = ()
     with_studies: bool = False
+    at: tuple[tuple[str, float], ...] = ()
+    grid: bool = False
+    with_poses: bool = False
+    snapped: str = ""
 
     def __str__(self) -> str:
-        return f"{self.family} in {self.engine}, {self.profile}"
+        at = "".join(f", {name} {value:g}" for name, value in self.at)
+        return f"{self.family}{at}{' on its grid' if self.grid else ''} in {self.engine}, {self.profile}"
+
+    def chosen(self, family: Family) -> tuple[Case, ...]:
+        """The cases of its family that it runs.
+
+        Raises
+        ------
+        UnknownName, InvalidInput
+            If the family has no such parameter, or no such value of it.
+        """
+        if not (self.at or self.grid):
+            return tuple(case for case in family.cases if not self.cases or case.name in self.cases)
+        if family.grid is None:
+            raise InvalidInput(f"{family.name} has no parameters that can be moved")
+        return (family.grid.case(**dict(self.at)),) if self.at else family.grid.cases
 
 
 @dataclass(frozen=True)
@@ -31,6 +66,15 @@ class Series:
 
     times: tuple[float, ...]
     values: tuple[float, ...]
+
+    @classmethod
+    def of(cls, family: Family, trajectory: Trajectory) -> Series:
+        """The family's curve of a trajectory, thinned to some `PLOTTED_POINTS`."""
+        end = family.curve.until or trajectory.times[-1]
+        times, values = trajectory.times, family.curve.values(trajectory)
+        inside = np.flatnonzero((times <= end) & np.isfinite(values))
+        kept = inside[:: max(1, len(inside) // PLOTTED_POINTS)]
+        return cls(tuple(np.round(times[kept], 6).tolist()), tuple(np.round(values[kept], 7).tolist()))
 
 
 @dataclass(frozen=True)
@@ -47,7 +91,7 @@ class JobResult:
     """All that a job gives back; plain data.
 
     seconds: what it took where it ran. cached: whether that was earlier, and the cache had it. recording: where and
-    when it was measured, if not here.
+    when it was measured, if not here. poses: of each case's first scenario, where the job asks for them.
     """
 
     job: Job
@@ -60,5 +104,45 @@ class JobResult:
     convergence: Errors | None = None
     split: Split | None = None
     recording: str = ""
+    poses: tuple[Track, ...] = ()
     seconds: float = field(default=0.0, compare=False)
     cached: bool = field(default=False, compare=False)
+
+    @property
+    def label(self) -> str:
+        """What a progress bar says of it."""
+        return f"{self.job.family}, {self.title}, {self.job.profile}"
+
+
+@dataclass(frozen=True)
+class PublishedJob:
+    """One published case × engine."""
+
+    case: str
+    engine: str
+    implementation: str = "solutions"
+
+    def __str__(self) -> str:
+        return f"{self.case} in {self.engine}"
+
+
+@dataclass(frozen=True)
+class PublishedResult:
+    """What a published case gave in one engine; plain data.
+
+    answers: what the rows were judged from. version, recording, seconds, cached: as in `JobResult`.
+    """
+
+    job: PublishedJob
+    title: str
+    rows: tuple[PublishedRow, ...]
+    version: str = ""
+    answers: Mapping[str, Answer] = field(default_factory=dict)
+    recording: str = ""
+    seconds: float = field(default=0.0, compare=False)
+    cached: bool = field(default=False, compare=False)
+
+    @property
+    def label(self) -> str:
+        """What a progress bar says of it."""
+        return f"{self.job.case}, {self.title}"

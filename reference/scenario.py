@@ -136,20 +136,36 @@ class Pair:
 
 
 @dataclass(frozen=True)
+class Force:
+    """A constant force on a body, N, in the world frame. It acts at the centre of mass, so that nothing turns by it."""
+
+    body: str
+    force: Vector
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "force", checks.vector(f"force on {self.body}", self.force))
+
+
+@dataclass(frozen=True)
 class Scenario:
-    """A complete set-up. duration: s. gravity: acceleration, m/s². Pairs that are not listed do not collide."""
+    """A complete set-up. duration: s. gravity: acceleration, m/s². Pairs that are not listed do not collide.
+
+    forces: those besides weight and contact, from start to end.
+    """
 
     name: str
     bodies: tuple[Body, ...]
     pairs: tuple[Pair, ...]
     duration: float
     gravity: Vector = field(default=(0.0, 0.0, -GRAVITY))
+    forces: tuple[Force, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "duration", checks.positive(f"{self.name}: duration", self.duration))
         object.__setattr__(self, "gravity", checks.vector(f"{self.name}: gravity", self.gravity))
         object.__setattr__(self, "bodies", tuple(self.bodies))
         object.__setattr__(self, "pairs", tuple(self.pairs))
+        object.__setattr__(self, "forces", tuple(self.forces))
         names = [body.name for body in self.bodies]
         if len(set(names)) != len(names):
             raise InvalidInput(f"{self.name}: two bodies share a name in {names}")
@@ -161,6 +177,9 @@ class Scenario:
             if key in seen:
                 raise InvalidInput(f"{self.name}: the pair {sorted(key)} is given twice")
             seen.add(key)
+        for force in self.forces:
+            if self.body(force.body).immovable:
+                raise InvalidInput(f"{self.name}: a force of {force.force} N acts on {force.body}, which is immovable")
 
     def body(self, name: str) -> Body:
         """Return the body of that name."""

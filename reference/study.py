@@ -5,42 +5,29 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Generator, Iterable, Mapping, Sequence
-from concurrent.futures import Executor, Future, as_completed, wait
+from concurrent.futures import Executor
 
 import numpy as np
 
 from reference import recording
-from reference.cache import Cache, key_of
+from reference.cache import Cache
 from reference.compare import ALL_CASES, TUNED, Row, Verdict, compare_case, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
-from reference.errors import (
-    CannotExpress,
-    CollisionsError,
-    EngineNotInstalled,
-    InvalidInput,
-    NeedsFunction,
-    RunFailed,
-    UnknownName,
-    one_line,
-)
+from reference.errors import CollisionsError, InvalidInput, UnknownName, one_line
 from reference.family import Case, Family
 from reference.implementation import Implementation
-from reference.isolate import run_isolated, stop_workers
 from reference.question import Question
+from reference.recording import track_of
+from reference.replay import Track
 from reference.results import Errors, Job, JobResult, Series
+from reference.running import TIME_LIMIT, Work, run_all, run_one
 from reference.scenarios import catalogue
 from reference.settings import Option
 from reference.shares import split
-from reference.trajectory import Trajectory
 
-TIME_LIMIT = 300.0
-"""Wall-clock limit of one job, s."""
 ROUNDING = 1e-9
 """Errors below this share of the value are rounding: no order can be read off them."""
-PLOTTED_POINTS = 600
-_STOP_INTERVAL = 0.05
-"""Time between two rounds of stopping workers, s: enough for a thread to see that its worker is gone."""
 
 _log = logging.getLogger(__name__)
 
@@ -53,18 +40,20 @@ def plan(
     implementation: str = "solutions",
     changes: Mapping[str, Option] | None = None,
     with_studies: bool = False,
+    at: Mapping[str, float] | None = None,
 ) -> list[Job]:
     """List the jobs that compare these families in these engines, each job once.
 
-    Where no profiles are named an engine runs in all that it has, and where no cases are, a family runs all of its own.
+    Where no profiles are named an engine runs in all that it has, and where no cases are, a family runs all of its own;
+    or, where parameters are given, one case `at` these values.
 
     Raises
     ------
     UnknownName
         If none of these engines has a profile that is asked for in any of these families, an engine has no setting
-        that is to be changed, or a family has no such case.
+        that is to be changed, or a family has no such case or parameter.
     InvalidInput
-        If a case cannot be run with the changed settings.
+        If a case cannot be run with the changed settings, or a parameter is out of range.
     """
     families, changes = list(families), dict(changes or {})
     loaded = {name: load_engine(name, Implementation(implementation)) for name in engines}
@@ -75,15 +64,29 @@ def plan(
     jobs = []
     for family in families:
         wanted = tuple(dict.fromkeys((cases or {}).get(family.name, ())))
-        chosen = [family.case(case) for case in wanted] or family.cases
+        place = tuple(_place(family, at, wanted).items()) if at else ()
+        chosen = [family.case(case) for case in wanted] or Job(family.name, "", "", at=place).chosen(family)
         for name, engine in loaded.items():
             has = profiles_of(engine, family)
             for profile in profiles or has:
                 if profile in has:  # or it is another engine's word, or another family's
                     _check(engine, profile, chosen, changes)
                     fixed = tuple(sorted(changes.items()))
-                    jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies))
+                    jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies, place))
     return list(dict.fromkeys(jobs))
+
+
+def _place(family: Family, at: Mapping[str, float], cases: Sequence[str]) -> dict[str, float]:
+    """All parameters of a family, with defaults for those that nobody named."""
+    if family.grid is None:
+        others = ", ".join(each.name for each in catalogue().values() if each.grid is not None)
+        raise InvalidInput(f"{family.name} has no parameters that can be moved; these have: {others}")
+    if cases:
+        raise InvalidInput(f"{family.name}/{cases[0]} is one case, and so is what parameters make; name one of the two")
+    for name in at:
+        if name not in family.grid.names:
+            raise UnknownName(f"parameter of {family.name}", name, family.grid.names)
+    return family.grid.full(at)
 
 
 def _check(engine: Engine, profile: str, cases: Iterable[Case], changes: Mapping[str, Option]) -> None:
@@ -93,6 +96,9 @@ def _check(engine: Engine, profile: str, cases: Iterable[Case], changes: Mapping
             settings = engine.settings(case.scenarios[0], profile).change(**changes)
             for scenario in case.scenarios:
                 engine.check_settings(scenario, settings)
+        except UnknownName as error:
+            whose = f"{error.kind} of {engine.title}'s {profile} profile"
+            raise UnknownName(whose, error.value, error.choices) from None
         except InvalidInput:
             raise
         except Exception as error:
@@ -113,7 +119,7 @@ def longest_first(jobs: Iterable[Job]) -> list[Job]:
 def _steps(job: Job) -> float:
     """Steps that a job takes, times what moves in each: what its duration goes with, roughly."""
     engine, family = load_engine(job.engine), catalogue()[job.family]
-    scenarios = [each for case in family.cases if not job.cases or case.name in job.cases for each in case.scenarios]
+    scenarios = [each for case in job.chosen(family) for each in case.scenarios]
     moving = sum(each.duration * sum(not body.immovable for body in each.bodies) for each in scenarios)
     try:
         return moving / engine.settings(scenarios[0], job.profile).change(**dict(job.changes)).timestep
@@ -121,35 +127,11 @@ def _steps(job: Job) -> float:
         return 0.0  # its own run will say what is wrong
 
 
-def recall(jobs: Iterable[Job], cache: Cache) -> list[JobResult]:
-    """The results of those jobs that the cache has."""
-    return [result for job in jobs if (result := cache.get(job)) is not None]
-
-
 def run_jobs(
     jobs: Sequence[Job], executor: Executor, timeout: float = TIME_LIMIT, cache: Cache | None = None
 ) -> Generator[JobResult, None, None]:
-    """Run jobs through an executor and yield their results as they come; what fails comes as a row that says so.
-
-    What a cache has is taken from it, in the executor's threads, without a worker process.
-
-    Whoever leaves early, by closing the generator or by an interrupt, stops every worker process and waits for no job.
-    """
-    waiting: list[Future[JobResult]] = []
-    try:
-        waiting.extend(executor.submit(run_safely, job, timeout, cache) for job in jobs)
-        for future in as_completed(waiting):
-            yield future.result()
-    finally:
-        _abandon(waiting)
-
-
-def _abandon(futures: Iterable[Future[JobResult]]) -> None:
-    """Cancel the jobs that have not started and stop the workers of those that have, until none is left."""
-    running = {future for future in futures if not (future.cancel() or future.done())}
-    while running:  # again and again: a thread may be just about to start a worker
-        stop_workers()
-        running = wait(running, _STOP_INTERVAL).not_done
+    """Run jobs through an executor and yield their results as they come, as `running.run_all` does."""
+    return run_all(jobs, SCENARIOS, executor, timeout, cache)
 
 
 def run_safely(job: Job, timeout: float = TIME_LIMIT, cache: Cache | None = None) -> JobResult:
@@ -157,29 +139,7 @@ def run_safely(job: Job, timeout: float = TIME_LIMIT, cache: Cache | None = None
 
     An engine that is not installed answers from its recording, or with a row that says how to get it.
     """
-    found = cache.get(job) if cache else None
-    if found is not None:
-        return found
-    start, key = time.perf_counter(), None
-    _log.info("%s: started", job)
-    try:
-        if cache:
-            key, result = run_isolated(_run_with_key, timeout, job)
-        else:
-            result = run_isolated(run_job, timeout, job)
-    except EngineNotInstalled as error:
-        result = recording.recall(job) or _without_answer(job, error, time.perf_counter() - start)
-    except (NeedsFunction, CannotExpress, RunFailed) as error:
-        result = _without_answer(job, error, time.perf_counter() - start)
-    _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)
-    if cache:
-        cache.put(job, key, result)
-    return result
-
-
-def _run_with_key(job: Job) -> tuple[str | None, JobResult]:
-    """Run a job in a worker, which says what code it runs: it may have imported it before a file was changed."""
-    return key_of(job, once=True), run_job(job)
+    return run_one(job, SCENARIOS, timeout, cache)
 
 
 def _without_answer(job: Job, error: CollisionsError, seconds: float) -> JobResult:
@@ -198,17 +158,17 @@ def run_job(job: Job) -> JobResult:
     version, has = engine.version(), profiles_of(engine, family)
     engine.module()  # where it cannot be imported, nothing is asked of it
     asked, rows = Question.of(family, engine), list[Row]()
-    series, shown = None, ""
-    for case in family.cases:
-        if job.cases and case.name not in job.cases:
-            continue
+    series, shown, tracks = None, "", list[Track]()
+    for case in job.chosen(family):
         settings = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
         found, trajectories = compare_case(family, case, engine, job.profile, settings)
         rows += found
         if case.name == family.curve.case or not shown:
             shown = settings.describe()
-        if case.name == family.curve.case and trajectories:
-            series = _series(family, trajectories[0])
+        if trajectories and not job.grid and (job.at or case.name == family.curve.case):
+            series = Series.of(family, trajectories[0])
+        if trajectories and job.with_poses:
+            tracks.append(track_of(job, engine, case, settings, trajectories[0]))
         if case == asked.case:
             asked.remember(settings, trajectories)
     convergence = _convergence(asked, family.convergence.factors, job) if job.with_studies else None
@@ -224,16 +184,13 @@ def run_job(job: Job) -> JobResult:
         series,
         convergence,
         splits,
+        poses=tuple(tracks),
         seconds=time.perf_counter() - start,
     )
 
 
-def _series(family: Family, trajectory: Trajectory) -> Series:
-    end = family.curve.until or trajectory.times[-1]
-    times, values = trajectory.times, family.curve.values(trajectory)
-    inside = np.flatnonzero((times <= end) & np.isfinite(values))
-    kept = inside[:: max(1, len(inside) // PLOTTED_POINTS)]
-    return Series(tuple(np.round(times[kept], 6).tolist()), tuple(np.round(values[kept], 7).tolist()))
+SCENARIOS: Work[Job, JobResult] = Work(run_job, recording.recall, _without_answer, longest_first)
+"""The jobs of the lab's own catalogue."""
 
 
 def _convergence(asked: Question, factors: Sequence[float], job: Job) -> Errors | None:

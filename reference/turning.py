@@ -80,7 +80,7 @@ def position_at(trajectory: Trajectory, body: str, time: float) -> Array:
 
 def _axes_up(trajectory: Trajectory, body: str, plane: str) -> Array:
     """The plane's normal in the body's own frame, (n, 3)."""
-    inverse = trajectory.orientation(body) * np.array([1.0, -1.0, -1.0, -1.0])
+    inverse = geometry.opposite(trajectory.orientation(body))
     return geometry.rotate(inverse, _normal(trajectory, plane))
 
 

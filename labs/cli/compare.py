@@ -9,6 +9,11 @@ import typer
 from labs.cli import jobs
 from labs.cli.console import output
 from reference.cache import Cache
+from reference.engines import engine_names
+from reference.errors import InvalidInput
+from reference.published import running
+from reference.report.published_summary import PublishedTables
+from reference.report.published_terminal import print_published
 from reference.report.summary import sections
 from reference.report.terminal import print_comparison
 
@@ -22,16 +27,49 @@ def compare(
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="Another setting, in the engine's words.", show_default=False),
     ] = None,
+    at: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--at", metavar="NAME=VALUE", help="A scenario's parameter instead of its cases.", show_default=False
+        ),
+    ] = None,
     implementation: jobs.Implementations = "solutions",
     workers: jobs.Workers = None,
     fresh: jobs.Fresh = False,
     cases: Annotated[bool, typer.Option("--cases", help="Print every case with its numbers.")] = False,
+    published: Annotated[
+        bool, typer.Option("--published", help="Other people's cases instead: all, or those named, such as P15.")
+    ] = False,
 ) -> None:
     """Run scenarios in hand-written code, PyBullet, MuJoCo and DART, and compare them with theory.
 
     For example:  collisions compare dropped-ball --profile tuned --cases
     """
-    planned = jobs.planned(scenario, engine, profile, implementation, timestep, assignments)
+    if published:
+        _refuse(profile=profile, timestep=timestep, set=assignments, at=at)
+        raise typer.Exit(_published(scenario, engine, implementation, workers, fresh, cases))
+    planned = jobs.planned(scenario, engine, profile, implementation, timestep, assignments, parameters=at)
     results = jobs.run(planned, workers, Cache(fresh=fresh))
     print_comparison(output, sections(results), cases)
     raise typer.Exit(jobs.exit_code(results))
+
+
+def _refuse(**given: object) -> None:
+    """Refuse options that published cases have no use for: each is set up as it was published."""
+    for name, value in given.items():
+        if value is not None and value != []:
+            raise InvalidInput(f"--{name} does not go with --published: these cases are run as they were published")
+
+
+def _published(
+    names: list[str] | None,
+    engines: list[str] | None,
+    implementation: str,
+    workers: int | None,
+    fresh: bool,
+    cases: bool,
+) -> int:
+    planned = running.plan(names or (), engines or engine_names(), implementation)
+    results = jobs.run_work(planned, running.PUBLISHED, workers, Cache(fresh=fresh))
+    print_published(output, PublishedTables.of(results), cases)
+    return jobs.published_exit_code(results)

@@ -8,9 +8,7 @@ from labs.cli.console import output
 from reference.engines import engine_names, load_engine
 from reference.errors import EngineNotInstalled, RunFailed
 from reference.isolate import run_isolated
-
-PROBE_LIMIT = 60.0
-"""How long an engine may take to be imported, s."""
+from reference.snapping import PROBE_LIMIT
 
 
 def engines() -> None:

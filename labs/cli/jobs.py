@@ -3,26 +3,33 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors
+from reference import checks
 from reference.cache import Cache
-from reference.compare import Verdict, failures, without_answer
+from reference.compare import Verdict, failures
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.family import Family
-from reference.results import Job, JobResult
+from reference.published import published_cases
+from reference.results import Job, JobResult, PublishedResult
+from reference.running import TIME_LIMIT, J, R, Work, recall, run_all
 from reference.scenarios import catalogue, find
 from reference.settings import Option
-from reference.study import longest_first, plan, recall, run_jobs
+from reference.snapping import snapped
+from reference.study import SCENARIOS, plan
+
+V = TypeVar("V")
 
 FAILED, COULD_NOT_COMPARE = 1, 3
+SETTING, PARAMETER = "--set contact_erp=0.2 with --engine pybullet", "--at restitution=0.4"
 
 Scenarios = Annotated[
     list[str] | None,
@@ -51,13 +58,19 @@ def planned(
     timestep: float | None = None,
     assignments: Sequence[str] | None = None,
     with_studies: bool = False,
+    parameters: Sequence[str] | None = None,
 ) -> list[Job]:
-    """List the jobs that a command line asks for."""
+    """List the jobs that a command line asks for; they are at a recorded point where an engine has nothing else."""
     families, cases = _chosen(scenarios or [])
-    changes: dict[str, Option] = dict(_assignment(text) for text in assignments or [])
+    changes: dict[str, Option] = _each_once(_assignment(text, SETTING) for text in assignments or [])
+    at = _each_once(_parameter(text) for text in parameters or [])
+    if at and not scenarios:
+        movable = ", ".join(family.name for family in families if family.grid is not None)
+        raise InvalidInput(f"--at {parameters[0]!r} is of which scenario? Name one of: {movable}")  # type: ignore[index]
     if timestep is not None:
-        changes["timestep"] = timestep
-    return plan(families, engines or engine_names(), profiles or (), cases, implementation, changes, with_studies)
+        changes = _each_once([*changes.items(), ("timestep", timestep)])
+    engines = engines or engine_names()
+    return snapped(plan(families, engines, profiles or (), cases, implementation, changes, with_studies, at))
 
 
 def _chosen(names: Sequence[str]) -> tuple[list[Family], dict[str, tuple[str, ...]]]:
@@ -66,6 +79,8 @@ def _chosen(names: Sequence[str]) -> tuple[list[Family], dict[str, tuple[str, ..
         return list(catalogue().values()), {}
     wanted: dict[str, tuple[str, ...] | None] = {}
     for name in names:
+        if name.upper() in published_cases():
+            raise InvalidInput(f"{name} is other people's case, no scenario: collisions compare --published {name}")
         family, case = find(name)
         before = wanted.get(family.name, ())
         wanted[family.name] = None if case is None or before is None else (*before, case.name)
@@ -73,34 +88,55 @@ def _chosen(names: Sequence[str]) -> tuple[list[Family], dict[str, tuple[str, ..
     return families, {name: tuple(dict.fromkeys(cases)) for name, cases in wanted.items() if cases}
 
 
-def _assignment(text: str) -> tuple[str, Option]:
+def _each_once(assignments: Iterable[tuple[str, V]]) -> dict[str, V]:
+    """Values by name; which of two values of one name was meant is not guessed."""
+    found: dict[str, V] = {}
+    for name, value in assignments:
+        if name in found:
+            raise InvalidInput(f"{name} is given twice, as {found[name]} and as {value}")
+        found[name] = value
+    return found
+
+
+def _parameter(text: str) -> tuple[str, float]:
+    """`name=value` of a scenario's parameter."""
+    name, value = _assignment(text, PARAMETER)
+    return name, checks.finite(name, value)  # type: ignore[arg-type]
+
+
+def _assignment(text: str, example: str) -> tuple[str, Option]:
     """`name=value` of a setting; the settings themselves say what kind of value it takes."""
     name, equals, value = text.partition("=")
     if not equals or not name or not value:
-        raise InvalidInput(
-            f"--set {text!r} is not of the form name=value, such as contact_erp=0.2 with --engine pybullet"
-        )
+        raise InvalidInput(f"{example.split()[0]} {text!r} is not of the form name=value, such as {example}")
     return name.strip().replace(" ", "_").replace("-", "_"), value.strip()
 
 
 def run(jobs: Sequence[Job], workers: int | None, cache: Cache | None = None) -> list[JobResult]:
-    """Take from the cache what it has, run the rest in parallel and show how far it is; return the results."""
+    """Run scenarios, as `run_work` does."""
     if not jobs:
         raise InvalidInput("no engine has these profiles for these scenarios: there is nothing to run")
+    return run_work(jobs, SCENARIOS, workers, cache)
+
+
+def run_work(jobs: Sequence[J], work: Work[J, R], workers: int | None, cache: Cache | None = None) -> list[R]:
+    """Take from the cache what it has, run the rest in parallel and show how far it is; return the results."""
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     workers, results = workers or os.cpu_count() or 1, recall(jobs, cache) if cache else []
     errors.print(f"{_counted(len(jobs), len(results))}, {workers} at a time.")
     had = {result.job for result in results}
-    missing = longest_first(job for job in jobs if job not in had)
+    missing = work.in_order(job for job in jobs if job not in had)
     with (
         Progress(*columns, console=errors, transient=True) as progress,
         ThreadPoolExecutor(workers) as executor,
-        closing(run_jobs(missing, executor, cache=cache)) as finished,  # an interrupt stops the runs, then the executor
+        closing(
+            run_all(missing, work, executor, TIME_LIMIT, cache)
+        ) as finished,  # an interrupt stops the runs, then the executor
     ):
         task = progress.add_task("running", total=len(jobs), completed=len(results))
         for result in finished:
             results.append(result)
-            progress.update(task, advance=1, description=f"{result.job.family}, {result.title}, {result.job.profile}")
+            progress.update(task, advance=1, description=result.label)
     return results
 
 
@@ -112,7 +148,18 @@ def _counted(runs: int, cached: int) -> str:
 def exit_code(results: Sequence[JobResult]) -> int:
     """0 where all is well; 1 if a tuned verdict failed; 3 if a run gave no answer, or none of them did."""
     rows = [row for result in results for row in result.rows]
-    nothing = all(row.verdict in (Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS) for row in rows)
-    if failures(rows):
+    return exit_code_of([row.verdict for row in rows], bool(failures(rows)))
+
+
+def published_exit_code(results: Sequence[PublishedResult]) -> int:
+    """The same of published cases; nothing there is stock."""
+    verdicts = [row.verdict for result in results for row in result.rows]
+    return exit_code_of(verdicts, Verdict.FAIL in verdicts)
+
+
+def exit_code_of(verdicts: Sequence[Verdict], failed: bool) -> int:
+    """The same, of verdicts and whether one that counts failed."""
+    nothing = all(each in (Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS) for each in verdicts)
+    if failed:
         return FAILED
-    return COULD_NOT_COMPARE if nothing or without_answer(rows) else 0
+    return COULD_NOT_COMPARE if nothing or Verdict.CRASHED in verdicts else 0

@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Annotated
 
 import typer
+from rich.table import Table
 
 from labs.cli import jobs
 from labs.cli.console import output
-from reference import recording
+from reference import record as recordings
 from reference.cache import Cache
-from reference.compare import Verdict
+from reference.compare import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
+from reference.family import Family
+from reference.published import recorded as published_recordings
+from reference.published import running
+from reference.results import Job, JobResult
+from reference.scenarios import catalogue, find
+from reference.snapping import absent
+
+MOST_BYTES = 512 * 2**20
+"""Of the cache while recording: a run of thousands must not push its own first results out."""
 
 
 def record(
@@ -21,25 +32,128 @@ def record(
     engine: jobs.Engines = None,
     workers: jobs.Workers = None,
     fresh: jobs.Fresh = False,
+    only_stale: Annotated[
+        bool, typer.Option("--only-stale", help="Only what is missing, or of other scenarios or settings than now.")
+    ] = False,
     out: Annotated[Path | None, typer.Option(help="Another folder than the lab's own.", show_default=False)] = None,
+    published: Annotated[bool, typer.Option("--published", help="Other people's cases and no scenarios.")] = False,
 ) -> None:
-    """Run scenarios in PyBullet and MuJoCo and keep what they measured, for machines on which they cannot be installed.
+    """Run scenarios in the engines that are here and keep numbers and poses, for machines on which they are missing.
+
+    Where no scenario is named it takes all, and other people's cases as well.
 
     For example:  collisions record dropped-ball --engine pybullet
     """
-    if named := [name for name in scenario or [] if "/" in name]:
-        raise InvalidInput(f"{named[0]!r} is one case; a recording holds all cases of a scenario")
-    others = [name for name in engine_names() if load_engine(name).package is not None]
-    results = jobs.run(jobs.planned(scenario, engine or others, with_studies=True), workers, Cache(fresh=fresh))
-    measured = [result for result in results if result.version and not result.recording]
-    for title in dict.fromkeys(result.title for result in results if result not in measured):
-        output.print(f"{title} is not installed here: its recordings stay as they are.", markup=False)
-    if not measured:
+    if scenario and published:
+        raise InvalidInput(f"--published takes no scenarios, and {scenario[0]!r} is one; name one of the two")
+    families, here = _families(scenario), _here(engine)
+    cache = Cache(fresh=fresh, most_bytes=MOST_BYTES)
+    written = [] if published else _scenarios(families, here, only_stale, workers, cache, out)
+    if not scenario:
+        written += _published(here, only_stale, workers, cache, out)
+    if written:
+        _print_sizes(written)
+    else:
+        output.print("All recordings are of today's scenarios and settings.")
+
+
+def _here(engines: Sequence[str] | None) -> list[str]:
+    """Those of the engines that can run here; the others are named."""
+    recorded = [name for name in engine_names() if load_engine(name).package is not None]
+    wanted = list(dict.fromkeys(engines or recorded))
+    if others := [name for name in wanted if name not in recorded]:
+        raise InvalidInput(f"{others[0]!r} is not recorded; these engines are: {', '.join(recorded)}")
+    here = [name for name in wanted if not absent(name)]
+    for name in wanted:
+        if name not in here:
+            title = load_engine(name).title
+            output.print(f"{title} is not installed here: its recordings stay as they are.", markup=False)
+    if not here:
         raise typer.Exit(jobs.COULD_NOT_COMPARE)
-    if crashed := [row for result in measured for row in result.rows if row.verdict is Verdict.CRASHED]:
-        raise InvalidInput(
-            f"{crashed[0].family} crashed in {crashed[0].engine}: {crashed[0].note}; nothing is recorded"
-        )
-    written = recording.write(measured, out)
+    return here
+
+
+def _scenarios(
+    families: Iterable[Family],
+    engines: Sequence[str],
+    only_stale: bool,
+    workers: int | None,
+    cache: Cache,
+    out: Path | None,
+) -> list[Path]:
+    """Record the lab's own scenarios; return the files."""
+    wanted = [(family, name) for name in engines for family in families]
+    if only_stale and not (wanted := _stale(wanted, out)):
+        return []
+    planned = [job for family, name in wanted for job in recordings.jobs_of(family, name)]
+    results = jobs.run(planned, workers, cache)
+    _check(results)
+    return recordings.write(_in_order(results, planned), out)
+
+
+def _published(
+    engines: Sequence[str], only_stale: bool, workers: int | None, cache: Cache, out: Path | None
+) -> list[Path]:
+    """Record other people's cases; return the files."""
+    wanted = [name for name in engines if not only_stale or published_recordings.is_stale(name, out)]
+    planned = running.plan((), wanted) if wanted else []
+    results = jobs.run_work(planned, running.PUBLISHED, workers, cache) if planned else []
+    place = {job: number for number, job in enumerate(planned)}
+    return published_recordings.write(sorted(results, key=lambda result: place[result.job]), out)
+
+
+def _families(names: Sequence[str] | None) -> list[Family]:
+    if named := [name for name in names or [] if "/" in name]:
+        raise InvalidInput(f"{named[0]!r} is one case; a recording holds all cases of a scenario")
+    return [find(name)[0] for name in dict.fromkeys(names or catalogue())]
+
+
+def _stale(wanted: Iterable[tuple[Family, str]], out: Path | None) -> list[tuple[Family, str]]:
+    """Those that have to be recorded anew, each printed with the reason."""
+    found = []
+    for family, engine in wanted:
+        if why := recordings.why_stale(family, engine, out):
+            output.print(f"{family.name} in {load_engine(engine).title}: {why}", soft_wrap=True, markup=False)
+            found.append((family, engine))
+    return found
+
+
+def _check(results: Iterable[JobResult]) -> None:
+    """Refuse to keep runs that went wrong; a point of a grid whose run blows up is an answer like any other."""
+    for result in results:
+        for row in result.rows:
+            if row.verdict is Verdict.NOT_AVAILABLE or (row.verdict is Verdict.CRASHED and not _blew_up(result, row)):
+                raise InvalidInput(f"{row.family} crashed in {row.engine}: {row.note}; nothing is recorded")
+
+
+def _blew_up(result: JobResult, row: Row) -> bool:
+    return result.job.grid and row.case != ALL_CASES and not row.quantity
+
+
+def _in_order(results: Iterable[JobResult], planned: Sequence[Job]) -> list[JobResult]:
+    """As they were planned, not as they were finished: the same results make the same files."""
+    place = {job: number for number, job in enumerate(planned)}
+    return sorted(results, key=lambda result: place[result.job])
+
+
+def _print_sizes(written: Sequence[Path]) -> None:
+    """A line a scenario, a column an engine: kilobytes of numbers + poses."""
+    engines = list(dict.fromkeys(path.parent.name for path in written))
+    table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0), pad_edge=False)
+    table.add_column("kB of numbers + poses")
+    for engine in engines:
+        table.add_column(load_engine(engine).title, justify="right")
+    for family in dict.fromkeys(path.stem for path in written):
+        sizes = {engine: [_kilobytes(path) for path in written if _is(path, engine, family)] for engine in engines}
+        table.add_row(family, *(" + ".join(f"{size:.0f}" for size in sizes[engine]) for engine in engines))
+    output.print(table)
     size = sum(path.stat().st_size for path in written)
     output.print(f"{len(written)} files, {size / 1e6:.1f} MB, in {written[0].parents[1]}", soft_wrap=True, markup=False)
+
+
+def _is(path: Path, engine: str, family: str) -> bool:
+    return (path.parent.name, path.stem) == (engine, family)
+
+
+def _kilobytes(path: Path) -> float:
+    return path.stat().st_size / 1e3

@@ -10,8 +10,12 @@ import typer
 from labs.cli import jobs
 from labs.cli.console import output
 from reference.cache import Cache
+from reference.engines import engine_names
+from reference.published import running
 from reference.report import files
+from reference.report.published_summary import PublishedTables
 from reference.report.summary import verdict_line
+from reference.results import PublishedResult
 
 
 def report(
@@ -28,7 +32,18 @@ def report(
     planned = jobs.planned(only, engine, implementation=implementation, with_studies=True)
     with files.staged(out) as folder:
         results = jobs.run(planned, workers, Cache(fresh=fresh))
-        files.write(results, folder)
+        others = [] if only else _published(engine, implementation, workers, fresh)
+        files.write(results, folder, others)
     output.print(verdict_line([row for result in results for row in result.rows]))
+    if others:
+        output.print(PublishedTables.of(others).sentence)
     output.print(f"Open {out / files.PAGE} in a browser.", soft_wrap=True, markup=False)
-    raise typer.Exit(jobs.exit_code(results))
+    raise typer.Exit(jobs.exit_code(results) or (jobs.published_exit_code(others) if others else 0))
+
+
+def _published(
+    engines: list[str] | None, implementation: str, workers: int | None, fresh: bool
+) -> list[PublishedResult]:
+    """Other people's cases, in the same engines."""
+    planned = running.plan((), engines or engine_names(), implementation)
+    return jobs.run_work(planned, running.PUBLISHED, workers, Cache(fresh=fresh))

@@ -29,6 +29,8 @@ from reference.study import plan
 SUFFIXES = (".svg", ".png", ".pdf")
 LEAST_HEIGHT, MOST_WIDTH = 11, 140
 """Lines of the lowest plot that can be read, and columns of the widest."""
+CLOSE = 5
+"""So many implementations side by side stand closer together, so that each has its room in a terminal of 80."""
 SIZE, DPI = (9.0, 5.0), 160
 """Of a plot in a file: inches, and dots an inch."""
 PLOTEXT = 'pip install -e ".[show]"'
@@ -147,6 +149,7 @@ def _across(seen: Seen) -> Table:
     first = "timestep" if asked.timesteps else asked.heading
     theory = "theory" if asked.predicted is None else Text.assemble(terminal.marked(None), " predicted")
     table = _table(f"\n{first}", Text.assemble("\n", theory), *heads)
+    table.padding = table.padding if len(heads) < CLOSE else (0, 1, 0, 0)
     for label in asked.labels:
         value = asked.predicted(asked.timesteps[label]) if asked.predicted else seen.theory(asked.quantity, label)
         cells = [_cell(seen, engine, profile, asked.quantity, label) for engine, profile in seen.implementations]

@@ -55,8 +55,8 @@ class Engine(ABC):
 
     name: as typed on the command line. title: as printed. order: place in tables. package: the distribution that it
     needs, None for ours. extra: the extra of this project that installs it. wheels: where its package can be installed
-    without a compiler. implementation: which hand-written code
-    answers; only the hand-written engine reads it.
+    without a compiler. applies_forces: whether it lets a scenario's `forces` act; one that does not refuses them.
+    implementation: which hand-written code answers; only the hand-written engine reads it.
     """
 
     name: ClassVar[str]
@@ -65,6 +65,7 @@ class Engine(ABC):
     package: ClassVar[str | None] = None
     extra: ClassVar[str | None] = None
     wheels: ClassVar[str] = ""
+    applies_forces: ClassVar[bool] = False
 
     def __init__(self, implementation: Implementation | None = None) -> None:
         self.implementation = implementation or Implementation()
@@ -122,7 +123,17 @@ class Engine(ABC):
             raise UnknownName(f"profile of {self.title} for {scenario.name}", profile, self.profiles(scenario))
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
-        """Return how many steps cover the scenario, in whole samples; refuse a timestep that is longer than it."""
+        """Return how many steps cover the scenario, in whole samples; refuse what cannot be stepped through.
+
+        Raises
+        ------
+        InvalidInput
+            If the timestep is longer than the scenario, or so short that there are too many.
+        CannotExpress
+            If forces act that this engine does not apply.
+        """
+        if scenario.forces and not self.applies_forces:
+            raise self.cannot(scenario, "it knows no forces but weight and those of contacts")
         interval = settings.timestep * settings.sample_every
         if interval > scenario.duration:
             raise InvalidInput(

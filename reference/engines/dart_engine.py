@@ -9,17 +9,18 @@ solver; the default one has a pyramid for a friction cone. Nothing falls asleep.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from reference import geometry
-from reference.engines import mixing
+from reference.engines import dart_bodies, mixing
 from reference.engines.base import AT_STEP, Engine, Method
-from reference.errors import InvalidInput
-from reference.scenario import Body, Box, HalfSpace, Scenario, Sphere
+from reference.errors import CannotExpress, InvalidInput
+from reference.query import Query, Ray
+from reference.scenario import Box, Scenario, Sphere
 from reference.settings import Move, Option, Settings, steps_per_sample
 from reference.trajectory import Recorder, Trajectory
 
@@ -29,8 +30,8 @@ SOFTNESS = 1e-5
 """Share of the change of speed by which an impact falls short; a constant of DART's source too."""
 LEAST_COEFFICIENT = 1e-3
 """A coefficient up to this counts as zero in DART."""
-GROUND_EXTENT, GROUND_DEPTH = 100.0, 1.0
-"""Half extents of the box that stands for a half-space, m: far larger than any way in the catalogue."""
+FARTHEST = 1e6
+"""Depth that no two bodies reach, m; unless it is told of one, DART gives none below zero."""
 DETECTORS: Mapping[str, Callable[[Any], Any]] = {
     "dart": lambda dart: dart.collision.DARTCollisionDetector(),
     "fcl": lambda dart: dart.collision.FCLCollisionDetector(),
@@ -52,6 +53,7 @@ class Dart(Engine):
     package = "dartpy"
     extra = "dart"
     wheels = "CPython from 3.10 on Linux, macOS 15 on ARM and Windows"
+    applies_forces = True
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at DART's default."""
@@ -103,7 +105,7 @@ class Dart(Engine):
         world = _world(dart, scenario, settings)
         shapes, bodies = [], []
         for body, pair in zip(scenario.bodies, coefficients, strict=True):
-            shape, node = _add_body(dart, world, body, settings, *pair)
+            shape, node = dart_bodies.add_body(dart, world, body, settings, *pair)
             shapes.append(shape)
             bodies.append(node)
         apart = world.getConstraintSolver().getCollisionOption().collisionFilter
@@ -114,13 +116,35 @@ class Dart(Engine):
             [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies
         ]
         recorder.sample([number for state in fixed for number in state])
+        pushes = [(bodies[scenario.index(force.body)], force.force) for force in scenario.forces]
         for number in range(1, steps + 1):
+            for node, force in pushes:
+                node.addExtForce(force, [0.0, 0.0, 0.0])  # at the centre; forgotten after the step
             world.step()
             if number % settings.sample_every == 0:
                 recorder.sample(_state(scenario, bodies, fixed))
                 for contact in world.getLastCollisionResult().getContacts():
                     _keep_contact(recorder, scenario, shapes, contact, settings.options.get("detector") == "dart")
         return recorder.trajectory()
+
+    def query(self, query: Query) -> float:
+        """Answer with the rays and distances of DART's own detector; each of the others lacks one, or the depth."""
+        dart: Any = self.module()
+        bodies = (query.body,) if isinstance(query, Ray) else (query.body_a, query.body_b)
+        detector = DETECTORS["dart"](dart)
+        group = detector.createCollisionGroup()
+        standing = [dart_bodies.stand(dart, body) for body in bodies]  # kept: a group does not keep them
+        for _, frame in standing:
+            group.addShapeFrame(frame)
+        if isinstance(query, Ray):
+            hits = dart.collision.RaycastResult()
+            group.raycast(query.start, np.add(query.start, query.way), dart.collision.RaycastOption(), hits)
+            return min((float(hit.mFraction) for hit in hits.mRayHits), default=math.inf)
+        found = dart.collision.DistanceResult()
+        group.distance(dart.collision.DistanceOption(False, -FARTHEST), found)
+        if not found.found():
+            raise CannotExpress("DART's own detector knows no distance of two half-spaces")
+        return float(found.minDistance)
 
     def _coefficients(self, scenario: Scenario) -> list[tuple[float, float]]:
         """One restitution and friction per body such that every pair gets what the scenario asks for."""
@@ -173,59 +197,6 @@ def _friction_solver(dart: Any, settings: Settings) -> Any:
         setattr(options, SWEEPS[name], int(settings.number("solver_iterations")))
     solver.setOptions(options)
     return solver
-
-
-def _add_body(
-    dart: Any, world: Any, body: Body, settings: Settings, restitution: float, friction: float
-) -> tuple[Any, Any]:
-    """Add a skeleton of one body; return its shape, by which contacts are told apart, and the body."""
-    skeleton = dart.dynamics.Skeleton(body.name)
-    if body.immovable:
-        joint, node = skeleton.createWeldJointAndBodyNodePair()
-        joint.setTransformFromParentBodyNode(_transform(dart, _placed(body, settings)))
-    else:
-        joint, node = skeleton.createFreeJointAndBodyNodePair()
-        joint.setTransform(_transform(dart, body))
-        joint.setLinearVelocity(body.velocity)
-        joint.setAngularVelocity(body.angular_velocity)
-    shape = _shape(dart, _placed(body, settings).shape)
-    shape_node = node.createShapeNode(shape)
-    shape_node.createCollisionAspect()
-    surface = shape_node.createDynamicsAspect()
-    surface.setRestitutionCoeff(restitution)
-    surface.setFrictionCoeff(friction)
-    if not body.immovable:
-        node.setInertia(dart.dynamics.Inertia(body.mass, [0.0, 0.0, 0.0], shape.computeInertia(body.mass)))
-    world.addSkeleton(skeleton)
-    return shape, node
-
-
-def _placed(body: Body, settings: Settings) -> Body:
-    """The body as DART gets it: a half-space's normal is the world's, and a large box may stand for it."""
-    if not isinstance(body.shape, HalfSpace):
-        return body
-    if settings.options.get("ground") != "box":
-        return replace(body, orientation=(1.0, 0.0, 0.0, 0.0))
-    normal = np.array(body.shape.normal)
-    orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), normal)
-    centre = np.array(body.position) - GROUND_DEPTH * normal
-    shape = Box((GROUND_EXTENT, GROUND_EXTENT, GROUND_DEPTH))
-    return replace(body, shape=shape, position=tuple(centre), orientation=tuple(orientation))
-
-
-def _transform(dart: Any, body: Body) -> Any:
-    transform = dart.math.Isometry3()
-    transform.set_quaternion(dart.math.Quaternion(*body.orientation))  # w x y z
-    transform.set_translation(body.position)
-    return transform
-
-
-def _shape(dart: Any, shape: Sphere | Box | HalfSpace) -> Any:
-    if isinstance(shape, Sphere):
-        return dart.dynamics.SphereShape(shape.radius)
-    if isinstance(shape, Box):
-        return dart.dynamics.BoxShape([2 * extent for extent in shape.half_extents])
-    return dart.dynamics.PlaneShape(shape.normal, 0.0)
 
 
 def _state(scenario: Scenario, bodies: list[Any], fixed: list[list[float]]) -> list[float]:

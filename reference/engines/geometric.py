@@ -26,7 +26,8 @@ def _ray(query: Ray, implementation: Implementation) -> float:
     if isinstance(body.shape, Sphere):
         share = implementation.function("ray_sphere")(start, way, body.shape.radius)
     elif isinstance(body.shape, Box):
-        own = [geometry.rotate(_inverse(body), vector) for vector in (start, way)]
+        back = geometry.opposite(np.array(body.orientation))
+        own = [geometry.rotate(back, vector) for vector in (start, way)]
         share, _ = implementation.function("ray_box")(*own, np.array(body.shape.half_extents))
     else:
         normal = np.array(body.shape.normal)
@@ -58,7 +59,3 @@ def _core(body: Body) -> Array:
         return np.array([body.position], dtype=np.float64)
     corners = np.array(list(itertools.product((-1, 1), repeat=3))) * np.array(body.shape.half_extents)  # type: ignore[union-attr]
     return np.asarray(np.array(body.position) + geometry.rotate(np.array(body.orientation), corners))
-
-
-def _inverse(body: Body) -> Array:
-    return np.asarray(np.array(body.orientation) * np.array([1.0, -1.0, -1.0, -1.0]))

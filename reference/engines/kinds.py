@@ -139,7 +139,7 @@ def _along_own_axes(body: Body, direction: Array) -> Array:
 
 def in_own_axes(body: Body, vector: Array) -> Array:
     """A vector of the world in the body's own axes, (3,)."""
-    return geometry.rotate(np.array(body.orientation) * np.array([1.0, -1.0, -1.0, -1.0]), vector)
+    return geometry.rotate(geometry.opposite(np.array(body.orientation)), vector)
 
 
 def _slides_straight(scenario: Scenario, body: Body, normal: Array) -> bool:

@@ -12,15 +12,16 @@ Coefficient = Callable[[Pair], float]
 
 
 def factors(scenario: Scenario, of: Coefficient) -> list[float] | None:
-    """One number a body such that each pair's product is its coefficient; None where neither way of ours gives it.
+    """One number a body such that each pair's product is its coefficient; None where no way of ours gives it.
 
-    All get the same square root; or the movable body gets all of it and the immovable one 1.
+    All get the same square root; or the movable body gets all of it and the immovable one 1; or each body gets what
+    the one that leads to it leaves open, which suits whatever stands on one another without closing a ring.
     """
     if not scenario.pairs:
         return [0.0] * len(scenario.bodies)
     alike = dict.fromkeys((body.name for body in scenario.bodies), math.sqrt(of(scenario.pairs[0])))
     one_sided = {body.name: _own_or_one(scenario, body, of) for body in scenario.bodies}
-    for chosen in (alike, one_sided):
+    for chosen in (alike, one_sided, _one_after_another(scenario, of)):
         if all(math.isclose(chosen[p.body_a] * chosen[p.body_b], of(p), abs_tol=1e-15) for p in scenario.pairs):
             return [chosen[body.name] for body in scenario.bodies]
     return None
@@ -30,6 +31,21 @@ def _own_or_one(scenario: Scenario, body: Body, of: Coefficient) -> float:
     if body.immovable:
         return 1.0
     return next((of(pair) for pair in scenario.pairs if body.name in (pair.body_a, pair.body_b)), 0.0)
+
+
+def _one_after_another(scenario: Scenario, of: Coefficient) -> dict[str, float]:
+    """1 for the first body, for those that it meets their pair's coefficient, and so on outward."""
+    chosen: dict[str, float] = {}
+    for first in scenario.bodies:
+        reached = [] if first.name in chosen else [first.name]
+        chosen.setdefault(first.name, 1.0)
+        for name in reached:
+            for pair in scenario.pairs:
+                other = {pair.body_a: pair.body_b, pair.body_b: pair.body_a}.get(name)
+                if other is not None and other not in chosen:
+                    chosen[other] = of(pair) / chosen[name] if chosen[name] else 0.0
+                    reached.append(other)
+    return chosen
 
 
 def least(scenario: Scenario, of: Coefficient) -> list[float] | None:

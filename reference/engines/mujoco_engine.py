@@ -39,6 +39,7 @@ class MuJoCo(Engine):
     package = "mujoco"
     extra = "mujoco"
     wheels = "CPython from 3.11 on Linux, macOS on ARM and Windows"
+    applies_forces = True
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
         """`spring`, the resolved contact of the textbooks, joins where something falls."""
@@ -121,6 +122,8 @@ class MuJoCo(Engine):
         movable = [place for place, body in enumerate(scenario.bodies) if not body.immovable]
         for slot, place in enumerate(movable):
             _set_velocity(state, slot, scenario.bodies[place])
+        for force in scenario.forces:
+            state.xfrc_applied[1 + scenario.index(force.body), :3] += force.force  # body 0 is the world
         recorder = Recorder(self.name, scenario, settings)
         fixed = [
             [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies
@@ -220,7 +223,7 @@ def _geom(mujoco: Any, shape: Sphere | Box | HalfSpace) -> tuple[Any, list[float
 
 def _set_velocity(state: Any, slot: int, body: Body) -> None:
     """A free joint's velocity: linear in the world frame, angular in the body's own."""
-    conjugate = np.array(body.orientation) * np.array([1, -1, -1, -1])
+    conjugate = geometry.opposite(np.array(body.orientation))
     state.qvel[6 * slot : 6 * slot + 3] = body.velocity
     state.qvel[6 * slot + 3 : 6 * slot + 6] = geometry.rotate(conjugate, np.array(body.angular_velocity))
 

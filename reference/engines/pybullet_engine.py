@@ -23,7 +23,7 @@ from reference.engines import mixing
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import RunFailed
 from reference.query import Query, Ray
-from reference.scenario import Body, Box, HalfSpace, Scenario, Sphere
+from reference.scenario import Body, Box, Force, HalfSpace, Scenario, Sphere
 from reference.settings import Move, Option, Settings
 from reference.trajectory import Recorder, Trajectory
 
@@ -43,6 +43,7 @@ class PyBullet(Engine):
     package = "pybullet"
     extra = "pybullet"
     wheels = "CPython up to 3.11 on Linux x86-64 only"
+    applies_forces = True
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at Bullet's default."""
@@ -118,6 +119,8 @@ class PyBullet(Engine):
         recorder = Recorder(self.name, scenario, settings)
         recorder.sample(_state(bullet, client, numbers, scenario))
         for number in range(1, steps + 1):
+            for force in scenario.forces:
+                _push(bullet, client, numbers[scenario.index(force.body)], force)
             bullet.stepSimulation(physicsClientId=client)
             if number % settings.sample_every == 0:
                 recorder.sample(_state(bullet, client, numbers, scenario))
@@ -160,6 +163,7 @@ class PyBullet(Engine):
             "contact_erp": "contactERP",
             "solver_iterations": "numSolverIterations",
             "solver_residual": "solverResidualThreshold",
+            "cone_friction": "enableConeFriction",  # without it friction is limited along two axes, each by itself
         }
         chosen = {word: settings[option] for option, word in words.items() if option in settings.options}
         if "split_impulse" in settings.options:
@@ -237,9 +241,15 @@ def _collision_shape(bullet: Any, body: Body, here: dict[str, int]) -> int:
     elif isinstance(shape, Box):
         number = bullet.createCollisionShape(bullet.GEOM_BOX, halfExtents=shape.half_extents, **here)
     else:
-        own_frame = geometry.rotate(np.array(body.orientation) * np.array([1, -1, -1, -1]), np.array(shape.normal))
+        own_frame = geometry.rotate(geometry.opposite(np.array(body.orientation)), np.array(shape.normal))
         number = bullet.createCollisionShape(bullet.GEOM_PLANE, planeNormal=own_frame.tolist(), **here)
     return number
+
+
+def _push(bullet: Any, client: int, number: int, force: Force) -> None:
+    """Let a force act in the next step, after which Bullet forgets it."""
+    centre, _ = bullet.getBasePositionAndOrientation(number, physicsClientId=client)
+    bullet.applyExternalForce(number, -1, force.force, centre, bullet.WORLD_FRAME, physicsClientId=client)
 
 
 def _keep_contact(recorder: Recorder, places: Mapping[int, int], contact: Sequence[Any]) -> None:

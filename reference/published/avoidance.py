@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from reference.published import Published
+from reference.implementation import Implementation
+from reference.published import Answers, Published, said
+
+
+def half_plane(case: Published, code: Implementation) -> Answers:
+    """P23: the border of what is permitted; they do not overlap, so that the step does not count."""
+    point, normal = code.function("orca_half_plane")(**case.setup, dt=0.1)
+    return said(point=tuple(point.tolist()), direction=(float(normal[1]), -float(normal[0])))
+
 
 CASES = (
     Published(
@@ -25,5 +33,9 @@ CASES = (
         tolerance={"point": 5e-6, "direction": 5e-6},
         reason="five decimals were printed",
         note="The line's left side is permitted: its normal is the direction turned by a quarter to the left.",
+        units={"point": "m/s"},
+        labels=dict.fromkeys(("point", "direction"), ("x", "y")),
+        by_hand=half_plane,
+        why_not={"engines": "no engine steers; it moves what is steered"},
     ),
 )

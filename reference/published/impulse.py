@@ -2,7 +2,57 @@
 
 from __future__ import annotations
 
-from reference.published import Published
+import math
+
+import numpy as np
+
+from reference.implementation import Implementation
+from reference.published import Answers, Published, said
+from reference.published.in_engines import striking
+
+X, _, UP = np.eye(3)
+STILL, RIGID = np.zeros(3), np.zeros((3, 3))
+FLOOR = (STILL, STILL, STILL, 0.0, RIGID)
+"""As a body: velocity, angular velocity, arm, inverse mass, inverse inertia."""
+
+
+def textbook_bounce(case: Published, code: Implementation) -> Answers:
+    """P21: from the heights to the impulse, and from that to the mean forces."""
+    mass, gravity, height = case.values("mass", "gravity", "height")
+    e, ball = math.sqrt(case.value("rebound") / height), _dropped(mass, height, gravity)
+    impulse = float(code.function("impulse_magnitude")(ball, FLOOR, UP, e))
+    force, time = code.function("mean_force"), case.value("contact_time")
+    return said(
+        restitution=e,
+        impulse=impulse,
+        energy_change=-float(code.function("energy_lost")(ball, FLOOR, UP, e)),
+        net_force=float(force(impulse * UP, time)[2]),
+        contact_force=float(force(impulse * UP, time, -mass * gravity * UP)[2]),
+    )
+
+
+def elastic_bounce(case: Published, code: Implementation) -> Answers:
+    """P22: the change of momentum is the impulse."""
+    ball = _dropped(*case.values("mass", "height", "gravity"))
+    return said(impulse=float(code.function("impulse_magnitude")(ball, FLOOR, UP, 1.0)))
+
+
+def _dropped(mass: float, height: float, gravity: float) -> tuple[object, ...]:
+    """A ball as it meets the floor."""
+    return -math.sqrt(2 * gravity * height) * UP, STILL, STILL, 1 / mass, RIGID
+
+
+def colliding_pair(case: Published, code: Implementation) -> Answers:
+    """P27: two balls head-on, in one impulse."""
+    e = np.array(case.values("restitution"))
+    radius, speed, mass = case.values("radius", "speed", "mass")
+    turned = code.function("world_inverse_inertia")(code.function("sphere_inertia")(mass, radius), (1.0, 0.0, 0.0, 0.0))
+    left = (speed * X, STILL, radius * X, 1 / mass, turned)
+    right = (-speed * X, STILL, -radius * X, 1 / mass, turned)
+    after_left, _, after_right, _ = code.function("collide")(left, right, -X, e)
+    parting = after_right[..., 0] - after_left[..., 0]
+    return said(restitution=tuple((parting / (2 * speed)).tolist()))
+
 
 CASES = (
     Published(
@@ -29,6 +79,9 @@ CASES = (
         reason="half of the last digit printed",
         note="The impulse is the change of momentum, so that J/Δt is the mean net force; the floor's own force is "
         "larger by the weight, 0.49 N.",
+        units={"impulse": "N s", "net_force": "N", "contact_force": "N", "energy_change": "J"},
+        by_hand=textbook_bounce,
+        in_engine=striking.textbook_bounce,
     ),
     Published(
         number=22,
@@ -41,5 +94,32 @@ CASES = (
         tolerance={"impulse": 5e-3},
         reason="half of the last digit printed",
         note="The value of g is not printed: 9.8 and 9.81 m/s² both give 2.71.",
+        units={"impulse": "kg m/s"},
+        by_hand=elastic_bounce,
+        in_engine=striking.textbook_bounce,
+    ),
+    Published(
+        number=27,
+        title="Two balls that meet head-on part with the restitution that was asked for",
+        statement=20,
+        kind="verification",
+        source="Project Chrono, tests of smooth contact: coefficient of restitution",
+        setup={
+            "radius": 0.5,
+            "speed": 1.0,
+            "mass": 1.0,
+            "young_modulus": 2e5,
+            "poisson_ratio": 0.3,
+            "restitution": (0.0, 0.25, 0.5, 0.75, 1.0),
+            "timestep": 3e-5,
+        },
+        expected={"restitution": (0.0, 0.25, 0.5, 0.75, 1.0)},
+        tolerance={"restitution": 1e-3},
+        reason="the tolerance of the test itself",
+        note="Theirs is a contact that gives way, with a damping that is to have this effect; an impulse is exact. "
+        "The mass is ours: the result hangs on it in neither.",
+        labels={"restitution": ("e = 0", "e = 0.25", "e = 0.5", "e = 0.75", "e = 1")},
+        by_hand=colliding_pair,
+        in_engine=striking.colliding_pair,
     ),
 )

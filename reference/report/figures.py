@@ -16,13 +16,14 @@ from reference.report.summary import Line, Section
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 WIDTH, HEIGHT = 5.8, 3.9
 """Size of a figure, inches: two stand side by side on a desk, one fills a phone."""
-_COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00", "dart": "#009e73"}
+COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00", "dart": "#009e73"}
 _STROKES = {"handwritten": (5.0, 0.35), "pybullet": (3.2, 1.0), "mujoco": (1.9, 1.0), "dart": (0.8, 1.0)}
 """Width in points and opacity of tuned curves: where they coincide, each still shows on both sides of the next."""
-_MARKERS = {"handwritten": "o", "pybullet": "s", "mujoco": "^", "dart": "D"}
+MARKERS = {"handwritten": "o", "pybullet": "s", "mujoco": "^", "dart": "D"}
 _MARKER_DISTANCE, _STAGGER = 0.4, 0.05
 """Between the markers of a curve, and from one curve's first to the next one's, as shares of the axes' diagonal."""
 _DASHES: dict[str, Any] = {"tuned": "-", "stock": (0, (1, 1.6))}
@@ -110,8 +111,13 @@ def _figure(
             axes.set_axisbelow(True)
         handles, texts = zip(*(drawn[line.title] for line in lines), strict=True)
         figure.legend(handles, texts, loc="outside lower left", ncols=2, handlelength=3)
-        text = io.StringIO()
-        figure.savefig(text, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
+        return as_svg(figure, name)
+
+
+def as_svg(figure: Figure, name: str) -> str:
+    """The SVG element of a figure, with ids of its own, so that several figures stand in one page."""
+    text = io.StringIO()
+    figure.savefig(text, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
     return _own_ids(text.getvalue(), name)
 
 
@@ -131,14 +137,14 @@ def _label_with_powers(axes: Axes) -> None:
 
 def marker(line: Line) -> dict[str, Any]:
     """What a line's points look like: the engine's own shape, hollow where the settings are not tuned."""
-    style = {"marker": _MARKERS.get(line.result.job.engine, "v"), "markersize": 5}
+    style = {"marker": MARKERS.get(line.result.job.engine, "v"), "markersize": 5}
     return style if line.tuned else style | {"markerfacecolor": "white"}
 
 
 def line_style(line: Line, thin: bool = False) -> dict[str, Any]:
     """The engine's colour and the profile's dashes; tuned curves are wide, so that those that coincide all show."""
     engine, profile = line.result.job.engine, line.result.job.profile
-    style = {"color": _COLOURS.get(engine, "#cc79a7"), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
+    style = {"color": COLOURS.get(engine, "#cc79a7"), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
     if thin or not line.tuned:
         return style | {"linewidth": 1.3}
     width, opacity = _STROKES.get(engine, (1.5, 1.0))
@@ -146,7 +152,7 @@ def line_style(line: Line, thin: bool = False) -> dict[str, Any]:
 
 
 def _own_ids(text: str, name: str) -> str:
-    """The SVG element alone, its ids prefixed, so that several figures stand in one page."""
+    """The SVG element alone, its ids prefixed."""
     svg = text[text.index("<svg") :]
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{name}-\1"', svg)

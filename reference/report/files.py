@@ -17,26 +17,31 @@ import os
 import platform
 import shutil
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from reference.compare import Row, Verdict
 from reference.engines import load_engine
 from reference.errors import InvalidInput
-from reference.report import figures, page
+from reference.published.judging import PublishedRow
+from reference.report import figures, page, published_page
+from reference.report.published_figures import oblique_impacts
+from reference.report.published_summary import PublishedTables
 from reference.report.summary import Section, sections
-from reference.results import JobResult
+from reference.results import JobResult, PublishedResult
 
 ROWS, TIMINGS, PROVENANCE = "collisions-lab/rows", "collisions-lab/timings", "collisions-lab/provenance"
+PUBLISHED = "collisions-lab/published"
 SCHEMA_VERSION = 1
+R = TypeVar("R", Row, PublishedRow)
 STUDY_CAPTION = (
     "Error against timestep; the order is the slope of a straight line through a method's points. An error that is"
     " rounding lies on the lower edge, whatever its size. Where an error changes its sign on the way, or does not go"
     " away with the timestep, the slope is no order."
 )
-PAGE = "index.html"
+PAGE, PUBLISHED_PAGE = "index.html", "published.html"
 
 
 @contextlib.contextmanager
@@ -82,8 +87,9 @@ def _move(stage: Path, out: Path) -> None:
         os.replace(stage / name, out / name)
 
 
-def write(results: Iterable[JobResult], folder: Path) -> None:
-    """Write all files of a report into a folder."""
+def write(results: Iterable[JobResult], folder: Path, published: Iterable[PublishedResult] = ()) -> None:
+    """Write all files of a report into a folder; those of published cases only where there are any."""
+    others = list(published)
     found = sections(results)
     ordered = [line.result for section in found for line in section.lines]
     drawn = {section.family.name: _figures(section) for section in found}
@@ -97,7 +103,28 @@ def write(results: Iterable[JobResult], folder: Path) -> None:
     _write(folder / "rows.csv", rows_csv(ordered))
     _write(folder / "timings.json", _json(TIMINGS, {"seconds": [_timing(result) for result in ordered]}))
     _write(folder / "provenance.json", _json(PROVENANCE, provenance(versions)))
-    _write(folder / PAGE, page.render(found, in_page, _compared(ordered), _platform()))
+    address = PUBLISHED_PAGE if others else ""
+    _write(folder / PAGE, page.render(found, in_page, _compared(ordered), _platform(), address))
+    if others:
+        _write_published(others, folder)
+
+
+def _write_published(results: Sequence[PublishedResult], folder: Path) -> None:
+    """The page of published cases and their rows."""
+    tables = PublishedTables.of(results)
+    impacts = next((line for line in tables.lines if line.case.name == "P11"), None)
+    pictures = oblique_impacts(impacts) if impacts else []
+    for name, svg, _ in pictures:
+        _write(folder / "figures" / f"{name}.svg", svg)
+    drawn = {"P11": [(svg, caption) for _, svg, caption in pictures]}
+    _write(folder / "published.json", _json(PUBLISHED, {"rows": [asdict(row) for row in tables.rows]}))
+    ordered = [cell.result for name in tables.engines for line in tables.lines if (cell := line.cells.get(name))]
+    _write(folder / PUBLISHED_PAGE, published_page.render(tables, drawn, _compared(ordered), _platform(), PAGE))
+
+
+def read_published(path: Path) -> list[PublishedRow]:
+    """Read the rows of a `published.json`; errors as in `read_rows`."""
+    return _rows_of(path, PUBLISHED, PublishedRow)
 
 
 def rows_json(results: Iterable[JobResult]) -> str:
@@ -117,9 +144,13 @@ def read_rows(path: Path) -> list[Row]:
     InvalidInput
         If the file is not one, or of another version.
     """
-    content = _read(path, ROWS)
+    return _rows_of(path, ROWS, Row)
+
+
+def _rows_of(path: Path, schema: str, kind: type[R]) -> list[R]:
+    content = _read(path, schema)
     try:
-        return [Row(**entry | {"verdict": Verdict(entry["verdict"])}) for entry in content["rows"]]
+        return [kind(**entry | {"verdict": Verdict(entry["verdict"])}) for entry in content["rows"]]
     except (KeyError, TypeError, ValueError) as error:
         raise InvalidInput(f"{path} holds a row that cannot be read: {error}") from None
 
@@ -173,7 +204,7 @@ def _timing(result: JobResult) -> dict[str, Any]:
     return _of(result) | {"seconds": round(result.seconds, 3), "cached": result.cached}
 
 
-def _compared(results: Iterable[JobResult]) -> list[str]:
+def _compared(results: Iterable[JobResult] | Iterable[PublishedResult]) -> list[str]:
     """What ran, as a reader would say it: an engine with its version, our own code without."""
     ran = {result.title: (load_engine(result.job.engine), result.version) for result in results if result.version}
     return [

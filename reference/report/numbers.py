@@ -37,6 +37,11 @@ def quantity(value: float, unit: str) -> str:
     return f"{sign}{size(abs(value), unit)}"
 
 
+def digits(value: float, count: int) -> str:
+    """A value with so many digits, without a unit: `0.179593007`, `−6.2784·10⁻⁵`."""
+    return ("−" if value < 0 else "") + _digits(abs(value), count)
+
+
 def size(value: float, unit: str) -> str:
     """A positive value with a prefix and two or three digits."""
     if value == 0:

@@ -28,39 +28,52 @@ WORST = 8
 
 
 def render(
-    found: Sequence[Section], figures: Mapping[str, Sequence[tuple[str, str]]], versions: Sequence[str], provenance: str
+    found: Sequence[Section],
+    figures: Mapping[str, Sequence[tuple[str, str]]],
+    versions: Sequence[str],
+    provenance: str,
+    published: str = "",
 ) -> str:
     """Return the page.
 
     figures: by family, SVG texts with their captions. versions: what was compared, as in the opening sentence.
-    provenance: on what, as in the last one.
+    provenance: on what, as in the last one. published: the address of the page of published cases, if there is one.
     """
-    environment = jinja2.Environment(
+    drawn = {name: [(Markup(svg), caption) for svg, caption in pairs] for name, pairs in figures.items()}  # our own SVG
+    rows = [row for section in found for line in section.lines for row in line.result.rows]
+    seen = {row.verdict for row in rows}
+    return (
+        environment()
+        .get_template("report.html.j2")
+        .render(
+            sections=found,
+            columns=columns(found),
+            figures=drawn,
+            versions=versions,
+            provenance=provenance,
+            published=published,
+            statements=_statements(found),
+            verdict_line=verdict_line(rows),
+            marks=MARKS,
+            legend={verdict: text for verdict, text in LEGEND.items() if verdict in seen},
+            recordings=recordings(line.result for section in found for line in section.lines),
+            nearest=[(*entry[:3], numbers.percent(entry[3]).lstrip("+")) for entry in nearest_to_fail(found, WORST)],
+            furthest=furthest_from_theory(found, WORST),
+            origins={section.family.name: origins(section) for section in found},
+            measured=_measured,
+            error_of=error_of,
+        )
+    )
+
+
+def environment() -> jinja2.Environment:
+    """Where the pages' templates are, and how they are read."""
+    return jinja2.Environment(
         loader=jinja2.PackageLoader("reference.report"),
         autoescape=jinja2.select_autoescape(("html.j2",)),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
-    )
-    drawn = {name: [(Markup(svg), caption) for svg, caption in pairs] for name, pairs in figures.items()}  # our own SVG
-    rows = [row for section in found for line in section.lines for row in line.result.rows]
-    seen = {row.verdict for row in rows}
-    return environment.get_template("report.html.j2").render(
-        sections=found,
-        columns=columns(found),
-        figures=drawn,
-        versions=versions,
-        provenance=provenance,
-        statements=_statements(found),
-        verdict_line=verdict_line(rows),
-        marks=MARKS,
-        legend={verdict: text for verdict, text in LEGEND.items() if verdict in seen},
-        recordings=recordings(line.result for section in found for line in section.lines),
-        nearest=[(*entry[:3], numbers.percent(entry[3]).lstrip("+")) for entry in nearest_to_fail(found, WORST)],
-        furthest=furthest_from_theory(found, WORST),
-        origins={section.family.name: origins(section) for section in found},
-        measured=_measured,
-        error_of=error_of,
     )
 
 

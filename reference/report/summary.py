@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 
 from reference.compare import TUNED, Row, Verdict
 from reference.engines import engine_names
-from reference.family import Family, Quantity
+from reference.family import Case, Family, Quantity
 from reference.report import numbers
 from reference.results import JobResult
 from reference.scenarios import catalogue
@@ -38,7 +39,7 @@ LEGEND = {
     Verdict.CRASHED: "the run died, hung or gave no usable state",
     Verdict.SHOWN: "theory has no figure; the largest value is shown",
 }
-_SEVERITY = (
+SEVERITY = (
     Verdict.CRASHED,
     Verdict.FAIL,
     Verdict.NEEDS,
@@ -61,7 +62,7 @@ class Cell:
     @cached_property
     def verdict(self) -> Verdict:
         """The worst verdict among the rows."""
-        return min((row.verdict for row in self.rows), key=_SEVERITY.index)
+        return min((row.verdict for row in self.rows), key=SEVERITY.index)
 
     @property
     def mark(self) -> str:
@@ -176,10 +177,16 @@ class Section:
     lines: tuple[Line, ...]
 
     @cached_property
+    def _asked(self) -> dict[str, Case]:
+        """The cases that were asked for, by name; the family's own too."""
+        moved = (case for line in self.lines if line.result.job.at for case in line.result.job.chosen(self.family))
+        return {case.name: case for case in (*self.family.cases, *moved)}
+
+    @cached_property
     def cases(self) -> tuple[str, ...]:
         """The cases that were run, in the family's order; all of them where no line has any number."""
         run = {row.case for line in self.lines for row in line.result.rows}
-        names = tuple(case.name for case in self.family.cases)
+        names = tuple(self._asked)
         return tuple(name for name in names if name in run) or names
 
     @property
@@ -195,7 +202,7 @@ class Section:
         """What theory says of a quantity in one case; empty where it has no figure."""
         rows = (line.row(case, quantity.name) for line in self.lines)
         compared = next((row.expected for row in rows if row is not None and row.expected is not None), None)
-        value = quantity.theory(self.family.case(case)) if compared is None else compared
+        value = quantity.theory(self._asked[case]) if compared is None else compared
         return "" if value is None else numbers.quantity(value, quantity.unit)
 
     def remarks(self) -> list[tuple[str, list[str]]]:
@@ -220,7 +227,7 @@ class Section:
 
 def sections(results: Iterable[JobResult]) -> list[Section]:
     """Gather results by family, in the catalogue's order; engines in the order of the tables, tuned first."""
-    results, families = list(results), catalogue()
+    results, families = _told_apart(list(results)), catalogue()
     engines = engine_names()
 
     def place(result: JobResult) -> tuple[object, ...]:
@@ -239,14 +246,31 @@ def sections(results: Iterable[JobResult]) -> list[Section]:
     return found
 
 
+def _told_apart(results: Sequence[JobResult]) -> list[JobResult]:
+    """The results; where engines of two files share a title, each with its file behind it, or the way to it."""
+    engines: dict[str, dict[str, None]] = {}
+    for result in results:
+        engines.setdefault(result.title, {})[result.job.engine] = None
+
+    def title(result: JobResult) -> str:
+        alike = engines[result.title]
+        files = {Path(engine).name for engine in alike}
+        told = Path(result.job.engine).name if len(files) == len(alike) else result.job.engine
+        return f"{result.title} ({told})" if len(alike) > 1 else result.title
+
+    return [replace(result, title=title(result)) for result in results]
+
+
 def title_of(result: JobResult) -> str:
     """`PyBullet, tuned`."""
     return f"{result.title}, {result.job.profile}"
 
 
 def recordings(results: Iterable[JobResult]) -> list[str]:
-    """What was not run here but recorded elsewhere: each recording once."""
-    return list(dict.fromkeys(result.recording for result in results if result.recording))
+    """What was not run here but recorded elsewhere, each recording once, and what was moved to a recorded point."""
+    results = list(results)
+    notes = [result.recording for result in results] + [result.job.snapped for result in results]
+    return list(dict.fromkeys(note for note in notes if note))
 
 
 def columns(found: Sequence[Section]) -> list[str]:
@@ -296,7 +320,7 @@ def verdict_line(rows: Sequence[Row]) -> str:
 def _badness(row: Row) -> tuple[int, float]:
     error = row.relative_error if row.relative_error is not None else row.error
     size = abs(error) if error is not None else abs(row.measured or 0.0)
-    return -_SEVERITY.index(row.verdict), size if math.isfinite(size) else math.inf
+    return -SEVERITY.index(row.verdict), size if math.isfinite(size) else math.inf
 
 
 def _times(title: str, count: int) -> str:

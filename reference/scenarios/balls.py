@@ -10,6 +10,7 @@ import numpy as np
 from reference import truth
 from reference.engines.base import COMPLIANT, EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.grid import TENTHS, Grid, Parameter
 from reference.scenario import Body, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -22,6 +23,8 @@ SPEED = 2.0
 """First speed of the ball that strikes another, m/s."""
 STARTS = 11
 """Scenarios in an ensemble, a prime: whatever the timestep, their phases within a step come out evenly spread."""
+GRID_STARTS = 3
+"""The same for a point of the grid, of which there are many."""
 FLIGHT, SPREAD = 0.15, 0.1
 """Mean time until the impact, and what the times of an ensemble span, s."""
 AFTER = 0.05
@@ -32,11 +35,11 @@ ROUNDING = 1e-9
 WEIGHTLESS = (0.0, 0.0, 0.0)
 
 
-def _striking(restitution: float, mass: float, offset: float) -> Case:
-    name = f"e={restitution:g},m={mass:g},b={offset:g}"
+def _striking(restitution: float, mass: float, offset: float, starts: int = STARTS) -> Case:
+    name = f"e={restitution:g},m={mass:g},b={offset:g}" + (f",starts={starts}" if starts != STARTS else "")
     target = Body("target", Sphere(RADIUS), mass)
     touches = -REACH * math.sqrt(1 - offset**2)
-    times = [FLIGHT + SPREAD * (start - STARTS // 2) / STARTS for start in range(STARTS)]
+    times = [FLIGHT + SPREAD * (start - starts // 2) / starts for start in range(starts)]
     scenarios = []
     for time in sorted(times, key=lambda time: abs(time - FLIGHT)):
         position = (touches - SPEED * time, offset * REACH, 0.0)
@@ -161,6 +164,15 @@ TWO_BALLS = Family(
     ),
     curve=Curve("e=1,m=1,b=0.5", "Off-axis at e = 1", "gap between the balls, m", _gap),
     convergence=Convergence("e=1,m=1,b=0.5", "way"),
+    grid=Grid(
+        (
+            Parameter("restitution", "", TENTHS, 1.0),
+            Parameter("mass", "kg", (1 / 3, 1.0, 3.0, 1e6), 1.0, in_ratio=True),
+            Parameter("offset", "", (0.0, 0.3, 0.5, 0.8), 0.5),
+        ),
+        (1e-3, 2e-3, 5e-3),
+        lambda restitution, mass, offset: _striking(restitution, mass, offset, GRID_STARTS),
+    ),
 )
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from reference import truth
 from reference.engines.base import EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.grid import Grid, Parameter
 from reference.scenario import Body, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -32,6 +33,13 @@ def _row(family: str, name: str, velocities: tuple[float, ...], gap: float = 0.0
     pairs = tuple(Pair(f"ball {number}", f"ball {number + 1}", 1.0) for number in range(1, len(balls)))
     scenario = Scenario(f"{family}/{name}", balls, pairs, lead + len(balls) * gap + 0.1, (0.0, 0.0, 0.0))
     return Case(name, (scenario,), {"gap": gap})
+
+
+def _one_struck(balls: float, gap: float) -> Case:
+    """The first of so many balls strikes the rest."""
+    apart = f"{1e6 * gap:g} µm" if gap < 1e-3 else f"{1e3 * gap:g} mm"
+    name = f"{balls:g}, {apart} apart" if gap else f"{balls:g} touching"
+    return _row("cradle", name, (1.0, *(0.0,) * (int(balls) - 1)), gap, LEAD)
 
 
 def _first_velocities(case: Case) -> Array:
@@ -105,7 +113,7 @@ def _ball(name: str, number: int) -> Quantity:
 FIRST, LAST = _ball("first", 0), _ball("last", -1)
 OFF = Quantity("off", "off a reading", "", _off_readings, _expect_a_reading)
 MOMENTUM = Quantity("momentum", "momentum", "", _share_of_first(1), _expect_momentum)
-ONE_OF_FIVE, TWO_OF_FIVE = (1.0, 0.0, 0.0, 0.0, 0.0), (1.0, 1.0, 0.0, 0.0, 0.0)
+TWO_OF_FIVE = (1.0, 1.0, 0.0, 0.0, 0.0)
 
 CRADLE = Family(
     name="cradle",
@@ -132,10 +140,8 @@ CRADLE = Family(
         " energy, up to 22 %: the last of five flies off 10 % too fast. MuJoCo has no restitution.",
     ),
     cases=(
-        _row("cradle", "3 touching", ONE_OF_FIVE[:3], lead=LEAD),
-        _row("cradle", "5 touching", ONE_OF_FIVE, lead=LEAD),
-        _row("cradle", "5, 1 µm apart", ONE_OF_FIVE, gap=1e-6, lead=LEAD),
-        _row("cradle", "5, 1 mm apart", ONE_OF_FIVE, gap=1e-3, lead=LEAD),
+        _one_struck(3, 0.0),
+        *(_one_struck(5, gap) for gap in (0.0, 1e-6, 1e-3)),
         _row("cradle", "5, 1 mm apart, two struck", TWO_OF_FIVE, gap=1e-3, lead=LEAD),
     ),
     quantities=(FIRST, LAST, OFF, MOMENTUM, Quantity("energy", "energy", "", _share_of_first(2), _expect_energy)),
@@ -143,6 +149,14 @@ CRADLE = Family(
         "5 touching", "Last of five that touch", "velocity, m/s", lambda trajectory: trajectory.velocities[:, -1, 0]
     ),
     convergence=Convergence("5, 1 mm apart", "last"),
+    grid=Grid(
+        (
+            Parameter("balls", "", (3.0, 4.0, 5.0), 5.0, whole=True),
+            Parameter("gap", "m", (0.0, 1e-6, 1e-5, 1e-4, 1e-3), 0.0),
+        ),
+        (5e-4, 1e-3, 2e-3, 5e-3),
+        _one_struck,
+    ),
 )
 
 PARTING_BALL = Family(

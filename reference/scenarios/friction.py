@@ -7,8 +7,10 @@ import math
 import numpy as np
 
 from reference import geometry, measure, truth
+from reference.checks import Vector
 from reference.engines.base import EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.grid import TENTHS, Grid, Parameter
 from reference.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -23,9 +25,15 @@ HOLDS, SLIDES = 0.0, 1.0
 
 
 def slab_on_plane(
-    name: str, friction: float, slope: float, speed: float, duration: float, heading: float = 0.0
+    name: str,
+    friction: float,
+    slope: float,
+    speed: float,
+    duration: float,
+    heading: float = 0.0,
+    half_extents: Vector = HALF_EXTENTS,
 ) -> Scenario:
-    """A slab that starts flat on a plane.
+    """A slab, or another box, that starts flat on a plane.
 
     slope: of the plane, rad, downhill towards +x. speed: m/s along the plane. heading: its angle from downhill, rad.
     """
@@ -35,9 +43,9 @@ def slab_on_plane(
     velocity = speed * (math.cos(heading) * downhill + math.sin(heading) * np.array([0.0, 1.0, 0.0]))
     slab = Body(
         "slab",
-        Box(HALF_EXTENTS),
+        Box(half_extents),
         mass=1.0,
-        position=tuple(normal * HALF_EXTENTS[2]),
+        position=tuple(normal * half_extents[2]),
         orientation=tuple(orientation),
         velocity=tuple(velocity),
     )
@@ -150,6 +158,11 @@ SLIDING_SLAB = Family(
     ),
     curve=Curve("μ=0.4,v=2,heading=30°", "Sliding at μ = 0.4, v₀ = 2 m/s, heading 30°", "way, m", _way),
     convergence=Convergence("μ=0.4,v=2", "stopping_distance", (2.0, 1.0, 0.5, 0.25)),
+    grid=Grid(
+        (Parameter("friction", "", TENTHS[1:], 0.4), Parameter("speed", "m/s", (1.0, 2.0, 5.0), 2.0)),
+        (1e-3, 2e-3, 5e-3),
+        _sliding,
+    ),
 )
 
 
@@ -230,6 +243,11 @@ INCLINE = Family(
     ),
     curve=Curve("μ=0.3,θ=20°", "Sliding down 20° at μ = 0.3", "way, m", _way),
     convergence=Convergence("μ=0.3,θ=20°", "way"),
+    grid=Grid(
+        (Parameter("friction", "", TENTHS, 0.3), Parameter("angle", "°", (3.0, 10.0, 20.0, 30.0, 40.0), 20.0)),
+        (1e-3, 2e-3, 5e-3),
+        lambda friction, angle: _incline(friction, angle),
+    ),
 )
 
 FAMILIES = (SLIDING_SLAB, INCLINE)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from reference import geometry, measure, truth
 from reference.engines.base import COMPLIANT, EXACT, INTERPOLATED, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.grid import TENTHS, Grid, Parameter
 from reference.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -18,6 +19,8 @@ DROP_HEIGHT = 1.0
 """Gap below the ball at the start, m; the mean one where drops are jittered."""
 DROPS = 107
 """Drops in an ensemble, a prime: whatever the timestep, their phases within a step come out evenly spread."""
+GRID_DROPS = 7
+"""The same for a point of the grid: there are many of them, and the rest is one more step of a drop in seven."""
 SPREAD = 0.1
 """The fall times of an ensemble span this, s: whole steps of 1/60 s and 4 ms, and of whatever divides these."""
 WINDOW = 5.0
@@ -27,9 +30,11 @@ Falling = Callable[[str, float, float, float], Scenario]
 """Name, restitution, drop height in m, duration in s → the scenario of one drop."""
 
 
-def falling_ball(name: str, restitution: float, drop_height: float, duration: float) -> Scenario:
+def falling_ball(
+    name: str, restitution: float, drop_height: float, duration: float, radius: float = RADIUS, mass: float = 1.0
+) -> Scenario:
     """A ball let go above the floor; drop_height is the gap, m."""
-    ball = Body("ball", Sphere(RADIUS), mass=1.0, position=(0.0, 0.0, RADIUS + drop_height))
+    ball = Body("ball", Sphere(radius), mass, position=(0.0, 0.0, radius + drop_height))
     floor = Body("floor", HalfSpace())
     return Scenario(name, (floor, ball), (Pair("ball", "floor", restitution=restitution),), duration)
 
@@ -49,7 +54,8 @@ def dropped(family: str, restitution: float, falling: Falling, count: int = DROP
 
     Their number, a prime, makes the phases come out evenly spread as well.
     """
-    fall, name = truth.fall_time(DROP_HEIGHT, GRAVITY), f"e={restitution:g}"
+    fall = truth.fall_time(DROP_HEIGHT, GRAVITY)
+    name = f"e={restitution:g}" + (f",drops={count}" if count == GRID_DROPS else "")
     falls = [fall + SPREAD * (drop - count // 2) / count for drop in range(count)]
     scenarios = tuple(
         falling(
@@ -100,11 +106,13 @@ def _expect_rebound(case: Case, settings: Settings, method: Method) -> Expectati
     # A share r of the depth d that comes back as speed adds r d/dt, r v/2 on the average: e v · r v/2 ÷ g = e r h.
     shift += restitution * method.speed_recovery
     why = "−(1 − e − c) v dt/2 + e r h: half a step late, shares c and r of the overlap taken back, r as speed"
+    # A share s of the change, (1 + e) v, that is missing takes 2 e (1 + e) s from (e v)²/(2g h) = e².
+    shift -= 2 * restitution * (1 + restitution) * method.softness
     if method.weighed:
         shift += method.weighed * _mean_share(
             case, lambda height: truth.weighed_apex_shift(height, restitution, GRAVITY, dt)
         )
-        why = "−(1 − e) v dt/2 + e² v dt: half a step late, and with the speed that this step has added"
+        why = "−(1 − e) v dt/2 + e² v dt − 2e(1 + e) s h: half a step late, with the speed that it added, and softly"
     # The mean of a sawtooth as high as the overlap over N even phases is out by less than 1/N of it; then second order.
     near = (
         truth.impact_speed(DROP_HEIGHT, GRAVITY) * dt / DROP_HEIGHT / len(case.scenarios)
@@ -175,6 +183,11 @@ DROPPED_BALL = Family(
     ),
     curve=Curve("e=0.5", "One drop at e = 0.5", "gap below the ball, m", _gap),
     convergence=Convergence("e=0.5", "rebound"),
+    grid=Grid(
+        (Parameter("restitution", "", (*TENTHS[:10], 0.95, 1.0), 0.5),),
+        (2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2),
+        lambda restitution: dropped("dropped-ball", restitution, falling_ball, GRID_DROPS),
+    ),
 )
 
 
@@ -269,6 +282,7 @@ BALL_TO_REST = Family(
     ),
     curve=Curve("e=0.8", "The bounces at e = 0.8", "gap below the ball, m", _gap, until=5.0),
     convergence=Convergence("e=0.5", "rest_time", (2.0, 1.0, 0.5, 0.25, 0.125), every_step=True),
+    grid=Grid((Parameter("restitution", "", TENTHS[1:10], 0.5),), (1e-3, 2e-3, 5e-3), _to_rest),
 )
 
 FAMILIES = (DROPPED_BALL, BALL_TO_REST)

@@ -10,6 +10,7 @@ import numpy as np
 from reference import truth, turning
 from reference.engines.base import EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.grid import TENTHS, Grid, Parameter
 from reference.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -26,11 +27,19 @@ SHARE = 1e-3
 Expect = Callable[[Case, Settings, Method], Expectation]
 
 
-def ball_on_plane(name: str, friction: float, slope: float, speed: float, duration: float) -> Scenario:
+def ball_on_plane(
+    name: str,
+    friction: float,
+    slope: float,
+    speed: float,
+    duration: float,
+    radius: float = RADIUS,
+    mass: float = 1.0,
+) -> Scenario:
     """A ball without spin that touches a plane. slope: rad, downhill towards +x. speed: m/s, downhill."""
     downhill = np.array([math.cos(slope), 0.0, -math.sin(slope)])
     normal = np.array([math.sin(slope), 0.0, math.cos(slope)])
-    ball = Body("ball", Sphere(RADIUS), 1.0, tuple(RADIUS * normal), velocity=tuple(speed * downhill))
+    ball = Body("ball", Sphere(radius), mass, tuple(radius * normal), velocity=tuple(speed * downhill))
     plane = Body("plane", HalfSpace(tuple(normal)))
     return Scenario(name, (plane, ball), (Pair("ball", "plane", kinetic_friction=friction),), duration)
 
@@ -138,6 +147,11 @@ SLIDING_BALL = Family(
     ),
     curve=Curve("μ=0.1,v=2", "Speed at μ = 0.1, v₀ = 2 m/s", "speed, m/s", _speeds),
     convergence=Convergence("μ=0.1,v=2", "way"),
+    grid=Grid(
+        (Parameter("friction", "", TENTHS[1:], 0.3), Parameter("speed", "m/s", (1.0, 2.0, 5.0), 2.0)),
+        (1e-3, 2e-3, 5e-3),
+        _sliding,
+    ),
 )
 
 
@@ -201,6 +215,11 @@ ROLLING_BALL = Family(
     ),
     curve=Curve("μ=0.1,θ=30°", "Speed down 30° at μ = 0.1", "speed, m/s", _speeds),
     convergence=Convergence("μ=0.3,θ=20°", "way"),
+    grid=Grid(
+        (Parameter("friction", "", TENTHS[1:], 0.3), Parameter("angle", "°", (5.0, 10.0, 20.0, 30.0, 40.0), 20.0)),
+        (1e-3, 2e-3, 5e-3),
+        lambda friction, angle: _on_slope(friction, angle),
+    ),
 )
 
 
@@ -294,6 +313,15 @@ SPINNING_BALL = Family(
         lambda trajectory: trajectory.position("ball")[:, 0],
     ),
     convergence=Convergence("ω=60,μ=0.3,e=0.5", "speed_along"),
+    grid=Grid(
+        (
+            Parameter("spin", "rad/s", (5.0, 20.0, 60.0), 20.0),
+            Parameter("friction", "", (0.1, 0.2, 0.3, 0.5), 0.3),
+            Parameter("restitution", "", (0.2, 0.5, 0.8), 0.5),
+        ),
+        (1e-3, 2e-3, 5e-3),
+        _spinning,
+    ),
 )
 
 FAMILIES = (SLIDING_BALL, ROLLING_BALL, SPINNING_BALL)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from reference.engines.base import AT_STEP, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
+from reference.grid import Grid, Parameter
 from reference.scenario import Body, Box, Pair, Scenario, Sphere
 from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
@@ -112,6 +113,11 @@ THIN_WALL = Family(
     ),
     curve=Curve("v=20", "The first of the shots at 20 m/s", "distance behind the wall's middle, m", _place),
     convergence=Convergence("v=20", "passed", (10.0, 4.0, 2.0, 1.0)),
+    grid=Grid(
+        (Parameter("speed", "m/s", (5.0, 10.0, 20.0), 20.0),),
+        (5e-4, 1e-3, 2e-3, 1 / 240, 1 / 120, 1 / 60),
+        _case,
+    ),
 )
 
 FAMILIES = (THIN_WALL,)

@@ -12,19 +12,18 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
+from program import Said, collisions
 
-from labs.cli import app, jobs, main
+from labs.cli import jobs, main
+from reference import snapping
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.isolate import stop_workers
-from reference.report.files import read_rows
+from reference.report.files import read_published, read_rows
 from reference.scenarios import catalogue
-from reference.study import run_jobs
 
 QUICK = ("ball-to-rest/e=0.5", "--engine", "handwritten")
 TUNED = (*QUICK, "--profile", "tuned")
@@ -72,30 +71,6 @@ NO_WORDS = "raise CannotExpress('an odd one has no words for it')"
 EVERYTHING = "".join(f"from solutions.{topic} import *\n" for topic in ("detection", "response", "forces", "friction"))
 WRONG = EVERYTHING + "right = kinematic_response\ndef kinematic_response(v, n, e):\n    return right(v, n, 0.9 * e)\n"
 MISSING = EVERYTHING + "del kinematic_response\n"
-
-
-@dataclass(frozen=True)
-class Said:
-    """What the program ended with and printed; `text` and `error` with their line breaks made spaces."""
-
-    code: int
-    output: str
-    errors: str
-
-    @property
-    def text(self) -> str:
-        return " ".join(self.output.split())
-
-    @property
-    def error(self) -> str:
-        return " ".join(re.sub("[│╭╮╰╯─]", " ", self.errors).split())
-
-
-def collisions(*arguments: str | Path) -> Said:
-    """Run the program within this process."""
-    ended = CliRunner().invoke(app, list(map(str, arguments)))
-    assert ended.exception is None or isinstance(ended.exception, SystemExit), ended.exception
-    return Said(ended.exit_code, ended.stdout, ended.stderr)
 
 
 @pytest.fixture
@@ -204,11 +179,20 @@ def test_with_verbose_it_logs_what_is_run():
         ([*QUICK, "--set", "timestep=soon"], "timestep is 'soon'; it must be a number"),
         ([*QUICK, "--set", "policy"], "--set 'policy' is not of the form name=value, such as"),
         ([*QUICK, "--set", "[bold]"], "--set '[bold]' is not of the form name=value, such as"),
+        (["incline", "--at", "friction"], "--at 'friction' is not of the form name=value, such as"),
+        (["incline", "--at", "friction=much"], "friction is 'much'; it must be a number"),
+        (["incline", "--at", "friction=2"], "friction is 2.0; it must be a number from 0 to 1"),
+        (
+            ["incline", "--at", "frictoin=1"],
+            "unknown parameter of incline 'frictoin'. Did you mean 'friction'? Choices: friction, angle.",
+        ),
+        (["stack", "--at", "friction=1"], "stack has no parameters that can be moved; these have: "),
+        ([*QUICK, "--at", "restitution=0.5"], "ball-to-rest/e=0.5 is one case, and so is what parameters make"),
         ([*QUICK, "--set", "=3"], "--set '=3' is not of the form name=value, such as"),
         ([*QUICK, "--set", "policy="], "--set 'policy=' is not of the form name=value, such as"),
         (
             [*QUICK, "--set", "polcy=at_step"],
-            "unknown setting 'polcy'. Did you mean 'policy'? Choices: timestep, sample_every, policy, shortest_flight.",
+            "unknown setting of hand-written's tuned profile 'polcy'. Did you mean 'policy'? Choices: timestep, ",
         ),
         ([*QUICK, "--set", "shortest_flight=long"], "shortest_flight is 'long'; it must be a number"),
         ([*QUICK, "--set", "policy=guess"], "policy is 'guess'; here it is one of exact_root, interpolated, at_step"),
@@ -279,6 +263,60 @@ def test_a_setting_may_be_written_as_it_is_printed():
         assert job.changes == (("shortest_flight", "3"),)
 
 
+def test_parameters_take_the_place_of_the_cases_and_may_have_any_value_in_range():
+    found = jobs.planned(["incline"], ["handwritten"], ["tuned"], parameters=["friction=0.123", "angle = 7"])
+    assert [job.at for job in found] == [(("friction", 0.123), ("angle", 7.0))]
+    rest = "ball-to-rest", "--engine", "handwritten", "--profile", "tuned", "--at", "restitution=0.37", "--cases"
+    # √(2h/g) (1 + e)/(1 − e) = 0.451524 · 1.37/0.63
+    assert "e=0.37 0.98188 s expected hand-written, tuned 0.98188 s" in collisions("compare", *rest).text
+
+
+@pytest.fixture
+def without_mujoco(tmp_path, monkeypatch) -> Iterator[None]:
+    """MuJoCo cannot be imported, neither here nor in a worker."""
+
+    def forget() -> None:
+        stop_workers()  # those that are idle have the old path
+        snapping.absent.cache_clear()
+
+    (tmp_path / "mujoco.py").write_text("raise ImportError('not here')")
+    monkeypatch.syspath_prepend(tmp_path)
+    forget()
+    yield
+    forget()
+
+
+@pytest.mark.usefixtures("without_mujoco")
+def test_a_missing_engine_answers_at_the_nearest_recorded_point_and_all_others_too():
+    wish = "ball-to-rest", "--at", "restitution=0.57", "--timestep", "0.003", "--cases", "--profile", "tuned"
+    said = collisions("compare", *wish, "--engine", "handwritten", "--engine", "mujoco")
+    assert (
+        "ball-to-rest: restitution 0.57 → 0.6, timestep 3 ms → 2 ms for all, since MuJoCo answers from recordings"
+        in said.text
+    )
+    # √(2h/g) (1 + e)/(1 − e) = 0.451524 · 1.6/0.4
+    assert "e=0.6 1.8061 s expected hand-written, tuned 1.8061 s" in said.text
+    assert re.search(r"MuJoCo\*, tuned 1\.[78]\d* s", said.text)
+
+
+@pytest.mark.usefixtures("without_mujoco")
+def test_an_engine_that_is_missing_is_not_recorded_and_its_recordings_stay(tmp_path):
+    said = collisions("record", "cradle", "--engine", "mujoco", "--out", tmp_path / "new")
+    assert (said.code, said.text) == (3, "MuJoCo is not installed here: its recordings stay as they are.")
+    assert not (tmp_path / "new").exists()
+
+
+def test_only_what_is_stale_is_recorded_and_sizes_are_printed(tmp_path, installed):
+    installed("mujoco")
+    wish = "record", "parting-ball", "--engine", "mujoco", "--only-stale", "--out", tmp_path
+    first, again = collisions(*wish), collisions(*wish)
+    assert first.text.startswith("parting-ball in MuJoCo: never recorded kB of numbers + poses MuJoCo parting-ball ")
+    assert sorted(path.name for path in (tmp_path / "mujoco").iterdir()) == ["parting-ball.json", "parting-ball.npz"]
+    assert (again.code, again.text) == (0, "All recordings are of today's scenarios and settings.")
+    refused = collisions("record", "parting-ball/v=0.1")
+    assert (refused.code, "'parting-ball/v=0.1' is one case" in refused.error) == (2, True)
+
+
 def test_what_is_set_reaches_the_run():
     assert "e=0.5 1.3546 s expected" in collisions("compare", *TUNED, "--cases").text
     late = collisions("compare", *TUNED, "--cases", "--set", "policy=at_step", "--timestep", "0.01").text
@@ -344,7 +382,7 @@ def test_a_run_without_a_usable_answer_ends_with_3_and_the_others_are_printed(bo
 
 def test_a_run_that_hangs_is_stopped_and_ends_with_3(odd, monkeypatch):
     # 1 s: whatever the limit, it hangs for longer; what it is here only makes the test quick.
-    monkeypatch.setattr(jobs, "run_jobs", functools.partial(run_jobs, timeout=1.0))
+    monkeypatch.setattr(jobs, "TIME_LIMIT", 1.0)
     ended = collisions("compare", QUICK[0], "--profile", "tuned", "--engine", odd("time.sleep(600)"))
     assert ended.code == 3
     assert "an odd one, tuned: crashed: no answer within 1 s" in ended.text
@@ -588,6 +626,38 @@ def test_the_whole_report_is_written_all_tuned_verdicts_agree_and_it_is_small_en
     assert {(row.engine, row.note) for row in needs} == {("handwritten", "needs a rigid-body world (world)")}
     assert "49 cases wait for hand-written functions" in " ".join(said.text.split())
     assert len(needs) == 2 * 49  # in both of its profiles
-    assert len(os.listdir(tmp_path / "report" / "figures")) == 2 * len(catalogue())
+    assert len(os.listdir(tmp_path / "report" / "figures")) == 2 * len(catalogue()) + 2
+    others = {str(row.verdict) for row in read_published(tmp_path / "report" / "published.json")}
+    assert others == {"pass", "known deviation", "cannot express"}
     size = (tmp_path / "report" / "index.html").stat().st_size
     assert size < 3_000_000  # bytes: what any mail takes, and a phone on the move loads
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (
+            ("--at", "restitution=0.4"),
+            "--at 'restitution=0.4' is of which scenario? Name one of: thin-wall, dropped-ball,",
+        ),
+        (
+            ("dropped-ball", "--at", "restitution=0.4", "--at", "restitution=0.7"),
+            "restitution is given twice, as 0.4 and",
+        ),
+        (("dropped-ball", "--set", "timestep=0.002", "--timestep", "0.003"), "timestep is given twice, as 0.002 and"),
+        (("dropped-ball", "--set", "contact_erp=0.2", "--engine", "pybullet"), "setting of PyBullet's stock profile"),
+        (("p15",), "p15 is other people's case, no scenario: collisions compare --published p15"),
+        (("--published", "dropped-ball"), "unknown published case 'dropped-ball'"),
+    ],
+)
+def test_what_could_be_meant_in_two_ways_is_refused_with_what_to_say_instead(arguments, said):
+    refused = collisions("compare", *arguments)
+    assert refused.code == 2
+    assert said in refused.error
+
+
+@pytest.mark.parametrize("name", ["handwritten", "mine.py"])
+def test_what_answers_everywhere_or_for_one_alone_is_not_recorded(name, tmp_path):
+    refused = collisions("record", "parting-ball", "--engine", name, "--out", tmp_path)
+    assert refused.code == 2
+    assert f"'{name}' is not recorded; these engines are: pybullet, mujoco, dart" in refused.error

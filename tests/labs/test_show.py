@@ -9,16 +9,16 @@ import os
 import re
 import sys
 import time
-from pathlib import Path
 
 import pytest
+from program import collisions
 from rich.cells import cell_len
 from rich.console import Console
-from typer.testing import CliRunner
 
-from labs.cli import app, jobs, show
+from labs.cli import jobs, show
 from labs.demonstrations import DEMONSTRATIONS, Demonstration, find
 from labs.seen import Seen, filled
+from reference import recording
 from reference.compare import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.base import EXACT
@@ -34,33 +34,6 @@ PLACEHOLDER = re.compile(r"\{([^}]*)\}")
 MISSING = "is not there; to get it: pip install it"
 LIMIT = 30.0  # s: what a demonstration may take on two cores with an empty cache
 MAGIC = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF"}
-
-
-@dataclasses.dataclass(frozen=True)
-class Said:
-    """What the program ended with and printed."""
-
-    code: int
-    output: str
-    errors: str
-
-    @property
-    def text(self) -> str:
-        return " ".join(self.output.split())
-
-    @property
-    def lines(self) -> list[str]:
-        return [line.rstrip() for line in self.output.splitlines()]
-
-    @property
-    def error(self) -> str:
-        return " ".join(re.sub("[│╭╮╰╯─]", " ", self.errors).split())
-
-
-def collisions(*arguments: str | Path) -> Said:
-    ended = CliRunner().invoke(app, list(map(str, arguments)))
-    assert ended.exception is None or isinstance(ended.exception, SystemExit), ended.exception
-    return Said(ended.exit_code, ended.stdout, ended.stderr)
 
 
 @pytest.fixture(autouse=True)
@@ -318,7 +291,7 @@ def test_shown_a_second_time_nothing_is_run():
     assert "from the cache" not in collisions(*arguments, "--fresh").errors
 
 
-def test_engines_that_cannot_be_imported_are_named_and_the_rest_is_shown(tmp_path, monkeypatch):
+def test_engines_that_cannot_be_imported_are_shown_as_recorded_or_named(tmp_path, monkeypatch):
     for package in ("pybullet", "mujoco"):
         (tmp_path / f"{package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
     monkeypatch.syspath_prepend(str(tmp_path))
@@ -326,7 +299,12 @@ def test_engines_that_cannot_be_imported_are_named_and_the_rest_is_shown(tmp_pat
     try:
         said = collisions("show", "stop")
         assert said.code == 0, said.errors
-        assert len(re.findall(r"(PyBullet|MuJoCo) +(tuned|stock) +not available$", "\n".join(said.lines), re.M)) == 4
+        assert len(re.findall(r"(PyBullet|MuJoCo)\* +(tuned|stock) +0\.\d+ m", said.output)) == 4
+        assert re.search(r"\* PyBullet \S+ was recorded on \S+ \(.*?\); it is not run here", said.text)
+        monkeypatch.setattr(recording, "FOLDER", tmp_path)  # nothing of the kind
+        said = collisions("show", "stop", "--fresh")
+        lines = "\n".join(said.lines)
+        assert len(re.findall(r"(PyBullet|MuJoCo) +(tuned|stock) +not available$", lines, re.M)) == 4
         assert "PyBullet, tuned; PyBullet, stock: not available: PyBullet is not installed here" in said.text
         assert re.search(r"●  hand-written +exact +0\.50968 m", said.output)
         nothing = collisions("show", "roll")

@@ -3,16 +3,11 @@ from __future__ import annotations
 import pytest
 
 from reference.published import published
-from solutions.avoidance import orca_half_plane
 
 
 @pytest.mark.statement(1, oracle="RVO2, and navground which runs it")
-def test_our_half_plane_is_the_one_of_rvo2():
-    case = published("P23")
-    point, normal = orca_half_plane(**case.setup, dt=0.1)  # they do not overlap: the step does not count
-    assert point == pytest.approx(case.expected["point"], abs=case.tolerance["point"])
-    direction = (normal[1], -normal[0])  # what is permitted lies to its left
-    assert direction == pytest.approx(case.expected["direction"], abs=case.tolerance["direction"])
+def test_our_half_plane_is_the_one_of_rvo2(as_published):
+    as_published("P23")
 
 
 def test_navground_still_gives_the_published_line():

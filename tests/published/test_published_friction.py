@@ -1,3 +1,5 @@
+"""Friction that other people published or measured, by hand, and what is behind the figures."""
+
 from __future__ import annotations
 
 import math
@@ -5,108 +7,74 @@ import math
 import numpy as np
 import pytest
 
+from reference.compare import Verdict
 from reference.published import published
-from solutions.friction import (
-    apparent_force,
-    contact_jacobian,
-    friction_force,
-    inverse_mass_matrix,
-    normal_force,
-    sequential_impulses,
-    sphere_grips,
-    sphere_impact,
-)
+from reference.published.rigid_law import rigid_law, rigid_sphere
+from solutions.friction import sphere_grips, sphere_impact
 
-X, Y, UP = np.eye(3)
-STILL = np.zeros(3)
-
-
-def within(case, name, value):
-    return value == pytest.approx(case.expected[name], abs=case.tolerance[name])
+Y, UP = np.eye(3)[1:]
 
 
 @pytest.mark.statement(24, oracle="P4: LAMMPS' sphere that begins to roll")
-def test_a_sphere_slides_spins_up_and_rolls_as_in_lammps():
-    case = published("P4")
-    radius, mu, dt, g = (case.setup[name] for name in ("radius", "friction", "timestep", "gravity"))
-    mass = case.setup["density"] * 4 / 3 * math.pi * radius**3
-    press = normal_force(apparent_force(mass, -g * UP, STILL, STILL), UP)
-
-    def accelerations(v, spin):
-        force = friction_force(STILL, (v - radius * spin) * X, press, mu, mu)[0]
-        return force / mass, -force / (0.4 * mass * radius)
-
-    x, v, spin, a, turn = 0.0, case.setup["speed"], 0.0, 0.0, 0.0  # no friction in the first evaluation
-    step = 0
-    while a <= 0:  # until the slip, and with it friction, turns round: within a step of rolling
-        v, spin = v + a * dt / 2, spin + turn * dt / 2
-        x += v * dt
-        a, turn = accelerations(v, spin)
-        v, spin = v + a * dt / 2, spin + turn * dt / 2
-        step += 1
-        if step == case.setup["steps"]:
-            assert within(case, "position", x)
-            assert within(case, "velocity", v)
-            assert within(case, "spin", spin)
-    assert within(case, "rolls_at", step * dt)
-    assert within(case, "rolls_with", v)
-
-
-def kharaz(case, angle):
-    radians = np.radians(case.setup[angle])
-    speed, e, mu = (case.setup[name] for name in ("speed", "restitution", "friction"))
-    before = speed * (np.outer(np.sin(radians), X) - np.outer(np.cos(radians), UP))
-    grips = sphere_grips(before[:, 0], -before[:, 2], e, mu)
-    return before, sphere_impact(before, STILL, UP, case.setup["radius"], e, mu), grips
+def test_a_sphere_slides_spins_up_and_rolls_as_in_lammps(as_published):
+    as_published("P4")
 
 
 @pytest.mark.statement(16, oracle="P11: Kharaz' measured impacts")
-def test_measured_spheres_that_slide_through_the_impact_keep_the_share_that_the_rigid_law_says():
-    case = published("P11")
-    before, (after, _), grips = kharaz(case, "angle")
-    measured, ours = np.array(case.expected["tangent_restitution"]), after[:, 0] / before[:, 0]
-    assert grips.tolist() == [True] * 3 + [False] * 4
-    assert ours[~grips] == pytest.approx(measured[~grips], abs=case.tolerance["tangent_restitution"])
-    # a rigid sphere that grips keeps 5/7 at every angle; the measured dip is not in any rigid law
-    assert ours[grips] == pytest.approx(np.full(3, 5 / 7), abs=1e-14)
-    assert (ours - measured)[grips] == pytest.approx([0.039, 0.115, 0.024], abs=1e-3)
+def test_measured_spheres_that_slide_through_the_impact_keep_the_share_that_the_rigid_law_says(judged):
+    rows = [row for row in judged("P11") if row.figure == "tangent_restitution"]
+    assert [row.verdict for row in rows] == [Verdict.KNOWN_DEVIATION] * 3 + [Verdict.PASS] * 4
+    # A rigid sphere that grips keeps 5/7 at every angle; the measured dip is not in any rigid law
+    assert [row.measured for row in rows[:3]] == pytest.approx([5 / 7] * 3, abs=1e-14)
+    assert [row.difference for row in rows[:3]] == pytest.approx([0.039, 0.115, 0.024], abs=1e-3)
 
 
 @pytest.mark.statement(16, oracle="P11: Kharaz' measured impacts")
-def test_measured_spheres_that_slide_through_the_impact_spin_as_the_rigid_law_says_and_gripping_ones_more():
+def test_measured_spheres_that_slide_through_the_impact_spin_as_the_rigid_law_says_and_gripping_ones_more(judged):
+    rows = [row for row in judged("P11") if row.figure == "spin"]
+    assert {row.verdict for row in rows[3:]} == {Verdict.PASS}
+    assert all(row.difference < 0 for row in rows[:3])
+
+
+def test_a_sphere_grips_at_the_angles_of_the_rigid_law_and_follows_it_to_rounding(judged):
     case = published("P11")
-    _, (_, spin), grips = kharaz(case, "angle_of_spin")
-    measured = np.array(case.expected["spin"])
-    assert spin[~grips, 1] == pytest.approx(measured[~grips], abs=case.tolerance["spin"])
-    assert np.all(measured[grips] > spin[grips, 1])
+    e, mu = case.values("restitution", "friction")
+    for figure, angles in (("tangent_restitution", "angle"), ("spin", "angle_of_spin")):
+        law, grips = rigid_law(case)[figure]
+        turned = np.radians(case.values(angles))
+        assert sphere_grips(np.sin(turned), np.cos(turned), e, mu).tolist() == grips.tolist()
+        assert [row.measured for row in judged("P11") if row.figure == figure] == pytest.approx(law, rel=1e-13)
+
+
+def test_the_rigid_law_has_a_kink_but_no_jump_where_the_sphere_stops_gripping():
+    case, step = published("P11"), 0.01
+    kept, spin, grips = rigid_sphere(case, np.arange(1.0, 89.0, step))
+    assert 0 < np.sum(grips) * step < 88
+    # Slopes: μ (1 + e)/sin² θ is at most 0.64 where it slides; 5/7 v/r = 1114 rad/s the steepest of the spin
+    assert np.max(np.abs(np.diff(kept))) < 0.64 * math.radians(step)
+    assert np.max(np.abs(np.diff(spin))) < 1115 * math.radians(step)
 
 
 @pytest.mark.statement(24, oracle="P13: Drake's inclined plane")
 @pytest.mark.parametrize("friction", [0.08, 1.0])  # tan 15° 2/7 = 0.0766 is enough
-def test_a_sphere_rolls_down_drakes_slope(friction):
-    case = published("P13")
-    radius, mass, g, slope = (case.setup[name] for name in ("radius", "mass", "gravity", "slope"))
-    arm = -radius * UP[None]
-    rows = np.stack([contact_jacobian(0, -1, d[None], arm, arm, 1) for d in (UP, X, Y)], axis=1)
-    weights = inverse_mass_matrix([1 / mass], np.eye(3)[None] / (0.4 * mass * radius**2))
-    fall = g * np.array([math.sin(math.radians(slope)), 0, -math.cos(math.radians(slope)), 0, 0, 0])
-    v, dt = np.zeros(6), 0.01
-    for _ in range(round(case.setup["duration"] / dt)):
-        v, impulse = sequential_impulses(v + dt * fall, rows, weights, friction)
-        assert within(case, "friction", -impulse[0, 1] / dt)
-    assert within(case, "speed", v[0])
-    assert radius * v[4] == pytest.approx(v[0], rel=1e-12)  # rolls; fifty sweeps of one contact
+def test_a_sphere_rolls_down_drakes_slope(friction, as_published):
+    as_published("P13", friction=friction)
+
+
+def test_with_less_friction_it_slides_down_faster(judged):
+    speed, friction = judged("P13", friction=0.07)
+    slope, g = math.radians(15), 9.81
+    assert speed.measured == pytest.approx(g * (math.sin(slope) - 0.07 * math.cos(slope)), rel=1e-9)
+    assert [speed.verdict, friction.verdict] == [Verdict.FAIL] * 2
 
 
 @pytest.mark.statement(16, oracle="P17: Siconos' ball with friction")
-def test_a_spinning_ball_bounces_off_with_the_speed_and_spin_of_siconos():
+def test_a_spinning_ball_bounces_off_with_the_speed_and_spin_of_siconos(as_published):
+    as_published("P17")
     case = published("P17")
-    radius, e, mu = (case.setup[name] for name in ("radius", "restitution", "friction"))
-    fall = math.sqrt(2 * case.setup["gravity"] * (case.setup["height"] - radius))
-    v, spin = -fall * UP, case.setup["spin"] * Y
-    for bounce in range(30):
-        v, spin = sphere_impact(v, spin, UP, radius, e, mu)
-        assert v[2] == pytest.approx(fall * e ** (bounce + 1), rel=1e-13)
-        assert within(case, "speed", v[0])
-        assert within(case, "spin", spin[1])
-        v = v * [1, 1, -1]
+    radius, e, mu, height = case.values("radius", "restitution", "friction", "height")
+    fall = math.sqrt(2 * case.value("gravity") * (height - radius))
+    v, spin = sphere_impact(-fall * UP, case.value("spin") * Y, UP, radius, e, mu)
+    # It rolls from the first impact on, which friction along the floor leaves as high as any
+    assert [v[0], spin[1]] == pytest.approx([case.expected["speed"], case.expected["spin"]], abs=5e-7)
+    assert v[2] == pytest.approx(e * fall, rel=1e-13)

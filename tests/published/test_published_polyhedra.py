@@ -14,14 +14,8 @@ def grid(case):
     return np.array(setup["first"]) + np.stack([i, j], axis=-1) * setup["unit"], np.sign(j - i)
 
 
-def test_the_plain_test_in_doubles_gets_the_published_number_of_signs_wrong():
-    case = published("P24")
-    p, truth = grid(case)
-    q, r = np.array(case.setup["q"]), np.array(case.setup["r"])
-    u, v = q - p, r - p
-    plain = np.sign(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
-    assert plain.size == case.expected["points"]
-    assert np.sum(plain != truth) == case.expected["wrong_signs"]
+def test_the_plain_test_in_doubles_gets_the_published_number_of_signs_wrong(as_published):
+    as_published("P24")
 
 
 @pytest.mark.statement(9, oracle="the diagonal of a grid of neighbouring doubles, as published")

@@ -16,7 +16,8 @@ from reference import cache, sources
 from reference.cache import Cache, default_folder, key_of
 from reference.compare import Row, Verdict
 from reference.results import Job, JobResult
-from reference.study import recall, run_job, run_jobs, run_safely
+from reference.running import recall
+from reference.study import run_job, run_jobs, run_safely
 
 JOB = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
 OWN_CODE = """
@@ -77,12 +78,20 @@ def test_nothing_is_found_in_a_cache_that_has_it_not(cache_folder):
         {"cases": ()},
         {"changes": (("timestep", 2e-3),)},
         {"with_studies": True},
+        {"at": (("restitution", 0.5),)},
+        {"grid": True},
+        {"with_poses": True},
     ],
     ids=lambda change: next(iter(change)),
 )
 def test_another_job_is_another_key(change, kept, installed):
     installed(change.get("engine", "handwritten"))
     assert kept.get(dataclasses.replace(JOB, **change)) is None
+
+
+def test_what_was_said_of_a_job_that_moved_is_no_other_key(kept):
+    moved = dataclasses.replace(JOB, snapped="restitution 0.49 → 0.5")
+    assert kept.get(moved).job == moved
 
 
 @pytest.mark.parametrize("name", ["SCHEMA", "sources.digest", "platform.platform", "platform.python_version", "numpy"])

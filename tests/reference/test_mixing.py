@@ -49,11 +49,30 @@ def test_what_no_choice_gives_is_said():
 
 
 def test_the_smaller_of_two_can_say_what_a_product_of_ours_cannot():
-    row = [Pair("ball 0", "ball 1", 0.5), Pair("ball 1", "ball 2", 0.2)]
+    ring = [Pair("ball 0", "ball 1", 0.5), Pair("ball 1", "ball 2", 0.2), Pair("ball 2", "ball 0", 0.2)]
+    assert mixing.factors(scenario(*ring), restitution) is None
+    assert mixing.least(scenario(*ring), restitution) == [0.0, 0.5, 0.5, 0.2]
+
+
+@given(st.lists(shares, min_size=3, max_size=3))
+def test_a_product_says_each_pair_of_a_row_on_the_floor(values):
+    row = [
+        Pair(upper.name, lower.name, value)
+        for upper, lower, value in zip(BALLS, (FLOOR, *BALLS[:-1]), values, strict=True)
+    ]
+    chosen = mixing.factors(scenario(*row), restitution)
+    for pair in row:
+        got = chosen[NAMES[pair.body_a]] * chosen[NAMES[pair.body_b]]
+        assert got == pytest.approx(pair.restitution, rel=1e-15)  # a quotient and its product round once each
+
+
+def test_where_a_product_is_zero_nothing_beyond_it_can_be_more():
+    row = [Pair("ball 0", "floor", 0.3), Pair("ball 1", "ball 0", 0.0), Pair("ball 2", "ball 1", 0.2)]
     assert mixing.factors(scenario(*row), restitution) is None
-    assert mixing.least(scenario(*row), restitution) == [0.0, 0.5, 0.5, 0.2]
 
 
 def test_a_body_that_touches_nothing_gets_none():
     assert mixing.factors(scenario(), restitution) == [0.0] * 4
+    two = scenario(Pair("ball 0", "floor", 0.3), Pair("ball 1", "floor", 0.5))
+    assert mixing.factors(two, restitution) == [1.0, 0.3, 0.5, 0.0]
     assert mixing.least(scenario(Pair("ball 0", "floor", 0.3)), restitution) == [0.3, 0.3, 0.0, 0.0]

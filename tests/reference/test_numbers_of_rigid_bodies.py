@@ -195,8 +195,9 @@ def test_a_ball_that_meets_the_walls_too_seldom_has_no_fifth_impact():
         positions={"ball": np.outer(places[kept], along)},
         velocities={"ball": np.outer(speeds[kept], along)},
     )
-    with pytest.raises(RunFailed, match="met the walls 3 times, not 5"):
-        measure["last_impact"](trajectory)
+    for quantity in ("last_impact", "speed_left"):
+        with pytest.raises(RunFailed, match="met the walls 3 times, not 5"):
+            measure[quantity](trajectory)
 
 
 def in_steps(restitution: float, dt: float) -> float:
@@ -223,6 +224,7 @@ def test_a_ball_that_stays_at_a_wall_has_met_it_as_well(left):
         "two-walls", "e=0.5", times, positions={"ball": positions}, velocities={"ball": velocities}
     )
     assert measure["last_impact"](trajectory) == pytest.approx(12.4, rel=1e-15)
+    assert measure["speed_left"](trajectory) == abs(left)
 
 
 @pytest.mark.parametrize(("case", "restitution"), [("e=0.5", 0.5), ("e=0.8", 0.8), ("e=1", 1.0)])

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from reference import geometry
-from reference.engines import load_engine
+from reference.engines import dart_engine, load_engine
 from reference.errors import CannotExpress, InvalidInput
 from reference.query import Distance, Ray
 from reference.scenario import Body, Box, HalfSpace, Sphere
 
-THREE = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco"])
+each_engine = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco", "dart"])
 TURNED = (0.4, -0.2, 0.8, 0.4)  # a unit quaternion: 0.16 + 0.04 + 0.64 + 0.16 = 1
-NEAR = {"handwritten": 1e-12, "pybullet": 1e-6, "mujoco": 1e-9}
+NEAR = {"handwritten": 1e-12, "pybullet": 1e-6, "mujoco": 1e-9, "dart": 1e-12}
 """What an answer may be off by: rounding; Bullet's rays and closest points are iterated, to some 1e-7."""
 
 
@@ -61,7 +61,7 @@ DISTANCES = {
 }
 
 
-@THREE
+@each_engine
 @pytest.mark.parametrize("what", RAYS)
 def test_a_ray_gets_as_far_as_the_closed_form_says(name, what, installed):
     query, expected = RAYS[what]
@@ -69,13 +69,55 @@ def test_a_ray_gets_as_far_as_the_closed_form_says(name, what, installed):
     assert installed(name).query(query) == pytest.approx(expected + short, abs=NEAR[name])
 
 
-@THREE
+@each_engine
 @pytest.mark.parametrize("what", DISTANCES)
 def test_a_distance_is_what_the_closed_form_says_in_whatever_order(name, what, installed):
     engine, (query, expected) = installed(name), DISTANCES[what]
     short = SHORT.get(what, 0.0) if name == "pybullet" else 0.0
     for asked in (query, Distance(query.body_b, query.body_a)):
         assert engine.query(asked) == pytest.approx(expected + short, abs=NEAR[name])
+
+
+def test_dart_takes_a_face_for_the_nearest_unless_a_pair_of_edges_is_nearer_by_a_fiftieth(installed):
+    engine, rng, excess = installed("dart"), np.random.default_rng(3), []
+    for _ in range(100):
+        quaternions = rng.normal(size=(2, 4))
+        first, second = (tuple(q / np.linalg.norm(q)) for q in quaternions)
+        box = Body("box", Box(tuple(rng.uniform(0.1, 1.0, 3))), orientation=first)
+        other = Body("other", Box(tuple(rng.uniform(0.1, 1.0, 3))), 1.0, tuple(rng.normal(size=3)), second)
+        gap, found = geometry.gap(box, other), engine.query(Distance(box, other))
+        if gap < 0:  # the ruler is exact for boxes that overlap
+            excess.append(found / gap - 1)
+        else:
+            assert found > gap - 1e-12  # where corners are nearest the ruler is short
+    assert len(excess) > 30
+    assert min(excess) > -1e-9  # rounding
+    assert 0.015 < max(excess) < 0.02
+    assert np.count_nonzero(np.array(excess) > 1e-9) < 0.2 * len(excess)
+
+
+@pytest.mark.parametrize(
+    ("detector", "casts_rays", "measures"),
+    [("dart", True, True), ("fcl", False, True), ("bullet", True, False), ("ode", False, False)],
+)
+def test_of_darts_detectors_its_own_alone_answers_both_questions_and_knows_depths(
+    detector, casts_rays, measures, installed, monkeypatch
+):
+    engine = installed("dart")
+    monkeypatch.setitem(dart_engine.DETECTORS, "dart", dart_engine.DETECTORS[detector])
+    assert (engine.query(RAYS["a box"][0]) == pytest.approx(0.375)) is casts_rays
+    if not measures:
+        with pytest.raises(CannotExpress):
+            engine.query(DISTANCES["two balls"][0])
+        return
+    assert engine.query(DISTANCES["two balls"][0]) == pytest.approx(3.5)
+    depths = [engine.query(DISTANCES[what][0]) for what in ("two balls that overlap", "a ball in a floor")]
+    assert depths == ([-0.5, -0.5] if detector == "dart" else [-1.0, 0.0])
+
+
+def test_dart_knows_no_distance_of_two_half_spaces(installed):
+    with pytest.raises(CannotExpress, match="two half-spaces"):
+        installed("dart").query(Distance(FLOOR, Body("wall", HalfSpace((1.0, 0.0, 0.0)))))
 
 
 def test_boxes_that_overlap_have_no_depth_by_hand():

@@ -8,17 +8,23 @@ from dataclasses import replace
 
 import pytest
 
-from reference import recording, study
+from reference import recording, running
+from reference.cache import Cache
 from reference.compare import Verdict
 from reference.engines import load_engine
-from reference.errors import EngineNotInstalled, InvalidInput
-from reference.recording import fingerprint, recall, write
+from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
+from reference.fingerprint import fingerprint
+from reference.grid import Parameter
+from reference.record import jobs_of, why_stale, write
+from reference.recording import recall, replay
+from reference.replay import poses_of
 from reference.results import Job
 from reference.scenarios import catalogue
 from reference.study import run_job, run_safely
 
 DAY = datetime.date(2026, 11, 21)
-JOBS = [Job("incline", "handwritten", profile, with_studies=True) for profile in ("tuned", "stock")]
+JOBS = [Job("incline", "handwritten", profile, with_studies=True, with_poses=True) for profile in ("tuned", "stock")]
+CASE = "μ=0.1,θ=10°"
 
 
 @pytest.fixture(scope="module")
@@ -28,7 +34,8 @@ def results():
 
 @pytest.fixture
 def folder(tmp_path, results):
-    assert write(results, tmp_path, DAY) == [tmp_path / "handwritten" / "incline.json"]
+    files = [tmp_path / "handwritten" / f"incline.{kind}" for kind in ("json", "npz")]
+    assert write(results, tmp_path, DAY) == files
     return tmp_path
 
 
@@ -38,7 +45,7 @@ def edited(folder, change) -> None:
     content = json.loads(path.read_text(encoding="utf-8"))
     change(content)
     path.write_text(json.dumps(content), encoding="utf-8")
-    recording._content.cache_clear()
+    recording.forget()
 
 
 def test_what_was_measured_comes_back_with_the_same_rows_and_studies(folder, results):
@@ -62,9 +69,9 @@ def test_it_says_that_it_is_a_recording_when_and_where_it_was_made(folder):
 
 
 def test_some_cases_of_a_recording_are_those_cases(folder, results):
-    some = replace(JOBS[0], cases=("μ=0.1,θ=10°",))
+    some = replace(JOBS[0], cases=(CASE,))
     rows = recall(some, folder).rows
-    assert rows == tuple(row for row in results[0].rows if row.case == "μ=0.1,θ=10°")
+    assert rows == tuple(row for row in results[0].rows if row.case == CASE)
     assert rows
 
 
@@ -81,35 +88,51 @@ def test_what_was_never_recorded_has_no_recording(folder):
 
 def test_a_stale_case_says_so_and_gives_no_number_while_the_others_answer(folder):
     def other_scenario(content):
-        content["profiles"]["tuned"]["cases"]["μ=0.1,θ=10°"]["fingerprint"] = "0" * 16
+        content["profiles"]["tuned"]["entries"][CASE][0] = "0" * 16
 
     edited(folder, other_scenario)
     stale = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
-    assert [row.case for row in stale] == ["μ=0.1,θ=10°"]
+    assert [row.case for row in stale] == [CASE]
     assert stale[0].measured is None
     assert "its recording is stale: scenario or settings have changed" in stale[0].note
     assert "collisions record" in stale[0].note
 
 
+def test_a_curve_and_studies_of_a_case_that_is_stale_are_not_shown_either(folder):
+    family = catalogue()["incline"]
+
+    def other_scenario(name):
+        return lambda content: content["profiles"]["tuned"]["entries"][name].__setitem__(0, "0" * 16)
+
+    edited(folder, other_scenario(family.convergence.case))
+    found = recall(JOBS[0], folder)
+    assert found.convergence is found.split is None
+    edited(folder, other_scenario(family.curve.case))
+    assert recall(JOBS[0], folder).series is None
+
+
 def test_a_quantity_that_is_measured_only_since_makes_a_case_stale(folder):
     def without_the_way(content):
-        del content["profiles"]["tuned"]["cases"]["μ=0.1,θ=10°"]["numbers"]["way"]
+        content["profiles"]["tuned"]["quantities"].remove("way")
+        for entry in content["profiles"]["tuned"]["entries"].values():
+            entry[1].pop()
 
     edited(folder, without_the_way)
-    (stale,) = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
-    assert "stale: it has no way" in stale.note
+    rows = recall(JOBS[0], folder).rows
+    assert {row.verdict for row in rows} == {Verdict.NOT_AVAILABLE}
+    assert "stale: it has no way" in rows[0].note
 
 
 def test_a_case_that_was_never_recorded_says_so(folder):
-    edited(folder, lambda content: content["profiles"]["tuned"]["cases"].pop("μ=0.1,θ=10°"))
+    edited(folder, lambda content: content["profiles"]["tuned"]["entries"].pop(CASE))
     (missing,) = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
     assert missing.note == "hand-written is not installed here, and this case was never recorded"
 
 
 def test_other_settings_than_the_recorded_ones_have_no_number(folder):
-    found = recall(replace(JOBS[0], changes=(("timestep", 2e-3),)), folder)
+    found = recall(replace(JOBS[0], changes=(("policy", "at_step"),)), folder)
     assert {row.verdict for row in found.rows} == {Verdict.NOT_AVAILABLE}
-    assert "with timestep=0.002 nothing was recorded" in found.rows[0].note
+    assert found.rows[0].note == "hand-written is not installed here, and with policy=at_step nothing was recorded"
     assert found.series is found.convergence is found.split is None
 
 
@@ -129,7 +152,7 @@ def test_a_tolerance_that_has_changed_since_judges_the_old_number_anew(folder, m
 def test_only_a_whole_run_of_its_own_is_recorded(results, tmp_path):
     whole = results[0]
     for part in (
-        replace(whole, job=replace(whole.job, cases=("μ=0.1,θ=10°",))),
+        replace(whole, job=replace(whole.job, cases=(CASE,))),
         replace(whole, job=replace(whole.job, changes=(("timestep", 2e-3),))),
         replace(whole, version=""),
         replace(whole, recording="* elsewhere"),
@@ -146,13 +169,13 @@ def test_a_file_that_is_no_recording_is_refused_by_name(content, tmp_path):
     path = tmp_path / "handwritten" / "incline.json"
     path.parent.mkdir()
     path.write_text(content, encoding="utf-8")
-    recording._content.cache_clear()
+    recording.forget()
     with pytest.raises(InvalidInput, match=r"incline\.json' is no recording"):
         recall(JOBS[0], tmp_path)
 
 
 def test_a_fingerprint_changes_with_all_that_a_number_hangs_on_and_with_nothing_else():
-    engine, case = load_engine("handwritten"), catalogue()["incline"].case("μ=0.1,θ=10°")
+    engine, case = load_engine("handwritten"), catalogue()["incline"].case(CASE)
     scenario = case.scenarios[0]
     settings = engine.settings(scenario, "tuned")
     body = next(body for body in scenario.bodies if not body.immovable)
@@ -165,6 +188,8 @@ def test_a_fingerprint_changes_with_all_that_a_number_hangs_on_and_with_nothing_
     prints = [fingerprint(replace(case, scenarios=(other,)), settings) for other in (scenario, *others)]
     prints += [fingerprint(case, settings.change(timestep=2e-3)), fingerprint(case, settings.change(policy="at_step"))]
     assert len(set(prints)) == len(prints)
+    rounded = replace(scenario, duration=scenario.duration * (1 + 1e-15), gravity=(1e-17, -0.0, scenario.gravity[2]))
+    assert fingerprint(replace(case, scenarios=(rounded,)), settings) == prints[0]  # on another machine, say
     assert fingerprint(replace(case, name="other"), settings) == prints[0]
 
 
@@ -172,12 +197,119 @@ def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(
     def missing(*_):
         raise EngineNotInstalled("it is not here")
 
-    monkeypatch.setattr(study, "run_isolated", missing)
+    monkeypatch.setattr(running, "run_isolated", missing)
     monkeypatch.setattr(recording, "FOLDER", folder)
-    cache = study.Cache(tmp_path / "cache")
+    cache = Cache(tmp_path / "cache")
     found = run_safely(JOBS[0], cache=cache)
     assert found.recording
     assert found.rows[0].measured is not None
     assert cache.get(JOBS[0]) is None
     without = run_safely(Job("stack", "handwritten", "tuned"))
     assert [row.verdict for row in without.rows] == [Verdict.NOT_AVAILABLE]
+
+
+# Points of a grid
+
+
+@pytest.fixture(scope="module")
+def cradle(tmp_path_factory):
+    """The whole recording, cases, grid and poses, of a family that is made small."""
+    folder, whole = tmp_path_factory.mktemp("cradle"), catalogue()["cradle"]
+    moved = Parameter("balls", "", (4.0, 5.0), 5.0), Parameter("gap", "m", (0.0, 1e-4, 1e-3), 0.0)
+    grid = replace(whole.grid, parameters=moved, timesteps=(1e-3, 2e-3))
+    small = replace(whole, cases=whole.cases[:1] + whole.cases[-2:], grid=grid)
+    catalogue()["cradle"] = small
+    jobs = [replace(job, with_studies=False) for job in jobs_of(small, "handwritten")]
+    results = [run_job(job) for job in jobs]
+    write(results, folder, DAY)
+    yield folder, results
+    catalogue()["cradle"] = whole
+
+
+def test_every_point_of_a_grid_comes_back_at_every_timestep_with_the_same_rows(cradle):
+    folder, results = cradle
+    for result in results:
+        found = recall(result.job, folder)
+        for then, now in zip(result.rows, found.rows, strict=True):
+            assert (then.case, then.quantity, then.verdict) == (now.case, now.quantity, now.verdict)
+            assert now.measured == pytest.approx(then.measured, rel=1e-10, abs=0)  # eleven digits are kept of a grid
+    assert {result.job.changes for result in results if result.job.grid} > {()}
+
+
+def test_parameters_at_a_point_of_the_grid_find_it_and_between_two_nothing(cradle):
+    folder, _ = cradle
+    job = Job("cradle", "handwritten", "stock", changes=(("timestep", 2e-3),), at=(("balls", 4.0), ("gap", 1e-4)))
+    live, found = run_job(job), recall(job, folder)
+    assert [row.measured for row in found.rows] == pytest.approx([row.measured for row in live.rows], rel=1e-10)
+    assert {row.case for row in found.rows} == {"4, 100 µm apart"}
+    assert found.series.times[-1] == pytest.approx(live.series.times[-1], abs=1 / 60)  # drawn from the replay
+    assert found.series.values[0] == pytest.approx(live.series.values[0], abs=1e-3)
+    assert found.series.values[-1] == pytest.approx(live.series.values[-1], abs=4e-3)  # 0.01 mm in a 180th of a second
+    (row,) = recall(replace(job, at=(("balls", 4.0), ("gap", 2e-4))), folder).rows
+    assert "with balls=4.0, gap=0.0002, timestep=0.002 nothing was recorded" in row.note
+
+
+def test_a_familys_own_case_at_a_timestep_of_the_grid_is_found_if_it_is_a_point_of_it(cradle):
+    folder, _ = cradle
+    rows = recall(Job("cradle", "handwritten", "tuned", changes=(("timestep", 2e-3),)), folder).rows
+    missing = {row.case for row in rows if row.verdict is Verdict.NOT_AVAILABLE}
+    assert missing == {"3 touching", "5, 1 mm apart, two struck"}
+    why = next(row.note for row in rows if row.case in missing)
+    assert why.endswith("with timestep=0.002 nothing was recorded; with --at balls=… some was")
+
+
+def test_what_is_of_todays_scenarios_is_not_stale_and_what_is_not_says_why(cradle, monkeypatch):
+    folder, _ = cradle
+    family = catalogue()["cradle"]
+    assert why_stale(family, "handwritten", folder) == ""
+    first, *others = family.cases
+    other = replace(first, scenarios=(replace(first.scenarios[0], duration=9.0),))
+    changed = replace(family, cases=(other, *others))
+    assert why_stale(changed, "handwritten", folder) == "tuned, 3 touching has changed since it was recorded"
+    assert why_stale(replace(family, quantities=family.quantities[1:]), "handwritten", folder)
+    assert why_stale(family, "mujoco", folder) == "never recorded"
+    monkeypatch.setattr(type(load_engine("handwritten")), "version", lambda self: "0.0")
+    assert why_stale(family, "handwritten", folder).endswith("here is 0.0")
+
+
+def test_the_same_results_make_the_same_files(cradle, tmp_path):
+    folder, results = cradle
+    write(results, tmp_path, DAY)
+    for name in ("cradle.json", "cradle.npz"):
+        assert (tmp_path / "handwritten" / name).read_bytes() == (folder / "handwritten" / name).read_bytes()
+
+
+# Poses
+
+
+def test_a_recorded_replay_is_that_of_the_run_itself(cradle):
+    folder, _ = cradle
+    engine, case = load_engine("handwritten"), catalogue()["cradle"].case("5, 1 mm apart")
+    for changes in ((), (("timestep", 1e-3),)):
+        found = replay(Job("cradle", "handwritten", "stock", changes=changes), case.name, folder)
+        settings = engine.settings(case.scenarios[0], "stock").change(**dict(changes))
+        live = poses_of(engine.run(case.scenarios[0], settings))
+        assert found.bodies == live.bodies == tuple(f"ball {number}" for number in range(1, 6))
+        assert abs(found.positions - live.positions).max() <= 0.5e-5 + 1e-12  # half of 0.01 mm
+        assert (found.title, found.recording[:15]) == ("hand-written*", "* hand-written ")
+
+
+def test_a_result_has_the_same_poses_whether_it_ran_here_or_was_recorded(cradle):
+    folder, results = cradle
+    for result in results[:2]:  # the cases, then the grid
+        assert [track.packed for track in recall(result.job, folder).poses] == [track.packed for track in result.poses]
+        assert result.poses
+        assert recall(replace(result.job, with_poses=False), folder).poses == ()
+
+
+def test_a_replay_that_was_not_recorded_or_is_stale_is_refused(cradle, monkeypatch):
+    folder, _ = cradle
+    job = Job("cradle", "handwritten", "tuned")
+    with pytest.raises(NotRecorded, match="no poses of 3 touching were recorded with these settings"):
+        replay(replace(job, changes=(("timestep", 3e-3),)), "3 touching", folder)
+    first, *others = catalogue()["cradle"].cases
+    other = replace(first, scenarios=(replace(first.scenarios[0], duration=9.0),))
+    changed = replace(catalogue()["cradle"], cases=(other, *others))
+    monkeypatch.setattr(recording, "catalogue", lambda: {"cradle": changed})
+    with pytest.raises(NotRecorded, match="poses of 3 touching are stale; collisions record makes new ones"):
+        replay(job, "3 touching", folder)

@@ -22,7 +22,11 @@ from reference.scenarios import catalogue
 SVG, XLINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}"
 STEPS = (4e-3, 2e-3, 1e-3, 5e-4)
 both = pytest.mark.parametrize("draw", [figures.trajectories, figures.convergence])
-every_family = pytest.mark.parametrize("family", catalogue())
+DRAWN = ("dropped-ball", "ball-to-rest", "thin-wall", "incline", "cradle", "stack")
+"""Families whose figures the fast run draws; a figure takes half a second, and those of the others are like these."""
+every_family = pytest.mark.parametrize(
+    "family", [name if name in DRAWN else pytest.param(name, marks=pytest.mark.slow) for name in catalogue()]
+)
 
 
 def results(family: str) -> list[JobResult]:

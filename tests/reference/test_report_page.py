@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from html.parser import HTMLParser
 
@@ -38,8 +39,15 @@ class Element:
 
     def all(self, tag: str, name: str = "") -> list[Element]:
         """Elements of a tag at any depth, in the order of the page; of a class if one is given."""
-        found = [it for child in self.inside for it in (child, *child.all(""))]
-        return [it for it in found if tag in ("", it.tag) and name in ("", *it.classes)]
+        return [it for it in self.walk() if tag in ("", it.tag) and name in ("", *it.classes)]
+
+    def walk(self) -> Iterator[Element]:
+        """All elements at any depth, in the order of the page."""
+        waiting = self.inside[::-1]
+        while waiting:
+            found = waiting.pop()
+            yield found
+            waiting += found.inside[::-1]
 
     @property
     def classes(self) -> list[str]:
@@ -143,7 +151,7 @@ def tree(whole) -> Element:
 
 
 def with_id(tree: Element, name: str) -> Element:
-    (found,) = (it for it in tree.all("") if it.attributes.get("id") == name)
+    (found,) = (it for it in tree.walk() if it.attributes.get("id") == name)
     return found
 
 

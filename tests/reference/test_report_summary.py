@@ -330,3 +330,13 @@ def test_a_reason_for_a_tolerance_is_given_once_with_the_lines_that_it_holds_for
 def test_one_sentence_says_how_the_tuned_settings_stand(verdicts, sentence):
     stock = [row(verdict, profile="stock") for verdict in Verdict]
     assert verdict_line([*map(row, verdicts), *stock]) == sentence
+
+
+def test_engines_of_two_files_that_share_a_title_have_a_column_each():
+    def titles(*engines: str) -> list[str]:
+        found = [result(row(), engine=engine, title="an odd one") for engine in engines]
+        return columns(sections([*found, result(row(), title="hand-written")]))
+
+    assert titles("a/one.py") == ["hand-written, tuned", "an odd one, tuned"]
+    assert titles("a/one.py", "a/two.py")[1:] == ["an odd one (one.py), tuned", "an odd one (two.py), tuned"]
+    assert titles("a/one.py", "b/one.py")[1:] == ["an odd one (a/one.py), tuned", "an odd one (b/one.py), tuned"]

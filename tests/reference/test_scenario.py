@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from reference.errors import CollisionsError, InvalidInput, UnknownName
-from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scenario import Body, Box, Force, HalfSpace, Pair, Scenario, Sphere
 
 FLOOR = Body("floor", HalfSpace())
 BALL = Body("ball", Sphere(0.1), mass=1.0, position=(0.0, 0.0, 1.0))
@@ -128,6 +128,15 @@ REFUSED = {
     "one pair given twice": (
         lambda: scenario(pairs=(Pair("ball", "floor"), Pair("floor", "ball"))),
         "drop: the pair ['ball', 'floor'] is given twice",
+    ),
+    "a force that is a number": (lambda: Force("ball", 9.81), "force on ball is 9.81; it must hold three numbers"),
+    "a force on the floor": (
+        lambda: scenario(forces=(Force("floor", (1.0, 0.0, 0.0)),)),
+        "drop: a force of (1.0, 0.0, 0.0) N acts on floor, which is immovable",
+    ),
+    "a force on nobody": (
+        lambda: scenario(forces=(Force("bell", (1.0, 0.0, 0.0)),)),
+        "unknown body 'bell'. Did you mean 'ball'?",
     ),
 }
 

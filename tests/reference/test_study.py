@@ -20,14 +20,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from reference import isolate
+from reference import isolate, recording
 from reference.compare import ALL_CASES, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
 from reference.isolate import stop_workers
-from reference.results import Job, JobResult
+from reference.results import Job, JobResult, Series
 from reference.scenarios import catalogue
-from reference.study import _series, longest_first, order_of, plan, run_job, run_jobs, run_safely
+from reference.study import longest_first, order_of, plan, run_job, run_jobs, run_safely
 
 DROPPED, SLIDING = catalogue()["dropped-ball"], catalogue()["sliding-slab"]
 GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
@@ -241,7 +241,7 @@ def test_a_curve_has_a_gap_where_its_value_is_not_finite():
     engine, scenario = load_engine("handwritten"), DROPPED.case(DROPPED.curve.case).scenarios[0]
     trajectory = engine.run(scenario, engine.settings(scenario, "tuned").change(timestep=0.01))
     values = np.where(trajectory.times < 0.105, np.inf, 1.0)
-    curve = _series(replace(DROPPED, curve=replace(DROPPED.curve, values=lambda _: values)), trajectory)
+    curve = Series.of(replace(DROPPED, curve=replace(DROPPED.curve, values=lambda _: values)), trajectory)
     assert curve.times == pytest.approx(trajectory.times[11:])
     assert set(curve.values) == {1.0}
 
@@ -482,7 +482,7 @@ def test_a_worker_that_starts_while_the_others_are_being_stopped_is_stopped_too(
 
     late: list[threading.Thread] = []
     monkeypatch.setattr(isolate, "_take", take_late)
-    monkeypatch.setattr("reference.study.stop_workers", stop_and_say)
+    monkeypatch.setattr("reference.running.stop_workers", stop_and_say)
     with LastIsLate(2) as executor:
         results = run_jobs([job, GOOD], executor, 2 * ENOUGH)
         assert next(results).job == GOOD
@@ -537,11 +537,11 @@ def test_a_time_limit_that_is_no_time_is_the_callers_mistake(timeout):
 
 
 def test_the_log_says_when_a_job_starts_and_how_long_it_took(tmp_path, caplog):
-    caplog.set_level(logging.INFO, "reference.study")
+    caplog.set_level(logging.INFO, "reference.running")
     run_safely(GOOD)
     run_safely(Job("dropped-ball", engine_file(tmp_path, "bad", "os._exit(3)"), "stock", ("e=0.5",)))
-    assert [record.levelname for record in caplog.records if record.name == "reference.study"] == ["INFO"] * 4
-    said = [record.message for record in caplog.records if record.name == "reference.study"]
+    assert [record.levelname for record in caplog.records if record.name == "reference.running"] == ["INFO"] * 4
+    said = [record.message for record in caplog.records if record.name == "reference.running"]
     assert said[0] == "ball-to-rest in handwritten, tuned: started"
     assert re.fullmatch(r"ball-to-rest in handwritten, tuned: finished after \d+\.\d s", said[1])
     assert re.fullmatch(r"dropped-ball in .*bad\.py, stock: started", said[2])
@@ -568,18 +568,24 @@ def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_i
     assert {row.verdict for row in results[GOOD].rows} == {Verdict.PASS}
 
 
-@pytest.mark.parametrize("name", ["pybullet", "mujoco"])
-def test_an_engine_that_cannot_be_imported_gives_one_row_that_says_how_to_get_it(name, tmp_path, monkeypatch):
-    (tmp_path / f"{name}.py").write_text("raise ImportError('a library of it is missing')\n")
+@pytest.mark.parametrize(("name", "package"), [("pybullet", "pybullet"), ("mujoco", "mujoco"), ("dart", "dartpy")])
+def test_an_engine_that_cannot_be_imported_answers_from_its_recording_or_says_how_to_get_it(
+    name, package, tmp_path, monkeypatch
+):
+    (tmp_path / f"{package}.py").write_text("raise ImportError('a library of it is missing')\n")
     monkeypatch.syspath_prepend(tmp_path)  # workers get this path too
     stop_workers()  # those that are idle have the old one
+    job = Job("dropped-ball", name, "tuned", ("e=0.5",))
     try:
-        result = run_safely(Job("dropped-ball", name, "tuned", ("e=0.5",)), ENOUGH)
+        recorded = run_safely(job, ENOUGH)
+        monkeypatch.setattr(recording, "FOLDER", tmp_path)  # nothing of the kind
+        (without,) = run_safely(job, ENOUGH).rows
     finally:
         stop_workers()
-    (row,) = result.rows
-    assert row.verdict is Verdict.NOT_AVAILABLE
-    assert f'pip install -e ".[{name}]"' in row.note
+    assert "it is not run here" in recorded.recording
+    assert recorded.rows[0].measured is not None
+    assert without.verdict is Verdict.NOT_AVAILABLE
+    assert f'pip install -e ".[{name}]"' in without.note
 
 
 # Hand-written code that is not finished

@@ -80,8 +80,8 @@ def real() -> list[JobResult]:
 # Width
 
 
-@with_and_without_cases
 @pytest.mark.parametrize("verdict", Verdict)
+@pytest.mark.parametrize("with_cases", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_nothing_of_the_catalogue_is_too_wide_for_80_columns_or_cut_off(verdict, with_cases):
     text = printed(grid(verdict), with_cases)
     assert max(map(cell_len, text.splitlines())) <= WIDTH

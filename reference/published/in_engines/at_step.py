@@ -1,0 +1,121 @@
+"""What a method that answers at the step does to a bounce: at most, and as a loop of three lines.
+
+It falls by semi-implicit Euler, which lands at v²/(2g) = h + d − v dt/2 where it sees the floor at a depth d, from 0
+to v dt. The impact takes back a share c of the overlap, turns back a share w of the g dt that its step has added, and
+gives a share r of the overlap back as speed: see `Method`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from reference import truth
+from reference.engines.base import EXACT, Method
+from reference.trajectory import Array
+
+
+def late(timestep: float) -> str:
+    """Why bounces may be off, with a timestep in s."""
+    return f"each impact is met up to a step of {1e3 * timestep:g} ms late; what overlaps of up to v dt do, summed up"
+
+
+@dataclass(frozen=True)
+class Bounce:
+    """A dropped ball: gap, m, restitution, gravity, m/s², and the timestep of the engine that steps through it, s."""
+
+    drop: float
+    restitution: float
+    gravity: float
+    timestep: float
+
+    @property
+    def speed(self) -> float:
+        """Of the first impact, m/s."""
+        return truth.impact_speed(self.drop, self.gravity)
+
+
+def apexes_off(bounce: Bounce, method: Method, count: int) -> tuple[float, ...]:
+    """By how much the first apexes may be off, m.
+
+    The rebound starts at −(1 − c) d, and its steps rise by u²/(2g) + u dt/2 with u = e v + w e g dt: in all the apex is
+    off by e v dt (1 − e)/2 + w e² v dt for d = 0, and by −(1 − c − e/2 − e²/2) v dt + w e² v dt for d = v dt. A share r
+    of d as speed, r d/dt, adds up to 2 e r h; a softness s costs 2 e (1 + e) s h. What one apex is off, the next is by
+    e² of it.
+    """
+    if method.kind == EXACT:
+        return (0.0,) * count
+    e, overlap, height, off, found = bounce.restitution, bounce.speed * bounce.timestep, bounce.drop, 0.0, []
+    for _ in range(count):
+        at_once = (e - e * e) / 2 + method.weighed * e * e
+        late = at_once - (1 - method.recovery - e * e)
+        share = 2 * e * (method.speed_recovery + (1 + e) * method.softness)
+        off = e * e * off + max(abs(at_once), abs(late)) * overlap + share * height
+        off += 2 * bounce.gravity * bounce.timestep**2
+        found.append(off)
+        overlap, height = e * overlap, e * e * height
+    return tuple(found)
+
+
+def times_off(bounce: Bounce, method: Method, count: int) -> tuple[float, ...]:
+    """By how much the first impacts may be off, s.
+
+    Semi-implicit Euler is on a parabola that is faster by g dt/2 than its own velocity as it rises, and falls dt/2 too
+    soon. A ball that meets the floor at v is seen s late, 0 ≤ s ≤ dt, at v + g (s − dt/2). It is sent off with e times
+    that, and w e g dt, on a parabola that is faster by g dt/2, and is out of the overlap (1 − c) s/e later. There it is
+    faster than e v by g dt ((1 − e)/2 + w e) + g s (e − (1 − c)/e), and its flight is longer by 2/g of that. Shares
+    r of v as speed, and (1 + e) of a softness, come on top; so does e of what v was off before, and terms of second
+    order, g dt²/(e v).
+    """
+    if method.kind == EXACT:
+        return (0.0,) * count
+    e, g, dt, landing = bounce.restitution, bounce.gravity, bounce.timestep, bounce.speed
+    out, weighed = (1 - method.recovery) / e, method.weighed
+    span = np.array([-1.0, 1.0])  # from the least to the most
+    time, speed, found = np.full(2, -dt / 2), np.zeros(2), []
+    for _ in range(count):
+        found.append(float(np.max(np.abs(time))))
+        gained = np.array([-(1 + e) * method.softness, method.speed_recovery]) * landing
+        # s + (1 − c) s/e until it is out, and 2/g of its speed there
+        time = time + 2 * (e * speed + gained) / g + dt * (1 - e + 2 * weighed * e + _reach(1 + 2 * e - out))
+        time += span * g * dt**2 / (e * landing)
+        speed = e * speed + gained + g * dt * ((1 - e) / 2 + weighed * e + _reach(e - out))
+        landing *= e
+    return tuple(found)
+
+
+def _reach(slope: float) -> Array:
+    """Least and most of slope·s for 0 ≤ s ≤ 1, (2,)."""
+    return np.array([min(slope, 0.0), max(slope, 0.0)])
+
+
+def end_off(bounce: Bounce, method: Method, least_speed: float) -> float:
+    """By how much the end of all bounces may be off, s: what is slower than `least_speed`, m/s, is rest.
+
+    The bounces from a speed u on last 2u/g (1 + e + e² + …). Those slower than what the method takes for rest are
+    missing, and those shorter than four steps, u < 2 g dt, are lost in the overlap.
+    """
+    if method.kind == EXACT:
+        return 0.0
+    slowest = max(method.rest_speed, 2 * bounce.gravity * bounce.timestep, least_speed)
+    impacts = math.ceil(math.log(slowest / bounce.speed) / math.log(bounce.restitution))
+    return 2 * slowest / (bounce.gravity * (1 - bounce.restitution)) + times_off(bounce, method, impacts)[-1]
+
+
+def stepped(
+    bounce: Bounce, answer: Callable[[float], float], steps: int, lift: float = 0.0
+) -> list[tuple[float, float]]:
+    """Gap, m, and velocity, m/s, before each step and after the last: it falls, or answers where bodies touch.
+
+    answer: velocity before → velocity after. lift: what an impact takes back of the overlap at most, m.
+    """
+    gap, velocity, states = bounce.drop, 0.0, [(bounce.drop, 0.0)]
+    for _ in range(steps):
+        strikes = gap <= 0 and velocity < 0
+        velocity = answer(velocity) if strikes else velocity - bounce.gravity * bounce.timestep
+        gap += velocity * bounce.timestep + (min(-gap, lift) if strikes else 0.0)
+        states.append((gap, velocity))
+    return states

@@ -1,0 +1,171 @@
+"""Published bounces in the engines: a ball let go above a floor, its impacts, its apexes and its energy."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from reference import measure, truth
+from reference.engines.base import Engine
+from reference.published import Answer, Answers, Published
+from reference.published.in_engines.at_step import Bounce, apexes_off, end_off, late, stepped, times_off
+from reference.published.in_engines.scenes import FINE, at_least, ball_over_floor, gravity_of, tuned
+from reference.scenario import Scenario
+from reference.settings import Option, Settings
+from reference.trajectory import Array
+
+DART_LIFT = 1e-3
+"""How fast DART takes back overlap, m/s; a constant of its source."""
+MULTIBODY: dict[str, Option] = {
+    "coordinates": "multibody",
+    "linear_damping": 0.0,
+    "angular_damping": 0.0,
+    "contact_gap_falls": 0.0,
+    "contact_erp": 0.0,
+}
+"""Bullet's multibodies with nothing but the impact: no damping, no contact ahead of the touch, no push out."""
+
+
+def elastic_balls(case: Published, engine: Engine) -> Answers:
+    """P1: the balls do not touch each other, so one ball's energy counts for all."""
+    scenario = ball_over_floor(
+        case,
+        case.value("height") - case.value("radius"),
+        case.value("duration"),
+        1.0,
+        case.value("radius"),
+        case.value("mass"),
+    )
+    settings = [tuned(engine, scenario, timestep) for timestep in case.values("timesteps")]
+    weighed = engine.method(scenario, settings[0]).weighed > 0
+    columns = {"bullet" if weighed else "ode": settings}
+    if engine.name == "pybullet":
+        columns["bullet"] = [Settings(timestep, options=MULTIBODY) for timestep in case.values("timesteps")]
+    absent = Answer(None, reason=f"{engine.title} answers with the speed {'after' if weighed else 'before'} gravity")
+    return dict.fromkeys(case.expected, absent) | {
+        column: _energies(case, engine, scenario, column, chosen) for column, chosen in columns.items()
+    }
+
+
+def _energies(case: Published, engine: Engine, scenario: Scenario, column: str, chosen: list[Settings]) -> Answer:
+    """One column, one number a timestep; and what the engine's own impact makes of it, by the loop of three lines."""
+    mass, gravity, drop = case.value("mass"), gravity_of(case), case.value("height") - case.value("radius")
+    found, theory = [], []
+    for settings in chosen:
+        energy = measure.energy(engine.run(scenario, settings.change(sample_every=1)), "ball")[:-1]
+        bounce, weighed = Bounce(drop, 1.0, gravity, settings.timestep), float(column == "bullet")
+        states = _by_three_lines(bounce, engine, scenario, settings, len(energy), weighed)
+        energies = (energy, mass * (gravity * states[:-1, 0] + states[:-1, 1] ** 2 / 2))
+        squares = [float(np.mean((case.value("balls") * (each - each[0])) ** 2)) for each in energies]
+        found.append(squares[0])
+        theory.append(squares[1])
+    shift = np.subtract(theory, case.expected[column])
+    reason = "the three lines that give the published number, with what the engine's own contact makes of an impact"
+    near = 1e-3 * np.abs(shift)  # the model's terms of second order, such as a softness squared
+    return Answer(tuple(found), None, "", tuple(shift.tolist()), reason, tuple(near.tolist()))
+
+
+def _by_three_lines(
+    bounce: Bounce, engine: Engine, scenario: Scenario, settings: Settings, steps: int, weighed: float
+) -> Array:
+    """Gap and velocity before each step and after the last, (steps + 1, 2), as the engine's impacts would make them.
+
+    The velocity before an impact may have the step's gravity in it (`weighed`), and its change falls short by a share
+    (`softness`). An impedance d leaves the share 1 − d of the weight to what acts without a contact.
+    """
+    method, fall = engine.method(scenario, settings), bounce.gravity * bounce.timestep
+    leak = 1 - settings.number("impedance") if "impedance" in settings.options else 0.0
+
+    def answer(velocity: float) -> float:
+        landing = velocity - weighed * fall
+        return landing - (1 + bounce.restitution) * (1 - method.softness) * landing - leak * fall
+
+    lift = DART_LIFT * settings.timestep if engine.name == "dart" else 0.0
+    return np.array(stepped(bounce, answer, steps, lift))
+
+
+def apexes(case: Published, engine: Engine) -> Answers:
+    """P5: apexes of the gap, one after another."""
+    expected = case.expected["apexes"]
+    assert isinstance(expected, tuple)
+    drop, e, count = case.value("height") - case.value("radius"), case.value("restitution"), len(expected)
+    end = float(truth.bounce_times(drop, e, gravity_of(case), count + 1)[-1])
+    scenario = ball_over_floor(case, drop, end, e, case.value("radius"))
+    settings = tuned(engine, scenario)
+    heights = measure.apex_heights(engine.run(scenario, settings), "ball", "floor")[:count]
+    bounce = Bounce(drop, e, gravity_of(case), settings.timestep)
+    off = apexes_off(bounce, engine.method(scenario, settings), count)
+    return {"apexes": at_least(case, "apexes", tuple(heights.tolist()), off, late(settings.timestep))}
+
+
+def first_rebounds(case: Published, engine: Engine) -> Answers:
+    """P6: rebound over drop, for two coefficients, at the timestep of the case."""
+    drop, found, off = case.value("height") - case.value("radius"), [], []
+    for e in case.values("restitution"):
+        height, near = _first_apex(case, engine, drop, e, case.value("timestep"), case.value("radius"))
+        found.append(height / drop)
+        off.append(near / drop)
+    return {"ratio": at_least(case, "ratio", tuple(found), tuple(off), late(case.value("timestep")))}
+
+
+def measured_rebounds(case: Published, engine: Engine) -> Answers:
+    """P26: rebounds with the apparent coefficients."""
+    both = zip(case.values("drop"), case.values("restitution"), strict=True)
+    found, off = zip(*(_first_apex(case, engine, drop, e) for drop, e in both), strict=True)
+    return {"rebound": at_least(case, "rebound", found, off, late(FINE))}
+
+
+def _first_apex(
+    case: Published, engine: Engine, drop: float, restitution: float, timestep: float = FINE, radius: float = 0.02
+) -> tuple[float, float]:
+    """Height of the first rebound, m, and by how much the method may be off."""
+    fall = truth.fall_time(drop, gravity_of(case))
+    scenario = ball_over_floor(case, drop, (1 + restitution) * fall + 0.05, restitution, radius)
+    settings = tuned(engine, scenario, timestep)
+    bounce = Bounce(drop, restitution, gravity_of(case), timestep)
+    (off,) = apexes_off(bounce, engine.method(scenario, settings), 1)
+    return measure.first_apex(engine.run(scenario, settings), "ball", "floor"), off
+
+
+def thousand_steps(case: Published, engine: Engine) -> Answers:
+    """P12: the same steps in an engine, which answers when bodies touch, and not 2 cm before."""
+    radius, timestep, steps = case.value("radius"), case.value("timestep"), int(case.value("steps"))
+    bounce = Bounce(case.value("height") - radius, case.value("restitution"), gravity_of(case), timestep)
+    scenario = ball_over_floor(case, bounce.drop, steps * timestep, bounce.restitution, radius)
+    settings = tuned(engine, scenario, timestep)
+    pushes_out = [option for option in ("contact_erp", "overlap_recovery") if option in settings.options]
+    settings = settings.change(**dict.fromkeys(pushes_out, 0.0))
+    trajectory = engine.run(scenario, settings)
+    weighed = engine.method(scenario, settings).weighed
+    gap, speed = _by_three_lines(bounce, engine, scenario, settings, steps, weighed)[-1].tolist()
+    reason = "no engine answers 2 cm before the touch: without that the same loop ends where the engine does"
+    pairs = {
+        "height": (trajectory.position("ball")[-1, 2], gap + radius),
+        "velocity": (trajectory.velocity("ball")[-1, 2], speed),
+    }
+    return {
+        name: Answer(float(value), shift=expected - case.expected[name], shift_reason=reason, shift_tolerance=1e-5)
+        for name, (value, expected) in pairs.items()
+    }
+
+
+def impacts_and_rest(case: Published, engine: Engine) -> Answers:
+    """P15: impacts, apexes and the end of the bounces."""
+    drop, e, gravity = case.value("height"), case.value("restitution"), gravity_of(case)
+    scenario = ball_over_floor(case, drop, truth.bounce_end(drop, e, gravity) + 0.2, e)
+    settings = tuned(engine, scenario)
+    method, trajectory = engine.method(scenario, settings), engine.run(scenario, settings)
+    bounce = Bounce(drop, e, gravity, settings.timestep)
+    times = measure.impact_times(trajectory, "ball", "floor")[:6]
+    heights = measure.apex_heights(trajectory, "ball", "floor")[:4]
+    end, why = measure.rest_time(trajectory, "ball"), late(settings.timestep)
+    return {
+        "impacts": at_least(case, "impacts", tuple(times.tolist()), times_off(bounce, method, 6), why),
+        "apexes": at_least(case, "apexes", tuple(heights.tolist()), apexes_off(bounce, method, 4), why),
+        "rest": at_least(
+            case,
+            "rest",
+            end,
+            end_off(bounce, method, measure.REST_SPEED),
+            "what is too slow for the engine counts as rest; the bounces from there on would go on for so long",
+        ),
+    }

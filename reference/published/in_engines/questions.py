@@ -1,0 +1,58 @@
+"""P19 in the engines: rays and a distance. In space, solids stand for what it has in the plane.
+
+A ball stands for the circle, a cube for the square, a half-space for the segment that the ray meets. For the two
+segments stand boxes: the first fills the far side of its own, the second ends where its own does, so that the nearest
+points are the same.
+"""
+
+from __future__ import annotations
+
+from reference.engines.base import Engine
+from reference.published import Answer, Answers, Published
+from reference.published.in_engines.scenes import at_least
+from reference.query import Distance, Ray
+from reference.scenario import Body, Box, HalfSpace, Shape, Sphere
+
+THICKNESS = 0.05
+"""Half of the boxes' thickness, m; the answer does not hang on it."""
+ITERATED = 1e-6
+"""What a distance may be off, m, that an engine finds by iteration."""
+
+
+def rays_and_distance(case: Published, engine: Engine) -> Answers:
+    """The three rays and the distance. No engine here is asked when a moving body meets another."""
+    width, height = case.values("box_half_extents")
+    shapes: dict[str, tuple[Shape, str]] = {
+        "ray_circle": (Sphere(case.value("circle_radius")), "circle_centre"),
+        "ray_box": (Box((width, height, 1.0)), ""),
+        "ray_segment": (HalfSpace((-1.0, 0.0, 0.0)), ""),
+    }
+    start, way = _in_space(case, "ray_origin"), _in_space(case, "ray_way")
+    found = {
+        name: Answer(engine.query(Ray(Body(name, shape, position=_in_space(case, place)), start, way)))
+        for name, (shape, place) in shapes.items()
+    }
+    distance = engine.query(Distance(*_segments(case)))
+    reason = "the nearest points are found by iteration, to 1 µm"
+    return found | {
+        "squared_distance": at_least(case, "squared_distance", distance**2, 2 * distance * ITERATED, reason),
+        "time_of_impact": Answer(None, reason="it is not asked when a moving body meets another"),
+    }
+
+
+def _segments(case: Published) -> tuple[Body, Body]:
+    """A box with the first segment, along y, in its face towards +x; one with the second, along x, as its middle."""
+    x, low, _, high = case.values("segment_a")
+    far, y, near, _ = case.values("segment_b")
+    first = Box((THICKNESS, (high - low) / 2, THICKNESS))
+    second = Box((abs(far - near) / 2, THICKNESS, THICKNESS))
+    return (
+        Body("first", first, position=(x - THICKNESS, (low + high) / 2, 0.0)),
+        Body("second", second, position=((far + near) / 2, y, 0.0)),
+    )
+
+
+def _in_space(case: Published, name: str) -> tuple[float, float, float]:
+    """A place or a way of the plane; its origin where there is no name."""
+    x, y = case.values(name) if name else (0.0, 0.0)
+    return x, y, 0.0

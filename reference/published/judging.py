@@ -1,0 +1,158 @@
+"""Published figures against what an implementation says of them: rows with a verdict, each with its reason."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from reference.compare import NOTHING_FINITE, Verdict, judge, verdict_of
+from reference.engines.base import Engine
+from reference.errors import (
+    CannotExpress,
+    CollisionsError,
+    NeedsFunction,
+    RunFailed,
+    as_failed_run,
+)
+from reference.family import Expectation
+from reference.published import Answer, Answers, Figure, Published
+
+BY_HAND = "by hand"
+ENGINES = "engines"
+NOT_SET_UP = "it is not set up there"
+
+
+@dataclass(frozen=True)
+class PublishedRow:
+    """One published number and what one implementation says of it.
+
+    figure: its name; empty in a row that speaks of the whole case. place: in a figure with several numbers, from 1;
+    else 0. expected: as published. tolerance, reason: how near is near enough, and why. shift: what the implementation
+    is known to do to the number. note: why it deviates, or why there is no number.
+    """
+
+    case: str
+    engine: str
+    figure: str
+    place: int
+    verdict: Verdict
+    measured: float | None = None
+    expected: float | None = None
+    tolerance: float | None = None
+    reason: str = ""
+    shift: float = 0.0
+    note: str = ""
+
+    @property
+    def difference(self) -> float | None:
+        """Ours minus theirs; None where either is missing."""
+        return None if self.measured is None or self.expected is None else self.measured - self.expected
+
+
+def answer(case: Published, engine: Engine) -> Answers:
+    """What an engine says of a published case, the hand-written side by the case's own driver.
+
+    Raises
+    ------
+    CannotExpress
+        If the case is not run there; the message says why.
+    NeedsFunction
+        If the hand-written side lacks a function.
+    """
+    if by_hand(engine):
+        if case.by_hand is None:
+            raise CannotExpress(case.why_not.get(BY_HAND, NOT_SET_UP))
+        return case.by_hand(case, engine.implementation)
+    why = case.why_not.get(engine.name) or case.why_not.get(ENGINES)
+    if case.in_engine is None or engine.name in case.why_not:
+        raise CannotExpress(why or NOT_SET_UP)
+    engine.module()
+    return case.in_engine(case, engine)
+
+
+def by_hand(engine: Engine) -> bool:
+    """Whether this is the hand-written side."""
+    return engine.name == "handwritten"
+
+
+def compare_published(case: Published, engine: Engine) -> tuple[tuple[PublishedRow, ...], Answers]:
+    """Ask an engine and judge what it says; whatever it raises becomes a row, but for `InvalidInput`."""
+    try:
+        with as_failed_run():
+            answers = {name: _plain(given) for name, given in answer(case, engine).items()}
+            return judged(case, engine.name, answers), answers
+    except (NeedsFunction, CannotExpress, RunFailed) as error:
+        return (refusal(case, engine.name, error),), {}
+
+
+def _plain(given: Answer) -> Answer:
+    """The same, in floats and tuples of floats alone."""
+
+    def plain(figure: Figure) -> Figure:
+        return numbers_of(figure) if np.ndim(figure) else float(figure)  # type: ignore[arg-type]
+
+    return replace(
+        given,
+        value=None if given.value is None else plain(given.value),
+        tolerance=None if given.tolerance is None else plain(given.tolerance),
+        shift=plain(given.shift),
+        shift_tolerance=plain(given.shift_tolerance),
+    )
+
+
+def refusal(case: Published, engine: str, error: CollisionsError) -> PublishedRow:
+    """The row that says why there is no number of a whole case."""
+    return PublishedRow(case.name, engine, "", 0, verdict_of(error), note=str(error))
+
+
+def judged(case: Published, engine: str, answers: Answers) -> tuple[PublishedRow, ...]:
+    """One row a published number, in the order in which they were published."""
+    missing = Answer(None, reason="it was not asked")
+    return tuple(row for figure in case.expected for row in _rows(case, engine, figure, answers.get(figure, missing)))
+
+
+def _rows(case: Published, engine: str, figure: str, given: Answer) -> list[PublishedRow]:
+    several, expected = isinstance(case.expected[figure], tuple), numbers_of(case.expected[figure])
+    blanks = [
+        PublishedRow(case.name, engine, figure, place if several else 0, Verdict.CANNOT_EXPRESS, None, number)
+        for place, number in enumerate(expected, 1)
+    ]
+    if given.value is None:
+        return [replace(blank, note=given.reason) for blank in blanks]
+    tolerance = case.tolerance[figure] if given.tolerance is None else given.tolerance
+    columns = [numbers_of(given.value)] + [
+        numbers_of(part) if isinstance(part, tuple) else (part,) * len(expected)
+        for part in (tolerance, given.shift, given.shift_tolerance)
+    ]
+    return [_row(blank, case, given, *numbers) for blank, *numbers in zip(blanks, *columns, strict=True)]
+
+
+def _row(
+    blank: PublishedRow,
+    case: Published,
+    given: Answer,
+    measured: float,
+    tolerance: float,
+    shift: float,
+    shift_tolerance: float,
+) -> PublishedRow:
+    assert blank.expected is not None  # a published number
+    reason = given.reason or case.reason
+    expectation = Expectation(blank.expected, tolerance, reason, shift, given.shift_reason, shift_tolerance)
+    verdict = judge(measured, expectation)
+    note = given.shift_reason if verdict is Verdict.KNOWN_DEVIATION else ""
+    row = replace(blank, verdict=verdict, tolerance=tolerance, reason=reason, shift=shift, note=note)
+    return replace(row, measured=measured) if math.isfinite(measured) else replace(row, note=NOTHING_FINITE)
+
+
+def numbers_of(figure: Figure) -> tuple[float, ...]:
+    """The numbers of a figure, one or several, as plain floats."""
+    return tuple(np.ravel(figure).tolist())
+
+
+def passes(rows: Sequence[PublishedRow]) -> bool:
+    """Whether every number of a case was found as published."""
+    return bool(rows) and all(row.verdict is Verdict.PASS for row in rows)

@@ -1,0 +1,49 @@
+"""The law of a rigid sphere that strikes a floor obliquely; and how far it is off the measured impacts."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference.published import Answer, Answers, Published
+
+Array = NDArray[np.float64]
+
+YIELDS = (
+    "a real contact yields sideways and swings back, which no rigid impulse does: where the sphere grips, it is off by"
+    " what the rigid law is off the measurement"
+)
+
+
+def against_rigid_law(
+    case: Published, tangent_restitution: tuple[float, ...], spin: tuple[float, ...], near: float
+) -> Answers:
+    """Answers to P11 that may be off the measurement as the rigid law is, where the sphere grips.
+
+    near: how well the implementation follows that law, as a share of the largest number.
+    """
+    answers = {}
+    for name, found in (("tangent_restitution", tangent_restitution), ("spin", spin)):
+        measured, law, grips = np.array(case.expected[name]), *rigid_law(case)[name]
+        shift = np.where(grips, law - measured, 0.0)
+        answers[name] = Answer(
+            found, shift=tuple(shift.tolist()), shift_reason=YIELDS, shift_tolerance=near * max(found)
+        )
+    return answers
+
+
+def rigid_law(case: Published) -> dict[str, tuple[Array, NDArray[np.bool_]]]:
+    """What a rigid sphere does at the measured angles of P11, and at which of them it grips, by figure."""
+    kept, _, grips = rigid_sphere(case, np.array(case.values("angle")))
+    _, spin, turns = rigid_sphere(case, np.array(case.values("angle_of_spin")))
+    return {"tangent_restitution": (kept, grips), "spin": (spin, turns)}
+
+
+def rigid_sphere(case: Published, angle: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Share of the tangential speed that is left, spin, rad/s, and whether it grips, at angles from the normal, °."""
+    radius, speed, e, mu = case.values("radius", "speed", "restitution", "friction")
+    turned = np.radians(angle)
+    grips = np.tan(turned) < 3.5 * mu * (1 + e)
+    kept = np.where(grips, 5 / 7, 1 - mu * (1 + e) / np.tan(turned))
+    spin = np.where(grips, 5 / 7 * np.sin(turned), 2.5 * mu * (1 + e) * np.cos(turned)) * speed / radius
+    return kept, spin, grips

@@ -1,0 +1,63 @@
+"""The second catalogue as a whole: all cases, each with its source, and an answer or a reason why there is none."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from reference import lecture
+from reference.engines import engine_names
+from reference.errors import UnknownName
+from reference.published import published, published_cases
+from reference.published.judging import BY_HAND, ENGINES, numbers_of
+
+KINDS = {"verification", "validation", "cross-engine"}
+CASES = published_cases().values()
+
+
+def test_all_twenty_seven_cases_are_there_in_the_order_of_their_numbers():
+    assert list(published_cases()) == [f"P{number}" for number in range(1, 28)]
+    assert {case.kind for case in CASES} == KINDS
+
+
+def test_each_case_says_what_it_is_where_it_is_from_and_how_near_is_near_enough():
+    for case in CASES:
+        assert case.title, case.name
+        assert case.source, case.name
+        assert case.reason, case.name
+        assert lecture.statement(case.statement)
+        assert case.setup, case.name
+        assert case.expected.keys() == case.tolerance.keys(), case.name
+
+
+def test_each_figure_has_a_tolerance_and_a_label_for_each_of_its_numbers():
+    for case in CASES:
+        assert case.units.keys() | case.labels.keys() <= case.expected.keys(), case.name
+        for figure, expected in case.expected.items():
+            count = len(numbers_of(expected))
+            assert len(numbers_of(case.tolerance[figure])) in (1, count), (case.name, figure)
+            assert len(case.labels.get(figure, range(count))) == count, (case.name, figure)
+            assert np.all(np.isfinite(numbers_of(expected)))
+            assert np.all(np.array(numbers_of(case.tolerance[figure])) >= 0)
+
+
+def test_each_case_is_answered_by_hand_and_in_the_engines_or_says_why_not():
+    engines = [name for name in engine_names() if name != "handwritten"]
+    for case in CASES:
+        assert case.by_hand or case.why_not.get(BY_HAND), case.name
+        assert case.in_engine or all(case.why_not.get(name) or case.why_not.get(ENGINES) for name in engines), case.name
+        assert case.why_not.keys() <= {*engines, BY_HAND, ENGINES}, case.name
+        assert case.origin in ("", *engines), case.name
+
+
+def test_a_name_that_there_is_not_is_refused_with_those_there_are():
+    with pytest.raises(UnknownName, match=r"unknown published case 'P28'\. .*P1, P2"):
+        published("P28")
+
+
+def test_the_documentation_lists_each_case_by_its_title_and_kind():
+    page = (Path(__file__).parents[2] / "docs" / "published.md").read_text(encoding="utf-8")
+    rows = [[cell.strip() for cell in line.split("|")] for line in page.splitlines() if line.startswith("| P")]
+    assert [(row[1], row[2], row[4]) for row in rows] == [(case.name, case.title, case.kind) for case in CASES]

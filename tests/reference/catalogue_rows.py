@@ -1,0 +1,55 @@
+"""Rows of single cases of the catalogue, each made once, and what the figures of several tests have in common."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import pytest
+
+from reference.compare import Row
+from reference.results import Job, JobResult
+from reference.scenarios import catalogue
+from reference.scenarios.response import DROPS, SPREAD
+from reference.study import run_job
+
+G = 9.81  # m/s²
+FALL = math.sqrt(2 / G)  # s: from rest through 1 m
+SPEED = math.sqrt(2 * G)  # m/s: after 1 m
+# The mean of v/h = 2/t over fall times that spread evenly around that of 1 m, 1/s, by integration.
+MEAN_SPEED = 2 / SPREAD * math.log((FALL + SPREAD / 2) / (FALL - SPREAD / 2))
+ROLLING = tuple(case.name for case in catalogue()["sliding-ball"].cases)
+SLIDES = tuple(case.name for case in catalogue()["sliding-slab"].cases)
+SLOPES = tuple(case.name for case in catalogue()["incline"].cases)
+BOUNCES = tuple(case.name for case in catalogue()["dropped-ball"].cases)
+SOME_SLIDES = ("μ=0.1,v=5", "μ=0.4,v=2,heading=30°", "μ=0.7,v=1")  # the longest, the turned one, the shortest
+NEAREST_SLOPES = ("μ=0.1,θ=3°", "μ=0.1,θ=10°", "μ=0.7,θ=30°", "μ=0.7,θ=40°", "μ=1,θ=40°")  # tan θ closest to μ
+TIMESTEP = {"pybullet": 1e-3, "mujoco": 1e-4}
+engines = pytest.mark.parametrize("name", ["pybullet", "mujoco"])
+all_three = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco"])
+slow = pytest.mark.slow
+
+
+def fast_and_slow(argument: str, fast: tuple[str, ...], everything: tuple[str, ...]):
+    """The cases of the fast run as they are; all the others marked slow."""
+    rest = [pytest.param(case, marks=slow) for case in everything if case not in fast]
+    return pytest.mark.parametrize(argument, [*fast, *rest])
+
+
+@functools.cache
+def job(family: str, engine: str, profile: str, case: str, studies: bool = False, **changes: float) -> JobResult:
+    return run_job(Job(family, engine, profile, (case,), changes=tuple(sorted(changes.items())), with_studies=studies))
+
+
+def row(family: str, engine: str, profile: str, case: str, quantity: str, **changes: float) -> Row:
+    rows = job(family, engine, profile, case, **changes).rows
+    return next(found for found in rows if found.quantity == quantity)
+
+
+def restitution(case: str) -> float:
+    return float(case.removeprefix("e="))
+
+
+def near(timestep: float) -> float:
+    """How close a mean over evenly spread drops is: a sawtooth of v dt over N phases, and terms of second order, m."""
+    return SPEED * timestep / DROPS + 2 * G * timestep**2

@@ -1,0 +1,169 @@
+"""The grid of all engines × scenarios × profiles, and its runs, each made once."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from reference import geometry
+from reference.engines import Engine, engine_names, load_engine
+from reference.errors import CannotExpress, NeedsFunction
+from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scenarios import catalogue
+from reference.settings import Settings
+from reference.trajectory import Trajectory
+
+TOY = str(Path(__file__).with_name("toy_engine.py"))
+ENGINES = (*engine_names(), TOY)
+REPORT_CONTACTS = ("pybullet", "mujoco", "dart")
+DURATION = 0.6  # s: a ball let go 1 m above the floor falls for 0.45 s and rebounds
+ROUNDING = 1e-14  # a frame changed twice costs a few times 2e-16 of a spin of some rad/s
+DAMPING = 0.04  # 1/s, Bullet's default
+FLOOR = Body("floor", HalfSpace())
+HALF_TURN = math.sqrt(0.5)
+
+
+def thrown(name: str, shape: Sphere | Box, orientation=(1, 0, 0, 0), spin=(0, 0, 0)) -> Scenario:
+    """A body thrown so high above the floor that it meets nothing."""
+    body = Body("thrown", shape, 2.0, (1, 2, 50), orientation, (3, -2, 4), spin)
+    return Scenario(name, (FLOOR, body), (Pair("thrown", "floor", restitution=0.5),), DURATION)
+
+
+def lying_box() -> Scenario:
+    """A box that lies on its end, its own x axis up, and turned by 30° about the vertical."""
+    on_end, about_z = (HALF_TURN, 0, -HALF_TURN, 0), (math.cos(math.pi / 12), 0, 0, math.sin(math.pi / 12))
+    box = Body("box", Box((0.1, 0.2, 0.3)), 1.5, (0.3, -0.4, 0.1), product(about_z, on_end))
+    return Scenario("lying-box", (FLOOR, box), (Pair("floor", "box", kinetic_friction=0.5),), DURATION)
+
+
+def product(left, right) -> tuple[float, float, float, float]:
+    """Hamilton product: the turn `right`, then the turn `left`."""
+    a, b, c, d = left
+    e, f, g, h = right
+    return (
+        a * e - b * f - c * g - d * h,
+        a * f + b * e + c * h - d * g,
+        a * g - b * h + c * e + d * f,
+        a * h + b * g - c * f + d * e,
+    )
+
+
+TURNED = (0.4, -0.2, 0.8, 0.4)  # a unit quaternion: 0.16 + 0.04 + 0.64 + 0.16 = 1
+OWN_Z = tuple(geometry.rotate(np.array(TURNED), np.array([0.0, 0.0, 1.0])))  # a principal axis: it spins steadily
+EXTRA = (
+    thrown("thrown-ball", Sphere(0.1)),
+    thrown("twirled-ball", Sphere(0.1), TURNED, (1.0, -2.0, 3.0)),
+    thrown("twirled-box", Box((0.1, 0.2, 0.3)), TURNED, tuple(5.0 * part for part in OWN_Z)),
+    lying_box(),
+)
+CATALOGUE = tuple(
+    replace(family.case(family.curve.case).scenarios[0], name=family.name, duration=DURATION)
+    for family in catalogue().values()
+)
+SCENARIOS = {scenario.name: scenario for scenario in (*CATALOGUE, *EXTRA)}
+NEEDS_A_WORLD = (
+    *("corner", "two-walls", "sliding-ball", "rolling-ball"),
+    *("box-flat", "box-on-edge", "tipping-box", "stack", "twirled-box"),
+)
+"""What rolls, tumbles or meets more than one thing."""
+STRIKING = ("thin-wall", "spinning-ball", "two-balls", "struck-rod", "rod-on-peg", "cradle", "parting-ball")
+"""What strikes another body, or spins as it strikes."""
+SAYS_NO = {
+    "handwritten": dict.fromkeys(NEEDS_A_WORLD, (NeedsFunction, r"^needs a rigid-body world \(world\)$")),
+    TOY: dict.fromkeys(
+        (*NEEDS_A_WORLD, *STRIKING, "sliding-slab", "incline", "lying-box", "twirled-ball"),
+        (
+            CannotExpress,
+            r"^a toy cannot express \S+: it knows one ball over one plane, without friction and without spin$",
+        ),
+    ),
+}
+"""What an engine has no words for, the error that says so, and its words. Everything else it must run."""
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One run of the grid."""
+
+    engine: str
+    scenario: str
+    profile: str
+
+    def __str__(self) -> str:
+        return f"{Path(self.engine).stem}-{self.scenario}-{self.profile}"
+
+
+def profiles(engine: str, scenario: str) -> list[str]:
+    return list(load_engine(engine).profiles(SCENARIOS[scenario]))
+
+
+CELLS = [
+    Cell(engine, scenario, profile)
+    for engine in ENGINES
+    for scenario in SCENARIOS
+    if scenario not in SAYS_NO.get(engine, {})
+    for profile in profiles(engine, scenario)
+]
+KINDS = [Cell(engine, scenario, "") for engine in ENGINES for scenario in SCENARIOS]
+REFUSED = [
+    Cell(engine, scenario, profile)
+    for engine, names in SAYS_NO.items()
+    for scenario in names
+    for profile in profiles(engine, scenario)
+]
+OFTEN = ("dropped-ball", "sliding-slab", "stack", "struck-rod", "cradle", *(scenario.name for scenario in EXTRA))
+"""What the fast run does in every profile: of each kind one. All else it does tuned; `make verify` does the rest."""
+
+
+def fast_and_slow(cells: list[Cell], fast: Callable[[Cell], bool]):
+    """All cells, those that the fast run leaves out marked slow."""
+    marked = [cell if fast(cell) else pytest.param(cell, marks=pytest.mark.slow) for cell in cells]
+    return pytest.mark.parametrize("cell", marked, ids=str)
+
+
+def is_often(cell: Cell) -> bool:
+    return cell.profile == "tuned" or cell.scenario in OFTEN
+
+
+every_cell = fast_and_slow(CELLS, is_often)
+each_engine = pytest.mark.parametrize("name", ENGINES, ids=lambda name: Path(name).stem)
+
+
+def cells_of(*scenarios: str):
+    return pytest.mark.parametrize("cell", [cell for cell in CELLS if cell.scenario in scenarios], ids=str)
+
+
+def flies_exactly(cell: Cell) -> bool:
+    """Whether this profile solves for free flight, or integrates it to fourth order."""
+    return (cell.engine, cell.profile) in (("handwritten", "tuned"), ("handwritten", "slide"), ("mujoco", "spring"))
+
+
+def is_damped(cell: Cell) -> bool:
+    """Whether this profile leaves Bullet's drag on, which brakes v and ω by 0.04 (1 + v) v a second."""
+    return (cell.engine, cell.profile) == ("pybullet", "stock")
+
+
+def setup(cell: Cell) -> tuple[Engine, Scenario, Settings]:
+    engine, scenario = load_engine(cell.engine), SCENARIOS[cell.scenario]
+    return engine, scenario, engine.settings(scenario, cell.profile)
+
+
+@functools.cache
+def run(cell: Cell) -> Trajectory:
+    engine, scenario, settings = setup(cell)
+    return engine.run(scenario, settings)
+
+
+def arrays(trajectory: Trajectory) -> list[np.ndarray]:
+    names = ("times", "positions", "orientations", "velocities", "angular_velocities")
+    return [getattr(trajectory, name) for name in names]
+
+
+def same(one: Trajectory, other: Trajectory) -> bool:
+    return all(np.array_equal(a, b) for a, b in zip(arrays(one), arrays(other), strict=True))
