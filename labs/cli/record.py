@@ -19,7 +19,8 @@ from reference.errors import InvalidInput
 from reference.family import Family
 from reference.published import recorded as published_recordings
 from reference.published import running
-from reference.results import Job, JobResult
+from reference.results import Job, JobResult, PublishedJob
+from reference.running import R
 from reference.scenarios import catalogue, find
 from reference.snapping import absent
 
@@ -98,8 +99,7 @@ def _published(
     wanted = [name for name in engines if not only_stale or published_recordings.is_stale(name, out)]
     planned = running.plan((), wanted) if wanted else []
     results = jobs.run_work(planned, running.PUBLISHED, workers, cache) if planned else []
-    place = {job: number for number, job in enumerate(planned)}
-    return published_recordings.write(sorted(results, key=lambda result: place[result.job]), out)
+    return published_recordings.write(_in_order(results, planned), out)
 
 
 def _families(names: Sequence[str] | None) -> list[Family]:
@@ -130,7 +130,7 @@ def _blew_up(result: JobResult, row: Row) -> bool:
     return result.job.grid and row.case != ALL_CASES and not row.quantity
 
 
-def _in_order(results: Iterable[JobResult], planned: Sequence[Job]) -> list[JobResult]:
+def _in_order(results: Iterable[R], planned: Sequence[Job | PublishedJob]) -> list[R]:
     """As they were planned, not as they were finished: the same results make the same files."""
     place = {job: number for number, job in enumerate(planned)}
     return sorted(results, key=lambda result: place[result.job])

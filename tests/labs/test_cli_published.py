@@ -103,6 +103,13 @@ def test_an_engine_runs_a_published_case_and_its_answers_are_recorded(installed,
     assert content["cases"]["P24"]["refused"][0] == "cannot express"
 
 
+def test_recording_scenarios_and_published_cases_alone_at_once_is_refused_and_writes_nothing(tmp_path):
+    code, _, errors = collisions("record", "incline", "--published", "--out", tmp_path)
+    assert code == 2
+    assert "--published takes no scenarios, and 'incline' is one" in errors
+    assert not list(tmp_path.iterdir())
+
+
 def test_an_engine_that_is_not_installed_keeps_its_recordings(monkeypatch, tmp_path):
     monkeypatch.setattr("labs.cli.record.absent", lambda name: True)
     code, said, _ = collisions("record", "--published", "--engine", "dart", "--out", tmp_path)
