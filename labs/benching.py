@@ -23,7 +23,8 @@ PLACE = Path(__file__).resolve().parents[1] / "tests" / "bench"
 class Bench:
     """One question of speed. what: the task in words. ours, rivals: who does it. goal: s that ours should keep to.
 
-    who: what ours is called. environments: what rivals need that is not installed beside the lab.
+    beyond: the rival whose time the goal leaves out. who: what ours is called. environments: what rivals need that is
+    not installed beside the lab.
     """
 
     name: str
@@ -31,6 +32,7 @@ class Bench:
     ours: Prepare
     rivals: Mapping[str, Prepare] = field(default_factory=dict)
     goal: float | None = None
+    beyond: str = ""
     who: str = "hand-written"
     environments: tuple[Environment, ...] = ()
 

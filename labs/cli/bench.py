@@ -48,7 +48,8 @@ def _install(environment: Environment) -> None:
 
 
 def _print(bench: benching.Bench, timings: list[benching.Timing]) -> None:
-    goal = f" Goal: {bench.goal:g} s." if bench.goal else ""
+    beyond = f" beyond “{bench.beyond}”" if bench.beyond else ""
+    goal = f" Goal: {bench.goal:g} s{beyond}." if bench.goal else ""
     output.print(Text.assemble((bench.name, "bold"), f": {bench.what}.{goal}"))
     table = Table(box=None, header_style="bold", padding=(0, 1), pad_edge=False)
     table.add_column("")
@@ -63,4 +64,8 @@ def _print(bench: benching.Bench, timings: list[benching.Timing]) -> None:
             memory = f"{timing.memory / 1e6:.0f}" if timing.memory else ""
             ratio = f"{timing.median / own:.2f}"
             table.add_row(timing.who, f"{timing.median:.3g}", f"{timing.fastest:.3g}", ratio, *[memory] * counted)
-    output.print(table, "")
+    output.print(table)
+    less = next((timing.median for timing in timings if timing.who == bench.beyond), None)
+    if less is not None:
+        output.print(f"Beyond “{bench.beyond}”: {own - less:.3g} s.")
+    output.print()

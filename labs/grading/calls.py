@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import contextlib
 import time
-from collections.abc import Callable, Iterator
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Any, TypeGuard
@@ -37,6 +38,7 @@ from reference import lecture
 from reference.errors import InvalidInput, NeedsFunction
 from reference.implementation import Implementation
 
+_AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
 _STARTING = 10.0  # s for the process itself, before it has seen the submission
 
 
@@ -65,13 +67,13 @@ class Call:
         self._process: Process | None = None
         self._left = limits.test  # s of waiting that are left to this test
         self._number = 0
+        self._ahead: deque[tuple[int, str, tuple[Any, ...]]] = deque()  # calls that are sent, and not read yet
         self._lost: StudentError | None = None
         self._names: frozenset[str] = frozenset()
         self._failures: list[Any] = []
         self.printed = ""
         self.changed: tuple[int, ...] = ()
         self.sealing = Sealing(Tier.PROCESS)
-        self.ended: Ended | None = None
 
     def start(self, host: Host) -> None:
         """Start the process and send it the text, which it runs at once; `begin` asks what came of it."""
@@ -114,7 +116,7 @@ class Call:
         except (OSError, EOFError, messages.Refused) as error:
             assert self._process is not None
             raise GraderFailed(
-                f"a test's process did not start: {error or deaths.reason(self._process.end())}"
+                f"a test's process did not start: {error or deaths.reason(self._process.ended)}"
             ) from None
 
     def _load(self) -> None:
@@ -137,17 +139,45 @@ class Call:
         """
         if self._lost is not None:
             raise self._lost
-        self._number += 1
         self.printed, self.changed = "", ()
-        try:
-            message = messages.pack(("call", self._number, name, arguments, list(named.items())))
-        except messages.Refused as refused:
-            raise InvalidInput(f"{name} cannot be called with {refused}") from None
+        foreseen = self._was_foreseen(name, arguments, named)
+        asked, message = (foreseen, b"") if foreseen else self._request(name, arguments, named)
         match self._exchange(name, message):
-            case (str(), int(number), str(outcome), *rest, str(printed)) if number == self._number:
+            case (str(), int(number), str(outcome), *rest, str(printed)) if number == asked:
                 self.printed = plain(printed, self._limits.printed)
                 return self._judged(name, outcome, rest, len(arguments) + len(named))
         raise self._lose(NoAnswer(f"{name} wrote into the grader's pipe instead of answering"))
+
+    def foresee(self, name: str, several: Iterable[tuple[Any, ...]]) -> None:
+        """Send the calls of a function that come next, in this order, so that the process works ahead of us."""
+        if self._lost is not None or self._ahead:
+            return
+        requests = b""
+        for arguments in several:
+            number, request = self._request(name, arguments, {})
+            if len(requests + request) > _AHEAD:
+                break
+            self._ahead.append((number, name, arguments))
+            requests += request
+        assert self._process is not None
+        with contextlib.suppress(OSError):  # it is gone, as the first answer will show
+            self._process.send(requests, self._limits.call)
+
+    def _was_foreseen(self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> int | None:
+        """The call's number if it is the next that was foreseen; if not, the answers to all these are passed over."""
+        while self._ahead:
+            number, ahead, given = self._ahead.popleft()
+            if name == ahead and not named and [*map(id, arguments)] == [*map(id, given)]:
+                return number
+            self._exchange(ahead, b"")
+        return None
+
+    def _request(self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> tuple[int, bytes]:
+        self._number += 1
+        try:
+            return self._number, messages.pack(("call", self._number, name, arguments, list(named.items())))
+        except messages.Refused as refused:
+            raise InvalidInput(f"{name} cannot be called with {refused}") from None
 
     def _judged(self, name: str, outcome: str, rest: list[Any], arguments: int) -> Any:
         """The value that was answered. Types come before any comparison: an array compared is no truth value."""
@@ -183,9 +213,14 @@ class Call:
         return RemoteImplementation("submission", self)
 
     def end(self) -> None:
-        """Kill the process with all that it started."""
+        """Have the process killed with all that it started."""
         if self._process is not None:
-            self.ended = self._process.end()
+            self._process.end()
+
+    @property
+    def ended(self) -> Ended | None:
+        """How the process ended and what it used, None where there was none; nothing of it is left then."""
+        return None if self._process is None else self._process.ended
 
     def _exchange(self, name: str, message: bytes) -> Any:
         """Send a message and read the answer, within what time is left; whatever goes wrong ends the process."""
@@ -198,7 +233,7 @@ class Call:
             limit = f"{allowed:.3g} s" + (f" (the {whose}'s time is up)" if allowed < self._limits.call else "")
             raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
         except (OSError, EOFError):
-            raise self._lose(ProcessDied(f"{name} gave no answer: {deaths.reason(self._process.end())}")) from None
+            raise self._lose(ProcessDied(f"{name} gave no answer: {deaths.reason(self._process.ended)}")) from None
         except messages.Refused as refused:
             raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None
         finally:

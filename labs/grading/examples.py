@@ -22,7 +22,7 @@ from labs.grading.fingerprints.building import right_answer
 from labs.grading.probes.making import Draw, Maker, Probe, made
 from labs.grading.telling import called
 
-COUNT = 12
+COUNT = 8
 """Examples a part. A wrong formula that shows only in one of so many is a limiting case, and asked for by itself."""
 MOST, MOST_CALLS = 50, 200
 """Examples that hypothesis may try to find one that fails, and calls in all until it is small enough."""
@@ -44,7 +44,9 @@ class Examples:
                 function, arguments, partial(right_answer, formula, Probe(arguments)), outputs_of(formula(*arguments))
             )
 
-        self._every(maker, agrees, agrees, count)
+        drawn = self._drawn(maker, count)
+        function.foresee(drawn)
+        self._every(maker, drawn, agrees, agrees)
 
     def together(self, function: Called, formula: Formula, maker: Maker, single: Sequence[int] = ()) -> None:
         """Several contacts in one call, side by side in every way in which they may stand, and nothing written to.
@@ -53,7 +55,9 @@ class Examples:
         """
         name = f"{function.name} {self.seed}"
         sample = maker(Draw(np.random.default_rng(0)))
-        for probe in made(name, (), maker, 0, single):
+        probes = made(name, (), maker, 0, single)
+        function.foresee([probe.arguments for probe in probes])
+        for probe in probes:
             for_many = each(formula, sample)
             right, outputs = partial(right_answer, for_many, probe), outputs_of(for_many(*probe.arguments))
             check(function, probe.arguments, right, outputs, repeated=True)
@@ -75,12 +79,14 @@ class Examples:
                 names, tidy = list(inspect.signature(holds).parameters), _tidy(arguments)
                 raise AssertionError(f"{_own_words(error)}\nfor {called(names, tidy)}") from None
 
-        self._every(maker, holds, told, count)
+        self._every(maker, self._drawn(maker, count), holds, told)
 
-    def _every(self, maker: Maker, holds: Check, told: Check, count: int) -> None:
+    def _drawn(self, maker: Maker, count: int) -> list[tuple[Any, ...]]:
         draw = Draw(np.random.default_rng(self.seed))
-        for _ in range(count):
-            arguments = maker(draw)
+        return [maker(draw) for _ in range(count)]
+
+    def _every(self, maker: Maker, drawn: list[tuple[Any, ...]], holds: Check, told: Check) -> None:
+        for arguments in drawn:
             try:
                 holds(*arguments)
             except (AssertionError, FunctionRaised):

@@ -11,7 +11,7 @@ list, single precision. `marks` says how near is near enough.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -32,6 +32,9 @@ class Called(Protocol):
 
     def __call__(self, *arguments: Any) -> Any:
         """Call it in the test's process."""
+
+    def foresee(self, several: Iterable[tuple[Any, ...]]) -> None:
+        """Say which calls of it come next, so that its process can work ahead."""
 
 
 def asks(function: str, points: int, rationale: str, help: str = "") -> Callable[[Test], Test]:

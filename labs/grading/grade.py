@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from labs.grading.remote import Grader
 from labs.grading.running import HIDDEN, VISIBLE, run, topics_of
 from labs.grading.sheet import Outcome, Sheet
 from reference import lecture
@@ -79,8 +80,15 @@ class Grade:
         }
 
 
-def grade(path: Path | str, topics: Collection[str] | None = None, folders: Iterable[str] = (VISIBLE, HIDDEN)) -> Grade:
+def grade(
+    path: Path | str,
+    topics: Collection[str] | None = None,
+    folders: Iterable[str] = (VISIBLE, HIDDEN),
+    grader: Grader | None = None,
+) -> Grade:
     """Grade a file: the topics named, or those of which it defines a function.
+
+    Whoever grades many hands in a grader for all of them, which saves the start of one for each.
 
     Raises
     ------
@@ -92,7 +100,7 @@ def grade(path: Path | str, topics: Collection[str] | None = None, folders: Iter
         raise InvalidInput(
             f"{Path(path).name} defines no function of the lab; name the topic that it is to be graded for"
         )
-    return Grade(wanted, run(path, wanted, folders))
+    return Grade(wanted, run(path, wanted, folders, grader))
 
 
 def read_grade(path: Path | str) -> dict[str, Any]:

@@ -18,6 +18,7 @@ import sys
 import tempfile
 import threading
 import weakref
+from collections import deque
 from collections.abc import Collection
 from dataclasses import asdict
 from pathlib import Path
@@ -37,6 +38,8 @@ _INTERPRETER = (sys.executable, "-I", "-S", "-B", "-X", "utf8", "-c")
 _START = "import sys; sys.path[:0] = sys.argv[1:3]; from labs.grading.worker import {0}; {0}.main()"
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 _PATIENCE = 30.0  # s for the nursery, which nobody untrusted can keep waiting
+_UNHEARD = 32  # ends that the nursery may say while nobody listens; its socket holds some hundreds
+_WITH_THE_NURSERY = Ended(-signal.SIGKILL)
 
 
 class NurseryHost:
@@ -46,12 +49,14 @@ class NurseryHost:
         self._user, self._without = user, tuple(without)
         self._lock = threading.Lock()
         self._tests = 0
+        self._dying: deque[Process] = deque()  # the nursery was told to end them, and has not said that it has
         self._folder = tempfile.mkdtemp(prefix="grading-")
         self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
         self._was_dumpable = _hide()
         self._open()
 
     def _open(self) -> None:
+        self._before = self._tests  # up to this one they belong to an earlier nursery
         self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(_PATIENCE)
         command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), json.dumps(self._without)]
@@ -62,7 +67,7 @@ class NurseryHost:
             )  # fmt: skip
 
     def start(self, limits: Limits) -> Process:
-        """Fork a process; raises `GraderFailed` where the nursery does not answer."""
+        """Have a process forked, without waiting for it; raises `GraderFailed` where there is no nursery to ask."""
         with self._lock:
             if self._process.poll() is not None:
                 self._stop()
@@ -72,25 +77,35 @@ class NurseryHost:
             plan = Plan(folder, self._user, limits.memory, int(limits.test) + 1, self._without)
             (their_requests, requests), (answers, their_answers) = os.pipe(), os.pipe()
             try:
-                started = self._ask(asdict(plan), [their_requests, their_answers])
-            except GraderFailed:
+                self._ask({"start": self._tests, "plan": asdict(plan)}, [their_requests, their_answers])
+            except OSError:
                 os.close(requests)
                 os.close(answers)
-                raise
+                raise GraderFailed(f"the grader's nursery does not answer: {self._log()}") from None
             finally:
                 os.close(their_requests)
                 os.close(their_answers)
-            return Process(started["process"], requests, answers, self)
+            return Process(self._tests, requests, answers, self)
 
-    def end(self, process: Process) -> Ended:
-        """Have the nursery kill the process and its descendants."""
+    def end(self, process: Process) -> None:
+        """Have the nursery kill the process and its descendants, without waiting for it."""
         with self._lock:
             try:
-                answer = self._ask({"end": process.number}, [])
-            except GraderFailed:  # the nursery is gone, and its tests with it
-                return Ended(-signal.SIGKILL)
-        code = os.waitstatus_to_exitcode(answer["status"])
-        return Ended(code, answer["seconds"], answer["memory"], answer["strays"])
+                if process.number <= self._before:
+                    raise ConnectionError
+                self._ask({"end": process.number}, [])
+            except OSError:  # the nursery is gone, and its tests with it
+                process.outcome = _WITH_THE_NURSERY
+            else:
+                self._dying.append(process)
+            while len(self._dying) > _UNHEARD:
+                self._hear()
+
+    def wait(self, process: Process | None = None) -> None:
+        """Until nothing is left of the process, or of any that was ended."""
+        with self._lock:
+            while self._dying and (process is None or process.outcome is None):
+                self._hear()
 
     def close(self) -> None:
         """Stop the nursery and what is left of its tests."""
@@ -101,20 +116,27 @@ class NurseryHost:
                 system.prctl(system.SET_DUMPABLE, 1)
                 self._was_dumpable = False
 
-    def _ask(self, request: dict[str, object], descriptors: list[int]) -> dict[str, int]:
+    def _ask(self, request: dict[str, object], descriptors: list[int]) -> None:
+        socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
+
+    def _hear(self) -> None:
+        """Read what the nursery says of the process that it ended next: it goes by the order of the requests."""
+        process = self._dying.popleft()
         try:
-            socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
-            answer = self._control.recv(2**16)
-        except OSError as error:
-            answer = str(error).encode()
-        try:
-            found: dict[str, int] = json.loads(answer)
-        except ValueError:
-            log = Path(self._folder, "log").read_text(encoding="utf-8", errors="replace")
-            raise GraderFailed(f"the grader's nursery does not answer: {log.strip()[-300:] or answer!r}") from None
-        return found
+            said = json.loads(self._control.recv(2**16))
+        except (OSError, ValueError):  # the nursery is gone, and its tests with it
+            process.outcome = _WITH_THE_NURSERY
+        else:
+            code = os.waitstatus_to_exitcode(said["status"])
+            process.outcome = Ended(code, said["seconds"], said["memory"], said["strays"])
+
+    def _log(self) -> str:
+        log = Path(self._folder, "log").read_text(encoding="utf-8", errors="replace")
+        return log.strip()[-300:] or "it has ended"
 
     def _stop(self) -> None:
+        while self._dying:
+            self._hear()
         self._control.close()
         try:
             self._process.wait(_PATIENCE)
@@ -147,22 +169,25 @@ class LoneHost:
         running.stdout.close()
         return Process(running.pid, pipes[0], pipes[1], self)
 
-    def end(self, process: Process) -> Ended:
+    def end(self, process: Process) -> None:
         """Kill it, and on POSIX its session."""
-        return self._end(self._running[process.number])
+        if process.outcome is None:
+            process.outcome = Ended(self._kill(self._running.pop(process.number)))
 
-    def _end(self, running: subprocess.Popen[bytes]) -> Ended:
+    def wait(self, process: Process | None = None) -> None:
+        """Nothing to wait for: what is killed is waited for at once."""
+
+    def _kill(self, running: subprocess.Popen[bytes]) -> int:
         with contextlib.suppress(OSError):
             if os.name == "posix":
                 os.killpg(running.pid, signal.SIGKILL)
             running.kill()
-        return Ended(running.wait())
+        return running.wait()
 
     def close(self) -> None:
         """End what runs."""
         for running in self._running.values():
-            if running.poll() is None:
-                self._end(running)
+            self._kill(running)
         self._clear()
 
 

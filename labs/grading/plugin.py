@@ -15,7 +15,7 @@ import contextlib
 import hashlib
 import re
 import sys
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -34,7 +34,8 @@ from reference import lecture
 from reference.errors import CollisionsError, UnknownName
 
 SHEET = pytest.StashKey[Sheet]()
-_GRADER = pytest.StashKey[Grader]()
+GRADER = pytest.StashKey[Grader]()
+"""What was earned, and what runs the tests; whoever starts pytest may put a grader there, and closes it then."""
 _PARTS = pytest.StashKey[list[Part]]()
 _LINES = 8  # of what a failed assertion says
 _OBVIOUS = tuple(f"{name} = submission.{name}" for name in lecture.FUNCTIONS)  # as pytest adds it
@@ -56,6 +57,10 @@ class Function:
     def __call__(self, *arguments: Any, **named: Any) -> Any:
         """Call it in the process of the test that runs."""
         return self.functions.process()(self.name, *arguments, **named)
+
+    def foresee(self, several: Iterable[tuple[Any, ...]]) -> None:
+        """Say which calls of it come next, so that its process can work ahead."""
+        self.functions.process().foresee(self.name, several)
 
     def __repr__(self) -> str:
         return self.name
@@ -99,16 +104,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     """Make the markers known; the grader gets ready while the tests are collected."""
     config.stash[SHEET] = Sheet()
-    if config.getoption("--submission"):
-        config.stash[_GRADER] = Grader()
+    if config.getoption("--submission") and GRADER not in config.stash:
+        config.stash[GRADER] = Grader()
+        config.add_cleanup(config.stash[GRADER].close)
     for marker, meaning in _MARKERS.items():
         config.addinivalue_line("markers", f"{marker}: {meaning}")
-
-
-def pytest_unconfigure(config: pytest.Config) -> None:
-    """End what was started."""
-    if _GRADER in config.stash:
-        config.stash[_GRADER].close()
 
 
 def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> None:
@@ -145,7 +145,7 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
     found = read(path, wanted, also=lecture.FUNCTIONS)
     sheet = config.stash[SHEET]
     sheet.submission, sheet.complaints = found.name, [str(complaint) for complaint in found.complaints]
-    with Remote(found, config.stash[_GRADER]) as remote:
+    with Remote(found, config.stash[GRADER]) as remote:
         yield Functions(remote, sheet)
         for name in sheet.lost:
             with contextlib.suppress(UnknownName), remote.fresh() as call:  # of a function that has no probes yet

@@ -46,17 +46,22 @@ class Host(Protocol):
     """Starts processes for tests and ends them."""
 
     def start(self, limits: Limits) -> Process: ...  # noqa: D102
-    def end(self, process: Process) -> Ended: ...  # noqa: D102
+    def end(self, process: Process) -> None: ...  # noqa: D102
+    def wait(self, process: Process | None = None) -> None: ...  # noqa: D102
     def close(self) -> None: ...  # noqa: D102
 
 
 class Process:
-    """One test's process: messages to it and from it. The descriptors are ours from now on."""
+    """One test's process: messages to it and from it. The descriptors are ours from now on.
+
+    outcome: how it ended, which its host says when nothing of it is left.
+    """
 
     def __init__(self, number: int, requests: int, answers: int, host: Host) -> None:
         self.number, self._requests, self._answers, self._host = number, requests, answers, host
         self._read = bytearray()
-        self._ended: Ended | None = None
+        self._over = False
+        self.outcome: Ended | None = None
         if os.name == "posix":
             os.set_blocking(requests, False)
             os.set_blocking(answers, False)
@@ -92,13 +97,21 @@ class Process:
         poll.register(self._answers, select.POLLIN)
         return any(event & select.POLLHUP for _, event in poll.poll(0))
 
-    def end(self) -> Ended:
-        """Kill the process with all that it started; afterwards nothing of it can do anything."""
-        if self._ended is None:
+    def end(self) -> None:
+        """Have the process killed with all that it started, without waiting for it; it can answer nothing any more."""
+        if not self._over:
+            self._over = True
             os.close(self._requests)
             os.close(self._answers)
-            self._ended = self._host.end(self)
-        return self._ended
+            self._host.end(self)
+
+    @property
+    def ended(self) -> Ended:
+        """How it ended, once nothing of it is left; ends it where that has not been done."""
+        self.end()
+        self._host.wait(self)
+        assert self.outcome is not None
+        return self.outcome
 
     def _write(self, message: bytes, until: float) -> None:
         rest = memoryview(message)

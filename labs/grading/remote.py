@@ -70,7 +70,7 @@ class Remote:
 
     @contextlib.contextmanager
     def fresh(self) -> Iterator[Call]:
-        """A process for one test; at the end of the block nothing of it is left.
+        """A process for one test, which is told to end where the block does; `close` waits until nothing is left.
 
         The process for the next test gets ready meanwhile, on another processor if there is one. Where the submission
         does not even load, or its time is up, later tests are told so without the wait.
@@ -118,10 +118,11 @@ class Remote:
                 self._next = call
 
     def close(self) -> None:
-        """End the process that nobody needs any more, and the grader where it is our own."""
+        """End the process that nobody needs any more; nothing of any test is left afterwards."""
         if self._next is not None:
             self._next.end()
             self._next = None
+        self.grader.host.wait()
         if self._own:
             self.grader.close()
 

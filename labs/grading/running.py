@@ -8,9 +8,10 @@ import io
 import os
 from collections.abc import Collection, Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from labs.grading.errors import GraderFailed
+from labs.grading.remote import Grader
 from labs.grading.submission import Submission, read
 from reference import lecture
 from reference.errors import InvalidInput
@@ -30,8 +31,15 @@ _FINE = (0, 1)  # all tests passed, some failed
 _TAIL = 400  # characters of what pytest printed, where it could not run
 
 
-def run(path: Path | str, topics: Collection[str], folders: Iterable[str] = (VISIBLE, HIDDEN)) -> Sheet:
+def run(
+    path: Path | str,
+    topics: Collection[str],
+    folders: Iterable[str] = (VISIBLE, HIDDEN),
+    grader: Grader | None = None,
+) -> Sheet:
     """Run the tests of some topics on a file. No process of the submission is left when this returns.
+
+    Without a grader it has one of its own, which gets ready while pytest is loaded.
 
     Raises
     ------
@@ -42,14 +50,24 @@ def run(path: Path | str, topics: Collection[str], folders: Iterable[str] = (VIS
     """
     if importlib.util.find_spec("pytest") is None:
         raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
+    files = [str(file) for folder in folders for file in _files(folder, topics)]
+    with Grader() if grader is None else contextlib.nullcontext(grader) as found:
+        return _run(Path(path), files, found)
+
+
+def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
     import pytest  # noqa: PLC0415 - a student's install may lack it
 
-    from labs.grading.plugin import SHEET  # noqa: PLC0415
+    from labs.grading.plugin import GRADER, SHEET  # noqa: PLC0415
 
     class Keep:
         sheet: Sheet | None = None
 
-        def pytest_unconfigure(self, config: Any) -> None:
+        @pytest.hookimpl(tryfirst=True)
+        def pytest_configure(self, config: pytest.Config) -> None:
+            config.stash[GRADER] = grader
+
+        def pytest_unconfigure(self, config: pytest.Config) -> None:
             self.sheet = config.stash[SHEET]
 
     keep, printed = Keep(), io.StringIO()
@@ -58,9 +76,8 @@ def run(path: Path | str, topics: Collection[str], folders: Iterable[str] = (VIS
         "-W",
         "ignore::pytest.PytestAssertRewriteWarning",
     ]  # the plugin may be loaded already, and asserts nothing
-    files = [str(file) for folder in folders for file in _files(folder, topics)]
     with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-        code = pytest.main([*options, "--submission", str(Path(path).resolve()), *files], plugins=[keep])
+        code = pytest.main([*options, "--submission", str(path.resolve()), *files], plugins=[keep])
     if code not in _FINE or keep.sheet is None or not keep.sheet.outcomes:
         raise GraderFailed(f"the tests could not be run: {printed.getvalue().strip()[-_TAIL:]}")
     return keep.sheet

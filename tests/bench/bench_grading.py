@@ -41,9 +41,11 @@ GRADE = """
 import sys
 from pathlib import Path
 from labs.grading.grade import grade
+from labs.grading.remote import Grader
 
-for submission in map(Path, sys.argv[1:]):
-    grade(submission, ["impulse"]).write(submission.with_suffix(".json"))
+with Grader() as grader:
+    for submission in map(Path, sys.argv[1:]):
+        grade(submission, ["impulse"], grader=grader).write(submission.with_suffix(".json"))
 """
 
 Asserts = dict[str, list[str]]
@@ -285,6 +287,7 @@ BENCHES = (
             "plain Python, the same calls": plain_python,
         },
         goal=1.0,
+        beyond="plain Python, the same calls",
         who="collisions-lab",
         environments=(OTTER, NBGRADER),
     ),

@@ -67,6 +67,9 @@ class Asked:
         self.changed = repr(arguments) != before
         return answer
 
+    def foresee(self, several):
+        pass
+
 
 def collected():
     found = {}

@@ -222,6 +222,7 @@ def test_the_process_holds_nothing_of_the_grader(of):
         assert bare
         assert not any("site-packages" in each for each in path)
         assert Path(folder).parent.name.startswith("grading-")
+    assert call.ended is not None
     assert not Path(folder).exists()
 
 
@@ -283,9 +284,9 @@ def test_no_process_outlives_its_test_even_where_forks_are_allowed():
         with Remote(Submission("lab.py", textwrap.dedent(text)), lesser).fresh() as call:
             stray = call("detach")
             os.kill(stray, 0)  # it is there
+        assert call.ended is not None  # which waits for the end of all that it started
         with pytest.raises(ProcessLookupError):
             os.kill(stray, 0)
-        assert call.ended is not None
         assert call.ended.strays >= 1
 
 
@@ -336,6 +337,67 @@ def test_tests_leave_no_descriptor_open(of):
 
 
 @linux
+def test_when_a_submission_is_closed_nothing_of_its_tests_is_left():
+    text = "import os, time\ndef process(): return os.getpid()\ndef busy(): time.sleep(60)"
+    with Grader(Limits(call=0.2)) as own:
+        processes = []
+        with Remote(Submission("lab.py", text), own) as remote:
+            for _ in range(40):  # more than the host leaves unheard
+                with remote.fresh() as call:
+                    processes.append(call("process"))
+                    if len(processes) > 38:
+                        with pytest.raises(StudentError):
+                            call("busy")
+        for process in processes:
+            with pytest.raises(ProcessLookupError):
+                os.kill(process, 0)
+
+
+def test_calls_that_were_foreseen_are_answered_as_any_other(of):
+    text = """
+    import numpy as np
+    count = 0
+    def double(x):
+        global count
+        count += 1
+        print(count)
+        if np.ndim(x) == 0 and x == 3.0:
+            raise ValueError("three")
+        return 2 * x
+    def counted(): return count
+    """
+    with of(text).fresh() as call:
+        several = [(float(x),) for x in range(6)]
+        call.foresee("double", several)
+        call.foresee("double", several)  # of no use while others are under way, and does no harm
+        assert [call("double", *arguments) for arguments in several[:3]] == [0.0, 2.0, 4.0]
+        assert call.printed == "3\n"
+        with pytest.raises(StudentError, match="three"):
+            call("double", *several[3])
+        assert call("counted") == 6  # another call: what was foreseen and not asked for is passed over
+        assert call("double", 5.0) == 10.0
+        assert call("double", x=1.0) == 2.0
+        call.foresee("double", [(np.zeros(4000),)])  # too long to send ahead
+        assert call("double", np.ones(4000)).sum() == 8000
+
+
+@linux
+def test_a_process_that_ends_while_calls_are_under_way_costs_no_more_than_its_test(of):
+    text = "import os\ndef f(x): return os._exit(3) if x > 1 else x"
+    remote = of(text)
+    with remote.fresh() as call:
+        several = [(float(x),) for x in range(4)]
+        call.foresee("f", several)
+        assert [call("f", *several[0]), call("f", *several[1])] == [0.0, 1.0]
+        for arguments in several[2:]:
+            with pytest.raises(StudentError, match="exit code 3"):
+                call("f", *arguments)
+        call.foresee("f", several)
+    with remote.fresh() as call:
+        assert call("f", 1.0) == 1.0
+
+
+@linux
 def test_a_test_costs_a_fraction_of_an_interpreter_that_loads_numpy(of):
     remote = of("def f(): return 1")
     took = []
@@ -369,8 +431,10 @@ class Scripted:
     def exchange(self, message: bytes, seconds: float) -> bytes:
         return self._said.pop(0)
 
-    def end(self, process: object = None) -> Ended:
-        return Ended(0)
+    ended = Ended(0)
+
+    def end(self, process: object = None) -> None:
+        pass
 
 
 SEALED, LOADED = ("sealed", 3, []), ("loaded", ["f"], [])

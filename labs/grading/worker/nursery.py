@@ -3,8 +3,8 @@
 Threat: a process forked from one that has loaded the tests carries them in its memory. This one is started on its own
 and never gets to see a test, a call, or even the submission: the grader opens a pair of pipes for every test, hands
 them over, and talks to the test's process past it. It cannot be looked into (not dumpable), takes in every orphan
-below it (subreaper), and says that a test is over only when no process of it is left, so that nothing can rewrite an
-answer later. When the grader is gone, the control socket ends, and everything here with it.
+below it (subreaper), and says that a test has ended only when no process of it is left; before it has said so of all,
+no result is written. When the grader is gone, the control socket ends, and everything here with it.
 
 It also saves time: a fork takes milliseconds, where a fresh interpreter would load NumPy anew for every test.
 """
@@ -81,7 +81,8 @@ class Nursery:
     def __init__(self, control: socket.socket, rules: int | None, offline: bool) -> None:
         self._control, self._rules, self._offline = control, rules, offline
         self._own_space = sandbox.address_space()  # a test's memory is what it takes beyond this
-        self._folders: dict[int, str] = {}  # of every living test, by its process
+        self._processes: dict[int, int] = {}  # of every living test, by its number
+        self._folders: dict[int, str] = {}
 
     def run(self) -> None:
         """Answer one request after the other until the grader hangs up."""
@@ -90,12 +91,14 @@ class Nursery:
             if not request:
                 break
             wanted = json.loads(request)
-            answer = self._start(wanted, descriptors) if "folder" in wanted else self._end(wanted["end"])
-            self._control.send(json.dumps(answer).encode())
-        for process in list(self._folders):
-            self._end(process)
+            if "start" in wanted:
+                self._start(wanted["start"], wanted["plan"], descriptors)
+            else:
+                self._control.send(json.dumps(self._end(wanted["end"])).encode())
+        for test in list(self._processes):
+            self._end(test)
 
-    def _start(self, wanted: dict[str, Any], descriptors: list[int]) -> dict[str, Any]:
+    def _start(self, test: int, wanted: dict[str, Any], descriptors: list[int]) -> None:
         plan = sandbox.Plan(**wanted | {"memory": wanted["memory"] + self._own_space})
         os.mkdir(plan.folder, 0o555)
         parent = os.getpid()
@@ -104,8 +107,7 @@ class Nursery:
             self._become_test(plan, (descriptors[0], descriptors[1]), parent)
         for descriptor in descriptors:
             os.close(descriptor)
-        self._folders[process] = plan.folder
-        return {"process": process}
+        self._processes[test], self._folders[test] = process, plan.folder
 
     def _become_test(self, plan: sandbox.Plan, pipes: tuple[int, int], parent: int) -> None:
         """In the forked process; never returns."""
@@ -122,13 +124,13 @@ class Nursery:
         finally:
             os._exit(0)
 
-    def _end(self, process: int) -> dict[str, Any]:
+    def _end(self, test: int) -> dict[str, Any]:
         """Kill the test's process and every stray; says how it ended and what it used."""
+        process, folder = self._processes.pop(test), self._folders.pop(test)
         for kill in (os.killpg, os.kill):
             with contextlib.suppress(OSError):
                 kill(process, signal.SIGKILL)
         _, status, used = os.wait4(process, 0)
-        folder = self._folders.pop(process)
         strays = self._kill_strays()
         shutil.rmtree(folder, ignore_errors=True)
         seconds = used.ru_utime + used.ru_stime
@@ -138,7 +140,7 @@ class Nursery:
         """Kill all processes below this one that are no living test's; orphans have come here. Says how many."""
         killed: set[int] = set()
         until = time.monotonic() + _PATIENCE
-        while strays := _children() - set(self._folders):
+        while strays := _children() - set(self._processes.values()):
             for process in strays:
                 with contextlib.suppress(OSError):
                     os.kill(process, signal.SIGKILL)
