@@ -32,6 +32,7 @@ from reference import sources
 from reference.compare import Verdict
 from reference.engines import load_engine
 from reference.errors import CollisionsError
+from reference.implementation import Implementation
 from reference.results import Job, JobResult, PublishedJob, PublishedResult
 
 SCHEMA = "collisions-lab result 1\n"
@@ -141,7 +142,8 @@ def key_of(job: Job | PublishedJob, once: bool = False) -> str | None:
         if job.engine.endswith(".py"):
             code["engine"] = sources.digest(job.engine, once)
         if _reads_hand_written(job):
-            code["implementation"] = sources.digest(job.implementation, once)
+            parts = Implementation(job.implementation).sources
+            code["implementation"] = " ".join(sources.digest(part, once) for part in parts)
         known = [SCHEMA, dataclasses.asdict(_shared(job)), engine.version(), _surroundings(), code]
     except (CollisionsError, OSError) as error:
         _log.info("%s: without cache: %s", job, error)

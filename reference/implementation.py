@@ -20,16 +20,23 @@ class Implementation:
     """Hand-written code by name.
 
     source: an importable package with one module a topic (`"solutions"`), or the path of a `.py` file that holds the
-    functions side by side, as a student hands it in. Being a string, it pickles.
+    functions side by side, as a student hands it in; or several of these, `lab.py | labs.given`: what the first does
+    not define comes from the next. Being a string, it pickles.
     """
 
     source: str = "solutions"
 
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Each of the packages and files, the one that is asked first in front."""
+        return tuple(part.strip() for part in self.source.split("|"))
+
     def function(self, name: str) -> Callable[..., Any]:
         """Return the function of that name; where it is not written yet, raise `NeedsFunction` that says what to do."""
         entry = lecture.function(name)
-        found = getattr(self._module(entry.topic), name, None)
-        if not callable(found):
+        modules = (_module(source, entry.topic) for source in self.sources)
+        found = next((each for module in modules if callable(each := getattr(module, name, None))), None)
+        if found is None:
             raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.step})")
 
         @functools.wraps(found)
@@ -41,22 +48,23 @@ class Implementation:
 
         return call
 
-    def _module(self, topic: str) -> ModuleType | None:
-        """Return the module that holds a topic's functions, or None where there is none."""
-        path = Path(self.source)
-        if path.suffix == ".py":
-            return _load_file(path)
-        name = f"{self.source}.{topic}"
-        try:
-            if all(part.isidentifier() for part in self.source.split(".")):
-                return importlib.import_module(name)
-        except ModuleNotFoundError as missing:
-            if missing.name == name:
-                return None
-            if not f"{self.source}.".startswith(f"{missing.name}."):
-                raise  # something that the implementation itself imports
-        choices = "a package such as 'solutions', or the path of a .py file"
-        raise InvalidInput(f"no implementation {self.source!r}; give {choices}")
+
+def _module(source: str, topic: str) -> ModuleType | None:
+    """Return the module that holds a topic's functions, or None where there is none."""
+    path = Path(source)
+    if path.suffix == ".py":
+        return _load_file(path)
+    name = f"{source}.{topic}"
+    try:
+        if all(part.isidentifier() for part in source.split(".")):
+            return importlib.import_module(name)
+    except ModuleNotFoundError as missing:
+        if missing.name == name:
+            return None
+        if not f"{source}.".startswith(f"{missing.name}."):
+            raise  # something that the implementation itself imports
+    choices = "a package such as 'solutions', or the path of a .py file"
+    raise InvalidInput(f"no implementation {source!r}; give {choices}")
 
 
 _FILES: dict[tuple[Path, bytes], ModuleType] = {}

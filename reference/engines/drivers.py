@@ -5,6 +5,7 @@ All physics is asked of the implementation's functions; the loops only say when.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -48,15 +49,10 @@ class _Batch:
 def bounce(
     engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
 ) -> list[Trajectory]:
-    """Balls that fall on a plane, bounce and come to rest; no friction."""
-    signed_distance = implementation.function("signed_distance")
-    is_colliding = implementation.function("is_colliding")
-    interpolated = implementation.function("time_of_impact_interpolated")
-    exact_root = implementation.function("time_of_impact_exact")
-    respond = implementation.function("kinematic_response")
-    weight = implementation.function("uniform_gravity")
-    fly = implementation.function("ballistic_motion")
-    euler = implementation.function("semi_implicit_euler")
+    """Balls that fall on a plane, bounce and come to rest; no friction. What a policy has no use for is not asked."""
+    function = functools.cache(implementation.function)
+    signed_distance, respond = function("signed_distance"), function("kinematic_response")
+    weight, fly = function("uniform_gravity"), function("ballistic_motion")
 
     batch, dt = _Batch(scenarios), settings.timestep
     every_dt = np.full(len(scenarios), dt)
@@ -86,11 +82,14 @@ def bounce(
 
     def until_exact_root(remaining: Array) -> Array:
         normal_velocity = np.sum(batch.velocity * batch.normal, axis=1)
-        return np.asarray(exact_root(separation(batch.position), normal_velocity, normal_acceleration))
+        return np.asarray(
+            function("time_of_impact_exact")(separation(batch.position), normal_velocity, normal_acceleration)
+        )
 
     def until_slides_t(remaining: Array) -> Array:
         start = np.maximum(separation(batch.position), 0.0)  # left on the plane, it may be behind it by rounding
-        time = np.asarray(interpolated(start, separation(after(fly, remaining)[0]), 0.0, remaining))
+        end = separation(after(fly, remaining)[0])
+        time = np.asarray(function("time_of_impact_interpolated")(start, end, 0.0, remaining))
         moves_away = np.sum(batch.velocity * batch.normal, axis=1) > 0  # and back within the step: a chord cannot tell
         return np.where((start == 0) & moves_away, np.inf, time)
 
@@ -108,9 +107,10 @@ def bounce(
 
     def respond_or_step(time: float) -> None:
         approaching = np.sum(batch.velocity * batch.normal, axis=1) < 0
-        behind = is_colliding(separation(batch.position)) & approaching & ~resting
+        behind = function("is_colliding")(separation(batch.position)) & approaching & ~resting
         answer(behind, np.full(len(scenarios), time))
         supported = np.where((behind | resting)[:, None], along_plane, acceleration)
+        euler = function("semi_implicit_euler")
         batch.position, batch.velocity = euler(batch.position, batch.velocity, supported, every_dt)
 
     policies: dict[str, Callable[[float], None]] = {

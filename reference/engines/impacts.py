@@ -5,6 +5,7 @@ As in `drivers`, all physics is asked of the implementation's functions; the loo
 
 from __future__ import annotations
 
+import functools
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 
@@ -219,8 +220,7 @@ def strike_face(
 
 
 def _strike(engine: str, pairs: _Pairs, settings: Settings, steps: list[int]) -> list[Trajectory]:
-    is_colliding = pairs.function("is_colliding")
-    fly, euler = pairs.function("ballistic_motion"), pairs.function("semi_implicit_euler")
+    function = functools.cache(pairs.function)  # what a policy has no use for is not asked
     dt, every_dt = settings.timestep, np.full(len(pairs.scenarios), settings.timestep)
 
     def answer(struck: Mask, time: Array) -> None:
@@ -239,7 +239,7 @@ def _strike(engine: str, pairs: _Pairs, settings: Settings, steps: list[int]) ->
             impact = pairs.until_impact(remaining)
             struck = impact <= remaining
             passed = np.minimum(impact, remaining)
-            move(fly, passed)
+            move(function("ballistic_motion"), passed)
             remaining = remaining - passed
             if not struck.any():
                 return
@@ -247,10 +247,10 @@ def _strike(engine: str, pairs: _Pairs, settings: Settings, steps: list[int]) ->
         raise RunFailed(f"{_MOST_IMPACTS} impacts within one step of {dt:g} s")
 
     def respond_or_step(time: float) -> None:
-        struck = is_colliding(pairs.gap()) & (pairs.approach()[0] < 0)
+        struck = function("is_colliding")(pairs.gap()) & (pairs.approach()[0] < 0)
         if struck.any():
             answer(struck, np.full(len(struck), time))
-        move(euler, every_dt)
+        move(function("semi_implicit_euler"), every_dt)
 
     policies = {"exact_root": step_through_impacts, "at_step": respond_or_step}
     return record(engine, pairs.scenarios, settings, steps, pairs.states, policy_of(policies, settings), pairs.events)

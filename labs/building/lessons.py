@@ -1,0 +1,109 @@
+"""A lesson: the text of one lab in Markdown (jupytext), with places for what is made of the solutions.
+
+A cell's metadata says what it becomes. Code: `lab="setup"`, the first cell that finds the lab; `given="finite Body"`,
+code to use; `write="signed_distance"`, functions to write, each in a cell with a check; `broken="key"`, code that a
+student mends, with `model="key"` for how. Text: `answer="key" points=3`, a question; `model="key"`, what a good answer
+says and how it is marked; `instructor=true`, for the instructor alone. Everything else stands as it is in both
+notebooks.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from reference import lecture
+from reference.errors import InvalidInput
+
+FOLDER = Path(__file__).resolve().parents[1] / "lessons"
+_KINDS = ("lab", "given", "write", "broken", "answer", "model", "instructor")
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A cell of a lesson. kind: one of those above, empty for one that stands as it is. value: what it says of it."""
+
+    code: bool
+    text: str
+    kind: str = ""
+    value: str = ""
+    points: int = 0
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The functions that it gives, or has written."""
+        return tuple(self.value.split())
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """The lesson of a topic."""
+
+    topic: str
+    cells: tuple[Cell, ...] = field(repr=False)
+
+    @property
+    def written(self) -> tuple[str, ...]:
+        """The functions that it has written, in its order."""
+        return tuple(name for cell in self.cells if cell.kind == "write" for name in cell.names)
+
+    @property
+    def given(self) -> tuple[str, ...]:
+        """What it gives, in its order."""
+        return tuple(name for cell in self.cells if cell.kind == "given" for name in cell.names)
+
+    def models(self, key: str) -> tuple[Cell, ...]:
+        """What belongs to a question or a broken cell."""
+        return tuple(cell for cell in self.cells if cell.kind == "model" and cell.value == key)
+
+
+def lessons() -> tuple[str, ...]:
+    """The topics that have a lesson, in the order of teaching."""
+    return tuple(topic.name for topic in lecture.TOPICS if (FOLDER / f"{topic.name}.md").is_file())
+
+
+def read(topic: str) -> Lesson:
+    """Read a lesson.
+
+    Raises
+    ------
+    UnknownName, InvalidInput
+        If there is no such topic, it has no lesson yet, or the lesson does not fit the lecture: a function that the
+        lecture has students write and the lesson does not, or out of order, or a question without a model answer.
+    """
+    import jupytext  # noqa: PLC0415 - who only opens notebooks needs it not
+
+    name = lecture.topic(topic).name
+    path = FOLDER / f"{name}.md"
+    if not path.is_file():
+        raise InvalidInput(f"{name} has no lesson yet; there are lessons of {', '.join(lessons())}")
+    lesson = Lesson(name, tuple(_cell(cell) for cell in jupytext.read(path).cells))
+    _refuse(lesson)
+    return lesson
+
+
+def _cell(cell: object) -> Cell:
+    metadata, text = dict(cell.metadata), cell.source  # type: ignore[attr-defined]
+    code = cell.cell_type == "code"  # type: ignore[attr-defined]
+    kinds = [kind for kind in _KINDS if kind in metadata]
+    unknown = set(metadata) - {*_KINDS, "points"}
+    if unknown or len(kinds) > 1:
+        said = ", ".join(sorted(unknown) or kinds)
+        raise InvalidInput(f"a cell of the lesson says {said!r}: it may say one of {', '.join(_KINDS)}")
+    if not kinds:
+        return Cell(code, text)
+    return Cell(code, text, kinds[0], str(metadata[kinds[0]]), int(metadata.get("points", 0)))
+
+
+def _refuse(lesson: Lesson) -> None:
+    entries = [entry for entry in lecture.functions_of(lesson.topic) if entry.role == "written"]
+    expected = [entry.name for entry in entries]
+    if list(lesson.written) != expected:
+        odd = [name for name in (*expected, *lesson.written) if (name in expected) != (name in lesson.written)]
+        raise InvalidInput(
+            f"the lesson of {lesson.topic} writes {', '.join(lesson.written)}; the lecture has {', '.join(expected)}"
+            + (f": look at {', '.join(odd)}" if odd else ", in this order")
+        )
+    for cell in lesson.cells:
+        if cell.kind in ("answer", "broken") and not lesson.models(cell.value):
+            raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.value!r}")
