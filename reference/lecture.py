@@ -61,8 +61,8 @@ TOPICS: tuple[Topic, ...] = (
 class Function:
     """One function of the hand-written side.
 
-    name: as it is called. topic: the name of the topic whose module holds it. step: of the lab in which it comes, from 1;
-    a step may have several. statement: the number of the statement that it puts into code. role: who writes it.
+    name: as it is called. topic: the name of the topic whose module holds it. step: of the lab in which it comes, from
+    1; a step may have several. statement: the number of the statement that it puts into code. role: who writes it.
     """
 
     name: str
