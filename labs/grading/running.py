@@ -17,6 +17,8 @@ from reference import lecture
 from reference.errors import InvalidInput
 
 if TYPE_CHECKING:
+    import pytest
+
     from labs.grading.sheet import Sheet
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -36,10 +38,12 @@ def run(
     topics: Collection[str],
     folders: Iterable[str] = (VISIBLE, HIDDEN),
     grader: Grader | None = None,
+    functions: Collection[str] = (),
 ) -> Sheet:
     """Run the tests of some topics on a file. No process of the submission is left when this returns.
 
-    Without a grader it has one of its own, which gets ready while pytest is loaded.
+    functions: those that are tested, all if none is named. Without a grader it has one of its own, which gets ready
+    while pytest is loaded.
 
     Raises
     ------
@@ -52,10 +56,10 @@ def run(
         raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
     files = [str(file) for folder in folders for file in _files(folder, topics)]
     with Grader() if grader is None else contextlib.nullcontext(grader) as found:
-        return _run(Path(path), files, found)
+        return _run(Path(path), files, found, functions)
 
 
-def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
+def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str]) -> Sheet:
     import pytest  # noqa: PLC0415 - a student's install may lack it
 
     from labs.grading.plugin import GRADER, SHEET  # noqa: PLC0415
@@ -66,6 +70,9 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
         @pytest.hookimpl(tryfirst=True)
         def pytest_configure(self, config: pytest.Config) -> None:
             config.stash[GRADER] = grader
+
+        def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+            items[:] = [item for item in items if not functions or _about(item) in functions]
 
         def pytest_unconfigure(self, config: pytest.Config) -> None:
             self.sheet = config.stash[SHEET]
@@ -81,6 +88,11 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
     if code not in _FINE or keep.sheet is None or not keep.sheet.outcomes:
         raise GraderFailed(f"the tests could not be run: {printed.getvalue().strip()[-_TAIL:]}")
     return keep.sheet
+
+
+def _about(item: pytest.Item) -> str:
+    marker = item.get_closest_marker("function")
+    return str(marker.args[0]) if marker else ""
 
 
 def tested() -> tuple[str, ...]:

@@ -1,0 +1,102 @@
+"""One case, asked of the student's functions and of the engines: jobs, their results, and what is said meanwhile."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
+from dataclasses import dataclass, replace
+
+from reference.cache import Cache
+from reference.compare import TUNED
+from reference.family import Case, Family
+from reference.replay import Poses, unpack
+from reference.report.summary import Line, Section, sections
+from reference.results import Job, JobResult
+from reference.running import run_all
+from reference.scenarios import find
+from reference.settings import Option
+from reference.snapping import snapped
+from reference.study import SCENARIOS, plan
+
+ENGINES = ("pybullet", "mujoco")
+HANDWRITTEN, YOURS = "handwritten", "yours"
+TIME_LIMIT = 60.0
+"""Of one run, s: an endless loop in a function is told so after this."""
+Progress = Callable[[int, int, str], None]
+"""How many runs are done, of how many, and what has just come."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What came of one case. results: the student's first, then the engines'."""
+
+    family: Family
+    case: Case
+    results: tuple[JobResult, ...]
+
+    @property
+    def section(self) -> Section:
+        """The results as tables and figures take them."""
+        return sections(self.results)[0]
+
+    @property
+    def lines(self) -> Sequence[Line]:
+        """One for each implementation."""
+        return self.section.lines
+
+    @property
+    def snapped(self) -> str:
+        """What was moved to a recorded point, in words; empty where nothing was."""
+        return next((result.job.snapped for result in self.results if result.job.snapped), "")
+
+    @property
+    def poses(self) -> list[Poses]:
+        """What a replay shows: of every run that has poses."""
+        return [unpack(track, result.title, result.recording) for result in self.results for track in result.poses[:1]]
+
+
+def ask(
+    scenario: str,
+    implementation: str,
+    engines: Sequence[str] = ENGINES,
+    profile: str = TUNED,
+    timestep: float | None = None,
+    at: Mapping[str, float] | None = None,
+    progress: Progress = lambda done, of, label: None,
+) -> Asked:
+    """Run a case of the catalogue, `family/case`, or of a family at values of its parameters.
+
+    profile: of the hand-written side; engines are tuned. Where an engine answers from recordings, all are asked at the
+    nearest recorded point.
+
+    Raises
+    ------
+    UnknownName, InvalidInput
+        If there is no such scenario, engine, profile or parameter, or a value is out of range.
+    """
+    family, case = find(scenario)
+    if case is None and not at:
+        case = family.case(family.curve.case)
+    changes: dict[str, Option] = {} if timestep is None else {"timestep": timestep}
+    cases = {family.name: (case.name,)} if case is not None else {}
+    jobs: list[Job] = []
+    for engine in (HANDWRITTEN, *engines):
+        wanted = profile if engine == HANDWRITTEN else TUNED
+        jobs += plan([family], [engine], [wanted], cases, implementation, changes, at=dict(at or {}))
+    jobs = snapped([replace(job, with_poses=True) for job in jobs])
+    found: dict[Job, JobResult] = {}
+    with (
+        ThreadPoolExecutor(len(jobs)) as executor,
+        closing(run_all(jobs, SCENARIOS, executor, TIME_LIMIT, Cache())) as finished,
+    ):
+        for result in finished:
+            found[result.job] = _named(result)
+            progress(len(found), len(jobs), result.title)
+    (asked,) = jobs[0].chosen(family)
+    return Asked(family, asked, tuple(found[job] for job in jobs))
+
+
+def _named(result: JobResult) -> JobResult:
+    """The hand-written side is the student's."""
+    return replace(result, title=YOURS) if result.job.engine == HANDWRITTEN else result

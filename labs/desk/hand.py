@@ -1,0 +1,152 @@
+"""The student's own functions: out of the cells that were run, out of earlier notebooks, and given ones for the rest.
+
+A notebook's functions are cut out of the source of its cells as the grader does it (`labs.grading.submission`), so
+plots and experiments are left behind. They are written to a `.py` file, which a worker process loads: an endless loop
+or a crash in it costs a run, and the kernel lives on.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import importlib.util
+import json
+import tempfile
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from labs.grading.errors import UnreadableSubmission
+from labs.grading.submission import Submission, read
+from reference import lecture
+
+GIVEN = ("labs.given", "solutions")
+"""Packages that answer for what a student has not to write; the first that is there."""
+_UNWRITTEN = "NotImplementedError"
+
+
+@dataclass(frozen=True)
+class Hand:
+    """A student's functions for one lab.
+
+    topic: of the lab. own: the functions of that lab that are written. earlier: of earlier labs, each with the notebook
+    that it comes from. given: the package that answers for the rest, empty where there is none. source: all of it as
+    an `Implementation` takes it.
+    """
+
+    topic: str
+    own: tuple[str, ...]
+    earlier: tuple[tuple[str, str], ...]
+    given: str
+    source: str
+
+
+def executed_cells() -> list[str]:
+    """The source of every cell that this kernel has run, the first of them empty, so that the n-th is In [n]."""
+    from IPython import get_ipython  # noqa: PLC0415 - outside a notebook nobody needs it
+
+    shell = get_ipython()
+    return [] if shell is None else list(shell.history_manager.input_hist_raw[1:])
+
+
+def written_down(cells: Sequence[str], folder: Path) -> Path:
+    """Cells as a notebook file, the n-th of them code cell n."""
+    path = folder / "notebook.ipynb"
+    content = {
+        "nbformat": 4,
+        "nbformat_minor": 5,
+        "metadata": {},
+        "cells": [{"cell_type": "code", "metadata": {}, "source": cell, "outputs": []} for cell in cells],
+    }
+    path.write_text(json.dumps(content), encoding="utf-8")
+    return path
+
+
+def in_hand(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> Hand:
+    """The functions of a lab from a notebook; of earlier labs from the notebooks beside it.
+
+    Raises
+    ------
+    UnreadableSubmission
+        If the notebook holds no code.
+    """
+    names = [entry.name for entry in lecture.functions_of(topic) if entry.role == "written"]
+    submission = read(notebook, names, also=lecture.FUNCTIONS)
+    unwritten = _unwritten(submission)
+    stubs = [name for name in names if name not in submission.functions]
+    files, earlier = [_file(topic, submission.text + _stubs(stubs))], list[tuple[str, str]]()
+    for path in beside:
+        found = _earlier(path, topic)
+        if found is not None:
+            files.append(_file(path.stem, found.text))
+            earlier += [(name, path.name) for name in found.functions]
+    given = _given()
+    own = tuple(name for name in names if name in submission.functions and name not in unwritten)
+    return Hand(topic, own, tuple(earlier), given, " | ".join([*map(str, files), *([given] if given else [])]))
+
+
+def earlier_notebooks(topic: str, folder: Path) -> list[Path]:
+    """Notebooks of earlier labs in a folder, the latest lab first; they carry the topic's name."""
+    before = [each.name for each in lecture.TOPICS]
+    found = [folder / f"{name}.ipynb" for name in before[: before.index(topic)]]
+    return [path for path in reversed(found) if path.is_file()]
+
+
+def _earlier(path: Path, topic: str) -> Submission | None:
+    """What an earlier notebook has of functions that are written; None where that is nothing."""
+    wanted = [name for name, entry in lecture.FUNCTIONS.items() if entry.topic != topic and entry.role == "written"]
+    try:
+        everything = read(path, wanted)
+        kept = [name for name in everything.functions if name not in _unwritten(everything)]
+        return read(path, kept) if kept else None
+    except UnreadableSubmission:
+        return None
+
+
+def _unwritten(submission: Submission) -> frozenset[str]:
+    """The functions that are still as the notebook came: a description, and an error that says whose turn it is."""
+    return frozenset(
+        node.name
+        for node in ast.parse(submission.text).body
+        if isinstance(node, ast.FunctionDef) and _UNWRITTEN in ast.dump(node.body[-1]) and len(node.body) <= 2
+    )
+
+
+def _stubs(names: Iterable[str]) -> str:
+    """Functions whose cells were not run: not to be answered by somebody else."""
+    return "".join(f"\n\ndef {name}(*arguments, **named):\n    raise {_UNWRITTEN}\n" for name in names)
+
+
+def _file(name: str, text: str) -> Path:
+    """The text as a file that stays as long as this process; the same text is the same file."""
+    path = Path(_folder().name, f"{name}-{hashlib.sha256(text.encode()).hexdigest()[:12]}.py")
+    path.write_text(f"from __future__ import annotations\n{text}", encoding="utf-8")
+    return path
+
+
+@cache
+def _folder() -> tempfile.TemporaryDirectory[str]:
+    return tempfile.TemporaryDirectory(prefix="collisions-lab-")
+
+
+def _given() -> str:
+    return next((name for name in GIVEN if importlib.util.find_spec(name) is not None), "")
+
+
+def with_hand(implementation: str) -> str:
+    """What `--implementation` names, a notebook as the functions that it holds beside given ones.
+
+    Raises
+    ------
+    UnreadableSubmission
+        If a notebook holds no code.
+    """
+    path = Path(implementation)
+    if path.suffix != ".ipynb":
+        return implementation
+    written = [name for name, entry in lecture.FUNCTIONS.items() if entry.role == "written"]
+    found = read(path, written)
+    topics = {lecture.function(name).topic for name in found.functions}
+    latest = next((topic.name for topic in reversed(lecture.TOPICS) if topic.name in topics), lecture.TOPICS[0].name)
+    return in_hand(latest, path, earlier_notebooks(latest, path.parent)).source

@@ -1,0 +1,53 @@
+"""What a student expects before a run: asked for, kept, and shown beside what comes. Nothing of it is graded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from numbers import Real
+from types import EllipsisType
+
+from reference.errors import InvalidInput
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """One question and what was answered. answer: None as long as it is open. unit: of a number."""
+
+    key: str
+    question: str
+    answer: float | str | None
+    unit: str = ""
+    choices: tuple[str, ...] = ()
+
+    @property
+    def shown(self) -> str:
+        """The answer as it stands in a table."""
+        return f"{self.answer:g}" if isinstance(self.answer, float) else str(self.answer)
+
+    def __str__(self) -> str:
+        if self.answer is None:
+            options = f" ({' or '.join(self.choices)})" if self.choices else f" ({self.unit})" * bool(self.unit)
+            return f"{self.question}{options}\nPut your guess in place of the dots and run the cell again."
+        return f"{self.question}\nYou predict {self.shown}{f' {self.unit}' if self.unit else ''}: kept for the run."
+
+
+def predicted(
+    key: str, question: str, answer: float | str | EllipsisType | None, unit: str = "", choices: Sequence[str] = ()
+) -> Prediction:
+    """A prediction; open while the answer is the dots of the cell.
+
+    Raises
+    ------
+    InvalidInput
+        If it is neither a number nor, where there are choices, one of them.
+    """
+    if answer is None or answer is ...:
+        return Prediction(key, question, None, unit, tuple(choices))
+    if choices:
+        if answer not in choices:
+            raise InvalidInput(f"{answer!r} is none of the choices: {', '.join(choices)}")
+        return Prediction(key, question, str(answer), unit, tuple(choices))
+    if not isinstance(answer, Real) or isinstance(answer, bool):
+        raise InvalidInput(f"{answer!r} is no number")
+    return Prediction(key, question, float(answer), unit)

@@ -1,0 +1,233 @@
+"""The desk of a course notebook: `from labs import lab`.
+
+    lab.begin("detection")                    which engines answer, and what is at hand
+    lab.predict("rest", "…?", answer=...)     a guess, kept for the run
+    lab.check("signed_distance")              what was tried, what came, what physics expects
+    lab.run("dropped-ball/e=0.5")             the same case with your functions and with engines
+    lab.watch("dropped-ball/e=0.5")           the replay alone
+    lab.sweep("dropped-ball", "restitution")  one parameter moved: where your method breaks, and where theirs does
+
+Your functions run in processes of their own: a loop without end or a crash costs a line of text, and the kernel lives
+on. Every call takes the functions as they are in the cells that you have run.
+"""
+
+from __future__ import annotations
+
+import functools
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from types import EllipsisType
+from typing import TYPE_CHECKING, ParamSpec
+
+from labs.desk.predicting import Prediction, predicted
+from labs.desk.progress import Progress
+from reference import lecture
+from reference.errors import CollisionsError, InvalidInput
+
+if TYPE_CHECKING:
+    from labs.desk.asking import Asked
+    from labs.desk.hand import Hand
+    from labs.grading.remote import Grader
+
+P = ParamSpec("P")
+
+
+def _spoken(method: Callable[P, None]) -> Callable[P, None]:
+    """What the lab refuses or cannot do is a line of text, and no traceback through its own code."""
+
+    @functools.wraps(method)
+    def call(*arguments: P.args, **named: P.kwargs) -> None:
+        try:
+            method(*arguments, **named)
+        except CollisionsError as error:
+            print(f"lab.{method.__name__}: {error}")
+
+    return call
+
+
+class Lab:
+    """One student at one notebook."""
+
+    def __init__(self) -> None:
+        self.topic = ""
+        self._predictions: dict[str, Prediction] = {}
+        self._grader: Grader | None = None
+        self._folder = tempfile.TemporaryDirectory(prefix="collisions-lab-")
+
+    @_spoken
+    def begin(self, topic: str) -> None:
+        """Say which lab this is, which engines answer here, and what earlier work is at hand."""
+        from labs.desk import engines  # noqa: PLC0415
+
+        self.topic = lecture.topic(topic).name
+        print(f"{lecture.topic(topic).title} ({self.topic})")
+        for line in engines.answering():
+            print(line)
+        hand = self._hand([""])
+        for notebook in dict.fromkeys(notebook for _, notebook in hand.earlier):
+            print(f"Yours from {notebook}: {', '.join(name for name, at in hand.earlier if at == notebook)}")
+        if not hand.given:
+            print("Functions of other labs are not at hand: some runs will say what they need.")
+
+    @_spoken
+    def check(self, *names: str) -> None:
+        """Check functions by name, or all of this lab: what was tried, what came, and what physics expects."""
+        from labs.desk import checking  # noqa: PLC0415 - loads pytest
+
+        for name in names:
+            lecture.function(name)
+        with Progress("checking"):
+            report = checking.report(self._notebook(), self._begun(), names, self._tests())
+        print(report)
+
+    @_spoken
+    def predict(
+        self,
+        key: str,
+        question: str,
+        answer: float | str | EllipsisType | None = None,
+        unit: str = "",
+        choices: Sequence[str] = (),
+    ) -> None:
+        """Keep what you expect, to be shown beside the result. It is not graded."""
+        self._predictions[key] = predicted(key, question, answer, unit, choices)
+        print(self._predictions[key])
+
+    @_spoken
+    def run(
+        self,
+        scenario: str,
+        *,
+        predicted: str = "",
+        quantity: str | Sequence[str] = (),
+        engines: Sequence[str] | None = None,
+        profile: str = "tuned",
+        timestep: float | None = None,
+        **parameters: float,
+    ) -> None:
+        """Run a case with your functions and with engines: replay, curve, and numbers beside theory.
+
+        predicted: the key of a prediction to show beside. quantity: which numbers, all if none is named. profile: of
+        your side, such as "slide" or "stock". Parameters of the scenario, such as restitution=0.37, instead of a case.
+        """
+        from labs.desk import showing  # noqa: PLC0415
+
+        prediction = self._prediction(predicted)
+        asked = self._ask(scenario, engines, profile, timestep, parameters)
+        wanted = [quantity] if isinstance(quantity, str) else list(quantity)
+        found = [showing.replay(asked), showing.curve(asked), *showing.tables(asked, wanted, prediction)]
+        _display(*(each for each in found if each is not None))
+
+    @_spoken
+    def watch(
+        self,
+        scenario: str,
+        *,
+        engines: Sequence[str] | None = None,
+        profile: str = "tuned",
+        timestep: float | None = None,
+        **parameters: float,
+    ) -> None:
+        """Show the replay of a run alone."""
+        from labs.desk import showing  # noqa: PLC0415
+
+        asked = self._ask(scenario, engines, profile, timestep, parameters)
+        replay = showing.replay(asked)
+        _display(replay if replay is not None else showing.tables(asked, ())[-1])
+
+    @_spoken
+    def sweep(
+        self,
+        scenario: str,
+        parameter: str,
+        values: Sequence[float] = (),
+        *,
+        quantity: str = "",
+        engines: Sequence[str] | None = None,
+        profile: str = "tuned",
+    ) -> None:
+        """Move one parameter of a scenario, or its timestep: a slider beside small pictures of every value."""
+        from labs.desk import sweeping  # noqa: PLC0415
+
+        values = sweeping.values_of(scenario, parameter, values)
+        with Progress("running", len(values)) as progress:
+            asked: list[Asked] = []
+            for value in values:
+                if parameter == sweeping.TIMESTEP:
+                    asked.append(self._asked(scenario, engines, profile, value, {}))
+                else:  # it stands in place of a case
+                    asked.append(self._asked(scenario.partition("/")[0], engines, profile, None, {parameter: value}))
+                progress.done(len(asked), len(values), f"{parameter} {value:g}")
+        found = sweeping.Sweep(parameter, tuple(values), tuple(asked), quantity)
+        _display(found.picture, found.table)
+        sweeping.slide(found)
+
+    def _ask(
+        self,
+        scenario: str,
+        engines: Sequence[str] | None,
+        profile: str,
+        timestep: float | None,
+        at: Mapping[str, float],
+    ) -> Asked:
+        with Progress("running") as progress:
+            return self._asked(scenario, engines, profile, timestep, at, progress)
+
+    def _asked(
+        self,
+        scenario: str,
+        engines: Sequence[str] | None,
+        profile: str,
+        timestep: float | None,
+        at: Mapping[str, float],
+        progress: Progress | None = None,
+    ) -> Asked:
+        from labs.desk import asking  # noqa: PLC0415 - loads the catalogue
+
+        chosen = asking.ENGINES if engines is None else [engines] if isinstance(engines, str) else engines
+        source = self._hand().source
+        report = progress.done if progress else lambda done, of, label: None
+        return asking.ask(scenario, source, chosen, profile, timestep, at, report)
+
+    def _hand(self, cells: Sequence[str] | None = None) -> Hand:
+        from labs.desk import hand  # noqa: PLC0415
+
+        beside = hand.earlier_notebooks(self._begun(), Path.cwd())
+        return hand.in_hand(self._begun(), self._notebook(cells), beside)
+
+    def _notebook(self, cells: Sequence[str] | None = None) -> Path:
+        """The cells that were run, as a file."""
+        from labs.desk import hand  # noqa: PLC0415
+
+        found = list(hand.executed_cells() if cells is None else cells)
+        return hand.written_down([*found, "pass"], Path(self._folder.name))
+
+    def _begun(self) -> str:
+        if not self.topic:
+            names = ", ".join(topic.name for topic in lecture.TOPICS)
+            raise InvalidInput(f'which lab is this? Run the first cell, or lab.begin("…") with one of {names}')
+        return self.topic
+
+    def _prediction(self, key: str) -> Prediction | None:
+        if key and key not in self._predictions:
+            print(f"There is no prediction {key!r} yet: guess first, it is the point of the run.")
+        return self._predictions.get(key)
+
+    def _tests(self) -> Grader:
+        """What runs the tests; started once, since it takes longer than a check."""
+        if self._grader is None:
+            from labs.grading.remote import Grader  # noqa: PLC0415
+
+            self._grader = Grader()
+        return self._grader
+
+
+def _display(*shown: object) -> None:
+    from IPython.display import display  # noqa: PLC0415 - the program has no notebook
+
+    display(*shown)  # type: ignore[no-untyped-call]
+
+
+lab = Lab()
+"""What a notebook imports."""
