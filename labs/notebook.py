@@ -155,9 +155,10 @@ class Lab:
             asked: list[Asked] = []
             for value in values:
                 if parameter == sweeping.TIMESTEP:
-                    asked.append(self._asked(scenario, engines, profile, value, {}))
+                    asked.append(self._asked(scenario, engines, profile, value, {}, recorded=True))
                 else:  # it stands in place of a case
-                    asked.append(self._asked(scenario.partition("/")[0], engines, profile, None, {parameter: value}))
+                    at, family = {parameter: value}, scenario.partition("/")[0]
+                    asked.append(self._asked(family, engines, profile, None, at, recorded=True))
                 progress.done(len(asked), len(values), f"{parameter} {value:g}")
         found = sweeping.Sweep(parameter, tuple(values), tuple(asked), quantity)
         _display(found.picture, found.table)
@@ -182,13 +183,14 @@ class Lab:
         timestep: float | None,
         at: Mapping[str, float],
         progress: Progress | None = None,
+        recorded: bool = False,
     ) -> Asked:
         from labs.desk import asking  # noqa: PLC0415 - loads the catalogue
 
         chosen = asking.ENGINES if engines is None else [engines] if isinstance(engines, str) else engines
         source = self._hand().source
         report = progress.done if progress else lambda done, of, label: None
-        return asking.ask(scenario, source, chosen, profile, timestep, at, report)
+        return asking.ask(scenario, source, chosen, profile, timestep, at, report, recorded)
 
     def _hand(self, cells: Sequence[str] | None = None) -> Hand:
         from labs.desk import hand  # noqa: PLC0415

@@ -1,10 +1,10 @@
 """A lesson: the text of one lab in Markdown (jupytext), with places for what is made of the solutions.
 
-A cell's metadata says what it becomes. Code: `lab="setup"`, the first cell that finds the lab; `given="finite Body"`,
-code to use; `write="signed_distance"`, functions to write, each in a cell with a check; `broken="key"`, code that a
-student mends, with `model="key"` for how. Text: `answer="key" points=3`, a question; `model="key"`, what a good answer
-says and how it is marked; `instructor=true`, for the instructor alone. Everything else stands as it is in both
-notebooks.
+A cell's metadata says what it becomes. Code: `lab="setup"`, the first cell, which finds the lab, with `lends="f g"` for
+functions of later labs that its runs need; `given="finite Body"`, code to use; `write="signed_distance"`, functions to
+write, each in a cell with a check; `broken="key"`, code that a student mends, with `model="key"` for how. Text:
+`answer="key" points=3`, a question; `model="key"`, what a good answer says and how it is marked; `instructor=true`, for
+the instructor alone. Everything else stands as it is in both notebooks.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ class Cell:
     kind: str = ""
     value: str = ""
     points: int = 0
+    lends: str = ""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -51,6 +52,11 @@ class Lesson:
     def given(self) -> tuple[str, ...]:
         """What it gives, in its order."""
         return tuple(name for cell in self.cells if cell.kind == "given" for name in cell.names)
+
+    @property
+    def lent(self) -> tuple[str, ...]:
+        """The functions of other labs that its runs need before these are taught."""
+        return tuple(name for cell in self.cells for name in cell.lends.split())
 
     def models(self, key: str) -> tuple[Cell, ...]:
         """What belongs to a question or a broken cell."""
@@ -86,13 +92,14 @@ def _cell(cell: object) -> Cell:
     metadata, text = dict(cell.metadata), cell.source  # type: ignore[attr-defined]
     code = cell.cell_type == "code"  # type: ignore[attr-defined]
     kinds = [kind for kind in _KINDS if kind in metadata]
-    unknown = set(metadata) - {*_KINDS, "points"}
+    unknown = set(metadata) - {*_KINDS, "points", "lends"}
     if unknown or len(kinds) > 1:
         said = ", ".join(sorted(unknown) or kinds)
         raise InvalidInput(f"a cell of the lesson says {said!r}: it may say one of {', '.join(_KINDS)}")
     if not kinds:
         return Cell(code, text)
-    return Cell(code, text, kinds[0], str(metadata[kinds[0]]), int(metadata.get("points", 0)))
+    points, lends = int(metadata.get("points", 0)), str(metadata.get("lends", ""))
+    return Cell(code, text, kinds[0], str(metadata[kinds[0]]), points, lends)
 
 
 def _refuse(lesson: Lesson) -> None:
@@ -104,6 +111,8 @@ def _refuse(lesson: Lesson) -> None:
             f"the lesson of {lesson.topic} writes {', '.join(lesson.written)}; the lecture has {', '.join(expected)}"
             + (f": look at {', '.join(odd)}" if odd else ", in this order")
         )
+    for name in lesson.lent:
+        lecture.function(name)
     for cell in lesson.cells:
         if cell.kind in ("answer", "broken") and not lesson.models(cell.value):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.value!r}")

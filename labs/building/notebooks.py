@@ -7,6 +7,7 @@ function's name, which is what our own grader looks for. The same lesson and sol
 from __future__ import annotations
 
 import ast
+import json
 import textwrap
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -32,7 +33,7 @@ if "google.colab" in sys.modules and not Path("collisions-lab").exists():  # on 
     import shutil
     from google.colab import files
     shutil.unpack_archive(next(iter(files.upload())), ".")
-    get_ipython().run_line_magic("pip", "install --quiet pytest mujoco")
+    get_ipython().run_line_magic("pip", "install --quiet 'pytest>=8.4' hypothesis mujoco")
 
 around = [Path.cwd(), *Path.cwd().parents, Path("collisions-lab").absolute()]
 sys.path[:0] = [str(place) for place in around if (place / "labs" / "notebook.py").is_file()][:1]
@@ -113,6 +114,11 @@ def solved(topic: str) -> dict[str, Any]:
             for model in lesson.models(cell.value) if cell.kind == "answer" else ():
                 desk.add("markdown", _framed("A good answer, and how it is marked", model.text), **_answer(cell))
     return _notebook(desk)
+
+
+def text(notebook: dict[str, Any]) -> str:
+    """A notebook as its file holds it."""
+    return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
 def stub(pieces: Pieces, name: str) -> str:

@@ -41,25 +41,18 @@ class Pieces:
 
     @classmethod
     def of(cls, topic: str) -> Pieces:
-        """Read a topic.
-
-        Raises
-        ------
-        InvalidInput
-            If there are no solutions of it, or two of its modules give different things one name.
-        """
+        """Read a topic; raises `InvalidInput` if there are no solutions of it."""
         order: list[str] = []
         _visit(topic, order)
-        found = [piece for module in order for piece in _read(module)]
-        once = list({piece.text: piece for piece in reversed(found)}.values())[::-1]  # `Array = …` of every module
-        for name in {name for piece in once for name in piece.defines}:
-            if len({piece.text for piece in once if name in piece.defines}) > 1:
-                raise InvalidInput(f"the solutions of {topic} define {name} more than once")
-        return cls(tuple(sorted(once, key=lambda piece: found.index(piece))))
+        return cls(tuple(piece for module in order for piece in _read(module)))
 
     @cached_property
-    def _places(self) -> dict[str, int]:
-        return {name: place for place, piece in enumerate(self.every) for name in piece.defines}
+    def _places(self) -> dict[str, list[int]]:
+        found: dict[str, list[int]] = {}
+        for place, piece in enumerate(self.every):
+            for name in piece.defines:
+                found.setdefault(name, []).append(place)
+        return found
 
     def needed(self, names: Collection[str], had: Collection[Piece] = ()) -> list[Piece]:
         """The pieces that define the names and what these need in turn, in order, without those that are had already.
@@ -67,18 +60,35 @@ class Pieces:
         Raises
         ------
         InvalidInput
-            If there is no such name.
+            If there is no such name, or two modules give different things one name that is needed of both.
         """
         for name in names:
             if name not in self._places:
                 raise InvalidInput(f"the solutions define no {name!r}; they define {', '.join(sorted(self._places))}")
-        waiting, found = list(names), set[int]()
+        waiting, found = [self._place(name, "") for name in names], set[int]()
         while waiting:
-            place = self._places.get(waiting.pop())
-            if place is not None and place not in found:
+            place = waiting.pop()
+            if place not in found:
                 found.add(place)
-                waiting += self.every[place].uses
-        return [self.every[place] for place in sorted(found) if self.every[place] not in had]
+                piece = self.every[place]
+                waiting += [self._place(name, piece.module) for name in piece.uses if name in self._places]
+        chosen = [self.every[place] for place in sorted(found)]
+        self._refuse_two_of_a_name([*had, *chosen])
+        known = {piece.text for piece in had}
+        return [piece for piece in chosen if piece.text not in known]
+
+    def _place(self, name: str, module: str) -> int:
+        """Where a name that a module looks up is defined: in the module itself if it does."""
+        places = self._places[name]
+        found = next((place for place in places if self.every[place].module == module), places[-1])
+        return next(place for place in places if self.every[place].text == self.every[found].text)  # the first like it
+
+    def _refuse_two_of_a_name(self, pieces: Collection[Piece]) -> None:
+        texts: dict[str, str] = {}
+        for piece in pieces:
+            for name in piece.defines:
+                if texts.setdefault(name, piece.text) != piece.text:
+                    raise InvalidInput(f"the solutions define {name} more than once: these cannot stand side by side")
 
 
 def text_of(pieces: Collection[Piece]) -> str:

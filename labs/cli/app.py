@@ -5,6 +5,8 @@ Exit codes: 0 fine; 1 a tuned verdict failed; 2 usage; 3 could not compare; 130 
 
 from __future__ import annotations
 
+import contextlib
+import importlib
 import importlib.metadata
 import logging
 from typing import Annotated, Any
@@ -49,6 +51,8 @@ app.command("engines")(engines.engines)
 app.command("show")(show.show)
 app.command("record")(record.record)
 app.command("bench")(bench.bench)
+with contextlib.suppress(ModuleNotFoundError):  # a student's tree has nothing to build from
+    app.add_typer(importlib.import_module("labs.cli.lab").app, name="lab")
 
 
 def _version(wanted: bool) -> None:

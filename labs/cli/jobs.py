@@ -12,6 +12,7 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors
+from labs.desk.hand import with_hand
 from reference import checks
 from reference.cache import Cache
 from reference.compare import Verdict, failures
@@ -43,7 +44,9 @@ Profiles = Annotated[
     list[str] | None,
     typer.Option("--profile", help="tuned, stock, …; repeat for several; all if none is named.", show_default=False),
 ]
-Implementations = Annotated[str, typer.Option(help="The hand-written code: a package, or the path of a .py file.")]
+Implementations = Annotated[
+    str, typer.Option(callback=with_hand, help="The hand-written code: a package, or a .py file's or notebook's path.")
+]
 Workers = Annotated[
     int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; one a processor if not given.")
 ]

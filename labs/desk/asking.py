@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from reference.cache import Cache
 from reference.compare import TUNED
 from reference.family import Case, Family
+from reference.recording import recall
 from reference.replay import Poses, unpack
 from reference.report.summary import Line, Section, sections
 from reference.results import Job, JobResult
@@ -34,6 +35,11 @@ class Asked:
     family: Family
     case: Case
     results: tuple[JobResult, ...]
+
+    @property
+    def title(self) -> str:
+        """What was asked, as a heading."""
+        return f"{self.family.title}, {self.case.name}"
 
     @property
     def section(self) -> Section:
@@ -64,11 +70,13 @@ def ask(
     timestep: float | None = None,
     at: Mapping[str, float] | None = None,
     progress: Progress = lambda done, of, label: None,
+    recorded: bool = False,
 ) -> Asked:
     """Run a case of the catalogue, `family/case`, or of a family at values of its parameters.
 
-    profile: of the hand-written side; engines are tuned. Where an engine answers from recordings, all are asked at the
-    nearest recorded point.
+    profile: of the hand-written side; engines are tuned. recorded: whether engines answer from recordings where these
+    have just what is asked, which is quicker. Where an engine has nothing but recordings, all are asked at the nearest
+    recorded point.
 
     Raises
     ------
@@ -85,16 +93,24 @@ def ask(
         wanted = profile if engine == HANDWRITTEN else TUNED
         jobs += plan([family], [engine], [wanted], cases, implementation, changes, at=dict(at or {}))
     jobs = snapped([replace(job, with_poses=True) for job in jobs])
-    found: dict[Job, JobResult] = {}
+    known = [_recorded(job) for job in jobs] if recorded else []
+    found = {result.job: result for result in known if result is not None}
+    missing = [job for job in jobs if job not in found]
     with (
         ThreadPoolExecutor(len(jobs)) as executor,
-        closing(run_all(jobs, SCENARIOS, executor, TIME_LIMIT, Cache())) as finished,
+        closing(run_all(missing, SCENARIOS, executor, TIME_LIMIT, Cache())) as finished,
     ):
         for result in finished:
-            found[result.job] = _named(result)
+            found[result.job] = result
             progress(len(found), len(jobs), result.title)
     (asked,) = jobs[0].chosen(family)
-    return Asked(family, asked, tuple(found[job] for job in jobs))
+    return Asked(family, asked, tuple(_named(found[job]) for job in jobs))
+
+
+def _recorded(job: Job) -> JobResult | None:
+    """What was recorded of just this job; None where that is nothing, or stale."""
+    result = recall(job) if job.engine != HANDWRITTEN else None
+    return result if result and all(row.measured is not None for row in result.rows) else None
 
 
 def _named(result: JobResult) -> JobResult:

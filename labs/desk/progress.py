@@ -6,7 +6,7 @@ import sys
 import threading
 import time
 from types import TracebackType
-from typing import Self
+from typing import Any, Self
 
 _AFTER = 1.0
 """s before anything is said."""
@@ -17,9 +17,9 @@ class Progress:
     """`with Progress("running") as progress: progress.done(1, 3, "MuJoCo")`."""
 
     def __init__(self, doing: str, of: int = 0) -> None:
-        self._doing, self._said = doing, f"{doing} …" if not of else f"{doing}: 0 of {of}"
+        self._doing, self._said = doing, f"{doing}: 0 of {of}" if of else f"{doing} …"
         self._over = threading.Event()
-        self._width = 0
+        self._line = _NotebookLine() if _in_notebook() else _TerminalLine()
         self._thread = threading.Thread(target=self._speak, daemon=True)
 
     def done(self, count: int, of: int, label: str) -> None:
@@ -27,19 +27,10 @@ class Progress:
         self._said = f"{self._doing}: {count} of {of}, {label}"
 
     def _speak(self) -> None:
-        began = time.monotonic()
-        if self._over.wait(_AFTER):
-            return
-        while True:
-            self._write(f"{self._said}, {time.monotonic() - began:.0f} s")
-            if self._over.wait(_EVERY):
-                self._write("")
-                return
-
-    def _write(self, text: str) -> None:
-        sys.stderr.write("\r" + text.ljust(self._width) + ("" if text else "\r"))
-        sys.stderr.flush()
-        self._width = len(text)
+        began, waits = time.monotonic(), _AFTER
+        while not self._over.wait(waits):
+            self._line.write(f"{self._said}, {time.monotonic() - began:.0f} s")
+            waits = _EVERY
 
     def __enter__(self) -> Self:
         self._thread.start()
@@ -48,3 +39,39 @@ class Progress:
     def __exit__(self, kind: type[BaseException] | None, error: object, trace: TracebackType | None) -> None:
         self._over.set()
         self._thread.join()
+        self._line.write("")
+
+
+class _TerminalLine:
+    """A line that is written over; nothing where nobody looks."""
+
+    def __init__(self) -> None:
+        self._width = 0
+
+    def write(self, text: str) -> None:
+        if sys.stderr.isatty() and (text or self._width):
+            sys.stderr.write("\r" + text.ljust(self._width) + ("" if text else "\r"))
+            sys.stderr.flush()
+            self._width = len(text)
+
+
+class _NotebookLine:
+    """An output that is changed in its place, and empty in the end."""
+
+    def __init__(self) -> None:
+        self._handle: Any = None
+
+    def write(self, text: str) -> None:
+        from IPython.display import display  # noqa: PLC0415
+
+        shown = {"text/plain": text}
+        if self._handle is not None:
+            self._handle.update(shown, raw=True)
+        elif text:
+            self._handle = display(shown, raw=True, display_id=True)  # type: ignore[no-untyped-call]
+
+
+def _in_notebook() -> bool:
+    shell = sys.modules.get("IPython")
+    found = shell.get_ipython() if shell is not None else None
+    return found is not None and hasattr(found, "kernel")

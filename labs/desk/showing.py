@@ -105,7 +105,7 @@ def curve(asked: Asked) -> Picture | None:
             assert series is not None
             style = {**figures.marker(line), **figures.line_style(line), "markevery": (0.05 * len(axes.lines), 0.4)}
             axes.plot(series.times, series.values, label=_who(line), **style)
-        axes.set(title=f"{asked.family.title}, {asked.case.name}", xlabel="time, s", ylabel=asked.family.curve.y_label)
+        axes.set(title=asked.title, xlabel="time, s", ylabel=asked.family.curve.y_label)
         figure.legend(loc="outside lower left", ncols=2, handlelength=3)
         content = io.BytesIO()
         figure.savefig(content, format="png")
@@ -121,7 +121,7 @@ def replay(asked: Asked) -> Replay | None:
     from reference.viewer import making, page  # noqa: PLC0415 - a check needs none of it
 
     scenario = asked.case.scenarios[0]
-    clip = making.clip(scenario, {each.title: each for each in poses}, f"{asked.family.title}, {asked.case.name}")
+    clip = making.clip(scenario, {each.title: each for each in poses}, asked.title)
     return Replay(page.frame(clip), f"[replay: {', '.join(each.title for each in poses)}]")
 
 
@@ -135,7 +135,7 @@ def _table(asked: Asked, quantity: Quantity, prediction: Prediction | None) -> T
         cells.append(("theory", _value(theory, quantity.unit), "", ""))
     unit = f", {quantity.unit}" if quantity.unit else ""
     missing = tuple(f"{_who(line)}: {line.note}" for line in asked.lines if not _row(line, quantity.name))
-    title = f"{quantity.title[:1].upper()}{quantity.title[1:]}: {asked.family.title.lower()}, {asked.case.name}"
+    title = f"{quantity.title[:1].upper()}{quantity.title[1:]} ({asked.family.title.lower()}, {asked.case.name})"
     return Table(title, ("", f"value{unit}", "off by", ""), tuple(cells), missing)
 
 

@@ -23,7 +23,7 @@ Look = Callable[[Pairs, Array], tuple[Array, Array]]
 tolerance, s."""
 TOLERANCE = 1e-6
 """How near is a touch, m."""
-ROUNDS = 1000
+STEPS = 1000
 """After these the time that was reached is the answer: early, never late."""
 
 
@@ -140,7 +140,7 @@ def free_time(separation: Array, closing: Array) -> Array:
 def advance(look: Look, dt: Array, tolerance: Array) -> Array:
     """Go on from look to look until the pair touches or the step is over."""
     time, pairs = np.zeros(dt.shape), np.arange(dt.size)
-    for _ in range(ROUNDS):
+    for _ in range(STEPS):
         separation, free = look(pairs, time[pairs])
         apart = separation > tolerance[pairs]
         pairs, free = pairs[apart], free[apart]

@@ -1,0 +1,150 @@
+"""The tree that a student gets: everything but solutions, hidden tests, known mistakes and the instructor's pages.
+
+Functions of closed labs, and those of later labs that runs of the open ones need, come as `labs/given`.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import tempfile
+import zipfile
+from collections.abc import Collection, Iterator
+from pathlib import Path
+
+from labs.building import lessons, notebooks
+from labs.building.pieces import Pieces, imports_of, text_of
+from reference import lecture
+from reference.errors import InvalidInput
+
+ROOT = Path(__file__).resolve().parents[2]
+NAME = "collisions-lab"
+_FOLDERS = ("labs", "reference", "tests/autograder/visible")
+_FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
+_LEFT_OUT = ("labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py")
+"""What makes notebooks and what holds model answers; notebooks and given functions are made for each release."""
+_DATE = (1980, 1, 1, 0, 0, 0)
+"""Of the files in an archive: the same release makes the same bytes on every day."""
+
+
+def release(out: Path, through: str | None = None) -> list[str]:
+    """Write the tree of the labs up to one of them, as a folder or, where its name ends in `.zip`, as an archive.
+
+    Returns the labs in it.
+
+    Raises
+    ------
+    InvalidInput
+        If there is such a folder and it is not empty, or there is no lesson of that lab.
+    """
+    open_labs = _through(through)
+    if out.suffix == ".zip":
+        with tempfile.TemporaryDirectory() as folder:
+            _write(Path(folder, NAME), open_labs)
+            _pack(Path(folder), out)
+    else:
+        if out.exists() and (not out.is_dir() or any(out.iterdir())):
+            raise InvalidInput(f"{str(out)!r} is there already and not empty: name a new folder")
+        _write(out, open_labs)
+    return open_labs
+
+
+def given(open_labs: Collection[str]) -> dict[str, str]:
+    """The modules of `labs/given` by name: closed labs whole, of others what the open ones lend."""
+    last = max((_place(name) for name in open_labs), default=-1)
+    closed = {topic.name for topic in lecture.TOPICS[: last + 1]} - {lecture.TOPICS[last].name}
+    wanted = {name: [entry.name for entry in lecture.functions_of(name)] for name in closed}
+    for name in (lent for topic in open_labs for lent in lessons.read(topic).lent):
+        found = wanted.setdefault(lecture.function(name).topic, [])
+        found += [name] * (name not in found)
+    return {topic: _module(topic, names) for topic, names in sorted(wanted.items()) if names}
+
+
+def _through(through: str | None) -> list[str]:
+    there = lessons.lessons()
+    if through is None:
+        return list(there)
+    name = lecture.topic(through).name
+    if name not in there:
+        raise InvalidInput(f"{name} has no lesson yet; there are lessons of {', '.join(there)}")
+    return [topic for topic in there if _place(topic) <= _place(name)]
+
+
+def _place(topic: str) -> int:
+    return [each.name for each in lecture.TOPICS].index(topic)
+
+
+def _write(out: Path, open_labs: Collection[str]) -> None:
+    out.mkdir(parents=True, exist_ok=True)
+    for name in _FOLDERS:
+        shutil.copytree(ROOT / name, out / name, ignore=_ignored, dirs_exist_ok=True)
+    for name in _FILES:
+        shutil.copy(ROOT / name, out / name)
+    project = out / "pyproject.toml"
+    project.write_text(_for_students(project.read_text(encoding="utf-8")), encoding="utf-8")
+    for topic in open_labs:
+        path = out / "labs" / "notebooks" / f"{topic}.ipynb"
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(notebooks.text(notebooks.student(topic)), encoding="utf-8")
+    folder = out / "labs" / "given"
+    folder.mkdir()
+    (folder / "__init__.py").write_text('"""Functions that are given: answers of labs that are closed."""\n')
+    for topic, text in given(open_labs).items():
+        (folder / f"{topic}.py").write_text(text, encoding="utf-8")
+    (out / "README.md").write_text(_README, encoding="utf-8")
+
+
+def _ignored(folder: str, names: list[str]) -> set[str]:
+    here = Path(folder).relative_to(ROOT).as_posix()
+    return {
+        name
+        for name in names
+        if name == "__pycache__" or name.startswith(".") or f"{here}/{name}" in _LEFT_OUT or name.endswith(".pyc")
+    }
+
+
+def _for_students(project: str) -> str:
+    """The project's settings without what a student's tree has not."""
+    return re.sub(
+        r'^packages = \["labs", "reference", "solutions"\]', 'packages = ["labs", "reference"]', project, flags=re.M
+    )
+
+
+def _module(topic: str, names: Collection[str]) -> str:
+    pieces = Pieces.of(topic).needed(names)
+    head = f'"""{lecture.topic(topic).title}: given."""\n\nfrom __future__ import annotations\n\n'
+    return f"{head}{imports_of(pieces)}\n\n{text_of(pieces)}\n"
+
+
+def _pack(folder: Path, out: Path) -> None:
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in sorted(_files(folder)):
+            entry = zipfile.ZipInfo(path.relative_to(folder).as_posix(), _DATE)
+            entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
+            archive.writestr(entry, path.read_bytes())
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    return (path for path in folder.rglob("*") if path.is_file())
+
+
+_README = """\
+# Collisions Lab
+
+The labs are notebooks in `labs/notebooks`. Open the first one and run its first cell: it says what is missing.
+
+On your own machine, with Python 3.11 or later, once:
+
+```sh
+python -m venv .venv
+.venv/bin/python -m pip install -c constraints.txt -e ".[notebooks,mujoco]"
+.venv/bin/jupyter lab labs/notebooks
+```
+
+On Windows the programs are in `.venv\\Scripts`. PyBullet has ready-made wheels for Python 3.11 on Linux only:
+`pip install -e ".[pybullet]"`. Without any engine the labs work all the same: recordings answer instead.
+
+On Colab: open a notebook there, run its first cell, and choose `collisions-lab.zip` when it asks for a file.
+
+`collisions check labs/notebooks/detection.ipynb` checks a notebook without opening it.
+"""
