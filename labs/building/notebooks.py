@@ -103,7 +103,7 @@ def solved(topic: str) -> dict[str, Any]:
     for cell in lesson.cells:
         if cell.kind == "write":
             for name in cell.names:
-                _function(desk, name, text_of(desk.take([name])))
+                _function(desk, name, _silent(text_of(desk.take([name]))))
         elif cell.kind == "broken":
             for model in lesson.models(cell.value):
                 desk.add("code" if model.code else "markdown", model.text)
@@ -147,9 +147,13 @@ def _given(desk: _Desk, cell: Cell) -> str:
     shown = {name for piece in found for name in piece.defines} & set(desk.lesson.written)
     if shown:
         raise InvalidInput(f"the lesson of {desk.lesson.topic} gives {cell.value}, which needs {', '.join(shown)}")
-    return "\n".join(
-        filter(None, [f"# {cell.text or 'Given: run it, and read what you like.'}", first + text_of(found)])
-    )
+    title = cell.text.lstrip("# ") or "Given: run it, and read what you like."
+    return f"# {title}\n{first}{_silent(text_of(found))}"
+
+
+def _silent(text: str) -> str:
+    """A cell whose last line is the description of a value would print it."""
+    return f"{text};" if text.endswith('"""') else text
 
 
 def _function(desk: _Desk, name: str, text: str) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,7 @@ from reference.scenarios import find
 
 if TYPE_CHECKING:
     from labs.desk.asking import Asked
+    from reference.report.summary import Line
 
 TIMESTEP = "timestep"
 MOST = 8
@@ -41,30 +42,47 @@ class Sweep:
         family = self.asked[0].family
         return family.quantity(self.quantity) if self.quantity else family.quantities[0]
 
-    def numbers(self) -> dict[str, list[tuple[float, float | None, float | None]]]:
-        """For each implementation its values: the parameter, what was measured, and what theory says."""
-        found: dict[str, list[tuple[float, float | None, float | None]]] = {}
-        for value, asked in zip(self.values, self.asked, strict=True):
-            for line in asked.lines:
-                row = next((row for row in line.result.rows if row.quantity == self.measured.name), None)
-                known = (row.measured, row.expected) if row else (None, None)
-                found.setdefault(line.result.title, []).append((value, *known))
+    @property
+    def titles(self) -> dict[str, str]:
+        """The engines that were asked, as they are called; with the mark of a recording where one answered."""
+        found: dict[str, str] = {}
+        for line in self._lines():
+            if line.result.recording or line.result.job.engine not in found:
+                found[line.result.job.engine] = line.result.title
         return found
+
+    def numbers(self, engine: str) -> list[tuple[float, float | None, float | None]]:
+        """An engine's numbers: the parameter, what was measured, and what theory says."""
+        found = []
+        for value, asked in zip(self.values, self.asked, strict=True):
+            lines = [line for line in asked.lines if line.result.job.engine == engine]
+            row = next((row for line in lines for row in line.result.rows if row.quantity == self.measured.name), None)
+            found.append((value, row.measured if row else None, row.expected if row else None))
+        return found
+
+    def theory(self) -> dict[float, float]:
+        """What theory says, by the parameter's value; nothing where it says nothing."""
+        rows = [row for engine in self.titles for row in self.numbers(engine)]
+        return {value: expected for value, _, expected in rows if expected is not None}
 
     @property
     def table(self) -> Table:
         """Every implementation's numbers, one row a value."""
-        found = self.numbers()
-        rows = []
-        for place, value in enumerate(self.values):
-            theory = next((row[place][2] for row in found.values() if row[place][2] is not None), None)
-            cells = [_digits(row[place][1]) for row in found.values()]
-            rows.append((numbers.digits(value, 3), *cells, _digits(theory)))
+        columns, theory = [self.numbers(engine) for engine in self.titles], self.theory()
+        rows = [
+            (numbers.digits(value, 3), *(_digits(column[place][1]) for column in columns), _digits(theory.get(value)))
+            for place, value in enumerate(self.values)
+        ]
         unit = f", {self.measured.unit}" if self.measured.unit else ""
         title = f"{self.measured.title}{unit}, by {self.parameter}"
-        notes = dict.fromkeys(asked.snapped for asked in self.asked if asked.snapped)
-        missing = {f"{line.result.title}: {line.note}" for asked in self.asked for line in asked.lines if line.note}
-        return Table(title, (self.parameter, *found, "theory"), tuple(rows), (*sorted(missing), *notes))
+        lines = list(self._lines())
+        notes = [f"{line.result.title}: {line.note}" for line in lines if line.note]
+        notes += [line.result.recording for line in lines] + [asked.snapped for asked in self.asked]
+        headings = (self.parameter, *self.titles.values(), "theory")
+        return Table(title, headings, tuple(rows), tuple(dict.fromkeys(note for note in notes if note)))
+
+    def _lines(self) -> Iterator[Line]:
+        return (line for asked in self.asked for line in asked.lines)
 
     @property
     def picture(self) -> Picture:
@@ -79,7 +97,7 @@ class Sweep:
             figure = Figure(figsize=size, layout="constrained", dpi=DPI)
             places = figure.subplots(rows, columns, squeeze=False).flat
             for axes, value, asked in zip(places, self.values, self.asked, strict=False):
-                _draw(axes, asked)
+                _draw(axes, asked, self.titles)
                 axes.set_title(f"{self.parameter} {value:g}")
             _draw_measured(places[count - 1], self)
             for axes in list(places)[count:]:
@@ -140,21 +158,21 @@ def slide(sweep: Sweep) -> None:
     ipywidgets.interact(show, value=slider)
 
 
-def _draw(axes: Any, asked: Asked) -> None:
+def _draw(axes: Any, asked: Asked, titles: Mapping[str, str]) -> None:
     for line in asked.lines:
         series = line.result.series
         if series is not None:
-            axes.plot(series.times, series.values, label=line.result.title, **figures.line_style(line))
+            label = titles[line.result.job.engine]
+            axes.plot(series.times, series.values, label=label, **figures.line_style(line))
 
 
 def _draw_measured(axes: Any, sweep: Sweep) -> None:
-    looks = {line.result.title: line for asked in sweep.asked for line in asked.lines}
-    for title, found in sweep.numbers().items():
-        xs = [value for value, measured, _ in found if measured is not None]
-        ys = [measured for _, measured, _ in found if measured is not None]
-        axes.plot(xs, ys, label=title, **figures.marker(looks[title]), **figures.line_style(looks[title], thin=True))
-    rows = [row for found in sweep.numbers().values() for row in found]
-    theory = {value: expected for value, _, expected in rows if expected is not None}
+    looks = {line.result.job.engine: line for asked in sweep.asked for line in asked.lines}
+    for engine, title in sweep.titles.items():
+        found = [(value, measured) for value, measured, _ in sweep.numbers(engine) if measured is not None]
+        look = {**figures.marker(looks[engine]), **figures.line_style(looks[engine], thin=True)}
+        axes.plot([value for value, _ in found], [measured for _, measured in found], label=title, **look)
+    theory = sweep.theory()
     axes.plot(list(theory), list(theory.values()), color="#999999", linestyle=":", label="theory")
     unit = f", {sweep.measured.unit}" if sweep.measured.unit else ""
     axes.set(title=f"{sweep.measured.title}{unit}", xlabel=sweep.parameter)
