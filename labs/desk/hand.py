@@ -8,9 +8,11 @@ or a crash in it costs a run, and the kernel lives on.
 from __future__ import annotations
 
 import ast
+import atexit
 import hashlib
 import importlib.util
 import json
+import shutil
 import tempfile
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -50,9 +52,9 @@ def executed_cells() -> list[str]:
     return [] if shell is None else list(shell.history_manager.input_hist_raw[1:])
 
 
-def written_down(cells: Sequence[str], folder: Path) -> Path:
+def written_down(cells: Sequence[str]) -> Path:
     """Cells as a notebook file, the n-th of them code cell n."""
-    path = folder / "notebook.ipynb"
+    path = _folder() / "notebook.ipynb"
     content = {
         "nbformat": 4,
         "nbformat_minor": 5,
@@ -120,14 +122,17 @@ def _stubs(names: Iterable[str]) -> str:
 
 def _file(name: str, text: str) -> Path:
     """The text as a file that stays as long as this process; the same text is the same file."""
-    path = Path(_folder().name, f"{name}-{hashlib.sha256(text.encode()).hexdigest()[:12]}.py")
+    path = Path(_folder(), f"{name}-{hashlib.sha256(text.encode()).hexdigest()[:12]}.py")
     path.write_text(f"from __future__ import annotations\n{text}", encoding="utf-8")
     return path
 
 
 @cache
-def _folder() -> tempfile.TemporaryDirectory[str]:
-    return tempfile.TemporaryDirectory(prefix="collisions-lab-")
+def _folder() -> Path:
+    """A folder of this process alone, which goes with it."""
+    made = tempfile.mkdtemp(prefix="collisions-lab-")
+    atexit.register(shutil.rmtree, made, ignore_errors=True)
+    return Path(made)
 
 
 def _given() -> str:
