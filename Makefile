@@ -37,6 +37,7 @@ lint: $(READY)   ## style and types
 docs: $(READY)   ## draw the figures of the statements and write their page
 	$(BIN)/python docs/figures/draw.py
 	$(BIN)/python docs/statement_table.py
+	$(BIN)/python docs/symbol_table.py
 
 verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report
 	$(BIN)/python -m pytest -n auto --dist loadfile -m slow --timeout=1200

@@ -1,0 +1,44 @@
+"""Writes docs/symbols.md: the slides' symbols, their names in code and their units, from `reference.symbols`.
+
+`python docs/symbol_table.py` writes the page; `--check` only says whether it is up to date.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from reference.symbols import SYMBOLS
+
+PAGE = Path(__file__).with_name("symbols.md")
+HEAD = """# Symbols
+
+What the slides write, what it is called in code, and its unit. One thing has one name, in functions, tables and axes.
+Vectors have three components along the last axis, all other axes count contacts; quaternions are w, x, y, z; z points
+up. Written by `python docs/symbol_table.py` from `reference/symbols.py`.
+
+| slide | here | in code | unit | what it is | statements |
+|---|---|---|---|---|---|
+"""
+
+
+def page() -> str:
+    """The page's text."""
+    rows = (
+        f"| {each.slide} | {each.here} | `{each.name}` | {each.unit} | {each.meaning} |"
+        f" {', '.join(map(str, each.statements))} |\n"
+        for each in SYMBOLS
+    )
+    return HEAD + "".join(rows)
+
+
+def main() -> int:
+    """Write the page, or say whether it is as it would be written."""
+    if "--check" in sys.argv[1:]:
+        return int(not PAGE.is_file() or PAGE.read_text(encoding="utf-8") != page())
+    PAGE.write_text(page(), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
