@@ -31,7 +31,7 @@ def course(tmp_path_factory):
 def without_engines(tmp_path, monkeypatch):
     """A kernel that finds no engine."""
     for name in ("pybullet", "mujoco", "dartpy"):
-        (tmp_path / f"{name}.py").write_text(f"raise ModuleNotFoundError('No module named {name!r}', name={name!r})\n")
+        (tmp_path / f"{name}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
 
 
