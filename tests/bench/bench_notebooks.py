@@ -1,0 +1,51 @@
+"""How long a student waits: one check in a notebook, and every cell of a solved one."""
+
+from __future__ import annotations
+
+import atexit
+import tempfile
+from collections.abc import Callable
+from functools import partial
+
+from labs.benching import Bench
+from labs.building import lessons, notebooks
+from labs.desk import checking, hand
+from labs.grading.remote import Grader
+
+
+def check() -> Callable[[], object]:
+    """`lab.check("impulse_magnitude")` in a kernel that has checked before."""
+    cells = ["".join(cell["source"]) for cell in notebooks.solved("impulse")["cells"] if cell["cell_type"] == "code"]
+    grader = Grader()
+    atexit.register(grader.close)
+    return lambda: checking.report(hand.written_down(cells), "impulse", ["impulse_magnitude"], grader)
+
+
+def solved(topic: str) -> Callable[[], object]:
+    import nbformat  # noqa: PLC0415 - an extra
+    from nbclient import NotebookClient  # noqa: PLC0415
+
+    path = notebooks.SOLVED / f"{topic}.ipynb"
+
+    def run() -> object:
+        notebook = nbformat.read(path, as_version=4)
+        with tempfile.TemporaryDirectory(prefix="bench-notebooks-") as folder:
+            place = {"metadata": {"path": folder}}
+            return NotebookClient(notebook, timeout=300, resources=place).execute()
+
+    return run
+
+
+BENCHES = (
+    Bench("check", "one function checked in a notebook, its process and its tests", check, goal=1.0, who="lab.check"),
+    *(
+        Bench(
+            f"notebook-{topic}",
+            f"the solved notebook of {topic}, every cell; after the first time its runs are in the cache",
+            partial(solved, topic),
+            goal=30.0,
+            who=f"{topic}.ipynb",
+        )
+        for topic in lessons.lessons()
+    ),
+)
