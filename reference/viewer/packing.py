@@ -19,8 +19,9 @@ FARTHEST = 1e9
 
 def packed(values: Array, step: float) -> str:
     """Text for values (n, …), any unit, kept to `step` of it: column after column, each n numbers."""
-    count = len(values)
-    steps = np.rint(np.clip(values / step, -FARTHEST, FARTHEST)).astype(np.int64).reshape(count, -1)
+    if not values.size:
+        return ""
+    steps = np.rint(np.clip(values / step, -FARTHEST, FARTHEST)).astype(np.int64).reshape(len(values), -1)
     twice = np.diff(steps, n=2, axis=0, prepend=np.zeros((2, steps.shape[1]), dtype=np.int64))
     zigzag = np.where(twice < 0, -2 * twice - 1, 2 * twice)
     content = bytearray()

@@ -34,8 +34,9 @@ _PAGE = """<!doctype html>
 
 
 def script() -> str:
-    """The script, once for all replays of a page, below them."""
-    return _own("replay.js")
+    """The script, once for all replays of a page, below them; without the indents and comments of its source."""
+    lines = (line.strip() for line in _own("replay.js").splitlines())
+    return "\n".join(line for line in lines if line and not line.startswith("//")) + "\n"
 
 
 def style() -> str:
@@ -57,16 +58,17 @@ def fragment(clip: Clip, autoplay: bool = False) -> str:
     )
 
 
-def html(clips: Sequence[Clip], title: str = "", text: Sequence[str] = ()) -> str:
+def html(clips: Sequence[Clip], title: str = "", above: Sequence[str] = (), below: Sequence[str] = ()) -> str:
     """A whole page with one replay or several, which needs nothing beside it.
 
-    title: its heading, the first clip's where it is empty. text: paragraphs above the replays.
+    title: its heading, the first clip's where it is empty. above, below: paragraphs about the replays.
     """
     heading = title or (clips[0].title if clips else "")
-    lines = [f"<h1>{escape(heading)}</h1>", *(f"<p>{escape(paragraph)}</p>" for paragraph in text)]
+    lines = [f"<h1>{escape(heading)}</h1>", *(f"<p>{escape(paragraph)}</p>" for paragraph in above)]
     for clip in clips:
         lines += [f"<h2>{escape(clip.title)}</h2>"] if clip.title != heading else []
         lines.append(fragment(clip, autoplay=len(clips) == 1))
+    lines += [f"<p>{escape(paragraph)}</p>" for paragraph in below]
     return _page(heading, "replay-page", "\n".join(lines))
 
 

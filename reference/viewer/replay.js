@@ -2,7 +2,7 @@
 // element as JSON; docs/viewer.md says what is in it. Only the replay that plays asks the browser for frames.
 "use strict";
 (() => {
-const HELP = "Keys: space plays and pauses; ← → step (ten with Shift); Home, End; I next impact; + − speed; " +
+const HELP = "Space plays and pauses; ← → step (ten with Shift); Home, End; I next impact; + − speed; " +
   "1 … 9 runs; C contacts; [ ] { } or dragging turn the view; R resets.";
 const ICONS = { play: "M3 1l11 7-11 7z", pause: "M3 1h4v14H3zM9 1h4v14H9z", back: "M3 1h2v14H3zM14 1v14L7 8z",
   next: "M11 1h2v14h-2zM2 1l7 7-7 7z", impact: "M7 0h2v6h4l-5 6-5-6h4zM2 14h12v2H2z",
@@ -93,7 +93,9 @@ class Replay {
       this.contactBox = this.box(true, on => { this.contacts = on; });
       this.whose = add(this.contactBox.parentNode, "span");
     }
-    add(element, "p", { class: "replay-help" }, HELP);
+    const help = add(element, "details", { class: "replay-help" });
+    add(help, "summary", {}, "Keys");
+    add(help, "span", {}, HELP);
   }
   button(icon, label, action) {
     const made = add(this.bar, "button", { type: "button", title: label, "aria-label": label });
@@ -267,9 +269,9 @@ class Replay {
       pen.setLineDash(run.dash);
       if (place) this.run(run).forEach(part => this.paint(part));
       pen.setLineDash([]);
-      if (runs.length > 1) this.name(run, place);
     });
     this.arrows(runs.find(run => run.shown && run.count));
+    if (runs.length > 1) runs.forEach((run, place) => run.shown && this.name(run, place));
   }
   place(run, columns, i) {
     const frame = Math.min(this.frame, run.count - 1);
@@ -283,10 +285,15 @@ class Replay {
       found.push(...this.parts(this.clip.solids[solid], this.place(run, run.at, i), turn, colour, fill));
     });
     const points = Array.from({ length: run.mesh }, (_, i) => this.project(this.place(run, run.net, i)));
-    for (const [a, b] of points.length ? this.clip.springs : [])
-      found.push({ path: [points[a], points[b]], open: true, stroke: colour, depth: (points[a][2] + points[b][2]) / 2 });
+    for (const ends of points.length ? this.clip.springs : []) {
+      const path = ends.map(end => points[end]);
+      found.push({ path, open: true, stroke: colour, depth: (path[0][2] + path[1][2]) / 2 });
+    }
     for (const disc of points) found.push({ disc, radius: 3, fill: fill && colour, stroke: colour, depth: disc[2] });
-    for (const part of found) Object.assign(part, { faint: this.frame >= run.count, width: fill ? 1.5 : run.width });
+    for (const part of found) {
+      part.faint = this.frame >= run.count;
+      part.width = fill ? 1.5 : part.open || part.radius === 3 ? Math.min(2, run.width) : run.width;
+    }
     return found;
   }
   parts(solid, at, turn, stroke, fill) {
@@ -353,7 +360,10 @@ class Replay {
     if (edge || facing > 0) pen.fill();
     [pen.strokeStyle, pen.lineWidth] = edge ? [colours.dim, 1.5] : [colours.line, 1];
     if (edge) this.line([spot(-1, 0), spot(1, 0)]);
-    else for (let i = -1; i <= 1; i += 0.25) [[spot(i, -1), spot(i, 1)], [spot(-1, i), spot(1, i)]].forEach(this.line, this);
+    for (let i = -1; !edge && i <= 1; i += 0.25) {
+      this.line([spot(i, -1), spot(i, 1)]);
+      this.line([spot(-1, i), spot(1, i)]);
+    }
   }
   ways(run) { // of the centres, so far
     const { pen } = this, length = Math.min(this.frame + 1, run.count);
@@ -398,7 +408,8 @@ class Replay {
   arrow(from, direction, length, width) { // where its tip is; nothing where it points at the viewer
     const { pen } = this, u = dot(direction, this.right), v = -dot(direction, this.up), seen = Math.hypot(u, v);
     if (seen < 0.05) return null;
-    const [x, y] = this.project(from), tip = [x + u * length, y + v * length], k = Math.min(4 + 1.6 * width, length / 3);
+    const [x, y] = this.project(from), tip = [x + u * length, y + v * length];
+    const k = Math.min(4 + 1.6 * width, length / 3);
     const barbs = [0.6, -0.6].map(side => [tip[0] - k * (u + side * v) / seen, tip[1] - k * (v - side * u) / seen]);
     for (const [colour, more] of [[this.colours.page, 3], [this.colours.ink, 0]]) {
       [pen.strokeStyle, pen.lineWidth] = [colour, width + more];
