@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 
 from reference.errors import InvalidInput
-from reference.replay import Poses
+from reference.replay import FARTHEST, Poses
 from reference.scenario import Scenario
 from reference.viewer.clip import DASHES, LOOKS, Clip, Run, Solid
 from reference.viewer.framing import framed
@@ -36,11 +36,13 @@ def clip(scenario: Scenario, runs: Mapping[str, Poses], title: str = "", hidden:
 def _run(scenario: Scenario, poses: Poses, name: str, look: int, shown: bool) -> Run:
     for body in poses.bodies:
         scenario.body(body)  # or it is refused
-    values = np.concatenate([poses.positions, poses.orientations], axis=-1)
-    count = _whole(values)
-    found = tuple(touches(scenario, poses, count))
+    count = _whole(np.concatenate([poses.positions, poses.orientations], axis=-1))
+    positions = np.clip(poses.positions[:count], -FARTHEST, FARTHEST)
+    whole = Poses(poses.title, poses.bodies, poses.times[:count], positions, poses.orientations[:count])
+    values = np.concatenate([positions, whole.orientations], axis=-1)
+    found = tuple(touches(scenario, whole))
     nothing = np.zeros((count, 0, 3))
-    return Run(poses.title or name, look, poses.bodies, values[:count], nothing, found, shown, poses.recording)
+    return Run(poses.title or name, look, poses.bodies, values, nothing, found, shown, poses.recording)
 
 
 def mesh_clip(
@@ -68,7 +70,7 @@ def mesh_clip(
             if not all(0 <= end < points.shape[1] for end in pair):
                 raise InvalidInput(f"{title}: spring {pair} is none of the {points.shape[1]} points of {name}")
         count = _whole(points)
-        found.append(Run(name, looks[name], (), np.zeros((count, 0, 7)), points[:count]))
+        found.append(Run(name, looks[name], (), np.zeros((count, 0, 7)), np.clip(points[:count], -FARTHEST, FARTHEST)))
     pairs = tuple((int(start), int(end)) for start, end in springs)
     return framed(Clip(title, rate, tuple(solids), tuple(found), pairs))
 

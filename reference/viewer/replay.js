@@ -271,7 +271,8 @@ class Replay {
       pen.setLineDash([]);
     });
     this.arrows(runs.find(run => run.shown && run.count));
-    if (runs.length > 1) runs.forEach((run, place) => run.shown && this.name(run, place));
+    const named = runs.length > 1 ? runs.filter(run => run.shown && run.count) : [];
+    named.forEach((run, place) => this.name(run, place - (named.length - 1) / 2));
   }
   place(run, columns, i) {
     const frame = Math.min(this.frame, run.count - 1);
@@ -374,14 +375,15 @@ class Replay {
     });
     pen.globalAlpha = 1;
   }
-  name(run, place) { // the run's letter, in a row of all, on the body that is furthest from the first run's
+  name(run, place) { // the run's letter, in a row of all those in sight, on the body that is furthest from the first run's
     const { runs, solids } = this.clip, solid = solids[run.bodies[run.marked]] || {};
-    if (!run.count || !(run.bodies.length || run.mesh)) return;
+    const apart = 9 + 6 * Math.max(...runs.map(each => each.tag.length));
+    if (!run.bodies.length && !run.mesh) return;
     const [x, y] = this.project(this.place(run, run.bodies.length ? run.at : run.net, run.marked));
     const reach = [0, 1, 2].map(axis => Math.max(0, ...(solid.points || []).map(point => point[axis])));
     const size = this.scale * (solid.sphere || solid.capsule?.[0] || Math.min(...reach));
     const above = size < 9 ? size + 24 : 0;
-    this.text(run.tag, x + 15 * (place - (runs.length - 1) / 2), y - above, this.colours[run.look], "bold");
+    this.text(run.tag, x + apart * place, y - above, this.colours[run.look], "bold");
   }
   text(words, x, y, colour, weight = "") {
     const { pen } = this;

@@ -42,13 +42,11 @@ class Touch:
     impulse: tuple[float, ...] = ()
 
 
-def touches(scenario: Scenario, poses: Poses, count: int) -> list[Touch]:
-    """Contacts and impacts in the first `count` samples of a run, in the order of time."""
-    if count < 3:
+def touches(scenario: Scenario, poses: Poses) -> list[Touch]:
+    """Contacts and impacts of a run, in the order of time."""
+    if len(poses.times) < 3:
         return []
-    places = {
-        name: (poses.positions[:count, at], poses.orientations[:count, at]) for at, name in enumerate(poses.bodies)
-    }
+    places = {name: (poses.positions[:, at], poses.orientations[:, at]) for at, name in enumerate(poses.bodies)}
     meetings = [meeting for pair in scenario.pairs if (meeting := meeting_of(scenario, pair, places)) is not None]
     found = [touch for meeting in meetings for touch in _contacts(meeting, places[meeting.body_a.name][0])]
     found += _impacts(scenario, meetings, places, float(poses.times[1]))
