@@ -179,7 +179,7 @@ class Replay {
     this.draw();
   }
   play(on) {
-    if (on === (playing === this)) return;
+    if (on === (playing === this) || (on && this.visible === false)) return; // nobody would see it
     if (playing && on) playing.play(false);
     playing = on ? this : null;
     const label = on ? "Pause" : "Play";

@@ -1,18 +1,10 @@
-"""What the tests of the viewer share: runs that nobody had to run, a reader of packed numbers, and a browser."""
+"""What the tests of the viewer share: runs that nobody had to run, and a reader of packed numbers."""
 
 from __future__ import annotations
 
 import base64
-import html
-import json
-import re
-import shutil
-import subprocess
-from pathlib import Path
-from typing import Any
 
 import numpy as np
-import pytest
 
 from reference.replay import Poses
 from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
@@ -92,45 +84,3 @@ def unpacked(text: str, count: int, columns: int) -> np.ndarray:
     zigzag = np.array(numbers, dtype=np.int64).reshape(columns, count)
     twice = np.where(zigzag % 2 == 1, -(zigzag + 1) // 2, zigzag // 2)
     return np.cumsum(np.cumsum(twice, axis=1), axis=1).T
-
-
-# A browser
-
-CHROMIUM = next(
-    (found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), ""
-)
-needs_browser = pytest.mark.skipif(not CHROMIUM, reason="there is no Chromium here")
-_HARNESS = """<script>
-window.errors = [];
-addEventListener("error", event => errors.push(event.message));
-const wait = seconds => new Promise(resolve => setTimeout(resolve, 1000 * seconds));
-const press = (key, more = {}, target = document.activeElement) =>
-  target.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true, ...more }));
-const ink = canvas => { // a number that changes with the picture
-  const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
-  return pixels.reduce((sum, value) => (sum * 31 + value) % 1000003, 0);
-};
-addEventListener("load", async () => {
-  const found = {};
-  try { await wait(0.3); await (async () => { %s })(); } catch (error) { errors.push(String(error)); }
-  const out = document.createElement("pre");
-  out.id = "found";
-  out.textContent = JSON.stringify({ ...found, errors });
-  document.body.append(out);
-});
-</script>
-</head>"""
-
-
-def browse(page: str, script: str, folder: Path, *flags: str) -> dict[str, Any]:
-    """What a script found out in a page. It fills `found`, and has `wait`, `press` and `ink`."""
-    path = folder / "page.html"
-    path.write_text(page.replace("</head>", _HARNESS.replace("%s", script), 1), encoding="utf-8")
-    command = [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder / 'profile'}"]
-    command += ["--enable-logging=stderr", "--window-size=900,700", "--virtual-time-budget=20000", *flags, "--dump-dom"]
-    said = subprocess.run([*command, path.as_uri()], capture_output=True, timeout=120, check=True, text=True)
-    result = re.search(r'<pre id="found">(.*?)</pre>', said.stdout, re.S)
-    assert result, "the script in the page did not end"
-    console = [line for line in said.stderr.splitlines() if "CONSOLE" in line]
-    found: dict[str, Any] = json.loads(html.unescape(result[1]))
-    return found | {"console": console}
