@@ -293,7 +293,7 @@ class Replay {
     for (const disc of points) found.push({ disc, radius: 3, fill: fill && colour, stroke: colour, depth: disc[2] });
     for (const part of found) {
       part.faint = this.frame >= run.count;
-      part.width = fill ? 1.5 : part.open || part.radius === 3 ? Math.min(2, run.width) : run.width;
+      part.width = fill ? 1.5 : run.mesh ? Math.min(2, run.width) : run.width;
     }
     return found;
   }
@@ -309,11 +309,18 @@ class Replay {
       return [{ capsule: [one, other], radius, fill, stroke, depth: (one[2] + other[2]) / 2 }];
     }
     const points = (solid.points || []).map(point => plus(at, rotate(turn, point)));
-    return (solid.faces || []).map(face => {
-      const [a, b, c] = face.map(i => points[i]), path = face.map(i => this.project(points[i]));
+    const places = points.map(point => this.project(point)), edges = new Map(), found = [];
+    for (const face of solid.faces || []) {
+      const [a, b, c] = face.map(i => points[i]), path = face.map(i => places[i]);
       const light = dot(unit(cross(plus(b, a, -1), plus(c, b, -1))), this.towards);
-      return { path, light, fill, stroke, depth: path.reduce((sum, point) => sum + point[2], 0) / path.length };
-    }).filter(part => part.light > 1e-3);
+      if (light < 1e-3) continue;
+      found.push({ path, light, fill, stroke, depth: path.reduce((sum, point) => sum + point[2], 0) / path.length });
+      face.forEach((start, i) => {
+        const end = face[(i + 1) % face.length];
+        edges.set([start, end].sort().join(), [places[start], places[end]]);
+      });
+    }
+    return fill ? found : [...edges.values()].map(path => ({ path, open: true, stroke, depth: 0 })); // each edge once
   }
   circles(at, turn, radius) { // the near halves of three great circles, by which one sees a ball turn
     return [0, 1, 2].map(axis => Array.from({ length: 41 }, (_, i) => {
@@ -375,7 +382,7 @@ class Replay {
     });
     pen.globalAlpha = 1;
   }
-  name(run, place) { // the run's letter, in a row of all those in sight, on the body that is furthest from the first run's
+  name(run, place) { // the run's letter, in a row of those in sight, on the body furthest from the first run's
     const { runs, solids } = this.clip, solid = solids[run.bodies[run.marked]] || {};
     const apart = 9 + 6 * Math.max(...runs.map(each => each.tag.length));
     if (!run.bodies.length && !run.mesh) return;

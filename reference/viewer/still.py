@@ -108,11 +108,15 @@ def _parts(solid: Solid, position: Array, turn: Array, picture: Picture, style: 
     elif radius:
         x, y, depth = seen[0].tolist()
         yield _Part(depth, f'<circle {style} cx="{x:.1f}" cy="{y:.1f}" r="{max(size, 1.5):.1f}"/>')
-    towards = basis(picture.view)[2]
+    towards, edges = basis(picture.view)[2], dict[tuple[int, ...], None]()
     for face in map(list, faces_of(solid.shape)):
         normal = np.cross(places[face[1]] - places[face[0]], places[face[2]] - places[face[1]])
         if normal @ towards > 1e-3 * np.linalg.norm(normal):
-            yield _Part(float(seen[face, 2].mean()), f'<path {style} d="{_path(seen[face])}z"/>')
+            edges |= dict.fromkeys(tuple(sorted(pair)) for pair in zip(face, face[1:] + face[:1], strict=True))
+            if style:
+                yield _Part(float(seen[face, 2].mean()), f'<path {style} d="{_path(seen[face])}z"/>')
+    if edges and not style:  # an outline has each edge once, or its dashes would fill each other's gaps
+        yield _Part(0.0, f'<path d="{"".join(_path(seen[list(pair)]) for pair in edges)}"/>')
 
 
 def _stadium(start: Array, end: Array, radius: float) -> str:

@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from reference.replay import Poses
 from reference.scenario import Body, Scenario
@@ -89,14 +88,15 @@ def _impacts(scenario: Scenario, meetings: Sequence[Meeting], places: Places, dt
     """Impulses through the pairs, those of neighbouring samples together."""
     gained = {name: _gained(scenario, scenario.body(name), places[name][0], dt) for name in places}
     through = np.zeros((len(meetings), len(next(iter(gained.values()))), 3))
-    sudden = _sudden(scenario, places, gained, dt)
-    for sample in np.flatnonzero(sudden):
-        able = [at for at, meeting in enumerate(meetings) if _could_touch(meeting, int(sample))]
+    least = _least(scenario, places, dt)
+    changes = np.max([np.linalg.norm(gained[name], axis=-1) / scenario.body(name).mass for name in places], axis=0)
+    sudden = np.flatnonzero(np.convolve(changes > least, np.ones(3), "same"))  # an impact between samples is in both
+    for sample in sudden.tolist():
+        able = [at for at, meeting in enumerate(meetings) if _could_touch(meeting, sample)]
         if able:
-            through[able, sample] = _shared([meetings[at] for at in able], int(sample), gained)
-    return [
-        touch for meeting, impulses in zip(meetings, through, strict=True) for touch in _gathered(meeting, impulses)
-    ]
+            through[able, sample] = _shared([meetings[at] for at in able], sample, gained)
+    pairs = zip(meetings, through, strict=True)
+    return [touch for meeting, impulses in pairs for touch in _gathered(meeting, impulses, least)]
 
 
 def _gained(scenario: Scenario, body: Body, positions: Array, dt: float) -> Array:
@@ -109,13 +109,11 @@ def _gained(scenario: Scenario, body: Body, positions: Array, dt: float) -> Arra
     return np.asarray(body.mass * (change - free * dt))
 
 
-def _sudden(scenario: Scenario, places: Places, gained: dict[str, Array], dt: float) -> NDArray[np.bool_]:
-    """Samples (n,) in which some body's velocity changes at once."""
-    top = max(np.linalg.norm(np.diff(positions, axis=0), axis=-1).max() / dt for positions, _ in places.values())
+def _least(scenario: Scenario, places: Places, dt: float) -> float:
+    """The least change of a velocity, m/s, between two samples that is an impact."""
+    ways = [np.linalg.norm(np.diff(positions, axis=0), axis=-1) for positions, _ in places.values()]
     weight, share = SUDDEN
-    least = max(weight * float(np.linalg.norm(scenario.gravity)) * dt, share * float(top), 1e-9)
-    changes = [np.linalg.norm(gained[name], axis=-1) / scenario.body(name).mass for name in places]
-    return np.asarray(np.max(changes, axis=0) > least)
+    return max(weight * float(np.linalg.norm(scenario.gravity)) * dt, share * float(np.max(ways)) / dt, 1e-9)
 
 
 def _could_touch(meeting: Meeting, sample: int) -> bool:
@@ -145,15 +143,16 @@ def _shared(meetings: Sequence[Meeting], sample: int, gained: dict[str, Array]) 
     return found
 
 
-def _gathered(meeting: Meeting, impulses: Array) -> list[Touch]:
-    """Impacts of a pair: impulses that push, those in neighbouring samples as one."""
+def _gathered(meeting: Meeting, impulses: Array, least: float) -> list[Touch]:
+    """Impacts of a pair: impulses that push, those in neighbouring samples as one; not what weight alone does."""
     push = np.sum(impulses * meeting.normal, axis=-1)
+    enough = least * min(meeting.body_a.mass, meeting.body_b.mass)
     strong = np.flatnonzero(push > max(0.01 * float(push.max()), 1e-9))
     found = []
-    for group in np.split(strong, np.flatnonzero(np.diff(strong) > 1) + 1) if strong.size else []:
-        at = int(group[np.argmin(meeting.gap[group])])
-        whole = impulses[group].sum(axis=0)
-        found.append(
-            _touch(int(group[0]), int(group[-1]), meeting.body_a, meeting.point[at], meeting.normal[at], whole)
-        )
+    for group in np.split(strong, np.flatnonzero(np.diff(strong) > 1) + 1):
+        if group.size and push[group].max() > enough:
+            at = int(group[np.argmin(meeting.gap[group])])
+            whole = impulses[group].sum(axis=0)
+            place, normal = meeting.point[at], meeting.normal[at]
+            found.append(_touch(int(group[0]), int(group[-1]), meeting.body_a, place, normal, whole))
     return found
