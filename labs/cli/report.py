@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -29,7 +30,8 @@ def report(
     fresh: jobs.Fresh = False,
 ) -> None:
     """Run the whole catalogue and write one page, with JSON, CSV and figures beside it."""
-    planned = jobs.planned(only, engine, implementation=implementation, with_studies=True)
+    asked = jobs.planned(only, engine, implementation=implementation, with_studies=True)
+    planned = [replace(job, with_poses=True) for job in asked]
     with files.staged(out) as folder:
         results = jobs.run(planned, workers, Cache(fresh=fresh))
         others = [] if only else _published(engine, implementation, workers, fresh)

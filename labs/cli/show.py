@@ -6,6 +6,7 @@ import io
 import os
 import tempfile
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -17,6 +18,7 @@ from rich.text import Text
 from labs.cli import jobs
 from labs.cli.console import output
 from labs.demonstrations import DEMONSTRATIONS, Demonstration, find
+from labs.replaying import page_of
 from labs.seen import Seen
 from reference.cache import Cache
 from reference.errors import InvalidInput
@@ -26,7 +28,7 @@ from reference.results import Job
 from reference.scenarios import catalogue
 from reference.study import plan
 
-SUFFIXES = (".svg", ".png", ".pdf")
+SUFFIXES, PAGES = (".svg", ".png", ".pdf"), (".html", ".htm")
 LEAST_HEIGHT, MOST_WIDTH = 11, 140
 """Lines of the lowest plot that can be read, and columns of the widest."""
 CLOSE = 5
@@ -45,6 +47,9 @@ def show(
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the plot to a file too: .svg, .png or .pdf.")
     ] = None,
+    html: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write a replay to a page that a browser opens: .html.")
+    ] = None,
     no_plot: Annotated[bool, typer.Option("--no-plot", help="No plot in the terminal.")] = False,
     workers: jobs.Workers = None,
     fresh: jobs.Fresh = False,
@@ -57,9 +62,10 @@ def show(
         _list()
         return
     demonstration = find(name)
-    if plot is not None:
-        _check(plot)
-    planned = _planned(demonstration, engine, implementation)
+    for file, option, suffixes in ((plot, "--plot", SUFFIXES), (html, "--html", PAGES)):
+        if file is not None:
+            _check(file, option, suffixes)
+    planned = [replace(job, with_poses=html is not None) for job in _planned(demonstration, engine, implementation)]
     output.print(Text(demonstration.title, style="bold"))
     output.print(Text(demonstration.question), Text(demonstration.look, style="italic"), "", sep="\n")
     results = jobs.run(planned, workers, Cache(fresh=fresh))
@@ -70,8 +76,13 @@ def show(
         _plot(seen, len(output.render_lines(Group(table, below))))
     output.print(table, below)
     if plot is not None:
-        _write(plot, seen)
+        _write(plot, "--plot", _figure(seen, plot.suffix.lower().lstrip(".")))
         output.print(f"The plot is in {plot}.", soft_wrap=True, markup=False)
+    if html is not None:
+        content = page_of(seen)
+        _write(html, "--html", content.encode()) if content else None
+        said = f"The replay is in {html}." if content else f"Nobody gave poses: there is no replay, and no {html}."
+        output.print(said, soft_wrap=True, markup=False)
     raise typer.Exit(0 if any(row.measured is not None for row in seen.rows) else jobs.COULD_NOT_COMPARE)
 
 
@@ -181,33 +192,34 @@ def _cell(seen: Seen, engine: str, profile: str, quantity: str, label: str = "")
     return Text(seen.said(row.measured, quantity), style=terminal.style_of(row.verdict) if wrong else "")
 
 
-def _check(file: Path) -> None:
+def _check(file: Path, option: str, suffixes: Sequence[str]) -> None:
     """Refuse, before anything runs, a file that cannot be written."""
-    if file.suffix.lower() not in SUFFIXES:
-        raise InvalidInput(f"--plot {str(file)!r} is no picture that can be drawn; it ends in {', '.join(SUFFIXES)}")
+    if file.suffix.lower() not in suffixes:
+        kind = "picture that can be drawn" if option == "--plot" else "page"
+        raise InvalidInput(f"{option} {str(file)!r} is no {kind}; it ends in {', '.join(suffixes)}")
     try:
         with tempfile.TemporaryFile(dir=file.parent):
             pass
         if file.is_dir():
             raise IsADirectoryError(None, "Is a directory")
     except OSError as error:
-        raise _unwritable(file, error) from None
+        raise _unwritable(file, option, error) from None
 
 
-def _unwritable(file: Path, error: OSError) -> InvalidInput:
-    return InvalidInput(f"cannot write the plot to {str(file)!r}: {error.strerror}; choose another --plot")
+def _unwritable(file: Path, option: str, error: OSError) -> InvalidInput:
+    what = "plot" if option == "--plot" else "replay"
+    return InvalidInput(f"cannot write the {what} to {str(file)!r}: {error.strerror}; choose another {option}")
 
 
-def _write(file: Path, seen: Seen) -> None:
-    """Write the plot to a file: a whole one, or none."""
-    content = _figure(seen, file.suffix.lower().lstrip("."))
+def _write(file: Path, option: str, content: bytes) -> None:
+    """Write a whole file, or none."""
     unfinished = file.with_name(f".unfinished-{file.name}")
     try:
         unfinished.write_bytes(content)
         os.replace(unfinished, file)
     except OSError as error:
         unfinished.unlink(missing_ok=True)
-        raise _unwritable(file, error) from None
+        raise _unwritable(file, option, error) from None
 
 
 def _figure(seen: Seen, kind: str) -> bytes:

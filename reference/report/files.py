@@ -29,6 +29,7 @@ from reference.published.judging import PublishedRow
 from reference.report import figures, page, published_page
 from reference.report.published_figures import oblique_impacts
 from reference.report.published_summary import PublishedTables
+from reference.report.replays import replay_of
 from reference.report.summary import Section, sections
 from reference.results import JobResult, PublishedResult
 
@@ -104,7 +105,8 @@ def write(results: Iterable[JobResult], folder: Path, published: Iterable[Publis
     _write(folder / "timings.json", _json(TIMINGS, {"seconds": [_timing(result) for result in ordered]}))
     _write(folder / "provenance.json", _json(PROVENANCE, provenance(versions)))
     address = PUBLISHED_PAGE if others else ""
-    _write(folder / PAGE, page.render(found, in_page, _compared(ordered), _platform(), address))
+    replays = {section.family.name: clip for section in found if (clip := replay_of(section)) is not None}
+    _write(folder / PAGE, page.render(found, in_page, _compared(ordered), _platform(), address, replays))
     if others:
         _write_published(others, folder)
 

@@ -22,6 +22,8 @@ from reference.report.summary import (
     verdict_line,
 )
 from reference.report.worst import furthest_from_theory, nearest_to_fail
+from reference.viewer import page as viewer
+from reference.viewer.clip import Clip
 
 WORST = 8
 """How many rows the lists of the worst have."""
@@ -33,11 +35,13 @@ def render(
     versions: Sequence[str],
     provenance: str,
     published: str = "",
+    replays: Mapping[str, Clip] | None = None,
 ) -> str:
     """Return the page.
 
     figures: by family, SVG texts with their captions. versions: what was compared, as in the opening sentence.
     provenance: on what, as in the last one. published: the address of the page of published cases, if there is one.
+    replays: by family.
     """
     drawn = {name: [(Markup(svg), caption) for svg, caption in pairs] for name, pairs in figures.items()}  # our own SVG
     rows = [row for section in found for line in section.lines for row in line.result.rows]
@@ -49,6 +53,9 @@ def render(
             sections=found,
             columns=columns(found),
             figures=drawn,
+            replays={name: Markup(viewer.fragment(clip)) for name, clip in (replays or {}).items()},
+            replay_style=Markup(viewer.style() if replays else ""),
+            replay_script=Markup(viewer.script() if replays else ""),
             versions=versions,
             provenance=provenance,
             published=published,

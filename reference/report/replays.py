@@ -1,0 +1,45 @@
+"""Replays of a comparison: one case in all implementations that gave its poses, run here or recorded elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from reference.family import Case
+from reference.replay import Poses, Track, unpack
+from reference.report.summary import Line, Section
+from reference.results import JobResult
+from reference.viewer.clip import Clip
+from reference.viewer.making import clip
+
+
+def replay_of(section: Section) -> Clip | None:
+    """The plotted case of a family in its tuned implementations; None where nobody gave poses of it."""
+    family = section.family
+    case = family.case(family.curve.case)
+    return case_clip(case, [line for line in section.lines if line.tuned], f"{family.title}: {case.name}")
+
+
+def case_clip(
+    case: Case, lines: Iterable[Line], title: str, profiles: Mapping[str, Mapping[str, str]] | None = None
+) -> Clip | None:
+    """One case in these implementations, the first of them drawn solid, other profiles than tuned at first hidden.
+
+    profiles: what a profile is called, by engine and profile, where its own name says too little.
+    """
+    found: dict[str, Poses] = {}
+    hidden = set()
+    for line in lines:
+        track = _track(line.result, case)
+        if track is not None:
+            engine, profile = line.result.job.engine, line.result.job.profile
+            name = engine if line.tuned else f"{engine} {profile}"
+            known = (profiles or {}).get(engine, {}).get(profile) or ("" if line.tuned else profile)
+            called = f"{line.result.title}, {known}".removesuffix(", ")
+            found[name] = unpack(track, called, line.result.recording)
+            hidden |= set() if line.tuned else {name}
+    return clip(case.scenarios[0], found, title, hidden) if found else None
+
+
+def _track(result: JobResult, case: Case) -> Track | None:
+    """A result's poses of a case, whatever settings its key names."""
+    return next((track for track in result.poses if track.key.partition(" @ ")[0] == case.name), None)

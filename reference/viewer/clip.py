@@ -1,0 +1,180 @@
+"""A clip: one scenario as one or several implementations ran it, small enough to stand in a page.
+
+`reference.viewer.making` makes it. Its JSON is the same for the same poses; `docs/viewer.md` says what is in it.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from reference.viewer import camera
+from reference.viewer.packing import packed
+from reference.viewer.shapes import Array, Shape, written
+from reference.viewer.touches import Touch
+
+SCHEMA, VERSION = "collisions-lab/replay", 1
+STEP, TURN = 1e-4, 5e-4
+"""Coarsest step, m, in which positions are kept, and that of the parts of quaternions."""
+FINENESS = 5e3
+"""Steps across what is seen, at least."""
+DASHES: tuple[tuple[int, ...], ...] = ((), (9, 4), (2, 4), (11, 4, 2, 4), (16, 4), (5, 2), (6, 3, 1, 3, 1, 3))
+"""Of the looks: lines differ by these, and by a letter, not by their colours alone."""
+WIDTHS = (1.5, 4.0, 2.6, 1.4, 4.0, 2.5, 2.0)
+"""Of the looks' outlines, px: where they coincide, the first show on both sides of the next."""
+SPEEDS = (0.25, 0.5, 1.0, 2.0)
+"""Offered, as multiples of real time, or of the slow motion in which a short run is watched."""
+SHOWN_RATE = 60
+"""Samples a second that a screen shows."""
+LEAST, MOST = 0.36, 0.75
+"""Height over width of a picture."""
+LOOKS = {"handwritten": 0, "pybullet": 1, "mujoco": 2, "dart": 3}
+"""The look that an engine has in every replay; others take one that is free."""
+
+
+@dataclass(frozen=True)
+class Solid:
+    """A body as it is drawn. position, orientation: where it is as long as no run says otherwise, m, w x y z."""
+
+    name: str
+    shape: Shape
+    position: tuple[float, ...] = (0.0, 0.0, 0.0)
+    orientation: tuple[float, ...] = (1.0, 0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """One implementation. bodies: b names. poses: (n, b, 7), position and orientation. points: (n, p, 3), of a mesh.
+
+    look: place in `DASHES`. shown: whether one sees it before asking. note: what there is to say of it.
+    """
+
+    title: str
+    look: int
+    bodies: tuple[str, ...]
+    poses: Array
+    points: Array
+    touches: tuple[Touch, ...] = ()
+    shown: bool = True
+    note: str = ""
+
+    @property
+    def count(self) -> int:
+        """How many samples it has."""
+        return len(self.poses)
+
+
+@dataclass(frozen=True, eq=False)
+class Clip:
+    """A replay's content. rate: samples a second. springs: pairs of points. The first run is drawn solid."""
+
+    title: str
+    rate: int
+    solids: tuple[Solid, ...]
+    runs: tuple[Run, ...]
+    springs: tuple[tuple[int, int], ...] = ()
+    view: camera.View = camera.FRONT
+    low: Array = field(default_factory=lambda: -np.ones(3))
+    high: Array = field(default_factory=lambda: np.ones(3))
+
+    @property
+    def count(self) -> int:
+        """Samples of the longest run, at least one."""
+        return max((run.count for run in self.runs), default=0) or 1
+
+    @property
+    def slow(self) -> float:
+        """How much slower than in reality one watches it: a short run is sampled more often for that."""
+        return min(1.0, SHOWN_RATE / self.rate)
+
+    @property
+    def ratio(self) -> float:
+        """Height over width of its picture."""
+        wide, high = camera.Picture(self.view, self.low, self.high, 1.0, 1.0, 0.0).extent
+        return min(MOST, max(LEAST, high / max(wide, 1e-9)))
+
+    def tags(self) -> list[str]:
+        """A letter or two for each run, no two alike."""
+        found: list[str] = []
+        for run in self.runs:
+            letter = next((sign for sign in run.title if sign.isalnum()), "?").upper()
+            numbered = (f"{letter}{number}" for number in range(2, len(self.runs) + 2))
+            found.append(letter if letter not in found else next(tag for tag in numbered if tag not in found))
+        return found
+
+    def json(self) -> str:
+        """The clip as the script reads it, without a character that could end a script element in a page."""
+        step = min(STEP, 10.0 ** math.floor(math.log10(max(float(np.max(self.high - self.low)), 1e-9) / FINENESS)))
+        content = {
+            "schema": SCHEMA,
+            "version": VERSION,
+            "title": self.title,
+            "rate": self.rate,
+            "count": self.count,
+            "step": step,
+            "turn": TURN,
+            "speeds": [[speed * self.slow, _fraction(speed * self.slow)] for speed in SPEEDS],
+            "ratio": _rounded(self.ratio),
+            "view": list(self.view),
+            "low": [_rounded(value) for value in self.low],
+            "high": [_rounded(value) for value in self.high],
+            "solids": [_solid(solid) for solid in self.solids],
+            "springs": [list(pair) for pair in self.springs],
+            "runs": [self._run(run, tag, step) for run, tag in zip(self.runs, self.tags(), strict=True)],
+        }
+        text = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+        escapes = {ord(sign): f"\\u{ord(sign):04x}" for sign in "<>&\u2028\u2029"}
+        return text.translate(escapes)
+
+    def _furthest(self, run: Run) -> int:
+        """The body, or the point of a mesh, that is at some time furthest from where the first run has it."""
+        first, count = self.runs[0], min(run.count, self.runs[0].count)
+        own, other = ((it.poses[:count, :, :3] if run.bodies else it.points[:count]) for it in (run, first))
+        if own.shape != other.shape or not own.size:
+            return 0
+        return int(np.argmax(np.linalg.norm(own - other, axis=-1).max(axis=0)))
+
+    def _run(self, run: Run, tag: str, step: float) -> dict[str, Any]:
+        places = {solid.name: at for at, solid in enumerate(self.solids)}
+        return {
+            "title": run.title,
+            "tag": tag,
+            "look": run.look,
+            "dash": list(DASHES[run.look]),
+            "width": WIDTHS[run.look],
+            "marked": self._furthest(run),
+            "shown": run.shown,
+            "note": run.note,
+            "count": run.count,
+            "bodies": [places[name] for name in run.bodies],
+            "positions": packed(run.poses[..., :3], step),
+            "turns": packed(run.poses[..., 3:], TURN),
+            "points": packed(run.points, step),
+            "mesh": run.points.shape[1],
+            "touches": [
+                [touch.first, touch.last, places[touch.body], *touch.place, *touch.normal, *touch.impulse]
+                for touch in run.touches
+            ],
+        }
+
+
+def _fraction(speed: float) -> str:
+    """A speed as one reads it: ×2, ×¼, ×1/20."""
+    if speed >= 1:
+        return f"×{speed:g}"
+    whole = round(1 / speed)
+    exact = abs(whole * speed - 1) < 1e-6
+    return "×" + {2: "½", 4: "¼", 8: "⅛"}.get(whole if exact else 0, f"1/{whole}" if exact else f"{speed:.2g}")
+
+
+def _rounded(value: float) -> float:
+    return round(float(value), 5) + 0.0
+
+
+def _solid(solid: Solid) -> dict[str, Any]:
+    place = [_rounded(part) for part in solid.position], [_rounded(part) for part in solid.orientation]
+    return {"name": solid.name, **written(solid.shape), "at": place[0], "turn": place[1]}
