@@ -29,14 +29,15 @@ _SETUP = """\
 import sys
 from pathlib import Path
 
-if "google.colab" in sys.modules and not Path("collisions-lab").exists():  # on Colab: choose collisions-lab.zip
+if "google.colab" in sys.modules and not Path("collisions-lab").exists():
     import shutil
     from google.colab import files
+    print("Choose the file collisions-lab.zip.")
     shutil.unpack_archive(next(iter(files.upload())), ".")
     get_ipython().run_line_magic("pip", "install --quiet 'pytest>=8.4' hypothesis mujoco")
 
-around = [Path.cwd(), *Path.cwd().parents, Path("collisions-lab").absolute()]
-sys.path[:0] = [str(place) for place in around if (place / "labs" / "notebook.py").is_file()][:1]
+around = [*Path("collisions-lab", "here").absolute().parents]
+sys.path[:0] = [str(place) for place in around if Path(place, "labs", "notebook.py").is_file()][:1]
 from labs import lab
 
 lab.begin("{topic}")"""

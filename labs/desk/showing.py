@@ -86,7 +86,7 @@ def tables(asked: Asked, quantities: Sequence[str], prediction: Prediction | Non
     """One table a quantity: who, what came, how far from theory."""
     wanted = [asked.family.quantity(name) for name in quantities] or list(asked.family.quantities)
     found = [_table(asked, quantity, prediction if place == 0 else None) for place, quantity in enumerate(wanted)]
-    return [*found[:-1], _with_notes(found[-1], asked)]
+    return [*found[:-1], _with_notes(found[-1], asked, [quantity.name for quantity in wanted])]
 
 
 def curve(asked: Asked) -> Picture | None:
@@ -157,12 +157,11 @@ def _who(line: Line) -> str:
     return line.result.title if line.tuned else line.title
 
 
-def _with_notes(table: Table, asked: Asked) -> Table:
-    marks = {MARKS[row.verdict]: str(row.verdict) for line in asked.lines for row in line.result.rows if row.quantity}
-    legend = ", ".join(f"{mark} {meaning}" for mark, meaning in marks.items())
-    deviations = dict.fromkeys(
-        f"{_who(line)}: {row.note}" for line in asked.lines for row in line.result.rows if row.quantity and row.note
-    )
+def _with_notes(table: Table, asked: Asked, quantities: Sequence[str]) -> Table:
+    """What the marks mean, why something deviates, and what was recorded elsewhere."""
+    rows = [(line, row) for line in asked.lines for row in line.result.rows if row.quantity in quantities]
+    legend = dict.fromkeys(f"{MARKS[row.verdict]} {row.verdict}" for _, row in rows)
+    deviations = dict.fromkeys(f"{_who(line)}: {row.note}" for line, row in rows if row.note)
     recorded = [line.result.recording for line in asked.lines if line.result.recording]
-    notes = [legend] * bool(legend) + list(deviations) + recorded + [asked.snapped] * bool(asked.snapped)
+    notes = [", ".join(legend)] * bool(legend) + list(deviations) + recorded + [asked.snapped] * bool(asked.snapped)
     return Table(table.title, table.headings, table.rows, (*table.notes, *notes))
