@@ -23,8 +23,10 @@ MOST = 8
 _SMALL = (2.3, 1.9)
 """Inches of one of them."""
 _COLUMNS = 4
-_TIMESTEPS = (5e-4, 1e-3, 2e-3, 1 / 240)
+_TIMESTEPS = (1e-3, 2e-3, 1 / 240, 1 / 120)
 """s, where nothing was recorded at others."""
+_SHORTEST = 1e-3
+"""s; with shorter steps a sweep takes longer than one waits."""
 
 
 @dataclass(frozen=True)
@@ -133,7 +135,8 @@ def values_of(scenario: str, parameter: str, values: Sequence[float] = ()) -> li
     if values:
         return list(values)
     if parameter == TIMESTEP:
-        return list(grid.timesteps) if grid else list(_TIMESTEPS)
+        recorded = [value for value in grid.timesteps if value >= _SHORTEST] if grid else []
+        return recorded or list(_TIMESTEPS)
     assert grid is not None
     known = next(each.values for each in grid.parameters if each.name == parameter)
     chosen = range(0, len(known), max(1, -(-len(known) // (MOST - 2))))
@@ -141,12 +144,15 @@ def values_of(scenario: str, parameter: str, values: Sequence[float] = ()) -> li
 
 
 def slide(sweep: Sweep) -> None:
-    """A slider over the runs, where widgets work; the pictures above stay for where they do not."""
+    """A slider over the runs, where somebody can move it; the pictures above stay for where nobody can."""
     try:
         import ipywidgets  # noqa: PLC0415 - without it there is the static picture
     except ImportError:
         return
     from IPython.display import display  # noqa: PLC0415
+
+    if not _somebody_is_there():
+        return
 
     def show(value: float) -> None:
         asked = sweep.asked[sweep.values.index(value)]
@@ -156,6 +162,13 @@ def slide(sweep: Sweep) -> None:
     options = [(numbers.digits(value, 3), value) for value in sweep.values]
     slider = ipywidgets.SelectionSlider(options=options, description=sweep.parameter, continuous_update=False)
     ipywidgets.interact(show, value=slider)
+
+
+def _somebody_is_there() -> bool:
+    """Whether a person runs the notebook: who only executes it can be asked nothing, and some wait for the widget."""
+    from IPython import get_ipython  # noqa: PLC0415
+
+    return bool(getattr(getattr(get_ipython(), "kernel", None), "_allow_stdin", False))
 
 
 def _draw(axes: Any, asked: Asked, titles: Mapping[str, str]) -> None:
