@@ -16,6 +16,7 @@ from reference.trajectory import Event, Trajectory
 
 _ROUNDING = 1e-12  # a gap below this, m, is none
 _MOST_IMPACTS = 10_000  # within one step
+_NO_APPROACH = 1e-14  # of the fastest ball's speed: what is left where ever smaller impacts have ended in no time
 
 
 def cradle(
@@ -77,7 +78,8 @@ class _Row:
         place, velocity = self.place[:, None] * self._along, self.velocity[:, None] * self._along
         left, right = (place[:-1], velocity[:-1], self.radius[:-1]), (place[1:], velocity[1:], self.radius[1:])
         time = self.function("sweep_sphere_sphere")(*left, *right, remaining)
-        return float(np.min(np.where(np.diff(self.velocity) < 0, time, np.inf)))
+        approaching = np.diff(self.velocity) < -_NO_APPROACH * np.max(np.abs(self.velocity))
+        return float(np.min(np.where(approaching, time, np.inf)))
 
     def _fly(self, duration: float) -> None:
         self.place = self.place + self.velocity * duration
