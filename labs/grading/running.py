@@ -89,12 +89,12 @@ def tested() -> tuple[str, ...]:
 
 
 def topics_of(path: Path | str) -> tuple[Submission, tuple[str, ...]]:
-    """A file as it is read, and the topics of which it defines a function that students write."""
+    """A file as it is read, and the topics of which it defines a function that students write, readable or not."""
     written = [
         entry.name for topic in tested() for entry in lecture.functions_of(topic) if entry.role == "written"
     ]  # fmt: skip
     submission = read(path, written)
-    found = {lecture.function(name).topic for name in submission.functions}
+    found = {lecture.function(name).topic for name in (*submission.functions, *submission.unread)}
     return submission, tuple(topic for topic in tested() if topic in found)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +15,7 @@ from labs.grading.diagnosis import diagnose
 from labs.grading.fingerprints import building
 from labs.grading.fingerprints.__main__ import main
 from labs.grading.probes import probed, probes
+from labs.grading.telling import no_answer
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 from solutions import as_printed
@@ -168,7 +170,9 @@ def test_the_mistake_is_named_with_a_hint_and_the_simplest_example():
     text = str(found)
     assert found.mistakes[0].id == "kinematic_response/always perfect"
     assert "Every bounce is perfect" in text
-    assert "velocity=(0, 0, -2), normal=(0, 0, 1), restitution=0.5 (straight down on the floor)" in text
+    assert (
+        "kinematic_response(velocity=(0, 0, -2), normal=(0, 0, 1), restitution=0.5), straight down on the floor" in text
+    )
     assert "gives   (0, 0, 2)\n  physics (0, 0, 1)" in text
 
 
@@ -242,7 +246,32 @@ def test_what_is_no_answer_has_the_wrong_shape(value):
 
 def test_one_thing_where_two_are_promised_has_the_wrong_shape():
     found = diagnose("contact_impulses", of(lambda j, n: np.asarray(j)[..., None] * n))
-    assert "something of type ndarray, where 2 arrays of numbers should be" in str(found)
+    assert "gives   one ndarray instead of 2 arrays" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("value", "count", "printed", "words"),
+    [
+        (None, 1, "", "nothing (None): is its return missing?"),
+        (None, 2, "3\n", "nothing (None): it prints, and has to return"),
+        ("never", 1, "", "the text 'never' instead of a number or an array"),
+        ((1.0, 2.0), 3, "", "2 things instead of 3"),
+        ([1.0, [2.0]], 1, "", "a list that is not a number or an array of numbers"),
+    ],
+)
+def test_what_is_no_answer_is_said_in_words(value, count, printed, words):
+    assert no_answer(value, count, printed) == words
+
+
+def test_yes_and_no_are_shown_as_such():
+    found = diagnose("holds", of(lambda push, n, mu: np.sum(push, axis=-1) ** 2 > (mu * np.asarray(n)) ** 2))
+    assert re.search(r"gives   (False|True)\n  physics (False|True)", str(found))
+
+
+def test_the_same_answer_whatever_is_given_has_no_name():
+    """It is as well that of `never holds` as of any other mistake that happens to say no in the usual cases."""
+    found = diagnose("holds", of(lambda push, n, mu: np.linalg.norm(push, axis=-1) == np.asarray(mu) * n))
+    assert not found.mistakes
 
 
 def test_an_unknown_mistake_gets_the_example_alone():
