@@ -19,6 +19,9 @@ MOST_PARTS = 2
 _SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow")
 """Verdicts that say no more than what was tried and what came."""
 
+_NOT_PHYSICS = ("crashes", "one at a time")
+"""Verdicts on which a hint about the slide does not bear."""
+
 
 def report(sheet: Sheet, topics: Sequence[str]) -> Iterator[str]:
     """All lines, those of the file first, then topic by topic, and in the end what to do next."""
@@ -102,7 +105,7 @@ def _wrong(sheet: Sheet, name: str, given: set[str]) -> Iterator[str]:
         yield from _indented(said, given)
     if diagnosis and not diagnosis.right:
         yield from _diagnosed(diagnosis, [said for _, said in told], given)
-    if not named:
+    if not named and not (diagnosis and diagnosis.verdict in _NOT_PHYSICS):
         helps = dict.fromkeys(outcome.help for outcome in lost if outcome.help)
         yield from (line for help in helps for line in folded(f"Hint: {help}", 1))
     others = [reason for reason, _ in failures if reason not in [reason for reason, _ in told]]
@@ -142,7 +145,8 @@ def _diagnosed(diagnosis: Diagnosis, told: Sequence[str], given: set[str]) -> It
         if diagnosis.verdict != "named":  # a mistake's own text may begin with a symbol, such as e
             first = first[:1].upper() + first[1:]
         yield from (line for paragraph in (first, *others) for line in folded(paragraph, 1))
-    if example and not compared and not (told and example.answer.error):
+    in_many = diagnosis.verdict == "one at a time" or (example and example.answer.error)
+    if example and not compared and not (told and in_many):
         yield from folded("For example", 1)
         yield from _indented(str(example), given)
     shown = any("raised" in said for said in told)

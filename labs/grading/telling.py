@@ -98,14 +98,14 @@ def no_answer(value: Any, count: int, printed: str = "") -> str:
     """What was returned where a number, or so many arrays, should be. printed: by the same call."""
     wanted = "a number or an array" if count == 1 else f"{count} arrays"
     if value is None:
-        return "nothing (None): it prints, and has to return" if printed else "nothing (None): is its return missing?"
+        return "nothing (None): it prints, and has to return" if printed else "nothing (None): is a return missing?"
     if isinstance(value, str):
         return f"the text {one_line(repr(value), 40)} instead of {wanted}"
     if isinstance(value, tuple | list) and count > 1 and len(value) != count:
         return f"{len(value)} thing{'s' * (len(value) != 1)} instead of {count}"
     if isinstance(value, tuple | list):
         return f"a {type(value).__name__} that is not {wanted} of numbers"
-    return f"one {type(value).__name__} instead of {wanted}"
+    return f"one {'array' if isinstance(value, np.ndarray) else type(value).__name__} instead of {wanted}"
 
 
 def _are_truths(value: Any, right: Right) -> bool:

@@ -18,9 +18,9 @@ from labs.cli.app import app
 from labs.grading import grade as grading
 from labs.grading import running, runs, saying
 from labs.grading.folding import folded
+from labs.grading.grade import Grade, grade, read_grade
 from labs.grading.processes import Limits
 from labs.grading.remote import Grader
-from labs.grading.grade import Grade, grade, read_grade
 from labs.grading.sheet import Outcome, Part, Sheet
 from reference import lecture
 from reference.errors import InvalidInput

@@ -246,13 +246,13 @@ def test_what_is_no_answer_has_the_wrong_shape(value):
 
 def test_one_thing_where_two_are_promised_has_the_wrong_shape():
     found = diagnose("contact_impulses", of(lambda j, n: np.asarray(j)[..., None] * n))
-    assert "gives   one ndarray instead of 2 arrays" in str(found)
+    assert "gives   one array instead of 2 arrays" in str(found)
 
 
 @pytest.mark.parametrize(
     ("value", "count", "printed", "words"),
     [
-        (None, 1, "", "nothing (None): is its return missing?"),
+        (None, 1, "", "nothing (None): is a return missing?"),
         (None, 2, "3\n", "nothing (None): it prints, and has to return"),
         ("never", 1, "", "the text 'never' instead of a number or an array"),
         ((1.0, 2.0), 3, "", "2 things instead of 3"),
