@@ -119,8 +119,8 @@ def _tried(function: Called, arguments: tuple[Any, ...]) -> str:
 
 
 def _printed(function: Any) -> str:
-    """What its last call printed; nothing is known of a function that is called here."""
-    return str(function.functions.process().printed) if hasattr(function, "functions") else ""
+    """What its last call printed."""
+    return str(function.functions.process().printed)
 
 
 def refuse_changes(function: Any) -> None:
