@@ -81,7 +81,8 @@ def summary(terminal: pytest.TerminalReporter, sheet: Sheet) -> None:
         if not outcome.passed:
             write("\n    ".join(line for lines in outcome.lines() for line in lines.splitlines()))
     for diagnosis in sheet.diagnoses.values():
-        write(str(diagnosis))
+        write(f"\n{diagnosis}" if diagnosis.verdict != "unwritten" else f"{diagnosis}")
+    write("")
     for reason, count in sheet.left_out.items():
         write(f"{count} test{'s' * (count != 1)} left out: {reason}")
     write(f"{sheet.earned} of {sheet.points} points ({sheet.tier or 'not run'})")

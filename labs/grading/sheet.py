@@ -52,12 +52,12 @@ class Outcome:
         return self.points if self.passed else min(self.points, sum(part.points for part in self.parts if part.passed))
 
     def lines(self) -> Iterator[str]:
-        """For a student: what is missing and why, nothing where it passed."""
+        """For a student: what is missing and why, nothing where it passed; the parts where some are right."""
         if self.passed:
             return
         yield f"{self.title}: {self.earned} of {self.points}"
         yield from (line for line in (self.said, self.rationale, self.help) if line)
-        for part in self.parts:
+        for part in self.parts if any(part.passed for part in self.parts) else ():
             yield f"{part.points if part.passed else 0} of {part.points} for {part.reason}"
 
     @property
