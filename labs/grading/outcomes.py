@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from labs.grading.diagnosis import Diagnosis, diagnose
-from labs.grading.errors import FunctionMissing, StudentError
+from labs.grading.errors import FunctionMissing, GraderFailed, StudentError
 from labs.grading.plain import plain
 from labs.grading.remote import Remote
 from labs.grading.sheet import Outcome, Part, Sheet
@@ -65,7 +65,7 @@ def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
         if name in remote.slow:
             sheet.diagnoses[name] = Diagnosis(name, "too slow")
             continue
-        with contextlib.suppress(UnknownName), remote.fresh() as call:  # of a function that has no probes yet
+        with contextlib.suppress(UnknownName, GraderFailed), remote.fresh() as call:  # it has no probes, or no process
             sheet.diagnoses[name] = diagnose(name, call)
 
 

@@ -73,8 +73,9 @@ def _wrapped(text: str) -> list[str]:
 
 
 def called(parameters: Sequence[str], arguments: Sequence[Any], function: str = "") -> str:
-    """Arguments by name, `velocity=(0, 0, -2), restitution=0.5`; of a function, as its call."""
-    given = ", ".join(f"{name}={shown(value)}" for name, value in zip(parameters, arguments, strict=False))
+    """Arguments by name where it is known, `velocity=(0, 0, -2), restitution=0.5`; of a function, as its call."""
+    names = [f"{name}=" for name in parameters] or [""] * len(arguments)
+    given = ", ".join(f"{name}{shown(value)}" for name, value in zip(names, arguments, strict=False))
     return f"{function}({given})" if function else given
 
 

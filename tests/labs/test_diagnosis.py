@@ -15,7 +15,7 @@ from labs.grading.diagnosis import diagnose
 from labs.grading.fingerprints import building
 from labs.grading.fingerprints.__main__ import main
 from labs.grading.probes import probed, probes
-from labs.grading.telling import no_answer
+from labs.grading.telling import called, no_answer
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 from solutions import as_printed
@@ -79,6 +79,15 @@ def test_a_fingerprint_that_is_stale_is_found(tmp_path, monkeypatch):
 def test_the_command_knows_two_ways(capsys):
     assert main(["--what"]) == 2
     assert "usage" in capsys.readouterr().out
+
+
+def test_a_bank_that_has_to_be_mended_is_told_in_a_line(capsys, monkeypatch):
+    def refuse():
+        raise InvalidInput("two entries give the same numbers; merge them")
+
+    monkeypatch.setattr("labs.grading.fingerprints.__main__.write", refuse)
+    assert main([]) == 2
+    assert capsys.readouterr().out == "two entries give the same numbers; merge them\n"
 
 
 def test_two_entries_that_are_the_same_mistake_are_refused():
@@ -328,6 +337,21 @@ def test_one_wrong_number_is_no_mistake_with_a_name():
 def test_a_function_without_probes_is_refused():
     with pytest.raises(UnknownName, match="no_such"):
         diagnose("no_such", of(kinematic_response))
+    for entry in lecture.FUNCTIONS.values():
+        if entry.role == "written" and entry not in probed():
+            with pytest.raises(UnknownName, match=f"function with probes '{entry.name}'"):
+                diagnose(entry.name, of(kinematic_response))
+
+
+def test_an_example_of_a_function_without_fingerprints_has_no_names():
+    assert called(("normal_velocity", "restitution"), (-2.0, 0.5)) == "normal_velocity=-2, restitution=0.5"
+    assert called((), (-2.0, [0.5, 1.0]), "no_such") == "no_such(-2, (0.5, 1))"
+
+
+def test_matrices_are_shown_briefly():
+    assert called((), (np.diag([2.0, 1.0]), np.ones((2, 2)), np.eye(1), np.full((2, 2), np.inf)), "f") == (
+        "f(diag(2, 1), ((1, 1), (1, 1)), ((1)), ((inf, inf), (inf, inf)))"
+    )
 
 
 @pytest.mark.parametrize("topic", TOPICS)
