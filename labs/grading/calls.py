@@ -273,7 +273,8 @@ class Call:
 
     def _raised(self, name: str, kind: str, text: str, line: int | None) -> StudentError:
         if kind == "NotImplementedError":
-            return FunctionMissing(f"{_needs(name)}: it is not written yet")
+            stub = self._submission.function_at(line) or name
+            return FunctionMissing(f"{f'{name} ' * (stub != name)}{_needs(stub)}: it is not written yet")
         message = f"{name} raised {self._said(kind, text, line)}"
         if kind == "NameError":
             message += "".join(

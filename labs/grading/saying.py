@@ -15,10 +15,9 @@ from reference.lecture import Function
 
 RIGHT, WRONG, TO_DO = "✓", "✗", "·"
 MOST_PARTS = 2
-"""Parts of a function that are told with what was tried, one where the mistake has a name; of more, the title alone."""
+"""Parts of a function that are told with what was tried; one where the mistake has a name, or lies elsewhere first."""
 _SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow")
 """Verdicts that say no more than what was tried and what came."""
-
 _NOT_PHYSICS = ("crashes", "one at a time")
 """Verdicts on which a hint about the slide does not bear."""
 
@@ -149,7 +148,7 @@ def _diagnosed(diagnosis: Diagnosis, told: Sequence[str], given: set[str]) -> It
     if example and not compared and not (told and in_many):
         yield from folded("For example", 1)
         yield from _indented(str(example), given)
-    shown = any("raised" in said for said in told)
+    shown = any(said.startswith(("raised ", "needs ", "gave ")) for said in told)
     rest = replace(diagnosis, accepted=(), crashes=() if shown else diagnosis.crashes)
     for paragraph in besides(rest):
         yield from folded(paragraph.replace(f"error: {diagnosis.function} raised ", "error: "), 1)

@@ -51,8 +51,16 @@ class Submission:
 
     def uses(self, name: str) -> list[str]:
         """The functions of the submission that one of them calls, itself or by way of what it needs besides."""
+        return used_by(self._groups(), name, self.functions)
+
+    def function_at(self, line: int | None) -> str | None:
+        """The function of the submission that a line of the text stands in, if it is one."""
+        around = (group for group in self._groups() if line and group.first <= line <= group.last)
+        return next((name for group in around for name in self.functions if name in group.defines), None)
+
+    def _groups(self) -> list[Group]:
         try:
-            return used_by(groups(self.text), name, self.functions)
+            return groups(self.text)
         except (SyntaxError, *_TOO_MUCH):  # what each cell may say, and all of them together may not
             return []
 

@@ -299,6 +299,9 @@ def contact_impulses(magnitude, normal):
 def collide(body_a, body_b, normal, restitution, threshold=0.0):
     return contact_impulses(0.0, normal)
 
+def rebound_velocity(normal_velocity, restitution):
+    return contact_impulses(1.0, normal_velocity) if normal_velocity > 0 else -restitution * normal_velocity
+
 def clasify_contact(normal_velocity, threshold=0.0):
     return np.sign(normal_velocity)
 """
@@ -318,10 +321,11 @@ def test_a_partly_finished_file_is_told_where_to_go_on(tmp_path):
     code, text = checked(tmp_path / "lab.py")
     text = joined(text)
     assert code == 1
-    assert "line 16: is clasify_contact meant to be classify_contact?" in text
+    assert "line 19: is clasify_contact meant to be classify_contact?" in text
     assert "normal_velocity It uses relative_velocity, which is not right yet: begin there." in text
     assert "gives nothing (None): it prints, and has to return" in text
     assert "collide waits for contact_impulses" in text
+    assert "parting already needs contact_impulses (impulse, step 18): it is not written yet" in text
     assert text.endswith("0 of 17 functions right. Next: relative_velocity, marked ✗ above.")
 
 
