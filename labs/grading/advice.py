@@ -12,7 +12,7 @@ _ADVICE = (
     (r"name 'np' is not defined", "`import numpy as np` is missing."),
     (r"name '(numpy|math)' is not defined", r"`import \1` is missing."),
     (r"module 'numpy' has no attribute 'trapz'", "NumPy 2 calls it np.trapezoid."),
-    (r"No module named", "There is NumPy here, and what comes with Python; nothing else can be imported."),
+    (r"No module named", "Here are NumPy and plain Python: no other packages, and no files."),
     (r"maximum recursion depth", "It calls itself again and again."),
     (r"positional arguments? but \d+ (was|were) given", "Its arguments have to be those of the stub, in their order."),
     (r"truth value of an array", "An `if` decides once for all contacts; np.where decides for each of them."),
