@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import ast
 import difflib
+import functools
 import re
 import warnings
 from collections.abc import Collection, Iterator
@@ -51,13 +52,14 @@ class Submission:
 
     def uses(self, name: str) -> list[str]:
         """The functions of the submission that one of them calls, itself or by way of what it needs besides."""
-        return used_by(self._groups(), name, self.functions)
+        return used_by(self._groups, name, self.functions)
 
     def function_at(self, line: int | None) -> str | None:
         """The function of the submission that a line of the text stands in, if it is one."""
-        around = (group for group in self._groups() if line and group.first <= line <= group.last)
+        around = (group for group in self._groups if line and group.first <= line <= group.last)
         return next((name for group in around for name in self.functions if name in group.defines), None)
 
+    @functools.cached_property
     def _groups(self) -> list[Group]:
         try:
             return groups(self.text)
