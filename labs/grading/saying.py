@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -20,6 +21,8 @@ _SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow")
 """Verdicts that say no more than what was tried and what came."""
 _NOT_PHYSICS = ("crashes", "one at a time")
 """Verdicts on which a hint about the slide does not bear."""
+
+_NEEDS = re.compile(r"\bneeds (\w+) \(")  # as it is said of a function that is not there
 
 
 def report(sheet: Sheet, topics: Sequence[str]) -> Iterator[str]:
@@ -52,7 +55,7 @@ def state(sheet: Sheet, name: str) -> str:
         return RIGHT
     diagnosis = sheet.diagnoses.get(name)
     unwritten = bool(diagnosis and diagnosis.verdict == "unwritten")
-    return TO_DO if unwritten and name not in sheet.unread else WRONG
+    return TO_DO if name not in sheet.unread and (unwritten or _waits(sheet, name)) else WRONG
 
 
 def tested(sheet: Sheet, topic: str) -> list[Function]:
@@ -80,8 +83,16 @@ def _share(sheet: Sheet, name: str) -> str:
 
 
 def _to_do(sheet: Sheet, entry: Function) -> str:
-    waits = [name for name in sheet.uses.get(entry.name, []) if name in sheet.diagnoses and state(sheet, name) == TO_DO]
-    return f"  waits for {_listed(waits)}" if waits else f"  to do, slide {entry.statement}"
+    if waits := _waits(sheet, entry.name):
+        return f"{_share(sheet, entry.name)}  waits for {_listed(waits)}"
+    return f"  to do, slide {entry.statement}"
+
+
+def _waits(sheet: Sheet, name: str) -> list[str]:
+    """Other functions that are not written yet, where nothing else keeps this one from being right."""
+    said = [said for outcome in _about(sheet, name) for _, said in outcome.failures if said]
+    needed = [found[1] if (found := _NEEDS.search(words)) else name for words in said]
+    return [] if name in needed else list(dict.fromkeys(needed))
 
 
 def _about(sheet: Sheet, name: str) -> list[Outcome]:
@@ -161,6 +172,7 @@ def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
     wrong = [name for name, mark in states.items() if mark == WRONG]
     to_do = [entry for entry in entries if states[entry.name] == TO_DO]
     right = len(states) - len(wrong) - len(to_do)
+    to_do = [entry for entry in to_do if not _waits(sheet, entry.name)]
     if len(to_do) == len(states):
         return f"{len(to_do)} functions to write. Begin with {_task(sheet, to_do[0])}"
     partly = sum(bool(_share(sheet, name)) for name in wrong)
