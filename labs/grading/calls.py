@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import contextlib
 import time
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -40,13 +40,24 @@ from reference.implementation import Implementation
 
 _AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
 _STARTING = 10.0  # s for the process itself, before it has seen the submission
+_SHORTENED = 5.0  # times as short is the wait for a function that ran out of time, each time that it did
+_SHORTEST = 0.2  # s, a thousand times what a call takes
 
 
 @dataclass
 class Patience:
-    """How much longer a submission is waited for, all its tests together, s."""
+    """How much longer a submission is waited for.
+
+    left: s for all its tests together. slow: how often each function ran out of the time for a call. It is asked again,
+    as one slow call says little of the next, and waited for less long.
+    """
 
     left: float
+    slow: Counter[str] = field(default_factory=Counter)
+
+    def for_call(self, name: str, whole: float) -> float:
+        """How long to wait for a function's answer, of the whole time that a call has."""
+        return max(whole / _SHORTENED ** self.slow[name], min(whole, _SHORTEST))
 
 
 class Call:
@@ -225,12 +236,12 @@ class Call:
     def _exchange(self, name: str, message: bytes) -> Any:
         """Send a message and read the answer, within what time is left; whatever goes wrong ends the process."""
         assert self._process is not None
-        allowed, began = max(0.0, min(self._limits.call, self._left, self._patience.left)), time.monotonic()
+        for_call = self._patience.for_call(name, self._limits.call)
+        allowed, began = max(0.0, min(for_call, self._left, self._patience.left)), time.monotonic()
         try:
             return messages.unpack(self._process.exchange(message, allowed))
         except TimeoutError:
-            whose = "submission" if allowed == max(0.0, self._patience.left) else "test"
-            limit = f"{allowed:.3g} s" + (f" (the {whose}'s time is up)" if allowed < self._limits.call else "")
+            limit = f"{allowed:.3g} s{self._cut_short(name, allowed, for_call)}"
             raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
         except (OSError, EOFError):
             raise self._lose(ProcessDied(f"{name} gave no answer: {deaths.reason(self._process.ended)}")) from None
@@ -240,6 +251,14 @@ class Call:
             spent = time.monotonic() - began
             self._left -= spent
             self._patience.left -= spent
+
+    def _cut_short(self, name: str, allowed: float, for_call: float) -> str:
+        """Why it had less time than a call has; notes where it had all that was its own."""
+        if allowed < for_call:
+            whose = "submission" if allowed == max(0.0, self._patience.left) else "test"
+            return f" (the {whose}'s time is up)"
+        self._patience.slow[name] += 1
+        return " (it ran out of time before)" if allowed < self._limits.call else ""
 
     def _lose(self, error: StudentError) -> StudentError:
         self._lost = error
@@ -254,7 +273,8 @@ class Call:
 
     def _raised(self, name: str, kind: str, text: str, line: int | None) -> StudentError:
         if kind == "NotImplementedError":
-            return FunctionMissing(f"{_needs(name)}: it is not written yet")
+            stub = self._submission.function_at(line) or name
+            return FunctionMissing(f"{f'{name} ' * (stub != name)}{_needs(stub)}: it is not written yet")
         message = f"{name} raised {self._said(kind, text, line)}"
         if kind == "NameError":
             message += "".join(

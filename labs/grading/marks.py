@@ -32,13 +32,14 @@ class Answer:
     """What came back from one probe.
 
     value: what was returned. error: the exception instead, in words. unwritten: whether that says that it is still the
-    stub. changed: whether the call has changed its input.
+    stub. changed: whether the call has changed its input. printed: what the call printed.
     """
 
     value: Any = None
     error: str = ""
     unwritten: bool = False
     changed: bool = False
+    printed: str = ""
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,8 @@ class Mark:
 def ask(call: Callable[..., Any], function: str, probes: Sequence[Probe]) -> list[Answer]:
     """Put all probes of a function to `call(name, *arguments)`, each with inputs of its own.
 
-    A `call` that runs elsewhere says in `call.changed` which arguments the function has written to.
+    A `call` that runs elsewhere says in `call.changed` which arguments the function has written to, and in
+    `call.printed` what it printed.
     """
     return [_asked(call, function, probe) for probe in probes]
 
@@ -96,7 +98,8 @@ def _asked(call: Callable[..., Any], function: str, probe: Probe) -> Answer:
     except Exception as error:
         unwritten = isinstance(error, NotImplementedError | NeedsFunction)
         return Answer(error=str(error) if isinstance(error, CollisionsError) else one_line(error), unwritten=unwritten)
-    return Answer(value, changed=bool(getattr(call, "changed", ())) or not _same(arguments, probe.arguments))
+    changed = bool(getattr(call, "changed", ())) or not _same(arguments, probe.arguments)
+    return Answer(value, changed=changed, printed=getattr(call, "printed", ""))
 
 
 def _copied(value: Any) -> Any:

@@ -62,10 +62,15 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
 
     class Keep:
         sheet: Sheet | None = None
+        broken = ""
 
         @pytest.hookimpl(tryfirst=True)
         def pytest_configure(self, config: pytest.Config) -> None:
             config.stash[GRADER] = grader
+
+        def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+            if report.when == "teardown" and report.failed:  # nothing of the submission's: pytest counts it as failed
+                self.broken = report.longreprtext
 
         def pytest_unconfigure(self, config: pytest.Config) -> None:
             self.sheet = config.stash[SHEET]
@@ -78,8 +83,8 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
     ]  # the plugin may be loaded already, and asserts nothing
     with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
         code = pytest.main([*options, "--submission", str(path.resolve()), *files], plugins=[keep])
-    if code not in _FINE or keep.sheet is None or not keep.sheet.outcomes:
-        raise GraderFailed(f"the tests could not be run: {printed.getvalue().strip()[-_TAIL:]}")
+    if code not in _FINE or keep.broken or keep.sheet is None or not keep.sheet.outcomes:
+        raise GraderFailed(f"the tests could not be run: {(keep.broken or printed.getvalue()).strip()[-_TAIL:]}")
     return keep.sheet
 
 
@@ -89,12 +94,12 @@ def tested() -> tuple[str, ...]:
 
 
 def topics_of(path: Path | str) -> tuple[Submission, tuple[str, ...]]:
-    """A file as it is read, and the topics of which it defines a function that students write."""
+    """A file as it is read, and the topics of which it defines a function that students write, readable or not."""
     written = [
         entry.name for topic in tested() for entry in lecture.functions_of(topic) if entry.role == "written"
     ]  # fmt: skip
     submission = read(path, written)
-    found = {lecture.function(name).topic for name in submission.functions}
+    found = {lecture.function(name).topic for name in (*submission.functions, *submission.unread)}
     return submission, tuple(topic for topic in tested() if topic in found)
 
 

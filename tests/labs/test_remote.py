@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import signal
 import statistics
 import subprocess
@@ -162,6 +163,26 @@ def test_a_call_that_takes_too_long_ends_its_test_alone(of, hasty):
             call("f", False)
     with remote.fresh() as call:
         assert call("f", False) == 1
+
+
+def test_a_function_that_ran_out_of_time_is_waited_for_less_long_and_still_heard(of, hasty):
+    remote = of("def f(forever):\n    while forever: pass\n    return 1\ndef g():\n    while True: pass")
+    waited = []
+    for name, *given in (("f", True), ("f", True), ("f", True), ("f", True), ("g",)):
+        with remote.fresh() as call, pytest.raises(OutOfTime) as told:
+            call(name, *given)
+        waited.append(float(re.search(r"within ([\d.]+) s", str(told.value))[1]))
+    assert waited == [0.5, 0.2, 0.2, 0.2, 0.5]
+    assert remote.slow == {"f", "g"}
+    with remote.fresh() as call:
+        assert call("f", False) == 1
+
+
+def test_a_test_whose_time_is_up_is_held_against_no_function(of, hasty):
+    remote = of("import time\ndef f(): time.sleep(0.3)")
+    with remote.fresh() as call, pytest.raises(OutOfTime, match="time is up"):
+        calls_until_it_fails(call, "f")
+    assert not remote.slow
 
 
 def test_calls_that_are_each_in_time_cannot_take_for_ever_together(of, hasty):

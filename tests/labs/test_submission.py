@@ -279,8 +279,34 @@ def test_a_notebook_of_a_hundred_megabytes_is_refused_without_being_read(tmp_pat
 def test_a_merge_mark_is_named_with_its_line(tmp_path):
     source = BOTH + "<<<<<<< HEAD\nx = 1\n=======\nx = 2\n>>>>>>> theirs\n"
     submission = handed_in(tmp_path, source, "lab.py")
-    assert "line 7: a merge left its mark '<<<<<<<': choose one version" in told(submission)
+    assert "line 7: a merge left its mark '<<<<<<<': choose one version; so rebound_velocity, " in told(submission)
     assert submission.functions == ()
+    assert submission.unread == WANTED
+
+
+@pytest.mark.parametrize(
+    ("name", "near"),
+    [("reboundVelocity", True), ("rebound_velocty", True), ("rebound", False), ("velocity_of_sound", False)],
+)
+def test_a_name_that_is_nearly_the_wanted_one_is_told(name, near, tmp_path):
+    submission = handed_in(tmp_path, f"def {name}(v, e):\n    return -e * v\n", "lab.py")
+    assert (f"line 1: is {name} meant to be rebound_velocity?" in told(submission)) == near
+
+
+def test_a_function_uses_what_it_calls_itself_or_by_way_of_what_else_it_needs(tmp_path):
+    source = (
+        BOTH
+        + """
+RATE = rebound_velocity(-1.0, 1.0)
+def approach(n, u): return RATE * normal_velocity(n, u)
+def collide(n, u): return approach(n, u)
+def mean_force(normal_velocity): return normal_velocity
+"""
+    )
+    (tmp_path / "lab.py").write_text(source)
+    submission = read(tmp_path / "lab.py", (*WANTED, "collide", "mean_force"))
+    assert submission.uses("collide") == ["rebound_velocity", "normal_velocity"]
+    assert submission.uses("mean_force") == [], "a parameter of that name is no function"
 
 
 def test_a_notebook_under_another_name_is_read_and_it_is_said(tmp_path):
