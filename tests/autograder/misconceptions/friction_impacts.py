@@ -3,7 +3,7 @@
 import numpy as np
 
 from labs.grading.bank import Misconception as M
-from labs.grading.bank import col, direction, dot, flat, over, size
+from labs.grading.bank import along, col, direction, dot, flat, over, size
 
 
 def times(matrix, vector):
@@ -12,10 +12,6 @@ def times(matrix, vector):
 
 def solve(matrix, vector):
     return np.linalg.solve(matrix, np.asarray(vector)[..., None])[..., 0]
-
-
-def along(f, n):
-    return np.asarray(f) - dot(f, n) * n
 
 
 def grip_of(u, n, k, e):
