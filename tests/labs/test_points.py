@@ -6,6 +6,7 @@ import json
 
 import pytest
 
+from labs.grading import grade as grading
 from labs.grading.diagnosis import Diagnosis
 from labs.grading.fingerprints import known
 from labs.grading.grade import Grade, grade, read_grade
@@ -123,3 +124,15 @@ def test_a_file_of_no_function_is_graded_for_no_topic(tmp_path):
     for topics in (None, ()):
         with pytest.raises(InvalidInput, match=r"^lab\.py defines no function of the lab; name the topic"):
             grade(tmp_path / "lab.py", topics)
+
+
+def test_the_topics_that_are_named_are_graded_and_no_others(tmp_path, monkeypatch):
+    asked = []
+    monkeypatch.setattr(grading, "run", lambda *given: asked.append(given) or SHEET)
+    path = tmp_path / "lab.py"
+    path.write_text("def is_colliding(separation, tolerance=0.0):\n    return separation < tolerance\n")
+    assert grade(path, ["impulse", "friction"]).topics == ("impulse", "friction")
+    assert grade(path, folders=("visible",)).topics == ("detection",)
+    assert asked == [
+        (path, ("impulse", "friction"), ("visible", "hidden"), None), (path, ("detection",), ("visible",), None),
+    ]  # fmt: skip
