@@ -33,6 +33,11 @@ def test_an_answer_within_the_tolerance_of_its_scale_is_right_and_beyond_it_wron
         assert not off([2.0, 5.0 + sign * 11 * TOLERANCE], [2.0, 5.0], scales=(10.0,)).right
 
 
+def test_rounding_in_single_precision_is_right_and_half_a_part_in_ten_thousand_is_wrong():
+    assert off(1.0 + 2e-5, 1.0) == Mark(0.0, 0.0)
+    assert not off(1.0 + 5e-5, 1.0).right
+
+
 def test_each_output_is_compared_on_its_own_scale():
     assert off((100.0 + 50 * TOLERANCE, 1.0), 100.0, 1.0, scales=(100.0, 1.0)).right
     assert not off((100.0, 1.0 + 50 * TOLERANCE), 100.0, 1.0, scales=(100.0, 1.0)).right
