@@ -96,7 +96,8 @@ def test_a_mistake_is_named_though_several_contacts_end_in_an_error_or_another_s
     assert (crashing.verdict, len(crashing.mistakes)) == ("named", 1)
     assert (crashing.crash_in_many, crashing.one_alone) == (True, False)
     assert "With several contacts in one call it ends in an error: ZeroDivisionError" in " ".join(str(crashing).split())
-    assert told(by_number(one_more, shapeless)) == ("named", "one more")
+    shaped = diagnose("f", lambda _, x: by_number(one_more, shapeless)(x))
+    assert (shaped.verdict, len(shaped.mistakes), shaped.one_alone) == ("named", 1, False)
 
 
 def test_many_different_wrong_numbers_name_a_mistake_though_several_contacts_go_wrong_otherwise():
