@@ -111,7 +111,7 @@ class _Case:
             None if verdict in ("right", "unwritten") else self._counterexample(),
             tuple(errors),
             verdict == "named" and not known_in_many,
-            bool(errors) and set(errors.values()) == {"many"},
+            set(errors.values()) == {"many"},
             tuple(probe.note for probe, answer in self.refused if not answer.error),
             any(answer.changed for _, _, answer in self.answered),
         )

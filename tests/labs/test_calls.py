@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -286,6 +287,13 @@ def slow(process, clock, seconds):
         return exchange(message, allowed)
 
     process.exchange = later
+
+
+def test_the_limits_are_those_of_the_page_on_grading():
+    limits, page = Limits(), (Path(__file__).parents[2] / "docs" / "grading.md").read_text(encoding="utf-8")
+    times = f"each call {limits.call:g} s, a test {limits.test:g} s and a submission {limits.submission / 60:g} min"
+    assert times in page
+    assert f"take more than {limits.memory / 2**30:g} GiB" in page
 
 
 def test_a_call_is_waited_for_as_long_as_call_test_and_submission_have_left(clock):

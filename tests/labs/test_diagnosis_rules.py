@@ -53,6 +53,7 @@ MISTAKES = {
     "in four cases": at([1, 2, 3, 4], twice),
     "in five cases": at([1, 2, 3, 4, 5], twice),
     "several together": by_number(lambda x: x, twice),
+    "three times, of one contact": by_number(lambda x: 3 * x, shapeless),
     "through another": lambda x: 7 * x,
 }
 
@@ -109,6 +110,16 @@ def test_many_different_wrong_numbers_name_a_mistake_though_several_contacts_go_
     assert "With several contacts in one call it is wrong in another way besides." in str(found)
 
 
+def test_a_known_mistake_that_has_no_answer_for_several_contacts_says_nothing_of_them():
+    found = diagnose("f", lambda _, x: 3 * x)
+    assert [entry.id for entry in found.mistakes] == ["f/three times, of one contact"]
+    assert (found.verdict, found.one_alone) == ("named", False)
+
+
+def test_another_shape_of_a_single_contact_is_no_silence():
+    assert told(at([3], shapeless, twice)) == ("unknown",)
+
+
 def test_one_wrong_number_again_and_again_does_not():
     """Three less is off by the same each time, as much else would be."""
     assert told(by_number(lambda x: x - 3, lambda x: -x)) == ("likely", "three less")
@@ -157,6 +168,7 @@ def test_so_few_cases_of_a_mistake_are_no_mistake_where_others_say_nothing():
 )
 def test_what_no_mistake_explains_is_told_by_what_came(function, verdict):
     assert told(function) == (verdict,)
+    assert not diagnose("f", lambda _, x: function(x)).one_alone
 
 
 def test_the_simplest_probe_that_fails_is_the_example():
