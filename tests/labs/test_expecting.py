@@ -186,20 +186,17 @@ def test_a_property_that_ends_in_an_error_fails_with_it():
         Examples(1).every(pair, raises)
 
 
-def test_looking_for_the_smallest_example_ends():
-    """However many steps down there are."""
+def test_looking_for_the_smallest_example_ends_after_so_many_calls():
     tried = []
 
-    def never(*numbers):
+    def small(*numbers):
         tried.append(numbers)
-        raise AssertionError("no")
-
-    def many(draw):
-        return tuple(draw.number(0, 100, digits=9) ** 2 + len(tried) for _ in range(40))
+        assert sum(numbers) < 900
 
     with pytest.raises(AssertionError):
-        Examples(1).every(many, never)
-    assert len(tried) <= MOST_CALLS + 3
+        Examples(1).every(lambda draw: tuple(draw.number(0, 100) for _ in range(20)), small)
+    # Left alone, hypothesis goes on for some 740 calls. One call finds it, and one tells it.
+    assert MOST_CALLS < len(tried) <= MOST_CALLS + 3
 
 
 def test_an_answer_that_is_wrong_but_once_still_fails():
