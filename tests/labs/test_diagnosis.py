@@ -75,6 +75,12 @@ def test_a_fingerprint_that_is_stale_is_found(tmp_path, monkeypatch):
     assert fingerprints.stale(tmp_path) == ["detection.json: /functions/is_colliding/right[1] is 2.0, now 2.5"]
 
 
+def test_a_file_of_fingerprints_has_a_line_for_each_entry_down_to_some_depth():
+    content = {"é": {"deep": {"deeper": [1, {"x": 2}]}}, "none": {}, "ü": "ß"}
+    assert building.lines(content, 2) == '{\n"é": {\n"deep": {"deeper":[1,{"x":2}]}\n},\n"none": {},\n"ü": "ß"\n}'
+    assert building.lines({}) == "{}"
+
+
 def test_the_command_knows_two_ways(capsys, monkeypatch, tmp_path):
     assert main(["--what"]) == 2
     assert "usage" in capsys.readouterr().out
