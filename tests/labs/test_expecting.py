@@ -127,6 +127,13 @@ def test_what_all_contacts_share_may_be_given_once_and_nothing_else():
         expect(Function(lambda e: 2.0), (1.0,), [2.0, 2.0])
 
 
+@pytest.mark.parametrize("said", ["up", None, [1.0] * 7, (1.0, 2.0), [[1.0], [1.0, 2.0]], np.zeros((0, 3))])
+def test_an_answer_for_several_contacts_that_is_none_fails_like_any_other(said):
+    """As an AssertionError: any other error would cost the parts of the test that follow."""
+    with pytest.raises(AssertionError, match="point_velocity of velocity="):
+        Examples(1).together(Function(lambda v: said), lambda v: v, lambda draw: (draw.vector(),))
+
+
 # Examples
 
 
