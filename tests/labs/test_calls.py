@@ -23,6 +23,7 @@ from labs.grading.errors import (
 )
 from labs.grading.files import CODE_LIMIT
 from labs.grading.processes import Ended, Limits
+from labs.grading.remote import Remote
 from labs.grading.submission import Submission
 from labs.grading.worker.tier import Tier
 from reference.errors import InvalidInput, NeedsFunction
@@ -169,6 +170,14 @@ def test_nothing_is_run_below_the_least_tier(tier):
             with pytest.raises(GraderFailed, match=f"offers '{tier.title}', below '{least.title}': no Landlock; no se"):
                 call.begin(process, least)
             assert len(process.asked) == 1, "it was not told to run the text"
+
+
+def test_a_process_that_is_not_shut_in_enough_is_ended_at_once():
+    process = Scripted(("sealed", int(Tier.LIMITS), []))
+    grader = SimpleNamespace(limits=PATIENT, least=Tier.NETWORK, host=process)
+    with pytest.raises(GraderFailed), Remote(Submission("lab.py", ""), grader).fresh():
+        pass
+    assert process.over
 
 
 def test_a_process_that_does_not_say_how_far_it_is_shut_in_is_not_shut_in():

@@ -175,13 +175,13 @@ def test_only_a_student_who_may_read_the_example_has_it_made_small(ask, told):
 
 
 def test_a_property_that_is_not_so_is_told_in_its_own_words_without_digits_of_rounding():
-    def holds(x, force):
+    def holds(x, force, flag):
         raise AssertionError("three\nis four\nassert 3 == 4\n  where 3 is odd")
 
     def third(draw):
-        return 0.1 + 0.2 - 0.3, np.array([1.0, 0.1 + 0.2 - 0.3])
+        return 0.1 + 0.2 - 0.3, np.array([1.0, 0.1 + 0.2 - 0.3]), True
 
-    with pytest.raises(AssertionError, match=r"^three\nis four\nfor x=0, force=\(1, 0\)$"):
+    with pytest.raises(AssertionError, match=r"^three\nis four\nfor x=0, force=\(1, 0\), flag=True$"):
         Examples(1).every(third, holds)
 
 
