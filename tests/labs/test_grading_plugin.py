@@ -110,6 +110,8 @@ def test_a_wrong_one_is_told_why_and_gets_the_points_of_its_parts(pytester):
     assert sheet.earned == 1 + 1
     assert outcomes["test_in_parts"].parts[2].said == "normal_velocity raised Told: asked for 1.0 (line 4)"
     result.stdout.fnmatch_lines(["point_velocity, relative_velocity, *are missing", "2 of 16 points (*)"])
+    result.stdout.fnmatch_lines(["_* test_error _*", "normal_velocity raised Told: asked for *"], consecutive=True)
+    result.stdout.fnmatch_lines(["_* test_rebound _*", "*", "E*assert -1.0 == 1.0*"])
 
 
 def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_them(pytester):
@@ -173,6 +175,37 @@ def test_without_a_submission_the_tests_are_skipped(pytester):
     result, sheet = graded(pytester, None)
     result.assert_outcomes(passed=1, skipped=6)
     assert sheet.outcomes == []
+
+
+ALONE = """
+import pytest
+
+@pytest.mark.parametrize("time", ["first", "second"])
+def test_counts(submission, time):
+    assert submission.rebound_velocity(0.0, 0.5) == 1
+
+@pytest.mark.points(7)
+def test_skipped(submission):
+    pytest.skip("the scenario needs what a student's tree lacks")
+
+def test_in_vain(submission, part):
+    with part(1, "a part"):
+        assert submission.rebound_velocity(0.0, 0.5) == 2
+"""
+
+
+def test_a_test_meets_no_trace_of_the_one_before_and_one_that_is_skipped_counts_for_nothing(pytester):
+    pytester.makepyfile(test_impulse=ALONE)
+    result, sheet = graded(
+        pytester,
+        "calls = []\ndef rebound_velocity(v, e):\n    calls.append(v)\n    return len(calls)",
+        "test_impulse.py",
+    )
+    result.assert_outcomes(passed=2, skipped=1, failed=1)
+    assert [(outcome.test, outcome.earned, outcome.points) for outcome in sheet.outcomes] == [
+        ("test_counts[first]", 1, 1), ("test_counts[second]", 1, 1), ("test_in_vain", 0, 1),
+    ]  # fmt: skip
+    result.stdout.no_fnmatch_line("*plugin.py*")
 
 
 def test_grading_the_same_file_again_draws_the_same_examples(pytester):

@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from labs.grading import submission
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.files import CELL_LIMIT, CODE_LIMIT, FILE_LIMIT
 from labs.grading.magics import without_magics
@@ -200,6 +201,28 @@ def test_a_syntax_error_costs_its_cell_alone_and_is_placed(tmp_path):
     submission = handed_in(tmp_path, notebook("import numpy as np", broken, BOTH.split("\n\n\n")[1]))
     assert submission.functions == ("normal_velocity",)
     assert "code cell 2, line 2: Python cannot read 'def rebound_velocity(v, e:'" in told(submission)
+
+
+@pytest.mark.parametrize(
+    ("names", "effect"),
+    [("", ""), ("a", "; so a cannot be read"), ("abc", "; so a, b, c cannot be read"),
+     ("abcd", "; so a, b, c … cannot be read")],
+)  # fmt: skip
+def test_what_a_syntax_error_costs_is_said(names, effect, tmp_path):
+    source = "".join(f"def {name}(): pass\n" for name in names) + "x = )"
+    first = told(handed_in(tmp_path, source, "lab.py")).splitlines()[0]
+    assert first == f"line {len(names) + 1}: Python cannot read 'x = )': unmatched ')'{effect}"
+
+
+@pytest.mark.parametrize("error", [RecursionError, MemoryError, ValueError])
+def test_what_is_too_deep_for_python_is_said(error, tmp_path, monkeypatch):
+    def groups(source):
+        raise error
+
+    monkeypatch.setattr(submission, "groups", groups)
+    found = handed_in(tmp_path, notebook(BOTH))
+    assert told(found).splitlines()[0] == "code cell 1: Python cannot read this: too deeply nested"
+    assert found.functions == ()
 
 
 def test_an_error_line_leads_back_to_the_cell(tmp_path):
