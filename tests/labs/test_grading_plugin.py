@@ -90,6 +90,7 @@ def test_a_right_submission_earns_every_point(pytester):
     assert (sheet.earned, sheet.points) == (16, 3 + 4 + 1 + 5 + 1 + 2)
     assert sheet.submission == "lab.py"
     assert not [line for outcome in sheet.outcomes for line in outcome.lines()]
+    assert {outcome.said for outcome in sheet.outcomes} == {""}
     assert not sheet.diagnoses
     section = next(number for number, line in enumerate(result.outlines) if " lab.py " in line)
     told = result.outlines[section + 1 : -1]
@@ -184,6 +185,19 @@ import pytest
 def test_counts(submission, time):
     assert submission.rebound_velocity(0.0, 0.5) == 1
 
+@pytest.fixture
+def breaks_down():
+    yield
+    raise OSError("afterwards")
+
+@pytest.mark.points(2)
+def test_breaks_down(submission, breaks_down):
+    assert submission.rebound_velocity(0.0, 0.5) == 1
+
+@pytest.mark.points(0.5)
+def test_of_something_else():
+    pass
+
 @pytest.mark.points(7)
 def test_skipped(submission):
     pytest.skip("the scenario needs what a student's tree lacks")
@@ -194,16 +208,17 @@ def test_in_vain(submission, part):
 """
 
 
-def test_a_test_meets_no_trace_of_the_one_before_and_one_that_is_skipped_counts_for_nothing(pytester):
+def test_a_test_meets_no_trace_of_the_one_before_and_each_counts_once_unless_it_is_skipped(pytester):
     pytester.makepyfile(test_impulse=ALONE)
     result, sheet = graded(
         pytester,
         "calls = []\ndef rebound_velocity(v, e):\n    calls.append(v)\n    return len(calls)",
         "test_impulse.py",
     )
-    result.assert_outcomes(passed=2, skipped=1, failed=1)
+    result.assert_outcomes(passed=4, skipped=1, failed=1, errors=1)
     assert [(outcome.test, outcome.earned, outcome.points) for outcome in sheet.outcomes] == [
-        ("test_counts[first]", 1, 1), ("test_counts[second]", 1, 1), ("test_in_vain", 0, 1),
+        ("test_counts[first]", 1, 1), ("test_counts[second]", 1, 1), ("test_breaks_down", 2, 2),
+        ("test_in_vain", 0, 1),
     ]  # fmt: skip
     result.stdout.no_fnmatch_line("*plugin.py*")
 
