@@ -181,6 +181,7 @@ def test_without_a_submission_the_tests_are_skipped(pytester):
 ALONE = """
 import pytest
 
+@pytest.mark.points()
 @pytest.mark.parametrize("time", ["first", "second"])
 def test_counts(submission, time):
     assert submission.rebound_velocity(0.0, 0.5) == 1
@@ -204,7 +205,7 @@ def test_skipped(submission):
 
 def test_in_vain(submission, part):
     with part(1, "a part"):
-        assert submission.rebound_velocity(0.0, 0.5) == 2
+        assert submission.rebound_velocity(0.0, 0.5) == 2, "two" + 2 * chr(10) + "lines"
 """
 
 
@@ -220,6 +221,7 @@ def test_a_test_meets_no_trace_of_the_one_before_and_each_counts_once_unless_it_
         ("test_counts[first]", 1, 1), ("test_counts[second]", 1, 1), ("test_breaks_down", 2, 2),
         ("test_in_vain", 0, 1),
     ]  # fmt: skip
+    assert sheet.outcomes[-1].parts[0].said.startswith("two\nlines\nassert 1 == 2")
     result.stdout.no_fnmatch_line("*plugin.py*")
 
 
