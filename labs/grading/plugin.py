@@ -198,7 +198,7 @@ def pytest_runtest_makereport(
     report = yield
     error = call.excinfo.value if call.excinfo else None
     if "submission" in getattr(item, "fixturenames", ()) and not report.skipped:
-        if report.failed and isinstance(error, CollisionsError):
+        if isinstance(error, CollisionsError):
             report.longrepr = one_line(str(error), 1000)
         if report.when == "call" or (report.when == "setup" and report.failed):
             item.config.stash[SHEET].outcomes.append(_outcome(item, report.passed, error))
