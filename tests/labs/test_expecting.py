@@ -58,6 +58,7 @@ def test_what_is_right_but_for_rounding_is_right(said, answer):
 @pytest.mark.parametrize(
     ("said", "answer"),
     [
+        (1.0001e-3, 1e-3), (4e-5, 0.0),
         ([1000.0, 0.05], [1000.0, 0.0]), ([1e-4, 0.0], [0.0, 0.0]), (1e-4, 0.0), ([math.inf, 1.0001], [math.inf, 1.0]),
         ((1000.0, 0.02), (1000.0, 0.0)), ([2.0], 2.0), (2.0, [2.0, 2.0]), (math.nan, 2.0), ("2", 2.0), (None, 2.0),
         (2.0, (2.0, 2.0)), (1.0, math.inf), (math.inf, -math.inf), (False, True),
