@@ -127,7 +127,7 @@ class Call:
         except (OSError, EOFError, messages.Refused) as error:
             assert self._process is not None
             raise GraderFailed(
-                f"a test's process did not start: {error or deaths.reason(self._process.ended)}"
+                f"a test's process did not start: {str(error) or deaths.reason(self._process.ended)}"
             ) from None
 
     def _load(self) -> None:

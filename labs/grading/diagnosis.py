@@ -106,16 +106,19 @@ class _Case:
 
     def diagnosis(self) -> Diagnosis:
         verdict, mistakes = self._verdict()
-        errors = {answer.error: probe.group for probe, _, answer in reversed(self.answered) if answer.error}
+        errors: dict[str, Group] = {}
+        for probe, _, answer in self.answered:
+            if answer.error:
+                errors.setdefault(answer.error, probe.group)
         known_in_many = any(self._fits(entry, ("many",), silently=True) for entry in mistakes)
         return Diagnosis(
             self.knowledge.function,
             verdict,
             mistakes,
             None if verdict in ("right", "unwritten") else self._counterexample(),
-            tuple(reversed(errors)),
+            tuple(errors),
             verdict == "named" and not known_in_many,
-            bool(errors) and set(errors.values()) == {"many"},
+            set(errors.values()) == {"many"},
             tuple(probe.note for probe, answer in self.refused if not answer.error),
             any(answer.changed for _, _, answer in self.answered),
         )

@@ -150,7 +150,7 @@ def pytest_runtest_makereport(
     if report.skipped:
         sheet.skipped.append(str(error))
     else:
-        if report.failed and isinstance(error, CollisionsError):
+        if isinstance(error, CollisionsError):
             report.longrepr = one_line(str(error), 1000)
         if report.when == "call" or (report.when == "setup" and report.failed):
             sheet.outcomes.append(outcome_of(item, report.passed, error, tuple(_parts(item))))

@@ -111,8 +111,8 @@ def _told(family: Family, row: Row) -> str:
     if not row.quantity:
         return f"{family.title}, {row.case}: {row.note}"
     quantity = family.quantity(row.quantity)
-    physics = "says nothing" if row.expected is None else f"{row.expected:.6g} {row.unit}"
-    came = row.note if row.measured is None else f"{row.measured:.6g} {row.unit}"
+    physics = "says nothing" if row.expected is None else f"{row.expected:.6g} {row.unit}".rstrip()
+    came = row.note if row.measured is None else f"{row.measured:.6g} {row.unit}".rstrip()
     lines = [f"{family.title}, {row.case}: {quantity.title}", f"gives   {came}", f"physics {physics}"]
     engines = [f"{title} {value:.6g}" for title, value in _engines(row)]
     return "\n".join([*lines, *([f"engines {', '.join(engines)} (recorded)"] if engines else [])])

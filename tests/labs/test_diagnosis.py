@@ -12,6 +12,7 @@ import pytest
 from labs.grading import fingerprints
 from labs.grading.bank import Misconception, read_bank
 from labs.grading.diagnosis import diagnose
+from labs.grading.fingerprints import __main__ as command
 from labs.grading.fingerprints import building
 from labs.grading.fingerprints.__main__ import main
 from labs.grading.probes import probed, probes
@@ -70,15 +71,26 @@ def test_a_fingerprint_that_is_stale_is_found(tmp_path, monkeypatch):
     content = {"schema": "collisions-lab/fingerprints", "version": 1, "functions": numbers}
     monkeypatch.setattr(building, "build", lambda *_, **__: {"detection": content})
     assert fingerprints.stale(tmp_path) == ["detection.json: there is none"]
-    building.write(tmp_path)
+    assert building.write(tmp_path) == [tmp_path / "detection.json"]
     assert fingerprints.stale(tmp_path) == []
     numbers["is_colliding"]["right"] = [1.0, 2.5]
     assert fingerprints.stale(tmp_path) == ["detection.json: /functions/is_colliding/right[1] is 2.0, now 2.5"]
 
 
-def test_the_command_knows_two_ways(capsys):
+def test_a_file_of_fingerprints_has_a_line_for_each_entry_down_to_some_depth():
+    content = {"é": {"deep": {"deeper": [1, {"x": 2}]}}, "none": {}, "ü": "ß"}
+    assert building.lines(content, 2) == '{\n"é": {\n"deep": {"deeper":[1,{"x":2}]}\n},\n"none": {},\n"ü": "ß"\n}'
+    assert building.lines({}) == "{}"
+
+
+def test_the_command_knows_two_ways(capsys, monkeypatch, tmp_path):
     assert main(["--what"]) == 2
     assert "usage" in capsys.readouterr().out
+    monkeypatch.setattr(command, "write", lambda: [tmp_path / "detection.json"])
+    for found, code, line in (([], 0, "the fingerprints are fresh"), (["detection.json: /x"], 1, "detection.json: /x")):
+        monkeypatch.setattr(command, "stale", lambda found=found: found)
+        assert (main(["--check"]), capsys.readouterr().out) == (code, f"{line}\n")
+    assert (main([]), capsys.readouterr().out) == (0, "wrote detection.json\n")
 
 
 def test_a_bank_that_has_to_be_mended_is_told_in_a_line(capsys, monkeypatch):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import re
 import signal
@@ -17,20 +16,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from labs.grading import messages
-from labs.grading.calls import Patience
 from labs.grading.errors import (
     FunctionMissing,
     FunctionRaised,
     GraderFailed,
-    NoAnswer,
     NotSteady,
     OutOfTime,
     ProcessDied,
     StudentError,
     WrongType,
 )
-from labs.grading.processes import Ended, Limits
+from labs.grading.processes import Limits
 from labs.grading.remote import Call, Grader, Remote
 from labs.grading.submission import Submission, read
 from labs.grading.worker import landlock, seccomp
@@ -433,77 +429,6 @@ def test_a_test_costs_a_fraction_of_an_interpreter_that_loads_numpy(of):
     assert statistics.median(took) < (time.perf_counter() - began) / 3
     assert call.ended is not None
     assert call.ended.memory < 60e6  # bytes: an interpreter with NumPy, most of it shared with the nursery
-
-
-class Scripted:
-    """In place of a test's process: says what it is told to, whatever it is asked."""
-
-    number = 0
-
-    def __init__(self, *said: object) -> None:
-        self._said = [messages.pack(each)[messages.HEADER :] for each in said]
-
-    def start(self, limits: Limits) -> Scripted:
-        return self
-
-    def send(self, message: bytes, seconds: float) -> None:
-        pass
-
-    def exchange(self, message: bytes, seconds: float) -> bytes:
-        return self._said.pop(0)
-
-    ended = Ended(0)
-
-    def end(self, process: object = None) -> None:
-        pass
-
-
-SEALED, LOADED = ("sealed", 3, []), ("loaded", ["f"], [])
-PAIR = np.zeros(2)  # compared with anything, it is neither true nor false
-
-
-@pytest.mark.parametrize(
-    "forged",
-    [
-        PAIR, [], (), None, 1.0, "answer", ("answer",), (PAIR,) * 7, (PAIR, 1, "value", 0.0, [], 1.0, ""),
-        ("answer", PAIR, "value", 0.0, [], 1.0, ""), ("answer", 1, PAIR, 0.0, [], 1.0, ""),
-        ("answer", 1, "value", PAIR, [], 1.0, ""), ("answer", 1, "value", 0.0, PAIR, 1.0, ""),
-        ("answer", 1, "value", 0.0, [], 1.0, PAIR), ("answer", 2, "value", 0.0, [], 1.0, ""),
-        ("answer", 1, "raised", PAIR, "", 1, ""), ("answer", 1, "raised", "E", PAIR, 1, ""),
-        ("answer", 1, "refused", PAIR, ""), ("answer", 1, "missing", PAIR, ""), ("answer", 1, "else", ""),
-    ],
-    ids=str,
-)  # fmt: skip
-def test_a_forged_answer_is_no_answer(forged):
-    process = Scripted(SEALED, LOADED, forged)
-    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
-    call.begin(process, Tier.NETWORK)
-    with pytest.raises(NoAnswer, match="wrote into the grader's pipe"):
-        call("f", 1.0)
-
-
-def test_odd_parts_of_an_answer_are_left_out():
-    process = Scripted(
-        SEALED,
-        ("loaded", ["f", PAIR, 1], [PAIR, (PAIR, "E", "m", 1), (["g"], "E", "m", -1), (["h"], "E", "m", 10**30)]),
-        ("answer", 1, "value", 0.0, [PAIR, 7, -1, 10**30, 0], 5.0, "said"),
-        ("answer", 2, "raised", "E", "m", 10**1000, ""),
-        ("answer", 3, "raised", "E", "m", PAIR, ""),
-    )
-    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
-    call.begin(process, Tier.NETWORK)
-    assert (call("f", 1.0), call.changed, call.printed) == (5.0, (0,), "said")
-    for _ in range(2):
-        with pytest.raises(FunctionRaised, match=r"^f raised E: m$"):
-            call("f", 1.0)
-
-
-@pytest.mark.parametrize("forged", [PAIR, (PAIR, PAIR, PAIR), ("loaded", PAIR, []), ("answer", 1), None])
-def test_a_submission_that_forges_its_own_loading_cannot_be_called(forged):
-    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
-    assert isinstance(call.begin(Scripted(SEALED, forged), Tier.NETWORK), NoAnswer)
-    with pytest.raises(NoAnswer, match="on loading"):
-        call("f", 1.0)
 
 
 STUDENT = """
