@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Any, TypeGuard
+from typing import Any
 
 import numpy as np
 
@@ -28,7 +28,7 @@ from labs.grading.errors import (
     StudentError,
     WrongType,
 )
-from labs.grading.files import CODE_LIMIT
+from labs.grading.failures import Failures, is_line
 from labs.grading.plain import one_line, plain
 from labs.grading.processes import Ended, Host, Limits, Process
 from labs.grading.submission import Submission
@@ -70,7 +70,7 @@ class Call:
         self._ahead: deque[tuple[int, str, tuple[Any, ...]]] = deque()  # calls that are sent, and not read yet
         self._lost: StudentError | None = None
         self._names: frozenset[str] = frozenset()
-        self._failures: list[Any] = []
+        self._failures = Failures()
         self.printed = ""
         self.changed: tuple[int, ...] = ()
         self.sealing = Sealing(Tier.PROCESS)
@@ -123,7 +123,7 @@ class Call:
         match self._exchange("the submission, on loading,", b""):
             case (str(), list(names), list(failures)):
                 self._names = frozenset(name for name in names if isinstance(name, str))
-                self._failures = [each for each in failures if _is_failure(each)]
+                self._failures = Failures(failures)
             case _:
                 raise self._lose(NoAnswer("the submission wrote into the grader's pipe on loading"))
 
@@ -160,8 +160,8 @@ class Call:
             self._ahead.append((number, name, arguments))
             requests += request
         assert self._process is not None
-        with contextlib.suppress(OSError):  # it is gone, as the first answer will show
-            self._process.send(requests, self._limits.call)
+        with self._counted() as allowed, contextlib.suppress(OSError):  # no answer will show it
+            self._process.send(requests, allowed)
 
     def _was_foreseen(self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> int | None:
         """The call's number if it is the next that was foreseen; if not, the answers to all these are passed over."""
@@ -183,11 +183,11 @@ class Call:
         """The value that was answered. Types come before any comparison: an array compared is no truth value."""
         match rest:
             case [float(), list(changed), value] if outcome == "value":
-                written = {place for place in changed if isinstance(place, int)}
-                self.changed = tuple(place for place in range(arguments) if place in written)
+                written = {place for place in changed if isinstance(place, int) and 0 <= place < arguments}
+                self.changed = tuple(sorted(written))
                 return value
             case [str(kind), str(text), line] if outcome == "raised":
-                raise self._raised(name, kind, text, line if _is_line(line) else None)
+                raise self._raised(name, kind, text, line if is_line(line) else None)
             case [str(why)] if outcome == "refused":
                 allowed = "a number, text, an array or a tuple of these"
                 raise WrongType(f"{name} gave {one_line(why)}; an answer is {allowed}")
@@ -225,7 +225,22 @@ class Call:
     def _exchange(self, name: str, message: bytes) -> Any:
         """Send a message and read the answer, within what time is left; whatever goes wrong ends the process."""
         assert self._process is not None
-        allowed, began = max(0.0, min(self._limits.call, self._left, self._patience.left)), time.monotonic()
+        with self._counted() as allowed:
+            return self._answered(name, message, allowed)
+
+    @contextlib.contextmanager
+    def _counted(self) -> Iterator[float]:
+        """The time that a call may take; what it took is taken from that of the test and of the submission."""
+        began = time.monotonic()
+        try:
+            yield max(0.0, min(self._limits.call, self._left, self._patience.left))
+        finally:
+            spent = time.monotonic() - began
+            self._left -= spent
+            self._patience.left -= spent
+
+    def _answered(self, name: str, message: bytes, allowed: float) -> Any:
+        assert self._process is not None
         try:
             return messages.unpack(self._process.exchange(message, allowed))
         except TimeoutError:
@@ -236,10 +251,6 @@ class Call:
             raise self._lose(ProcessDied(f"{name} gave no answer: {deaths.reason(self._process.ended)}")) from None
         except messages.Refused as refused:
             raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None
-        finally:
-            spent = time.monotonic() - began
-            self._left -= spent
-            self._patience.left -= spent
 
     def _lose(self, error: StudentError) -> StudentError:
         self._lost = error
@@ -247,21 +258,17 @@ class Call:
         return error
 
     def _missing(self, name: str) -> StudentError:
-        for names, kind, text, line in self._failures:
-            if name in names or not names:
-                return FunctionRaised(f"{name} could not be defined: {self._said(kind, text, line)}", kind, line)
+        if failure := self._failures.of(name):
+            _, kind, text, line = failure
+            return FunctionRaised(f"{name} could not be defined: {self._said(kind, text, line)}", kind, line)
         return FunctionMissing(f"{_needs(name)}: it is not in the submission")
 
     def _raised(self, name: str, kind: str, text: str, line: int | None) -> StudentError:
         if kind == "NotImplementedError":
             return FunctionMissing(f"{_needs(name)}: it is not written yet")
         message = f"{name} raised {self._said(kind, text, line)}"
-        if kind == "NameError":
-            message += "".join(
-                f". On loading: {self._said(why, said, where)}"
-                for names, why, said, where in self._failures
-                if any(f"'{each}'" in text for each in names)
-            )
+        if kind == "NameError" and (failure := self._failures.behind(text)):
+            message += f". On loading: {self._said(*failure[1:])}"
         return FunctionRaised(message, one_line(kind), line)
 
     def _said(self, kind: str, text: str, line: int | None) -> str:
@@ -286,16 +293,3 @@ class RemoteImplementation(Implementation):
 def _needs(name: str) -> str:
     entry = lecture.FUNCTIONS.get(name)
     return f"needs {name} ({entry.topic}, step {entry.step})" if entry else f"needs {name}"
-
-
-def _is_failure(found: object) -> bool:
-    """Whether it is what the worker says of a statement that failed: names, type, message, line."""
-    match found:
-        case (list(names), str(), str(), line):
-            return all(isinstance(name, str) for name in names) and (line is None or _is_line(line))
-    return False
-
-
-def _is_line(found: object) -> TypeGuard[int]:
-    """Whether it can be the number of a line."""
-    return isinstance(found, int) and 0 < found <= CODE_LIMIT

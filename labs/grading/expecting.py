@@ -19,7 +19,7 @@ import pytest
 
 from labs.grading.marks import Answer, Array, Right, mark, outputs
 from labs.grading.probes.making import usual
-from labs.grading.telling import called, compared
+from labs.grading.telling import called, compared, shown
 
 Test = TypeVar("Test", bound=Callable[..., None])
 Formula = Callable[..., Any]
@@ -106,13 +106,17 @@ def _repeated(value: Any, right: tuple[Array, ...]) -> Any:
 
 
 def numbers(function: Called, arguments: tuple[Any, ...], count: int = 1) -> Any:
-    """What a function gives, as an array of floats, or so many of them; an AssertionError where it is no such thing."""
+    """What a function gives, as an array of floats, or so many of them; an AssertionError where it is no such thing.
+
+    NaN and infinity are none: two of them can be as good as equal.
+    """
     value = function(*arguments)
     found = outputs(value, count)
-    if found is None:
+    if found is None or not all(np.isfinite(array).all() for array in found):
         wanted = "numbers" if count == 1 else f"{count} arrays of numbers"
         given = called(_parameters(function.name), arguments)
-        raise AssertionError(f"{function.name} of {given}\ngives {type(value).__name__}, where {wanted} should be")
+        came = type(value).__name__ if found is None else ", ".join(map(shown, found))
+        raise AssertionError(f"{function.name} of {given}\ngives {came}, where {wanted} should be")
     return found if count > 1 else found[0]
 
 
