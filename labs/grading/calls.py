@@ -30,7 +30,7 @@ from labs.grading.errors import (
 )
 from labs.grading.failures import Failures, is_line
 from labs.grading.plain import one_line, plain
-from labs.grading.processes import Ended, Host, Limits, Process
+from labs.grading.processes import LOST, Ended, Host, Limits, Process
 from labs.grading.submission import Submission
 from labs.grading.worker.sandbox import Sealing
 from labs.grading.worker.tier import Tier
@@ -53,7 +53,7 @@ class Call:
     """Calls functions of the submission in one process.
 
     Of the last call: printed, what it printed; changed, which of its arguments it wrote to, by place. Of the process:
-    sealing, how far it is shut in; ended, once it has, how that was and what it used.
+    sealing, how far it is shut in, None before it says so; ended, once it has, how that was and what it used.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class Call:
         self._failures = Failures()
         self.printed = ""
         self.changed: tuple[int, ...] = ()
-        self.sealing = Sealing(Tier.PROCESS)
+        self.sealing: Sealing | None = None
 
     def start(self, host: Host) -> None:
         """Start the process and send it the text, which it runs at once; `begin` asks what came of it."""
@@ -102,9 +102,8 @@ class Call:
         """Learn how far the process is shut in, which it says before it runs any of the text."""
         assert self._process is not None
         with self._starting():
-            match messages.unpack(self._process.exchange(b"", _STARTING)):
-                case ("sealed", int(tier), list(missing)):
-                    self.sealing = Sealing(Tier(tier), tuple(missing))
+            _, tier, missing = messages.unpack(self._process.exchange(b"", _STARTING))
+        self.sealing = Sealing(Tier(tier), tuple(missing))
         if self.sealing.tier < least:
             offered, lacking = self.sealing.tier.title, "; ".join(self.sealing.missing)
             raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {lacking}")
@@ -248,6 +247,8 @@ class Call:
             limit = f"{allowed:.3g} s" + (f" (the {whose}'s time is up)" if allowed < self._limits.call else "")
             raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
         except (OSError, EOFError):
+            if self._process.ended is LOST:
+                raise GraderFailed("the nursery, of which a test's process is part, was stopped meanwhile") from None
             raise self._lose(ProcessDied(f"{name} gave no answer: {deaths.reason(self._process.ended)}")) from None
         except messages.Refused as refused:
             raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None

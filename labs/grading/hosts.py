@@ -26,7 +26,7 @@ from pathlib import Path
 import numpy as np
 
 from labs.grading.errors import GraderFailed
-from labs.grading.processes import Ended, Limits, Process
+from labs.grading.processes import LOST, Ended, Limits, Process
 from labs.grading.worker import system
 from labs.grading.worker.sandbox import Plan
 
@@ -39,7 +39,6 @@ _START = "import sys; sys.path[:0] = sys.argv[1:3]; from labs.grading.worker imp
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 _PATIENCE = 30.0  # s for the nursery, which nobody untrusted can keep waiting
 _UNHEARD = 32  # ends that the nursery may say while nobody listens; its socket holds some hundreds
-_WITH_THE_NURSERY = Ended(-signal.SIGKILL)
 
 
 class NurseryHost:
@@ -95,7 +94,7 @@ class NurseryHost:
                     raise ConnectionError
                 self._ask({"end": process.number}, [])
             except OSError:  # the nursery is gone, and its tests with it
-                process.outcome = _WITH_THE_NURSERY
+                process.outcome = LOST
             else:
                 self._dying.append(process)
             while len(self._dying) > _UNHEARD:
@@ -124,8 +123,12 @@ class NurseryHost:
         process = self._dying.popleft()
         try:
             said = json.loads(self._control.recv(2**16))
-        except (OSError, ValueError):  # the nursery is gone, and its tests with it
-            process.outcome = _WITH_THE_NURSERY
+        except (OSError, ValueError):  # the nursery is gone, or stuck: whatever it says later answers nothing
+            self._process.kill()
+            self._process.wait()
+            for each in (process, *self._dying):
+                each.outcome = LOST
+            self._dying.clear()
         else:
             code = os.waitstatus_to_exitcode(said["status"])
             process.outcome = Ended(code, said["seconds"], said["memory"], said["strays"])

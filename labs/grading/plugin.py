@@ -23,7 +23,7 @@ from typing import Any
 import pytest
 
 from labs.grading.diagnosis import diagnose
-from labs.grading.errors import FunctionMissing, StudentError
+from labs.grading.errors import FunctionMissing, GraderFailed, StudentError, UnreadableSubmission
 from labs.grading.examples import Examples
 from labs.grading.files import FILE_LIMIT
 from labs.grading.plain import one_line, plain
@@ -86,7 +86,8 @@ class Functions:
         """The process of the test that runs, for what is more than a call: `steady`, `changed`, `implementation`."""
         if self._call is None:
             self._call = self._test.enter_context(self._remote.fresh())
-            self._sheet.tier = self._call.sealing.tier.title
+            if self._call.sealing:  # where it does not load, later tests have no process
+                self._sheet.tier = self._call.sealing.tier.title
         return self._call
 
     def end_test(self) -> None:
@@ -125,13 +126,12 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Check the points, and seed the properties from the submission, so that regrading gives the same marks."""
-    seed = _seed(config)
     for item in _graded(items):
         if type(points := _marker(item, "points", 1)) is not int or points < 0:
             raise pytest.UsageError(f"{item.nodeid}: points are a whole number, not {points!r}")
         test: Any = getattr(item, "obj", None)
         if (hypothesis := sys.modules.get("hypothesis")) and hypothesis.is_hypothesis_test(test):
-            hypothesis.seed(seed)(getattr(test, "__func__", test))
+            hypothesis.seed(_seed(item))(getattr(test, "__func__", test))
 
 
 @pytest.fixture(scope="session")
@@ -154,8 +154,8 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
 
 @pytest.fixture
 def examples(request: pytest.FixtureRequest) -> Examples:
-    """Inputs drawn for this test from the submission's text."""
-    return Examples(_seed(request.config), told=not _is_hidden(request.node))
+    """Inputs drawn for this test from the submission's text, and the test's own."""
+    return Examples(_seed(request.node), told=not _is_hidden(request.node))
 
 
 @pytest.fixture
@@ -200,7 +200,9 @@ def pytest_runtest_makereport(
     if "submission" in getattr(item, "fixturenames", ()) and not report.skipped:
         if report.failed and isinstance(error, CollisionsError):
             report.longrepr = one_line(str(error), 1000)
-        if report.when == "call" or (report.when == "setup" and report.failed):
+        if isinstance(error, GraderFailed):
+            item.session.shouldstop = one_line(str(error), 1000)  # our fault is not to cost the student's points
+        elif report.when == "call" or (report.when == "setup" and report.failed):
             item.config.stash[SHEET].outcomes.append(_outcome(item, report.passed, error))
     return report
 
@@ -222,13 +224,18 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     write(f"{sheet.earned} of {sheet.points} points ({sheet.tier or 'not run'})")
 
 
-def _seed(config: pytest.Config) -> int:
-    """What examples are drawn with: a number made of the submission's text."""
-    path: Path | None = config.getoption("--submission")
+def _seed(item: pytest.Item) -> int:
+    """What examples are drawn with: a number made of the submission's text and of the file of the test.
+
+    The second is for hidden tests: else a student could change a comment until no example meets the mistake.
+    """
+    path: Path | None = item.config.getoption("--submission")
     if path is None or not path.is_file():
         return 0
+    drawn = hashlib.sha256(item.path.read_bytes())
     with path.open("rb") as file:  # no more of it than a submission may have
-        return int.from_bytes(hashlib.sha256(file.read(FILE_LIMIT)).digest()[:8])
+        drawn.update(file.read(FILE_LIMIT))
+    return int.from_bytes(drawn.digest()[:8])
 
 
 def _graded(items: list[pytest.Item]) -> list[pytest.Item]:
@@ -258,7 +265,9 @@ def _said(error: BaseException | None, hidden: bool) -> str:
     """What may be told of a failure. A hidden test keeps its numbers, and what the submission could make of them."""
     if hidden and isinstance(error, StudentError):
         return f"the function {error.gist}"
-    if hidden and not isinstance(error, CollisionsError):
+    if hidden and not isinstance(
+        error, UnreadableSubmission
+    ):  # what a driver or a right function says of it may hold numbers
         return "the answer is wrong"
     lines = [line.strip() for line in plain(str(error), 1000).splitlines()]
     kept = [line for line in lines if line and not line.endswith(_OBVIOUS)][:_LINES]

@@ -42,6 +42,10 @@ class Ended:
     strays: int = 0
 
 
+LOST = Ended(-9)
+"""What becomes of a process whose host died: killed with it, and nobody knows more."""
+
+
 class Host(Protocol):
     """Starts processes for tests and ends them."""
 

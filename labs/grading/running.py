@@ -77,7 +77,7 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
         "ignore::pytest.PytestAssertRewriteWarning",
     ]  # the plugin may be loaded already, and asserts nothing
     with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-        code = pytest.main([*options, "--submission", str(path.resolve()), *files], plugins=[keep])
+        code = pytest.main([*options, "--submission", str(path.absolute()), *files], plugins=[keep])
     if code not in _FINE or keep.sheet is None or not keep.sheet.outcomes:
         raise GraderFailed(f"the tests could not be run: {printed.getvalue().strip()[-_TAIL:]}")
     return keep.sheet
