@@ -16,7 +16,7 @@ _MAGIC = re.compile(
     r"""[ \t]*(?:
         [%!?].*                                # %matplotlib inline, !pip install, ?name
       | [\w.]+\?{1,2}[ \t]*                    # name?
-      | [\w.][\w., \t]*=[ \t]*[%!](?!=).*           # files = !ls
+      | [\w.][\w., \t]*=[ \t]*[%!](?!=).*     # files = !ls
     )$""",
     re.VERBOSE | re.MULTILINE,
 )
