@@ -106,6 +106,10 @@ class NurseryHost:
             while self._dying and (process is None or process.outcome is None):
                 self._hear()
 
+    def has_lost(self, process: Process) -> bool:
+        """Whether the process went with its nursery, or is about to."""
+        return process.number <= self._before or self._process.poll() is not None
+
     def close(self) -> None:
         """Stop the nursery and what is left of its tests."""
         with self._lock:
@@ -179,6 +183,10 @@ class LoneHost:
 
     def wait(self, process: Process | None = None) -> None:
         """Nothing to wait for: what is killed is waited for at once."""
+
+    def has_lost(self, process: Process) -> bool:
+        """Never: each has a life of its own."""
+        return False
 
     def _kill(self, running: subprocess.Popen[bytes]) -> int:
         with contextlib.suppress(OSError):

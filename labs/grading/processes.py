@@ -52,6 +52,7 @@ class Host(Protocol):
     def start(self, limits: Limits) -> Process: ...  # noqa: D102
     def end(self, process: Process) -> None: ...  # noqa: D102
     def wait(self, process: Process | None = None) -> None: ...  # noqa: D102
+    def has_lost(self, process: Process) -> bool: ...  # noqa: D102
     def close(self) -> None: ...  # noqa: D102
 
 
@@ -95,6 +96,8 @@ class Process:
     @property
     def gone(self) -> bool:
         """Whether nobody is left who could answer."""
+        if self._host.has_lost(self):
+            return True
         if os.name != "posix":
             return False
         poll = select.poll()
