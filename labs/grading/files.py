@@ -180,7 +180,8 @@ def _cells_of(notebook: Any) -> list[Any]:
         sheets = notebook.get("worksheets")
         found = notebook.get("cells")
         if found is None and isinstance(sheets, list):
-            found = [cell for sheet in sheets if isinstance(sheet, dict) for cell in sheet.get("cells") or []]
+            each = [sheet.get("cells") for sheet in sheets if isinstance(sheet, dict)]
+            found = [cell for cells in each if isinstance(cells, list) for cell in cells]
         if isinstance(found, list):
             return found
     raise UnreadableSubmission("it is not a notebook: it has no cells")

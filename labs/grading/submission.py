@@ -100,8 +100,9 @@ def _parsed(cell: Cell, complaints: list[Complaint]) -> tuple[str, list[Group]]:
             return source, groups(source)
         except SyntaxError as error:
             complaints.append(_told(error, cell, source))
-        except _TOO_MUCH:
-            complaints.append(Complaint("Python cannot read this: too deeply nested", cell.number))
+        except _TOO_MUCH as error:
+            why = "it holds half a character" if isinstance(error, UnicodeError) else "too deeply nested"
+            complaints.append(Complaint(f"Python cannot read this: {why}", cell.number))
     return "", []
 
 

@@ -222,6 +222,12 @@ def test_odd_notebooks_are_read(content, tmp_path):
     assert handed_in(tmp_path, content).functions == WANTED
 
 
+def test_half_a_character_costs_its_cell_alone(tmp_path):
+    submission = handed_in(tmp_path, notebook(BOTH, "x = '\ud800'"))
+    assert submission.functions == WANTED
+    assert told(submission) == "code cell 2: Python cannot read this: it holds half a character"
+
+
 @pytest.mark.parametrize(
     ("name", "content", "line"),
     [
@@ -231,6 +237,7 @@ def test_odd_notebooks_are_read(content, tmp_path):
         ("lab.ipynb", b"not json", "it is not a notebook"),
         ("lab.ipynb", b'{"cells": 3}', "it has no cells"),
         ("lab.ipynb", b"[1, 2]", "it has no cells"),
+        ("lab.ipynb", b'{"worksheets": [{"cells": 5}, 3, {"cells": [4]}]}', "it holds no code"),
         ("lab.ipynb", b'{"cells": ' + b"[" * 100_000, "it is not a notebook"),
         ("lab.ipynb", notebook(BOTH)[:-20], "it is not a notebook"),
         ("lab.ipynb", b'{\n"cells": [\n<<<<<<< HEAD\n1\n=======\n>>>>>>> x\n]}', "line 3: a merge left its marks"),
