@@ -114,9 +114,8 @@ class Call:
             yield
         except (OSError, EOFError, messages.Refused) as error:
             assert self._process is not None
-            raise GraderFailed(
-                f"a test's process did not start: {error or deaths.reason(self._process.ended)}"
-            ) from None
+            why = str(error) or deaths.reason(self._process.ended)
+            raise GraderFailed(f"a test's process did not start: {why}") from None
 
     def _load(self) -> None:
         match self._exchange("the submission, on loading,", b""):

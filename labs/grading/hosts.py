@@ -68,23 +68,31 @@ class NurseryHost:
     def start(self, limits: Limits) -> Process:
         """Have a process forked, without waiting for it; raises `GraderFailed` where there is no nursery to ask."""
         with self._lock:
-            if self._process.poll() is not None:
-                self._stop()
-                self._open()
-            self._tests += 1
-            folder = str(Path(self._folder, str(self._tests)))
-            plan = Plan(folder, self._user, limits.memory, int(limits.test) + 1, self._without)
-            (their_requests, requests), (answers, their_answers) = os.pipe(), os.pipe()
+            if self._process.poll() is None:
+                with contextlib.suppress(OSError):  # it is about to end
+                    return self._start(limits)
+            self._stop()
+            self._open()
             try:
-                self._ask({"start": self._tests, "plan": asdict(plan)}, [their_requests, their_answers])
+                return self._start(limits)
             except OSError:
-                os.close(requests)
-                os.close(answers)
                 raise GraderFailed(f"the grader's nursery does not answer: {self._log()}") from None
-            finally:
-                os.close(their_requests)
-                os.close(their_answers)
-            return Process(self._tests, requests, answers, self)
+
+    def _start(self, limits: Limits) -> Process:
+        self._tests += 1
+        folder = str(Path(self._folder, str(self._tests)))
+        plan = Plan(folder, self._user, limits.memory, int(limits.test) + 1, self._without)
+        (their_requests, requests), (answers, their_answers) = os.pipe(), os.pipe()
+        try:
+            self._ask({"start": self._tests, "plan": asdict(plan)}, [their_requests, their_answers])
+        except OSError:
+            os.close(requests)
+            os.close(answers)
+            raise
+        finally:
+            os.close(their_requests)
+            os.close(their_answers)
+        return Process(self._tests, requests, answers, self)
 
     def end(self, process: Process) -> None:
         """Have the nursery kill the process and its descendants, without waiting for it."""

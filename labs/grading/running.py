@@ -46,7 +46,7 @@ def run(
     InvalidInput
         If a topic has no tests.
     GraderFailed
-        If pytest is missing or could not run the tests.
+        If pytest is missing or could not run the tests, or a test's process failed for no fault of the submission.
     """
     if importlib.util.find_spec("pytest") is None:
         raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
@@ -62,10 +62,14 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
 
     class Keep:
         sheet: Sheet | None = None
+        stopped: BaseException | None = None
 
         @pytest.hookimpl(tryfirst=True)
         def pytest_configure(self, config: pytest.Config) -> None:
             config.stash[GRADER] = grader
+
+        def pytest_keyboard_interrupt(self, excinfo: pytest.ExceptionInfo[BaseException]) -> None:
+            self.stopped = excinfo.value
 
         def pytest_unconfigure(self, config: pytest.Config) -> None:
             self.sheet = config.stash[SHEET]
@@ -78,6 +82,10 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
     ]  # the plugin may be loaded already, and asserts nothing
     with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
         code = pytest.main([*options, "--submission", str(path.absolute()), *files], plugins=[keep])
+    if isinstance(keep.stopped, KeyboardInterrupt) and not isinstance(keep.stopped, pytest.Session.Interrupted):
+        raise KeyboardInterrupt
+    if keep.stopped:
+        raise GraderFailed(str(keep.stopped))
     if code not in _FINE or keep.sheet is None or not keep.sheet.outcomes:
         raise GraderFailed(f"the tests could not be run: {printed.getvalue().strip()[-_TAIL:]}")
     return keep.sheet

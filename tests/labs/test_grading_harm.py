@@ -232,7 +232,8 @@ with Remote(Submission("lab.py", "import os\\ndef pids(): return os.getpid(), os
         print(*call("pids"), flush=True)
         time.sleep(60)
 """
-    environment = {**os.environ, "TMPDIR": str(tmp_path), "PYTHONPATH": str(ROOT)}
+    packages = os.pathsep.join([str(ROOT), *filter(None, sys.path)])
+    environment = {**os.environ, "TMPDIR": str(tmp_path), "PYTHONPATH": packages}
     with subprocess.Popen(
         [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=environment
     ) as grader:
