@@ -51,7 +51,7 @@ class NurseryHost:
         self._dying: deque[Process] = deque()  # the nursery was told to end them, and has not said that it has
         self._folder = tempfile.mkdtemp(prefix="grading-")
         self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
-        self._was_dumpable = _hide()
+        _hide(self)
         self._open()
 
     def _open(self) -> None:
@@ -123,9 +123,7 @@ class NurseryHost:
         with self._lock:
             self._stop()
             self._clear()
-            if self._was_dumpable:
-                system.prctl(system.SET_DUMPABLE, 1)
-                self._was_dumpable = False
+            _show(self)
 
     def _ask(self, request: dict[str, object], descriptors: list[int]) -> None:
         socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
@@ -210,10 +208,20 @@ class LoneHost:
         self._clear()
 
 
-def _hide() -> bool:
-    """Keep others of this user from looking into this process; says whether they could before."""
+_hiding: weakref.WeakSet[NurseryHost] = weakref.WeakSet()
+"""Those that are open, where others of this user could look into this process before."""
+
+
+def _hide(host: NurseryHost) -> None:
+    """Keep others of this user from looking into this process, until the last host is closed."""
     with contextlib.suppress(OSError):
-        if system.prctl(system.GET_DUMPABLE) == 1:
+        if _hiding or system.prctl(system.GET_DUMPABLE) == 1:
             system.prctl(system.SET_DUMPABLE, 0)
-            return True
-    return False
+            _hiding.add(host)
+
+
+def _show(host: NurseryHost) -> None:
+    if host in _hiding:
+        _hiding.remove(host)
+        if not _hiding:
+            system.prctl(system.SET_DUMPABLE, 1)

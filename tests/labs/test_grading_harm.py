@@ -23,6 +23,7 @@ from labs.grading.plugin import _seed
 from labs.grading.processes import LOST, Ended, Limits
 from labs.grading.remote import Grader, Remote
 from labs.grading.submission import Submission, read
+from labs.grading.worker import system
 from labs.grading.worker.tier import Tier
 from reference.errors import RunFailed
 
@@ -164,6 +165,7 @@ def test_a_link_is_followed_neither_with_topics_nor_without(tmp_path):
     assert all("symbolic link" in outcome.said for outcome in found.sheet.outcomes)
 
 
+@pytest.mark.slow
 def test_many_statements_in_many_cells_are_read_in_seconds(tmp_path):
     cell = '{"cell_type": "code", "source": "' + "f=1\\n" * 10 + '"},'
     (tmp_path / "lab.ipynb").write_text('{"cells": [' + (cell * 1900).rstrip(",") + "]}")
@@ -256,6 +258,17 @@ def _is_there(process: int) -> bool:
         return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
     except OSError:
         return False
+
+
+@linux
+def test_two_graders_hide_their_process_until_both_are_closed():
+    before = system.prctl(system.GET_DUMPABLE)
+    first, second = Grader(), Grader()
+    first.close()
+    first.close()
+    assert system.prctl(system.GET_DUMPABLE) == 0
+    second.close()
+    assert system.prctl(system.GET_DUMPABLE) == before
 
 
 @linux
