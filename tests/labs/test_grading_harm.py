@@ -223,6 +223,13 @@ def test_a_fault_of_the_graders_costs_no_points(tmp_path):
 
 
 @linux
+def test_a_nursery_that_is_killed_makes_no_grade(tmp_path):
+    (tmp_path / "lab.py").write_text("import os\ndef rebound_velocity(v, e): os.kill(os.getppid(), 9)")
+    with Grader(without=("seccomp", "landlock", "user")) as open_grader, pytest.raises(GraderFailed, match="nursery"):
+        grade(tmp_path / "lab.py", None, ["visible"], open_grader)
+
+
+@linux
 @pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 def test_nothing_is_left_of_a_grader_that_is_ended(ending, tmp_path):
     code = """
