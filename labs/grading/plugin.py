@@ -262,17 +262,20 @@ def _outcome(item: pytest.Item, passed: bool, error: BaseException | None) -> Ou
 
 
 def _said(error: BaseException | None, hidden: bool) -> str:
-    """What may be told of a failure. A hidden test keeps its numbers, and what the submission could make of them."""
+    """What may be told of a failure, never nothing: a part of which nothing is said has passed.
+
+    A hidden test keeps its numbers, and what the submission could make of them.
+    """
     if hidden and isinstance(error, StudentError):
         return f"the function {error.gist}"
-    if hidden and not isinstance(
-        error, UnreadableSubmission
-    ):  # what a driver or a right function says of it may hold numbers
+    if hidden and not isinstance(error, UnreadableSubmission):  # what a driver says may hold numbers
         return "the answer is wrong"
     lines = [line.strip() for line in plain(str(error), 1000).splitlines()]
-    kept = [line for line in lines if line and not line.endswith(_OBVIOUS)][:_LINES]
+    ours = not isinstance(error, StudentError)  # a submission may say what pytest says
+    kept = [line for line in lines if line and not (ours and line.endswith(_OBVIOUS))][:_LINES]
     notes = [] if isinstance(error, FunctionMissing) else getattr(error, "__notes__", [])
-    return "\n".join([*kept, *(f"for {example}" for note in notes if (example := _example(note)))])
+    said = [*kept, *(f"for {example}" for note in notes if (example := _example(note)))]
+    return "\n".join(said) or "the answer is wrong"
 
 
 def _example(note: str) -> str:

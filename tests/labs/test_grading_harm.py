@@ -155,6 +155,21 @@ def test_what_foreseen_calls_wait_is_the_submissions_time():
     assert patience.left < 9.85
 
 
+def test_words_that_are_left_out_of_feedback_pay_nothing(tmp_path):
+    silent = """
+def made(text):
+    found = {"text": text}
+    exec(compile("def f(*arguments): raise Exception(text)", "elsewhere", "exec"), found)
+    return found["f"]
+point_velocity = made("point_velocity = submission.point_velocity")
+rebound_velocity = made("rebound_velocity = submission.rebound_velocity")
+"""
+    (tmp_path / "lab.py").write_text(silent)
+    found = grade(tmp_path / "lab.py", ["impulse"], ["visible"])
+    assert found.sheet.earned == 0
+    assert all(outcome.said or all(part.said for part in outcome.parts) for outcome in found.sheet.outcomes)
+
+
 def test_a_link_is_followed_neither_with_topics_nor_without(tmp_path):
     (tmp_path / "right.py").write_text("def rebound_velocity(v, e): return -e * v")
     (tmp_path / "lab.py").symlink_to(tmp_path / "right.py")
