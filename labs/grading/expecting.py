@@ -20,7 +20,7 @@ import pytest
 
 from labs.grading.marks import Answer, Array, Right, mark, outputs
 from labs.grading.probes.making import usual
-from labs.grading.telling import called, compared, no_answer
+from labs.grading.telling import called, compared, no_answer, shown
 from reference.errors import UnknownName
 
 Test = TypeVar("Test", bound=Callable[..., None])
@@ -107,11 +107,17 @@ def _repeated(value: Any, right: tuple[Array, ...]) -> Any:
 
 
 def numbers(function: Called, arguments: tuple[Any, ...], count: int = 1) -> Any:
-    """What a function gives, as an array of floats, or so many of them; an AssertionError where it is no such thing."""
+    """What a function gives, as an array of floats, or so many of them; an AssertionError where it is no such thing.
+
+    NaN and infinity are none: two of them can be as good as equal.
+    """
     value = function(*arguments)
     found = outputs(value, count)
     if found is None:
         raise AssertionError(f"{_tried(function, arguments)}\ngives   {no_answer(value, count, _printed(function))}")
+    if not all(np.isfinite(array).all() for array in (found if count > 1 else found[:1])):
+        came = ", ".join(map(shown, found))
+        raise AssertionError(f"{_tried(function, arguments)}\ngives   {came}, where finite numbers should be")
     return found if count > 1 else found[0]
 
 

@@ -9,13 +9,13 @@ from typing import Any
 import pytest
 
 from labs.grading.diagnosis import Diagnosis, diagnose
-from labs.grading.errors import FunctionMissing, GraderFailed, StudentError
+from labs.grading.errors import FunctionMissing, GraderFailed, StudentError, UnreadableSubmission
 from labs.grading.plain import plain
 from labs.grading.remote import Remote
 from labs.grading.sheet import Outcome, Part, Sheet
 from labs.grading.submission import Submission
 from reference import lecture
-from reference.errors import CollisionsError, UnknownName
+from reference.errors import UnknownName
 
 _LINES = 8  # of what a failed assertion says
 _OBVIOUS = tuple(f"{name} = submission.{name}" for name in lecture.FUNCTIONS)  # as pytest adds it
@@ -38,15 +38,20 @@ def outcome_of(item: pytest.Item, passed: bool, error: BaseException | None, par
 
 
 def said(error: BaseException | None, hidden: bool) -> str:
-    """What may be told of a failure. A hidden test keeps its numbers, and what the submission could make of them."""
+    """What may be told of a failure, never nothing: a part of which nothing is said has passed.
+
+    A hidden test keeps its numbers, and what the submission could make of them.
+    """
     if hidden and isinstance(error, StudentError):
         return f"the function {error.gist}"
-    if hidden and not isinstance(error, CollisionsError):
+    if hidden and not isinstance(error, UnreadableSubmission):  # what a driver says may hold numbers
         return "the answer is wrong"
     lines = [line.strip() for line in plain(str(error), 1000).splitlines()]
-    kept = [line for line in lines if line and not line.endswith(_OBVIOUS)][:_LINES]
+    ours = not isinstance(error, StudentError)  # a submission may say what pytest says
+    kept = [line for line in lines if line and not (ours and line.endswith(_OBVIOUS))][:_LINES]
     notes = [] if isinstance(error, FunctionMissing) else getattr(error, "__notes__", [])
-    return "\n".join([*kept, *(f"for {example}" for note in notes if (example := _example(note)))])
+    found = [*kept, *(f"for {example}" for note in notes if (example := _example(note)))]
+    return "\n".join(found) or "the answer is wrong"
 
 
 def _example(note: str) -> str:

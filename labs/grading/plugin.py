@@ -20,7 +20,7 @@ from typing import Any
 
 import pytest
 
-from labs.grading.errors import StudentError
+from labs.grading.errors import GraderFailed, StudentError
 from labs.grading.examples import Examples
 from labs.grading.files import FILE_LIMIT
 from labs.grading.functions import Functions
@@ -74,13 +74,12 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Check the points, and seed the properties from the submission, so that regrading gives the same marks."""
-    seed = _seed(config)
     for item in _graded(items):
         if type(points := marker(item, "points", 1)) is not int or points < 0:
             raise pytest.UsageError(f"{item.nodeid}: points are a whole number, not {points!r}")
         test: Any = getattr(item, "obj", None)
         if (hypothesis := sys.modules.get("hypothesis")) and hypothesis.is_hypothesis_test(test):
-            hypothesis.seed(seed)(getattr(test, "__func__", test))
+            hypothesis.seed(_seed(item))(getattr(test, "__func__", test))
 
 
 @pytest.fixture(scope="session")
@@ -102,8 +101,8 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
 
 @pytest.fixture
 def examples(request: pytest.FixtureRequest) -> Examples:
-    """Inputs drawn for this test from the submission's text."""
-    return Examples(_seed(request.config), told=not is_hidden(request.node))
+    """Inputs drawn for this test from the submission's text, and the test's own."""
+    return Examples(_seed(request.node), told=not is_hidden(request.node))
 
 
 @pytest.fixture
@@ -152,7 +151,9 @@ def pytest_runtest_makereport(
     else:
         if isinstance(error, CollisionsError):
             report.longrepr = one_line(str(error), 1000)
-        if report.when == "call" or (report.when == "setup" and report.failed):
+        if isinstance(error, GraderFailed):
+            item.session.shouldstop = one_line(str(error), 1000)  # our fault is not to cost the student's points
+        elif report.when == "call" or (report.when == "setup" and report.failed):
             sheet.outcomes.append(outcome_of(item, report.passed, error, tuple(_parts(item))))
     return report
 
@@ -162,13 +163,18 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     summary(terminalreporter, config.stash[SHEET])
 
 
-def _seed(config: pytest.Config) -> int:
-    """What examples are drawn with: a number made of the submission's text."""
-    path: Path | None = config.getoption("--submission")
+def _seed(item: pytest.Item) -> int:
+    """What examples are drawn with: a number made of the submission's text and of the file of the test.
+
+    The second is for hidden tests: else a student could change a comment until no example meets the mistake.
+    """
+    path: Path | None = item.config.getoption("--submission")
     if path is None or not path.is_file():
         return 0
+    drawn = hashlib.sha256(item.path.read_bytes())
     with path.open("rb") as file:  # no more of it than a submission may have
-        return int.from_bytes(hashlib.sha256(file.read(FILE_LIMIT)).digest()[:8])
+        drawn.update(file.read(FILE_LIMIT))
+    return int.from_bytes(drawn.digest()[:8])
 
 
 def _graded(items: list[pytest.Item]) -> list[pytest.Item]:

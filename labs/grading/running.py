@@ -46,7 +46,7 @@ def run(
     InvalidInput
         If a topic has no tests.
     GraderFailed
-        If pytest is missing or could not run the tests.
+        If pytest is missing or could not run the tests, or a test's process failed for no fault of the submission.
     """
     if importlib.util.find_spec("pytest") is None:
         raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
@@ -63,6 +63,7 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
     class Keep:
         sheet: Sheet | None = None
         broken = ""
+        stopped: BaseException | None = None
 
         @pytest.hookimpl(tryfirst=True)
         def pytest_configure(self, config: pytest.Config) -> None:
@@ -71,6 +72,9 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
         def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
             if report.when == "teardown" and report.failed:  # nothing of the submission's: pytest counts it as failed
                 self.broken = report.longreprtext
+
+        def pytest_keyboard_interrupt(self, excinfo: pytest.ExceptionInfo[BaseException]) -> None:
+            self.stopped = excinfo.value
 
         def pytest_unconfigure(self, config: pytest.Config) -> None:
             self.sheet = config.stash[SHEET]
@@ -82,7 +86,11 @@ def _run(path: Path, files: list[str], grader: Grader) -> Sheet:
         "ignore::pytest.PytestAssertRewriteWarning",
     ]  # the plugin may be loaded already, and asserts nothing
     with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-        code = pytest.main([*options, "--submission", str(path.resolve()), *files], plugins=[keep])
+        code = pytest.main([*options, "--submission", str(path.absolute()), *files], plugins=[keep])
+    if isinstance(keep.stopped, KeyboardInterrupt) and not isinstance(keep.stopped, pytest.Session.Interrupted):
+        raise KeyboardInterrupt
+    if keep.stopped:
+        raise GraderFailed(str(keep.stopped))
     if code not in _FINE or keep.broken or keep.sheet is None or not keep.sheet.outcomes:
         raise GraderFailed(f"the tests could not be run: {(keep.broken or printed.getvalue()).strip()[-_TAIL:]}")
     return keep.sheet

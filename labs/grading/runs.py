@@ -30,6 +30,8 @@ SINGLE = 1e-4
 """Share of a number up to which single precision, over all the calls of a run, may be off."""
 MOST_CALLS = 4000
 """Ten times as many as any of these runs needs: an impact that never ends would go on asking."""
+MOST_NUMBERS, MOST_AXES = 64, 3
+"""Of one array that a function answers in a run: a matrix for each of a few bodies."""
 RIGHT = "solutions"
 """Where right answers for other topics come from. A student's tree may have none: then these tests are skipped."""
 WITHOUT_OTHERS = "a whole scenario needs right answers of other topics, which this copy of the lab does not have"
@@ -65,8 +67,16 @@ class Mixed(Implementation):
 
 
 def _arrays(value: Any) -> Any:
-    """Lists, which are as good an answer as arrays, as the drivers need them."""
-    return tuple(map(_arrays, value)) if isinstance(value, tuple) else np.asarray(value)
+    """Lists, which are as good an answer as arrays, as the drivers need them.
+
+    No larger than any that these runs ask for: a driver that adds a row to a column of thousands fills the memory.
+    """
+    if isinstance(value, tuple):
+        return tuple(map(_arrays, value))
+    array = np.asarray(value)
+    if array.size > MOST_NUMBERS or array.ndim > MOST_AXES:
+        raise RunFailed(f"an answer has the shape {array.shape}, where there is one contact")
+    return array
 
 
 def with_solutions(submission: Any, topic: str) -> Implementation:

@@ -126,8 +126,9 @@ def _parsed(cell: Cell, complaints: list[Complaint]) -> tuple[str, list[Group]]:
             return source, groups(source)
         except SyntaxError as error:
             complaints.append(_told(error, cell, source))
-        except _TOO_MUCH:
-            complaints.append(Complaint("Python cannot read this: too deeply nested", cell.number))
+        except _TOO_MUCH as error:
+            why = "it holds half a character" if isinstance(error, UnicodeError) else "too deeply nested"
+            complaints.append(Complaint(f"Python cannot read this: {why}", cell.number))
     return "", []
 
 
@@ -188,13 +189,15 @@ def _assembled(
     """The text of what the functions need, all other lines empty, and where each code cell starts in it."""
     made_for_it = _in_cells_made_for(pieces, functions)
     counting = [piece for piece in pieces if not _outdone(piece, made_for_it)]
-    kept = [counting[at] for at in sorted(needed([piece.group for piece in counting], functions))]
+    kept: dict[int, list[Group]] = {}  # of each cell
+    for at in sorted(needed([piece.group for piece in counting], functions)):
+        kept.setdefault(id(counting[at].cell), []).append(counting[at].group)
     lines: list[str] = []
     starts = []
     for cell, source in zip(cells, sources, strict=True):
         if cell.number is not None:
             starts.append((len(lines), cell.number))
-        lines += _only(source, [piece.group for piece in kept if piece.cell is cell])
+        lines += _only(source, kept.get(id(cell), []))
     return "\n".join(lines).rstrip("\n") + "\n", tuple(starts)
 
 

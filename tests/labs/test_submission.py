@@ -273,6 +273,12 @@ def test_odd_notebooks_are_read(content, tmp_path):
     assert handed_in(tmp_path, content).functions == WANTED
 
 
+def test_half_a_character_costs_its_cell_alone(tmp_path):
+    submission = handed_in(tmp_path, notebook(BOTH, "x = '\ud800'"))
+    assert submission.functions == WANTED
+    assert told(submission) == "code cell 2: Python cannot read this: it holds half a character"
+
+
 @pytest.mark.parametrize(
     ("name", "content", "line"),
     [
@@ -282,6 +288,7 @@ def test_odd_notebooks_are_read(content, tmp_path):
         ("lab.ipynb", b"not json", "it is not a notebook"),
         ("lab.ipynb", b'{"cells": 3}', "it has no cells"),
         ("lab.ipynb", b"[1, 2]", "it has no cells"),
+        ("lab.ipynb", b'{"worksheets": [{"cells": 5}, 3, {"cells": [4]}]}', "it holds no code"),
         ("lab.ipynb", b'{"cells": ' + b"[" * 100_000, "it is not a notebook"),
         ("lab.ipynb", notebook(BOTH)[:-20], "it is not a notebook"),
         ("lab.ipynb", b'{\n"cells": [\n<<<<<<< HEAD\n1\n=======\n>>>>>>> x\n]}', "line 3: a merge left its marks"),
@@ -291,7 +298,8 @@ def test_odd_notebooks_are_read(content, tmp_path):
         ("lab.py", b"x = 1\0\n", "it is not a text file"),
         ("lab.txt", BOTH.encode(), "hand in a .ipynb or a .py file"),
         ("lab", BOTH.encode(), "hand in a .ipynb or a .py file"),
-        ("lab.py", b"# " + b"x" * 2**20, "more than 1048576 characters of code"),
+        ("lab.py", b"# " + b"x" * 2**18, "more than 262144 characters of code"),
+        ("lab.py", b'f"' + b"{x}" * 20_000 + b'"', "more than 10000 opening braces"),
         ("la\nb\x1b[2J.py", b"", "la b␛[2J.py: it is empty"),
     ],
 )
@@ -388,13 +396,17 @@ def test_a_notebook_under_another_name_is_read_and_it_is_said(tmp_path):
         "x = 1" + "+1" * 50_000,
         "x = " + "(" * 5000 + ")" * 5000,
         "x = a" + ".b" * 50_000,
-        "x = " + "lambda: " * 50_000 + "1",
+        "x = " + "lambda: " * 30_000 + "1",
         "if 1: pass\n" + "elif 1: pass\n" * 20_000,
         "".join(" " * depth + "def f():\n" for depth in range(90)) + " " * 90 + "pass",
         "def f(): pass\n" * 2_000,
         "def rebound_velocity(v, e): return 0\n" * 2_000,
         "".join(f"a{i} = a{i + 1}\n" for i in range(2_000)) + "def normal_velocity(): return a0",
         "%" * 50_000 + "\n?" * 20_000,
+        " " * 200_000 + "x)",
+        "\\'" * 100_000 + ")",
+        "%%time\n" * 30_000 + ")",
+        'f"' + "{x}" * 9_000 + '"',
     ],
     ids=lambda source: source[:12],
 )
