@@ -113,8 +113,11 @@ class Call:
         """Learn how far the process is shut in, which it says before it runs any of the text."""
         assert self._process is not None
         with self._starting():
-            _, tier, missing = messages.unpack(self._process.exchange(b"", _STARTING))
-        self.sealing = Sealing(Tier(tier), tuple(missing))
+            match messages.unpack(self._process.exchange(b"", _STARTING)):
+                case ("sealed", int(tier), list(missing)):
+                    self.sealing = Sealing(Tier(tier), tuple(missing))
+                case _:
+                    raise messages.Refused("it does not say how far it is shut in")
         if self.sealing.tier < least:
             offered, lacking = self.sealing.tier.title, "; ".join(self.sealing.missing)
             raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {lacking}")
@@ -169,7 +172,7 @@ class Call:
             self._ahead.append((number, name, arguments))
             requests += request
         assert self._process is not None
-        with self._counted() as allowed, contextlib.suppress(OSError):  # no answer will show it
+        with self._counted(name) as (_, allowed), contextlib.suppress(OSError):  # no answer will show it
             self._process.send(requests, allowed)
 
     def _was_foreseen(self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> int | None:
@@ -239,7 +242,7 @@ class Call:
 
     @contextlib.contextmanager
     def _counted(self, name: str) -> Iterator[tuple[float, float]]:
-        """What a call may take, and what is left for it; what it took is taken from the test's time and the submission's."""
+        """What a call may take, and what is left for it; what it took, the test and the submission have less."""
         began, for_call = time.monotonic(), self._patience.for_call(name, self._limits.call)
         try:
             yield for_call, max(0.0, min(for_call, self._left, self._patience.left))

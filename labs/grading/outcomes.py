@@ -79,7 +79,7 @@ def summary(terminal: pytest.TerminalReporter, sheet: Sheet) -> None:
     if not sheet.outcomes:
         return
     write = terminal.write_line
-    terminal.section(sheet.submission or "no submission")
+    terminal.write_sep("=", sheet.submission or "no submission")
     for complaint in sheet.complaints:
         write(complaint)
     for outcome in sheet.outcomes:

@@ -173,8 +173,8 @@ def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
     to_do = [entry for entry in entries if states[entry.name] == TO_DO]
     right = len(states) - len(wrong) - len(to_do)
     to_do = [entry for entry in to_do if not _waits(sheet, entry.name)]
-    if len(to_do) == len(states):
-        return f"{len(to_do)} functions to write. Begin with {_task(sheet, to_do[0])}"
+    if to_do and len(to_do) == len(states):
+        return f"{len(to_do)} function{'s' * (len(to_do) != 1)} to write. Begin with {_task(sheet, to_do[0])}"
     partly = sum(bool(_share(sheet, name)) for name in wrong)
     counted = f"{right} of {len(states)} functions right" + f", {partly} in part" * bool(partly)
     if wrong:

@@ -174,10 +174,10 @@ def test_what_no_mistake_explains_is_told_by_what_came(function, verdict):
 def test_the_simplest_probe_that_fails_is_the_example():
     found = diagnose("f", lambda _, x: at([4, 5], lambda x: x - 3)(x))
     assert found.counterexample.probe.note == "case 4"
-    assert str(found.counterexample) == "x=4 (case 4)\ngives   1\nphysics 4"
+    assert str(found.counterexample) == "f(x=4), case 4\ngives   1\nphysics 4"
     assert diagnose("f", lambda _, x: x).counterexample is None
     without_note = diagnose("f", lambda _, x: by_number(lambda x: x, lambda x: -x)(x)).counterexample
-    assert str(without_note).startswith("x=(1, 2)\n")
+    assert str(without_note).startswith("f(x=(1, 2))\n")
 
 
 def test_only_what_is_unwritten_throughout_is_unwritten():

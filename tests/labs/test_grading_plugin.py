@@ -94,8 +94,7 @@ def test_a_right_submission_earns_every_point(pytester):
     assert not sheet.diagnoses
     section = next(number for number, line in enumerate(result.outlines) if " lab.py " in line)
     told = result.outlines[section + 1 : -1]
-    assert told[-2:] == [*sheet.complaints, f"16 of 16 points ({sheet.tier})"]
-    assert len(told) <= 3, "pytest may add an empty line"
+    assert told == [*sheet.complaints, "", f"16 of 16 points ({sheet.tier})"]
     assert sheet.tier
 
 
@@ -121,7 +120,7 @@ def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_th
     assert hidden == [
         "secret: 0 of 5", "the answer is wrong", "Nothing is gained by a bounce.",
         "error: 0 of 1", "the function raised an exception",
-        "secret parts: 0 of 2", "0 of 1 for a sign", "0 of 1 for an error",
+        "secret parts: 0 of 2",
     ]  # fmt: skip
     parts = next(outcome.parts for outcome in sheet.outcomes if outcome.test == "test_secret_parts")
     assert [part.said for part in parts] == ["the answer is wrong", "the function raised an exception"]

@@ -18,15 +18,15 @@ SIGN = known("rebound_velocity").mistakes[0]
 SHEET = Sheet(
     "lab.py",
     ["collide is missing"],
-    "limits",
-    [
+    tier="limits",
+    outcomes=[
         Outcome("test_a_ball_bounces", 6, False, parts=(KEPT, LOST), function="rebound_velocity"),
         Outcome("test_it_bounces_twice", 4, True, hidden=True, rationale="why", function="rebound_velocity"),
         Outcome("test_touching", 2, False, True, "the answer is wrong", "why", "look", function="is_colliding"),
         Outcome("test_all_together", 1, False, said="no"),
         Outcome("test_v", 7, True, parts=(Part(7, "all"),), function="point_velocity"),
     ],
-    {"rebound_velocity": Diagnosis("rebound_velocity", "named", (SIGN,))},
+    diagnoses={"rebound_velocity": Diagnosis("rebound_velocity", "named", (SIGN,))},
 )
 
 

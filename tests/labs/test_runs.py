@@ -71,7 +71,7 @@ def test_a_run_that_does_not_end_is_ended():
 
 def test_a_run_is_skipped_where_other_topics_have_no_answers_yet(monkeypatch):
     monkeypatch.setattr(Implementation, "function", lambda self, name: (_ for _ in ()).throw(NeedsFunction("needs it")))
-    with pytest.raises(pytest.skip.Exception, match="the scenario needs it"):
+    with pytest.raises(pytest.skip.Exception, match="needs right answers of other topics"):
         with_solutions(submission(), "response")
 
 
