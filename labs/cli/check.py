@@ -9,6 +9,7 @@ import typer
 
 from labs.cli.console import errors, output
 from labs.grading import running, saying
+from labs.grading.folding import folded
 from labs.grading.submission import Submission
 from reference import lecture
 
@@ -40,9 +41,11 @@ def check(
 
 def _nothing(submission: Submission) -> None:
     """Say why there is nothing to check: what is wrong with the file, or what would be looked for."""
-    for complaint in submission.complaints:
-        if "missing" not in complaint.text:
-            output.print(str(complaint), markup=False, soft_wrap=True)
     first = next(entry.name for entry in lecture.functions_of(running.tested()[0]) if entry.role == "written")
-    output.print(f"{submission.name} defines no function of the lab, such as {first}.", markup=False, soft_wrap=True)
-    output.print(f"Topics that can be checked: {', '.join(running.tested())} (--topic)", soft_wrap=True)
+    paragraphs = [
+        *(str(complaint) for complaint in submission.complaints if "missing" not in complaint.text),
+        f"{submission.name} defines no function of the lab, such as {first}.",
+        f"Topics that can be checked: {', '.join(running.tested())} (--topic)",
+    ]
+    for line in (line for paragraph in paragraphs for line in folded(paragraph, 0)):
+        output.print(line, markup=False, soft_wrap=True)

@@ -102,6 +102,11 @@ def direction(a: ArrayLike) -> Array:
     return np.asarray(a) / np.where(length > 0, length, 1.0)
 
 
+def along(a: ArrayLike, normal: ArrayLike) -> Array:
+    """What of a is at right angles to a normal of unit length."""
+    return np.asarray(np.asarray(a) - dot(a, normal) * np.asarray(normal))
+
+
 def over(a: ArrayLike, b: ArrayLike, otherwise: float = np.inf) -> Array:
     """a/b; `otherwise` where b is zero."""
     b = np.asarray(b, dtype=float)

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import contextlib
 import time
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
-from typing import Any, TypeGuard
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -28,9 +28,9 @@ from labs.grading.errors import (
     StudentError,
     WrongType,
 )
-from labs.grading.files import CODE_LIMIT
+from labs.grading.failures import Failures, is_line
 from labs.grading.plain import one_line, plain
-from labs.grading.processes import Ended, Host, Limits, Process
+from labs.grading.processes import LOST, Ended, Host, Limits, Process
 from labs.grading.submission import Submission
 from labs.grading.worker.sandbox import Sealing
 from labs.grading.worker.tier import Tier
@@ -40,20 +40,31 @@ from reference.implementation import Implementation
 
 _AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
 _STARTING = 10.0  # s for the process itself, before it has seen the submission
+_SHORTENED = 5.0  # times as short is the wait for a function that ran out of time, each time that it did
+_SHORTEST = 0.2  # s, a thousand times what a call takes
 
 
 @dataclass
 class Patience:
-    """How much longer a submission is waited for, all its tests together, s."""
+    """How much longer a submission is waited for.
+
+    left: s for all its tests together. slow: how often each function ran out of the time for a call. It is asked again,
+    as one slow call says little of the next, and waited for less long.
+    """
 
     left: float
+    slow: Counter[str] = field(default_factory=Counter)
+
+    def for_call(self, name: str, whole: float) -> float:
+        """How long to wait for a function's answer, of the whole time that a call has."""
+        return max(whole / _SHORTENED ** self.slow[name], min(whole, _SHORTEST))
 
 
 class Call:
     """Calls functions of the submission in one process.
 
     Of the last call: printed, what it printed; changed, which of its arguments it wrote to, by place. Of the process:
-    sealing, how far it is shut in; ended, once it has, how that was and what it used.
+    sealing, how far it is shut in, None before it says so; ended, once it has, how that was and what it used.
     """
 
     def __init__(
@@ -70,10 +81,10 @@ class Call:
         self._ahead: deque[tuple[int, str, tuple[Any, ...]]] = deque()  # calls that are sent, and not read yet
         self._lost: StudentError | None = None
         self._names: frozenset[str] = frozenset()
-        self._failures: list[Any] = []
+        self._failures = Failures()
         self.printed = ""
         self.changed: tuple[int, ...] = ()
-        self.sealing = Sealing(Tier.PROCESS)
+        self.sealing: Sealing | None = None
 
     def start(self, host: Host) -> None:
         """Start the process and send it the text, which it runs at once; `begin` asks what came of it."""
@@ -105,6 +116,8 @@ class Call:
             match messages.unpack(self._process.exchange(b"", _STARTING)):
                 case ("sealed", int(tier), list(missing)):
                     self.sealing = Sealing(Tier(tier), tuple(missing))
+                case _:
+                    raise messages.Refused("it does not say how far it is shut in")
         if self.sealing.tier < least:
             offered, lacking = self.sealing.tier.title, "; ".join(self.sealing.missing)
             raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {lacking}")
@@ -115,15 +128,14 @@ class Call:
             yield
         except (OSError, EOFError, messages.Refused) as error:
             assert self._process is not None
-            raise GraderFailed(
-                f"a test's process did not start: {error or deaths.reason(self._process.ended)}"
-            ) from None
+            why = str(error) or deaths.reason(self._process.ended)
+            raise GraderFailed(f"a test's process did not start: {why}") from None
 
     def _load(self) -> None:
         match self._exchange("the submission, on loading,", b""):
             case (str(), list(names), list(failures)):
                 self._names = frozenset(name for name in names if isinstance(name, str))
-                self._failures = [each for each in failures if _is_failure(each)]
+                self._failures = Failures(failures)
             case _:
                 raise self._lose(NoAnswer("the submission wrote into the grader's pipe on loading"))
 
@@ -160,8 +172,8 @@ class Call:
             self._ahead.append((number, name, arguments))
             requests += request
         assert self._process is not None
-        with contextlib.suppress(OSError):  # it is gone, as the first answer will show
-            self._process.send(requests, self._limits.call)
+        with self._counted(name) as (_, allowed), contextlib.suppress(OSError):  # no answer will show it
+            self._process.send(requests, allowed)
 
     def _was_foreseen(self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> int | None:
         """The call's number if it is the next that was foreseen; if not, the answers to all these are passed over."""
@@ -183,11 +195,11 @@ class Call:
         """The value that was answered. Types come before any comparison: an array compared is no truth value."""
         match rest:
             case [float(), list(changed), value] if outcome == "value":
-                written = {place for place in changed if isinstance(place, int)}
-                self.changed = tuple(place for place in range(arguments) if place in written)
+                written = {place for place in changed if isinstance(place, int) and 0 <= place < arguments}
+                self.changed = tuple(sorted(written))
                 return value
             case [str(kind), str(text), line] if outcome == "raised":
-                raise self._raised(name, kind, text, line if _is_line(line) else None)
+                raise self._raised(name, kind, text, line if is_line(line) else None)
             case [str(why)] if outcome == "refused":
                 allowed = "a number, text, an array or a tuple of these"
                 raise WrongType(f"{name} gave {one_line(why)}; an answer is {allowed}")
@@ -225,21 +237,41 @@ class Call:
     def _exchange(self, name: str, message: bytes) -> Any:
         """Send a message and read the answer, within what time is left; whatever goes wrong ends the process."""
         assert self._process is not None
-        allowed, began = max(0.0, min(self._limits.call, self._left, self._patience.left)), time.monotonic()
+        with self._counted(name) as (for_call, allowed):
+            return self._answered(name, message, for_call, allowed)
+
+    @contextlib.contextmanager
+    def _counted(self, name: str) -> Iterator[tuple[float, float]]:
+        """What a call may take, and what is left for it; what it took, the test and the submission have less."""
+        began, for_call = time.monotonic(), self._patience.for_call(name, self._limits.call)
         try:
-            return messages.unpack(self._process.exchange(message, allowed))
-        except TimeoutError:
-            whose = "submission" if allowed == max(0.0, self._patience.left) else "test"
-            limit = f"{allowed:.3g} s" + (f" (the {whose}'s time is up)" if allowed < self._limits.call else "")
-            raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
-        except (OSError, EOFError):
-            raise self._lose(ProcessDied(f"{name} gave no answer: {deaths.reason(self._process.ended)}")) from None
-        except messages.Refused as refused:
-            raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None
+            yield for_call, max(0.0, min(for_call, self._left, self._patience.left))
         finally:
             spent = time.monotonic() - began
             self._left -= spent
             self._patience.left -= spent
+
+    def _answered(self, name: str, message: bytes, for_call: float, allowed: float) -> Any:
+        assert self._process is not None
+        try:
+            return messages.unpack(self._process.exchange(message, allowed))
+        except TimeoutError:
+            limit = f"{allowed:.3g} s{self._cut_short(name, allowed, for_call)}"
+            raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
+        except (OSError, EOFError):
+            if self._process.ended is LOST:
+                raise GraderFailed("the nursery, of which a test's process is part, was stopped meanwhile") from None
+            raise self._lose(ProcessDied(f"{name} gave no answer: {deaths.reason(self._process.ended)}")) from None
+        except messages.Refused as refused:
+            raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None
+
+    def _cut_short(self, name: str, allowed: float, for_call: float) -> str:
+        """Why it had less time than a call has; notes where it had all that was its own."""
+        if allowed < for_call:
+            whose = "submission" if allowed == max(0.0, self._patience.left) else "test"
+            return f" (the {whose}'s time is up)"
+        self._patience.slow[name] += 1
+        return " (it ran out of time before)" if allowed < self._limits.call else ""
 
     def _lose(self, error: StudentError) -> StudentError:
         self._lost = error
@@ -247,21 +279,18 @@ class Call:
         return error
 
     def _missing(self, name: str) -> StudentError:
-        for names, kind, text, line in self._failures:
-            if name in names or not names:
-                return FunctionRaised(f"{name} could not be defined: {self._said(kind, text, line)}", kind, line)
+        if failure := self._failures.of(name):
+            _, kind, text, line = failure
+            return FunctionRaised(f"{name} could not be defined: {self._said(kind, text, line)}", kind, line)
         return FunctionMissing(f"{_needs(name)}: it is not in the submission")
 
     def _raised(self, name: str, kind: str, text: str, line: int | None) -> StudentError:
         if kind == "NotImplementedError":
-            return FunctionMissing(f"{_needs(name)}: it is not written yet")
+            stub = self._submission.function_at(line) or name
+            return FunctionMissing(f"{f'{name} ' * (stub != name)}{_needs(stub)}: it is not written yet")
         message = f"{name} raised {self._said(kind, text, line)}"
-        if kind == "NameError":
-            message += "".join(
-                f". On loading: {self._said(why, said, where)}"
-                for names, why, said, where in self._failures
-                if any(f"'{each}'" in text for each in names)
-            )
+        if kind == "NameError" and (failure := self._failures.behind(text)):
+            message += f". On loading: {self._said(*failure[1:])}"
         return FunctionRaised(message, one_line(kind), line)
 
     def _said(self, kind: str, text: str, line: int | None) -> str:
@@ -286,16 +315,3 @@ class RemoteImplementation(Implementation):
 def _needs(name: str) -> str:
     entry = lecture.FUNCTIONS.get(name)
     return f"needs {name} ({entry.topic}, step {entry.step})" if entry else f"needs {name}"
-
-
-def _is_failure(found: object) -> bool:
-    """Whether it is what the worker says of a statement that failed: names, type, message, line."""
-    match found:
-        case (list(names), str(), str(), line):
-            return all(isinstance(name, str) for name in names) and (line is None or _is_line(line))
-    return False
-
-
-def _is_line(found: object) -> TypeGuard[int]:
-    """Whether it can be the number of a line."""
-    return isinstance(found, int) and 0 < found <= CODE_LIMIT

@@ -11,15 +11,20 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
 
+import numpy as np
+
 from labs.grading.fingerprints.reading import Knowledge, Known, known
 from labs.grading.marks import Answer, Mark, Right, ask, mark
 from labs.grading.probes import Group, Probe, probes
 from labs.grading.telling import called, compared, told
 
-Verdict = Literal["right", "named", "likely", "several", "unknown", "one at a time", "crashes", "shape", "unwritten"]
+Verdict = Literal[
+    "right", "named", "likely", "several", "unknown", "one at a time", "crashes", "shape", "unwritten", "too slow"
+]
 """right: on every probe. named: one known mistake explains every answer of a single contact. likely: one explains the
 usual cases, but not all limiting ones. several: more than one explains the same. unknown: none does. one at a time:
-right for a single contact only. crashes, shape: it gives no number to compare. unwritten: it is the stub."""
+right for a single contact only. crashes, shape: it gives no number to compare. unwritten: it is the stub. too slow: it
+ran out of time in a test, and was not asked again."""
 DIFFERENT = 5
 """Different wrong numbers by which a formula is known although several contacts at once are wrong in another way."""
 LEAST = 3
@@ -30,14 +35,16 @@ LEAST = 3
 class Counterexample:
     """The simplest probe that a submission fails, what came of it, and what should have."""
 
+    function: str
     probe: Probe
     parameters: tuple[str, ...]
     answer: Answer
     right: Right
 
     def __str__(self) -> str:
-        case = f" ({self.probe.note})" if self.probe.note else ""
-        return called(self.parameters, self.probe.arguments) + case + "\n" + compared(self.answer, self.right)
+        tried = called(self.parameters, self.probe.arguments, self.function)
+        case = f", {self.probe.note}" if self.probe.note else ""
+        return f"{tried}{case}\n{compared(self.answer, self.right)}"
 
 
 @dataclass(frozen=True)
@@ -99,16 +106,19 @@ class _Case:
 
     def diagnosis(self) -> Diagnosis:
         verdict, mistakes = self._verdict()
-        errors = {answer.error: probe.group for probe, _, answer in reversed(self.answered) if answer.error}
+        errors: dict[str, Group] = {}
+        for probe, _, answer in self.answered:
+            if answer.error:
+                errors.setdefault(answer.error, probe.group)
         known_in_many = any(self._fits(entry, ("many",), silently=True) for entry in mistakes)
         return Diagnosis(
             self.knowledge.function,
             verdict,
             mistakes,
             None if verdict in ("right", "unwritten") else self._counterexample(),
-            tuple(reversed(errors)),
+            tuple(errors),
             verdict == "named" and not known_in_many,
-            bool(errors) and set(errors.values()) == {"many"},
+            set(errors.values()) == {"many"},
             tuple(probe.note for probe, answer in self.refused if not answer.error),
             any(answer.changed for _, _, answer in self.answered),
         )
@@ -121,7 +131,8 @@ class _Case:
         whole = self._explained(("usual", "edge"))
         closer = [entry for entry in whole if self._fits(entry, ("many",), silently=True)]
         in_many = self._explained(("many",), ("usual", "edge"))
-        mostly = [entry for entry in self._explained(("usual",)) if not entry.origins]  # not by way of another function
+        mostly = [] if self._always_the_same() else self._explained(("usual",))
+        mostly = [entry for entry in mostly if not entry.origins]  # not by way of another function
         certain = closer or in_many or (whole if self._telling() else [])
         found = certain or mostly
         if not found:
@@ -152,6 +163,11 @@ class _Case:
         errors = any(own.failure == "error" for own, _, _ in rows)
         return seen >= (LEAST if errors or groups == ("usual",) else 1)
 
+    def _always_the_same(self) -> bool:
+        """Whether it answers alike whatever it is given: that fits any mistake which does so in the usual cases."""
+        values = [answer.value for probe, _, answer in self.answered if probe.group == "usual" and not answer.error]
+        return all(np.array_equal(value, values[0]) for value in values)
+
     def _telling(self) -> bool:
         """Whether single contacts give enough different wrong numbers to know a formula by, though several disagree."""
         return len({own.deviation for own, group in self._single() if not own.right}) >= DIFFERENT
@@ -171,5 +187,5 @@ class _Case:
     def _counterexample(self) -> Counterexample | None:
         for (probe, right, answer), own in zip(self.answered, self.marks, strict=True):
             if not own.right:
-                return Counterexample(probe, self.knowledge.parameters, answer, right)
+                return Counterexample(self.knowledge.function, probe, self.knowledge.parameters, answer, right)
         return None

@@ -12,6 +12,7 @@ list, single precision. `marks` says how near is near enough.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -19,7 +20,8 @@ import pytest
 
 from labs.grading.marks import Answer, Array, Right, mark, outputs
 from labs.grading.probes.making import usual
-from labs.grading.telling import called, compared
+from labs.grading.telling import called, compared, no_answer, shown
+from reference.errors import UnknownName
 
 Test = TypeVar("Test", bound=Callable[..., None])
 Formula = Callable[..., Any]
@@ -83,12 +85,11 @@ def check(
     not met within their own size, as scales take time to find. repeated: whether what is the same for all contacts of a
     call, as it hangs on no argument that differs, may be given once.
     """
-    found = Answer(function(*arguments))
-    if repeated:
-        found = Answer(_repeated(found.value, wanted))
+    value = function(*arguments)
+    found = Answer(_repeated(value, wanted) if repeated else value)
     if not mark(found, _sized(wanted)).right and not mark(found, known := right()).right:
-        tried = called(_parameters(function.name), arguments)
-        raise AssertionError(f"{function.name} of {tried}\n{compared(found, known)}")
+        found = replace(found, printed=_printed(function))
+        raise AssertionError(f"{_tried(function, arguments)}\n{compared(found, known)}")
 
 
 def _sized(outputs: tuple[Array, ...]) -> Right:
@@ -106,20 +107,35 @@ def _repeated(value: Any, right: tuple[Array, ...]) -> Any:
 
 
 def numbers(function: Called, arguments: tuple[Any, ...], count: int = 1) -> Any:
-    """What a function gives, as an array of floats, or so many of them; an AssertionError where it is no such thing."""
+    """What a function gives, as an array of floats, or so many of them; an AssertionError where it is no such thing.
+
+    NaN and infinity are none: two of them can be as good as equal.
+    """
     value = function(*arguments)
     found = outputs(value, count)
     if found is None:
-        wanted = "numbers" if count == 1 else f"{count} arrays of numbers"
-        given = called(_parameters(function.name), arguments)
-        raise AssertionError(f"{function.name} of {given}\ngives {type(value).__name__}, where {wanted} should be")
+        raise AssertionError(f"{_tried(function, arguments)}\ngives   {no_answer(value, count, _printed(function))}")
+    if not all(np.isfinite(array).all() for array in (found if count > 1 else found[:1])):
+        came = ", ".join(map(shown, found))
+        raise AssertionError(f"{_tried(function, arguments)}\ngives   {came}, where finite numbers should be")
     return found if count > 1 else found[0]
+
+
+def _tried(function: Called, arguments: tuple[Any, ...]) -> str:
+    return called(_parameters(function.name), arguments, function.name)
+
+
+def _printed(function: Any) -> str:
+    """What its last call printed."""
+    return str(function.functions.process().printed)
 
 
 def refuse_changes(function: Any) -> None:
     """Raise an AssertionError if the last call has written into its arguments."""
     if function.functions.process().changed:
-        raise AssertionError(f"{function.name} writes into its arguments: the caller's arrays have other numbers now")
+        raise AssertionError(
+            f"{function.name} writes into its arguments, as a += b and a[0] = b do: the caller's arrays change"
+        )
 
 
 def plainly(*arguments: Any) -> tuple[Any, ...]:
@@ -170,4 +186,7 @@ def _size(array: Any) -> float:
 def _parameters(function: str) -> tuple[str, ...]:
     from labs.grading.fingerprints.reading import known  # noqa: PLC0415 - only a failure needs the names
 
-    return known(function).parameters
+    try:
+        return known(function).parameters
+    except UnknownName:
+        return ()  # of a function that has no fingerprints yet

@@ -26,8 +26,10 @@ FILE_LIMIT = 10 * 2**20
 """Bytes of the largest file."""
 CELL_LIMIT = 2000
 """The most code cells."""
-CODE_LIMIT = 2**20
-"""Characters of the longest source, all code cells together."""
+CODE_LIMIT = 2**18
+"""Characters of the longest source, all code cells together: some five thousand lines."""
+BRACE_LIMIT = 10_000
+"""The most opening braces in it. Python reads an f-string in the square of the time; of 80,000 it makes a minute."""
 
 _OTHERS = {
     b"%PDF": "a PDF", b"PK\x03\x04": "a zip archive", b"\x1f\x8b": "a gzip archive", b"\x89PNG": "an image",
@@ -87,6 +89,8 @@ def read_cells(path: Path) -> tuple[list[Cell], list[Complaint]]:
         raise UnreadableSubmission(f"it has {len(cells)} code cells, and at most {CELL_LIMIT} are read")
     if sum(len(cell.source) for cell in cells) > CODE_LIMIT:
         raise UnreadableSubmission(f"it holds more than {CODE_LIMIT} characters of code")
+    if sum(cell.source.count("{") for cell in cells) > BRACE_LIMIT:
+        raise UnreadableSubmission(f"it holds more than {BRACE_LIMIT} opening braces")
     return cells, complaints
 
 
@@ -176,7 +180,8 @@ def _cells_of(notebook: Any) -> list[Any]:
         sheets = notebook.get("worksheets")
         found = notebook.get("cells")
         if found is None and isinstance(sheets, list):
-            found = [cell for sheet in sheets if isinstance(sheet, dict) for cell in sheet.get("cells") or []]
+            each = [sheet.get("cells") for sheet in sheets if isinstance(sheet, dict)]
+            found = [cell for cells in each if isinstance(cells, list) for cell in cells]
         if isinstance(found, list):
             return found
     raise UnreadableSubmission("it is not a notebook: it has no cells")

@@ -26,7 +26,7 @@ from pathlib import Path
 import numpy as np
 
 from labs.grading.errors import GraderFailed
-from labs.grading.processes import Ended, Limits, Process
+from labs.grading.processes import LOST, Ended, Limits, Process
 from labs.grading.worker import system
 from labs.grading.worker.sandbox import Plan
 
@@ -39,7 +39,6 @@ _START = "import sys; sys.path[:0] = sys.argv[1:3]; from labs.grading.worker imp
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 _PATIENCE = 30.0  # s for the nursery, which nobody untrusted can keep waiting
 _UNHEARD = 32  # ends that the nursery may say while nobody listens; its socket holds some hundreds
-_WITH_THE_NURSERY = Ended(-signal.SIGKILL)
 
 
 class NurseryHost:
@@ -52,7 +51,7 @@ class NurseryHost:
         self._dying: deque[Process] = deque()  # the nursery was told to end them, and has not said that it has
         self._folder = tempfile.mkdtemp(prefix="grading-")
         self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
-        self._was_dumpable = _hide()
+        _hide(self)
         self._open()
 
     def _open(self) -> None:
@@ -69,23 +68,31 @@ class NurseryHost:
     def start(self, limits: Limits) -> Process:
         """Have a process forked, without waiting for it; raises `GraderFailed` where there is no nursery to ask."""
         with self._lock:
-            if self._process.poll() is not None:
-                self._stop()
-                self._open()
-            self._tests += 1
-            folder = str(Path(self._folder, str(self._tests)))
-            plan = Plan(folder, self._user, limits.memory, int(limits.test) + 1, self._without)
-            (their_requests, requests), (answers, their_answers) = os.pipe(), os.pipe()
+            if self._process.poll() is None:
+                with contextlib.suppress(OSError):  # it is about to end
+                    return self._start(limits)
+            self._stop()
+            self._open()
             try:
-                self._ask({"start": self._tests, "plan": asdict(plan)}, [their_requests, their_answers])
+                return self._start(limits)
             except OSError:
-                os.close(requests)
-                os.close(answers)
                 raise GraderFailed(f"the grader's nursery does not answer: {self._log()}") from None
-            finally:
-                os.close(their_requests)
-                os.close(their_answers)
-            return Process(self._tests, requests, answers, self)
+
+    def _start(self, limits: Limits) -> Process:
+        self._tests += 1
+        folder = str(Path(self._folder, str(self._tests)))
+        plan = Plan(folder, self._user, limits.memory, int(limits.test) + 1, self._without)
+        (their_requests, requests), (answers, their_answers) = os.pipe(), os.pipe()
+        try:
+            self._ask({"start": self._tests, "plan": asdict(plan)}, [their_requests, their_answers])
+        except OSError:
+            os.close(requests)
+            os.close(answers)
+            raise
+        finally:
+            os.close(their_requests)
+            os.close(their_answers)
+        return Process(self._tests, requests, answers, self)
 
     def end(self, process: Process) -> None:
         """Have the nursery kill the process and its descendants, without waiting for it."""
@@ -95,7 +102,7 @@ class NurseryHost:
                     raise ConnectionError
                 self._ask({"end": process.number}, [])
             except OSError:  # the nursery is gone, and its tests with it
-                process.outcome = _WITH_THE_NURSERY
+                process.outcome = LOST
             else:
                 self._dying.append(process)
             while len(self._dying) > _UNHEARD:
@@ -107,14 +114,16 @@ class NurseryHost:
             while self._dying and (process is None or process.outcome is None):
                 self._hear()
 
+    def has_lost(self, process: Process) -> bool:
+        """Whether the process went with its nursery, or is about to."""
+        return process.number <= self._before or self._process.poll() is not None
+
     def close(self) -> None:
         """Stop the nursery and what is left of its tests."""
         with self._lock:
             self._stop()
             self._clear()
-            if self._was_dumpable:
-                system.prctl(system.SET_DUMPABLE, 1)
-                self._was_dumpable = False
+            _show(self)
 
     def _ask(self, request: dict[str, object], descriptors: list[int]) -> None:
         socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
@@ -124,8 +133,12 @@ class NurseryHost:
         process = self._dying.popleft()
         try:
             said = json.loads(self._control.recv(2**16))
-        except (OSError, ValueError):  # the nursery is gone, and its tests with it
-            process.outcome = _WITH_THE_NURSERY
+        except (OSError, ValueError):  # the nursery is gone, or stuck: whatever it says later answers nothing
+            self._process.kill()
+            self._process.wait()
+            for each in (process, *self._dying):
+                each.outcome = LOST
+            self._dying.clear()
         else:
             code = os.waitstatus_to_exitcode(said["status"])
             process.outcome = Ended(code, said["seconds"], said["memory"], said["strays"])
@@ -177,6 +190,10 @@ class LoneHost:
     def wait(self, process: Process | None = None) -> None:
         """Nothing to wait for: what is killed is waited for at once."""
 
+    def has_lost(self, process: Process) -> bool:
+        """Never: each has a life of its own."""
+        return False
+
     def _kill(self, running: subprocess.Popen[bytes]) -> int:
         with contextlib.suppress(OSError):
             if os.name == "posix":
@@ -191,10 +208,20 @@ class LoneHost:
         self._clear()
 
 
-def _hide() -> bool:
-    """Keep others of this user from looking into this process; says whether they could before."""
+_hiding: weakref.WeakSet[NurseryHost] = weakref.WeakSet()
+"""Those that are open, where others of this user could look into this process before."""
+
+
+def _hide(host: NurseryHost) -> None:
+    """Keep others of this user from looking into this process, until the last host is closed."""
     with contextlib.suppress(OSError):
-        if system.prctl(system.GET_DUMPABLE) == 1:
+        if _hiding or system.prctl(system.GET_DUMPABLE) == 1:
             system.prctl(system.SET_DUMPABLE, 0)
-            return True
-    return False
+            _hiding.add(host)
+
+
+def _show(host: NurseryHost) -> None:
+    if host in _hiding:
+        _hiding.remove(host)
+        if not _hiding:
+            system.prctl(system.SET_DUMPABLE, 1)

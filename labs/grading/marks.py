@@ -24,6 +24,8 @@ TOLERANCE = 3e-5
 """In units of the scale: what some hundred roundings in single precision, 6e-8 each, may add up to."""
 AGAINST_INFINITY, INFINITE, NO_NUMBER = 11.0, 17.0, 29.0
 """Stand-ins for a deviation where one of two numbers is not finite: unlike one another, and far beyond the scale."""
+FARTHEST = 1e100
+"""The largest deviation that is told from others, so that sums of them stay numbers."""
 _GOLDEN = (5**0.5 - 1) / 2
 
 
@@ -32,13 +34,14 @@ class Answer:
     """What came back from one probe.
 
     value: what was returned. error: the exception instead, in words. unwritten: whether that says that it is still the
-    stub. changed: whether the call has changed its input.
+    stub. changed: whether the call has changed its input. printed: what the call printed.
     """
 
     value: Any = None
     error: str = ""
     unwritten: bool = False
     changed: bool = False
+    printed: str = ""
 
 
 @dataclass(frozen=True)
@@ -82,7 +85,8 @@ class Mark:
 def ask(call: Callable[..., Any], function: str, probes: Sequence[Probe]) -> list[Answer]:
     """Put all probes of a function to `call(name, *arguments)`, each with inputs of its own.
 
-    A `call` that runs elsewhere says in `call.changed` which arguments the function has written to.
+    A `call` that runs elsewhere says in `call.changed` which arguments the function has written to, and in
+    `call.printed` what it printed.
     """
     return [_asked(call, function, probe) for probe in probes]
 
@@ -96,7 +100,8 @@ def _asked(call: Callable[..., Any], function: str, probe: Probe) -> Answer:
     except Exception as error:
         unwritten = isinstance(error, NotImplementedError | NeedsFunction)
         return Answer(error=str(error) if isinstance(error, CollisionsError) else one_line(error), unwritten=unwritten)
-    return Answer(value, changed=bool(getattr(call, "changed", ())) or not _same(arguments, probe.arguments))
+    changed = bool(getattr(call, "changed", ())) or not _same(arguments, probe.arguments)
+    return Answer(value, changed=changed, printed=getattr(call, "printed", ""))
 
 
 def _copied(value: Any) -> Any:
@@ -116,18 +121,19 @@ def outputs(value: Any, count: int) -> tuple[Array, ...] | None:
     if count > 1 and not isinstance(value, list | tuple | np.ndarray):
         return None
     try:
-        parts = [value] if count == 1 else list(value)
-        arrays = tuple(_numbers(part) for part in parts)
+        if count > 1 and len(value) != count:  # before it is taken apart: it may have millions of rows
+            return None
+        return tuple(_numbers(part) for part in ([value] if count == 1 else value))
     except (TypeError, ValueError):  # a ragged list, a 0-dimensional array for several things
         return None
-    return arrays if len(arrays) == count else None
 
 
 def _numbers(value: Any) -> Array:
     array = np.asarray(value)
     if array.dtype.kind not in "biuf":
         raise TypeError(f"no numbers: {array.dtype}")
-    return array.astype(float)
+    with np.errstate(over="ignore"):  # of wider floats: what is beyond ours is infinite
+        return array.astype(float)
 
 
 def mark(answer: Answer, right: Right) -> Mark:
@@ -147,12 +153,20 @@ def mark(answer: Answer, right: Right) -> Mark:
     return Mark(float(weights @ off), float(weights @ np.abs(off)))
 
 
+def _against_infinity(off: Array) -> Array:
+    """Where something else than a number is right: never so near to zero that it would count as that."""
+    shifted = off + AGAINST_INFINITY
+    return np.where(np.abs(shifted) <= TOLERANCE, AGAINST_INFINITY, shifted)
+
+
 def _deviations(mine: Array, theirs: Array, scale: float) -> Array:
     """In units of the scale; where one of the two is not finite, a stand-in."""
     known, finite = np.isfinite(theirs), np.isfinite(mine)
     both = known & finite
-    off = (np.where(finite, mine, 0.0) - np.where(both, theirs, 0.0)) / scale
-    off = np.where(finite & ~known, off + AGAINST_INFINITY, off)
+    with np.errstate(over="ignore"):
+        off = (np.where(finite, mine, 0.0) - np.where(both, theirs, 0.0)) / scale
+    off = np.clip(off, -FARTHEST, FARTHEST)
+    off = np.where(finite & ~known, _against_infinity(off), off)
     off = np.where(np.isinf(mine), np.sign(np.where(finite, 0.0, mine)) * INFINITE, off)
     off = np.where(np.isnan(mine), NO_NUMBER, off)
     return np.where((mine == theirs) | (np.isnan(mine) & np.isnan(theirs)), 0.0, off)

@@ -91,24 +91,26 @@ def encoded(value: Any, depth: int = 0) -> Any:
     raise Refused(f"an object of type {_type_name(exact)}")
 
 
-def decoded(parts: Any) -> Any:
+def decoded(parts: Any, depth: int = 0) -> Any:
     """The value that `encoded` made these parts of."""
     if type(parts) is not list:
         if type(parts) is dict:
             raise Refused("not a message: it holds an object")
+        if type(parts) is int and parts.bit_length() > INTEGER_LIMIT:
+            raise Refused(f"not a message: an integer of {parts.bit_length()} bits")
         return parts
     match parts:
-        case ["tuple", list(members)]:
-            return tuple([decoded(part) for part in members])
-        case ["list", list(members)]:
-            return [decoded(part) for part in members]
+        case ["tuple", list(members)] if depth < _DEEPEST:
+            return tuple([decoded(part, depth + 1) for part in members])
+        case ["list", list(members)] if depth < _DEEPEST:
+            return [decoded(part, depth + 1) for part in members]
         case ["float", str(digits)]:
             return _odd_float(digits)
         case ["array", str(name), list(shape), str(text)]:
             return _array(name, shape, text)
         case ["scalar", str(name), [], str(text)]:
             return _array(name, [], text)[()]
-    raise Refused("not a message: it holds a list without a known tag")
+    raise Refused("not a message: it holds a list without a known tag, or one nested too deep")
 
 
 _SCALARS = frozenset(
@@ -147,16 +149,16 @@ def _odd_float(digits: str) -> float:
 def _array(name: str, shape: list[Any], text: str) -> np.ndarray[Any, Any]:
     """An array that owns its memory and can be written to."""
     dtype = _plain_dtype(name)
-    if len(shape) > 32 or not all(type(axis) is int and 0 <= axis < 2**48 for axis in shape):
+    if len(shape) > 32 or not all(type(axis) is int and 0 <= axis <= MESSAGE_LIMIT for axis in shape):
         raise Refused("not a message: no such shape")
+    if math.prod(axis or 1 for axis in shape) > MESSAGE_LIMIT:  # no bytes, but rows without end
+        raise Refused(f"not a message: no such shape as {tuple(shape)}")
     try:
         raw = base64.b64decode(text, validate=True)
     except binascii.Error as error:
         raise Refused(f"not a message: {error}") from None
     if len(raw) != math.prod(shape) * dtype.itemsize:
         raise Refused(f"not a message: {len(raw)} bytes for shape {tuple(shape)} of {dtype}")
-    if dtype.itemsize == 0:
-        return np.zeros(shape, dtype)
     array = np.frombuffer(raw, dtype).reshape(shape).copy()
     _check_bits(array)
     return array
@@ -169,7 +171,7 @@ def _plain_dtype(name: str) -> np.dtype[Any]:
         dtype = np.dtype(name)
     except (TypeError, ValueError):
         raise Refused(f"not a message: no dtype {name!r}") from None
-    if dtype.str != name:
+    if dtype.str != name or dtype.itemsize == 0:  # NumPy itself makes room for a character where there is none
         raise Refused(f"not a message: dtype {name!r}")
     return dtype
 

@@ -42,12 +42,17 @@ class Ended:
     strays: int = 0
 
 
+LOST = Ended(-9)
+"""What becomes of a process whose host died: killed with it, and nobody knows more."""
+
+
 class Host(Protocol):
     """Starts processes for tests and ends them."""
 
     def start(self, limits: Limits) -> Process: ...  # noqa: D102
     def end(self, process: Process) -> None: ...  # noqa: D102
     def wait(self, process: Process | None = None) -> None: ...  # noqa: D102
+    def has_lost(self, process: Process) -> bool: ...  # noqa: D102
     def close(self) -> None: ...  # noqa: D102
 
 
@@ -91,6 +96,8 @@ class Process:
     @property
     def gone(self) -> bool:
         """Whether nobody is left who could answer."""
+        if self._host.has_lost(self):
+            return True
         if os.name != "posix":
             return False
         poll = select.poll()

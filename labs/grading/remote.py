@@ -68,6 +68,11 @@ class Remote:
         self._patience = Patience(self.grader.limits.submission)
         self._next: Call | None = None
 
+    @property
+    def slow(self) -> frozenset[str]:
+        """The functions of which a call ran out of its time."""
+        return frozenset(self._patience.slow)
+
     @contextlib.contextmanager
     def fresh(self) -> Iterator[Call]:
         """A process for one test, which is told to end where the block does; `close` waits until nothing is left.

@@ -50,7 +50,7 @@ def run(
     InvalidInput
         If a topic has no tests.
     GraderFailed
-        If pytest is missing or could not run the tests.
+        If pytest is missing or could not run the tests, or a test's process failed for no fault of the submission.
     """
     if importlib.util.find_spec("pytest") is None:
         raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
@@ -66,6 +66,8 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
 
     class Keep:
         sheet: Sheet | None = None
+        broken = ""
+        stopped: BaseException | None = None
 
         @pytest.hookimpl(tryfirst=True)
         def pytest_configure(self, config: pytest.Config) -> None:
@@ -73,6 +75,13 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
 
         def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
             items[:] = [item for item in items if not functions or _about(item) in functions]
+
+        def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+            if report.when == "teardown" and report.failed:  # nothing of the submission's: pytest counts it as failed
+                self.broken = report.longreprtext
+
+        def pytest_keyboard_interrupt(self, excinfo: pytest.ExceptionInfo[BaseException]) -> None:
+            self.stopped = excinfo.value
 
         def pytest_unconfigure(self, config: pytest.Config) -> None:
             self.sheet = config.stash[SHEET]
@@ -84,9 +93,13 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
         "ignore::pytest.PytestAssertRewriteWarning",
     ]  # the plugin may be loaded already, and asserts nothing
     with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-        code = pytest.main([*options, "--submission", str(path.resolve()), *files], plugins=[keep])
-    if code not in _FINE or keep.sheet is None or not keep.sheet.outcomes:
-        raise GraderFailed(f"the tests could not be run: {printed.getvalue().strip()[-_TAIL:]}")
+        code = pytest.main([*options, "--submission", str(path.absolute()), *files], plugins=[keep])
+    if isinstance(keep.stopped, KeyboardInterrupt) and not isinstance(keep.stopped, pytest.Session.Interrupted):
+        raise KeyboardInterrupt
+    if keep.stopped:
+        raise GraderFailed(str(keep.stopped))
+    if code not in _FINE or keep.broken or keep.sheet is None or not keep.sheet.outcomes:
+        raise GraderFailed(f"the tests could not be run: {(keep.broken or printed.getvalue()).strip()[-_TAIL:]}")
     return keep.sheet
 
 
@@ -101,12 +114,12 @@ def tested() -> tuple[str, ...]:
 
 
 def topics_of(path: Path | str) -> tuple[Submission, tuple[str, ...]]:
-    """A file as it is read, and the topics of which it defines a function that students write."""
+    """A file as it is read, and the topics of which it defines a function that students write, readable or not."""
     written = [
         entry.name for topic in tested() for entry in lecture.functions_of(topic) if entry.role == "written"
     ]  # fmt: skip
     submission = read(path, written)
-    found = {lecture.function(name).topic for name in submission.functions}
+    found = {lecture.function(name).topic for name in (*submission.functions, *submission.unread)}
     return submission, tuple(topic for topic in tested() if topic in found)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
@@ -51,27 +52,40 @@ class Outcome:
         return self.points if self.passed else min(self.points, sum(part.points for part in self.parts if part.passed))
 
     def lines(self) -> Iterator[str]:
-        """For a student: what is missing and why, nothing where it passed."""
+        """For a student: what is missing and why, nothing where it passed; the parts where some are right."""
         if self.passed:
             return
         yield f"{self.title}: {self.earned} of {self.points}"
         yield from (line for line in (self.said, self.rationale, self.help) if line)
-        for part in self.parts:
+        for part in self.parts if any(part.passed for part in self.parts) else ():
             yield f"{part.points if part.passed else 0} of {part.points} for {part.reason}"
+
+    @property
+    def failures(self) -> tuple[tuple[str, str], ...]:
+        """Each part that was lost, and what was said of it, equal words once; of a test without parts, the test."""
+        lost = [part for part in self.parts if not part.passed]
+        said = [part.said for part in lost]
+        found = tuple((part.reason, "" if part.said in said[:at] else part.said) for at, part in enumerate(lost))
+        return found or (() if self.passed else ((self.title, self.said),))
 
 
 @dataclass
 class Sheet:
     """All outcomes of one submission.
 
-    complaints: about the file. tier: how far its processes were shut in. diagnoses: of the functions that lost points.
+    complaints: about the file. unread: functions that stand where Python cannot read. tier: how far its processes were
+    shut in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the
+    submission's functions each of these calls.
     """
 
     submission: str = ""
     complaints: list[str] = field(default_factory=list)
+    unread: tuple[str, ...] = ()
     tier: str = ""
     outcomes: list[Outcome] = field(default_factory=list)
+    skipped: list[str] = field(default_factory=list)
     diagnoses: dict[str, Diagnosis] = field(default_factory=dict)
+    uses: dict[str, list[str]] = field(default_factory=dict)
 
     @property
     def lost(self) -> list[str]:
@@ -79,6 +93,11 @@ class Sheet:
         return list(
             dict.fromkeys(outcome.function for outcome in self.outcomes if outcome.function and not outcome.passed)
         )
+
+    @property
+    def left_out(self) -> dict[str, int]:
+        """How many tests were skipped, by the reason."""
+        return dict(Counter(self.skipped))
 
     @property
     def earned(self) -> int:

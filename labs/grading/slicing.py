@@ -62,6 +62,19 @@ def needed(every: list[Group], wanted: Collection[str]) -> set[int]:
     return kept
 
 
+def used_by(every: list[Group], name: str, among: Collection[str]) -> list[str]:
+    """Which of some names a name needs, itself or by way of others that are not among them; in their order."""
+    waiting, seen = [name], {name}
+    while waiting:
+        each = waiting.pop()
+        if each != name and each in among:
+            continue
+        found = {used for group in every if each in group.defines for used in group.uses} - seen
+        seen |= found
+        waiting.extend(found)
+    return [other for other in among if other in seen and other != name]
+
+
 def defined_as(group: Group, name: str) -> str | None:
     """How a group binds a name: "def", "class", "import", "value", or not at all."""
     for statement in reversed(group.statements) if name in group.defines else ():

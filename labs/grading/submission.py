@@ -11,20 +11,25 @@ knows by it, comes before any other.
 from __future__ import annotations
 
 import ast
+import difflib
+import functools
 import re
 import warnings
-from collections.abc import Collection
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.files import Cell, Complaint, merge_marks, place, read_cells
 from labs.grading.magics import without_magics
 from labs.grading.plain import one_line
-from labs.grading.slicing import Group, defined_as, groups, needed
+from labs.grading.slicing import Group, defined_as, groups, needed, used_by
+from reference import lecture
 
 __all__ = ["Complaint", "Submission", "read"]
 
+_ALIKE = 0.85  # of 1, how much a name has to share with another one to be taken for it
+_LOOKED_AT = 500  # names at most
 _TOO_MUCH = (ValueError, RecursionError, MemoryError)  # of ast, for what no person writes
 
 
@@ -34,7 +39,8 @@ class Submission:
 
     name: the file's, fit to be shown. text: Python source of the functions and what they need. functions: those of
     the wanted that it defines, in the order asked for. complaints: what the student should know. starts: the lines of
-    `text` before each code cell, with the cell's number; empty for a `.py` file.
+    `text` before each code cell, with the cell's number; empty for a `.py` file. unread: those of the wanted that stand
+    where Python cannot read.
     """
 
     name: str
@@ -42,6 +48,23 @@ class Submission:
     functions: tuple[str, ...] = ()
     complaints: tuple[Complaint, ...] = ()
     starts: tuple[tuple[int, int], ...] = ()
+    unread: tuple[str, ...] = ()
+
+    def uses(self, name: str) -> list[str]:
+        """The functions of the submission that one of them calls, itself or by way of what it needs besides."""
+        return used_by(self._groups, name, self.functions)
+
+    def function_at(self, line: int | None) -> str | None:
+        """The function of the submission that a line of the text stands in, if it is one."""
+        around = (group for group in self._groups if line and group.first <= line <= group.last)
+        return next((name for group in around for name in self.functions if name in group.defines), None)
+
+    @functools.cached_property
+    def _groups(self) -> list[Group]:
+        try:
+            return groups(self.text)
+        except (SyntaxError, *_TOO_MUCH):  # what each cell may say, and all of them together may not
+            return []
 
     def where(self, line: int) -> str:
         """A line of the text in the student's words: "line 12", or "code cell 3, line 2"."""
@@ -75,19 +98,22 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
         sources.append(source)
         pieces += [_Piece(group, cell) for group in found]
     functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
-    missing = [each for each in wanted if not any(each in piece.group.defines for piece in pieces)]
+    defined = {name for piece in pieces for name in piece.group.defines}
+    missing = [each for each in wanted if each not in defined]
+    complaints.extend(_misspelt(missing, pieces))
     if missing:
         complaints.append(Complaint(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"))
-    defined = {name for piece in pieces for name in piece.group.defines}
     functions += [name for name in also if name in defined and name not in wanted]
     text, starts = _assembled(cells, sources, pieces, functions)
-    return Submission(name, text, tuple(functions), tuple(complaints), starts)
+    lost = {each for cell, source in zip(cells, sources, strict=True) if not source for each in _defs(cell.source)}
+    unread = tuple(each for each in missing if each in lost)
+    return Submission(name, text, tuple(functions), tuple(complaints), starts, unread)
 
 
 def _parsed(cell: Cell, complaints: list[Complaint]) -> tuple[str, list[Group]]:
     """The cell's Python and its statements; a cell that cannot be read costs what it defines."""
     if marks := list(merge_marks(cell)):
-        complaints.extend(marks)
+        complaints.extend(replace(mark, text=mark.text + _effect(cell.source)) for mark in marks)
         return "", []
     source = cell.source
     with warnings.catch_warnings():
@@ -100,8 +126,9 @@ def _parsed(cell: Cell, complaints: list[Complaint]) -> tuple[str, list[Group]]:
             return source, groups(source)
         except SyntaxError as error:
             complaints.append(_told(error, cell, source))
-        except _TOO_MUCH:
-            complaints.append(Complaint("Python cannot read this: too deeply nested", cell.number))
+        except _TOO_MUCH as error:
+            why = "it holds half a character" if isinstance(error, UnicodeError) else "too deeply nested"
+            complaints.append(Complaint(f"Python cannot read this: {why}", cell.number))
     return "", []
 
 
@@ -109,9 +136,32 @@ def _told(error: SyntaxError, cell: Cell, source: str) -> Complaint:
     lines = source.splitlines()
     number = error.lineno or 1
     line = one_line(lines[number - 1], 80) if number <= len(lines) else ""
-    lost = re.findall(r"^def (\w+)", source, re.MULTILINE)
-    effect = f"; so {', '.join(lost[:3])}{' …' if len(lost) > 3 else ''} cannot be read" if lost else ""
-    return Complaint(f"Python cannot read {line!r}: {one_line(error.msg)}{effect}", cell.number, number)
+    return Complaint(f"Python cannot read {line!r}: {one_line(error.msg)}{_effect(source)}", cell.number, number)
+
+
+def _effect(source: str) -> str:
+    lost = _defs(source)
+    return f"; so {', '.join(lost[:3])}{' …' if len(lost) > 3 else ''} cannot be read" if lost else ""
+
+
+def _defs(source: str) -> list[str]:
+    """The functions of a source that Python cannot read."""
+    return list(dict.fromkeys(re.findall(r"^def (\w+)", source, re.MULTILINE)))
+
+
+def _misspelt(missing: list[str], pieces: list[_Piece]) -> Iterator[Complaint]:
+    """Functions of other names that look like missing ones."""
+    plainly = {_letters(name): name for name in missing}
+    others = [(name, piece) for piece in pieces for name in sorted(piece.group.defines - lecture.FUNCTIONS.keys())]
+    for name, piece in others[:_LOOKED_AT]:
+        if defined_as(piece.group, name) == "def":
+            for near in difflib.get_close_matches(_letters(name), plainly, 1, _ALIKE):
+                text = f"is {one_line(name, 80)} meant to be {plainly[near]}? It counts under that name alone"
+                yield Complaint(text, piece.cell.number, piece.group.first)
+
+
+def _letters(name: str) -> str:
+    return name.replace("_", "").lower()
 
 
 def _check_definition(name: str, pieces: list[_Piece], complaints: list[Complaint]) -> bool:
@@ -139,13 +189,15 @@ def _assembled(
     """The text of what the functions need, all other lines empty, and where each code cell starts in it."""
     made_for_it = _in_cells_made_for(pieces, functions)
     counting = [piece for piece in pieces if not _outdone(piece, made_for_it)]
-    kept = [counting[at] for at in sorted(needed([piece.group for piece in counting], functions))]
+    kept: dict[int, list[Group]] = {}  # of each cell
+    for at in sorted(needed([piece.group for piece in counting], functions)):
+        kept.setdefault(id(counting[at].cell), []).append(counting[at].group)
     lines: list[str] = []
     starts = []
     for cell, source in zip(cells, sources, strict=True):
         if cell.number is not None:
             starts.append((len(lines), cell.number))
-        lines += _only(source, [piece.group for piece in kept if piece.cell is cell])
+        lines += _only(source, kept.get(id(cell), []))
     return "\n".join(lines).rstrip("\n") + "\n", tuple(starts)
 
 

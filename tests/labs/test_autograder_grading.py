@@ -16,8 +16,11 @@ from typer.testing import CliRunner
 
 from labs.cli.app import app
 from labs.grading import grade as grading
-from labs.grading import running, saying
+from labs.grading import running, runs, saying
+from labs.grading.folding import folded
 from labs.grading.grade import Grade, grade, read_grade
+from labs.grading.processes import Limits
+from labs.grading.remote import Grader
 from labs.grading.sheet import Outcome, Part, Sheet
 from reference import lecture
 from reference.errors import InvalidInput
@@ -47,6 +50,14 @@ def rebound_velocity(normal_velocity, restitution):
 def apply_impulse(body_a, body_b, impulse):
     (va, wa, ra, ma, ia), (vb, wb, rb, mb, ib) = body_a, body_b
     return va + ma * impulse, wa + ia @ np.cross(ra, impulse), vb + mb * impulse, wb + ib @ np.cross(rb, impulse)
+"""
+
+BOUNCE = """
+import numpy as np
+
+def kinematic_response(velocity, normal, restitution):
+    along = np.sum(velocity * normal, axis=-1, keepdims=True)
+    return np.where(along < 0, velocity - (1 + np.asarray(restitution)[..., None]) * along * normal, velocity)
 """
 
 
@@ -117,7 +128,7 @@ def test_untouched_stubs_score_nothing_and_are_a_list_of_things_to_do(tmp_path):
     assert found.sheet.earned == 0
     text = text_of(found.sheet, "detection")
     assert re.findall(r"· (\w+)  to do", text) == names
-    assert text.endswith("0 of 8 functions right. Next: write signed_distance (detection, step 1).")
+    assert "8 functions to write. Begin with signed_distance (detection, step 1, slide 4). A distance" in joined(text)
     assert not found.sheet.complaints
 
 
@@ -142,7 +153,7 @@ def test_mistakes_are_named_and_what_is_right_is_paid(three):
 
 def test_a_student_sees_what_was_tried_what_came_and_what_physics_says(three):
     text = text_of(three.sheet, "impulse")
-    assert "rebound_velocity of normal_velocity=2, restitution=0.5\n        gives   -1\n        physics 2\n" in text
+    assert "rebound_velocity(normal_velocity=2, restitution=0.5)\n        gives   -1\n        physics 2\n" in text
     assert all(len(line) <= 80 for line in text.splitlines())
 
 
@@ -219,7 +230,7 @@ def test_a_file_with_a_mistake_is_not_right(tmp_path):
     assert code == 1
     assert "✗ is_colliding" in text
     assert "Hint" in text
-    assert "0 of 8 functions right. Next: is_colliding, marked ✗ above." in text
+    assert "0 of 8 functions right, 1 in part. Next: is_colliding, marked ✗ above." in text
 
 
 @pytest.mark.parametrize(
@@ -271,6 +282,113 @@ def test_a_part_that_several_parts_repeat_is_told_once():
     parts = tuple(Part(1, reason, "needs collide") for reason in ("one", "two"))
     sheet = Sheet(outcomes=[Outcome("test_x", 2, False, parts=parts, function="collide")])
     assert text_of(sheet, "impulse").count("needs collide") == 1
+
+
+PARTLY = """
+import numpy as np
+
+def relative_velocity(point_velocity_a, point_velocity_b):
+    return point_velocity_b - point_velocity_a
+
+def normal_velocity(point_velocity_a, point_velocity_b, normal):
+    print(np.sum(relative_velocity(point_velocity_a, point_velocity_b) * normal, axis=-1))
+
+def contact_impulses(magnitude, normal):
+    raise NotImplementedError
+
+def collide(body_a, body_b, normal, restitution, threshold=0.0):
+    return contact_impulses(0.0, normal)
+
+def rebound_velocity(normal_velocity, restitution):
+    return contact_impulses(1.0, normal_velocity) if normal_velocity > 0 else -restitution * normal_velocity
+
+def clasify_contact(normal_velocity, threshold=0.0):
+    return np.sign(normal_velocity)
+"""
+ENDLESS = """
+def is_colliding(separation, tolerance=0.0):
+    while True:
+        pass
+
+def side_of_plane(separation, tolerance=0.0):
+    return (separation > tolerance) * 1 - (separation < -tolerance) * 1
+"""
+
+
+def test_a_partly_finished_file_is_told_where_to_go_on(tmp_path):
+    """What waits for something, what uses something wrong, what prints, loops or has another name."""
+    (tmp_path / "lab.py").write_text(PARTLY)
+    code, text = checked(tmp_path / "lab.py")
+    text = joined(text)
+    assert code == 1
+    assert "line 19: is clasify_contact meant to be classify_contact?" in text
+    assert "normal_velocity It uses relative_velocity, which is not right yet: begin there." in text
+    assert "gives nothing (None): it prints, and has to return" in text
+    assert "collide waits for contact_impulses" in text
+    assert "parting already needs contact_impulses (impulse, step 18): it is not written yet" in text
+    assert text.endswith("0 of 17 functions right. Next: relative_velocity, marked ✗ above.")
+
+
+def test_what_is_right_and_needs_a_function_in_a_scenario_waits_for_it(tmp_path):
+    text = solved(tmp_path, "detection").read_text().replace("def is_colliding(", "def left_out(")
+    (tmp_path / "solved.py").write_text(text)
+    said = checked(tmp_path / "solved.py")[1]
+    assert "· is_colliding  to do, slide 4\n" in said
+    assert re.search(r"· time_of_impact_exact  \d of \d parts right  waits for is_colliding\n", said)
+    assert "6 of 8 functions right. Next: write is_colliding (detection, step 2, slide 4)." in said
+
+
+def test_what_never_answers_is_not_waited_for_again_and_the_rest_is_graded(tmp_path):
+    (tmp_path / "lab.py").write_text(ENDLESS)
+    with Grader(Limits(call=2.0)) as hasty:
+        found = grade(tmp_path / "lab.py", grader=hasty)
+    assert found.sheet.diagnoses["is_colliding"].verdict == "too slow"
+    text = joined(text_of(found.sheet, "detection"))
+    assert "✓ side_of_plane" in text
+    assert "gave no answer within 2 s and was stopped → Does every loop in it come to an end" in text
+    hidden = [outcome for outcome in found.sheet.outcomes if outcome.hidden and outcome.function == "is_colliding"]
+    assert [outcome.parts[0].said for outcome in hidden] == ["the function took too long"]
+
+
+def test_what_python_cannot_read_is_not_called_to_do(tmp_path):
+    (tmp_path / "lab.py").write_text("def point_velocity(v, w, r:\n    return v\n")
+    text = checked(tmp_path / "lab.py")[1]
+    assert "✗ point_velocity  cannot be read, see the first lines" in text
+    assert "· relative_velocity  to do, slide 15" in text
+
+
+def test_no_piece_of_advice_is_given_twice(tmp_path):
+    names = ("signed_distance", "missing_probability")
+    (tmp_path / "lab.py").write_text("".join(f"def {name}(*given): return np.dot(*given)\n" for name in names))
+    text = checked(tmp_path / "lab.py")[1]
+    assert text.count("name 'np' is not defined") == 2
+    assert text.count("→ `import numpy as np` is missing.") == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "point_velocity(velocity=(0, 0, 0), angular_velocity=(0, 0, 2), arm=(1, 0, 0))",
+        "inverse_effective_mass(body_a=((0, 0, -2), (0, 0, 0), (0, 0, 0), 1, diag(2, 2, 2)), normal=(0, 0, 1))",
+        "long(first=(" + ", ".join(["(0, 0.12345, 0)"] * 12) + "), second=1)",
+        "words " * 40 + "(in a bracket that never closes",
+    ],
+)
+def test_a_long_line_breaks_between_arguments_and_loses_nothing(text):
+    lines = folded(text, 2)
+    assert all(len(line) <= 80 for line in lines)
+    assert "".join("".join(lines).split()) == "".join(text.split())
+    if text.startswith(("point", "inverse")):
+        assert all(line.count("(") - line.count(")") == (0, 1)[at == 0] for at, line in enumerate(lines[:-1]))
+
+
+def test_without_the_solutions_whole_scenarios_are_left_out_and_cost_nothing(tmp_path, monkeypatch):
+    monkeypatch.setattr(runs, "RIGHT", "a_package_that_a_student_lacks")
+    (tmp_path / "lab.py").write_text(BOUNCE)
+    code, text = checked(tmp_path / "lab.py")
+    assert code == 1  # seven are to do
+    assert "✓ kinematic_response" in text
+    assert "1 test left out: a whole scenario needs right answers of other topics" in joined(text)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="modes of files are POSIX's")

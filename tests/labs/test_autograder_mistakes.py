@@ -56,7 +56,7 @@ class Here:
 class Asked:
     def __init__(self, name, function):
         self.name, self.function = name, function
-        self.functions = SimpleNamespace(process=lambda: SimpleNamespace(changed=self.changed))
+        self.functions = SimpleNamespace(process=lambda: SimpleNamespace(changed=self.changed, printed=""))
 
     def __call__(self, *arguments, **named):
         before = repr(arguments)

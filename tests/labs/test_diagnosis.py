@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -11,9 +12,11 @@ import pytest
 from labs.grading import fingerprints
 from labs.grading.bank import Misconception, read_bank
 from labs.grading.diagnosis import diagnose
+from labs.grading.fingerprints import __main__ as command
 from labs.grading.fingerprints import building
 from labs.grading.fingerprints.__main__ import main
 from labs.grading.probes import probed, probes
+from labs.grading.telling import called, no_answer
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 from solutions import as_printed
@@ -68,15 +71,35 @@ def test_a_fingerprint_that_is_stale_is_found(tmp_path, monkeypatch):
     content = {"schema": "collisions-lab/fingerprints", "version": 1, "functions": numbers}
     monkeypatch.setattr(building, "build", lambda *_, **__: {"detection": content})
     assert fingerprints.stale(tmp_path) == ["detection.json: there is none"]
-    building.write(tmp_path)
+    assert building.write(tmp_path) == [tmp_path / "detection.json"]
     assert fingerprints.stale(tmp_path) == []
     numbers["is_colliding"]["right"] = [1.0, 2.5]
     assert fingerprints.stale(tmp_path) == ["detection.json: /functions/is_colliding/right[1] is 2.0, now 2.5"]
 
 
-def test_the_command_knows_two_ways(capsys):
+def test_a_file_of_fingerprints_has_a_line_for_each_entry_down_to_some_depth():
+    content = {"é": {"deep": {"deeper": [1, {"x": 2}]}}, "none": {}, "ü": "ß"}
+    assert building.lines(content, 2) == '{\n"é": {\n"deep": {"deeper":[1,{"x":2}]}\n},\n"none": {},\n"ü": "ß"\n}'
+    assert building.lines({}) == "{}"
+
+
+def test_the_command_knows_two_ways(capsys, monkeypatch, tmp_path):
     assert main(["--what"]) == 2
     assert "usage" in capsys.readouterr().out
+    monkeypatch.setattr(command, "write", lambda: [tmp_path / "detection.json"])
+    for found, code, line in (([], 0, "the fingerprints are fresh"), (["detection.json: /x"], 1, "detection.json: /x")):
+        monkeypatch.setattr(command, "stale", lambda found=found: found)
+        assert (main(["--check"]), capsys.readouterr().out) == (code, f"{line}\n")
+    assert (main([]), capsys.readouterr().out) == (0, "wrote detection.json\n")
+
+
+def test_a_bank_that_has_to_be_mended_is_told_in_a_line(capsys, monkeypatch):
+    def refuse():
+        raise InvalidInput("two entries give the same numbers; merge them")
+
+    monkeypatch.setattr("labs.grading.fingerprints.__main__.write", refuse)
+    assert main([]) == 2
+    assert capsys.readouterr().out == "two entries give the same numbers; merge them\n"
 
 
 def test_two_entries_that_are_the_same_mistake_are_refused():
@@ -168,7 +191,9 @@ def test_the_mistake_is_named_with_a_hint_and_the_simplest_example():
     text = str(found)
     assert found.mistakes[0].id == "kinematic_response/always perfect"
     assert "Every bounce is perfect" in text
-    assert "velocity=(0, 0, -2), normal=(0, 0, 1), restitution=0.5 (straight down on the floor)" in text
+    assert (
+        "kinematic_response(velocity=(0, 0, -2), normal=(0, 0, 1), restitution=0.5), straight down on the floor" in text
+    )
     assert "gives   (0, 0, 2)\n  physics (0, 0, 1)" in text
 
 
@@ -242,7 +267,32 @@ def test_what_is_no_answer_has_the_wrong_shape(value):
 
 def test_one_thing_where_two_are_promised_has_the_wrong_shape():
     found = diagnose("contact_impulses", of(lambda j, n: np.asarray(j)[..., None] * n))
-    assert "something of type ndarray, where 2 arrays of numbers should be" in str(found)
+    assert "gives   one array instead of 2 arrays" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("value", "count", "printed", "words"),
+    [
+        (None, 1, "", "nothing (None): is a return missing?"),
+        (None, 2, "3\n", "nothing (None): it prints, and has to return"),
+        ("never", 1, "", "the text 'never' instead of a number or an array"),
+        ((1.0, 2.0), 3, "", "2 things instead of 3"),
+        ([1.0, [2.0]], 1, "", "a list that is not a number or an array of numbers"),
+    ],
+)
+def test_what_is_no_answer_is_said_in_words(value, count, printed, words):
+    assert no_answer(value, count, printed) == words
+
+
+def test_yes_and_no_are_shown_as_such():
+    found = diagnose("holds", of(lambda push, n, mu: np.sum(push, axis=-1) ** 2 > (mu * np.asarray(n)) ** 2))
+    assert re.search(r"gives   (False|True)\n  physics (False|True)", str(found))
+
+
+def test_the_same_answer_whatever_is_given_has_no_name():
+    """It is as well that of `never holds` as of any other mistake that happens to say no in the usual cases."""
+    found = diagnose("holds", of(lambda push, n, mu: np.linalg.norm(push, axis=-1) == np.asarray(mu) * n))
+    assert not found.mistakes
 
 
 def test_an_unknown_mistake_gets_the_example_alone():
@@ -299,6 +349,21 @@ def test_one_wrong_number_is_no_mistake_with_a_name():
 def test_a_function_without_probes_is_refused():
     with pytest.raises(UnknownName, match="no_such"):
         diagnose("no_such", of(kinematic_response))
+    for entry in lecture.FUNCTIONS.values():
+        if entry.role == "written" and entry not in probed():
+            with pytest.raises(UnknownName, match=f"function with probes '{entry.name}'"):
+                diagnose(entry.name, of(kinematic_response))
+
+
+def test_an_example_of_a_function_without_fingerprints_has_no_names():
+    assert called(("normal_velocity", "restitution"), (-2.0, 0.5)) == "normal_velocity=-2, restitution=0.5"
+    assert called((), (-2.0, [0.5, 1.0]), "no_such") == "no_such(-2, (0.5, 1))"
+
+
+def test_matrices_are_shown_briefly():
+    assert called((), (np.diag([2.0, 1.0]), np.ones((2, 2)), np.eye(1), np.full((2, 2), np.inf)), "f") == (
+        "f(diag(2, 1), ((1, 1), (1, 1)), ((1)), ((inf, inf), (inf, inf)))"
+    )
 
 
 @pytest.mark.parametrize("topic", TOPICS)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
+from types import SimpleNamespace
+
 import pytest
 
-from labs.grading.plugin import SHEET
+from labs.grading.plugin import SHEET, Functions
 from labs.grading.sheet import Sheet
 
 pytest_plugins = "pytester"
@@ -47,6 +50,14 @@ def test_secret(submission):
 
 def test_error(submission):
     submission.normal_velocity(-7.125)
+
+@pytest.mark.points(2)
+def test_secret_parts(submission, part, examples):
+    with part(1, "a sign"):
+        assert submission.rebound_velocity(-7.125, 1.0) == 7.125, "7.125"
+    with part(1, "an error"):
+        submission.normal_velocity(-7.125)
+    assert not examples.told
 """
 RIGHT = "def rebound_velocity(v, e): return -e * v\ndef normal_velocity(u): return u\n"
 WRONG = """
@@ -75,15 +86,21 @@ def graded(pytester: pytest.Pytester, text: str | None, *options: str) -> tuple[
 
 def test_a_right_submission_earns_every_point(pytester):
     result, sheet = graded(pytester, RIGHT)
-    result.assert_outcomes(passed=6)
-    assert (sheet.earned, sheet.points) == (14, 3 + 4 + 1 + 5 + 1)
+    result.assert_outcomes(passed=7)
+    assert (sheet.earned, sheet.points) == (16, 3 + 4 + 1 + 5 + 1 + 2)
     assert sheet.submission == "lab.py"
     assert not [line for outcome in sheet.outcomes for line in outcome.lines()]
+    assert {outcome.said for outcome in sheet.outcomes} == {""}
+    assert not sheet.diagnoses
+    section = next(number for number, line in enumerate(result.outlines) if " lab.py " in line)
+    told = result.outlines[section + 1 : -1]
+    assert told == [*sheet.complaints, "", f"16 of 16 points ({sheet.tier})"]
+    assert sheet.tier
 
 
 def test_a_wrong_one_is_told_why_and_gets_the_points_of_its_parts(pytester):
     result, sheet = graded(pytester, WRONG)
-    result.assert_outcomes(passed=2, failed=4)
+    result.assert_outcomes(passed=2, failed=5)
     outcomes = {outcome.test: outcome for outcome in sheet.outcomes}
     assert outcomes["test_in_parts"].earned == 1
     assert [part.passed for part in outcomes["test_in_parts"].parts] == [True, False, False]
@@ -92,7 +109,9 @@ def test_a_wrong_one_is_told_why_and_gets_the_points_of_its_parts(pytester):
     assert told.endswith("leaves with e times the speed it came with.\nStatement 12.")
     assert sheet.earned == 1 + 1
     assert outcomes["test_in_parts"].parts[2].said == "normal_velocity raised Told: asked for 1.0 (line 4)"
-    result.stdout.fnmatch_lines(["point_velocity, relative_velocity, *are missing", "2 of 14 points (*)"])
+    result.stdout.fnmatch_lines(["point_velocity, relative_velocity, *are missing", "2 of 16 points (*)"])
+    result.stdout.fnmatch_lines(["_* test_error _*", "normal_velocity raised Told: asked for *"], consecutive=True)
+    result.stdout.fnmatch_lines(["_* test_rebound _*", "*", "E*assert -1.0 == 1.0*"])
 
 
 def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_them(pytester):
@@ -101,7 +120,13 @@ def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_th
     assert hidden == [
         "secret: 0 of 5", "the answer is wrong", "Nothing is gained by a bounce.",
         "error: 0 of 1", "the function raised an exception",
+        "secret parts: 0 of 2",
     ]  # fmt: skip
+    parts = next(outcome.parts for outcome in sheet.outcomes if outcome.test == "test_secret_parts")
+    assert [part.said for part in parts] == ["the answer is wrong", "the function raised an exception"]
+    assert {outcome.test for outcome in sheet.outcomes if outcome.hidden} == {
+        "test_secret", "test_error", "test_secret_parts",
+    }  # fmt: skip
     assert "7.125" not in result.stdout.str().partition(" lab.py ")[2].partition("short test summary")[0]
 
 
@@ -123,14 +148,80 @@ def test_what_is_not_written_yet_is_a_list_of_things_to_do(pytester):
 
 def test_a_file_that_cannot_be_read_earns_nothing_and_says_why_once_a_test(pytester):
     _, sheet = graded(pytester, "\n")
-    assert (sheet.earned, sheet.points) == (0, 14)
+    assert (sheet.earned, sheet.points) == (0, 16)
     assert {outcome.said for outcome in sheet.outcomes} == {"lab.py: it is empty"}
+
+
+def test_each_test_has_a_process_of_its_own_that_ends_with_it():
+    began, ended = [], []
+
+    @contextlib.contextmanager
+    def fresh():
+        began.append(SimpleNamespace(sealing=SimpleNamespace(tier=SimpleNamespace(title="limits"))))
+        yield began[-1]
+        ended.append(began[-1])
+
+    sheet = Sheet()
+    functions = Functions(SimpleNamespace(fresh=fresh), sheet)
+    functions.end_test()
+    assert functions.process() is functions.process() is began[0]
+    assert (sheet.tier, ended) == ("limits", [])
+    functions.end_test()
+    assert ended == began
+    assert functions.process() is began[1]
 
 
 def test_without_a_submission_the_tests_are_skipped(pytester):
     result, sheet = graded(pytester, None)
-    result.assert_outcomes(passed=1, skipped=5)
+    result.assert_outcomes(passed=1, skipped=6)
     assert sheet.outcomes == []
+
+
+ALONE = """
+import pytest
+
+@pytest.mark.points()
+@pytest.mark.parametrize("time", ["first", "second"])
+def test_counts(submission, time):
+    assert submission.rebound_velocity(0.0, 0.5) == 1
+
+@pytest.fixture
+def breaks_down():
+    yield
+    raise OSError("afterwards")
+
+@pytest.mark.points(2)
+def test_breaks_down(submission, breaks_down):
+    assert submission.rebound_velocity(0.0, 0.5) == 1
+
+@pytest.mark.points(0.5)
+def test_of_something_else():
+    pass
+
+@pytest.mark.points(7)
+def test_skipped(submission):
+    pytest.skip("the scenario needs what a student's tree lacks")
+
+def test_in_vain(submission, part):
+    with part(1, "a part"):
+        assert submission.rebound_velocity(0.0, 0.5) == 2, "two" + 2 * chr(10) + "lines"
+"""
+
+
+def test_a_test_meets_no_trace_of_the_one_before_and_each_counts_once_unless_it_is_skipped(pytester):
+    pytester.makepyfile(test_impulse=ALONE)
+    result, sheet = graded(
+        pytester,
+        "calls = []\ndef rebound_velocity(v, e):\n    calls.append(v)\n    return len(calls)",
+        "test_impulse.py",
+    )
+    result.assert_outcomes(passed=4, skipped=1, failed=1, errors=1)
+    assert [(outcome.test, outcome.earned, outcome.points) for outcome in sheet.outcomes] == [
+        ("test_counts[first]", 1, 1), ("test_counts[second]", 1, 1), ("test_breaks_down", 2, 2),
+        ("test_in_vain", 0, 1),
+    ]  # fmt: skip
+    assert sheet.outcomes[-1].parts[0].said.startswith("two\nlines\nassert 1 == 2")
+    result.stdout.no_fnmatch_line("*plugin.py*")
 
 
 def test_grading_the_same_file_again_draws_the_same_examples(pytester):

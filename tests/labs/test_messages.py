@@ -6,7 +6,9 @@ import base64
 import contextlib
 import json
 import math
+import re
 import struct
+from collections import OrderedDict
 
 import numpy as np
 import pytest
@@ -15,7 +17,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from labs.grading import messages
-from labs.grading.messages import HEADER, MESSAGE_LIMIT, PARTS_LIMIT, Refused, pack, unpack
+from labs.grading.messages import HEADER, INTEGER_LIMIT, MESSAGE_LIMIT, PARTS_LIMIT, Refused, pack, unpack
 
 DTYPES = st.one_of(
     hnp.boolean_dtypes(),
@@ -241,3 +243,111 @@ def test_a_length_above_the_limit_is_refused_before_anything_is_read():
     assert messages.length(pack(1.0)[:HEADER]) == len(b"1.0")
     with pytest.raises(Refused, match="at most"):
         messages.length((MESSAGE_LIMIT + 1).to_bytes(HEADER, "big"))
+
+
+# Just within a limit, and just beyond
+
+
+def nested(depth, kind):
+    value = kind()
+    for _ in range(depth - 1):
+        value = kind([value])
+    return value
+
+
+@pytest.mark.parametrize("kind", [list, tuple])
+def test_lists_nest_twenty_deep(kind):
+    assert same(nested(20, kind), there_and_back(nested(20, kind)))
+    with pytest.raises(Refused, match=f"^a {kind.__name__} nested more than 20 deep$"):
+        pack(nested(21, kind))
+
+
+@pytest.mark.parametrize("sign", [-1, 1])
+def test_an_integer_has_four_thousand_bits_at_most(sign):
+    longest = sign * (2**INTEGER_LIMIT - 1)
+    assert there_and_back(longest) == longest
+    with pytest.raises(Refused, match="an integer of 4001 bits"):
+        pack(sign * 2**INTEGER_LIMIT)
+
+
+def test_a_message_may_be_as_long_as_the_limit_and_no_longer():
+    text = "x" * (MESSAGE_LIMIT - 2)  # with its quotes
+    assert there_and_back(text) == text
+    for longer in ("x" * (MESSAGE_LIMIT - 1), np.zeros(MESSAGE_LIMIT, "u1")):
+        with pytest.raises(Refused, match=f"a message of .* bytes; at most {MESSAGE_LIMIT} are sent"):
+            pack(longer)
+    with pytest.raises(Refused, match="an array of 8388609 bytes"):
+        pack(np.zeros(MESSAGE_LIMIT + 1, "u1"))
+    with pytest.raises(Refused, match="a text of"):
+        pack("x" * (MESSAGE_LIMIT + 1))
+    assert messages.length(MESSAGE_LIMIT.to_bytes(HEADER, "big")) == MESSAGE_LIMIT
+    with pytest.raises(Refused, match="at most"):
+        unpack(b'"' + b"x" * (MESSAGE_LIMIT - 1) + b'"')
+
+
+def test_a_message_may_have_as_many_parts_as_the_limit_and_no_more():
+    fits = [None] * (PARTS_LIMIT - 2)  # a comma less than parts, a bracket for the tag and one for the list, one comma
+    assert len(there_and_back(fits)) == PARTS_LIMIT - 2
+    with pytest.raises(Refused, match=f"a message of {PARTS_LIMIT + 1} parts"):
+        pack([*fits, None])
+    with pytest.raises(Refused, match=f"a message of {PARTS_LIMIT + 1} parts"):
+        unpack(b"[" * (PARTS_LIMIT + 1))
+    with pytest.raises(Refused, match=f"a message of {PARTS_LIMIT + 1} parts"):
+        unpack(b"{" * (PARTS_LIMIT + 1))
+    with pytest.raises(Refused, match=f"a list of {PARTS_LIMIT + 1} parts"):
+        pack([None] * (PARTS_LIMIT + 1))
+
+
+def test_an_array_has_as_many_axes_as_the_limit_and_no_more():
+    assert unpack(json.dumps(array_of("<f8", [1] * 32, bytes(8))).encode()).shape == (1,) * 32
+    with pytest.raises(Refused, match="no such shape"):
+        unpack(json.dumps(array_of("<f8", [1] * 33, bytes(8))).encode())
+
+
+@pytest.mark.parametrize("rows", [1, 2])
+def test_an_array_without_bytes_has_as_many_rows_as_the_limit_and_no_more(rows):
+    most = [rows, 0, MESSAGE_LIMIT // rows]
+    assert unpack(json.dumps(array_of("<f8", most, b"")).encode()).shape == tuple(most)
+    with pytest.raises(Refused, match="no such shape"):
+        unpack(json.dumps(array_of("<f8", [rows, 0, MESSAGE_LIMIT // rows + 1], b"")).encode())
+
+
+@pytest.mark.parametrize(
+    ("parts", "why"),
+    [
+        ({"a": 1}, "it holds an object"),
+        (["set", []], "a list without a known tag"),
+        (["float", "3ff0000000000000"], "'3ff0000000000000' is no odd float"),
+        (array_of("|O", [1], bytes(8)), "dtype '|O'"),
+        (array_of("<i3", [1], bytes(3)), "no dtype '<i3'"),
+        (array_of("|f8", [1], bytes(8)), "dtype '|f8'"),
+        (array_of("<b1", [1], b"\1"), "dtype '<b1'"),
+        (array_of("<U0", [2], b""), "dtype '<U0'"),
+        (array_of("|S0", [2], b""), "dtype '|S0'"),
+        (array_of("<f8", [-1], bytes(8)), "no such shape"),
+        (array_of("<f8", [2], bytes(8)), "8 bytes for shape (2,) of float64"),
+        (array_of("|b1", [1], b"\2"), "a truth value that is neither 0 nor 1"),
+        (array_of("<U1", [1], (0x110000).to_bytes(4, "little")), "a character beyond Unicode"),
+        (array_of(">U1", [1], (0x110000).to_bytes(4, "big")), "a character beyond Unicode"),
+        (["array", "<f8", [1], "no!"], "base64"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_message_is_refused_for_the_reason_that_is_told(parts, why):
+    with pytest.raises(Refused, match=re.escape(why)) as refused:
+        unpack(json.dumps(parts).encode())
+    assert str(refused.value).startswith("not a message: ")
+
+
+def test_what_is_just_allowed_arrives():
+    assert unpack(json.dumps(array_of("|b1", [2], b"\0\1")).encode()).tolist() == [False, True]
+    assert unpack(json.dumps(array_of("<U1", [1], (0x10FFFF).to_bytes(4, "little"))).encode())[0] == chr(0x10FFFF)
+    assert unpack(json.dumps(array_of("<U1", [2], bytes(8))).encode()).tolist() == ["", ""]
+
+
+def test_a_type_is_told_with_where_it_is_from_and_cut_short():
+    with pytest.raises(Refused, match=r"^an object of type collections\.OrderedDict$"):
+        pack(OrderedDict())
+    with pytest.raises(Refused) as refused:
+        pack(type("L" * 500, (), {"__module__": "submission"})())
+    assert str(refused.value) == "an object of type " + "L" * 100

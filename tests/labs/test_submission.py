@@ -14,7 +14,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from labs.grading import submission
 from labs.grading.errors import UnreadableSubmission
+from labs.grading.files import CELL_LIMIT, CODE_LIMIT, FILE_LIMIT
 from labs.grading.magics import without_magics
 from labs.grading.submission import Submission, read
 
@@ -108,6 +110,15 @@ def normal_velocity(n, u, axis=-1): return np.sum(n * u, axis)
         "s = 1\ns -= 2\ndef rebound_velocity(v, e): return s * e * v",
         "def rebound_velocity(v, e): return (lambda: sign * e * v)()\nsign = -1",
         "with open('/dev/null') as sink: sign = -1\ndef rebound_velocity(v, e): return sign * e * v",
+        "def rebound_velocity(v, e, *, s=-1, k=1, **more): return k * s * e * v",
+        "def scaled(v, *, by): return by * v\ndef rebound_velocity(v, e): return scaled(v, by=-e)",
+        "async def other(v): pass\nBASE = 1\nclass A:\n    a = BASE\nclass B(A): pass\n"
+        "def rebound_velocity(v, e): return -e * v * B.a",
+        "import numpy.linalg\nrebound_velocity = lambda v, e: -e * numpy.linalg.norm(numpy.ones(1)) * v",
+        "TABLE = {'a': {}}\nTABLE['a']['s'] = -1\ndef rebound_velocity(v, e): return TABLE['a']['s'] * e * v",
+        "def sign(): return sign.value\nsign.value = -1\ndef rebound_velocity(v, e): return sign() * e * v",
+        "TABLE = [1]\nTABLE[0] -= 2\ndef rebound_velocity(v, e): return TABLE[0] * e * v",
+        "def shift(f): return lambda v, e: f(v, e) - 1\n@shift\ndef rebound_velocity(v, e): return 1 - e * v",
         "[sign] = [-1]\ndef rebound_velocity(v, e): return sign * e * v",
     ],
 )
@@ -131,6 +142,24 @@ def test_magics_shell_lines_and_questions_are_taken_out(tmp_path):
     assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
     assert "%not a magic\n!nor this" in submission.text
     assert submission.where(submission.text.splitlines().index("def rebound_velocity(v, e):") + 1).endswith("line 10")
+
+
+@pytest.mark.parametrize(
+    ("cell", "python"),
+    [
+        ("%a", "pass"), ("x = 1\n%time y", "x = 1\npass"), ("  !a \\\n  b \\\n  c\nx = 1", "  pass\n\n\nx = 1"),
+        ("!a \\\n b", "pass\n"), ("x = !ls", "pass"), ("x = %time y\n", "pass\n"),
+        ("f?", "pass"), ("m.f??\n", "pass\n"),
+        ("?f", "pass"), ("f???", "f???"), ("a %= 2", "a %= 2"), ("a != 2", "a != 2"), ("a =!= 2", "a =!= 2"),
+        ("%%bash\nrm", ""), ("%%", ""), ("%%time\n%a\nx", "\npass\nx"), ("\n\n%%time\nx", "\n\n\nx"),
+        ("x\n%%time", "x\npass"), ("(1\n% 2)\n%a", "(1\n% 2)\npass"), ("{[1\n% 2]}\n%a", "{[1\n% 2]}\npass"),
+        (")\n%a", ")\npass"), ("# ( '\n%a", "# ( '\npass"), ("'('\n%a", "'('\npass"), ('"\\"("\n%a', '"\\"("\npass'),
+        ("x = \\\n% 3\n%a", "x = \\\n% 3\npass"), ("'''\n%a\\'''\n'''\n%b", "'''\n%a\\'''\n'''\npass"),
+        ('"""\n%a\n"""; x\n%b', '"""\n%a\n"""; x\npass'), ("'''\n%a", "'''\n%a"),
+    ],
+)  # fmt: skip
+def test_a_magic_is_taken_out_where_a_statement_begins_and_nowhere_else(cell, python):
+    assert without_magics(cell) == python
 
 
 @given(
@@ -172,6 +201,28 @@ def test_a_syntax_error_costs_its_cell_alone_and_is_placed(tmp_path):
     submission = handed_in(tmp_path, notebook("import numpy as np", broken, BOTH.split("\n\n\n")[1]))
     assert submission.functions == ("normal_velocity",)
     assert "code cell 2, line 2: Python cannot read 'def rebound_velocity(v, e:'" in told(submission)
+
+
+@pytest.mark.parametrize(
+    ("names", "effect"),
+    [("", ""), ("a", "; so a cannot be read"), ("abc", "; so a, b, c cannot be read"),
+     ("abcd", "; so a, b, c … cannot be read")],
+)  # fmt: skip
+def test_what_a_syntax_error_costs_is_said(names, effect, tmp_path):
+    source = "".join(f"def {name}(): pass\n" for name in names) + "x = )"
+    first = told(handed_in(tmp_path, source, "lab.py")).splitlines()[0]
+    assert first == f"line {len(names) + 1}: Python cannot read 'x = )': unmatched ')'{effect}"
+
+
+@pytest.mark.parametrize("error", [RecursionError, MemoryError, ValueError])
+def test_what_is_too_deep_for_python_is_said(error, tmp_path, monkeypatch):
+    def groups(source):
+        raise error
+
+    monkeypatch.setattr(submission, "groups", groups)
+    found = handed_in(tmp_path, notebook(BOTH))
+    assert told(found).splitlines()[0] == "code cell 1: Python cannot read this: too deeply nested"
+    assert found.functions == ()
 
 
 def test_an_error_line_leads_back_to_the_cell(tmp_path):
@@ -222,6 +273,12 @@ def test_odd_notebooks_are_read(content, tmp_path):
     assert handed_in(tmp_path, content).functions == WANTED
 
 
+def test_half_a_character_costs_its_cell_alone(tmp_path):
+    submission = handed_in(tmp_path, notebook(BOTH, "x = '\ud800'"))
+    assert submission.functions == WANTED
+    assert told(submission) == "code cell 2: Python cannot read this: it holds half a character"
+
+
 @pytest.mark.parametrize(
     ("name", "content", "line"),
     [
@@ -231,6 +288,7 @@ def test_odd_notebooks_are_read(content, tmp_path):
         ("lab.ipynb", b"not json", "it is not a notebook"),
         ("lab.ipynb", b'{"cells": 3}', "it has no cells"),
         ("lab.ipynb", b"[1, 2]", "it has no cells"),
+        ("lab.ipynb", b'{"worksheets": [{"cells": 5}, 3, {"cells": [4]}]}', "it holds no code"),
         ("lab.ipynb", b'{"cells": ' + b"[" * 100_000, "it is not a notebook"),
         ("lab.ipynb", notebook(BOTH)[:-20], "it is not a notebook"),
         ("lab.ipynb", b'{\n"cells": [\n<<<<<<< HEAD\n1\n=======\n>>>>>>> x\n]}', "line 3: a merge left its marks"),
@@ -240,7 +298,8 @@ def test_odd_notebooks_are_read(content, tmp_path):
         ("lab.py", b"x = 1\0\n", "it is not a text file"),
         ("lab.txt", BOTH.encode(), "hand in a .ipynb or a .py file"),
         ("lab", BOTH.encode(), "hand in a .ipynb or a .py file"),
-        ("lab.py", b"# " + b"x" * 2**20, "more than 1048576 characters of code"),
+        ("lab.py", b"# " + b"x" * 2**18, "more than 262144 characters of code"),
+        ("lab.py", b'f"' + b"{x}" * 20_000 + b'"', "more than 10000 opening braces"),
         ("la\nb\x1b[2J.py", b"", "la b␛[2J.py: it is empty"),
     ],
 )
@@ -248,6 +307,21 @@ def test_a_file_without_a_submission_is_refused_in_one_line(name, content, line,
     with pytest.raises(UnreadableSubmission, match=re.escape(line)) as refused:
         handed_in(tmp_path, content, name)
     assert "\n" not in str(refused.value)
+
+
+def test_a_file_may_be_as_large_as_the_limits_and_no_larger(tmp_path):
+    (tmp_path / "lab.py").write_text(BOTH + "#" * (FILE_LIMIT - len(BOTH)))
+    with pytest.raises(UnreadableSubmission, match=f"it holds more than {CODE_LIMIT} characters of code"):
+        read(tmp_path / "lab.py", WANTED)
+    (tmp_path / "lab.py").write_text(BOTH + "#" * (FILE_LIMIT - len(BOTH) + 1))
+    with pytest.raises(UnreadableSubmission, match="it has 10 MB, and at most 10 are read"):
+        read(tmp_path / "lab.py", WANTED)
+    assert handed_in(tmp_path, BOTH + "#" * (CODE_LIMIT - len(BOTH)), "lab.py").functions == WANTED
+    with pytest.raises(UnreadableSubmission, match="more than"):
+        handed_in(tmp_path, BOTH + "#" * (CODE_LIMIT - len(BOTH) + 1), "lab.py")
+    assert handed_in(tmp_path, notebook(BOTH, *["x"] * (CELL_LIMIT - 1))).functions == WANTED
+    with pytest.raises(UnreadableSubmission, match=f"it has {CELL_LIMIT + 1} code cells, and at most {CELL_LIMIT}"):
+        handed_in(tmp_path, notebook(BOTH, *["x"] * CELL_LIMIT))
 
 
 def test_a_missing_file_a_folder_a_pipe_and_a_link_are_refused(tmp_path):
@@ -279,8 +353,34 @@ def test_a_notebook_of_a_hundred_megabytes_is_refused_without_being_read(tmp_pat
 def test_a_merge_mark_is_named_with_its_line(tmp_path):
     source = BOTH + "<<<<<<< HEAD\nx = 1\n=======\nx = 2\n>>>>>>> theirs\n"
     submission = handed_in(tmp_path, source, "lab.py")
-    assert "line 7: a merge left its mark '<<<<<<<': choose one version" in told(submission)
+    assert "line 7: a merge left its mark '<<<<<<<': choose one version; so rebound_velocity, " in told(submission)
     assert submission.functions == ()
+    assert submission.unread == WANTED
+
+
+@pytest.mark.parametrize(
+    ("name", "near"),
+    [("reboundVelocity", True), ("rebound_velocty", True), ("rebound", False), ("velocity_of_sound", False)],
+)
+def test_a_name_that_is_nearly_the_wanted_one_is_told(name, near, tmp_path):
+    submission = handed_in(tmp_path, f"def {name}(v, e):\n    return -e * v\n", "lab.py")
+    assert (f"line 1: is {name} meant to be rebound_velocity?" in told(submission)) == near
+
+
+def test_a_function_uses_what_it_calls_itself_or_by_way_of_what_else_it_needs(tmp_path):
+    source = (
+        BOTH
+        + """
+RATE = rebound_velocity(-1.0, 1.0)
+def approach(n, u): return RATE * normal_velocity(n, u)
+def collide(n, u): return approach(n, u)
+def mean_force(normal_velocity): return normal_velocity
+"""
+    )
+    (tmp_path / "lab.py").write_text(source)
+    submission = read(tmp_path / "lab.py", (*WANTED, "collide", "mean_force"))
+    assert submission.uses("collide") == ["rebound_velocity", "normal_velocity"]
+    assert submission.uses("mean_force") == [], "a parameter of that name is no function"
 
 
 def test_a_notebook_under_another_name_is_read_and_it_is_said(tmp_path):
@@ -296,13 +396,17 @@ def test_a_notebook_under_another_name_is_read_and_it_is_said(tmp_path):
         "x = 1" + "+1" * 50_000,
         "x = " + "(" * 5000 + ")" * 5000,
         "x = a" + ".b" * 50_000,
-        "x = " + "lambda: " * 50_000 + "1",
+        "x = " + "lambda: " * 30_000 + "1",
         "if 1: pass\n" + "elif 1: pass\n" * 20_000,
         "".join(" " * depth + "def f():\n" for depth in range(90)) + " " * 90 + "pass",
         "def f(): pass\n" * 2_000,
         "def rebound_velocity(v, e): return 0\n" * 2_000,
         "".join(f"a{i} = a{i + 1}\n" for i in range(2_000)) + "def normal_velocity(): return a0",
         "%" * 50_000 + "\n?" * 20_000,
+        " " * 200_000 + "x)",
+        "\\'" * 100_000 + ")",
+        "%%time\n" * 30_000 + ")",
+        'f"' + "{x}" * 9_000 + '"',
     ],
     ids=lambda source: source[:12],
 )

@@ -6,10 +6,12 @@ module of its name.
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
 
 from labs.grading.probes.making import GROUPS, Group, Probe
 from reference import lecture
+from reference.errors import UnknownName
 
 __all__ = ["GROUPS", "Group", "Probe", "probed", "probes"]
 
@@ -20,20 +22,28 @@ def probes(function: str) -> tuple[Probe, ...]:
     Raises
     ------
     UnknownName
-        If the lecture has no such function, or its topic has no probes.
+        If the lecture has no such function, or there are no probes of it.
     """
     entry = lecture.function(function)
-    module = importlib.import_module(f"{__name__}.{entry.topic}")
-    found: tuple[Probe, ...] = module.probes(entry.name)
-    return found
+    name = f"{__name__}.{entry.topic}"
+    if importlib.util.find_spec(name):
+        try:
+            found: tuple[Probe, ...] = importlib.import_module(name).probes(entry.name)
+        except KeyError as missing:
+            if missing.args != (entry.name,):
+                raise
+        else:
+            return found
+    raise UnknownName("function with probes", function, ())
 
 
 def probed() -> tuple[lecture.Function, ...]:
-    """The functions that have probes: all that a student writes in the topics that have a module here."""
-    return tuple(
-        entry
-        for topic in lecture.TOPICS
-        if importlib.util.find_spec(f"{__name__}.{topic.name}")
-        for entry in lecture.functions_of(topic.name)
-        if entry.role == "written"
-    )
+    """The functions that have probes, of those that a student writes."""
+    written = (entry for topic in lecture.TOPICS for entry in lecture.functions_of(topic.name))
+    return tuple(entry for entry in written if entry.role == "written" and _has_probes(entry.name))
+
+
+def _has_probes(function: str) -> bool:
+    with contextlib.suppress(UnknownName):
+        return bool(probes(function))
+    return False

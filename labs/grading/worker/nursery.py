@@ -49,6 +49,7 @@ def main() -> None:
     gc.collect()
     gc.freeze()  # what is shared with the tests' processes stays shared
     Nursery(control, rules, offline).run()
+    shutil.rmtree(os.getcwd(), ignore_errors=True)  # the grader does so, unless it was killed
 
 
 def prepare() -> list[str]:
@@ -85,18 +86,24 @@ class Nursery:
         self._folders: dict[int, str] = {}
 
     def run(self) -> None:
-        """Answer one request after the other until the grader hangs up."""
-        while True:
-            request, descriptors, _, _ = socket.recv_fds(self._control, 2**16, 2)
-            if not request:
-                break
-            wanted = json.loads(request)
-            if "start" in wanted:
-                self._start(wanted["start"], wanted["plan"], descriptors)
-            else:
-                self._control.send(json.dumps(self._end(wanted["end"])).encode())
+        """Answer one request after the other until the grader hangs up, or is gone while an answer is on its way."""
+        with contextlib.suppress(ConnectionError):
+            while self._answer():
+                pass
         for test in list(self._processes):
             self._end(test)
+
+    def _answer(self) -> bool:
+        """The next request; False where there is none any more."""
+        request, descriptors, _, _ = socket.recv_fds(self._control, 2**16, 2)
+        if not request:
+            return False
+        wanted = json.loads(request)
+        if "start" in wanted:
+            self._start(wanted["start"], wanted["plan"], descriptors)
+        else:
+            self._control.send(json.dumps(self._end(wanted["end"])).encode())
+        return True
 
     def _start(self, test: int, wanted: dict[str, Any], descriptors: list[int]) -> None:
         plan = sandbox.Plan(**wanted | {"memory": wanted["memory"] + self._own_space})

@@ -3,8 +3,9 @@
 Threat: sockets of every kind, processes and threads, signals to others, ptrace and process_vm_*, other processes'
 limits, mounts, keys, bpf, perf, io_uring, namespaces, and whatever a later kernel brings. The filter names what is
 allowed, so nothing has to be thought of to be denied. A denied call is an error, not a death: Python makes it a
-PermissionError with the student's own line. Where Landlock is missing the filter denies opening files as well; what
-was imported before still works.
+PermissionError with the student's own line. Files open for reading alone, as Landlock before Linux 6.2 lets one be
+emptied that may be read. Where Landlock is missing the filter denies opening files as well; what was imported before
+still works.
 """
 
 from __future__ import annotations
@@ -31,9 +32,11 @@ _CALLS = {  # name: its number on x86-64 and on 64-bit ARM, None where that mach
     "pselect6": (270, 72), "ppoll": (271, 73), "set_robust_list": (273, 99), "dup3": (292, 24), "getcpu": (309, 168),
     "getrandom": (318, 278), "membarrier": (324, 283), "rseq": (334, 293),
 }  # fmt: skip
+_OPEN = {"open": ((2, None), 24), "openat": ((257, 56), 32)}  # and where the flags stand in what a filter is shown
+_NOT_FOR_READING = 0o1103  # write only, read and write, create, truncate
 _FILES = {
-    "open": (2, None), "stat": (4, None), "lstat": (6, None), "access": (21, None), "readlink": (89, None),
-    "openat": (257, 56), "newfstatat": (262, 79), "readlinkat": (267, 78), "faccessat": (269, 48), "statx": (332, 291),
+    "stat": (4, None), "lstat": (6, None), "access": (21, None), "readlink": (89, None),
+    "newfstatat": (262, 79), "readlinkat": (267, 78), "faccessat": (269, 48), "statx": (332, 291),
     "faccessat2": (439, 439),
 }  # fmt: skip
 _TERMINAL = (16, 29)  # ioctl: "not a terminal" is the true answer, and open() asks for it
@@ -41,7 +44,7 @@ _DESCRIPTOR = (72, 25)  # fcntl: it could also name another process as the one t
 _DESCRIPTOR_COMMANDS = (1, 2, 3, 1030)  # read and set close-on-exec, read the mode, duplicate
 
 _MACHINES = {"x86_64": (0, 0xC000003E), "aarch64": (1, 0xC00000B7)}
-_LOAD, _JUMP_IF_EQUAL, _RETURN = 0x20, 0x15, 0x06
+_LOAD, _JUMP_IF_EQUAL, _JUMP_IF_ANY, _RETURN = 0x20, 0x15, 0x45, 0x06
 _NUMBER, _ARCHITECTURE, _SECOND_ARGUMENT = 0, 4, 24  # offsets of what a filter is shown
 _ALLOW, _FAIL = 0x7FFF0000, 0x00050000
 
@@ -72,6 +75,9 @@ def program(machine: str, files: bool) -> bytes:
     lines += [_line(_LOAD, _NUMBER)]
     for number in allowed:
         lines += _answered(number, _ALLOW) if number is not None else []
+    for numbers, flags in _OPEN.values() if files else ():
+        if (number := numbers[column]) is not None:
+            lines += _for_reading(number, flags)
     lines += _answered(_TERMINAL[column], _FAIL | errno.ENOTTY)
     commands = [line for command in _DESCRIPTOR_COMMANDS for line in _answered(command, _ALLOW)]
     lines += [_line(_JUMP_IF_EQUAL, _DESCRIPTOR[column], 0, 1 + len(commands)), _line(_LOAD, _SECOND_ARGUMENT)]
@@ -94,6 +100,17 @@ def restrict(files: bool) -> None:
     code = program(_machine(), files)
     wanted = _Program(len(code) // 8, code)
     system.prctl(system.SET_SECCOMP, system.SECCOMP_FILTER, ctypes.byref(wanted))
+
+
+def _for_reading(number: int, flags: int) -> list[bytes]:
+    """Where it is this call that was loaded, end: allow it if its flags ask for nothing but reading."""
+    return [
+        _line(_JUMP_IF_EQUAL, number, 0, 4),
+        _line(_LOAD, flags),
+        _line(_JUMP_IF_ANY, _NOT_FOR_READING, 0, 1),
+        _line(_RETURN, _FAIL | errno.EPERM),
+        _line(_RETURN, _ALLOW),
+    ]
 
 
 def _answered(value: int, answer: int) -> list[bytes]:

@@ -1,9 +1,9 @@
-"""Known mistakes of friction in an impact and of contacts that rest."""
+"""Known mistakes of impacts with friction, and of impacts in a row."""
 
 import numpy as np
 
 from labs.grading.bank import Misconception as M
-from labs.grading.bank import col, direction, dot, flat, over, size
+from labs.grading.bank import along, col, direction, dot, flat, over, size
 
 
 def times(matrix, vector):
@@ -12,10 +12,6 @@ def times(matrix, vector):
 
 def solve(matrix, vector):
     return np.linalg.solve(matrix, np.asarray(vector)[..., None])[..., 0]
-
-
-def along(f, n):
-    return np.asarray(f) - dot(f, n) * n
 
 
 def grip_of(u, n, k, e):
@@ -147,45 +143,6 @@ def swapped(v, mass, e, most=10_000):
     return np.sort(v, axis=-1)
 
 
-def resting(g, w, f):
-    return g @ w @ np.swapaxes(g, -1, -2), np.matvec(g @ w, f)
-
-
-def pressed(own, f):
-    return np.where(own > 0, own, 1) * f
-
-
-def worst(own, f, w):
-    return np.max(np.abs(np.minimum(pressed(own, f), w)), axis=-1, initial=0)
-
-
-def residual(measure):
-    def of(a, b, f):
-        a, b, f = np.asarray(a), np.asarray(b), np.asarray(f)
-        return measure(np.diagonal(a, axis1=-2, axis2=-1) + 0 * f, f, np.matvec(a, f) + b)
-
-    return of
-
-
-def sweep(a, b, sweeps, start=0.0, update=None, order=None, jacobi=False, last=None, limit=None):
-    a, b = np.asarray(a), np.asarray(b)
-    f = np.array(np.broadcast_to(start, np.broadcast_shapes(a.shape[:-1], b.shape, np.shape(start))), dtype=float)
-    count = f.shape[-1]
-    for _ in range(sweeps):
-        before = f.copy()
-        for i in range(count) if order is None else order(count):
-            own = a[..., i, i]
-            gap = np.vecdot(a[..., i, :], before if jacobi else f) + b[..., i]
-            new = update or (lambda f, gap, own: np.maximum(0, f - gap / own))
-            with np.errstate(all="ignore"):
-                f[..., i] = np.where(own > 0, new(f[..., i], gap, np.where(own > 0, own, 1.0)), 0.0)
-    return f if last is None else last(f)
-
-
-def sweeps(**parts):
-    return lambda a, b, count, start=0.0: sweep(a, b, count, start, **parts)
-
-
 # fmt: off
 BANK = (
     M("sphere_grips", "a sliding block", lambda s, v, e, mu: s <= mu * (1 + np.asarray(e)) * v,
@@ -223,7 +180,6 @@ BANK = (
       lambda s, v, e, mu: s <= 3.5 * mu * (1 + np.asarray(e)) + 0 * np.asarray(v),
       "The approach speed makes no difference: a speed is compared with a number without a unit.",
       "Which argument makes no difference to your answer?"),
-
     M("friction_impulse", "no friction", frictionless,
       "Friction makes no difference: the impulse is along the normal alone.",
       "Which argument makes no difference to your answer?"),
@@ -281,7 +237,6 @@ BANK = (
     M("friction_impulse", "always at the cone's edge", with_(limit=lambda mu, j, n: -1 + 0 * flat(dot(j, n))),
       "It always slips: the impulse is at the edge of the cone even where less stops the slip.",
       "A very small slip and a lot of friction: what should be left?"),
-
     M("sphere_impact", "no friction",
       lambda v, w, n, R, e, mu, share=0.4: sphere(v, w, n, R, e, 0 * np.asarray(mu), share),
       "Friction makes no difference: spin and way go on as they were.",
@@ -339,7 +294,6 @@ BANK = (
       driven_in,
       "The impulse is taken away from the velocity: the ball goes on into the plane.",
       "Which way must the ball be pushed?"),
-
     M("propagate_impacts", "one pass", lambda v, m, e, most=1: row(v, m, e, most=1),
       "The pairs are gone through once; some of them approach again afterwards.",
       "Is there a pair left that approaches?"),
@@ -377,140 +331,5 @@ BANK = (
     M("propagate_impacts", "1 − e", lambda v, m, e, most=200: row(v, m, e, factor=lambda e: 1 - e),
       "1 − e stands in place of 1 + e: with e = 1 nothing happens at all.",
       "What should two equal balls do with e = 1?"),
-
-    M("resting_problem", "offset's sign", lambda g, w, f: (g @ w @ np.swapaxes(g, -1, -2), -np.matvec(g @ w, f)),
-      "b has the wrong sign: the acceleration of the contacts is A f + b, and b is what the other forces give.",
-      "The weight alone: does it bring the bodies nearer to each other? Which sign has that?"),
-    M("resting_problem", "force for acceleration",
-      lambda g, w, f: (g @ w @ np.swapaxes(g, -1, -2), np.matvec(g + 0 * (g @ w), f)),
-      "b is G F: the forces have to become accelerations first.",
-      "What unit should b have?"),
-    M("resting_problem", "masses left out",
-      lambda g, w, f: (g @ np.swapaxes(g, -1, -2) + 0 * (g @ w @ np.swapaxes(g, -1, -2)), np.matvec(g @ w, f)),
-      "A is G Gᵀ: how much a force accelerates depends on the masses.",
-      "What unit should A have?"),
-    M("resting_problem", "mass for its inverse",
-      lambda g, w, f: (g @ np.linalg.pinv(w) @ np.swapaxes(g, -1, -2), np.matvec(g @ np.linalg.pinv(w), f)),
-      "The matrix given is M⁻¹ already, and is inverted once more.",
-      "What does the argument's name say?"),
-    M("resting_problem", "inverse masses squared",
-      lambda g, w, f: (g @ w @ w @ np.swapaxes(g, -1, -2), np.matvec(g @ w, f)),
-      "M⁻¹ comes in twice in A.",
-      "What unit should A have?"),
-    M("resting_problem", "no coupling",
-      lambda g, w, f: ((g @ w @ np.swapaxes(g, -1, -2)) * np.eye(np.shape(g)[-2]), np.matvec(g @ w, f)),
-      "Only the diagonal of A is kept: one contact's force would not move another contact.",
-      "Push one corner of a table. What do the other legs feel?"),
-    M("resting_problem", "masses left out in the offset",
-      lambda g, w, f: (g @ w @ np.swapaxes(g, -1, -2), np.matvec(g @ w @ w, f)),
-      "M⁻¹ comes in twice in b.",
-      "What unit should b have?"),
-    M("resting_problem", "sign of A", lambda g, w, f: (-(g @ w @ np.swapaxes(g, -1, -2)), np.matvec(g @ w, f)),
-      "A has the wrong sign: a contact force that pushes drives the bodies apart.",
-      "Which sign has A_ii?"),
-    M("resting_problem", "each component alone",
-      lambda g, w, f: resting(g, w * np.eye(np.shape(w)[-1]), f),
-      "Only the diagonal of M⁻¹ is used; the inverse inertia of a body that does not stand along the axes has more.",
-      "What does the inverse inertia of a turned box look like?"),
-
-    M("complementarity_residual", "products", residual(lambda own, f, w: np.max(np.abs(f * w), axis=-1, initial=0)),
-      "It looks at the products f (A f + b) alone: where both numbers are negative, or one is and the other zero, "
-      "nothing "
-      "is noticed.",
-      "A contact that pulls, with no acceleration: is that a solution?"),
-    M("complementarity_residual", "one product", residual(lambda own, f, w: np.abs(np.sum(f * w, axis=-1))),
-      "The products of all contacts are added up, so that they may cancel.",
-      "One product is 1, another is −1. Is that a solution?"),
-    M("complementarity_residual", "units mixed",
-      residual(lambda own, f, w: np.max(np.abs(np.minimum(f, w)), axis=-1, initial=0)),
-      "A force is compared with an acceleration: A_ii f_i has the same unit as (A f + b)_i.",
-      "What units have the two numbers of which you take the smaller?"),
-    M("complementarity_residual", "larger of the two",
-      residual(lambda own, f, w: np.max(np.abs(np.maximum(pressed(own, f), w)), axis=-1, initial=0)),
-      "The larger of the two numbers is taken; the smaller one has to be zero.",
-      "A contact that carries a weight: which of the two numbers is zero?"),
-    M("complementarity_residual", "sign kept",
-      residual(lambda own, f, w: np.max(np.minimum(pressed(own, f), w), axis=-1, initial=-np.inf)),
-      "The absolute value is missing: a number below zero is the worst case, and comes out as the best.",
-      "What does a negative one of the two numbers mean?"),
-    M("complementarity_residual", "sum",
-      residual(lambda own, f, w: np.sum(np.abs(np.minimum(pressed(own, f), w)), axis=-1)),
-      "All contacts are added up; asked for is the worst one.",
-      "Two contacts, each wrong by 1. How far is it from a solution?"),
-    M("complementarity_residual", "mean",
-      residual(lambda own, f, w: np.mean(np.abs(np.minimum(pressed(own, f), w)), axis=-1)),
-      "It is the mean of all contacts; asked for is the worst one.",
-      "A hundred contacts, one of them wrong by 1. How far is it from a solution?"),
-    M("complementarity_residual", "length",
-      residual(lambda own, f, w: np.linalg.norm(np.minimum(pressed(own, f), w), axis=-1)),
-      "It is the length of the vector; asked for is the largest number.",
-      "Two contacts, each wrong by 1. How far is it from a solution?"),
-    M("complementarity_residual", "equation alone", residual(lambda own, f, w: np.max(np.abs(w), axis=-1, initial=0)),
-      "It asks for A f + b = 0. A contact that lifts off accelerates, and feels no force.",
-      "A contact lifts off. Which of the two numbers is zero?"),
-    M("complementarity_residual", "inequalities alone",
-      residual(lambda own, f, w: np.max(np.maximum(np.maximum(-w, -pressed(own, f)), 0), axis=-1, initial=0)),
-      "Only the inequalities are looked at: a contact that lifts off with a force on it is not noticed.",
-      "What does the third condition say?"),
-    M("complementarity_residual", "offset subtracted",
-      lambda a, b, f: residual(worst)(a, -np.asarray(b), f),
-      "The offset is subtracted: it is A f + b.",
-      "Which sign has b in the problem?"),
-    M("complementarity_residual", "one for all",
-      residual(lambda own, f, w: np.max(np.abs(np.minimum(pressed(own, f), w))) + 0 * f[..., 0]),
-      "With several problems in one call, the worst of all of them is given to each.",
-      "Along which axis do the contacts of a single problem lie?"),
-    M("complementarity_residual", "offset left out", lambda a, b, f: residual(worst)(a, 0 * np.asarray(b), f),
-      "The offset makes no difference: the second number is A f + b.",
-      "Which argument makes no difference to your answer?"),
-
-    M("solve_by_sweeps", "old forces", sweeps(jacobi=True),
-      "All contacts of a sweep use the forces from before it: that is Jacobi's method. Gauss and Seidel use what is "
-      "there already.",
-      "When the second contact has its turn, which force has the first?"),
-    M("solve_by_sweeps", "may pull", sweeps(update=lambda f, gap, own: f - gap / own),
-      "The clamp at zero is missing: contacts pull.",
-      "Can a floor pull?"),
-    M("solve_by_sweeps", "change clamped", sweeps(update=lambda f, gap, own: f + np.maximum(0, -gap / own)),
-      "The change is clamped at zero, not the force: what was given too much can never be taken back.",
-      "A later contact lifts the body off. May an earlier one let go?"),
-    M("solve_by_sweeps", "clamped at the end",
-      sweeps(update=lambda f, gap, own: f - gap / own, last=lambda f: np.maximum(f, 0)),
-      "The forces are clamped once at the end: meanwhile the others have answered to contacts that pull.",
-      "What does a neighbour make of a negative force?"),
-    M("solve_by_sweeps", "not over the diagonal", sweeps(update=lambda f, gap, own: np.maximum(0, f - gap)),
-      "The gap is not divided by A_ii: an acceleration is taken from a force.",
-      "What unit has (A f + b)_i?"),
-    M("solve_by_sweeps", "gap's sign", sweeps(update=lambda f, gap, own: np.maximum(0, f + gap / own)),
-      "The sign is wrong: a contact that is pressed on gets less force.",
-      "The gap is negative. Should the force grow or fall?"),
-    M("solve_by_sweeps", "own force forgotten", sweeps(update=lambda f, gap, own: np.maximum(0, -gap / own)),
-      "The force is set to the change: what the contact carried already is lost.",
-      "The gap is zero. What should become of the force?"),
-    M("solve_by_sweeps", "start left out", lambda a, b, count, start=0.0: sweep(a, b, count, 0.0 * np.asarray(start)),
-      "It always begins with no forces.",
-      "Which argument makes no difference to your answer?"),
-    M("solve_by_sweeps", "backwards", sweeps(order=lambda count: reversed(range(count))),
-      "The contacts are gone through from the last to the first; the description goes contact after contact.",
-      "Which contact comes first?"),
-    M("solve_by_sweeps", "one sweep too few", lambda a, b, count, start=0.0: sweep(a, b, max(count - 1, 0), start),
-      "There is one sweep too few.",
-      "How often does range(1, n) go round?"),
-    M("solve_by_sweeps", "one sweep", lambda a, b, count, start=0.0: sweep(a, b, min(count, 1), start),
-      "There is one sweep, whatever number is asked for.",
-      "Which argument makes no difference to your answer?"),
-    M("solve_by_sweeps", "one sweep too many", lambda a, b, count, start=0.0: sweep(a, b, count + 1, start),
-      "There is one sweep too many.",
-      "What should come out after no sweep at all?"),
-    M("solve_by_sweeps", "offset's sign", lambda a, b, count, start=0.0: sweep(a, -np.asarray(b), count, start),
-      "The offset has the wrong sign: the gap is (A f + b)_i.",
-      "Which sign has b in the problem?"),
-    M("solve_by_sweeps", "absolute value", sweeps(update=lambda f, gap, own: np.abs(f - gap / own)),
-      "The absolute value is taken in place of the clamp: a contact that lifts off gets a force.",
-      "What should the force of a contact be that lifts off?"),
-    M("solve_by_sweeps", "no coupling",
-      lambda a, b, count, start=0.0: sweep(np.asarray(a) * np.eye(np.shape(a)[-1]), b, count, start),
-      "Each contact is solved on its own: what the others carry makes no difference.",
-      "Push one corner of a table. What do the other legs feel?"),
 )
 # fmt: on

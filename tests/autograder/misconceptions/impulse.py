@@ -1,9 +1,9 @@
-"""Known mistakes of the velocities at a contact, its normal, and impulse and momentum."""
+"""Known mistakes of the velocities at a contact and its normal."""
 
 import numpy as np
 
 from labs.grading.bank import Misconception as M
-from labs.grading.bank import col, direction, dot, flat, over, size
+from labs.grading.bank import direction, dot, flat, size
 
 
 def towards(normal, a, b, flip=np.less):
@@ -14,26 +14,8 @@ def unit(v):
     return np.asarray(v) / size(v)
 
 
-def face(normal, a, b):
-    return towards(unit(normal), a, b)
-
-
 def edges(a, b):
     return unit(np.cross(a, b))
-
-
-def trapezoids(f, t, weight=None):
-    f, t = np.asarray(f), np.asarray(t)
-    steps = np.diff(t)[..., None] if weight is None else weight(t)
-    return np.sum((f[..., 1:, :] + f[..., :-1, :]) / 2 * steps, axis=-2)
-
-
-def lasting(t):
-    return col(np.asarray(t)[..., -1] - np.asarray(t)[..., 0])
-
-
-def turned(matrix, vector):
-    return np.matvec(matrix, vector)
 
 
 # fmt: off
@@ -68,7 +50,6 @@ BANK = (
     M("point_velocity", "spin added", lambda v, w, r: np.asarray(v) + w + 0 * np.asarray(r),
       "The angular velocity is added to the velocity: it needs the arm to become one.",
       "What units have the two terms?"),
-
     M("relative_velocity", "B less A", lambda a, b: np.asarray(b) - a,
       "It is B's velocity as seen from A. With the normal from B to A the order has to be A less B, or what approaches "
       "comes out as moving apart. The slide does not fix it.",
@@ -88,7 +69,6 @@ BANK = (
     M("relative_velocity", "of the sizes", lambda a, b: np.abs(a) - np.abs(b),
       "The sizes are subtracted: head on they would cancel.",
       "Two bodies come head on, each at 2 m/s. How fast does A move, seen from B?"),
-
     M("normal_velocity", "B less A", lambda a, b, n: flat(dot(np.asarray(b) - a, n)),
       "The order is wrong: it is A less B along the normal from B to A, so that it is negative when approaching.",
       "A comes down on B. Which sign should come out?"),
@@ -120,7 +100,6 @@ BANK = (
     M("normal_velocity", "only B's normal part", lambda a, b, n: flat(dot(a, n)) + flat(dot(b, n)) * 0 - flat(size(b)),
       "Of A the part along the normal is taken, of B the whole speed.",
       "What counts of B's velocity?"),
-
     M("rebound_velocity", "not turned round", lambda u, e: np.where(np.asarray(u) < 0, e * np.asarray(u), u),
       "It is the fraction of the velocity, as the prose of the slides has it, without the reversal: they go on into "
       "each "
@@ -161,7 +140,6 @@ BANK = (
     M("rebound_velocity", "unchanged", lambda u, e: 1.0 * np.asarray(u) + 0 * np.asarray(e),
       "The velocity comes back unchanged: nothing has been answered.",
       "What should be different afterwards?"),
-
     M("classify_contact", "the slide's tests", lambda u, t=0.0: np.where(u > t, -1, np.where(u < -np.asarray(t), 0, 1)),
       "They are the slide's two tests. Its V_rel counts along a normal from A to B, and its second < should be >: what "
       "moves away fast is called resting, and what rests is called moving away.",
@@ -198,75 +176,6 @@ BANK = (
     M("classify_contact", "colliding or not", lambda u, t=0.0: np.where(u < -np.asarray(t), -1, 0),
       "What moves apart is called resting.",
       "How many answers are there?"),
-
-    M("impulse_of_force", "sum of the forces", lambda f, t: np.sum(f, axis=-2) + 0 * col(np.sum(t, axis=-1)),
-      "The samples are added up without the time between them: that is a force, not an impulse.",
-      "Which argument makes no difference to your answer?"),
-    M("impulse_of_force", "left samples",
-      lambda f, t: np.sum(np.asarray(f)[..., :-1, :] * np.diff(t)[..., None], axis=-2),
-      "Each step takes the force at its start; asked for are trapezoids, between both ends.",
-      "A force that grows steadily from 0 to 8 N in two seconds: what is its impulse?"),
-    M("impulse_of_force", "right samples",
-      lambda f, t: np.sum(np.asarray(f)[..., 1:, :] * np.diff(t)[..., None], axis=-2),
-      "Each step takes the force at its end; asked for are trapezoids, between both ends.",
-      "A force that grows steadily from 0 to 8 N in two seconds: what is its impulse?"),
-    M("impulse_of_force", "without the half", lambda f, t: 2 * trapezoids(f, t),
-      "The forces at both ends are added: their mean is needed.",
-      "A constant force of 5 N acts for two seconds. What is its impulse?"),
-    M("impulse_of_force", "equal steps", lambda f, t: trapezoids(f, t, lambda t: (t[..., 1:2] - t[..., :1])[..., None]),
-      "All steps are taken to be as long as the first.",
-      "What if the samples are not evenly spaced?"),
-    M("impulse_of_force", "steps of one second", lambda f, t: trapezoids(f, t, lambda t: 1 + 0 * np.diff(t)[..., None]),
-      "All steps are taken to last a second.",
-      "Which argument makes no difference to your answer?"),
-    M("impulse_of_force", "mean times duration",
-      lambda f, t: np.mean(f, axis=-2) * lasting(t),
-      "The mean of the samples is multiplied with the whole time: right only where all count alike.",
-      "For how long does the first sample count, and for how long one in the middle?"),
-    M("impulse_of_force", "first force",
-      lambda f, t: np.asarray(f)[..., 0, :] * lasting(t),
-      "The force is taken to stay as it was at the start.",
-      "What if the force changes?"),
-    M("impulse_of_force", "mean force",
-      lambda f, t: over(trapezoids(f, t), lasting(t), 0),
-      "It is the mean force: it was divided by the time again.",
-      "What unit should come out?"),
-    M("impulse_of_force", "times, not steps", lambda f, t: np.sum(np.asarray(f) * np.asarray(t)[..., None], axis=-2),
-      "Each force is multiplied with the time at which it was sampled, not with how long it acts.",
-      "Start the clock an hour later. Does the impulse change?"),
-    M("impulse_of_force", "ends alone",
-      lambda f, t: (np.asarray(f)[..., 0, :] + np.asarray(f)[..., -1, :]) / 2 * lasting(t),
-      "Only the first and the last sample are used.",
-      "What if the force is large in the middle?"),
-
-    M("mean_force", "product", lambda p, t, f=(0, 0, 0): np.asarray(p) * col(t) - f,
-      "The change of momentum is multiplied with the time: a shorter impact would have a smaller force.",
-      "Catch a ball with a stiff hand or a soft one. Which hurts?"),
-    M("mean_force", "other force added", lambda p, t, f=(0, 0, 0): np.asarray(p) / col(t) + f,
-      "The other force is added. ΔP/Δt is the sum of all forces: to find the contact's, take the others away.",
-      "A ball lies on the floor. Its momentum does not change. With what force does the floor push?"),
-    M("mean_force", "net force", lambda p, t, f=(0, 0, 0): np.asarray(p) / col(t) + 0 * np.asarray(f),
-      "It is the net force: the other forces make no difference.",
-      "A ball lies on the floor. Its momentum does not change. With what force does the floor push?"),
-    M("mean_force", "time left out", lambda p, t, f=(0, 0, 0): np.asarray(p) - f + 0 * col(t),
-      "The change of momentum is taken for a force: it has to be divided by the time.",
-      "What unit has ΔP?"),
-    M("mean_force", "other impulse", lambda p, t, f=(0, 0, 0): (np.asarray(p) - f) / col(t),
-      "The other force is taken away before dividing, as if it were an impulse.",
-      "What units have the two numbers that you subtract?"),
-    M("mean_force", "turned round", lambda p, t, f=(0, 0, 0): f - np.asarray(p) / col(t),
-      "The sign is turned round: it is the force on the other body.",
-      "A ball is thrown up by the floor. Which way does the force on it point?"),
-    M("mean_force", "impulse of the contact", lambda p, t, f=(0, 0, 0): np.asarray(p) - np.asarray(f) * col(t),
-      "It is the contact's impulse, not yet its force.",
-      "What unit should come out?"),
-    M("mean_force", "half", lambda p, t, f=(0, 0, 0): np.asarray(p) / (2 * col(t)) - f,
-      "There is a half too much: ΔP is force times time.",
-      "A force of 5 N acts for two seconds. By how much does the momentum change?"),
-    M("mean_force", "peak force", lambda p, t, f=(0, 0, 0): 2 * np.asarray(p) / col(t) - f,
-      "Twice the mean is the peak of a force that rises and falls like a triangle.",
-      "Is it the largest or the mean force that is asked for?"),
-
     M("point_plane_normal", "not unit", lambda n, a, b: towards(1.0 * np.asarray(n), a, b),
       "The normal is not made a unit vector.",
       "How long is your answer?"),
@@ -302,7 +211,6 @@ BANK = (
     M("point_plane_normal", "absolute components", lambda n, a, b: towards(np.abs(unit(n)), a, b),
       "The components lose their signs: the direction is another one.",
       "Is (1, 1, 0) the same direction as (1, −1, 0)?"),
-
     M("edge_edge_normal", "not unit", lambda e, f, a, b: towards(np.cross(e, f), a, b),
       "The cross product is not made a unit vector: its length is ‖A‖‖B‖ sin φ.",
       "How long is your answer?"),
@@ -331,96 +239,5 @@ BANK = (
     M("edge_edge_normal", "difference of the edges", lambda e, f, a, b: towards(unit(np.asarray(e) - f), a, b),
       "It is the difference of the edges: the normal is at right angles to both.",
       "Which vector is at right angles to both edges?"),
-
-    M("contact_impulses", "+J to both", lambda j, n: (col(j) * n, col(j) * n),
-      "Both bodies get +J, as slide 18 prints it: momentum is not conserved.",
-      "What does Newton's third law say of the two?"),
-    M("contact_impulses", "swapped", lambda j, n: (-col(j) * n, col(j) * n),
-      "The two are swapped: the normal points from B to A, so A gets +J.",
-      "Which way must A be pushed?"),
-    M("contact_impulses", "size alone", lambda j, n: (np.abs(col(j)) * n, -np.abs(col(j)) * n),
-      "The sign of j is lost.",
-      "What should come out for a negative j?"),
-    M("contact_impulses", "half each", lambda j, n: (col(j) * np.asarray(n) / 2, -col(j) * np.asarray(n) / 2),
-      "Each body gets half; the same J acts on both.",
-      "You push a friend with 100 N. With how much are you pushed?"),
-    M("contact_impulses", "none on B", lambda j, n: (col(j) * n, 0 * col(j) * np.asarray(n)),
-      "B gets nothing.",
-      "What does Newton's third law say of the two?"),
-    M("contact_impulses", "-J to both", lambda j, n: (-col(j) * n, -col(j) * n),
-      "Both bodies get −J: momentum is not conserved.",
-      "What does Newton's third law say of the two?"),
-    M("contact_impulses", "size of the normal", lambda j, n: (col(j) * np.abs(n), -col(j) * np.abs(n)),
-      "The components of the normal lose their signs.",
-      "Is (1, 1, 0) the same direction as (1, −1, 0)?"),
-    M("contact_impulses", "normal alone", lambda j, n: (n + 0 * col(j), -np.asarray(n) + 0 * col(j)),
-      "The magnitude makes no difference.",
-      "Which argument makes no difference to your answer?"),
-
-    M("apply_impulse_to_momenta", "J × r", lambda p, L, r, j: (p + np.asarray(j), L + np.cross(j, r)),
-      "The cross product has the wrong order: it is r × J.",
-      "Push a door at its handle. Which way does it turn?"),
-    M("apply_impulse_to_momenta", "taken away", lambda p, L, r, j: (p - np.asarray(j), L - np.cross(r, j)),
-      "The impulse is taken away, as the slide does for B. Here it is the impulse on this body.",
-      "On which body does the impulse given act?"),
-    M("apply_impulse_to_momenta", "no turning", lambda p, L, r, j: (p + np.asarray(j), L + 0 * np.asarray(r)),
-      "The angular momentum does not change: off the centre an impulse turns the body as well.",
-      "Which argument makes no difference to your answer?"),
-    M("apply_impulse_to_momenta", "arm of the momentum",
-      lambda p, L, r, j: (p + np.asarray(j), L + np.cross(r, p + np.asarray(j))),
-      "r × P is added with the new momentum; only the impulse has that arm.",
-      "By how much does L change if there is no impulse?"),
-    M("apply_impulse_to_momenta", "impulse to both",
-      lambda p, L, r, j: (p + np.asarray(j), L + np.asarray(j) + 0 * np.asarray(r)),
-      "The impulse itself is added to the angular momentum: its arm is missing.",
-      "What unit has L?"),
-    M("apply_impulse_to_momenta", "turning taken away", lambda p, L, r, j: (p - np.asarray(j), L + np.cross(r, j)),
-      "The momentum changes the wrong way.",
-      "Which sign has ΔP = J?"),
-    M("apply_impulse_to_momenta", "lever shares it",
-      lambda p, L, r, j: (p + np.where(size(r) > 0, dot(j, direction(r)) * direction(r), j), L + np.cross(r, j)),
-      "Only the part of the impulse along the arm goes into the momentum, as if the rest were used up for turning. All "
-      "of it goes into both.",
-      "A rod in space is struck at its end. How much momentum has it afterwards?"),
-    M("apply_impulse_to_momenta", "component by component",
-      lambda p, L, r, j: (p + np.asarray(j), L + np.asarray(r) * j),
-      "Arm and impulse are multiplied component by component; it is a cross product.",
-      "About which axis does an impulse along z turn a body whose arm is along x?"),
-    M("apply_impulse_to_momenta", "only the new",
-      lambda p, L, r, j: (np.asarray(j) + 0 * np.asarray(p), np.cross(r, j) + 0 * np.asarray(L)),
-      "It is the change alone: the momenta from before are lost.",
-      "Which arguments make no difference to your answer?"),
-
-    M("velocities_from_momenta", "times the mass", lambda p, L, s, k: (over(p, col(s), 0), turned(k, L)),
-      "The momentum is multiplied with the mass, or divided by its inverse: v = P/M, and 1/M is what is given.",
-      "A heavy body with the same momentum: is it faster or slower?"),
-    M("velocities_from_momenta", "inertia not inverse", lambda p, L, s, k: (col(s) * p, turned(np.linalg.pinv(k), L)),
-      "The inverse inertia is inverted once more.",
-      "What does the argument's name say?"),
-    M("velocities_from_momenta", "no inertia",
-      lambda p, L, s, k: (col(s) * p, 1.0 * np.asarray(L) + 0 * np.asarray(k)[..., 0]),
-      "The angular momentum is taken for the angular velocity.",
-      "Which argument makes no difference to your answer?"),
-    M("velocities_from_momenta", "mass for the inertia",
-      lambda p, L, s, k: (col(s) * p, col(s) * L + 0 * np.asarray(k)[..., 0]),
-      "The angular momentum is divided by the mass; it belongs to the inertia.",
-      "Which argument makes no difference to your answer?"),
-    M("velocities_from_momenta", "diagonal alone",
-      lambda p, L, s, k: (col(s) * p, np.diagonal(k, axis1=-2, axis2=-1) * L),
-      "Only the diagonal of the inverse inertia is used: a body that does not stand along the axes has more.",
-      "Do angular velocity and angular momentum always point the same way?"),
-    M("velocities_from_momenta", "component by component",
-      lambda p, L, s, k: (col(s) * p, np.sum(np.asarray(k), axis=-1) * L),
-      "The rows of the matrix are added up and multiplied component by component: it is a matrix times a vector.",
-      "How is a matrix multiplied with a vector?"),
-    M("velocities_from_momenta", "momentum left", lambda p, L, s, k: (1.0 * np.asarray(p) + 0 * col(s), turned(k, L)),
-      "The momentum is taken for the velocity.",
-      "Which argument makes no difference to your answer?"),
-    M("velocities_from_momenta", "swapped", lambda p, L, s, k: (turned(k, L) + 0 * col(s), col(s) * p),
-      "The two are swapped, or come in the wrong order.",
-      "Which of the two comes first?"),
-    M("velocities_from_momenta", "turned back", lambda p, L, s, k: (col(s) * p, turned(k, col(s) * L)),
-      "The angular momentum is divided by the mass as well; I⁻¹ holds it already.",
-      "What unit has I⁻¹ L?"),
 )
 # fmt: on

@@ -70,7 +70,12 @@ def test_a_falling_body_meets_the_plane_at_the_root_of_its_parabola(submission, 
         expect(submission.time_of_impact_exact, ([5.0, 15.0], [0.0, 10.0], -10.0), [1.0, 3.0])
 
 
-@asks("side_of_plane", 2, "A point is in front, behind, or on the plane: three answers, 1, −1 and 0.")
+@asks(
+    "side_of_plane",
+    2,
+    "A point is in front, behind, or on the plane: three answers, 1, −1 and 0.",
+    "Slide 4 knows two sides. What should come out of a point that touches, but for rounding?",
+)
 def test_a_point_is_in_front_behind_or_on_the_plane(submission, part):
     with part(1, "without a tolerance"):
         expect(submission.side_of_plane, (2.0,), 1)

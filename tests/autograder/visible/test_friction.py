@@ -13,7 +13,12 @@ X, Y, UP, REST = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0
 INFINITY = math.inf
 
 
-@asks("apparent_force", 2, "Seen from a lift or a lorry, a body has another weight.", "m (g − a) + F.")
+@asks(
+    "apparent_force",
+    2,
+    "Seen from a lift or a lorry, a body has another weight.",
+    "A lift starts upwards and you feel heavier. With which sign does its acceleration go in?",
+)
 def test_in_a_lift_a_body_has_another_weight(submission, part):
     with part(1, "at rest with a push, in a lift that starts upwards"):
         expect(submission.apparent_force, (2.0, [0, 0, -10], [5, 0, 0], REST), [5.0, 0.0, -20.0])
@@ -22,7 +27,12 @@ def test_in_a_lift_a_body_has_another_weight(submission, part):
         expect(submission.apparent_force, ([2.0, 1.0], [0, 0, -10], REST, REST), [[0, 0, -20], [0, 0, -10]])
 
 
-@asks("normal_force", 2, "The support pushes as hard as the body is pressed on it, and never pulls.", "Slide 24.")
+@asks(
+    "normal_force",
+    2,
+    "The support pushes as hard as the body is pressed on it, and never pulls.",
+    "Slide 24. On a slope, how much of the weight presses on it? And when something lifts the body off?",
+)
 def test_the_support_pushes_and_never_pulls(submission, part):
     with part(1, "pressed on a floor, pushed along it, lifted off"):
         expect(submission.normal_force, ([7, 0, -20], UP), 20.0)
@@ -32,7 +42,12 @@ def test_the_support_pushes_and_never_pulls(submission, part):
         expect(submission.normal_force, ([[0, 0, -20], [0, 0, 5]], UP), [20.0, 0.0])
 
 
-@asks("along_surface", 2, "What is left of a force when its part along the normal is taken away.")
+@asks(
+    "along_surface",
+    2,
+    "What is left of a force when its part along the normal is taken away.",
+    "How much of your answer points along the normal? Nothing should.",
+)
 def test_along_the_surface_is_what_the_normal_part_leaves(submission, part):
     with part(1, "on a floor"):
         expect(submission.along_surface, ([3, 4, -20], UP), [3.0, 4.0, 0.0])
@@ -53,7 +68,12 @@ def test_static_friction_holds_up_to_its_limit(submission, part):
         expect(submission.holds, ([[1, 0, 0], [0, -8, 0]], 10.0, 0.5), [True, False])
 
 
-@asks("friction_angle", 2, "The steepest slope on which a body stays has tan θ = μ_s.")
+@asks(
+    "friction_angle",
+    2,
+    "The steepest slope on which a body stays has tan θ = μ_s.",
+    "Draw the weight on the slope. Which part pulls down it, and which part presses on it?",
+)
 def test_the_steepest_slope_has_the_tangent_of_the_friction(submission, part):
     with part(1, "45°, and no friction"):
         expect(submission.friction_angle, (1.0,), math.pi / 4)
@@ -102,7 +122,12 @@ def test_a_sliding_body_stops_and_does_not_turn_round(submission, part):
         )  # fmt: skip
 
 
-@asks("clamp_to_circle", 2, "Too large a force is shortened to the limit; its direction stays.", "Slide 24.")
+@asks(
+    "clamp_to_circle",
+    2,
+    "Too large a force is shortened to the limit; its direction stays.",
+    "Slide 24. How long may the force be, and which way does it point afterwards?",
+)
 def test_a_force_beyond_the_limit_is_shortened(submission, part):
     with part(1, "below and above the limit"):
         expect(submission.clamp_to_circle, ([1, 2, 0], 5.0), [1.0, 2.0, 0.0])
@@ -111,7 +136,12 @@ def test_a_force_beyond_the_limit_is_shortened(submission, part):
         expect(submission.clamp_to_circle, ([[1, 2, 0], [6, 8, 0]], 5.0), [[1, 2, 0], [3, 4, 0]])
 
 
-@asks("clamp_to_square", 2, "Each component is clamped on its own, along the axes given.")
+@asks(
+    "clamp_to_square",
+    2,
+    "Each component is clamped on its own, along the axes given.",
+    "How much of the force is along each axis? The axes may be turned.",
+)
 def test_each_component_is_clamped_on_its_own(submission, part):
     with part(1, "along x and y, and along axes that are turned"):
         expect(submission.clamp_to_square, ([6, -3, 0], 5.0, X, Y), [5.0, -3.0, 0.0])
@@ -133,7 +163,12 @@ def test_a_growing_push_breaks_the_body_away(submission, part):
         expect(submission.break_away_time, ([[1, 0, -10], [8, 0, -10]], [2, 0, 0], UP, 0.5), [2.0, 0.0])
 
 
-@asks("sphere_grips", 2, "Friction stops the slip of a solid sphere if it is at most 7/2 μ (1 + e) v_n.")
+@asks(
+    "sphere_grips",
+    2,
+    "Friction stops the slip of a solid sphere if it is at most 7/2 μ (1 + e) v_n.",
+    "One impulse slows the ball and spins it. By how much does each of the two change the slip?",
+)
 def test_a_sphere_grips_where_friction_can_stop_its_slip(submission, part):
     with part(1, "little slip, a lot of it"):
         expect(submission.sphere_grips, (1.0, 2.0, 0.5, 0.5), True)
@@ -179,7 +214,7 @@ def test_a_spinning_ball_that_grips_rolls_away(submission, part):
     "propagate_impacts",
     3,
     "Two at a time, from the left and again, until no ball is faster than the next.",
-    "Slide 22.",
+    "Slide 22. Go through a row of three by hand: which two meet first, and which two then?",
 )
 def test_the_impact_runs_through_the_row(submission, part):
     with part(1, "Newton's cradle"):
@@ -203,7 +238,12 @@ def test_the_problem_of_resting_contacts(submission, part):
         expect(submission.resting_problem, (g, w, [[0, 0, -20], [0, 0, -10]]), ([[[0.5]], [[0.5]]], found[1]))
 
 
-@asks("complementarity_residual", 2, "Of pressing and parting one has to be zero, and neither below it.")
+@asks(
+    "complementarity_residual",
+    2,
+    "Of pressing and parting one has to be zero, and neither below it.",
+    "Slide 22. A contact gets f = 0 and has A f + b = −1. What is wrong with it, and by how much?",
+)
 def test_the_residual_is_zero_for_a_solution_alone(submission, part):
     with part(1, "a solution, too little force, a force where it lifts off"):
         expect(submission.complementarity_residual, ([[2]], [-4], [2]), 0.0)
@@ -213,7 +253,12 @@ def test_the_residual_is_zero_for_a_solution_alone(submission, part):
         expect(submission.complementarity_residual, ([[2]], [-4], [[2], [1.5]]), [0.0, 1.0])
 
 
-@asks("solve_by_sweeps", 2, "Contact after contact gets what it needs now, and no contact pulls.", "Slide 22.")
+@asks(
+    "solve_by_sweeps",
+    2,
+    "Contact after contact gets what it needs now, and no contact pulls.",
+    "Slide 22. Does the second contact of a sweep know what the first one has just got?",
+)
 def test_sweeps_go_from_contact_to_contact(submission, part):
     with part(1, "one contact; two that share a load, after one sweep and after many"):
         expect(submission.solve_by_sweeps, ([[2]], [-4], 1), [2.0])

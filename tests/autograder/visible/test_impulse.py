@@ -43,7 +43,10 @@ def test_the_relative_velocity_is_that_of_a_as_seen_from_b(submission, part):
 
 
 @asks(
-    "normal_velocity", 2, "It is the rate at which the bodies part: negative while they approach.", "Slides 15 and 19."
+    "normal_velocity",
+    2,
+    "It is the rate at which the bodies part: negative while they approach.",
+    "Slides 15 and 19. A comes down on B, the normal points up to A. Which sign should come out?",
 )
 def test_bodies_that_approach_have_a_negative_normal_velocity(submission, part):
     with part(1, "approaching, parting, sliding along"):
@@ -119,7 +122,10 @@ def test_the_normal_of_a_face_points_towards_a(submission, part):
 
 
 @asks(
-    "edge_edge_normal", 2, "The normal of two edges stands on both, has unit length and points towards A.", "Slide 17."
+    "edge_edge_normal",
+    2,
+    "The normal of two edges stands on both, has unit length and points towards A.",
+    "Slide 17. How long is the cross product of the edges, and which ways may it point?",
 )
 def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission, part):
     with part(1, "A above, A below"):
@@ -223,7 +229,12 @@ def test_the_momenta_change_by_the_impulse_and_its_moment(submission, part):
         )  # fmt: skip
 
 
-@asks("velocities_from_momenta", 2, "v = P/M and ω = I⁻¹ L.", "Slide 21 stops at P and L.")
+@asks(
+    "velocities_from_momenta",
+    2,
+    "v = P/M and ω = I⁻¹ L.",
+    "Slide 21 stops at P and L. What is given of the mass, and what of the inertia?",
+)
 def test_velocities_follow_from_momenta(submission, part):
     with part(1, "a body, and an immovable one"):
         expect(submission.velocities_from_momenta, ([4, 0, 0], [0, 0, 1], 0.5, TURNS), ([2, 0, 0], [0, 0, 2]))

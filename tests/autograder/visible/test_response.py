@@ -123,7 +123,12 @@ def test_the_contact_pushes_while_they_overlap_and_never_pulls(submission, part)
         expect(submission.penalty_force, ([-0.125, 0.5], 0.0, UP, 800.0, 10.0), [[0, 0, 100], REST])
 
 
-@asks("penalty_rest_depth", 2, "A body lies so deep in a penalty floor that the spring carries its weight.")
+@asks(
+    "penalty_rest_depth",
+    2,
+    "A body lies so deep in a penalty floor that the spring carries its weight.",
+    "Slide 8. The body lies still: which two forces act on it?",
+)
 def test_a_body_lies_so_deep_that_the_spring_carries_it(submission, part):
     with part(1, "2 kg on 160 N/m, where g is 8 m/s²"):
         expect(submission.penalty_rest_depth, (2.0, 8.0, 160.0), 0.1)

@@ -1,0 +1,337 @@
+"""A second lot of wrong answers, like the first, written when the bank and the rules of naming stood."""
+
+import math
+
+import numpy as np
+
+
+def signed_distance_5(point, normal, offset):
+    """From the plane's point (0, 0, −d)."""
+    n = normal / np.linalg.norm(normal)
+    return np.dot(n, point - np.array([0, 0, -offset]))
+
+
+def is_colliding_3(separation, tolerance=0.0):
+    """The comparison the wrong way round."""
+    return separation > -tolerance
+
+
+def time_of_impact_interpolated_4(separation_0, separation_1, t, dt):
+    """Never infinite: limited to the step."""
+    if separation_0 == separation_1:
+        return t
+    return t + dt * min(max(separation_0 / (separation_0 - separation_1), 0.0), 1.0)
+
+
+def time_of_impact_exact_3(separation, normal_velocity, normal_acceleration):
+    """Way over speed."""
+    if normal_velocity >= 0:
+        return math.inf
+    return max(separation, 0) / abs(normal_velocity)
+
+
+def time_of_impact_exact_4(separation, normal_velocity, normal_acceleration):
+    """Height and gravity alone."""
+    if normal_acceleration >= 0:
+        return math.inf
+    return math.sqrt(2 * max(separation, 0) / abs(normal_acceleration))
+
+
+def missing_probability_3(speed, thickness, radius, dt):
+    """The share that is caught."""
+    way = speed * dt
+    if way == 0:
+        return 1.0
+    return min(1.0, (thickness + 2 * radius) / way)
+
+
+def substeps_needed_2(speed, thickness, radius, dt):
+    """With the diameter twice."""
+    return int(speed * dt // (thickness + 4 * radius)) + 1
+
+
+def substeps_needed_3(speed, thickness, radius, dt):
+    """Integer division, nothing added."""
+    return max(1, int(speed * dt / (thickness + 2 * radius)))
+
+
+def overlap_interval_2(distance, normal_velocity, radius, thickness, dt):
+    """The test at the two ends of the step."""
+    hits = [t for t in (0.0, dt) if -(thickness + radius) <= distance + normal_velocity * t <= radius]
+    return (hits[0], hits[-1]) if hits else (np.inf, -np.inf)
+
+
+def kinematic_response_6(velocity, normal, restitution):
+    """2 e in place of 1 + e."""
+    d = float(np.dot(velocity, normal))
+    if d >= 0:
+        return velocity
+    return np.array([velocity[i] - 2 * restitution * d * normal[i] for i in range(3)])
+
+
+def kinematic_response_7(velocity, normal, restitution):
+    """The tangential part gets lost."""
+    d = np.dot(velocity, normal)
+    if d < 0:
+        return -restitution * d * normal
+    return velocity
+
+
+def kinematic_response_8(velocity, normal, restitution):
+    """The restitution as a loss in per cent, taken off the mirrored normal part."""
+    d = np.dot(velocity, normal)
+    if d < 0:
+        return velocity - 2 * d * normal + restitution * d * normal
+    return velocity
+
+
+def moving_plane_response_3(velocity, plane_velocity, normal, restitution):
+    """Asks whether the ball itself moves in."""
+    if np.dot(velocity, normal) >= 0:
+        return velocity
+    rel = np.dot(velocity - plane_velocity, normal)
+    return velocity - (1 + restitution) * rel * normal
+
+
+def respond_at_impact_2(position, velocity, acceleration, normal, restitution, time_of_impact, dt):
+    """A whole step after the bounce."""
+    if time_of_impact > dt:
+        return position + velocity * dt + acceleration * dt**2 / 2, velocity + acceleration * dt
+    t = time_of_impact
+    position = position + velocity * t + acceleration * t**2 / 2
+    velocity = velocity + acceleration * t
+    vn = np.dot(velocity, normal)
+    if vn < 0:
+        velocity = velocity - (1 + restitution) * vn * normal
+    return position + velocity * dt + acceleration * dt**2 / 2, velocity + acceleration * dt
+
+
+def penalty_force_3(separation, normal_velocity, normal, stiffness, damping=0.0, adhesive=False):
+    """The force of the energy: half of it."""
+    if separation >= 0:
+        return 0 * normal
+    f = 0.5 * stiffness * -separation - damping * normal_velocity
+    return (f if adhesive else max(0, f)) * normal
+
+
+def penalty_step_limit_2(mass, stiffness, damping=0.0):
+    """With the damped frequency."""
+    w = math.sqrt(stiffness / mass)
+    z = damping / (2 * math.sqrt(stiffness * mass))
+    return 2 / (w * math.sqrt(abs(1 - z * z))) if z != 1 else math.inf
+
+
+def time_until_rest_2(separation, normal_velocity, normal_acceleration, restitution):
+    """Every flight counted on its way up alone."""
+    g, e = -normal_acceleration, restitution
+    if g <= 0 or e == 1:
+        return math.inf
+    w = math.sqrt(normal_velocity**2 + 2 * g * max(separation, 0))
+    return (normal_velocity + w) / g + w / g * e / (1 - e)
+
+
+def normal_force_3(force, normal):
+    """The weight, straight down."""
+    return max(0.0, -force[2])
+
+
+def along_surface_2(force, normal):
+    """Mirrored."""
+    return force - 2 * np.dot(force, normal) * normal
+
+
+def holds_2(push, normal_force, static_friction):
+    """Strictly below."""
+    return bool(np.sqrt(np.sum(push**2)) < static_friction * normal_force)
+
+
+def friction_angle_2(static_friction):
+    """The sine."""
+    return math.asin(static_friction) if static_friction < 1 else math.pi / 2
+
+
+def friction_force_4(push, tangent_velocity, normal_force, static_friction, kinetic_friction):
+    """One coefficient for the hold and for the slide."""
+    speed = np.linalg.norm(tangent_velocity)
+    limit = kinetic_friction * normal_force
+    if speed > 0:
+        return -limit * tangent_velocity / speed
+    size = np.linalg.norm(push)
+    return -push if size <= limit else -limit * push / size
+
+
+def friction_force_5(push, tangent_velocity, normal_force, static_friction, kinetic_friction):
+    """Once it breaks away the push wins: no friction."""
+    speed = np.linalg.norm(tangent_velocity)
+    if speed > 0:
+        return -kinetic_friction * normal_force / speed * tangent_velocity
+    if np.linalg.norm(push) > static_friction * normal_force:
+        return np.zeros(3)
+    return -push
+
+
+def clamp_to_square_1(tangent_force, limit, axis_x, axis_y):
+    """Clamps the vector's own components."""
+    return np.clip(tangent_force, -limit, limit)
+
+
+def sphere_grips_2(slip, approach_speed, restitution, friction):
+    """Without the rebound."""
+    return slip <= 7 / 2 * friction * approach_speed
+
+
+def sphere_impact_2(velocity, angular_velocity, normal, radius, restitution, friction, inertia_share=0.4):
+    """The arm points to the centre."""
+    vn = np.dot(velocity, normal)
+    if vn >= 0:
+        return velocity, angular_velocity
+    arm = radius * normal
+    slip = velocity + np.cross(angular_velocity, arm)
+    slip = slip - np.dot(slip, normal) * normal
+    jn = -(1 + restitution) * vn
+    size = np.linalg.norm(slip)
+    jt = min(friction * jn, size / (1 + 1 / inertia_share))
+    j = jn * normal - (jt / size * slip if size > 0 else 0)
+    return velocity + j, angular_velocity + np.cross(arm, j) / (inertia_share * radius**2)
+
+
+def propagate_impacts_2(velocity, mass, restitution, most=10000):
+    """Equal balls swap."""
+    v = list(velocity)
+    changed = True
+    while changed:
+        changed = False
+        for i in range(len(v) - 1):
+            if v[i] > v[i + 1]:
+                v[i], v[i + 1] = v[i + 1], v[i]
+                changed = True
+    return np.array(v)
+
+
+def point_velocity_2(velocity, angular_velocity, arm):
+    """Component by component."""
+    return velocity + angular_velocity * arm
+
+
+def relative_velocity_1(point_velocity_a, point_velocity_b):
+    """The second less the first."""
+    return np.array([b - a for a, b in zip(point_velocity_a, point_velocity_b, strict=True)])
+
+
+def classify_contact_2(normal_velocity, threshold=0.0):
+    """Colliding and separating the wrong way round."""
+    if abs(normal_velocity) <= threshold:
+        return 0
+    return -1 if normal_velocity > 0 else 1
+
+
+def impulse_of_force_2(force, time):
+    """The mean force times the time."""
+    return np.mean(force, axis=0) * (time[-1] - time[0])
+
+
+def mean_force_2(momentum_change, duration, other_force=(0.0, 0.0, 0.0)):
+    """The net force."""
+    return momentum_change / duration
+
+
+def edge_edge_normal_2(edge_a, edge_b, centre_a, centre_b):
+    """Not of unit length."""
+    n = np.cross(edge_a, edge_b)
+    return n if np.dot(n, centre_a - centre_b) >= 0 else -n
+
+
+def world_inverse_inertia_2(inertia, orientation):
+    """The quaternion as x, y, z, w."""
+    x, y, z, w = orientation
+    r = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    inv = np.array([1 / i if i > 0 else 0 for i in inertia])
+    return r @ np.diag(inv) @ r.T
+
+
+def world_inverse_inertia_3(inertia, orientation):
+    """Rᵀ on the wrong side."""
+    w, x, y, z = orientation
+    r = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    inv = np.array([1 / i if i > 0 else 0 for i in inertia])
+    return r.T @ np.diag(inv) @ r
+
+
+def inverse_effective_mass_2(body_a, body_b, normal):
+    """The lever squared, without the inertia."""
+    total = body_a[3] + body_b[3]
+    for body in (body_a, body_b):
+        rn = np.cross(body[2], normal)
+        total += rn @ rn
+    return total
+
+
+def inverse_effective_mass_3(body_a, body_b, normal):
+    """I⁻¹(r × n)·n, without the last × r."""
+    total = body_a[3] + body_b[3]
+    for body in (body_a, body_b):
+        total += np.dot(body[4] @ np.cross(body[2], normal), normal)
+    return total
+
+
+def impulse_magnitude_4(body_a, body_b, normal, restitution):
+    """B's terms taken away."""
+    rel = body_a[0] + np.cross(body_a[1], body_a[2]) - body_b[0] - np.cross(body_b[1], body_b[2])
+    k = 0
+    for sign, (_, _, r, im, ii) in ((1, body_a), (-1, body_b)):
+        k += im + sign * np.dot(np.cross(ii @ np.cross(r, normal), r), normal)
+    return -(1 + restitution) * np.dot(rel, normal) / k if k > 0 else 0.0
+
+
+def impulse_magnitude_5(body_a, body_b, normal, restitution):
+    """The velocities of the centres."""
+    k = 0
+    for _, _, r, im, ii in (body_a, body_b):
+        k += im + np.dot(np.cross(ii @ np.cross(r, normal), r), normal)
+    return -(1 + restitution) * np.dot(body_a[0] - body_b[0], normal) / k if k > 0 else 0.0
+
+
+def apply_impulse_4(body_a, body_b, impulse):
+    """The same for both."""
+    out = []
+    for v, w, r, im, ii in (body_a, body_b):
+        out.append(v + impulse * im)
+        out.append(w + ii @ np.cross(r, impulse))
+    return out
+
+
+def velocities_from_momenta_2(momentum, angular_momentum, inverse_mass, inverse_inertia):
+    """Over what is given."""
+    return momentum / inverse_mass, np.linalg.inv(inverse_inertia) @ angular_momentum
+
+
+def collide_5(body_a, body_b, normal, restitution, threshold=0.0):
+    """The impulse of point masses, and the spins changed by it."""
+    (va, wa, ra, ima, iia), (vb, wb, rb, imb, iib) = body_a, body_b
+    vn = np.dot(va + np.cross(wa, ra) - vb - np.cross(wb, rb), normal)
+    if vn >= -threshold or ima + imb == 0:
+        return va, wa, vb, wb
+    j = -(1 + restitution) * vn / (ima + imb) * normal
+    return va + ima * j, wa + iia @ np.cross(ra, j), vb - imb * j, wb - iib @ np.cross(rb, j)
+
+
+def collide_6(body_a, body_b, normal, restitution, threshold=0.0):
+    """Only the velocities of the centres, and no spin."""
+    (va, wa, _, ima, _), (vb, wb, _, imb, _) = body_a, body_b
+    vn = np.dot(va - vb, normal)
+    if vn >= -threshold or ima + imb == 0:
+        return va, wa, vb, wb
+    j = -(1 + restitution) * vn / (ima + imb) * normal
+    return va + ima * j, wa, vb - imb * j, wb
