@@ -7,8 +7,10 @@ from collections.abc import Iterator
 import pytest
 from browser import Browser, needs_browser
 from clips import BALL, EVIL, bouncing, chain, three_engines
+from numpy.testing import assert_allclose
 
 from reference.viewer import page
+from reference.viewer.clip import TURN
 from reference.viewer.making import clip
 
 pytestmark = [needs_browser, pytest.mark.slow]
@@ -88,6 +90,23 @@ def test_every_run_and_the_contacts_can_be_switched_off_and_on(browser, alone):
         found.labels = [...element.querySelectorAll("label")].map(label => label.textContent);""")
     assert found["less"] == found["again"] == [True] * 5
     assert found["labels"] == ["Hhand-written", "PPyBullet*", "MMuJoCo", "DDART", "contacts of H"]
+
+
+def test_a_run_that_is_switched_off_is_not_painted(browser, alone):
+    browser.open(alone)
+    found = browser.run("""const plain = replay.run.bind(replay); found.painted = [];
+        replay.run = (run, fill) => { found.painted.push(run.tag); return plain(run, fill); };
+        for (const place of [0, 2]) { found.painted = []; replay.boxes[place].click(); }""")
+    assert found["painted"] == ["P", "D"]
+
+
+def test_the_browser_reads_the_very_poses_that_were_packed(browser, alone):
+    browser.open(alone)
+    found = browser.run("""const [run] = replay.clip.runs; found.step = replay.clip.step;
+        found.at = run.at.map(column => [...column]); found.turned = run.turned.map(column => [...column]);""")
+    poses = bouncing()
+    assert_allclose(found["at"], poses.positions[:, 0].T, atol=found["step"] / 2 * (1 + 1e-6), rtol=0)
+    assert_allclose(found["turned"], poses.orientations[:, 0].T, atol=TURN / 2 * (1 + 1e-6), rtol=0)
 
 
 def test_the_contacts_are_those_of_the_first_run_in_sight(browser, alone):
