@@ -241,6 +241,7 @@ def test_an_engine_that_is_not_here_is_replayed_from_its_recording_and_says_so()
     (run,) = made.runs
     assert (run.title, run.note.split(" was recorded")[0]) == ("PyBullet*", f"* PyBullet {result.version}")
     assert run.count == made.count > 60
+    assert "P  PyBullet*, recorded" in still(made)
 
 
 def test_names_in_a_fragment_are_escaped_where_html_reads_them():
