@@ -54,13 +54,13 @@ def _across(directions: Array, turns: Array) -> Array:
     """The unit vector that is most nearly at right angles to all directions; a turn's axis where there is choice."""
     if not len(directions):
         return np.asarray(basis(FRONT)[2])
-    _, sizes, axes = np.linalg.svd(directions, full_matrices=True)
-    if len(sizes) > 1 and sizes[1] > _FLAT * sizes[0]:
-        towards = axes[2]
+    squares, columns = np.linalg.eigh(directions.T @ directions)  # from the least to the most
+    if squares[1] > _FLAT**2 * squares[2]:
+        towards = columns[:, 0]
     elif len(turns):
         towards = turns[-1] / np.linalg.norm(turns[-1])
     else:
-        beside = np.cross(axes[0], (0.0, 0.0, 1.0))  # motion along a line: seen with the vertical upright
+        beside = np.cross(columns[:, 2], (0.0, 0.0, 1.0))  # motion along a line: seen with the vertical upright
         size = float(np.linalg.norm(beside))
         towards = beside / size if size > _FLAT else basis(FRONT)[2]
     sign = next((part for part in (-towards[1], towards[0], towards[2]) if abs(part) > _FLAT), 1.0)

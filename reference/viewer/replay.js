@@ -72,8 +72,8 @@ class Replay {
   build() {
     const { clip, element } = this, names = clip.runs.map(run => run.title).join(", ");
     element.classList.add("live");
-    this.canvas = add(element, "canvas",
-      { role: "img", tabindex: 0, title: HELP, "aria-label": `${clip.title}. Replay of ${names}.` });
+    const label = `${clip.title}. Replay of ${names}.`;
+    this.canvas = add(element, "canvas", { role: "img", tabindex: 0, "aria-label": label });
     this.canvas.style.aspectRatio = 1 / clip.ratio;
     const bar = this.bar = add(element, "div", { class: "replay-bar", role: "group", "aria-label": "controls" });
     this.toggle = this.button("play", "Play", () => this.play(playing !== this));
@@ -272,7 +272,7 @@ class Replay {
     });
     this.arrows(runs.find(run => run.shown && run.count));
     const named = runs.length > 1 ? runs.filter(run => run.shown && run.count) : [];
-    named.forEach((run, place) => this.name(run, place - (named.length - 1) / 2));
+    named.forEach((run, place) => this.name(run, place, named.length));
   }
   place(run, columns, i) {
     const frame = Math.min(this.frame, run.count - 1);
@@ -382,15 +382,16 @@ class Replay {
     });
     pen.globalAlpha = 1;
   }
-  name(run, place) { // the run's letter, in a row of those in sight, on the body furthest from the first run's
+  name(run, place, count) { // the run's letter, in a row of those in sight, on the body furthest from the first run's
     const { runs, solids } = this.clip, solid = solids[run.bodies[run.marked]] || {};
-    const apart = 9 + 6 * Math.max(...runs.map(each => each.tag.length));
     if (!run.bodies.length && !run.mesh) return;
     const [x, y] = this.project(this.place(run, run.bodies.length ? run.at : run.net, run.marked));
+    const apart = 9 + 6 * Math.max(...runs.map(each => each.tag.length));
     const reach = [0, 1, 2].map(axis => Math.max(0, ...(solid.points || []).map(point => point[axis])));
-    const size = this.scale * (solid.sphere || solid.capsule?.[0] || Math.min(...reach));
-    const above = size < 9 ? size + 24 : 0;
-    this.text(run.tag, x + apart * place, y - above, this.colours[run.look], "bold");
+    const radius = solid.sphere || solid.capsule?.[0] || 0, least = this.scale * (radius || Math.min(...reach));
+    const room = least > 9 && 2 * this.scale * (radius || Math.max(...reach)) > apart * count;
+    const left = x + apart * (place - (count - 1) / 2), down = y + (room ? (least > 30) * 14 : -least - 24);
+    this.text(run.tag, left, down, this.colours[run.look], "bold");
   }
   text(words, x, y, colour, weight = "") {
     const { pen } = this;

@@ -167,5 +167,6 @@ def _legend(time: str, shown: Sequence[tuple[Run, str]], clip: Clip, height: int
             yield f'<rect class="body k{run.look}" x="9" y="{y - 6}" width="34" height="12"/>'
         else:
             yield f'<path class="k{run.look}" stroke-width="2.5" stroke-dasharray="{_dash(run)}" d="M8 {y}H44"/>'
+        known = ", recorded" if run.note else ""
         early = "" if run.count == clip.count else f", until {max(run.count - 1, 0) / clip.rate:.2f} s"
-        yield f'<text class="text" x="52" y="{y + 5}">{escape(f"{tag}  {run.title}{early}")}</text>'
+        yield f'<text class="text" x="52" y="{y + 5}">{escape(f"{tag}  {run.title}{known}{early}")}</text>'

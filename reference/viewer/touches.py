@@ -43,7 +43,7 @@ class Touch:
 
 def touches(scenario: Scenario, poses: Poses) -> list[Touch]:
     """Contacts and impacts of a run, in the order of time."""
-    if len(poses.times) < 3:
+    if len(poses.times) < 3 or not poses.bodies:
         return []
     places = {name: (poses.positions[:, at], poses.orientations[:, at]) for at, name in enumerate(poses.bodies)}
     meetings = [meeting for pair in scenario.pairs if (meeting := meeting_of(scenario, pair, places)) is not None]
@@ -57,15 +57,14 @@ def touches(scenario: Scenario, poses: Poses) -> list[Touch]:
 
 def _contacts(meeting: Meeting, centre: Array) -> list[Touch]:
     """The samples in which a pair touches, those together in which its contact stays where it is on the body."""
-    near, found = np.flatnonzero(meeting.gap < meeting.close).tolist(), list[Touch]()
-    offset, first = meeting.point - centre, -1
-    for at, sample in enumerate(near):
-        begins = at == 0 or sample != near[at - 1] + 1
-        if begins or _moved(offset, meeting, first, sample):
-            first = sample
-            found.append(_touch(first, first, meeting.body_a, offset[first], meeting.normal[first]))
-        found[-1] = _touch(first, sample, meeting.body_a, offset[first], meeting.normal[first])
-    return found
+    near = np.flatnonzero(meeting.gap < meeting.close).tolist()
+    offset, spans = meeting.point - centre, list[list[int]]()
+    for sample in near:
+        if spans and sample == spans[-1][1] + 1 and not _moved(offset, meeting, spans[-1][0], sample):
+            spans[-1][1] = sample
+        else:
+            spans.append([sample, sample])
+    return [_touch(first, last, meeting.body_a, offset[first], meeting.normal[first]) for first, last in spans]
 
 
 def _moved(offset: Array, meeting: Meeting, first: int, sample: int) -> bool:

@@ -29,6 +29,7 @@ os.execv(sys.argv[3], sys.argv[3:])
 NOISE = ("Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded")
 HELPERS = """
 const wait = seconds => new Promise(resolve => setTimeout(resolve, 1000 * seconds));
+const until = async check => { for (let i = 0; i < 200 && !check(); i++) await wait(0.05); };
 const ink = canvas => { // a number that changes with the picture
   const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
   const pen = copy.getContext("2d");
@@ -110,7 +111,7 @@ class Browser:
         self.do("Emulation.setEmulatedMedia", media=name, features=features)
 
     def run(self, script: str) -> dict[str, Any]:
-        """What a script puts into `found`; it has `wait`, `ink`, and the first `replay` with its element and canvas."""
+        """What a script puts into `found`; it has the helpers, and the first `replay` with its element and canvas."""
         whole = f"(async () => {{ {HELPERS} const found = {{}}; {script} ; return found; }})()"
         answer = self.do("Runtime.evaluate", expression=whole, awaitPromise=True, returnByValue=True)
         assert "exceptionDetails" not in answer, answer["exceptionDetails"]

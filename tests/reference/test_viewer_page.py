@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from clips import BALL, EVIL, bouncing, chain, flying, three_engines
 
+from reference.recording import recall
 from reference.report import files
 from reference.report import page as report_page
 from reference.report.replays import replay_of
@@ -230,6 +231,17 @@ def test_the_replay_of_a_section_is_its_plotted_case(results):
     assert made is not None
     track = results[0].poses[0]
     assert (made.count, made.rate) == (track.count, track.rate)
+
+
+def test_an_engine_that_is_not_here_is_replayed_from_its_recording_and_says_so():
+    result = recall(Job("cradle", "pybullet", "tuned", ("5 touching",), with_poses=True))
+    assert result is not None
+    made = replay_of(sections([result])[0])
+    assert made is not None
+    (run,) = made.runs
+    assert (run.title, run.note.split(" was recorded")[0]) == ("PyBullet*", f"* PyBullet {result.version}")
+    assert run.count == made.count > 60
+    assert "P  PyBullet*, recorded" in still(made)
 
 
 def test_names_in_a_fragment_are_escaped_where_html_reads_them():
