@@ -10,7 +10,6 @@ from __future__ import annotations
 import ast
 import atexit
 import hashlib
-import importlib.util
 import json
 import shutil
 import tempfile
@@ -19,12 +18,11 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from labs import answers
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.submission import Submission, read
 from reference import lecture
 
-GIVEN = ("labs.given", "solutions")
-"""Packages that answer for what a student has not to write; the first that is there."""
 _UNWRITTEN = "NotImplementedError"
 
 
@@ -83,7 +81,7 @@ def in_hand(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> Hand:
         if found is not None:
             files.append(_file(path.stem, found.text))
             earlier += [(name, path.name) for name in found.functions]
-    given = _given()
+    given = answers.place()
     own = tuple(name for name in names if name in submission.functions and name not in unwritten)
     return Hand(topic, own, tuple(earlier), given, " | ".join([*map(str, files), *([given] if given else [])]))
 
@@ -133,10 +131,6 @@ def _folder() -> Path:
     made = tempfile.mkdtemp(prefix="collisions-lab-")
     atexit.register(shutil.rmtree, made, ignore_errors=True)
     return Path(made)
-
-
-def _given() -> str:
-    return next((name for name in GIVEN if importlib.util.find_spec(name) is not None), "")
 
 
 def with_hand(implementation: str) -> str:

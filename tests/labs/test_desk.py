@@ -82,7 +82,7 @@ def test_what_is_not_written_is_to_do_and_what_is_written_is_checked_as_it_stand
     assert "It is one only" in wrong
     assert "defined" not in wrong  # three times, as is right in a kernel
     cells += right_cells()
-    assert "1 of 1 functions right" in said(capsys, lab.check, "signed_distance")
+    assert "✓ signed_distance is right" in said(capsys, lab.check, "signed_distance")
     assert "is_colliding" not in said(capsys, lab.check, "signed_distance")
 
 

@@ -142,7 +142,7 @@ def test_what_is_not_written_yet_is_a_list_of_things_to_do(pytester):
     assert sheet.earned == 0
     assert "normal_velocity" in sheet.complaints[0]
     told = {outcome.test: outcome.said for outcome in sheet.outcomes}
-    assert told["test_rebound"] == "needs rebound_velocity (impulse, step 4): it is not written yet"
+    assert told["test_rebound"] == "needs rebound_velocity (impulse, step 2): it is not written yet"
     assert told["test_property"] == told["test_rebound"]
 
 
