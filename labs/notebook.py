@@ -14,6 +14,7 @@ on. Every call takes the functions as they are in the cells that you have run.
 from __future__ import annotations
 
 import functools
+import logging
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import EllipsisType
@@ -22,7 +23,7 @@ from typing import TYPE_CHECKING, ParamSpec
 from labs.desk.predicting import Prediction, predicted
 from labs.desk.progress import Progress
 from reference import lecture
-from reference.errors import CollisionsError, InvalidInput
+from reference.errors import CollisionsError, InvalidInput, UnknownName
 
 if TYPE_CHECKING:
     from labs.desk.asking import Asked
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from labs.grading.remote import Grader
 
 P = ParamSpec("P")
+logging.getLogger("reference").addHandler(logging.NullHandler())  # a table says what happened to a worker
 
 
 def _spoken(method: Callable[P, None]) -> Callable[P, None]:
@@ -65,6 +67,8 @@ class Lab:
         hand = self._hand([""])
         for notebook in dict.fromkeys(notebook for _, notebook in hand.earlier):
             print(f"Yours from {notebook}: {', '.join(name for name, at in hand.earlier if at == notebook)}")
+        for complaint in hand.complaints:
+            print(complaint)
         if not hand.given:
             print("Functions of other labs are not at hand: some runs will say what they need.")
 
@@ -73,8 +77,10 @@ class Lab:
         """Check functions by name, or all of this lab: what was tried, what came, and what physics expects."""
         from labs.desk import checking  # noqa: PLC0415 - loads pytest
 
+        here = [entry.name for entry in lecture.functions_of(self._begun())]
         for name in names:
-            lecture.function(name)
+            if name not in lecture.FUNCTIONS:
+                raise UnknownName("function of this lab", name, here)
         with Progress("checking"):
             report = checking.report(self._notebook(), self._begun(), names, self._tests())
         print(report)
@@ -210,7 +216,9 @@ class Lab:
         return self.topic
 
     def _prediction(self, key: str) -> Prediction | None:
-        if key and key not in self._predictions:
+        if key and self._predictions and key not in self._predictions:
+            raise UnknownName("prediction", key, self._predictions)
+        if key and not self._predictions:
             print(f"There is no prediction {key!r} yet: guess first, it is the point of the run.")
         return self._predictions.get(key)
 

@@ -7,11 +7,14 @@ import functools
 import hashlib
 import importlib.util
 import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
 _INSTALLED = {"site-packages", "dist-packages"}
 _HERE = Path(__file__).resolve().parents[1]
+_ONE_AT_A_TIME = threading.Lock()
+"""Two threads that parse at once now and then end in "AST constructor recursion depth mismatch" (CPython 3.11)."""
 
 
 def digest(source: str, once: bool = False) -> str:
@@ -55,7 +58,8 @@ def _files(name: str) -> Iterator[tuple[Path, Path]]:
 def _imported(text: bytes) -> frozenset[str]:
     """First names of what a text imports, wherever in it."""
     try:
-        nodes = list(ast.walk(ast.parse(text)))
+        with _ONE_AT_A_TIME:
+            nodes = list(ast.walk(ast.parse(text)))
     except (SyntaxError, ValueError):
         return frozenset()
     names = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}

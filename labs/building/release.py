@@ -50,11 +50,12 @@ def release(out: Path, through: str | None = None) -> list[str]:
 
 
 def given(open_labs: Collection[str]) -> dict[str, str]:
-    """The modules of `labs/given` by name: closed labs whole, of others what the open ones lend."""
+    """The modules of `labs/given`: closed labs whole, of open ones what they give, of others what these lend."""
     last = max((_place(name) for name in open_labs), default=-1)
     closed = {topic.name for topic in lecture.TOPICS[: last + 1]} - {lecture.TOPICS[last].name}
     wanted = {name: [entry.name for entry in lecture.functions_of(name)] for name in closed}
-    for name in (lent for topic in open_labs for lent in lessons.read(topic).lent):
+    shown = [entry.name for topic in open_labs for entry in lecture.functions_of(topic) if entry.role == "given"]
+    for name in (*shown, *(lent for topic in open_labs for lent in lessons.read(topic).lent)):
         found = wanted.setdefault(lecture.function(name).topic, [])
         found += [name] * (name not in found)
     return {topic: _module(topic, names) for topic, names in sorted(wanted.items()) if names}

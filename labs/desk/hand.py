@@ -31,13 +31,14 @@ class Hand:
     """A student's functions for one lab.
 
     topic: of the lab. own: the functions of that lab that are written. earlier: of earlier labs, each with the notebook
-    that it comes from. given: the package that answers for the rest, empty where there is none. source: all of it as
-    an `Implementation` takes it.
+    that it comes from. complaints: about these notebooks. given: the package that answers for the rest, empty where
+    there is none. source: all of it as an `Implementation` takes it.
     """
 
     topic: str
     own: tuple[str, ...]
     earlier: tuple[tuple[str, str], ...]
+    complaints: tuple[str, ...]
     given: str
     source: str
 
@@ -75,15 +76,28 @@ def in_hand(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> Hand:
     submission = read(notebook, names, also=lecture.FUNCTIONS)
     unwritten = _unwritten(submission)
     stubs = [name for name in names if name not in submission.functions]
-    files, earlier = [_file(topic, submission.text + _stubs(stubs))], list[tuple[str, str]]()
+    files, complaints = [_file(topic, submission.text + _stubs(stubs))], list[str]()
+    earlier: list[tuple[str, str]] = []
     for path in beside:
-        found = _earlier(path, topic)
+        try:
+            found, unread = _earlier(path, topic)
+        except UnreadableSubmission as error:
+            complaints.append(str(error))
+            continue
+        complaints += [f"{path.name}, {complaint}" for complaint in unread]
         if found is not None:
             files.append(_file(path.stem, found.text))
             earlier += [(name, path.name) for name in found.functions]
     given = answers.place()
     own = tuple(name for name in names if name in submission.functions and name not in unwritten)
-    return Hand(topic, own, tuple(earlier), given, " | ".join([*map(str, files), *([given] if given else [])]))
+    return Hand(
+        topic,
+        own,
+        tuple(earlier),
+        tuple(complaints),
+        given,
+        " | ".join([*map(str, files), *([given] if given else [])]),
+    )
 
 
 def earlier_notebooks(topic: str, folder: Path) -> list[Path]:
@@ -93,15 +107,13 @@ def earlier_notebooks(topic: str, folder: Path) -> list[Path]:
     return [path for path in reversed(found) if path.is_file()]
 
 
-def _earlier(path: Path, topic: str) -> Submission | None:
-    """What an earlier notebook has of functions that are written; None where that is nothing."""
+def _earlier(path: Path, topic: str) -> tuple[Submission | None, list[str]]:
+    """What an earlier notebook has that is written, None where that is nothing; and what of it cannot be read."""
     wanted = [name for name, entry in lecture.FUNCTIONS.items() if entry.topic != topic and entry.role == "written"]
-    try:
-        everything = read(path, wanted)
-        kept = [name for name in everything.functions if name not in _unwritten(everything)]
-        return read(path, kept) if kept else None
-    except UnreadableSubmission:
-        return None
+    everything = read(path, wanted)
+    unread = [str(each) for each in everything.complaints if "cannot read" in each.text or "merge" in each.text]
+    kept = [name for name in everything.functions if name not in _unwritten(everything)]
+    return read(path, kept) if kept else None, unread
 
 
 def _unwritten(submission: Submission) -> frozenset[str]:

@@ -13,7 +13,7 @@ from html import escape
 from typing import TYPE_CHECKING, Any
 
 from labs.desk.predicting import Prediction
-from reference.compare import Row
+from reference.compare import Row, Verdict
 from reference.family import Quantity
 from reference.report import figures, numbers
 from reference.report.summary import MARKS, Line, error_of
@@ -22,6 +22,12 @@ if TYPE_CHECKING:
     from labs.desk.asking import Asked
 
 DPI = 110
+_MEANINGS = {
+    Verdict.PASS: "within the tolerance of theory",
+    Verdict.KNOWN_DEVIATION: "off by what the method is known to do",
+    Verdict.FAIL: "farther off than it should be",
+}
+"""What stands below a table; an implementation without a number says why itself."""
 _STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums"
 _CELL = "padding:2px 12px 2px 0;text-align:{};border:0;background:none"
 
@@ -160,8 +166,11 @@ def _who(line: Line) -> str:
 def _with_notes(table: Table, asked: Asked, quantities: Sequence[str]) -> Table:
     """What the marks mean, why something deviates, and what was recorded elsewhere."""
     rows = [(line, row) for line in asked.lines for row in line.result.rows if row.quantity in quantities]
-    legend = dict.fromkeys(f"{MARKS[row.verdict]} {row.verdict}" for _, row in rows)
+    meanings = dict.fromkeys(
+        f"{MARKS[row.verdict]} {_MEANINGS[row.verdict]}" for _, row in rows if row.verdict in _MEANINGS
+    )
     deviations = dict.fromkeys(f"{_who(line)}: {row.note}" for line, row in rows if row.note)
     recorded = [line.result.recording for line in asked.lines if line.result.recording]
-    notes = [", ".join(legend)] * bool(legend) + list(deviations) + recorded + [asked.snapped] * bool(asked.snapped)
+    legend = [f"({'; '.join(meanings)})"] * bool(meanings)
+    notes = legend + list(deviations) + recorded + [asked.snapped] * bool(asked.snapped)
     return Table(table.title, table.headings, table.rows, (*table.notes, *notes))

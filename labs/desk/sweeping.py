@@ -45,6 +45,14 @@ class Sweep:
         return family.quantity(self.quantity) if self.quantity else family.quantities[0]
 
     @property
+    def heading(self) -> str:
+        """The parameter with its unit."""
+        grid = self.asked[0].family.grid
+        units = {each.name: each.unit for each in grid.parameters} if grid else {}
+        unit = "s" if self.parameter == TIMESTEP else units[self.parameter]
+        return f"{self.parameter}, {unit}" if unit else self.parameter
+
+    @property
     def titles(self) -> dict[str, str]:
         """The engines that were asked, as they are called; with the mark of a recording where one answered."""
         found: dict[str, str] = {}
@@ -79,8 +87,10 @@ class Sweep:
         title = f"{self.measured.title}{unit}, by {self.parameter}"
         lines = list(self._lines())
         notes = [f"{line.result.title}: {line.note}" for line in lines if line.note]
-        notes += [line.result.recording for line in lines] + [asked.snapped for asked in self.asked]
-        headings = (self.parameter, *self.titles.values(), "theory")
+        recorded = dict.fromkeys(line.result.title for line in lines if line.result.recording)
+        notes += [f"{', '.join(recorded)}: recorded earlier, which is quicker than a run."] * bool(recorded)
+        notes += [asked.snapped for asked in self.asked]
+        headings = (self.heading, *self.titles.values(), "theory")
         return Table(title, headings, tuple(rows), tuple(dict.fromkeys(note for note in notes if note)))
 
     def _lines(self) -> Iterator[Line]:
@@ -188,7 +198,8 @@ def _draw_measured(axes: Any, sweep: Sweep) -> None:
     theory = sweep.theory()
     axes.plot(list(theory), list(theory.values()), color="#999999", linestyle=":", label="theory")
     unit = f", {sweep.measured.unit}" if sweep.measured.unit else ""
-    axes.set(title=f"{sweep.measured.title}{unit}", xlabel=sweep.parameter)
+    axes.set(title=f"{sweep.measured.title}{unit}", xlabel=sweep.heading)
+    axes.locator_params(axis="x", nbins=4)
 
 
 def _digits(value: float | None) -> str:

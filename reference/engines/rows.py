@@ -15,7 +15,7 @@ from reference.settings import Settings
 from reference.trajectory import Event, Trajectory
 
 _ROUNDING = 1e-12  # a gap below this, m, is none
-_MOST_IMPACTS = 10_000  # within one step
+_MOST_IMPACTS = 2_000  # of a whole row within one step
 _NO_APPROACH = 1e-14  # of the fastest ball's speed: what is left where ever smaller impacts have ended in no time
 
 

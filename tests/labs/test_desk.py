@@ -227,3 +227,14 @@ def test_the_desk_is_loaded_by_name_alone():
     assert labs.lab is notebook.lab
     with pytest.raises(AttributeError, match="nothing"):
         _ = labs.nothing
+
+
+def test_an_earlier_notebook_that_cannot_be_read_is_named(lab, capsys, tmp_path):
+    write_notebook(tmp_path / "detection.ipynb", "def is_colliding(separation:\n    return")
+    assert "detection.ipynb, code cell 1, line 1: Python cannot read" in said(capsys, lab.begin, "response")
+
+
+def test_a_misspelt_function_is_set_against_those_of_this_lab(lab, capsys):
+    told = said(capsys, lab.check, "is_coliding")
+    assert "Did you mean 'is_colliding'?" in told
+    assert "orca_half_plane" not in told

@@ -74,6 +74,7 @@ def test_a_contact_is_colliding_resting_or_separating(submission, part):
     with part(1, "approaching, slowly, parting"):
         expect(submission.classify_contact, (-2.0, 0.5), -1)
         expect(submission.classify_contact, (-0.25, 0.5), 0)
+        expect(submission.classify_contact, (-0.5, 0.5), 0)
         expect(submission.classify_contact, (2.0, 0.5), 1)
     with part(1, "several in one call"):
         expect(submission.classify_contact, ([-2.0, 0.0, 0.25, 2.0], 0.5), [-1, 0, 0, 1])
