@@ -22,7 +22,7 @@ from reference.study import SCENARIOS, plan
 
 ENGINES = ("pybullet", "mujoco")
 HANDWRITTEN, YOURS = "handwritten", "yours"
-TIME_LIMIT = 60.0
+TIME_LIMIT = 30.0
 """Of one run, s: an endless loop in a function is told so after this."""
 Progress = Callable[[int, int, str], None]
 """How many runs are done, of how many, and what has just come."""
@@ -108,9 +108,10 @@ def ask(
 
 
 def _recorded(job: Job) -> JobResult | None:
-    """What was recorded of just this job; None where that is nothing, or stale."""
+    """What was recorded of just this job, with its curve; None where that is nothing, or stale."""
     result = recall(job) if job.engine != HANDWRITTEN else None
-    return result if result and all(row.measured is not None for row in result.rows) else None
+    whole = result and result.series and all(row.measured is not None for row in result.rows)
+    return result if whole else None
 
 
 def _named(result: JobResult) -> JobResult:
