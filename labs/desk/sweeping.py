@@ -128,7 +128,7 @@ class Sweep:
         return Picture(content.getvalue(), f"[{self.measured.title} over {self.parameter}]")
 
 
-def values_of(scenario: str, parameter: str, values: Sequence[float] = ()) -> list[float]:
+def values_of(scenario: str, parameter: str, values: Sequence[float] | float = ()) -> list[float]:
     """The values that are run: those given, or some of those that were recorded.
 
     Raises
@@ -136,6 +136,7 @@ def values_of(scenario: str, parameter: str, values: Sequence[float] = ()) -> li
     UnknownName, InvalidInput
         If the scenario has no such parameter, or too many values are given to be seen side by side.
     """
+    values = [values] if isinstance(values, int | float) else values
     family, _ = find(scenario)
     grid = family.grid
     names = [TIMESTEP, *(grid.names if grid else ())]

@@ -120,7 +120,8 @@ def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, capsy
     lab.run("dropped-ball/e=0.5", predicted="high", quantity="rebound")
     replay, curve, table = lab.shown
     assert "yours" in str(table)
-    assert ["you predicted", "0.3"] in [list(row[:2]) for row in table.rows]
+    assert ["you predicted", "0.3", "+20 %"] in [list(row[:3]) for row in table.rows]
+    assert [row[-1] for row in table.rows if row[0] in ("yours", "PyBullet")] == ["1 ms", "1 ms"]
     assert [row[1] for row in table.rows if row[0] in ("yours", "theory")] == ["0.25", "0.25"]
     assert curve.png.startswith(b"\x89PNG")
     assert "<iframe" in replay.markup
@@ -151,7 +152,8 @@ def test_an_endless_loop_in_a_run_is_stopped_and_said(lab, cells, monkeypatch):
         ("droped-ball", {}, "Did you mean 'dropped-ball'?"),
         ("dropped-ball/e=2", {}, "unknown case of dropped-ball 'e=2'"),
         ("dropped-ball", {"restitution": 3.0}, "restitution is 3"),
-        ("dropped-ball", {"colour": 3.0}, "unknown parameter of dropped-ball 'colour'"),
+        ("dropped-ball", {"colour": 3.0}, "unknown option, or parameter of dropped-ball, 'colour'"),
+        ("dropped-ball/e=0.5", {"profil": "stock"}, "Did you mean 'profile'?"),
         ("dropped-ball", {"profile": "tunned"}, "Did you mean 'tuned'?"),
         ("dropped-ball", {"engines": ("bullet",)}, "unknown engine 'bullet'"),
         ("dropped-ball/e=0.5", {"timestep": -1.0}, "timestep"),
