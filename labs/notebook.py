@@ -43,6 +43,8 @@ def _spoken(method: Callable[P, None]) -> Callable[P, None]:
             method(*arguments, **named)
         except CollisionsError as error:
             print(f"lab.{method.__name__}: {error}")
+        except KeyboardInterrupt:
+            print(f"lab.{method.__name__}: interrupted")
 
     return call
 
@@ -75,12 +77,15 @@ class Lab:
     @_spoken
     def check(self, *names: str) -> None:
         """Check functions by name, or all of this lab: what was tried, what came, and what physics expects."""
-        from labs.desk import checking  # noqa: PLC0415 - loads pytest
+        from labs.desk import checking, hand  # noqa: PLC0415 - loads the grader
 
         here = [entry.name for entry in lecture.functions_of(self._begun())]
         for name in names:
             if name not in lecture.FUNCTIONS:
                 raise UnknownName("function of this lab", name, here)
+        cells = hand.executed_cells()
+        if unseen := [name for name in names if name not in hand.defined_in(cells)]:
+            print(f"No cell that defines {', '.join(unseen)} has been run since the kernel started.")
         with Progress("checking"):
             report = checking.report(self._notebook(), self._begun(), names, self._tests())
         print(report)
@@ -116,10 +121,13 @@ class Lab:
         your side, such as "slide" or "stock". Parameters of the scenario, such as restitution=0.37, instead of a case.
         """
         from labs.desk import showing  # noqa: PLC0415
+        from reference.scenarios import find  # noqa: PLC0415 - a check needs no catalogue
 
         prediction = self._prediction(predicted)
-        asked = self._ask(scenario, engines, profile, timestep, parameters)
         wanted = [quantity] if isinstance(quantity, str) else list(quantity)
+        for name in wanted:
+            find(scenario)[0].quantity(name)
+        asked = self._ask(scenario, engines, profile, timestep, parameters)
         found = [showing.replay(asked), showing.curve(asked), *showing.tables(asked, wanted, prediction)]
         _display(*(each for each in found if each is not None))
 

@@ -25,7 +25,8 @@ STUDENT, SOLVED = ROOT / "labs" / "notebooks", ROOT / "solutions" / "notebooks"
 _LEAST = 24
 """Characters from which a line of a solution gives something away; shorter ones are found in any text."""
 _SETUP = """\
-# Run this cell first: it finds the lab, and says which engines answer.
+# Run this cell first, and after every restart: it finds the lab, and says which engines answer.
+from __future__ import annotations
 import sys
 from pathlib import Path
 

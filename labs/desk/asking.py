@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from reference.cache import Cache
 from reference.compare import TUNED
+from reference.errors import UnknownName
 from reference.family import Case, Family
 from reference.recording import recall
 from reference.replay import Poses, unpack
@@ -21,8 +22,10 @@ from reference.snapping import snapped
 from reference.study import SCENARIOS, plan
 
 ENGINES = ("pybullet", "mujoco")
+OPTIONS = ("predicted", "quantity", "engines", "profile", "timestep")
+"""What a run is told besides its parameters."""
 HANDWRITTEN, YOURS = "handwritten", "yours"
-TIME_LIMIT = 60.0
+TIME_LIMIT = 30.0
 """Of one run, s: an endless loop in a function is told so after this."""
 Progress = Callable[[int, int, str], None]
 """How many runs are done, of how many, and what has just come."""
@@ -84,6 +87,10 @@ def ask(
         If there is no such scenario, engine, profile or parameter, or a value is out of range.
     """
     family, case = find(scenario)
+    movable = family.grid.names if family.grid else ()
+    for name in at or {}:
+        if name not in movable:
+            raise UnknownName(f"option, or parameter of {family.name},", name, (*OPTIONS, *movable))
     if case is None and not at:
         case = family.case(family.curve.case)
     changes: dict[str, Option] = {} if timestep is None else {"timestep": timestep}
@@ -108,9 +115,10 @@ def ask(
 
 
 def _recorded(job: Job) -> JobResult | None:
-    """What was recorded of just this job; None where that is nothing, or stale."""
+    """What was recorded of just this job, with its curve; None where that is nothing, or stale."""
     result = recall(job) if job.engine != HANDWRITTEN else None
-    return result if result and all(row.measured is not None for row in result.rows) else None
+    whole = result and result.series and all(row.measured is not None for row in result.rows)
+    return result if whole else None
 
 
 def _named(result: JobResult) -> JobResult:

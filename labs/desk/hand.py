@@ -11,6 +11,7 @@ import ast
 import atexit
 import hashlib
 import json
+import re
 import shutil
 import tempfile
 from collections.abc import Iterable, Sequence
@@ -20,10 +21,12 @@ from pathlib import Path
 
 from labs import answers
 from labs.grading.errors import UnreadableSubmission
+from labs.grading.magics import without_magics
 from labs.grading.submission import Submission, read
 from reference import lecture
 
 _UNWRITTEN = "NotImplementedError"
+_DEFINES = re.compile(r"^def (\w+)", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -44,11 +47,34 @@ class Hand:
 
 
 def executed_cells() -> list[str]:
-    """The source of every cell that this kernel has run, the first of them empty, so that the n-th is In [n]."""
+    """The source of every cell that this kernel has run, the n-th of them In [n]; empty where a mistake was mended."""
     from IPython import get_ipython  # noqa: PLC0415 - outside a notebook nobody needs it
 
     shell = get_ipython()
-    return [] if shell is None else list(shell.history_manager.input_hist_raw[1:])
+    return [] if shell is None else without_mended(shell.history_manager.input_hist_raw[1:])
+
+
+def without_mended(cells: Sequence[str]) -> list[str]:
+    """Cells, with those that Python could not read left empty, but for the last try at a function."""
+    found = list(cells)
+    for place, cell in enumerate(cells):
+        tried, later = defined_in([cell]), defined_in(cells[place + 1 :])
+        if _is_unreadable(cell) and (not tried or later & tried):
+            found[place] = ""
+    return found
+
+
+def defined_in(cells: Iterable[str]) -> frozenset[str]:
+    """The functions that cells define, or try to."""
+    return frozenset(name for cell in cells for name in _DEFINES.findall(cell))
+
+
+def _is_unreadable(cell: str) -> bool:
+    try:
+        ast.parse(without_magics(cell))
+    except (SyntaxError, ValueError):
+        return True
+    return False
 
 
 def written_down(cells: Sequence[str]) -> Path:

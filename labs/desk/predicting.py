@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from numbers import Real
 from types import EllipsisType
+from typing import Any
+
+import numpy as np
 
 from reference.errors import InvalidInput
 
@@ -27,13 +31,19 @@ class Prediction:
 
     def __str__(self) -> str:
         if self.answer is None:
-            options = f" ({' or '.join(self.choices)})" if self.choices else f" ({self.unit})" * bool(self.unit)
+            options = (
+                f" ({' or '.join(map(repr, self.choices))})" if self.choices else f" ({self.unit})" * bool(self.unit)
+            )
             return f"{self.question}{options}\nPut your guess in place of the dots and run the cell again."
         return f"{self.question}\nYou predict {self.shown}{f' {self.unit}' if self.unit else ''}: kept for the run."
 
 
 def predicted(
-    key: str, question: str, answer: float | str | EllipsisType | None, unit: str = "", choices: Sequence[str] = ()
+    key: str,
+    question: str,
+    answer: float | str | np.ndarray[Any, Any] | EllipsisType | None,
+    unit: str = "",
+    choices: Sequence[str] = (),
 ) -> Prediction:
     """A prediction; open while the answer is the dots of the cell.
 
@@ -46,8 +56,10 @@ def predicted(
         return Prediction(key, question, None, unit, tuple(choices))
     if choices:
         if answer not in choices:
-            raise InvalidInput(f"{answer!r} is none of the choices: {', '.join(choices)}")
+            raise InvalidInput(f"{answer!r} is none of the choices: {', '.join(map(repr, choices))}")
         return Prediction(key, question, str(answer), unit, tuple(choices))
-    if not isinstance(answer, Real) or isinstance(answer, bool):
-        raise InvalidInput(f"{answer!r} is no number")
+    if isinstance(answer, np.ndarray) and answer.size == 1:  # as functions of the labs answer
+        answer = answer.item()
+    if not isinstance(answer, Real) or isinstance(answer, bool) or not math.isfinite(answer):
+        raise InvalidInput(f"{answer!r} is no number; write one such as 0.25, without quotes or unit")
     return Prediction(key, question, float(answer), unit)

@@ -134,27 +134,36 @@ def replay(asked: Asked) -> Replay | None:
 def _table(asked: Asked, quantity: Quantity, prediction: Prediction | None) -> Table:
     rows = [(line, row) for line in asked.lines if (row := _row(line, quantity.name))]
     theory = next((row.expected for _, row in rows if row.expected is not None), None)
-    cells = [_cells(line, row, quantity) for line, row in rows]
+    cells = [_cells(line, row) for line, row in rows]
     if prediction is not None and prediction.answer is not None:
-        cells.insert(0, ("you predicted", prediction.shown, "", ""))
+        cells.insert(0, ("you predicted", prediction.shown, _off(prediction, theory), "", ""))
     if theory is not None:
-        cells.append(("theory", _value(theory, quantity.unit), "", ""))
+        cells.append(("theory", _value(theory), "", "", ""))
     unit = f", {quantity.unit}" if quantity.unit else ""
     missing = tuple(f"{_who(line)}: {line.note}" for line in asked.lines if not _row(line, quantity.name))
     title = f"{quantity.title[:1].upper()}{quantity.title[1:]} ({asked.family.title.lower()}, {asked.case.name})"
-    return Table(title, ("", f"value{unit}", "off by", ""), tuple(cells), missing)
+    return Table(title, ("", f"value{unit}", "off by", "", "timestep"), tuple(cells), missing)
 
 
 def _row(line: Line, quantity: str) -> Row | None:
     return next((row for row in line.result.rows if row.quantity == quantity), None)
 
 
-def _cells(line: Line, row: Row, quantity: Quantity) -> tuple[str, str, str, str]:
-    value = _value(row.measured, quantity.unit) if row.measured is not None else "none"
-    return _who(line), value, error_of(row) if row.error is not None else "", MARKS[row.verdict]
+def _cells(line: Line, row: Row) -> tuple[str, ...]:
+    value = _value(row.measured) if row.measured is not None else "none"
+    timestep = f"{1000 * float(row.settings.split()[1]):.3g} ms"  # of `timestep 0.001 s, …`
+    return _who(line), value, error_of(row) if row.error is not None else "", MARKS[row.verdict], timestep
 
 
-def _value(value: float, unit: str) -> str:
+def _off(prediction: Prediction, theory: float | None) -> str:
+    """How far a guess is from theory, in percent where theory is not zero."""
+    if theory is None or not isinstance(prediction.answer, float):
+        return ""
+    off = prediction.answer - theory
+    return f"{off / abs(theory):+.0%}".replace("-", "−").replace("%", " %") if theory else numbers.deviation(off, "")
+
+
+def _value(value: float) -> str:
     return numbers.digits(value, 5)
 
 

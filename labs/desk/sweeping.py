@@ -102,13 +102,14 @@ class Sweep:
         import matplotlib
         from matplotlib.figure import Figure
 
-        count = len(self.values) + 1
+        shown = [(value, asked) for value, asked in zip(self.values, self.asked, strict=True) if _has_curve(asked)]
+        count = len(shown) + 1
         columns, rows = min(count, _COLUMNS), -(-count // _COLUMNS)
         with matplotlib.rc_context(figures.STYLE | {"font.size": 8, "axes.titlesize": 8}):
             size = (_SMALL[0] * columns, _SMALL[1] * rows + 0.4)
             figure = Figure(figsize=size, layout="constrained", dpi=DPI)
             places = figure.subplots(rows, columns, squeeze=False).flat
-            for axes, value, asked in zip(places, self.values, self.asked, strict=False):
+            for axes, (value, asked) in zip(places, shown, strict=False):
                 _draw(axes, asked, self.titles)
                 axes.set_title(f"{self.parameter} {value:g}")
             _draw_measured(places[count - 1], self)
@@ -127,7 +128,7 @@ class Sweep:
         return Picture(content.getvalue(), f"[{self.measured.title} over {self.parameter}]")
 
 
-def values_of(scenario: str, parameter: str, values: Sequence[float] = ()) -> list[float]:
+def values_of(scenario: str, parameter: str, values: Sequence[float] | float = ()) -> list[float]:
     """The values that are run: those given, or some of those that were recorded.
 
     Raises
@@ -135,6 +136,7 @@ def values_of(scenario: str, parameter: str, values: Sequence[float] = ()) -> li
     UnknownName, InvalidInput
         If the scenario has no such parameter, or too many values are given to be seen side by side.
     """
+    values = [values] if isinstance(values, int | float) else values
     family, _ = find(scenario)
     grid = family.grid
     names = [TIMESTEP, *(grid.names if grid else ())]
@@ -179,6 +181,10 @@ def _somebody_is_there() -> bool:
     from IPython import get_ipython  # noqa: PLC0415
 
     return bool(getattr(getattr(get_ipython(), "kernel", None), "_allow_stdin", False))
+
+
+def _has_curve(asked: Asked) -> bool:
+    return any(line.result.series is not None for line in asked.lines)
 
 
 def _draw(axes: Any, asked: Asked, titles: Mapping[str, str]) -> None:

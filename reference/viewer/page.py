@@ -10,7 +10,7 @@ from importlib import resources
 from reference.viewer.clip import Clip
 from reference.viewer.still import still
 
-FRAME_HEIGHT, FRAME_WIDTH = 470, 860
+FRAME_HEIGHT, FRAME_WIDTH = 430, 640
 """Least height and greatest width of the frame in a notebook, px."""
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
 """What a page of ours may do: nothing but what stands in it."""

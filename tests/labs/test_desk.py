@@ -6,6 +6,7 @@ import json
 import textwrap
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import labs
@@ -38,7 +39,7 @@ def cells():
 
 @pytest.fixture
 def lab(cells, monkeypatch, tmp_path):
-    monkeypatch.setattr(hand, "executed_cells", lambda: list(cells))
+    monkeypatch.setattr(hand, "executed_cells", lambda: hand.without_mended(cells))
     monkeypatch.chdir(tmp_path)
     desk = notebook.Lab()
     desk.topic = "detection"
@@ -102,7 +103,9 @@ def test_given_functions_are_not_checked_and_unknown_ones_are_named(lab, capsys)
         (..., {"unit": "m"}, "Put your guess in place of the dots"),
         (0.5, {"unit": "m"}, "You predict 0.5 m: kept"),
         ("up", {"choices": ("up", "down")}, "You predict up: kept"),
-        ("left", {"choices": ("up", "down")}, "'left' is none of the choices: up, down"),
+        ("left", {"choices": ("up", "down")}, "'left' is none of the choices: 'up', 'down'"),
+        (np.array(0.4), {}, "You predict 0.4"),
+        (float("nan"), {}, "nan is no number"),
         ("much", {"unit": "m"}, "'much' is no number"),
         (True, {"unit": "m"}, "True is no number"),
     ],
@@ -117,7 +120,8 @@ def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, capsy
     lab.run("dropped-ball/e=0.5", predicted="high", quantity="rebound")
     replay, curve, table = lab.shown
     assert "yours" in str(table)
-    assert ["you predicted", "0.3"] in [list(row[:2]) for row in table.rows]
+    assert ["you predicted", "0.3", "+20 %"] in [list(row[:3]) for row in table.rows]
+    assert [row[-1] for row in table.rows if row[0] in ("yours", "PyBullet")] == ["1 ms", "1 ms"]
     assert [row[1] for row in table.rows if row[0] in ("yours", "theory")] == ["0.25", "0.25"]
     assert curve.png.startswith(b"\x89PNG")
     assert "<iframe" in replay.markup
@@ -148,7 +152,8 @@ def test_an_endless_loop_in_a_run_is_stopped_and_said(lab, cells, monkeypatch):
         ("droped-ball", {}, "Did you mean 'dropped-ball'?"),
         ("dropped-ball/e=2", {}, "unknown case of dropped-ball 'e=2'"),
         ("dropped-ball", {"restitution": 3.0}, "restitution is 3"),
-        ("dropped-ball", {"colour": 3.0}, "unknown parameter of dropped-ball 'colour'"),
+        ("dropped-ball", {"colour": 3.0}, "unknown option, or parameter of dropped-ball, 'colour'"),
+        ("dropped-ball/e=0.5", {"profil": "stock"}, "Did you mean 'profile'?"),
         ("dropped-ball", {"profile": "tunned"}, "Did you mean 'tuned'?"),
         ("dropped-ball", {"engines": ("bullet",)}, "unknown engine 'bullet'"),
         ("dropped-ball/e=0.5", {"timestep": -1.0}, "timestep"),
@@ -238,3 +243,30 @@ def test_a_misspelt_function_is_set_against_those_of_this_lab(lab, capsys):
     told = said(capsys, lab.check, "is_coliding")
     assert "Did you mean 'is_colliding'?" in told
     assert "orca_half_plane" not in told
+
+
+def test_a_mistake_that_was_mended_is_not_told_again(lab, cells, capsys):
+    cells += [*right_cells(), "def is_colliding(separation, tolerance=0.0)\n    return separation < -tolerance"]
+    assert "expected ':'" in said(capsys, lab.check, "is_colliding")
+    cells.append("def is_colliding(separation, tolerance=0.0):\n    return separation < -tolerance")
+    assert "✓ is_colliding is right" in (told := said(capsys, lab.check, "is_colliding"))
+    assert "expected" not in told
+    cells.append("x = = 3")
+    assert "cannot read" not in said(capsys, lab.check, "is_colliding")
+
+
+def test_a_function_whose_cell_was_not_run_since_the_start_is_said_to_be_so(lab, capsys):
+    assert "No cell that defines is_colliding has been run" in said(capsys, lab.check, "is_colliding")
+
+
+def test_an_interrupt_is_a_line(lab, monkeypatch, capsys):
+    def interrupted(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(asking, "ask", interrupted)
+    assert said(capsys, lab.run, "dropped-ball/e=0.5") == "lab.run: interrupted\n"
+
+
+def test_a_wrong_quantity_is_named_before_anything_runs(lab, monkeypatch, capsys):
+    monkeypatch.setattr(asking, "ask", None)
+    assert "unknown quantity of dropped-ball 'hight'" in said(capsys, lab.run, "dropped-ball/e=0.5", quantity="hight")
