@@ -15,6 +15,7 @@ from reference import lecture
 from reference.lecture import Function
 
 RIGHT, WRONG, TO_DO = "✓", "✗", "·"
+HIDDEN = "hidden tests ask the same of other inputs, at limits and of many contacts at once"
 MOST_PARTS = 2
 """Parts of a function that are told with what was tried; one where the mistake has a name, or lies elsewhere first."""
 _SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow")
@@ -181,7 +182,7 @@ def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
         return f"{counted}. Next: {_nearest(sheet, wrong)}, marked {WRONG} above."
     if to_do:
         return f"{counted}. Next: write {_task(sheet, to_do[0])}"
-    return f"{counted}. Hidden tests ask the same of other inputs."
+    return f"{counted}. {HIDDEN[0].upper()}{HIDDEN[1:]}."
 
 
 def _nearest(sheet: Sheet, wrong: Sequence[str]) -> str:

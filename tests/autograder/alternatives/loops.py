@@ -58,9 +58,9 @@ def time_of_impact_exact(separation, normal_velocity, normal_acceleration):
     inside = u * u - 2 * a * s
     if inside < 0:
         return math.inf
-    if a > 0:
-        return 2 * s / (math.sqrt(inside) - u) if u < 0 else math.inf
-    return max((-u - math.sqrt(inside)) / a, 0.0)
+    if u < 0:
+        return 2 * s / (math.sqrt(inside) - u)
+    return (-u - math.sqrt(inside)) / a if a < 0 else math.inf
 
 
 @vector("(n),(n),()->(n)")

@@ -22,8 +22,9 @@ def test_a_point_has_a_distance_from_a_plane_with_a_sign(submission, part):
         expect(submission.signed_distance, ([0, 0, 3], UP, -1.0), 2.0)  # the plane z = 1
     with part(1, "a normal that is longer than 1"):
         expect(submission.signed_distance, ([0, 0, 3], [0, 0, 2], -4.0), 1.0)  # 2 z − 4 = 0 is the plane z = 2
-    with part(1, "two points in one call"):
+    with part(1, "two points in one call, and two planes"):
         expect(submission.signed_distance, ([[0, 0, 1], [0, 0, -2]], UP, 0.0), [1.0, -2.0])
+        expect(submission.signed_distance, ([[0, 0, 1], [5, 0, 0]], [[0, 0, 2], [3, 0, 4]], 0.0), [1.0, 3.0])
 
 
 @asks(
@@ -34,9 +35,11 @@ def test_a_point_collides_behind_the_plane_by_more_than_the_tolerance(submission
     with part(1, "in front, behind, touching"):
         expect(submission.is_colliding, (1.0,), False)
         expect(submission.is_colliding, (-1.0,), True)
+        expect(submission.is_colliding, (-0.001,), True)
         expect(submission.is_colliding, (0.0,), False)
     with part(1, "with a tolerance, several in one call"):
         expect(submission.is_colliding, ([-0.5, -0.125, 0.125, 2.0], 0.25), [True, False, False, False])
+        expect(submission.is_colliding, ([-0.251, -0.25, 0.25], 0.25), [True, False, False])
 
 
 @asks(
@@ -44,25 +47,29 @@ def test_a_point_collides_behind_the_plane_by_more_than_the_tolerance(submission
     "Slide 5. Draw the separation over the step as a straight line; d2 on the slide is a magnitude.",
 )  # fmt: skip
 def test_the_separation_is_zero_where_a_straight_line_crosses_it(submission, part):
-    with part(1, "half way, and a quarter of the way"):
+    with part(1, "half way, a quarter of the way, and from the plane on"):
         expect(submission.time_of_impact_interpolated, (1.0, -1.0, 0.0, 2.0), 1.0)
         expect(submission.time_of_impact_interpolated, (1.0, -3.0, 5.0, 0.5), 5.125)
+        expect(submission.time_of_impact_interpolated, (0.0, -1.0, 4.0, 0.5), 4.0)
     with part(1, "no impact in this step"):
         expect(submission.time_of_impact_interpolated, (2.0, 1.0, 0.0, 0.5), INFINITY)
         expect(submission.time_of_impact_interpolated, (-1.0, 2.0, 0.0, 0.5), INFINITY)
+        expect(submission.time_of_impact_interpolated, (1.0, 0.0, 0.0, 0.5), INFINITY)  # not behind it yet
     with part(1, "several in one call, one of them without an impact"):
         expect(submission.time_of_impact_interpolated, ([1.0, 2.0], [-1.0, 1.0], 0.0, 2.0), [1.0, INFINITY])
 
 
 @asks(
     "time_of_impact_exact", 3, "Under gravity the way is a parabola, and its root is the time of impact.",
-    "s + u t + a t²/2 = 0. Which of its two roots is the one on the way down?",
+    "s + u t + a t²/2 = 0. Which root is the one on the way down? Where does it subtract nearly equal numbers?",
 )  # fmt: skip
 def test_a_falling_body_meets_the_plane_at_the_root_of_its_parabola(submission, part):
-    with part(1, "let fall, thrown down, thrown up"):
+    with part(1, "let fall, thrown down, thrown up, all but on the plane"):
         expect(submission.time_of_impact_exact, (5.0, 0.0, -10.0), 1.0)
         expect(submission.time_of_impact_exact, (15.0, -10.0, -10.0), 1.0)
         expect(submission.time_of_impact_exact, (15.0, 10.0, -10.0), 3.0)
+        expect(submission.time_of_impact_exact, (1e-15, -5.0, -10.0), 2e-16)  # no nearly equal numbers to subtract
+        expect(submission.time_of_impact_exact, (1e-15, 5.0, -10.0), 1.0)
     with part(1, "without gravity, towards the plane and away"):
         expect(submission.time_of_impact_exact, (3.0, -1.5, 0.0), 2.0)
         expect(submission.time_of_impact_exact, (3.0, 1.5, 0.0), INFINITY)
@@ -83,6 +90,7 @@ def test_a_point_is_in_front_behind_or_on_the_plane(submission, part):
         expect(submission.side_of_plane, (0.0,), 0)
     with part(1, "with a tolerance, several in one call"):
         expect(submission.side_of_plane, ([-2.0, -0.25, 0.125, 2.0], 0.25), [-1, 0, 0, 1])
+        expect(submission.side_of_plane, ([-0.25, 0.25], 0.25), [0, 0])
 
 
 @asks(
@@ -90,11 +98,14 @@ def test_a_point_is_in_front_behind_or_on_the_plane(submission, part):
     "Slide 2. Where is the ball's centre when it touches the front, and where when it leaves the back?",
 )  # fmt: skip
 def test_a_ball_overlaps_a_wall_from_touching_its_front_to_leaving_its_back(submission, part):
-    with part(1, "through the wall within the step"):
+    with part(1, "through the wall within the step, and up to touching it at its end"):
         expect(submission.overlap_interval, (2.0, -4.0, 0.5, 1.0, 2.0), (0.375, 0.875))
-    with part(1, "inside already, and still inside at the end"):
+        expect(submission.overlap_interval, (0.75, -0.5, 0.25, 1.0, 1.0), (1.0, 1.0))
+    with part(1, "inside already, and still inside at the end, or at rest on its face"):
         expect(submission.overlap_interval, (0.0, -1.0, 0.5, 2.0, 1.0), (0.0, 1.0))
-    with part(1, "no overlap, beside one, in one call"):
+        expect(submission.overlap_interval, (0.25, 0.0, 0.25, 1.0, 0.5), (0.0, 0.5))  # touching
+    with part(1, "no overlap, at rest and beside one, in one call"):
+        expect(submission.overlap_interval, (2.0, 0.0, 0.5, 1.0, 2.0), (INFINITY, -INFINITY))
         expect(
             submission.overlap_interval, ([2.0, 2.0], [-4.0, 4.0], 0.5, 1.0, 2.0), ([0.375, INFINITY],
             [0.875, -INFINITY])
@@ -106,9 +117,10 @@ def test_a_ball_overlaps_a_wall_from_touching_its_front_to_leaving_its_back(subm
     "Slide 9. On which way does it overlap the wall, and which way does it go between two tests?",
 )  # fmt: skip
 def test_a_fast_ball_is_missed_by_the_share_of_its_way_that_no_test_sees(submission, part):
-    with part(1, "half of the balls, and none"):
+    with part(1, "half of the balls, none, and none at rest"):
         expect(submission.missing_probability, (64.0, 0.125, 0.0625, 0.0078125), 0.5)
         expect(submission.missing_probability, (1.0, 0.125, 0.0625, 0.0078125), 0.0)
+        expect(submission.missing_probability, (0.0, 0.125, 0.0625, 0.0078125), 0.0)
     with part(1, "several in one call"):
         expect(submission.missing_probability, ([64.0, 128.0], 0.125, 0.0625, 0.0078125), [0.5, 0.75])
 
@@ -118,7 +130,8 @@ def test_a_fast_ball_is_missed_by_the_share_of_its_way_that_no_test_sees(submiss
     "Slide 9. How far may the ball go between two tests?",
 )  # fmt: skip
 def test_a_step_is_cut_so_finely_that_no_ball_passes_unseen(submission, part):
-    with part(1, "one is enough; three and a bit; just four times the way"):
+    with part(1, "one is enough, also at rest; three and a bit; just four times the way"):
+        expect(submission.substeps_needed, (0.0, 0.125, 0.0625, 0.0078125), 1)
         expect(submission.substeps_needed, (1.0, 0.125, 0.0625, 0.0078125), 1)
         expect(submission.substeps_needed, (104.0, 0.125, 0.0625, 0.0078125), 4)
         expect(submission.substeps_needed, (128.0, 0.125, 0.0625, 0.0078125), 5)

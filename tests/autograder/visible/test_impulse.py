@@ -55,6 +55,7 @@ def test_bodies_that_approach_have_a_negative_normal_velocity(submission, part):
         expect(submission.normal_velocity, ([3, 1, 0], REST, UP), 0.0)
     with part(1, "two pairs in one call"):
         expect(submission.normal_velocity, ([[1, 0, -2], [0, 0, 3]], REST, UP), [-2.0, 3.0])
+        expect(submission.normal_velocity, ([[1, 0, -2], [2, 0, 3]], REST, [UP, X]), [-2.0, 2.0])
 
 
 @asks("rebound_velocity", 2, "They part with e times the speed of their approach.", "Slide 12 leaves out the sign.")
@@ -64,6 +65,7 @@ def test_they_part_with_e_times_the_speed_of_their_approach(submission, part):
         expect(submission.rebound_velocity, (2.0, 0.5), 2.0)
     with part(1, "several in one call"):
         expect(submission.rebound_velocity, ([-2.0, 3.0], 0.5), [1.0, 3.0])
+        expect(submission.rebound_velocity, ([-2.0, -2.0], [0.5, 0.25]), [1.0, 0.5])
 
 
 @asks(
@@ -71,11 +73,13 @@ def test_they_part_with_e_times_the_speed_of_their_approach(submission, part):
     "Slide 21. With the normal from B to A, which sign has u_n when they approach?",
 )  # fmt: skip
 def test_a_contact_is_colliding_resting_or_separating(submission, part):
-    with part(1, "approaching, slowly, parting"):
+    with part(1, "approaching, slowly, parting, with the speed of the threshold, at rest"):
         expect(submission.classify_contact, (-2.0, 0.5), -1)
         expect(submission.classify_contact, (-0.25, 0.5), 0)
         expect(submission.classify_contact, (-0.5, 0.5), 0)
         expect(submission.classify_contact, (2.0, 0.5), 1)
+        expect(submission.classify_contact, (0.75, 0.75), 0)
+        expect(submission.classify_contact, (0.0,), 0)
     with part(1, "several in one call"):
         expect(submission.classify_contact, ([-2.0, 0.0, 0.25, 2.0], 0.5), [-1, 0, 0, 1])
 
@@ -92,6 +96,7 @@ def test_an_impulse_is_the_area_below_the_force(submission, part):
         expect(submission.impulse_of_force, ([REST, [0, 0, 4], REST], [0.0, 1.0, 3.0]), [0.0, 0.0, 6.0])
     with part(1, "two contacts in one call"):
         expect(submission.impulse_of_force, ([[X, X], [UP, UP]], [0.0, 2.0]), [[2, 0, 0], [0, 0, 2]])
+        expect(submission.impulse_of_force, ([[X, X], [UP, UP]], [[0.0, 2.0], [3.0, 4.0]]), [[2, 0, 0], UP])
 
 
 @asks(
@@ -106,6 +111,7 @@ def test_the_mean_force_of_a_contact_is_the_net_force_less_the_others(submission
         expect(submission.mean_force, ([0, 0, 4], 0.5, [0, 0, -10]), [0.0, 0.0, 18.0])
     with part(1, "two contacts in one call"):
         expect(submission.mean_force, ([[0, 0, 4], [2, 0, 0]], 0.5), [[0, 0, 8], [4, 0, 0]])
+        expect(submission.mean_force, ([[0, 0, 4], [2, 0, 0]], [0.5, 2.0]), [[0, 0, 8], X])
 
 
 @asks(
@@ -120,6 +126,7 @@ def test_the_normal_of_a_face_points_towards_a(submission, part):
         expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, -1], REST), [0.0, 0.0, -1.0])
     with part(1, "both in one call"):
         expect(submission.point_plane_normal, ([0, 0, 2], [[3, 0, 1], [3, 0, -1]], REST), [UP, [0, 0, -1]])
+        expect(submission.point_plane_normal, ([[0, 0, 2], [4, 0, 3]], [3, 0, 1], REST), [UP, [0.8, 0, 0.6]])
 
 
 @asks(
@@ -132,8 +139,10 @@ def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission,
     with part(1, "A above, A below"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, 1], REST), UP)
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, -1], REST), [0.0, 0.0, -1.0])
+        expect(submission.edge_edge_normal, ([1e-4, 0, 0], [1e-4, 1e-6, 0], [0, 0, 1], REST), UP)  # 0.6° apart
     with part(1, "both in one call"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [[0, 0, 1], [0, 0, -1]], REST), [UP, [0, 0, -1]])
+        expect(submission.edge_edge_normal, ([X, [0, 3, 0]], [[1, 1, 0], UP], [1, 0, 1], REST), [UP, X])
 
 
 @asks(
@@ -151,6 +160,7 @@ def test_the_inverse_inertia_turns_with_the_body(submission, part):
     with part(1, "two bodies in one call"):
         both = [np.diag([1.0, 0.5, 0.25]), np.diag([0.5, 1.0, 0.25])]
         expect(submission.world_inverse_inertia, ([1, 2, 4], [[1, 0, 0, 0], [half, 0, 0, half]]), both)
+        expect(submission.world_inverse_inertia, ([[1, 2, 4], [2, 1, 4]], [1, 0, 0, 0]), both)
 
 
 def many(*bodies):
@@ -170,6 +180,7 @@ def test_a_body_gives_way_more_easily_beside_its_centre(submission, part):
         expect(submission.inverse_effective_mass, (BESIDE, GROUND, UP), 1.5)
     with part(1, "two contacts in one call"):
         expect(submission.inverse_effective_mass, (many(FALLING, BESIDE), GROUND, UP), [1.0, 1.5])
+        expect(submission.inverse_effective_mass, (many(BESIDE, BESIDE), GROUND, [UP, X]), [1.5, 1.0])
 
 
 @asks(
@@ -185,6 +196,7 @@ def test_the_impulse_makes_the_points_part_as_asked(submission, part):
         expect(submission.impulse_magnitude, (GROUND, GROUND, UP, 0.5), 0.0)
     with part(1, "two contacts in one call"):
         expect(submission.impulse_magnitude, (many(FALLING, BESIDE), GROUND, UP, 0.5), [3.0, 2.0])
+        expect(submission.impulse_magnitude, (FALLING, GROUND, [UP, X], [0.25, 0.5]), [2.5, 0.0])
 
 
 @asks("contact_impulses", 2, "What pushes A pushes B just as hard the other way.", "Slide 16, and Newton's third law.")
@@ -193,6 +205,7 @@ def test_both_bodies_get_the_same_impulse_in_opposite_directions(submission, par
         expect(submission.contact_impulses, (3.0, UP), ([0, 0, 3], [0, 0, -3]))
     with part(1, "two contacts in one call"):
         expect(submission.contact_impulses, ([3.0, 1.0], UP), ([[0, 0, 3], [0, 0, 1]], [[0, 0, -3], [0, 0, -1]]))
+        expect(submission.contact_impulses, ([3.0, 1.0], [UP, X]), ([[0, 0, 3], X], [[0, 0, -3], [-1, 0, 0]]))
 
 
 @asks(
@@ -217,6 +230,8 @@ def test_an_impulse_moves_a_and_b_in_opposite_directions(submission, part, examp
             (FALLING, GROUND, [[0, 0, 3], [0, 0, 2]]),
             ([[0, 0, 1], REST], [REST, REST], [REST, REST], [REST, REST]),
         )
+        two = (many(FALLING, BESIDE), GROUND, [[0, 0, 2], [0, 0, 2]])
+        expect(submission.apply_impulse, two, ([REST, REST], [REST, [0, -2, 0]], [REST, REST], [REST, REST]))
 
 
 @asks("apply_impulse_to_momenta", 2, "P changes by J, L by r × J.", "Slide 21. Which mass does it take?")
@@ -245,6 +260,8 @@ def test_velocities_follow_from_momenta(submission, part):
             submission.velocities_from_momenta, ([[4, 0, 0], REST], [[0, 0, 1], X], 0.5, TURNS),
             ([[2, 0, 0], REST], [[0, 0, 2], [2, 0, 0]]),
         )  # fmt: skip
+        two = ([[4, 0, 0], [4, 0, 0]], [REST, REST], [0.5, 0.25], TURNS)
+        expect(submission.velocities_from_momenta, two, ([[2, 0, 0], X], [REST, REST]))
 
 
 @asks(
@@ -255,11 +272,12 @@ def test_a_collision_keeps_momentum_and_gains_no_energy(submission, part, exampl
     with part(1, "down on the ground, one body on another"):
         expect(submission.collide, (FALLING, GROUND, UP, 0.5), ([0, 0, 1], REST, REST, REST))
         expect(submission.collide, (FALLING, STILL, UP, 1.0), (REST, REST, [0, 0, -2], REST))
-    with part(1, "parting already, or slower than the threshold"):
+    with part(1, "parting already, or not faster than the threshold"):
         expect(
             submission.collide, (([0, 0, 2], REST, REST, 1.0, TURNS), GROUND, UP, 0.5), ([0, 0, 2], REST, REST, REST)
         )
         expect(submission.collide, (FALLING, GROUND, UP, 0.5, 3.0), ([0, 0, -2], REST, REST, REST))
+        expect(submission.collide, (FALLING, GROUND, UP, 0.5, 2.0), ([0, 0, -2], REST, REST, REST))
     with part(2, "momentum is kept, and no energy gained"):
 
         def kept(body_a, body_b, normal, restitution):
