@@ -95,9 +95,9 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
 
 
 def _series(family: Family, job: Job, taken: Mapping[str, Any], folder: Path | None) -> Series | None:
-    """The plotted curve as it was recorded; of another case alone, or a point of the grid, as its replay has it."""
+    """The plotted curve as it was recorded; of another case, or a point of the grid, as its replay has it."""
     chosen = job.chosen(family)
-    if job.at or (len(chosen) == 1 and chosen[0].name != family.curve.case):
+    if job.at or (job.with_curve and chosen[0].name != family.curve.case):
         (case,) = chosen
         settings = load_engine(job.engine).settings(case.scenarios[0], job.profile).change(**dict(job.changes))
         with contextlib.suppress(NotRecorded):

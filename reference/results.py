@@ -26,7 +26,8 @@ class Job:
 
     cases: names, all when empty. changes: settings to change, by name. at: values of the family's parameters, for one
     case at these instead of its own. grid: every point of the family's grid instead. with_poses: whether the result
-    has poses for a replay. snapped: what was moved to a recorded point, in words; nothing hangs on it.
+    has poses for a replay. with_curve: whether the curve is of its one case, and not of the family's. snapped: what was
+    moved to a recorded point, in words; nothing hangs on it.
     """
 
     family: str
@@ -39,6 +40,7 @@ class Job:
     at: tuple[tuple[str, float], ...] = ()
     grid: bool = False
     with_poses: bool = False
+    with_curve: bool = False
     snapped: str = ""
 
     def __str__(self) -> str:

@@ -158,14 +158,14 @@ def run_job(job: Job) -> JobResult:
     version, has = engine.version(), profiles_of(engine, family)
     engine.module()  # where it cannot be imported, nothing is asked of it
     asked, rows = Question.of(family, engine), list[Row]()
-    series, shown, tracks, chosen = None, "", list[Track](), job.chosen(family)
-    for case in chosen:
+    series, shown, tracks = None, "", list[Track]()
+    for case in job.chosen(family):
         settings = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
         found, trajectories = compare_case(family, case, engine, job.profile, settings)
         rows += found
         if case.name == family.curve.case or not shown:
             shown = settings.describe()
-        if trajectories and not job.grid and (len(chosen) == 1 or case.name == family.curve.case):
+        if trajectories and not job.grid and (job.at or job.with_curve or case.name == family.curve.case):
             series = Series.of(family, trajectories[0])
         if trajectories and job.with_poses:
             tracks.append(track_of(job, engine, case, settings, trajectories[0]))

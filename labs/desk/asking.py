@@ -99,7 +99,7 @@ def ask(
     for engine in (HANDWRITTEN, *engines):
         wanted = profile if engine == HANDWRITTEN else TUNED
         jobs += plan([family], [engine], [wanted], cases, implementation, changes, at=dict(at or {}))
-    jobs = snapped([replace(job, with_poses=True) for job in jobs])
+    jobs = snapped([replace(job, with_poses=True, with_curve=True) for job in jobs])
     known = [_recorded(job) for job in jobs] if recorded else []
     found = {result.job: result for result in known if result is not None}
     missing = [job for job in jobs if job not in found]

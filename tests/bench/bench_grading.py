@@ -6,9 +6,11 @@ the answer as an assert: the inputs that ours has to draw and the answers that i
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import json
 import re
+import shutil
 import sqlite3
 import sys
 import tempfile
@@ -114,12 +116,9 @@ def two_at_a_time() -> Callable[[], list[Run]]:
 
 def a_folder() -> Path:
     """An empty folder that is there as long as the process."""
-    folder = tempfile.TemporaryDirectory(prefix="bench-grading-")
-    _FOLDERS.append(folder)
-    return Path(folder.name)
-
-
-_FOLDERS: list[tempfile.TemporaryDirectory[str]] = []
+    made = tempfile.mkdtemp(prefix="bench-grading-")
+    atexit.register(shutil.rmtree, made, ignore_errors=True)
+    return Path(made)
 
 
 # The same tests, as others write them

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 
 from labs.benching import Bench
-from labs.building import lessons, notebooks
+from labs.building import notebooks
 from labs.desk import checking, hand
 from labs.grading.remote import Grader
 
@@ -36,16 +36,21 @@ def solved(topic: str) -> Callable[[], object]:
     return run
 
 
+CELLS = "every cell; after the first time its runs are in the cache"
 BENCHES = (
     Bench("check", "one function checked in a notebook, its process and its tests", check, goal=1.0, who="lab.check"),
-    *(
-        Bench(
-            f"notebook-{topic}",
-            f"the solved notebook of {topic}, every cell; after the first time its runs are in the cache",
-            partial(solved, topic),
-            goal=30.0,
-            who=f"{topic}.ipynb",
-        )
-        for topic in lessons.lessons()
+    Bench(
+        "notebook-detection",
+        f"the solved notebook, {CELLS}",
+        partial(solved, "detection"),
+        goal=30.0,
+        who="detection.ipynb",
+    ),
+    Bench(
+        "notebook-impulse",
+        f"the solved notebook, {CELLS}",
+        partial(solved, "impulse"),
+        goal=30.0,
+        who="impulse.ipynb",
     ),
 )

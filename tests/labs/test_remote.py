@@ -116,7 +116,7 @@ def test_an_error_is_told_with_its_line(body, error, words, of):
 
 
 def test_a_function_of_the_lecture_that_is_missing_says_where_it_belongs(of):
-    with of("").fresh() as call, pytest.raises(NeedsFunction, match=r"needs rebound_velocity \(impulse, step 4\)"):
+    with of("").fresh() as call, pytest.raises(NeedsFunction, match=r"needs rebound_velocity \(impulse, step 2\)"):
         call("rebound_velocity", -1.0, 0.5)
 
 

@@ -225,9 +225,11 @@ def test_a_job_says_what_ran_and_how_long():
     assert {row.verdict for row in result.rows} == {Verdict.PASS}
 
 
-def test_a_job_of_the_plotted_case_brings_the_curve_and_any_other_none():
+def test_a_job_of_the_plotted_case_brings_the_curve_and_any_other_where_it_is_asked_for():
     curve = DROPPED.curve
-    assert run_job(Job("dropped-ball", "handwritten", "tuned", ("e=1",))).series is None
+    other = Job("dropped-ball", "handwritten", "tuned", ("e=1",))
+    assert run_job(other).series is None
+    assert run_job(replace(other, with_curve=True)).series.values[-1] > 0.9  # it rises again to where it came from
     series = run_job(Job("dropped-ball", "handwritten", "tuned", (curve.case,))).series
     assert len(series.times) == len(series.values)
     assert 300 <= len(series.times) <= 1200  # enough for a smooth line, few enough for a page
