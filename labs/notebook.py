@@ -86,9 +86,13 @@ class Lab:
         cells = hand.executed_cells()
         if unseen := [name for name in names if name not in hand.defined_in(cells)]:
             print(f"No cell that defines {', '.join(unseen)} has been run since the kernel started.")
+        for name in [name for name in hand.vanished(cells) if name in (names or here)]:
+            print(f"{name} is not there any more: deleted, or its cell ended in an error. Checked is what was typed.")
         with Progress("checking"):
             report = checking.report(self._notebook(), self._begun(), names, self._tests())
         print(report)
+        if printing := [name for name in hand.printing(cells) if name in (names or here)]:
+            print(f"What {', '.join(printing)} prints is not shown here: call it in a cell of your own to see it.")
 
     @_spoken
     def predict(
@@ -120,7 +124,7 @@ class Lab:
         predicted: the key of a prediction to show beside. quantity: which numbers, all if none is named. profile: of
         your side, such as "slide" or "stock". Parameters of the scenario, such as restitution=0.37, instead of a case.
         """
-        from labs.desk import showing  # noqa: PLC0415
+        from labs.desk import showing, tables  # noqa: PLC0415
         from reference.scenarios import find  # noqa: PLC0415 - a check needs no catalogue
 
         prediction = self._prediction(predicted)
@@ -128,8 +132,7 @@ class Lab:
         for name in wanted:
             find(scenario)[0].quantity(name)
         asked = self._ask(scenario, engines, profile, timestep, parameters)
-        found = [showing.replay(asked), showing.curve(asked), *showing.tables(asked, wanted, prediction)]
-        _display(*(each for each in found if each is not None))
+        _display(*showing.pictures(asked), *tables.tables(asked, wanted, prediction))
 
     @_spoken
     def watch(
@@ -142,11 +145,11 @@ class Lab:
         **parameters: float,
     ) -> None:
         """Show the replay of a run alone."""
-        from labs.desk import showing  # noqa: PLC0415
+        from labs.desk import showing, tables  # noqa: PLC0415
 
         asked = self._ask(scenario, engines, profile, timestep, parameters)
         replay = showing.replay(asked)
-        _display(replay if replay is not None else showing.tables(asked, ())[-1])
+        _display(replay if replay is not None else tables.tables(asked, ())[-1])
 
     @_spoken
     def sweep(
@@ -155,6 +158,7 @@ class Lab:
         parameter: str,
         values: Sequence[float] = (),
         *,
+        predicted: str = "",
         quantity: str = "",
         engines: Sequence[str] | None = None,
         profile: str = "tuned",
@@ -162,7 +166,7 @@ class Lab:
         """Move one parameter of a scenario, or its timestep: a slider beside small pictures of every value."""
         from labs.desk import sweeping  # noqa: PLC0415
 
-        values = sweeping.values_of(scenario, parameter, values)
+        values, prediction = sweeping.values_of(scenario, parameter, values), self._prediction(predicted)
         with Progress("running", len(values)) as progress:
             asked: list[Asked] = []
             for value in values:
@@ -172,7 +176,8 @@ class Lab:
                     at, family = {parameter: value}, scenario.partition("/")[0]
                     asked.append(self._asked(family, engines, profile, None, at, recorded=True))
                 progress.done(len(asked), len(values), f"{parameter} {value:g}")
-        found = sweeping.Sweep(parameter, tuple(values), tuple(asked), quantity)
+        guess = prediction.with_unit if prediction else ""
+        found = sweeping.Sweep(parameter, tuple(values), tuple(asked), quantity, guess)
         _display(found.picture, found.table)
         sweeping.slide(found)
 
@@ -200,9 +205,9 @@ class Lab:
         from labs.desk import asking  # noqa: PLC0415 - loads the catalogue
 
         chosen = asking.ENGINES if engines is None else [engines] if isinstance(engines, str) else engines
-        source = self._hand().source
+        hand = self._hand()
         report = progress.done if progress else lambda done, of, label: None
-        return asking.ask(scenario, source, chosen, profile, timestep, at, report, recorded)
+        return asking.ask(scenario, hand.source, chosen, profile, timestep, at, report, recorded).told(hand.located)
 
     def _hand(self, cells: Sequence[str] | None = None) -> Hand:
         from labs.desk import hand  # noqa: PLC0415

@@ -17,11 +17,11 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, BinaryIO, ParamSpec, TypeVar
 
 from reference import checks
-from reference.errors import CollisionsError, RunFailed, WorkerCrashed, WorkerTimeout, one_line
+from reference.errors import CollisionsError, RunFailed, WorkerCrashed, WorkerTimeout, one_line, place_of
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -29,6 +29,7 @@ T = TypeVar("T")
 _THREAD_LIMITS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 _HEADER = 8  # bytes that hold a message's length
 _PARENT_INTERVAL = 1.0  # s between two looks at whether the parent still lives
+_GRACE = 1.0  # s that a worker past its limit has to say where it was, before it is killed
 
 _log = logging.getLogger(__name__)
 _workers: set[_Worker] = set()
@@ -138,7 +139,7 @@ class _Worker:
         return self._process.poll() is None
 
     def call(self, function: Callable[..., Any], arguments: Any, named: Any, timeout: float) -> Any:
-        message = pickle.dumps((function, arguments, named))
+        message = pickle.dumps((function, arguments, named, timeout))
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         expired = threading.Event()
@@ -147,7 +148,7 @@ class _Worker:
             expired.set()
             self.kill()
 
-        timer = threading.Timer(timeout, expire)
+        timer = threading.Timer(timeout + _GRACE, expire)
         timer.daemon = True
         timer.start()
         self.between_jobs = False
@@ -160,7 +161,7 @@ class _Worker:
             timer.cancel()
             timer.join()  # it fires before this line or never: an idle worker must not be killed
         if expired.is_set():
-            raise WorkerTimeout(f"no answer within {timeout:g} s; its process was stopped")
+            raise WorkerTimeout(_too_long(timeout))
         if answer is None and self.unwanted:
             raise WorkerCrashed("its process was stopped before it could answer")
         if answer is None:
@@ -216,6 +217,10 @@ def _read_exactly(stream: BinaryIO | Any, length: int) -> bytes:
     return data
 
 
+def _too_long(timeout: float) -> str:
+    return f"no answer within {timeout:g} s; its process was stopped"
+
+
 def _portable(error: Exception) -> CollisionsError:
     """Return an error that can be pickled and raised in the parent."""
     if isinstance(error, CollisionsError):
@@ -223,7 +228,29 @@ def _portable(error: Exception) -> CollisionsError:
             pickle.loads(pickle.dumps(error))
             return error
         return RunFailed(str(error))
-    return RunFailed(one_line(error))
+    return RunFailed(one_line(error) + place_of(error.__traceback__))
+
+
+class _OutOfTime(BaseException):
+    """Raised in a worker's Python code that has run for too long, wherever it is, past every `except Exception`."""
+
+
+@contextlib.contextmanager
+def _limited(seconds: float) -> Iterator[None]:
+    """Leave the block with `_OutOfTime` when the time is up; where the system has no such timer the parent kills."""
+    if not hasattr(signal, "setitimer"):
+        yield
+        return
+
+    def leave(*_: object) -> None:
+        raise _OutOfTime
+
+    signal.signal(signal.SIGALRM, leave)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
 
 
 def _serve() -> None:
@@ -239,8 +266,12 @@ def _serve() -> None:
         except EOFError:
             return
         try:
-            function, arguments, named = pickle.loads(message)
-            answer = pickle.dumps((True, function(*arguments, **named)))
+            function, arguments, named, timeout = pickle.loads(message)
+            with _limited(timeout):
+                value = function(*arguments, **named)
+            answer = pickle.dumps((True, value))
+        except _OutOfTime as error:
+            answer = pickle.dumps((False, WorkerTimeout(_too_long(timeout) + place_of(error.__traceback__))))
         except Exception as error:
             answer = pickle.dumps((False, _portable(error)))
         _write(answers, answer)

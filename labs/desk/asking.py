@@ -41,8 +41,10 @@ class Asked:
 
     @property
     def title(self) -> str:
-        """What was asked, as a heading."""
-        return f"{self.family.title}, {self.case.name}"
+        """What was asked, as a heading: the case, or the parameters that stand in its place."""
+        at = self.results[0].job.at
+        moved = ", ".join(f"{name}={value:g}" for name, value in at)
+        return f"{self.family.title}, {moved or self.case.name}"
 
     @property
     def section(self) -> Section:
@@ -60,9 +62,18 @@ class Asked:
         return next((result.job.snapped for result in self.results if result.job.snapped), "")
 
     @property
-    def poses(self) -> list[Poses]:
-        """What a replay shows: of every run that has poses."""
-        return [unpack(track, result.title, result.recording) for result in self.results for track in result.poses[:1]]
+    def poses(self) -> dict[str, Poses]:
+        """What a replay shows, by engine: of every run that has poses."""
+        shown = [(result, track) for result in self.results for track in result.poses[:1]]
+        return {result.job.engine: unpack(track, result.title, result.recording) for result, track in shown}
+
+    def told(self, words: Callable[[str], str]) -> Asked:
+        """The same with its notes in other words."""
+        results = (
+            replace(result, rows=tuple(replace(row, note=words(row.note)) for row in result.rows))
+            for result in self.results
+        )
+        return replace(self, results=tuple(results))
 
 
 def ask(

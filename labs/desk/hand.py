@@ -14,8 +14,8 @@ import json
 import re
 import shutil
 import tempfile
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
@@ -26,6 +26,8 @@ from labs.grading.submission import Submission, read
 from reference import lecture
 
 _UNWRITTEN = "NotImplementedError"
+_ABOVE = 1
+"""Lines that a written file has before the student's own."""
 _DEFINES = re.compile(r"^def (\w+)", re.MULTILINE)
 
 
@@ -35,7 +37,8 @@ class Hand:
 
     topic: of the lab. own: the functions of that lab that are written. earlier: of earlier labs, each with the notebook
     that it comes from. complaints: about these notebooks. given: the package that answers for the rest, empty where
-    there is none. source: all of it as an `Implementation` takes it.
+    there is none. source: all of it as an `Implementation` takes it. files: the files in it, by name, with the notebook
+    that each comes from, empty for the lab's own, and what was read there.
     """
 
     topic: str
@@ -44,6 +47,19 @@ class Hand:
     complaints: tuple[str, ...]
     given: str
     source: str
+    files: Mapping[str, tuple[str, Submission]] = field(default_factory=dict)
+
+    def located(self, text: str) -> str:
+        """A message with every `line 3 of FILE` in the words of the student's own cells."""
+
+        def cell(found: re.Match[str]) -> str:
+            line, file = found.groups()
+            if file not in self.files:
+                return found[0]
+            notebook, submission = self.files[file]
+            return f"{notebook}{', ' * bool(notebook)}{submission.where(int(line) - _ABOVE)}"
+
+        return re.sub(r"line (\d+) of (\S+\.py)", cell, text)
 
 
 def executed_cells() -> list[str]:
@@ -52,6 +68,24 @@ def executed_cells() -> list[str]:
 
     shell = get_ipython()
     return [] if shell is None else without_mended(shell.history_manager.input_hist_raw[1:])
+
+
+def vanished(cells: Sequence[str]) -> list[str]:
+    """Functions that cells define and the kernel has not: deleted since, or their cell ended in an error."""
+    from IPython import get_ipython  # noqa: PLC0415
+
+    shell = get_ipython()
+    return [] if shell is None else sorted(defined_in(cells) - shell.user_ns.keys())
+
+
+def printing(cells: Sequence[str]) -> list[str]:
+    """Functions whose last definition prints."""
+    found: dict[str, bool] = {}
+    for cell in cells:
+        if not _is_unreadable(cell):
+            functions = [node for node in ast.parse(without_magics(cell)).body if isinstance(node, ast.FunctionDef)]
+            found |= {node.name: "Name(id='print'" in ast.dump(node) for node in functions}
+    return [name for name, prints in found.items() if prints]
 
 
 def without_mended(cells: Sequence[str]) -> list[str]:
@@ -102,7 +136,8 @@ def in_hand(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> Hand:
     submission = read(notebook, names, also=lecture.FUNCTIONS)
     unwritten = _unwritten(submission)
     stubs = [name for name in names if name not in submission.functions]
-    files, complaints = [_file(topic, submission.text + _stubs(stubs))], list[str]()
+    own_file = _file(topic, submission.text + _stubs(stubs))
+    files, complaints = {own_file: ("", submission)}, list[str]()
     earlier: list[tuple[str, str]] = []
     for path in beside:
         try:
@@ -112,7 +147,7 @@ def in_hand(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> Hand:
             continue
         complaints += [f"{path.name}, {complaint}" for complaint in unread]
         if found is not None:
-            files.append(_file(path.stem, found.text))
+            files[_file(path.stem, found.text)] = (path.name, found)
             earlier += [(name, path.name) for name in found.functions]
     given = answers.place()
     own = tuple(name for name in names if name in submission.functions and name not in unwritten)
@@ -123,6 +158,7 @@ def in_hand(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> Hand:
         tuple(complaints),
         given,
         " | ".join([*map(str, files), *([given] if given else [])]),
+        {file.name: read_there for file, read_there in files.items()},
     )
 
 

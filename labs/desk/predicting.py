@@ -29,13 +29,19 @@ class Prediction:
         """The answer as it stands in a table."""
         return f"{self.answer:g}" if isinstance(self.answer, float) else str(self.answer)
 
+    @property
+    def with_unit(self) -> str:
+        """The answer as one says it; empty as long as it is open."""
+        unit = f" {self.unit}" if self.unit else ""
+        return "" if self.answer is None else f"{self.shown}{unit}"
+
     def __str__(self) -> str:
         if self.answer is None:
             options = (
                 f" ({' or '.join(map(repr, self.choices))})" if self.choices else f" ({self.unit})" * bool(self.unit)
             )
             return f"{self.question}{options}\nPut your guess in place of the dots and run the cell again."
-        return f"{self.question}\nYou predict {self.shown}{f' {self.unit}' if self.unit else ''}: kept for the run."
+        return f"{self.question}\nYou predict {self.with_unit}."
 
 
 def predicted(

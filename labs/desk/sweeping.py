@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from labs.desk.showing import DPI, Picture, Table, curve, tables
+from labs.desk.showing import DPI, Picture, curve, look
+from labs.desk.tables import Table, capital, tables
 from reference.errors import InvalidInput, UnknownName
 from reference.family import Quantity
 from reference.report import figures, numbers
@@ -20,9 +21,10 @@ if TYPE_CHECKING:
 TIMESTEP = "timestep"
 MOST = 8
 """Small pictures that still can be read."""
-_SMALL = (2.3, 1.9)
-"""Inches of one of them."""
-_COLUMNS = 4
+_LARGE, _SMALL, _ROWS = (3.6, 3.4), 1.75, 2
+"""Inches of the large picture, width of a small one, and how many of these stand one below the other."""
+_ALIKE = 10.0
+"""Times that the largest range of a curve may be the smallest one's, if all are to have the same scale."""
 _TIMESTEPS = (1e-3, 2e-3, 1 / 240, 1 / 120)
 """s, where nothing was recorded at others."""
 _SHORTEST = 1e-3
@@ -31,12 +33,16 @@ _SHORTEST = 1e-3
 
 @dataclass(frozen=True)
 class Sweep:
-    """Runs over the values of one parameter. quantity: what is measured, the family's first if empty."""
+    """Runs over the values of one parameter.
+
+    quantity: what is measured, the family's first if empty. predicted: what was expected of it, empty for nothing.
+    """
 
     parameter: str
     values: tuple[float, ...]
     asked: tuple[Asked, ...]
     quantity: str = ""
+    predicted: str = ""
 
     @property
     def measured(self) -> Quantity:
@@ -45,12 +51,20 @@ class Sweep:
         return family.quantity(self.quantity) if self.quantity else family.quantities[0]
 
     @property
-    def heading(self) -> str:
-        """The parameter with its unit."""
+    def unit(self) -> str:
+        """Of the parameter; empty for a mere number."""
         grid = self.asked[0].family.grid
         units = {each.name: each.unit for each in grid.parameters} if grid else {}
-        unit = "s" if self.parameter == TIMESTEP else units[self.parameter]
-        return f"{self.parameter}, {unit}" if unit else self.parameter
+        return "ms" if self.parameter == TIMESTEP else units[self.parameter]
+
+    def shown(self, value: float) -> float:
+        """A value of the parameter in that unit."""
+        return 1000 * value if self.parameter == TIMESTEP else value
+
+    @property
+    def heading(self) -> str:
+        """The parameter with its unit."""
+        return f"{self.parameter}, {self.unit}" if self.unit else self.parameter
 
     @property
     def titles(self) -> dict[str, str]:
@@ -79,14 +93,15 @@ class Sweep:
     def table(self) -> Table:
         """Every implementation's numbers, one row a value."""
         columns, theory = [self.numbers(engine) for engine in self.titles], self.theory()
-        rows = [
-            (numbers.digits(value, 3), *(_digits(column[place][1]) for column in columns), _digits(theory.get(value)))
-            for place, value in enumerate(self.values)
-        ]
+        rows = []
+        for place, value in enumerate(self.values):
+            found = [column[place][1] for column in columns]
+            rows.append((numbers.digits(self.shown(value), 3), *map(_digits, (*found, theory.get(value)))))
         unit = f", {self.measured.unit}" if self.measured.unit else ""
-        title = f"{self.measured.title}{unit}, by {self.parameter}"
+        title = f"{capital(self.measured.title)}{unit}, by {self.parameter}"
         lines = list(self._lines())
-        notes = [f"{line.result.title}: {line.note}" for line in lines if line.note]
+        notes = [f"You predicted {self.predicted}."] * bool(self.predicted)
+        notes += [f"{line.result.title}: {line.note}" for line in lines if line.note]
         recorded = dict.fromkeys(line.result.title for line in lines if line.result.recording)
         notes += [f"{', '.join(recorded)}: recorded earlier, which is quicker than a run."] * bool(recorded)
         notes += [asked.snapped for asked in self.asked]
@@ -98,34 +113,28 @@ class Sweep:
 
     @property
     def picture(self) -> Picture:
-        """A small picture for each value, and one of what was measured over all of them."""
+        """What was measured over all values, and beside it a small picture of the curve for each."""
         import matplotlib
         from matplotlib.figure import Figure
 
         shown = [(value, asked) for value, asked in zip(self.values, self.asked, strict=True) if _has_curve(asked)]
-        count = len(shown) + 1
-        columns, rows = min(count, _COLUMNS), -(-count // _COLUMNS)
-        with matplotlib.rc_context(figures.STYLE | {"font.size": 8, "axes.titlesize": 8}):
-            size = (_SMALL[0] * columns, _SMALL[1] * rows + 0.4)
-            figure = Figure(figsize=size, layout="constrained", dpi=DPI)
-            places = figure.subplots(rows, columns, squeeze=False).flat
-            for axes, (value, asked) in zip(places, shown, strict=False):
-                _draw(axes, asked, self.titles)
-                axes.set_title(f"{self.parameter} {value:g}")
-            _draw_measured(places[count - 1], self)
-            for axes in list(places)[count:]:
-                axes.set_axis_off()
-            handles = {line.get_label(): line for axes in figure.axes for line in axes.lines}
-            figure.legend(
-                list(handles.values()),
-                [str(each) for each in handles],
-                loc="outside lower left",
-                ncols=4,
-                handlelength=3,
-            )
+        columns = -(-len(shown) // _ROWS)
+        with matplotlib.rc_context(figures.STYLE | {"font.size": 8, "axes.titlesize": 9}):
+            figure = Figure(figsize=(_LARGE[0] + _SMALL * columns, _LARGE[1]), layout="constrained", dpi=DPI)
+            shares = [_LARGE[0], max(_SMALL * columns, 1e-3)]
+            large, small = figure.subfigures(1, 2, width_ratios=shares, squeeze=False)[0]
+            axes = large.subplots()
+            _draw_measured(axes, self)
+            if shown:
+                _draw_curves(small, shown, self)
+            large.legend(loc="outside lower left", ncols=4, handlelength=2, columnspacing=1, fontsize=8)
             content = io.BytesIO()
             figure.savefig(content, format="png")
         return Picture(content.getvalue(), f"[{self.measured.title} over {self.parameter}]")
+
+    def value(self, value: float) -> str:
+        """The parameter at a value, with its unit: `arm 0.1 m`, `timestep 2 ms`."""
+        return " ".join(part for part in (self.parameter, numbers.digits(self.shown(value), 3), self.unit) if part)
 
 
 def values_of(scenario: str, parameter: str, values: Sequence[float] | float = ()) -> list[float]:
@@ -171,7 +180,7 @@ def slide(sweep: Sweep) -> None:
         shown: list[Any] = [curve(asked), tables(asked, [sweep.measured.name])[0]]
         display(*(each for each in shown if each is not None))  # type: ignore[no-untyped-call]
 
-    options = [(numbers.digits(value, 3), value) for value in sweep.values]
+    options = [(sweep.value(value).removeprefix(f"{sweep.parameter} "), value) for value in sweep.values]
     slider = ipywidgets.SelectionSlider(options=options, description=sweep.parameter, continuous_update=False)
     ipywidgets.interact(show, value=slider)
 
@@ -187,26 +196,43 @@ def _has_curve(asked: Asked) -> bool:
     return any(line.result.series is not None for line in asked.lines)
 
 
-def _draw(axes: Any, asked: Asked, titles: Mapping[str, str]) -> None:
-    for line in asked.lines:
-        series = line.result.series
-        if series is not None:
-            label = titles[line.result.job.engine]
-            axes.plot(series.times, series.values, label=label, **figures.line_style(line))
+def _draw_curves(figure: Any, shown: Sequence[tuple[float, Asked]], sweep: Sweep) -> None:
+    columns = -(-len(shown) // _ROWS)
+    places = figure.subplots(_ROWS, columns, squeeze=False, sharex=True, sharey=_are_alike(shown))
+    for axes, (value, asked) in zip(places.flat, shown, strict=False):
+        for line in asked.lines:
+            if line.result.series is not None:
+                axes.plot(line.result.series.times, line.result.series.values, **look(line))
+        axes.set_title(sweep.value(value))
+    for axes in places.flat[len(shown) :]:
+        axes.set_axis_off()
+    for place in range(columns):  # the lowest of each column that is there
+        lowest = places[-1 if columns * (_ROWS - 1) + place < len(shown) else 0, place]
+        lowest.set_xlabel("time, s")
+        lowest.tick_params(labelbottom=True)
+    figure.suptitle(sweep.asked[0].family.curve.y_label, x=0.01, horizontalalignment="left", fontsize=9)
+
+
+def _are_alike(shown: Sequence[tuple[float, Asked]]) -> bool:
+    """Whether all curves can be read on one scale."""
+    series = [[line.result.series for line in asked.lines if line.result.series] for _, asked in shown]
+    ranges = [max(max(each.values) for each in one) - min(min(each.values) for each in one) for one in series]
+    return max(ranges) <= _ALIKE * min(ranges)
 
 
 def _draw_measured(axes: Any, sweep: Sweep) -> None:
     looks = {line.result.job.engine: line for asked in sweep.asked for line in asked.lines}
+    theory = sweep.theory()
     for engine, title in sweep.titles.items():
         found = [(value, measured) for value, measured, _ in sweep.numbers(engine) if measured is not None]
-        look = {**figures.marker(looks[engine]), **figures.line_style(looks[engine], thin=True)}
-        axes.plot([value for value, _ in found], [measured for _, measured in found], label=title, **look)
-    theory = sweep.theory()
-    axes.plot(list(theory), list(theory.values()), color="#999999", linestyle=":", label="theory")
+        style = {**figures.marker(looks[engine]), **look(looks[engine])}
+        axes.plot([sweep.shown(value) for value, _ in found], [measured for _, measured in found], label=title, **style)
+    places = [sweep.shown(value) for value in theory]
+    axes.plot(places, list(theory.values()), color="#999999", linestyle=":", label="theory")
     unit = f", {sweep.measured.unit}" if sweep.measured.unit else ""
-    axes.set(title=f"{sweep.measured.title}{unit}", xlabel=sweep.heading)
-    axes.locator_params(axis="x", nbins=4)
+    axes.set(title=f"{capital(sweep.measured.title)}{unit}", xlabel=sweep.heading)
+    axes.locator_params(axis="x", nbins=6)
 
 
 def _digits(value: float | None) -> str:
-    return "none" if value is None else numbers.digits(value, 5)
+    return "none" if value is None else numbers.quantity(value, "")

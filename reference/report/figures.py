@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from reference.compare import TUNED
 from reference.report import numbers
 from reference.report.summary import Line, Section
 
@@ -141,11 +142,11 @@ def marker(line: Line) -> dict[str, Any]:
     return style if line.tuned else style | {"markerfacecolor": "white"}
 
 
-def line_style(line: Line, thin: bool = False) -> dict[str, Any]:
+def line_style(line: Line, thin: bool = False, as_tuned: bool = False) -> dict[str, Any]:
     """The engine's colour and the profile's dashes; tuned curves are wide, so that those that coincide all show."""
-    engine, profile = line.result.job.engine, line.result.job.profile
+    engine, profile = line.result.job.engine, TUNED if as_tuned else line.result.job.profile
     style = {"color": COLOURS.get(engine, "#cc79a7"), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
-    if thin or not line.tuned:
+    if thin or profile != TUNED:
         return style | {"linewidth": 1.3}
     width, opacity = _STROKES.get(engine, (1.5, 1.0))
     return style | {"linewidth": width, "alpha": opacity}

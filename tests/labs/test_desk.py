@@ -11,7 +11,7 @@ import pytest
 
 import labs
 from labs import notebook
-from labs.desk import asking, hand, showing, sweeping
+from labs.desk import asking, hand, sweeping, tables
 from reference.errors import InvalidInput, UnknownName
 from reference.implementation import Implementation
 
@@ -101,8 +101,8 @@ def test_given_functions_are_not_checked_and_unknown_ones_are_named(lab, capsys)
     ("answer", "named", "words"),
     [
         (..., {"unit": "m"}, "Put your guess in place of the dots"),
-        (0.5, {"unit": "m"}, "You predict 0.5 m: kept"),
-        ("up", {"choices": ("up", "down")}, "You predict up: kept"),
+        (0.5, {"unit": "m"}, "You predict 0.5 m."),
+        ("up", {"choices": ("up", "down")}, "You predict up."),
         ("left", {"choices": ("up", "down")}, "'left' is none of the choices: 'up', 'down'"),
         (np.array(0.4), {}, "You predict 0.4"),
         (float("nan"), {}, "nan is no number"),
@@ -118,14 +118,16 @@ def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, capsy
     cells += right_cells()
     lab.predict("high", "How high?", 0.3)
     lab.run("dropped-ball/e=0.5", predicted="high", quantity="rebound")
-    replay, curve, table = lab.shown
+    pictures, table = lab.shown
     assert "yours" in str(table)
     assert ["you predicted", "0.3", "+20 %"] in [list(row[:3]) for row in table.rows]
     assert [row[-1] for row in table.rows if row[0] in ("yours", "PyBullet")] == ["1 ms", "1 ms"]
     assert [row[1] for row in table.rows if row[0] in ("yours", "theory")] == ["0.25", "0.25"]
-    assert curve.png.startswith(b"\x89PNG")
-    assert "<iframe" in replay.markup
-    assert "yours" in replay.text
+    shown = pictures._repr_mimebundle_()
+    assert shown["image/png"].startswith(b"\x89PNG")
+    assert "<iframe" in shown["text/html"]
+    assert "[replay: yours, PyBullet, MuJoCo]" in shown["text/plain"]
+    assert "[gap below the ball, m over time: yours, PyBullet, MuJoCo]" in shown["text/plain"]
 
 
 def test_a_run_before_anything_is_written_says_what_it_needs(lab):
@@ -133,17 +135,50 @@ def test_a_run_before_anything_is_written_says_what_it_needs(lab):
     assert "yours: needs signed_distance (detection, step 1)" in str(lab.shown[-1])
 
 
-def test_a_crash_in_a_function_is_a_line_in_the_table(lab, cells):
+def test_a_crash_in_a_function_is_a_line_that_names_error_cell_and_function(lab, cells):
     cells += [*right_cells(), "def signed_distance(point, normal, offset):\n    return 1 / 0"]
     lab.run("dropped-ball/e=0.5", quantity="rebound")
-    assert "ZeroDivisionError" in str(lab.shown[-1])
+    where = "at code cell 3, line 2, in signed_distance"
+    assert f"yours: crashed: ZeroDivisionError: division by zero, {where}" in str(lab.shown[-1])
 
 
-def test_an_endless_loop_in_a_run_is_stopped_and_said(lab, cells, monkeypatch):
-    monkeypatch.setattr(asking, "TIME_LIMIT", 10.0)
-    cells += [*right_cells(), "def signed_distance(point, normal, offset):\n    while True:\n        pass"]
+def test_a_crash_in_an_earlier_notebook_names_that(lab, cells, tmp_path):
+    write_notebook(tmp_path / "detection.ipynb", "1", "def signed_distance(point, normal, offset):\n    return 1 / 0")
+    lab.topic = "response"
     lab.run("dropped-ball/e=0.5", quantity="rebound", engines=())
-    assert "10 s" in str(lab.shown[-1])
+    assert "division by zero, at detection.ipynb, code cell 2, line 2, in signed_distance" in str(lab.shown[-1])
+
+
+def test_an_endless_loop_in_a_run_is_stopped_and_its_place_said(lab, cells, monkeypatch):
+    monkeypatch.setattr(asking, "TIME_LIMIT", 10.0)
+    cells += [*right_cells(), "def signed_distance(point, normal, offset):\n    while True:\n        point = point"]
+    lab.run("dropped-ball/e=0.5", quantity="rebound", engines=())
+    told = "no answer within 10 s; its process was stopped, at code cell 3, line "
+    assert told in str(lab.shown[-1])
+    assert "in signed_distance" in str(lab.shown[-1])
+
+
+def test_every_implementation_has_the_same_colours_in_replay_and_curve_whoever_is_missing(lab):
+    lab.run("dropped-ball/e=0.5", quantity="rebound")
+    page = lab.shown[0]._repr_mimebundle_()["text/html"]
+    assert "&quot;title&quot;:&quot;PyBullet&quot;,&quot;tag&quot;:&quot;P&quot;,&quot;look&quot;:1," in page
+    assert "&quot;title&quot;:&quot;MuJoCo&quot;,&quot;tag&quot;:&quot;M&quot;,&quot;look&quot;:2," in page
+
+
+def test_what_is_rounding_is_zero_and_a_column_without_content_is_left_out(lab, cells):
+    lab.topic = "impulse"
+    lab.run("two-balls/e=1,m=1,b=0.5", quantity="corner", engines=("pybullet",))
+    table = lab.shown[-1]
+    assert table.title.startswith("v·w ÷ v₀²")
+    assert [row[1] for row in table.rows if row[0] in ("PyBullet", "theory")] == ["0", "0"]
+    lab.run("cradle/5 touching", quantity="first", engines=("pybullet",))
+    assert "off by" not in lab.shown[-1].headings
+    assert "· theory has no number" in str(lab.shown[-1])
+
+
+def test_parameters_that_stand_for_a_case_are_what_the_result_is_called(lab):
+    lab.run("dropped-ball", restitution=0.37, quantity="rebound", engines=("pybullet",))
+    assert lab.shown[-1].title == "First rebound ÷ drop height (Dropped ball: bounce heights, restitution=0.37)"
 
 
 @pytest.mark.parametrize(
@@ -168,8 +203,10 @@ def test_a_sweep_shows_every_value_small_and_a_table_of_all(lab, cells, monkeypa
     slid = []
     monkeypatch.setattr(sweeping, "slide", slid.append)
     cells += right_cells()
-    lab.sweep("dropped-ball", "restitution", (0.2, 0.5), quantity="rebound")
+    lab.predict("more", "?", answer="up", choices=("up", "down"))
+    lab.sweep("dropped-ball", "restitution", (0.2, 0.5), predicted="more", quantity="rebound")
     picture, table = lab.shown
+    assert "You predicted up." in table.notes
     assert [row[0] for row in table.rows] == ["0.2", "0.5"]
     assert [row[-1] for row in table.rows] == ["0.04", "0.25"]
     assert table.headings[1] == "yours"
@@ -184,6 +221,24 @@ def test_a_sweep_takes_recorded_values_where_none_are_given():
         sweeping.values_of("dropped-ball", "mass")
     with pytest.raises(InvalidInput, match="at most 8"):
         sweeping.values_of("dropped-ball", "timestep", [0.1] * 9)
+
+
+def test_a_timestep_is_swept_in_milliseconds(lab, monkeypatch):
+    slid = []
+    monkeypatch.setattr(sweeping, "slide", slid.append)
+    lab.sweep("dropped-ball/e=0.5", "timestep", (1 / 480, 0.01), engines=("pybullet",))
+    table = lab.shown[-1]
+    assert table.headings[0] == "timestep, ms"
+    assert [row[0] for row in table.rows] == ["2.08", "10"]
+    assert [slid[0].value(value) for value in slid[0].values] == ["timestep 2.08 ms", "timestep 10 ms"]
+
+
+@pytest.mark.parametrize("count", range(1, 9))
+def test_a_sweep_of_any_length_has_its_picture(lab, count):
+    values = tuple(0.1 * place for place in range(1, count + 1))
+    lab.sweep("dropped-ball", "restitution", values, engines=("pybullet",))
+    assert lab.shown[0].png.startswith(b"\x89PNG")
+    assert len(lab.shown[1].rows) == count
 
 
 def write_notebook(path, *sources):
@@ -221,7 +276,7 @@ def test_a_notebook_stands_for_an_implementation_on_the_command_line(tmp_path):
 
 
 def test_markup_of_a_table_is_escaped():
-    table = showing.Table("<b>", ("", "<i>"), (("<script>", "1"),), ("<note>",))
+    table = tables.Table("<b>", ("", "<i>"), (("<script>", "1"),), ("<note>",))
     markup = table._repr_mimebundle_()["text/html"]
     assert "<script>" not in markup
     assert "&lt;script&gt;" in markup
@@ -257,6 +312,30 @@ def test_a_mistake_that_was_mended_is_not_told_again(lab, cells, capsys):
 
 def test_a_function_whose_cell_was_not_run_since_the_start_is_said_to_be_so(lab, capsys):
     assert "No cell that defines is_colliding has been run" in said(capsys, lab.check, "is_colliding")
+
+
+class Shell:
+    """A kernel that has run cells. user_ns: what they left behind."""
+
+    def __init__(self, **user_ns):
+        self.user_ns = user_ns
+
+
+def test_a_function_that_is_not_there_any_more_is_named(lab, cells, capsys, monkeypatch):
+    cells += right_cells()
+    monkeypatch.setattr("IPython.get_ipython", lambda: Shell(signed_distance=1))
+    told = said(capsys, lab.check, "is_colliding")
+    assert "is_colliding is not there any more: deleted, or its cell ended in an error." in told
+    assert "not there any more" not in said(capsys, lab.check, "signed_distance")
+
+
+def test_of_a_function_that_prints_it_is_said_where_to_see_it(lab, cells, capsys):
+    printing = "def is_colliding(separation, tolerance=0.0):\n    print(separation)\n    return separation < -tolerance"
+    cells += [*right_cells(), printing]
+    assert "What is_colliding prints is not shown here" in said(capsys, lab.check)
+    assert "What is_colliding prints" not in said(capsys, lab.check, "signed_distance")
+    cells += [printing.replace("print(separation)", "pass")]
+    assert "prints" not in said(capsys, lab.check)
 
 
 def test_an_interrupt_is_a_line(lab, monkeypatch, capsys):

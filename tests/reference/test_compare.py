@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -288,9 +289,10 @@ def test_a_run_that_fails_gives_one_row_that_says_why(error):
     ],
     ids=str,
 )
-def test_an_error_that_nobody_foresaw_is_a_crash_of_its_case_with_type_and_message(error, note):
+def test_an_error_that_nobody_foresaw_is_a_crash_of_its_case_with_type_message_and_place(error, note):
     (row,) = compare(family(lambda *_: BIASED), Still(error))
-    assert (row.case, row.verdict, row.note, row.measured) == ("only", Verdict.CRASHED, note, None)
+    assert (row.case, row.verdict, row.measured) == ("only", Verdict.CRASHED, None)
+    assert re.fullmatch(rf"{re.escape(note)}, at line \d+ of test_compare\.py, in \w+", row.note)
 
 
 def test_an_engine_that_cannot_name_its_method_crashed():
@@ -299,7 +301,8 @@ def test_an_engine_that_cannot_name_its_method_crashed():
             raise AttributeError("kind")
 
     (row,) = compare(family(lambda *_: BIASED), Nameless())
-    assert (row.verdict, row.note) == (Verdict.CRASHED, "AttributeError: kind")
+    assert row.verdict is Verdict.CRASHED
+    assert re.fullmatch(r"AttributeError: kind, at line \d+ of test_compare\.py, in method", row.note)
 
 
 @pytest.mark.parametrize("expect", [None, lambda *_: Expectation(1.0, 1e-12, "")])
@@ -311,7 +314,7 @@ def test_a_measurement_that_nobody_foresaw_to_fail_is_a_crash_and_the_other_quan
     entry = replace(entry, quantities=(replace(entry.quantities[0], name="stop", measure=broken), *entry.quantities))
     stop, found = compare(entry)
     assert (stop.quantity, stop.verdict, stop.measured) == ("stop", Verdict.CRASHED, None)
-    assert stop.note == "IndexError: out of the sky"
+    assert re.fullmatch(r"IndexError: out of the sky, at line \d+ of test_compare\.py, in broken", stop.note)
     assert (found.verdict, found.measured) == (Verdict.PASS if expect else Verdict.SHOWN, 1.0)
 
 

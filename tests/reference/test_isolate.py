@@ -359,3 +359,22 @@ def test_the_log_says_when_a_worker_starts_and_why_one_was_lost(caplog):
         ("WARNING", f"worker {third} died while it was idle"),
         ("INFO", f"worker {fourth} started"),
     ]
+
+
+def test_a_job_past_its_limit_says_where_in_hand_written_code_it_was(tmp_path):
+    path = tmp_path / "slow.py"
+    path.write_text(
+        "def forever():\n    try:\n        while True:\n            pass\n    except Exception:\n        pass\n"
+    )
+    code = f"exec(compile(open({str(path)!r}).read(), {str(path)!r}, 'exec'), names := {{}}) or names['forever']()"
+    told = r"no answer within 0\.5 s; its process was stopped, at line [34] of slow\.py, in forever"
+    with pytest.raises(WorkerTimeout, match=told):
+        work(code, timeout=0.5)
+    assert work("1 + 1") == 2
+
+
+def test_a_job_that_cannot_be_stopped_from_within_is_stopped_all_the_same():
+    block = "(s := __import__('signal')).pthread_sigmask(s.SIG_BLOCK, {s.SIGALRM}) or __import__('time').sleep(600)"
+    with pytest.raises(WorkerTimeout, match=r"no answer within 0\.3 s; its process was stopped"):
+        work(block, timeout=0.3)
+    assert work("1 + 1") == 2

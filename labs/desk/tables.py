@@ -1,0 +1,137 @@
+"""The numbers of a run beside theory and the prediction, as a table in a notebook and as plain text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+from labs.desk.predicting import Prediction
+from reference.compare import Row, Verdict
+from reference.family import Quantity
+from reference.report import numbers
+from reference.report.summary import MARKS, Line, error_of
+
+if TYPE_CHECKING:
+    from labs.desk.asking import Asked
+
+_MEANINGS = {
+    Verdict.PASS: "within the tolerance of theory",
+    Verdict.KNOWN_DEVIATION: "off by what the method is known to do",
+    Verdict.FAIL: "farther off than it should be",
+    Verdict.SHOWN: "theory has no number",
+}
+"""What stands below a table; an implementation without a number says why itself."""
+_STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums"
+_CELL = "padding:2px 12px 2px 0;text-align:{};border:0;background:none"
+
+
+@dataclass(frozen=True)
+class Table:
+    """Numbers of one case. headings: of the columns, the first to the left. rows: as many texts. notes: lines below."""
+
+    title: str
+    headings: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    notes: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        every = [self.headings, *self.rows]
+        widths = [max(len(row[place]) for row in every) for place in range(len(self.headings))]
+        lines = [
+            "  ".join(text.ljust(width) if place == 0 else text.rjust(width) for place, (text, width) in found).rstrip()
+            for found in (enumerate(zip(row, widths, strict=True)) for row in every)
+        ]
+        return "\n".join([self.title, *lines, *self.notes])
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        return {"text/plain": str(self), "text/html": "".join(self._markup())}
+
+    def _markup(self) -> Iterator[str]:
+        yield f'<div><b>{escape(self.title)}</b><table style="{_STYLE}">'
+        for kind, row in [("th", self.headings), *(("td", row) for row in self.rows)]:
+            cells = (
+                f'<{kind} style="{_CELL.format("left" if place == 0 else "right")}">{escape(text)}</{kind}>'
+                for place, text in enumerate(row)
+            )
+            yield f"<tr>{''.join(cells)}</tr>"
+        yield "</table>"
+        yield "".join(f"<div>{escape(note)}</div>" for note in self.notes)
+        yield "</div>"
+
+
+def tables(asked: Asked, quantities: Sequence[str], prediction: Prediction | None = None) -> list[Table]:
+    """One table a quantity: who, what came, how far from theory. The first has the prediction, the last the notes."""
+    wanted = [asked.family.quantity(name) for name in quantities] or list(asked.family.quantities)
+    found = [_table(asked, quantity, prediction if place == 0 else None) for place, quantity in enumerate(wanted)]
+    notes = _notes(asked, [quantity.name for quantity in wanted])
+    return [*found[:-1], replace(found[-1], notes=(*found[-1].notes, *notes))]
+
+
+def who(line: Line) -> str:
+    """`yours`, `PyBullet`; the profile only where it says something."""
+    return line.result.title if line.tuned else line.title
+
+
+def capital(text: str) -> str:
+    """A title with a capital letter; a symbol stays as it is."""
+    return text[:1].upper() + text[1:] if text[1:2].isalpha() else text
+
+
+def _table(asked: Asked, quantity: Quantity, prediction: Prediction | None) -> Table:
+    rows = [(line, row) for line in asked.lines if (row := _row(line, quantity.name))]
+    theory = next((row.expected for _, row in rows if row.expected is not None), None)
+    cells = [_cells(line, row) for line, row in rows]
+    if prediction is not None and prediction.answer is not None:
+        cells.insert(0, ("you predicted", prediction.shown, _off(prediction, theory), "", ""))
+    if theory is not None:
+        cells.append(("theory", _value(theory), "", "", ""))
+    unit = f", {quantity.unit}" if quantity.unit else ""
+    headings = ("", f"value{unit}", "off by", "", "timestep")
+    used = [place for place in range(len(headings)) if place < 2 or any(row[place] for row in cells)]
+    missing = tuple(f"{who(line)}: {line.note}" for line in asked.lines if not _row(line, quantity.name))
+    title = f"{capital(quantity.title)} ({asked.title})"
+    return Table(
+        title,
+        tuple(headings[place] for place in used),
+        tuple(tuple(row[place] for place in used) for row in cells),
+        missing,
+    )
+
+
+def _row(line: Line, quantity: str) -> Row | None:
+    return next((row for row in line.result.rows if row.quantity == quantity), None)
+
+
+def _cells(line: Line, row: Row) -> tuple[str, ...]:
+    value = _value(row.measured) if row.measured is not None else "none"
+    timestep = f"{1000 * float(row.settings.split()[1]):.3g} ms"  # of `timestep 0.001 s, …`
+    return who(line), value, error_of(row) if row.error is not None else "", MARKS[row.verdict], timestep
+
+
+def _off(prediction: Prediction, theory: float | None) -> str:
+    """How far a guess is from theory, in percent where theory is not zero."""
+    if theory is None or not isinstance(prediction.answer, float):
+        return ""
+    off = prediction.answer - theory
+    return f"{off / abs(theory):+.0%}".replace("-", "−").replace("%", " %") if theory else numbers.deviation(off, "")
+
+
+def _value(value: float) -> str:
+    """Five digits, and zero for what is rounding and nothing else."""
+    return numbers.quantity(value, "")
+
+
+def _notes(asked: Asked, quantities: Sequence[str]) -> Iterator[str]:
+    """What the marks mean, why something deviates, and what was recorded elsewhere."""
+    rows = [(line, row) for line in asked.lines for row in line.result.rows if row.quantity in quantities]
+    verdicts = dict.fromkeys(row.verdict for _, row in rows if row.verdict in _MEANINGS)
+    if verdicts:
+        yield f"({'; '.join(f'{MARKS[verdict]} {_MEANINGS[verdict]}' for verdict in verdicts)})"
+    for note in dict.fromkeys(row.note for _, row in rows if row.note):
+        names = dict.fromkeys(who(line) for line, row in rows if row.note == note)
+        yield f"{' and '.join(names)}: {note}"
+    yield from (line.result.recording for line in asked.lines if line.result.recording)
+    if asked.snapped:
+        yield asked.snapped
