@@ -132,7 +132,7 @@ class Lab:
         for name in wanted:
             find(scenario)[0].quantity(name)
         asked = self._ask(scenario, engines, profile, timestep, parameters)
-        _display(*showing.pictures(asked), *tables.tables(asked, wanted, prediction))
+        _display(*showing.pictures(asked), tables.tables(asked, wanted, prediction))
 
     @_spoken
     def watch(
@@ -149,7 +149,7 @@ class Lab:
 
         asked = self._ask(scenario, engines, profile, timestep, parameters)
         replay = showing.replay(asked)
-        _display(replay if replay is not None else tables.tables(asked, ())[-1])
+        _display(replay if replay is not None else tables.tables(asked, ()))
 
     @_spoken
     def sweep(

@@ -177,7 +177,7 @@ def slide(sweep: Sweep) -> None:
 
     def show(value: float) -> None:
         asked = sweep.asked[sweep.values.index(value)]
-        shown: list[Any] = [curve(asked), tables(asked, [sweep.measured.name])[0]]
+        shown: list[Any] = [curve(asked), tables(asked, [sweep.measured.name])]
         display(*(each for each in shown if each is not None))  # type: ignore[no-untyped-call]
 
     options = [(sweep.value(value).removeprefix(f"{sweep.parameter} "), value) for value in sweep.values]
@@ -204,13 +204,11 @@ def _draw_curves(figure: Any, shown: Sequence[tuple[float, Asked]], sweep: Sweep
             if line.result.series is not None:
                 axes.plot(line.result.series.times, line.result.series.values, **look(line))
         axes.set_title(sweep.value(value))
+        axes.tick_params(labelbottom=True)
     for axes in places.flat[len(shown) :]:
         axes.set_axis_off()
-    for place in range(columns):  # the lowest of each column that is there
-        lowest = places[-1 if columns * (_ROWS - 1) + place < len(shown) else 0, place]
-        lowest.set_xlabel("time, s")
-        lowest.tick_params(labelbottom=True)
     figure.suptitle(sweep.asked[0].family.curve.y_label, x=0.01, horizontalalignment="left", fontsize=9)
+    figure.supxlabel("time, s", fontsize=8)
 
 
 def _are_alike(shown: Sequence[tuple[float, Asked]]) -> bool:

@@ -46,9 +46,10 @@ class Table:
         return "\n".join([self.title, *lines, *self.notes])
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
-        return {"text/plain": str(self), "text/html": "".join(self._markup())}
+        return {"text/plain": str(self), "text/html": "".join(self.markup())}
 
-    def _markup(self) -> Iterator[str]:
+    def markup(self) -> Iterator[str]:
+        """The same as a piece of a page."""
         yield f'<div><b>{escape(self.title)}</b><table style="{_STYLE}">'
         for kind, row in [("th", self.headings), *(("td", row) for row in self.rows)]:
             cells = (
@@ -57,16 +58,39 @@ class Table:
             )
             yield f"<tr>{''.join(cells)}</tr>"
         yield "</table>"
-        yield "".join(f"<div>{escape(note)}</div>" for note in self.notes)
+        yield from _lines(self.notes)
         yield "</div>"
 
 
-def tables(asked: Asked, quantities: Sequence[str], prediction: Prediction | None = None) -> list[Table]:
-    """One table a quantity: who, what came, how far from theory. The first has the prediction, the last the notes."""
+def _lines(notes: Sequence[str]) -> Iterator[str]:
+    return (f"<div>{escape(note)}</div>" for note in notes)
+
+
+@dataclass(frozen=True)
+class Tables:
+    """Tables side by side, as far as there is room. title, notes: of all of them."""
+
+    title: str
+    tables: tuple[Table, ...]
+    notes: tuple[str, ...]
+
+    def __str__(self) -> str:
+        return "\n".join([self.title, *map(str, self.tables), *self.notes])
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        markup = "".join("".join(table.markup()) for table in self.tables)
+        row = f'<div style="display:flex;flex-wrap:wrap;gap:8px 40px">{markup}</div>'
+        return {"text/plain": str(self), "text/html": "".join([*_lines([self.title]), row, *_lines(self.notes)])}
+
+
+def tables(asked: Asked, quantities: Sequence[str], prediction: Prediction | None = None) -> Table | Tables:
+    """One table a quantity: who, what came, how far from theory; the first of them with the prediction."""
     wanted = [asked.family.quantity(name) for name in quantities] or list(asked.family.quantities)
     found = [_table(asked, quantity, prediction if place == 0 else None) for place, quantity in enumerate(wanted)]
-    notes = _notes(asked, [quantity.name for quantity in wanted])
-    return [*found[:-1], replace(found[-1], notes=(*found[-1].notes, *notes))]
+    notes = tuple(_notes(asked, [quantity.name for quantity in wanted]))
+    if len(found) > 1:
+        return Tables(asked.title, tuple(found), notes)
+    return replace(found[0], title=f"{found[0].title} ({asked.title})", notes=notes)
 
 
 def who(line: Line) -> str:
@@ -90,13 +114,10 @@ def _table(asked: Asked, quantity: Quantity, prediction: Prediction | None) -> T
     unit = f", {quantity.unit}" if quantity.unit else ""
     headings = ("", f"value{unit}", "off by", "", "timestep")
     used = [place for place in range(len(headings)) if place < 2 or any(row[place] for row in cells)]
-    missing = tuple(f"{who(line)}: {line.note}" for line in asked.lines if not _row(line, quantity.name))
-    title = f"{capital(quantity.title)} ({asked.title})"
     return Table(
-        title,
+        capital(quantity.title),
         tuple(headings[place] for place in used),
         tuple(tuple(row[place] for place in used) for row in cells),
-        missing,
     )
 
 
@@ -124,7 +145,10 @@ def _value(value: float) -> str:
 
 
 def _notes(asked: Asked, quantities: Sequence[str]) -> Iterator[str]:
-    """What the marks mean, why something deviates, and what was recorded elsewhere."""
+    """Who has no number and why, what the marks mean, why something deviates, and what was recorded elsewhere."""
+    for line in asked.lines:
+        if not any(_row(line, name) for name in quantities):
+            yield f"{who(line)}: {line.note}"
     rows = [(line, row) for line in asked.lines for row in line.result.rows if row.quantity in quantities]
     verdicts = dict.fromkeys(row.verdict for _, row in rows if row.verdict in _MEANINGS)
     if verdicts:

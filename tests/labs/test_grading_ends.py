@@ -55,9 +55,10 @@ def test_a_nursery_that_is_killed_makes_no_grade(tmp_path):
 @pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 def test_nothing_is_left_of_a_grader_that_is_ended(ending, tmp_path):
     code = """
-import os, sys, time
+import os, signal, sys, time
 from labs.grading.remote import Remote
 from labs.grading.submission import Submission
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a job in a shell's background inherits as ignored
 with Remote(Submission("lab.py", "import os\\ndef pids(): return os.getpid(), os.getppid()")) as remote:
     for _ in range(20):
         with remote.fresh() as call:
