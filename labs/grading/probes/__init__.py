@@ -7,6 +7,7 @@ module of its name.
 from __future__ import annotations
 
 import contextlib
+import functools
 import importlib.util
 
 from labs.grading.probes.making import GROUPS, Group, Probe
@@ -37,6 +38,7 @@ def probes(function: str) -> tuple[Probe, ...]:
     raise UnknownName("function with probes", function, ())
 
 
+@functools.cache
 def probed() -> tuple[lecture.Function, ...]:
     """The functions that have probes, of those that a student writes."""
     written = (entry for topic in lecture.TOPICS for entry in lecture.functions_of(topic.name))
