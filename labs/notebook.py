@@ -15,10 +15,11 @@ from __future__ import annotations
 
 import functools
 import logging
+import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import EllipsisType
-from typing import TYPE_CHECKING, ParamSpec
+from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 from labs.desk.predicting import Prediction, predicted
 from labs.desk.progress import Progress
@@ -31,20 +32,24 @@ if TYPE_CHECKING:
     from labs.grading.remote import Grader
 
 P = ParamSpec("P")
+R = TypeVar("R")
 logging.getLogger("reference").addHandler(logging.NullHandler())  # a table says what happened to a worker
 
 
-def _spoken(method: Callable[P, None]) -> Callable[P, None]:
+def _spoken(method: Callable[P, R]) -> Callable[P, R | None]:
     """What the lab refuses or cannot do is a line of text, and no traceback through its own code."""
 
     @functools.wraps(method)
-    def call(*arguments: P.args, **named: P.kwargs) -> None:
+    def call(*arguments: P.args, **named: P.kwargs) -> R | None:
         try:
-            method(*arguments, **named)
+            return method(*arguments, **named)
         except CollisionsError as error:
+            if os.environ.get("NBGRADER_EXECUTION") == "autograde":
+                raise  # or the cell would get all its points
             print(f"lab.{method.__name__}: {error}")
         except KeyboardInterrupt:
             print(f"lab.{method.__name__}: interrupted")
+        return None
 
     return call
 
@@ -75,8 +80,11 @@ class Lab:
             print("Functions of other labs are not at hand: some runs will say what they need.")
 
     @_spoken
-    def check(self, *names: str) -> None:
-        """Check functions by name, or all of this lab: what was tried, what came, and what physics expects."""
+    def check(self, *names: str) -> float | None:
+        """Check functions by name, or all of this lab: what was tried, what came, and what physics expects.
+
+        Only for nbgrader it has a value, the points that count.
+        """
         from labs.desk import checking, hand  # noqa: PLC0415 - loads the grader
 
         here = [entry.name for entry in lecture.functions_of(self._begun())]
@@ -89,10 +97,11 @@ class Lab:
         for name in [name for name in hand.vanished(cells) if name in (names or here)]:
             print(f"{name} is not there any more: deleted, or its cell ended in an error. Checked is what was typed.")
         with Progress("checking"):
-            report = checking.report(self._notebook(), self._begun(), names, self._tests())
-        print(report)
+            found = checking.check(self._notebook(), self._begun(), names, self._tests())
+        print(found.said)
         if printing := [name for name in hand.printing(cells) if name in (names or here)]:
             print(f"What {', '.join(printing)} prints is not shown here: call it in a cell of your own to see it.")
+        return found.credit
 
     @_spoken
     def predict(

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from labs.grading import running, saying
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.remote import Grader
+from labs.grading.sheet import Sheet
 from reference import lecture
 from reference.errors import InvalidInput
 
@@ -16,7 +19,15 @@ _REWRITTEN = re.compile(r"defined \d+ times")
 """In a kernel that is what writing a function is: the cell is run again."""
 
 
-def report(notebook: Path, topic: str, names: Sequence[str], grader: Grader) -> str:
+@dataclass(frozen=True)
+class Checked:
+    """What a check found. said: in words. credit: what nbgrader counts, None for all points; see `_credit`."""
+
+    said: str
+    credit: float | None = None
+
+
+def check(notebook: Path, topic: str, names: Sequence[str], grader: Grader) -> Checked:
     """What the visible tests say of some functions, or of all that the lab has written.
 
     Raises
@@ -34,6 +45,22 @@ def report(notebook: Path, topic: str, names: Sequence[str], grader: Grader) -> 
         raise InvalidInput(f"nothing can be checked yet: {error}") from None
     sheet.complaints = [each for each in sheet.complaints if not _REWRITTEN.search(each)]
     silent = all(each.endswith("missing") for each in sheet.complaints)
+    said = "\n".join(saying.report(sheet, topics)).strip("\n")
     if len(names) == 1 and silent and saying.all_right(sheet):
-        return f"{saying.RIGHT} {names[0]} is right, as far as this tries it: {saying.HIDDEN}."
-    return "\n".join(saying.report(sheet, topics)).strip("\n")
+        said = f"{saying.RIGHT} {names[0]} is right, as far as this tries it: {saying.HIDDEN}."
+    return Checked(said, _credit(notebook, topics, names, grader, sheet))
+
+
+def by_nbgrader() -> str:
+    """What nbgrader runs this notebook for, `autograde` or `validate`; empty where a person does."""
+    return os.environ.get("NBGRADER_EXECUTION", "")
+
+
+def _credit(notebook: Path, topics: Sequence[str], names: Sequence[str], grader: Grader, sheet: Sheet) -> float | None:
+    """What nbgrader counts for the cell of a check: a number is so many points, an error none, anything else all.
+
+    Its marks are those of visible and hidden tests, as far as these are here; validating only says right or not.
+    """
+    if by_nbgrader() == "autograde":
+        return float(running.run(notebook, topics, (running.VISIBLE, running.HIDDEN), grader, names).earned)
+    return 0.0 if by_nbgrader() and not saying.all_right(sheet) else None

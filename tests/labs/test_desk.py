@@ -11,6 +11,7 @@ import pytest
 
 import labs
 from labs import notebook
+from labs.building.points import points_of
 from labs.desk import asking, hand, sweeping, tables
 from reference.errors import InvalidInput, UnknownName
 from reference.implementation import Implementation
@@ -312,6 +313,34 @@ def test_a_mistake_that_was_mended_is_not_told_again(lab, cells, capsys):
 
 def test_a_function_whose_cell_was_not_run_since_the_start_is_said_to_be_so(lab, capsys):
     assert "No cell that defines is_colliding has been run" in said(capsys, lab.check, "is_colliding")
+
+
+HALF_RIGHT = "def side_of_plane(separation, tolerance=0.0):\n    return np.sign(separation)"
+
+
+def test_nbgrader_gets_the_points_of_a_checked_function_as_the_value_of_its_cell(lab, cells, monkeypatch):
+    cells += right_cells()
+    assert lab.check("side_of_plane") is None  # for a person the words are all
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    assert lab.check("side_of_plane") == points_of("side_of_plane")
+    cells.append(HALF_RIGHT)
+    assert 0 < lab.check("side_of_plane") < points_of("side_of_plane")
+    cells.append("def side_of_plane(separation, tolerance=0.0):\n    raise NotImplementedError")
+    assert lab.check("side_of_plane") == 0
+
+
+def test_what_cannot_be_checked_ends_the_cell_for_nbgrader_in_an_error_which_is_no_points(lab, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    with pytest.raises(UnknownName, match="no_such"):
+        lab.check("no_such")
+
+
+def test_validating_says_right_or_not(lab, cells, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "validate")
+    cells += right_cells()
+    assert lab.check("side_of_plane") is None
+    cells.append(HALF_RIGHT)
+    assert lab.check("side_of_plane") == 0
 
 
 class Shell:
