@@ -4,7 +4,8 @@ A cell's metadata says what it becomes. Code: `lab="setup"`, the first cell, whi
 functions of later labs that its runs need; `given="finite Body"`, code to use; `write="signed_distance"`, functions to
 write, each in a cell with a check; `broken="key"`, code that a student mends, with `model="key"` for how. Text:
 `answer="key" points=3`, a question; `model="key"`, what a good answer says and how it is marked; `instructor=true`, for
-the instructor alone. Everything else stands as it is in both notebooks.
+the instructor alone. Everything else stands as it is in both notebooks, but that `guess="0.25 | 'up'"` of a code cell
+takes the place of the dots of its predictions, one after the other, in the solved one.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from reference import lecture
 from reference.errors import InvalidInput
 
 FOLDER = Path(__file__).resolve().parents[1] / "lessons"
+OPEN = "answer=..."
+"""Where a student puts a prediction."""
 _KINDS = ("lab", "given", "write", "broken", "answer", "model", "instructor")
 
 
@@ -29,6 +32,14 @@ class Cell:
     value: str = ""
     points: int = 0
     lends: str = ""
+    guess: str = ""
+
+    @property
+    def guessed(self) -> str:
+        """Its text with a good guess in place of the dots of each prediction."""
+        first, *others = self.text.split(OPEN)
+        guesses = [each.strip() for each in self.guess.split("|")] if others else []
+        return first + "".join(f"answer={guess}{rest}" for guess, rest in zip(guesses, others, strict=True))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -92,12 +103,12 @@ def _cell(cell: object) -> Cell:
     metadata, text = dict(cell.metadata), cell.source  # type: ignore[attr-defined]
     code = cell.cell_type == "code"  # type: ignore[attr-defined]
     kinds = [kind for kind in _KINDS if kind in metadata]
-    unknown = set(metadata) - {*_KINDS, "points", "lends"}
+    unknown = set(metadata) - {*_KINDS, "points", "lends", "guess"}
     if unknown or len(kinds) > 1:
         said = ", ".join(sorted(unknown) or kinds)
         raise InvalidInput(f"a cell of the lesson says {said!r}: it may say one of {', '.join(_KINDS)}")
     if not kinds:
-        return Cell(code, text)
+        return Cell(code, text, guess=str(metadata.get("guess", "")))
     points, lends = int(metadata.get("points", 0)), str(metadata.get("lends", ""))
     return Cell(code, text, kinds[0], str(metadata[kinds[0]]), points, lends)
 
@@ -113,6 +124,12 @@ def _refuse(lesson: Lesson) -> None:
         )
     for name in lesson.lent:
         lecture.function(name)
+    for cell in lesson.cells:
+        guesses = len(cell.guess.split("|")) if cell.guess else 0
+        if guesses != (asked := cell.text.count(OPEN)):
+            raise InvalidInput(
+                f"the lesson of {lesson.topic} has guess={cell.guess!r} for {asked} predictions: {cell.text}"
+            )
     for cell in lesson.cells:
         if cell.kind in ("answer", "broken") and not lesson.models(cell.value):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.value!r}")

@@ -10,7 +10,7 @@ import ast
 import json
 import textwrap
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -112,7 +112,7 @@ def solved(topic: str) -> dict[str, Any]:
         elif cell.kind == "instructor":
             desk.add("markdown", _framed("For the instructor", cell.text))
         elif cell.kind != "model":
-            _common(desk, cell)
+            _common(desk, replace(cell, text=cell.guessed))
             for model in lesson.models(cell.value) if cell.kind == "answer" else ():
                 desk.add("markdown", _framed("A good answer, and how it is marked", model.text), **_answer(cell))
     return _notebook(desk)

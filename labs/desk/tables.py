@@ -136,7 +136,7 @@ def _off(prediction: Prediction, theory: float | None) -> str:
     if theory is None or not isinstance(prediction.answer, float):
         return ""
     off = prediction.answer - theory
-    return f"{off / abs(theory):+.0%}".replace("-", "−").replace("%", " %") if theory else numbers.deviation(off, "")
+    return numbers.percent(off / abs(theory)) if theory else numbers.deviation(off, "")
 
 
 def _value(value: float) -> str:

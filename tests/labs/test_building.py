@@ -116,6 +116,22 @@ def test_a_solved_notebook_is_a_submission_with_every_function(lesson, tmp_path)
     assert found.complaints == ()
 
 
+PREDICT = """
+```python guess="0.4 | 'up'"
+lab.predict("high", "How high?", answer=...)
+lab.predict("way", "Which way?", answer=..., choices=("up", "down"))
+```
+"""
+
+
+def test_a_good_guess_takes_the_place_of_the_dots_in_the_solved_notebook_alone(lesson):
+    lesson(HEAD + WRITES + QUESTION + PREDICT)
+    (asked,) = [source for source in sources(notebooks.student("detection")) if "lab.predict" in source]
+    (guessed,) = [source for source in sources(notebooks.solved("detection")) if "lab.predict" in source]
+    assert asked.count("answer=...") == 2
+    assert guessed == asked.replace("answer=...", "answer=0.4", 1).replace("answer=...", "answer='up'")
+
+
 def test_the_same_lesson_makes_the_same_bytes(lesson):
     assert notebooks.text(notebooks.student("detection")) == notebooks.text(notebooks.student("detection"))
 
@@ -126,6 +142,8 @@ def test_the_same_lesson_makes_the_same_bytes(lesson):
         (HEAD + WRITES.replace('write="is_colliding"', 'write="side_of_plane"', 1), "is_colliding"),
         (HEAD + WRITES + QUESTION.replace('model="why"', 'model="who"'), "no model for answer='why'"),
         (HEAD + WRITES + '\n```python colour="red"\n```\n', "colour"),
+        (HEAD + WRITES + PREDICT.replace("0.4 | ", ""), "for 2 predictions"),
+        (HEAD + WRITES + PREDICT.replace(""" guess="0.4 | 'up'\"""", ""), "guess='' for 2 predictions"),
         (HEAD.replace("kinematic_response", "kinematic_respons") + WRITES, "Did you mean"),
         (HEAD.replace("finite not", "finite side_of_plane not") + WRITES, "gives finite side_of_plane"),
         (HEAD.replace("finite not", "finit not") + WRITES, "define no 'finit'"),
