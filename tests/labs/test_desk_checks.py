@@ -1,0 +1,105 @@
+"""`lab.check` in a notebook: what it says of functions that are right, wrong, gone or not written, and to nbgrader."""
+
+from __future__ import annotations
+
+import pytest
+from cells import STUB, right_cells, said
+
+from labs.building.points import points_of
+from reference.errors import UnknownName
+
+
+def test_what_is_not_written_is_to_do_and_what_is_written_is_checked_as_it_stands_now(lab, cells, capsys):
+    assert "· signed_distance  to do" in said(capsys, lab.check, "signed_distance")
+    cells += ["import numpy as np", STUB]
+    assert "· signed_distance  to do" in said(capsys, lab.check, "signed_distance")
+    cells.append("def signed_distance(point, normal, offset):\n    return np.vecdot(point, normal) + offset")
+    wrong = said(capsys, lab.check, "signed_distance")
+    assert "✗ signed_distance" in wrong
+    assert "It is one only" in wrong
+    assert "defined" not in wrong  # three times, as is right in a kernel
+    cells += right_cells()
+    assert "✓ signed_distance is right" in said(capsys, lab.check, "signed_distance")
+    assert "is_colliding" not in said(capsys, lab.check, "signed_distance")
+
+
+def test_an_endless_loop_costs_a_line(lab, cells, capsys):
+    cells.append("def is_colliding(separation, tolerance=0.0):\n    while True:\n        pass")
+    assert "gave no answer within" in said(capsys, lab.check, "is_colliding")
+
+
+def test_given_functions_are_not_checked_and_unknown_ones_are_named(lab, capsys):
+    assert "there is nothing of it to check" in said(capsys, lab.check, "sphere_inertia")
+    assert "Did you mean 'is_colliding'?" in said(capsys, lab.check, "is_coliding")
+
+
+def test_a_misspelt_function_is_set_against_those_of_this_lab(lab, capsys):
+    told = said(capsys, lab.check, "is_coliding")
+    assert "Did you mean 'is_colliding'?" in told
+    assert "orca_half_plane" not in told
+
+
+def test_a_mistake_that_was_mended_is_not_told_again(lab, cells, capsys):
+    cells += [*right_cells(), "def is_colliding(separation, tolerance=0.0)\n    return separation < -tolerance"]
+    assert "expected ':'" in said(capsys, lab.check, "is_colliding")
+    cells.append("def is_colliding(separation, tolerance=0.0):\n    return separation < -tolerance")
+    assert "✓ is_colliding is right" in (told := said(capsys, lab.check, "is_colliding"))
+    assert "expected" not in told
+    cells.append("x = = 3")
+    assert "cannot read" not in said(capsys, lab.check, "is_colliding")
+
+
+def test_a_function_whose_cell_was_not_run_since_the_start_is_said_to_be_so(lab, capsys):
+    assert "No cell that defines is_colliding has been run" in said(capsys, lab.check, "is_colliding")
+
+
+HALF_RIGHT = "def side_of_plane(separation, tolerance=0.0):\n    return np.sign(separation)"
+
+
+def test_nbgrader_gets_the_points_of_a_checked_function_as_the_value_of_its_cell(lab, cells, monkeypatch):
+    cells += right_cells()
+    assert lab.check("side_of_plane") is None  # for a person the words are all
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    assert lab.check("side_of_plane") == points_of("side_of_plane")
+    cells.append(HALF_RIGHT)
+    assert 0 < lab.check("side_of_plane") < points_of("side_of_plane")
+    cells.append("def side_of_plane(separation, tolerance=0.0):\n    raise NotImplementedError")
+    assert lab.check("side_of_plane") == 0
+
+
+def test_what_cannot_be_checked_ends_the_cell_for_nbgrader_in_an_error_which_is_no_points(lab, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    with pytest.raises(UnknownName, match="no_such"):
+        lab.check("no_such")
+
+
+def test_validating_says_right_or_not(lab, cells, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "validate")
+    cells += right_cells()
+    assert lab.check("side_of_plane") is None
+    cells.append(HALF_RIGHT)
+    assert lab.check("side_of_plane") == 0
+
+
+class Shell:
+    """A kernel that has run cells. user_ns: what they left behind."""
+
+    def __init__(self, **user_ns):
+        self.user_ns = user_ns
+
+
+def test_a_function_that_is_not_there_any_more_is_named(lab, cells, capsys, monkeypatch):
+    cells += right_cells()
+    monkeypatch.setattr("IPython.get_ipython", lambda: Shell(signed_distance=1))
+    told = said(capsys, lab.check, "is_colliding")
+    assert "is_colliding is not there any more: deleted, or its cell ended in an error." in told
+    assert "not there any more" not in said(capsys, lab.check, "signed_distance")
+
+
+def test_of_a_function_that_prints_it_is_said_where_to_see_it(lab, cells, capsys):
+    printing = "def is_colliding(separation, tolerance=0.0):\n    print(separation)\n    return separation < -tolerance"
+    cells += [*right_cells(), printing]
+    assert "What is_colliding prints is not shown here" in said(capsys, lab.check)
+    assert "What is_colliding prints" not in said(capsys, lab.check, "signed_distance")
+    cells += [printing.replace("print(separation)", "pass")]
+    assert "prints" not in said(capsys, lab.check)
