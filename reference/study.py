@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import logging
 import time
-from collections.abc import Generator, Iterable, Mapping, Sequence
-from concurrent.futures import Executor
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
 from reference import recording
-from reference.cache import Cache
 from reference.compare import ALL_CASES, TUNED, Row, Verdict, compare_case, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
@@ -21,7 +19,7 @@ from reference.question import Question
 from reference.recording import track_of
 from reference.replay import Track
 from reference.results import Errors, Job, JobResult, Series
-from reference.running import TIME_LIMIT, Work, run_all, run_one
+from reference.running import Work
 from reference.scenarios import catalogue
 from reference.settings import Option
 from reference.shares import split
@@ -125,21 +123,6 @@ def _steps(job: Job) -> float:
         return moving / engine.settings(scenarios[0], job.profile).change(**dict(job.changes)).timestep
     except Exception:
         return 0.0  # its own run will say what is wrong
-
-
-def run_jobs(
-    jobs: Sequence[Job], executor: Executor, timeout: float = TIME_LIMIT, cache: Cache | None = None
-) -> Generator[JobResult, None, None]:
-    """Run jobs through an executor and yield their results as they come, as `running.run_all` does."""
-    return run_all(jobs, SCENARIOS, executor, timeout, cache)
-
-
-def run_safely(job: Job, timeout: float = TIME_LIMIT, cache: Cache | None = None) -> JobResult:
-    """Run a job in a worker process, or take it from a cache; a crash or a hang becomes one row.
-
-    An engine that is not installed answers from its recording, or with a row that says how to get it.
-    """
-    return run_one(job, SCENARIOS, timeout, cache)
 
 
 def _without_answer(job: Job, error: CollisionsError, seconds: float) -> JobResult:

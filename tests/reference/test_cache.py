@@ -16,8 +16,8 @@ from reference import cache, sources
 from reference.cache import Cache, default_folder, key_of
 from reference.compare import Row, Verdict
 from reference.results import Job, JobResult
-from reference.running import recall
-from reference.study import run_job, run_jobs, run_safely
+from reference.running import recall, run_all, run_one
+from reference.study import SCENARIOS, run_job
 
 JOB = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
 OWN_CODE = """
@@ -271,7 +271,7 @@ def test_a_folder_that_cannot_be_written_costs_nothing_but_the_cache(tmp_path, r
     nowhere = Cache(taken / "cache")
     nowhere.put(JOB, key_of(JOB), result)
     assert nowhere.get(JOB) is None
-    assert run_safely(JOB, cache=nowhere) == result
+    assert run_one(JOB, SCENARIOS, cache=nowhere) == result
 
 
 # Runs with a cache
@@ -282,8 +282,8 @@ def test_a_second_run_takes_from_the_cache_what_the_first_one_put_there():
     keeps = Cache()
     assert recall(jobs, keeps) == []
     with ThreadPoolExecutor(2) as executor:
-        first = list(run_jobs(jobs, executor, cache=keeps))
-        second = list(run_jobs(jobs, executor, cache=keeps))
+        first = list(run_all(jobs, SCENARIOS, executor, cache=keeps))
+        second = list(run_all(jobs, SCENARIOS, executor, cache=keeps))
     assert [result.cached for result in first + second] == [False, False, True, True]
     by_profile = {result.job.profile: result for result in first}
     assert {result.job.profile: result for result in second} == by_profile

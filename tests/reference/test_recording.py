@@ -19,8 +19,9 @@ from reference.record import jobs_of, why_stale, write
 from reference.recording import recall, replay
 from reference.replay import poses_of
 from reference.results import Job
+from reference.running import run_one
 from reference.scenarios import catalogue
-from reference.study import run_job, run_safely
+from reference.study import SCENARIOS, run_job
 
 DAY = datetime.date(2026, 11, 21)
 JOBS = [Job("incline", "handwritten", profile, with_studies=True, with_poses=True) for profile in ("tuned", "stock")]
@@ -200,11 +201,11 @@ def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(
     monkeypatch.setattr(running, "run_isolated", missing)
     monkeypatch.setattr(recording, "FOLDER", folder)
     cache = Cache(tmp_path / "cache")
-    found = run_safely(JOBS[0], cache=cache)
+    found = run_one(JOBS[0], SCENARIOS, cache=cache)
     assert found.recording
     assert found.rows[0].measured is not None
     assert cache.get(JOBS[0]) is None
-    without = run_safely(Job("stack", "handwritten", "tuned"))
+    without = run_one(Job("stack", "handwritten", "tuned"), SCENARIOS)
     assert [row.verdict for row in without.rows] == [Verdict.NOT_AVAILABLE]
 
 

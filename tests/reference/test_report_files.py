@@ -19,7 +19,8 @@ from reference.errors import InvalidInput
 from reference.report import files
 from reference.report.files import read_rows, rows_csv, rows_json, staged, write
 from reference.results import Job, JobResult
-from reference.study import run_job, run_jobs, run_safely
+from reference.running import run_all, run_one
+from reference.study import SCENARIOS, run_job
 
 GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",), with_studies=True)
 ENOUGH = 60.0  # s: any honest job here takes one, on a busy machine too
@@ -402,9 +403,9 @@ def with_odd_ones(results, tmp_path_factory) -> tuple[Path, list[JobResult]]:
         odd_job(folder, "missing", package="no_such_package"),
     ]
     with ThreadPoolExecutor(2) as executor:
-        found = list(run_jobs(jobs, executor, ENOUGH))
+        found = list(run_all(jobs, SCENARIOS, executor, ENOUGH))
     # 1 s: whatever the limit, it hangs for longer; what it is here only makes the test quick.
-    found.append(run_safely(odd_job(folder, "hanging", "time.sleep(600)"), 1.0))
+    found.append(run_one(odd_job(folder, "hanging", "time.sleep(600)"), SCENARIOS, 1.0))
     write([*found, *results], out)
     return out, found
 

@@ -26,8 +26,9 @@ from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
 from reference.isolate import stop_workers
 from reference.results import Job, JobResult, Series
+from reference.running import run_all, run_one
 from reference.scenarios import catalogue
-from reference.study import longest_first, order_of, plan, run_job, run_jobs, run_safely
+from reference.study import SCENARIOS, longest_first, order_of, plan, run_job
 
 DROPPED, SLIDING = catalogue()["dropped-ball"], catalogue()["sliding-slab"]
 GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
@@ -73,9 +74,9 @@ def engine_file(folder: Path, name: str, body: str = "pass", package: str | None
     return str(path)
 
 
-def run_all(jobs: list[Job], timeout: float = ENOUGH) -> dict[Job, JobResult]:
+def results_of(jobs: list[Job], timeout: float = ENOUGH) -> dict[Job, JobResult]:
     with ThreadPoolExecutor(2) as executor:
-        return {result.job: result for result in run_jobs(jobs, executor, timeout)}
+        return {result.job: result for result in run_all(jobs, SCENARIOS, executor, timeout)}
 
 
 # Planning
@@ -300,7 +301,7 @@ for number in range(steps + 1):
 
 
 def test_an_isolated_job_gives_the_rows_that_it_gives_here_and_now():
-    here, isolated = run_job(GOOD), run_safely(GOOD)
+    here, isolated = run_job(GOOD), run_one(GOOD, SCENARIOS)
     assert isolated == here
     assert [row.measured for row in isolated.rows] == [row.measured for row in here.rows]
 
@@ -355,7 +356,7 @@ def test_jobs_that_fail_give_one_row_each_that_says_how_and_the_others_finish(tm
         Job("dropped-ball", engine_file(tmp_path, name, body), "tuned", ("e=0.5",)): note
         for name, (body, note) in DEATHS.items()
     }
-    results = run_all([GOOD, *odd, replace(GOOD, profile="stock")])
+    results = results_of([GOOD, *odd, replace(GOOD, profile="stock")])
     assert len(results) == len(odd) + 2
     for job, note in odd.items():
         (row,) = results[job].rows
@@ -372,7 +373,7 @@ def test_jobs_that_fail_give_one_row_each_that_says_how_and_the_others_finish(tm
 
 def test_a_job_that_hangs_is_stopped_and_the_others_finish(tmp_path):
     hung = Job("dropped-ball", engine_file(tmp_path, "hung", "threading.Event().wait()"), "tuned", ("e=0.5",))
-    results = run_all([hung, GOOD], timeout=8.0)  # s: the good one takes one or two, its process's start included
+    results = results_of([hung, GOOD], timeout=8.0)  # s: the good one takes one or two, its process's start included
     (row,) = results[hung].rows
     assert row.verdict is Verdict.CRASHED
     assert "no answer within 8 s" in row.note
@@ -383,15 +384,15 @@ def test_a_job_that_hangs_is_stopped_and_the_others_finish(tmp_path):
 def test_a_worker_that_was_given_up_leaves_no_trace_in_the_next_job(tmp_path):
     for name in ("first", "second"):
         bad = Job("dropped-ball", engine_file(tmp_path, name, "os._exit(1)"), "tuned", ("e=0.5",))
-        assert run_safely(bad, ENOUGH).rows[0].verdict is Verdict.CRASHED
-        assert {row.verdict for row in run_safely(GOOD, ENOUGH).rows} == {Verdict.PASS}
+        assert run_one(bad, SCENARIOS, ENOUGH).rows[0].verdict is Verdict.CRASHED
+        assert {row.verdict for row in run_one(GOOD, SCENARIOS, ENOUGH).rows} == {Verdict.PASS}
 
 
 def test_results_come_as_they_are_ready(tmp_path):
     slow = Job("dropped-ball", engine_file(tmp_path, "slow", "time.sleep(2); os._exit(0)"), "tuned", ("e=0.5",))
-    run_safely(GOOD)  # so that a worker is there already
+    run_one(GOOD, SCENARIOS)  # so that a worker is there already
     with ThreadPoolExecutor(2) as executor:
-        order = [result.job for result in run_jobs([slow, GOOD], executor, ENOUGH)]
+        order = [result.job for result in run_all([slow, GOOD], SCENARIOS, executor, ENOUGH)]
     assert order == [GOOD, slow]
 
 
@@ -407,7 +408,7 @@ def test_jobs_that_nobody_waits_for_any_more_are_not_started():
             return super().submit(counted)
 
     with Counting(1) as executor:
-        results = run_jobs([GOOD] * 5, executor, ENOUGH)
+        results = run_all([GOOD] * 5, SCENARIOS, executor, ENOUGH)
         next(results)
         results.close()
     assert len(started) < 5
@@ -449,7 +450,7 @@ PROMPTLY = 30.0  # s: on a busy machine some seconds, and half of what the job w
 def test_whoever_leaves_early_waits_for_no_job_and_leaves_no_worker_behind(error, tmp_path):
     job, begun = asleep(tmp_path)
     with ThreadPoolExecutor(2) as executor:
-        results = run_jobs([GOOD, job, replace(job, profile="stock"), GOOD], executor, 2 * ENOUGH)
+        results = run_all([GOOD, job, replace(job, profile="stock"), GOOD], SCENARIOS, executor, 2 * ENOUGH)
         assert next(results).job == GOOD
         pid, start = process_in(begun), time.monotonic()
         with pytest.raises(error):
@@ -463,7 +464,7 @@ def test_whoever_leaves_early_waits_for_no_job_and_leaves_no_worker_behind(error
 def test_a_worker_that_starts_while_the_others_are_being_stopped_is_stopped_too(tmp_path, monkeypatch):
     job, begun = asleep(tmp_path)
     take, stop, stopping = isolate._take, isolate.stop_workers, threading.Event()
-    run_safely(GOOD)  # so that a worker is there already
+    run_one(GOOD, SCENARIOS)  # so that a worker is there already
 
     def take_late() -> object:
         if threading.current_thread() in late:
@@ -487,7 +488,7 @@ def test_a_worker_that_starts_while_the_others_are_being_stopped_is_stopped_too(
     monkeypatch.setattr(isolate, "_take", take_late)
     monkeypatch.setattr("reference.running.stop_workers", stop_and_say)
     with LastIsLate(2) as executor:
-        results = run_jobs([job, GOOD], executor, 2 * ENOUGH)
+        results = run_all([job, GOOD], SCENARIOS, executor, 2 * ENOUGH)
         assert next(results).job == GOOD
         start = time.monotonic()
         results.close()
@@ -502,12 +503,13 @@ import signal
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from reference.results import Job
-from reference.study import run_jobs
+from reference.running import run_all
+from reference.study import SCENARIOS
 
 signal.signal(signal.SIGINT, signal.default_int_handler)  # some shells have it ignored
 jobs = [Job("dropped-ball", sys.argv[1], profile, ("e=0.5",)) for profile in ("tuned", "stock")]
 with ThreadPoolExecutor(1) as executor:
-    for result in run_jobs(jobs, executor):
+    for result in run_all(jobs, SCENARIOS, executor):
         pass
 """
 
@@ -526,23 +528,23 @@ def test_an_interrupt_from_the_keyboard_ends_the_whole_study_promptly(tmp_path):
 
 
 def test_idle_workers_stay_for_the_next_study_when_a_study_ends_by_itself():
-    run_all([GOOD])
+    results_of([GOOD])
     kept = set(isolate._workers)
     assert kept
-    run_all([GOOD])
+    results_of([GOOD])
     assert kept & isolate._workers
 
 
 @pytest.mark.parametrize("timeout", [0.0, -1.0])
 def test_a_time_limit_that_is_no_time_is_the_callers_mistake(timeout):
     with pytest.raises(InvalidInput, match="timeout is"), ThreadPoolExecutor(1) as executor:
-        list(run_jobs([GOOD], executor, timeout))
+        list(run_all([GOOD], SCENARIOS, executor, timeout))
 
 
 def test_the_log_says_when_a_job_starts_and_how_long_it_took(tmp_path, caplog):
     caplog.set_level(logging.INFO, "reference.running")
-    run_safely(GOOD)
-    run_safely(Job("dropped-ball", engine_file(tmp_path, "bad", "os._exit(3)"), "stock", ("e=0.5",)))
+    run_one(GOOD, SCENARIOS)
+    run_one(Job("dropped-ball", engine_file(tmp_path, "bad", "os._exit(3)"), "stock", ("e=0.5",)), SCENARIOS)
     assert [record.levelname for record in caplog.records if record.name == "reference.running"] == ["INFO"] * 4
     said = [record.message for record in caplog.records if record.name == "reference.running"]
     assert said[0] == "ball-to-rest in handwritten, tuned: started"
@@ -558,12 +560,12 @@ def test_any_executor_will_do():
             future.set_result(function(*arguments))
             return future
 
-    assert list(run_jobs([GOOD], AtOnce(), ENOUGH)) == [run_job(GOOD)]
+    assert list(run_all([GOOD], SCENARIOS, AtOnce(), ENOUGH)) == [run_job(GOOD)]
 
 
 def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_it(tmp_path):
     missing = Job("dropped-ball", engine_file(tmp_path, "missing", package="no_such_package"), "tuned")
-    results = run_all([missing, GOOD])
+    results = results_of([missing, GOOD])
     (row,) = results[missing].rows
     assert (row.verdict, row.case) == (Verdict.NOT_AVAILABLE, ALL_CASES)
     assert "an odd one is not installed here" in row.note
@@ -580,9 +582,9 @@ def test_an_engine_that_cannot_be_imported_answers_from_its_recording_or_says_ho
     stop_workers()  # those that are idle have the old one
     job = Job("dropped-ball", name, "tuned", ("e=0.5",))
     try:
-        recorded = run_safely(job, ENOUGH)
+        recorded = run_one(job, SCENARIOS, ENOUGH)
         monkeypatch.setattr(recording, "FOLDER", tmp_path)  # nothing of the kind
-        (without,) = run_safely(job, ENOUGH).rows
+        (without,) = run_one(job, SCENARIOS, ENOUGH).rows
     finally:
         stop_workers()
     assert "it is not run here" in recorded.recording
@@ -604,7 +606,7 @@ def test_a_function_that_is_not_written_yet_is_named_in_one_row_and_the_others_f
     path.write_text(EVERYTHING + missing)
     unfinished = Job("dropped-ball", "handwritten", "tuned", ("e=0.5",), str(path))
     not_needed = Job("sliding-slab", "handwritten", "tuned", ("μ=0.7,v=1",), str(path))
-    results = run_all([unfinished, not_needed, GOOD])
+    results = results_of([unfinished, not_needed, GOOD])
     (row,) = results[unfinished].rows
     assert (row.verdict, row.note) == (Verdict.NEEDS, "needs kinematic_response (response, step 1)")
     for job in (not_needed, GOOD):
@@ -614,7 +616,7 @@ def test_a_function_that_is_not_written_yet_is_named_in_one_row_and_the_others_f
 def test_a_finished_file_of_functions_answers_as_the_solutions_do(tmp_path):
     path = tmp_path / "homework.py"
     path.write_text(EVERYTHING)
-    assert run_safely(replace(GOOD, implementation=str(path)), ENOUGH).rows == run_job(GOOD).rows
+    assert run_one(replace(GOOD, implementation=str(path)), SCENARIOS, ENOUGH).rows == run_job(GOOD).rows
 
 
 def test_hand_written_code_with_a_bug_fails_and_with_a_wrong_sign_is_found_out(tmp_path):
@@ -624,7 +626,7 @@ def test_hand_written_code_with_a_bug_fails_and_with_a_wrong_sign_is_found_out(t
         EVERYTHING + "def kinematic_response(v, n, e):\n    return v - 2 * (v * n).sum(-1, keepdims=True) * n\n"
     )
     jobs = [Job("dropped-ball", "handwritten", "tuned", ("e=0.5",), str(path)) for path in (broken, wrong)]
-    results = run_all(jobs)
+    results = results_of(jobs)
     (row,) = results[jobs[0]].rows
     assert row.verdict is Verdict.CRASHED
     assert "IndexError" in row.note
@@ -636,4 +638,4 @@ def test_hand_written_code_with_a_bug_fails_and_with_a_wrong_sign_is_found_out(t
 
 def test_an_implementation_that_there_is_not_is_the_callers_mistake():
     with pytest.raises(InvalidInput, match="no such file"):
-        run_safely(replace(GOOD, implementation="no/such/homework.py"), ENOUGH)
+        run_one(replace(GOOD, implementation="no/such/homework.py"), SCENARIOS, ENOUGH)

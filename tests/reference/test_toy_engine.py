@@ -12,8 +12,9 @@ import pytest
 from reference.compare import Row, Verdict, failures
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
+from reference.running import run_all
 from reference.scenarios import catalogue
-from reference.study import plan, run_jobs
+from reference.study import SCENARIOS, plan
 
 TOY = Path(__file__).with_name("toy_engine.py")
 
@@ -26,7 +27,7 @@ def rows(tmp_path_factory) -> list[Row]:
     cases = {"dropped-ball": ("e=0.2", "e=0.5"), "ball-to-rest": ("e=0.5",), "incline": ("μ=0.3,θ=20°",)}
     jobs = plan(families, ["handwritten", str(path)], ["tuned"], cases)
     with ThreadPoolExecutor(2) as executor:
-        return [row for result in run_jobs(jobs, executor) for row in result.rows]
+        return [row for result in run_all(jobs, SCENARIOS, executor) for row in result.rows]
 
 
 def of(rows: list[Row], family: str, **wanted: str) -> list[Row]:
