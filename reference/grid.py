@@ -65,7 +65,8 @@ class Parameter:
 class Grid:
     """The parameters of a family and the timesteps, s, that its recordings have beside each profile's own.
 
-    build: the parameters by name → the case.
+    The family's own cases are recorded at these timesteps as well, be they points of the grid or not. build: the
+    parameters by name → the case.
     """
 
     parameters: tuple[Parameter, ...]

@@ -36,25 +36,32 @@ from reference.study import profiles_of
 OTHER_VERSION = "recorded in version"
 """How the reason begins where nothing but the engine is another one."""
 GRID_DIGITS = 11
-"""Of a number at a point of a grid: no tolerance of an engine is as fine, and the files stay half as large."""
+"""Of a number at a point or timestep of a grid: no engine is judged as finely, and the files stay half as large."""
 
 
 def jobs_of(family: Family, engine: str) -> list[Job]:
-    """The runs that a recording takes: all cases in each profile with the studies, and the grid at each timestep."""
+    """The runs that a recording takes: all cases in each profile with the studies, and the grid at each timestep.
+
+    At the timesteps of the grid the family's own cases are run too; those that are points of it are among these.
+    """
+    grid = family.grid.cases if family.grid else ()
+    others = [case for case in family.cases if case.name not in {point.name for point in grid}]
     found: list[Job] = []
     for profile in profiles_of(load_engine(engine), family):
         whole = Job(family.name, engine, profile, with_poses=True)
-        found.append(replace(whole, with_studies=True))
-        found += [replace(whole, grid=True, changes=changes) for changes in _timesteps(family, engine, profile)]
+        own = replace(whole, cases=tuple(case.name for case in others))
+        moved = [replace(whole, grid=True)] if grid else []
+        moved += [replace(own, changes=each) for each in _changes(family, others, engine, profile)]
+        moved += [replace(whole, grid=True, changes=each) for each in _changes(family, grid, engine, profile)]
+        found += [replace(whole, with_studies=True), *moved]
     return found
 
 
-def _timesteps(family: Family, engine: str, profile: str) -> list[tuple[tuple[str, float], ...]]:
-    """The changes of settings that a grid is run with: none, and each timestep that is not the profile's own."""
-    if family.grid is None:
-        return []
-    own = {load_engine(engine).settings(case.scenarios[0], profile).timestep for case in family.grid.cases}
-    return [(), *((("timestep", step),) for step in family.grid.timesteps if own != {step})]
+def _changes(family: Family, cases: Iterable[Case], engine: str, profile: str) -> list[tuple[tuple[str, float], ...]]:
+    """The changes of settings that cases are run with: to each timestep of the grid that is not the profile's own."""
+    own = {load_engine(engine).settings(case.scenarios[0], profile).timestep for case in cases}
+    steps = family.grid.timesteps if family.grid and own else ()
+    return [(("timestep", step),) for step in steps if own != {step}]
 
 
 # Stale or not
@@ -114,7 +121,7 @@ def version_here(engine: Engine) -> str:
 def write(results: Iterable[JobResult], folder: Path | None = None, today: datetime.date | None = None) -> list[Path]:
     """Write what engines have just measured, two files an engine and family, and return the files.
 
-    Every result is that of a whole run: all cases of a family in one profile, or its grid at one timestep.
+    Every result is that of a whole run, one of `jobs_of`.
 
     Raises
     ------
@@ -124,8 +131,7 @@ def write(results: Iterable[JobResult], folder: Path | None = None, today: datet
     found: dict[tuple[str, str], list[JobResult]] = {}
     for result in results:
         job = result.job
-        part = job.cases or job.at or (not job.grid and job.changes)
-        if job.engine not in engine_names() or part or not result.version or result.recording:
+        if job.engine not in engine_names() or not _is_whole(job) or not result.version or result.recording:
             raise InvalidInput(f"{job} is no whole run of its own; only what an engine measured here is recorded")
         found.setdefault((job.engine, job.family), []).append(result)
     day, written = (today or datetime.date.today()).isoformat(), list[Path]()
@@ -138,10 +144,16 @@ def write(results: Iterable[JobResult], folder: Path | None = None, today: datet
     return written
 
 
+def _is_whole(job: Job) -> bool:
+    """Whether a recording takes it, with studies or without."""
+    planned = (replace(each, with_studies=False) for each in jobs_of(catalogue()[job.family], job.engine))
+    return replace(job, with_studies=False, with_poses=True) in planned
+
+
 def _write(path: Path, results: Iterable[JobResult], made: dict[str, str]) -> list[Path]:
-    """The numbers and, where there are any, the poses of a family in an engine."""
-    results = sorted(results, key=lambda result: result.job.grid)
-    profiles = {result.job.profile: _profile(result) for result in results if not result.job.grid}
+    """The numbers and, where there are any, poses and curves of a family in an engine."""
+    results = sorted(results, key=lambda result: (result.job.grid, bool(result.job.changes)))
+    profiles = {result.job.profile: _profile(result) for result in results if not _is_moved(result.job)}
     tracks: dict[tuple[str, str], Track] = {}
     for result in results:
         entries = profiles[result.job.profile]["entries"]
@@ -155,6 +167,11 @@ def _write(path: Path, results: Iterable[JobResult], made: dict[str, str]) -> li
     poses = path.with_suffix(".npz")
     write_tracks(poses, tracks.values(), made)
     return [path, poses]
+
+
+def _is_moved(job: Job) -> bool:
+    """Whether it is at another point or timestep than a family's cases are in a profile."""
+    return job.grid or bool(job.changes)
 
 
 def _known(key: str, take: list[Any], entries: Mapping[str, Any]) -> str | None:
@@ -180,7 +197,6 @@ def _profile(result: JobResult) -> dict[str, Any]:
     return {
         "description": result.description,
         "settings": result.settings,
-        "series": asdict(result.series) if result.series else None,
         "convergence": asdict(result.convergence) if result.convergence else None,
         "split": asdict(result.split) if result.split else None,
         "quantities": [quantity.name for quantity in catalogue()[result.job.family].quantities],
@@ -198,7 +214,7 @@ def _entries(result: JobResult) -> dict[str, list[Any]]:
         own = engine.settings(case.scenarios[0], job.profile)
         settings = own.change(**dict(job.changes))
         key = keys_of(case.name, own, settings)[-1 if job.grid else 0]
-        found[key] = [fingerprint(case, settings), *_measured(rows[case.name], job.grid)]
+        found[key] = [fingerprint(case, settings), *_measured(rows[case.name], _is_moved(job))]
     return found
 
 

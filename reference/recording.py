@@ -2,9 +2,9 @@
 
 Two files an engine and family, beside each other in `recordings/ENGINE`. `FAMILY.json` holds the measured numbers of
 full runs, of the family's cases and of every point of its grid, and never a verdict: what theory says, and how near is
-near enough, is worked out anew each time. `FAMILY.npz` holds the poses for a replay. A fingerprint of the scenarios and
-the settings says what a number or a replay belongs to. Where either has changed since, the recording is stale, and says
-so instead of answering. `reference.record` writes all this.
+near enough, is worked out anew each time. `FAMILY.npz` holds the poses for a replay, and the curve that is plotted. A
+fingerprint of the scenarios and the settings says what a number or a replay belongs to. Where either has changed since,
+the recording is stale, and says so instead of answering. `reference.record` writes all this.
 """
 
 from __future__ import annotations
@@ -12,25 +12,27 @@ from __future__ import annotations
 import contextlib
 import functools
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from reference import curves
 from reference.compare import Number, Row, Verdict, judged
+from reference.curves import Series
 from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
 from reference.errors import CollisionsError, InvalidInput, NotRecorded
 from reference.family import Case, Family
 from reference.fingerprint import fingerprint
-from reference.replay import Poses, Track, pack, poses_of, read_tracks, trajectory_of, unpack
-from reference.results import Errors, Job, JobResult, Series
+from reference.replay import Poses, Track, pack, poses_of, read_tracks, unpack
+from reference.results import Errors, Job, JobResult
 from reference.scenarios import catalogue
 from reference.settings import Settings
 from reference.shares import Share, Split
 from reference.trajectory import Trajectory
 
-SCHEMA, VERSION = "collisions-lab/recording", 2
+SCHEMA, VERSION = "collisions-lab/recording", 3
 FOLDER = Path(__file__).parent / "recordings"
 MARK = "*"
 """Behind the title of an engine that did not run here."""
@@ -60,9 +62,10 @@ def keys_of(case: str, own: Settings, settings: Settings) -> tuple[str, ...]:
 
 
 def track_of(job: Job, engine: Engine, case: Case, settings: Settings, trajectory: Trajectory) -> Track:
-    """The poses of a run, packed, with all that finds them again."""
+    """Poses and curve of a run, packed, with all that finds them again."""
     key = keys_of(case.name, engine.settings(case.scenarios[0], job.profile), settings)[-1 if job.grid else 0]
-    return pack(poses_of(trajectory), job.profile, key, fingerprint(case, settings))
+    track = pack(poses_of(trajectory), job.profile, key, fingerprint(case, settings))
+    return replace(track, curve=curves.pack(Series.of(catalogue()[job.family], trajectory)))
 
 
 def recall(job: Job, folder: Path | None = None) -> JobResult | None:
@@ -86,7 +89,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         tuple(rows),
         taken["settings"] if not moved else next((row.settings for row in rows), ""),
         made.version,
-        _series(family, job, taken, folder),
+        _series(family, job, folder),
         Errors(**tuples(taken["convergence"])) if taken["convergence"] and studied else None,
         _split(taken["split"]) if taken["split"] and studied else None,
         recording=f"{MARK} {made}",
@@ -94,18 +97,15 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
     )
 
 
-def _series(family: Family, job: Job, taken: Mapping[str, Any], folder: Path | None) -> Series | None:
-    """The plotted curve as it was recorded; of another case, or a point of the grid, as its replay has it."""
-    chosen = job.chosen(family)
-    if job.at or (job.with_curve and chosen[0].name != family.curve.case):
-        (case,) = chosen
-        settings = load_engine(job.engine).settings(case.scenarios[0], job.profile).change(**dict(job.changes))
-        with contextlib.suppress(NotRecorded):
-            return Series.of(family, trajectory_of(replay(job, case.name, folder), case.scenarios[0], settings))
-    plotted = [case for case in job.chosen(family) if case.name == family.curve.case]
-    if not plotted or not taken["series"] or job.changes or job.at or job.grid:
+def _series(family: Family, job: Job, folder: Path | None) -> Series | None:
+    """The curve of a job's own case, or of the family's plotted one; None where that was not asked for or recorded."""
+    own = job.at or job.with_curve
+    plotted = [case for case in job.chosen(family) if own or case.name == family.curve.case]
+    if not plotted or job.grid:
         return None
-    return Series(**tuples(taken["series"])) if _is_current(plotted[0], load_engine(job.engine), job, taken) else None
+    with contextlib.suppress(CollisionsError):  # the row says why
+        return curves.unpack(_track(job, plotted[0], tracks_of(job.engine, job.family, folder)[0]).curve)
+    return None
 
 
 def _is_current(case: Case, engine: Engine, job: Job, taken: Mapping[str, Any]) -> bool:
@@ -161,7 +161,7 @@ def _rows(family: Family, case: Case, engine: Engine, job: Job, taken: Mapping[s
     takes = [taken["entries"][key] for key in keys_of(case.name, own, settings) if key in taken["entries"]]
     take = next((take for take in takes if take[0] == fingerprint(case, settings)), None)
     if take is None:
-        return [replace(blank, note=_why_not(family, engine, job, bool(takes)))]
+        return [replace(blank, note=_why_not(case, engine, job, (own, settings), taken, bool(takes)))]
     if len(take) == 3:
         return [replace(blank, verdict=Verdict(take[1]), note=take[2])]
     numbers = dict(zip(taken["quantities"], map(_number, take[1]), strict=True))
@@ -173,16 +173,29 @@ def _rows(family: Family, case: Case, engine: Engine, job: Job, taken: Mapping[s
     return judged(family, case, engine.name, job.profile, settings, method, numbers)
 
 
-def _why_not(family: Family, engine: Engine, job: Job, known: bool) -> str:
-    """Why there is no number. known: whether there is one of other scenarios or settings."""
-    absent, others = f"{engine.title} is not installed here", [name for name, _ in job.changes if name != "timestep"]
-    if known and not others:
+def _why_not(
+    case: Case, engine: Engine, job: Job, settings: tuple[Settings, Settings], taken: Mapping[str, Any], known: bool
+) -> str:
+    """Why there is no number. settings: own ones and those asked for. known: whether there is one, a stale one."""
+    absent, changes = f"{engine.title} is not installed here", dict(job.changes)
+    if known and changes.keys() <= {"timestep"}:
         return "its recording is stale: scenario or settings have changed since; collisions record makes a new one"
+    own, asked = settings
+    steps = sorted({f"{1e3 * step:.3g}" for step in _timesteps(case.name, own, taken["entries"])}, key=float)
+    if steps and changes.keys() == {"timestep"}:
+        listed = " and ".join(filter(None, [", ".join(steps[:-1]), steps[-1]]))
+        many = "timesteps" if len(steps) > 1 else "a timestep"
+        return f"{absent}; it was recorded with {many} of {listed} ms, not of {1e3 * asked.timestep:.3g} ms"
     wish = ", ".join(f"{name}={value}" for name, value in (*job.at, *job.changes))
-    if not wish:
-        return f"{absent}, and this case was never recorded"
-    hint = "" if others or job.at or not family.grid else f"; with --at {family.grid.names[0]}=… some was"
-    return f"{absent}, and with {wish} nothing was recorded{hint}"
+    return f"{absent}, and {f'with {wish} nothing was recorded' if wish else 'this case was never recorded'}"
+
+
+def _timesteps(case: str, own: Settings, entries: Iterable[str]) -> Iterator[float]:
+    """The timesteps, s, at which a case was recorded."""
+    for entry in entries:
+        name, _, at = entry.partition(" @ ")
+        if name == case:
+            yield float(at.removesuffix(" s")) if at not in ("", "own") else own.timestep
 
 
 def _number(take: float | list[Any]) -> Number:

@@ -21,10 +21,9 @@ from numpy.typing import NDArray
 
 from reference.errors import InvalidInput
 from reference.scenario import Scenario
-from reference.settings import Settings
 from reference.trajectory import Array, Trajectory
 
-SCHEMA, VERSION = "collisions-lab/poses", 1
+SCHEMA, VERSION = "collisions-lab/poses", 2
 RATE = 60
 """Samples a second of a replay."""
 LEAST_SAMPLES = 60
@@ -66,7 +65,8 @@ class Track:
     """Packed poses of one run; plain data.
 
     profile, key: whose run it is, and of what. fingerprint: of the scenario and settings. rate: samples a second, of
-    which there are `count`. packed: `LENGTH` and `TURN` as steps, second differences, compressed.
+    which there are `count`. packed: `LENGTH` and `TURN` as steps, second differences, compressed. curve: what is
+    plotted of the run, as `reference.curves` packs it; empty where nobody asked.
     """
 
     profile: str
@@ -76,6 +76,7 @@ class Track:
     rate: int
     count: int
     packed: bytes
+    curve: bytes = b""
 
 
 def rate_of(scenario: Scenario) -> int:
@@ -118,26 +119,6 @@ def _at(times: Array, known: Array, values: Array) -> Array:
 
 def _unit(orientations: Array) -> Array:
     return np.asarray(orientations / np.linalg.norm(orientations, axis=-1, keepdims=True), dtype=np.float64)
-
-
-def trajectory_of(poses: Poses, scenario: Scenario, settings: Settings) -> Trajectory:
-    """A trajectory for plots: velocities are differences of the poses, so that an impact takes two samples."""
-    shape = len(poses.times), len(scenario.bodies)
-    positions = np.tile([body.position for body in scenario.bodies], (shape[0], 1, 1))
-    orientations = np.tile([body.orientation for body in scenario.bodies], (shape[0], 1, 1))
-    for place, body in enumerate(poses.bodies):
-        positions[:, scenario.index(body)] = poses.positions[:, place]
-        orientations[:, scenario.index(body)] = poses.orientations[:, place]
-    velocities = np.gradient(positions, poses.times, axis=0)
-    spins = _spins(orientations, poses.times)
-    return Trajectory(scenario, settings, poses.title, poses.times, positions, orientations, velocities, spins)
-
-
-def _spins(orientations: Array, times: Array) -> Array:
-    """Angular velocities (n, b, 3), rad/s, world frame: the vector part of 2 q̇ q*."""
-    rates = np.gradient(orientations, times, axis=0)
-    (w, q), (w_rate, q_rate) = ((part[..., :1], part[..., 1:]) for part in (orientations, rates))
-    return np.asarray(2 * (w * q_rate - w_rate * q - np.cross(q_rate, q)))
 
 
 # Packing
@@ -183,22 +164,31 @@ def _steps(zigzag: NDArray[np.uint32], track: Track) -> NDArray[np.int64]:
 
 
 def write_tracks(path: Path, tracks: Iterable[Track], made: Mapping[str, str]) -> None:
-    """Write tracks into one `.npz`: all numbers, byte by byte in planes, and an index. The same tracks, the same bytes.
+    """Write tracks into one `.npz`: poses and curves, byte by byte in planes, and an index.
 
-    made: where and when they were recorded.
+    The same tracks make the same bytes. made: where and when they were recorded.
     """
     tracks = sorted(tracks, key=lambda track: (track.profile, track.key))
     index = {"schema": SCHEMA, "version": VERSION, "made": dict(made), "tracks": [_entry(track) for track in tracks]}
-    numbers = b"".join(zlib.decompress(track.packed) for track in tracks)
-    planes = np.frombuffer(numbers, dtype=np.uint8).reshape(-1, 4).T
+    planes = _planes(b"".join(zlib.decompress(track.packed) for track in tracks))
+    curves = _planes(b"".join(track.curve for track in tracks))
     text = np.frombuffer(json.dumps(index, ensure_ascii=False).encode(), dtype=np.uint8)
     with zipfile.ZipFile(path, "w") as file:
-        for name, values in (("index", text), ("planes", planes)):
+        for name, values in (("index", text), ("planes", planes), ("curves", curves)):
             entry = zipfile.ZipInfo(f"{name}.npy", _NO_DATE)
             entry.compress_type, entry.create_system = zipfile.ZIP_DEFLATED, 3
             content = io.BytesIO()
             np.lib.format.write_array(content, np.ascontiguousarray(values), allow_pickle=False)
             file.writestr(entry, content.getvalue(), compresslevel=9)
+
+
+def _planes(numbers: bytes) -> NDArray[np.uint8]:
+    """Numbers of four bytes as all first bytes, all second ones …, which compresses better."""
+    return np.frombuffer(numbers, dtype=np.uint8).reshape(-1, 4).T
+
+
+def _numbers(planes: NDArray[np.uint8]) -> bytes:
+    return np.ascontiguousarray(planes.T).tobytes()
 
 
 def read_tracks(path: Path) -> tuple[dict[tuple[str, str], Track], dict[str, str]]:
@@ -213,20 +203,24 @@ def read_tracks(path: Path) -> tuple[dict[tuple[str, str], Track], dict[str, str
         return {}, {}
     try:
         with np.load(path, allow_pickle=False) as content:
-            index, planes = json.loads(content["index"].tobytes()), content["planes"]
+            index = json.loads(content["index"].tobytes())
+            numbers, points = _numbers(content["planes"]), _numbers(content["curves"]) if "curves" in content else b""
         known = index["schema"], index["version"]
     except (OSError, ValueError, KeyError, TypeError, zipfile.BadZipFile, zlib.error) as error:
         raise InvalidInput(f"{str(path)!r} holds no poses: {error}") from None
     if known != (SCHEMA, VERSION):
         raise InvalidInput(f"{str(path)!r} holds no poses of version {VERSION}; collisions record makes new ones")
-    numbers, found, start = np.ascontiguousarray(planes.T).tobytes(), {}, 0
+    found, start, first = {}, 0, 0
     for entry in index["tracks"]:
         entry["bodies"] = tuple(entry["bodies"])
-        end = start + 4 * _PARTS * len(entry["bodies"]) * entry["count"]
-        found[entry["profile"], entry["key"]] = Track(**entry, packed=zlib.compress(numbers[start:end], level=1))
-        start = end
+        end, last = start + 4 * _PARTS * len(entry["bodies"]) * entry["count"], first + entry.pop("curve")
+        packed, curve = zlib.compress(numbers[start:end], level=1), points[first:last]
+        found[entry["profile"], entry["key"]] = Track(**entry, packed=packed, curve=curve)
+        start, first = end, last
     return found, index["made"]
 
 
 def _entry(track: Track) -> dict[str, Any]:
-    return {field.name: getattr(track, field.name) for field in fields(track) if field.name != "packed"}
+    """What stands in the index: of the poses nothing, and of the curve how many bytes it has."""
+    own = {field.name: getattr(track, field.name) for field in fields(track) if field.name != "packed"}
+    return own | {"curve": len(track.curve)}

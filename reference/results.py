@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-import numpy as np
-
 from reference.compare import Row
+from reference.curves import Series
 from reference.errors import InvalidInput
 from reference.family import Case, Family
 from reference.published import Answer
@@ -15,9 +14,6 @@ from reference.published.judging import PublishedRow
 from reference.replay import Track
 from reference.settings import Option
 from reference.shares import Split
-from reference.trajectory import Trajectory
-
-PLOTTED_POINTS = 600
 
 
 @dataclass(frozen=True)
@@ -60,23 +56,6 @@ class Job:
         if family.grid is None:
             raise InvalidInput(f"{family.name} has no parameters that can be moved")
         return (family.grid.case(**dict(self.at)),) if self.at else family.grid.cases
-
-
-@dataclass(frozen=True)
-class Series:
-    """A plotted curve: times in s, values in the unit of the family's curve."""
-
-    times: tuple[float, ...]
-    values: tuple[float, ...]
-
-    @classmethod
-    def of(cls, family: Family, trajectory: Trajectory) -> Series:
-        """The family's curve of a trajectory, thinned to some `PLOTTED_POINTS`."""
-        end = family.curve.until or trajectory.times[-1]
-        times, values = trajectory.times, family.curve.values(trajectory)
-        inside = np.flatnonzero((times <= end) & np.isfinite(values))
-        kept = inside[:: max(1, len(inside) // PLOTTED_POINTS)]
-        return cls(tuple(np.round(times[kept], 6).tolist()), tuple(np.round(values[kept], 7).tolist()))
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,6 @@ from dataclasses import replace
 from reference import checks
 from reference.engines import load_engine
 from reference.errors import EngineNotInstalled, RunFailed
-from reference.family import Family
 from reference.grid import nearest
 from reference.isolate import run_isolated
 from reference.recording import content_of
@@ -55,14 +54,8 @@ def moved(job: Job, recorded: Iterable[str]) -> Job:
 
 def _movable(job: Job) -> bool:
     """Whether a recording could answer a job if it were moved: nothing but parameters and timestep are asked for."""
-    names, family = [name for name, _ in job.changes], catalogue()[job.family]
-    return family.grid is not None and bool(job.at or (names and _on_grid(job, family))) and set(names) <= {"timestep"}
-
-
-def _on_grid(job: Job, family: Family) -> bool:
-    """Whether one of the family's own cases that it runs is a point of the grid as well."""
-    assert family.grid is not None
-    return not {case.name for case in job.chosen(family)}.isdisjoint(case.name for case in family.grid.cases)
+    names = {name for name, _ in job.changes}
+    return catalogue()[job.family].grid is not None and bool(job.at or names) and names <= {"timestep"}
 
 
 @functools.cache

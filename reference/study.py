@@ -10,6 +10,7 @@ import numpy as np
 
 from reference import recording
 from reference.compare import ALL_CASES, TUNED, Row, Verdict, compare_case, verdict_of
+from reference.curves import Series
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.errors import CollisionsError, InvalidInput, UnknownName, one_line
@@ -18,7 +19,7 @@ from reference.implementation import Implementation
 from reference.question import Question
 from reference.recording import track_of
 from reference.replay import Track
-from reference.results import Errors, Job, JobResult, Series
+from reference.results import Errors, Job, JobResult
 from reference.running import Work
 from reference.scenarios import catalogue
 from reference.settings import Option

@@ -119,7 +119,7 @@ def _stale(wanted: Iterable[tuple[Family, str]], out: Path | None) -> list[tuple
 
 
 def _check(results: Iterable[JobResult]) -> None:
-    """Refuse to keep runs that went wrong; a point of a grid whose run blows up is an answer like any other."""
+    """Refuse to keep runs that went wrong; a point or timestep of a grid that blows up is an answer like any other."""
     for result in results:
         for row in result.rows:
             if row.verdict is Verdict.NOT_AVAILABLE or (row.verdict is Verdict.CRASHED and not _blew_up(result, row)):
@@ -127,7 +127,7 @@ def _check(results: Iterable[JobResult]) -> None:
 
 
 def _blew_up(result: JobResult, row: Row) -> bool:
-    return result.job.grid and row.case != ALL_CASES and not row.quantity
+    return (result.job.grid or bool(result.job.changes)) and row.case != ALL_CASES and not row.quantity
 
 
 def _in_order(results: Iterable[R], planned: Sequence[Job | PublishedJob]) -> list[R]:

@@ -90,7 +90,7 @@ def curve(asked: Asked) -> Picture | None:
             series = line.result.series
             assert series is not None
             sparse: dict[str, Any] = {"markevery": (0.05 * len(axes.lines), 0.4)}
-            axes.plot(series.times, series.values, label=who(line), **figures.marker(line), **look(line), **sparse)
+            axes.plot(*series.dense(), label=who(line), **figures.marker(line), **look(line), **sparse)
         axes.set(title=asked.title, xlabel="time, s", ylabel=asked.family.curve.y_label)
         figure.legend(loc="outside lower left", ncols=2, handlelength=3)
         content = io.BytesIO()

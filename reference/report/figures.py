@@ -52,7 +52,7 @@ def trajectories(section: Section) -> str:
         sparse: dict[str, Any] = (
             {"markevery": (_STAGGER * len(axes.get_lines()), _MARKER_DISTANCE)} if series.times else {}
         )
-        axes.plot(series.times, series.values, **sparse, **marker(line), **line_style(line))
+        axes.plot(*series.dense(), **sparse, **marker(line), **line_style(line))
         return line.title
 
     labels = {"title": curve.title, "xlabel": "time, s", "ylabel": curve.y_label}

@@ -6,6 +6,9 @@ import pytest
 
 from labs import notebook
 from labs.desk import hand
+from reference import snapping
+from reference.engines import engine_names, load_engine
+from reference.isolate import stop_workers
 
 
 @pytest.fixture
@@ -27,3 +30,20 @@ def lab(cells, monkeypatch, tmp_path):
     yield desk
     if desk._grader is not None:
         desk._grader.close()
+
+
+@pytest.fixture
+def no_engine(tmp_path_factory, monkeypatch):
+    """None can be imported, neither here nor in a worker."""
+
+    def forget() -> None:
+        stop_workers()  # those that are idle have imported them already
+        snapping.absent.cache_clear()
+
+    folder = tmp_path_factory.mktemp("blocked")
+    for package in filter(None, (load_engine(name).package for name in engine_names())):
+        (folder / f"{package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
+    monkeypatch.syspath_prepend(str(folder))
+    forget()
+    yield
+    forget()

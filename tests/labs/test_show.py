@@ -20,12 +20,13 @@ from labs.demonstrations import DEMONSTRATIONS, Demonstration, find
 from labs.seen import Seen, filled
 from reference import recording
 from reference.compare import Row, Verdict
+from reference.curves import Series
 from reference.engines import engine_names, load_engine
 from reference.engines.base import EXACT
 from reference.isolate import stop_workers
 from reference.report import terminal
 from reference.report.terminal import Points
-from reference.results import Job, JobResult, Series
+from reference.results import Job, JobResult
 from reference.scenarios import catalogue
 from reference.study import profiles_of, run_job
 

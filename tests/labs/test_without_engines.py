@@ -7,33 +7,16 @@ import re
 import pytest
 from program import collisions
 
-from reference import snapping
 from reference.engines import engine_names, load_engine
-from reference.isolate import stop_workers
 from reference.recording import recall, replay
 from reference.report.files import read_published, read_rows
 from reference.results import Job
 from reference.scenarios import catalogue
 
+pytestmark = pytest.mark.usefixtures("no_engine")
+
 ENGINES = [name for name in engine_names() if load_engine(name).package]
 TITLES = [load_engine(name).title for name in ENGINES]
-
-
-@pytest.fixture(autouse=True)
-def no_engine(tmp_path_factory, monkeypatch):
-    """None can be imported, neither here nor in a worker."""
-
-    def forget() -> None:
-        stop_workers()  # those that are idle have imported them already
-        snapping.absent.cache_clear()
-
-    folder = tmp_path_factory.mktemp("blocked")
-    for name in ENGINES:
-        (folder / f"{load_engine(name).package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
-    monkeypatch.syspath_prepend(str(folder))
-    forget()
-    yield
-    forget()
 
 
 def test_a_comparison_has_the_numbers_of_every_engine_each_marked_as_recorded():

@@ -141,16 +141,16 @@ def test_nothing_moves_where_all_engines_run_or_nothing_that_is_recorded_is_aske
     others = [
         Job("dropped-ball", "pybullet", "tuned"),
         Job("stack", "pybullet", "tuned", changes=(("timestep", 3e-3),)),
-        Job("dropped-ball", "pybullet", "tuned", changes=(("timestep", 3e-3),)),  # none of its cases is on the grid
         Job("incline", "pybullet", "tuned", changes=(("contact_erp", 0.1), ("timestep", 3e-3))),
         Job("incline", "pybullet", "tuned", at=(("friction", 0.4), ("angle", 20.0))),  # a point already
     ]
     assert snapped(others) == others
 
 
-def test_a_timestep_moves_for_a_familys_own_cases_too_where_they_are_on_the_grid(monkeypatch):
+@pytest.mark.parametrize("family", ["incline", "dropped-ball"], ids=["points of its grid", "none of them"])
+def test_a_timestep_moves_for_a_familys_own_cases_too(family, monkeypatch):
     monkeypatch.setattr(snapping, "absent", lambda name: name == "pybullet")
     monkeypatch.setattr(snapping, "content_of", lambda engine, family: {"made": {}})
-    own = [Job("incline", engine, "tuned", changes=(("timestep", 3e-3),)) for engine in ("handwritten", "pybullet")]
+    own = [Job(family, engine, "tuned", changes=(("timestep", 3e-3),)) for engine in ("handwritten", "pybullet")]
     assert {job.changes for job in snapped(own)} == {(("timestep", 2e-3),)}
     assert {job.at for job in snapped(own)} == {()}

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import math
 import random
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from agreeing import same, same_curve
 
-from reference.compare import Row, Verdict
+from reference.compare import Verdict
 from reference.engines import engine_names, load_engine
 from reference.published import recorded
 from reference.published.running import plan
@@ -98,19 +99,6 @@ def test_a_replay_starts_where_its_scenario_does_and_lasts_as_long():
         assert 0 <= scenario.duration - poses.times[-1] < 1 / 60 + 1e-9
 
 
-def same(now: Row, then: Row) -> None:
-    assert (now.case, now.quantity) == (then.case, then.quantity)
-    if now.measured is None or then.measured is None:
-        assert (now.measured, now.verdict) == (then.measured, then.verdict)
-        return
-    # Another processor rounds differently, and thousands of steps add that up: far below what is judged by.
-    near = max(1e-6 * abs(then.measured), 0.01 * (then.tolerance or 0.0), 1e-9)
-    assert math.isclose(now.measured, then.measured, rel_tol=0, abs_tol=near), (now.case, now.quantity)
-    # A way that is a t dt/2 long is, at a timestep of t/1000, off by just the 0.1 % that are accepted.
-    on_edge = then.tolerance and math.isclose(abs(then.error), then.tolerance, rel_tol=1e-6)
-    assert now.verdict == then.verdict or on_edge, (now.case, now.quantity)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("job", [job for job in JOBS if job.profile == "tuned"], ids=str)
 def test_a_live_engine_measures_what_was_recorded(job, installed):
@@ -136,15 +124,18 @@ def test_a_live_engine_says_of_published_cases_what_was_recorded_and_allows_as_m
 
 
 def points(engine: str, count: int) -> list[Job]:
-    """Points of the grids of an engine, drawn by lot, the same in every run."""
+    """Points of the grids of an engine, and cases at their timesteps, drawn by lot, the same in every run."""
     drawn = random.Random(engine)
-    jobs = [job for name in STRAIGHT for job in jobs_of(catalogue()[name], engine) if job.grid]
-    found = []
-    for job in drawn.choices(jobs, k=count):
-        grid = catalogue()[job.family].grid
-        at = tuple((each.name, drawn.choice(each.values)) for each in grid.parameters)
-        found.append(Job(job.family, engine, job.profile, changes=job.changes, at=at, with_poses=True))
-    return found
+    jobs = [job for name in STRAIGHT for job in jobs_of(catalogue()[name], engine) if job.grid or job.changes]
+    return [_point(job, drawn) for job in drawn.choices(jobs, k=count)]
+
+
+def _point(job: Job, drawn: random.Random) -> Job:
+    """One point of a grid, or one case, of a job that runs all of them."""
+    if not job.grid:
+        return replace(job, cases=(drawn.choice(job.cases),), with_curve=True)
+    parameters = catalogue()[job.family].grid.parameters
+    return replace(job, grid=False, at=tuple((each.name, drawn.choice(each.values)) for each in parameters))
 
 
 @pytest.mark.slow
@@ -155,6 +146,8 @@ def test_a_live_engine_measures_what_was_recorded_at_points_of_the_grids_and_goe
         live, recorded = run_job(job), recall(job)
         for now, then in zip(live.rows, recorded.rows, strict=True):
             same(now, then)
+        if live.series is not None:
+            same_curve(live.series, recorded.series)
         for track in live.poses:
             now, then = unpack(track, ""), replay(job, live.rows[0].case)
             # Both are rounded to whole steps: where the two runs differ by a rounding error, by one step at most.

@@ -13,10 +13,11 @@ from xml.etree import ElementTree
 import pytest
 
 from reference.compare import Row, Verdict
+from reference.curves import Series
 from reference.engines import engine_names, load_engine
 from reference.report import figures
 from reference.report.summary import Section, sections
-from reference.results import Errors, Job, JobResult, Series
+from reference.results import Errors, Job, JobResult
 from reference.scenarios import catalogue
 
 SVG, XLINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}"

@@ -12,11 +12,12 @@ import pytest
 
 from reference import lecture
 from reference.compare import ALL_CASES, Row, Verdict
+from reference.curves import Series
 from reference.engines import engine_names, load_engine
 from reference.family import Family
 from reference.report import figures, page
 from reference.report.summary import LEGEND, MARKS, sections
-from reference.results import Errors, Job, JobResult, Series
+from reference.results import Errors, Job, JobResult
 from reference.scenarios import catalogue
 from reference.shares import Share, Split
 from reference.study import run_job

@@ -22,10 +22,11 @@ import pytest
 
 from reference import isolate, recording
 from reference.compare import ALL_CASES, Verdict
+from reference.curves import Series
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
 from reference.isolate import stop_workers
-from reference.results import Job, JobResult, Series
+from reference.results import Job, JobResult
 from reference.running import run_all, run_one
 from reference.scenarios import catalogue
 from reference.study import SCENARIOS, longest_first, order_of, plan, run_job
@@ -233,7 +234,7 @@ def test_a_job_of_the_plotted_case_brings_the_curve_and_any_other_where_it_is_as
     assert run_job(replace(other, with_curve=True)).series.values[-1] > 0.9  # it rises again to where it came from
     series = run_job(Job("dropped-ball", "handwritten", "tuned", (curve.case,))).series
     assert len(series.times) == len(series.values)
-    assert 300 <= len(series.times) <= 1200  # enough for a smooth line, few enough for a page
+    assert 30 <= len(series.times) <= 200  # a fall and a rise: enough for a smooth line, few enough to be kept
     assert series.times[0] == 0
     assert series.values[0] == pytest.approx(1.0, abs=1e-6)  # the gap at the start; curves are rounded to 1e-7 m
     until = catalogue()["ball-to-rest"].curve.until
@@ -245,7 +246,7 @@ def test_a_curve_has_a_gap_where_its_value_is_not_finite():
     trajectory = engine.run(scenario, engine.settings(scenario, "tuned").change(timestep=0.01))
     values = np.where(trajectory.times < 0.105, np.inf, 1.0)
     curve = Series.of(replace(DROPPED, curve=replace(DROPPED.curve, values=lambda _: values)), trajectory)
-    assert curve.times == pytest.approx(trajectory.times[11:])
+    assert curve.times == pytest.approx(trajectory.times[[11, -1]])  # and straight on from there
     assert set(curve.values) == {1.0}
 
 
