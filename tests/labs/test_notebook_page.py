@@ -95,6 +95,14 @@ def test_each_run_has_a_replay_that_waits(browser):
             assert browser.run("found.is = [replay.frame, replay.toggle.title];")["is"] == [0, "Play"]
 
 
+def test_no_line_of_progress_is_left_and_no_gap_where_it_was(browser):
+    found = browser.run("""const outputs = [...document.querySelectorAll(".jp-OutputArea-child")];
+        found.left = outputs.map(it => it.textContent.trim()).filter(text => /^(running|checking)/.test(text));
+        const bare = outputs.filter(it => !it.textContent.trim() && !it.querySelector("img, iframe"));
+        found.gaps = bare.map(it => it.clientHeight).filter(height => height > 0);""")
+    assert found == {"left": [], "gaps": []}
+
+
 def test_a_click_plays_it_to_its_end(browser, ball):
     click(browser, ball, ".replay-bar button")
     with browser.within(ball):
