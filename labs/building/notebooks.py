@@ -27,19 +27,32 @@ _LEAST = 24
 _SETUP = """\
 # Run this cell first, and after every restart: it finds the lab, and says which engines answer.
 from __future__ import annotations
+
 import sys
 from pathlib import Path
 
-if "google.colab" in sys.modules and not Path("collisions-lab").exists():
-    import shutil
-    from google.colab import files
-    print("Choose the file collisions-lab.zip.")
-    shutil.unpack_archive(next(iter(files.upload())), ".")
-    get_ipython().run_line_magic("pip", "install --quiet 'pytest>=8.4' hypothesis mujoco")
+here = Path.cwd()
+course = here / "collisions-lab"
 
-around = [*Path("collisions-lab", "here").absolute().parents]
-sys.path[:0] = [str(place) for place in around if Path(place, "labs", "notebook.py").is_file()][:1]
-from labs import lab
+if "google.colab" in sys.modules:  # asks for the course's files, once for every machine that Colab lends you
+    import io, zipfile
+    from google.colab import files
+
+    if not course.exists():
+        print("Choose collisions-lab.zip, and with it your notebooks of earlier labs, if you have any.")
+        for content in files.upload().values():
+            if zipfile.is_zipfile(io.BytesIO(content)):
+                zipfile.ZipFile(io.BytesIO(content)).extractall()
+    if not course.exists():
+        raise FileNotFoundError("That was not collisions-lab.zip: run this cell again and choose it.")
+    !pip install --quiet mujoco hypothesis "pytest>=8.4"
+
+for folder in [course, here, *here.parents]:  # the lab is above this notebook, or beside it
+    if (folder / "labs" / "notebook.py").is_file():
+        sys.path.insert(0, str(folder))
+        break
+
+from labs import lab  # if there is no such module: put this notebook back where it came from
 
 lab.begin("{topic}")"""
 _ANSWER = "*Your answer:* "
