@@ -175,7 +175,8 @@ def _function(desk: _Desk, name: str, text: str) -> None:
     """A function's cell and the one that checks it."""
     desk.add("code", text, tags=[name], nbgrader=_nbgrader(name, solution=True))
     check = _nbgrader(f"check-{name}", grade=True, locked=True, points=points_of(name))
-    desk.add("code", f"lab.check({name!r})".replace("'", '"'), tags=["check"], nbgrader=check)
+    text = f"lab.check({name!r})".replace("'", '"')
+    desk.add("code", text, tags=["check"], editable=False, deletable=False, nbgrader=check)
 
 
 def _answer(cell: Cell) -> dict[str, Any]:
