@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from labs.building.lessons import Cell, Lesson, read
+from labs.building.narrow import WIDTH, narrow
 from labs.building.pieces import Piece, Pieces, imports_of, text_of
 from labs.building.points import points_of
 from reference import lecture
@@ -142,8 +143,12 @@ def stub(pieces: Pieces, name: str) -> str:
     function = next(node for node in ast.parse(piece.text).body if isinstance(node, ast.FunctionDef))
     description = function.body[0].end_lineno
     entry = lecture.function(name)
-    unwritten = f'    raise NotImplementedError("{entry.topic}, step {entry.step}: {name} is yours to write")'
-    return "\n".join([*piece.text.split("\n")[:description], unwritten])
+    said = f'"{entry.topic}, step {entry.step}: {name} is yours to write"'
+    unwritten = f"    raise NotImplementedError({said})"
+    if len(unwritten) > WIDTH:
+        unwritten = f"    raise NotImplementedError(\n        {said}\n    )"
+    header = "\n".join(piece.text.split("\n")[:description])
+    return f"{narrow(header).rstrip()}\n{unwritten}"
 
 
 def _common(desk: _Desk, cell: Cell) -> None:
