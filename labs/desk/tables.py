@@ -12,7 +12,7 @@ from labs.desk.predicting import Prediction
 from reference.compare import Row, Verdict
 from reference.family import Quantity
 from reference.report import numbers
-from reference.report.summary import MARKS, Line, error_of
+from reference.report.summary import MARKS, Line, error_of, tolerance_of
 
 if TYPE_CHECKING:
     from labs.desk.asking import Asked
@@ -112,11 +112,11 @@ def _table(asked: Asked, quantity: Quantity, guesses: Sequence[Prediction]) -> T
     rows = [(line, row) for line in asked.lines if (row := _row(line, quantity.name))]
     theory = next((row.expected for _, row in rows if row.expected is not None), None)
     cells = [_cells(line, row) for line, row in rows]
-    cells[:0] = [("you predicted", guess.shown, _off(guess, theory), "", "") for guess in guesses]
+    cells[:0] = [("you predicted", guess.shown, _off(guess, theory), "", "", "") for guess in guesses]
     if theory is not None:
-        cells.append(("theory", _value(theory), "", "", ""))
+        cells.append(("theory", _value(theory), "", "", "", ""))
     unit = f", {quantity.unit}" if quantity.unit else ""
-    headings = ("", f"value{unit}", "off by", "", "timestep")
+    headings = ("", f"value{unit}", "off by", "", "allowed", "timestep")
     used = [place for place in range(len(headings)) if place < 2 or any(row[place] for row in cells)]
     return Table(
         capital(quantity.title),
@@ -132,7 +132,14 @@ def _row(line: Line, quantity: str) -> Row | None:
 def _cells(line: Line, row: Row) -> tuple[str, ...]:
     value = _value(row.measured) if row.measured is not None else "none"
     timestep = f"{1000 * float(row.settings.split()[1]):.3g} ms"  # of `timestep 0.001 s, …`
-    return who(line), value, error_of(row) if row.error is not None else "", MARKS[row.verdict], timestep
+    error = error_of(row) if row.error is not None else ""
+    return who(line), value, error, MARKS[row.verdict], _allowed(row), timestep
+
+
+def _allowed(row: Row) -> str:
+    """The tolerance of a row; that of a number which may be off by rounding alone needs no figure."""
+    allowed = tolerance_of(row)
+    return "rounding" if allowed.startswith("<") else f"±{allowed}" if allowed else ""
 
 
 def _off(prediction: Prediction, theory: float | None) -> str:

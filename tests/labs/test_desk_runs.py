@@ -128,7 +128,7 @@ def test_a_timestep_is_swept_in_milliseconds(lab, monkeypatch):
     assert [slid[0].value(value) for value in slid[0].values] == ["timestep 2.08 ms", "timestep 10 ms"]
 
 
-@pytest.mark.parametrize("count", range(1, 9))
+@pytest.mark.parametrize("count", [1, 2, 5, 8])
 def test_a_sweep_of_any_length_has_its_picture(lab, count):
     values = tuple(0.1 * place for place in range(1, count + 1))
     lab.sweep("dropped-ball", "restitution", values, engines=("pybullet",))
