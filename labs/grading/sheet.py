@@ -75,7 +75,8 @@ class Sheet:
 
     complaints: about the file. unread: functions that stand where Python cannot read. tier: how far its processes were
     shut in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the
-    submission's functions each of these calls.
+    submission's functions each of these calls. beneath: outcomes, without points, of functions that nobody asked for and
+    wrong ones call. given: names that the lab's own cells define, where it is a notebook.
     """
 
     submission: str = ""
@@ -86,6 +87,18 @@ class Sheet:
     skipped: list[str] = field(default_factory=list)
     diagnoses: dict[str, Diagnosis] = field(default_factory=dict)
     uses: dict[str, list[str]] = field(default_factory=dict)
+    beneath: list[Outcome] = field(default_factory=list)
+    given: frozenset[str] = frozenset()
+
+    def about(self, function: str) -> list[Outcome]:
+        """What came of a function's tests, asked for or beneath."""
+        return [outcome for outcome in (*self.outcomes, *self.beneath) if outcome.function == function]
+
+    def add_beneath(self, other: Sheet) -> None:
+        """Take over what was found of functions that wrong ones call."""
+        self.beneath += other.outcomes
+        self.diagnoses |= other.diagnoses
+        self.uses |= other.uses
 
     @property
     def lost(self) -> list[str]:

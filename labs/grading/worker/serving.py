@@ -9,6 +9,8 @@ from __future__ import annotations
 import __future__
 
 import ast
+import builtins
+import difflib
 import io
 import itertools
 import os
@@ -29,6 +31,7 @@ TITLE = "submission"
 FAILED = 70
 """Exit code of a process in which not the submission failed but what runs it."""
 _MESSAGE_CHARACTERS = 2000
+_ALIKE = 0.75  # of 1, how much a name has to share with one that was meant
 Failure = tuple[list[str], str, str, int | None]
 _FLAGS = __future__.annotations.compiler_flag  # a type hint that cannot be evaluated costs nothing
 
@@ -175,10 +178,22 @@ def _described(error: BaseException) -> tuple[str, str, int | None]:
     if isinstance(error, SyntaxError) and error.filename == TITLE:
         line = error.lineno
     try:
-        message = str(error)
+        message = str(error) + _meant(error)
     except BaseException:
         message = "(its message cannot be shown)"
     return type(error).__name__[:100], message[:_MESSAGE_CHARACTERS], line
+
+
+def _meant(error: BaseException) -> str:
+    """What Python's own traceback adds of a name that is misspelt: ". Did you mean: 'cross'?"."""
+    name, names = getattr(error, "name", None), set[str]()
+    if isinstance(error, NameError) and error.__traceback__:
+        frame = list(traceback.walk_tb(error.__traceback__))[-1][0]
+        names = {*frame.f_locals, *frame.f_globals, *vars(builtins)}
+    elif isinstance(error, AttributeError):
+        names = set(dir(error.obj))
+    near = difflib.get_close_matches(str(name), [each for each in names if each[:1] != "_"], 1, _ALIKE) if name else []
+    return f". Did you mean: {near[0]!r}?" if near else ""
 
 
 def _names(statement: ast.stmt) -> Iterator[str]:

@@ -160,7 +160,7 @@ BANK = (
       "What unit has each of your terms?"),
     M("inverse_effective_mass", "masses for their inverses, infinite",
       both(lambda body, n: over(1.0, body[3]) + turning(body, n)),
-      "M_A + M_B stands in place of 1/M_A + 1/M_B: the bodies are given with 1/M, and of an immovable one 1/0 makes inf.",
+      "M_A + M_B stands in place of 1/M_A + 1/M_B: the bodies are given with 1/M, and of an immovable one 1/0 is inf.",
       "What unit has each of your terms?"),
     M("inverse_effective_mass", "inertia for its inverse",
       both(inverted_once_more),
