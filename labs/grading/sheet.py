@@ -75,8 +75,8 @@ class Sheet:
 
     complaints: about the file. unread: functions that stand where Python cannot read. tier: how far its processes were
     shut in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the
-    submission's functions each of these calls. beneath: outcomes, without points, of functions that nobody asked for and
-    wrong ones call. given: names that the lab's own cells define, where it is a notebook.
+    submission's functions each of these calls. beneath: outcomes, without points, of functions that wrong ones call and
+    nobody asked for. given: names that the lab's own cells define, where it is a notebook.
     """
 
     submission: str = ""

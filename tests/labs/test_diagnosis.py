@@ -205,7 +205,7 @@ def test_a_mistake_for_one_contact_alone_is_named_all_the_same():
 
     found = diagnose("kinematic_response", of(single))
     assert found.mistakes[0].id == "kinematic_response/e for 1 + e"
-    assert "With several contacts in one call it ends in an error" in str(found)
+    assert "With several cases in one call it ends in an error" in str(found)
 
 
 def test_what_is_right_for_one_contact_alone_is_said_to_be():
