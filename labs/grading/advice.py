@@ -26,7 +26,7 @@ _ADVICE = (
         " decide for each of them.",
     ),
     (
-        r"remapped shapes.*(\((\d+),3,3\)->.* \(3,3,\2\)->|\(3,3,(\d+)\)->.* \(\3,3,3\)->)",
+        r"remapped shapes.*\((\d+),3,3\)->.* \(3,3,\1\)->",
         "R.T turns all axes round; np.swapaxes(R, -1, -2) only the last two.",
     ),
     (

@@ -37,19 +37,10 @@ def share(sheet: Sheet, name: str) -> str:
 
 def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
     """What to mend first, what was tried and came, what is known of it, what to look at, and what else is not so."""
-    failures = [
-        (reason, _own(said, name)) for outcome in sheet.about(name) for reason, said in outcome.failures
-    ]  # fmt: skip
-    diagnosis, uses = sheet.diagnoses.get(name), _used(sheet, name)
-    if uses:
-        yield from folded(_mend_first(sheet, uses), 1)
-    if any(sheet.diagnoses[other].verdict not in _RIGHT_ALONE for other in uses):  # then nothing is known of this one
-        told = _told([failure for failure in failures if _NO_ANSWER.search(failure[1])], 1)
-        diagnosis = None
-    else:
-        told = _told(failures, 1 if uses or (diagnosis and diagnosis.mistakes) else MOST_PARTS)
-    if diagnosis and uses:  # how it fails with many is theirs
-        diagnosis = replace(diagnosis, crashes=(), one_alone=False)
+    failures = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
+    uses = [each for each in sheet.uses.get(name, []) if each in sheet.diagnoses]
+    diagnosis, told = _certain(sheet, name, uses, failures)
+    yield from _first(sheet, name, uses)
     for reason, said in told:
         yield from folded(f"Not yet: {reason}", 1)
         yield from _indented(said, advice, bool(diagnosis and diagnosis.verdict == "named"))
@@ -63,18 +54,31 @@ def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
         yield from folded(f"{'Not yet either' if told else 'Not yet'}: {'; '.join(others)}", 1)
 
 
-def _used(sheet: Sheet, name: str) -> list[str]:
-    """The functions that it calls and that are not right either."""
-    return [each for each in sheet.uses.get(name, []) if each in sheet.diagnoses]
+def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tuple[Diagnosis | None, Told]:
+    """What is known of its own mistakes, and what to tell of its parts. uses: wrong functions that it calls.
+
+    Where one of these gives it wrong numbers, nothing is known but whether there is an answer at all.
+    """
+    diagnosis = sheet.diagnoses.get(name)
+    if any(sheet.diagnoses[other].verdict not in _RIGHT_ALONE for other in uses):
+        return None, _told([failure for failure in failures if _NO_ANSWER.search(failure[1])], 1)
+    if diagnosis and uses:
+        diagnosis = replace(diagnosis, crashes=(), one_alone=False)  # with many it fails as they do
+    return diagnosis, _told(failures, 1 if uses or (diagnosis and diagnosis.mistakes) else MOST_PARTS)
 
 
-def _mend_first(sheet: Sheet, uses: Sequence[str]) -> str:
-    slow = [name for name in uses if sheet.diagnoses[name].verdict == "too slow"]
+def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:
+    """What lies outside of it: functions to be mended before it, and variables that it finds elsewhere."""
+    slow = [other for other in uses if sheet.diagnoses[other].verdict == "too slow"]
     if slow:
-        return f"It calls your {listed(slow)}, which gave no answer in time: mend that first."
-    if len(uses) == 1:
-        return f"It calls your {uses[0]}, which is not right yet: mend that first."
-    return f"It calls your {listed(uses)}, which are not right yet: mend them first."
+        yield from folded(f"It calls your {listed(slow)}, which gave no answer in time: mend that first.", 1)
+    elif len(uses) == 1:
+        yield from folded(f"It calls your {uses[0]}, which is not right yet: mend that first.", 1)
+    elif uses:
+        yield from folded(f"It calls your {listed(uses)}, which are not right yet: mend them first.", 1)
+    for variable, cell in sheet.borrows.get(name, {}).items():
+        if variable not in sheet.given:
+            yield from folded(f"It takes {variable} from {cell}, not from its arguments: is that meant?", 1)
 
 
 def _told(failures: Told, most: int) -> Told:

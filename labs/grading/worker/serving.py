@@ -31,7 +31,6 @@ TITLE = "submission"
 FAILED = 70
 """Exit code of a process in which not the submission failed but what runs it."""
 _MESSAGE_CHARACTERS = 2000
-_ALIKE = 0.75  # of 1, how much a name has to share with one that was meant
 Failure = tuple[list[str], str, str, int | None]
 _FLAGS = __future__.annotations.compiler_flag  # a type hint that cannot be evaluated costs nothing
 
@@ -186,14 +185,19 @@ def _described(error: BaseException) -> tuple[str, str, int | None]:
 
 def _meant(error: BaseException) -> str:
     """What Python's own traceback adds of a name that is misspelt: ". Did you mean: 'cross'?"."""
-    name, names = getattr(error, "name", None), set[str]()
+    near: list[str] = []
     if isinstance(error, NameError) and error.__traceback__:
         frame = list(traceback.walk_tb(error.__traceback__))[-1][0]
-        names = {*frame.f_locals, *frame.f_globals, *vars(builtins)}
+        near = _alike(error.name, {*frame.f_locals, *frame.f_globals}) or _alike(error.name, vars(builtins), 0.75)
     elif isinstance(error, AttributeError):
-        names = set(dir(error.obj))
-    near = difflib.get_close_matches(str(name), [each for each in names if each[:1] != "_"], 1, _ALIKE) if name else []
+        near = _alike(error.name, dir(error.obj))
     return f". Did you mean: {near[0]!r}?" if near else ""
+
+
+def _alike(name: str | None, names: Collection[str], least: float = 0.66) -> list[str]:
+    """Names that share at least so much of 1 with another one; first those with its first letter, as a rule right."""
+    found = difflib.get_close_matches(name or "", [each for each in names if each[:1] != "_"], 5, least)
+    return sorted(found, key=lambda each: each[:1] != (name or "")[:1])
 
 
 def _names(statement: ast.stmt) -> Iterator[str]:
