@@ -57,11 +57,14 @@ def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
 def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tuple[Diagnosis | None, Told]:
     """What is known of its own mistakes, and what to tell of its parts. uses: wrong functions that it calls.
 
-    Where one of these gives it wrong numbers, nothing is known but whether there is an answer at all.
+    Where one of these gives it wrong numbers, nothing is known but whether there is an answer at all, and which errors
+    it does not share with them.
     """
     diagnosis = sheet.diagnoses.get(name)
     if any(sheet.diagnoses[other].verdict not in _RIGHT_ALONE for other in uses):
-        return None, _told([failure for failure in failures if _NO_ANSWER.search(failure[1])], 1)
+        theirs = {_own(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
+        none = [(reason, said) for reason, said in failures if said.startswith("raised ") or _NO_ANSWER.search(said)]
+        return None, _told([(reason, said) for reason, said in none if said not in theirs], 1)
     if diagnosis and uses:
         diagnosis = replace(diagnosis, crashes=(), one_alone=False)  # with many it fails as they do
     return diagnosis, _told(failures, 1 if uses or (diagnosis and diagnosis.mistakes) else MOST_PARTS)

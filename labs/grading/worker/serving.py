@@ -31,6 +31,7 @@ TITLE = "submission"
 FAILED = 70
 """Exit code of a process in which not the submission failed but what runs it."""
 _MESSAGE_CHARACTERS = 2000
+_TELLING = 3  # letters that a name has at least for another one to be like it
 Failure = tuple[list[str], str, str, int | None]
 _FLAGS = __future__.annotations.compiler_flag  # a type hint that cannot be evaluated costs nothing
 
@@ -196,8 +197,10 @@ def _meant(error: BaseException) -> str:
 
 def _alike(name: str | None, names: Collection[str], least: float = 0.66) -> list[str]:
     """Names that share at least so much of 1 with another one; first those with its first letter, as a rule right."""
-    found = difflib.get_close_matches(name or "", [each for each in names if each[:1] != "_"], 5, least)
-    return sorted(found, key=lambda each: each[:1] != (name or "")[:1])
+    if not name or len(name) < _TELLING:
+        return []
+    found = difflib.get_close_matches(name, [each for each in names if each[:1] != "_"], 5, least)
+    return sorted(found, key=lambda each: each[:1] != name[:1])
 
 
 def _names(statement: ast.stmt) -> Iterator[str]:
