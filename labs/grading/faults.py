@@ -25,6 +25,8 @@ _NO_ANSWER = re.compile(
     re.MULTILINE,
 )
 """What is said of an answer that is None, of another type, or another number of things."""
+_NEEDS = re.compile(r": needs \w+ \(")
+"""Of a whole scenario that lacks another function."""
 Told = Sequence[tuple[str, str]]
 """Parts, each with what was tried and what came of it."""
 
@@ -88,6 +90,7 @@ def _told(failures: Told, most: int) -> Told:
     """The parts that are told with what was tried, no two of which say the same."""
     first = {_gist(said): (reason, said) for reason, said in reversed(failures) if said}
     told = [failure for failure in failures if failure in first.values()]
+    told = [(reason, said) for reason, said in told if not _NEEDS.search(said)] or told
     return told[: 1 if told and _NO_ANSWER.search(told[0][1]) else most]
 
 

@@ -305,6 +305,10 @@ BANK = (
       size_with(below=both(lambda body, n: body[3] + flat(dot(lever(body[2], n), lever(body[2], n))))),
       "The inertia makes no difference: the lever is squared, but not multiplied with I⁻¹.",
       "Which part of the bodies makes no difference to your answer?"),
+    M("impulse_magnitude", "first term alone below",
+      lambda a, b, n, e: over(-(1 + np.asarray(e)) * closing(a, b, n), a[3], 0) + soft(a, n) - a[3] + soft(b, n),
+      "It is divided by the first term alone, and the others are added: brackets are missing.",
+      "Which terms stand below the line, and what does your line of code divide by?"),
     M("impulse_magnitude", "(I⁻¹ r) × n",
       size_with(below=both(
         lambda body, n: body[3] + flat(dot(n, np.cross(np.cross(turned(body[4], body[2]), n), body[2]))))),
