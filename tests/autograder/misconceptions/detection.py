@@ -102,7 +102,7 @@ BANK = (
       "The normal is made a unit vector, but the offset d belongs to the normal as it was given, and stays as it is.",
       "Which number changes too when you divide the plane's whole equation by something?"),
     M("signed_distance", "offset alone over the length", lambda p, n, d: flat(dot(n, p) + col(d) / size(n)),
-      "Only the offset is divided by ‖n‖: n·p has to be as well. Are brackets missing?",
+      "Only the offset is divided by ‖n‖: n·p has to be as well; brackets are missing.",
       "In which units is each of the two terms, with a normal of length 2?"),
     M("signed_distance", "offset subtracted", lambda p, n, d: (flat(dot(n, p)) - d) / flat(size(n)),
       "The offset has the wrong sign: the plane is n·p + d = 0, not n·p = d.",
