@@ -126,9 +126,10 @@ def test_the_mean_force_of_a_contact_is_the_net_force_less_the_others(submission
     "Slide 17. Where are the two centres?",
 )
 def test_the_normal_of_a_face_points_towards_a(submission, part):
-    with part(1, "A above, A below"):
+    with part(1, "A above, A below, beside B"):
         expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, 1], REST), UP)
         expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, -1], REST), [0.0, 0.0, -1.0])
+        expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, 0], REST), UP)
     with part(1, "both in one call"):
         expect(submission.point_plane_normal, ([0, 0, 2], [[3, 0, 1], [3, 0, -1]], REST), [UP, [0, 0, -1]])
         expect(submission.point_plane_normal, ([[0, 0, 2], [4, 0, 3]], [3, 0, 1], REST), [UP, [0.8, 0, 0.6]])
@@ -141,9 +142,10 @@ def test_the_normal_of_a_face_points_towards_a(submission, part):
     "Slide 17. How long is the cross product of the edges, and which ways may it point?",
 )
 def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission, part):
-    with part(1, "A above, A below"):
+    with part(1, "A above, A below, beside B"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, 1], REST), UP)
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, -1], REST), [0.0, 0.0, -1.0])
+        expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [3, 0, 0], REST), UP)
         expect(submission.edge_edge_normal, ([1e-4, 0, 0], [1e-4, 1e-6, 0], [0, 0, 1], REST), UP)  # 0.6° apart
     with part(1, "both in one call"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [[0, 0, 1], [0, 0, -1]], REST), [UP, [0, 0, -1]])
