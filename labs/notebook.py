@@ -14,9 +14,10 @@ on. Every call takes the functions as they are in the cells that you have run.
 from __future__ import annotations
 
 import functools
+import inspect
 import logging
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from types import EllipsisType
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
@@ -41,6 +42,11 @@ def _spoken(method: Callable[P, R]) -> Callable[P, R | None]:
 
     @functools.wraps(method)
     def call(*arguments: P.args, **named: P.kwargs) -> R | None:
+        try:
+            inspect.signature(method).bind(*arguments, **named)
+        except TypeError as error:
+            print(f"lab.{method.__name__}: {error}; help(lab.{method.__name__}) says what it takes")
+            return None
         try:
             return method(*arguments, **named)
         except CollisionsError as error:
@@ -80,27 +86,29 @@ class Lab:
             print("Functions of other labs are not at hand: some runs will say what they need.")
 
     @_spoken
-    def check(self, *names: str) -> float | None:
+    def check(self, *functions: str | Callable[..., object]) -> float | None:
         """Check functions by name, or all of this lab: what was tried, what came, and what physics expects.
 
         Only for nbgrader it has a value, the points that count.
         """
         from labs.desk import checking, hand  # noqa: PLC0415 - loads the grader
 
-        here = [entry.name for entry in lecture.functions_of(self._begun())]
+        here = [entry.name for entry in lecture.functions_of(self._begun()) if entry.role == "written"]
+        names = [str(getattr(function, "__name__", function)) for function in functions]
         for name in names:
             if name not in lecture.FUNCTIONS:
                 raise UnknownName("function of this lab", name, here)
         cells = hand.executed_cells()
-        if unseen := [name for name in names if name not in hand.defined_in(cells)]:
-            print(f"No cell that defines {', '.join(unseen)} has been run since the kernel started.")
+        unseen = [name for name in names or here if name not in hand.defined_in(cells)]
+        if unseen and (names or unseen == here):
+            what = ", ".join(names and unseen) or "a function of this lab"
+            print(f"No cell that defines {what} has been run since the kernel started (Run ▸ Run All Above).")
         for name in [name for name in hand.vanished(cells) if name in (names or here)]:
-            print(f"{name} is not there any more: deleted, or its cell ended in an error. Checked is what was typed.")
+            print(f"{name} is not there any more: deleted, or its cell ended in an error. The last one is checked.")
         with Progress("checking"):
             found = checking.check(self._notebook(), self._begun(), names, self._tests())
         print(found.said)
-        if printing := [name for name in hand.printing(cells) if name in (names or here)]:
-            print(f"What {', '.join(printing)} prints is not shown here: call it in a cell of your own to see it.")
+        _say_of_printing(name for name in hand.printing(cells) if name in (names or here))
         return found.credit
 
     @_spoken
@@ -121,7 +129,7 @@ class Lab:
         self,
         scenario: str,
         *,
-        predicted: str = "",
+        predicted: str | Sequence[str] = (),
         quantity: str | Sequence[str] = (),
         engines: Sequence[str] | None = None,
         profile: str = "tuned",
@@ -130,18 +138,21 @@ class Lab:
     ) -> None:
         """Run a case with your functions and with engines: replay, curve, and numbers beside theory.
 
-        predicted: the key of a prediction to show beside. quantity: which numbers, all if none is named. profile: of
-        your side, such as "slide" or "stock". Parameters of the scenario, such as restitution=0.37, instead of a case.
+        predicted: the key of a prediction to show beside, or several. quantity: which numbers, all if none is named.
+        engines: such as ("mujoco",), none if empty. profile: of your side, such as "stock", which answers at the end of
+        a step. timestep: s, of all. Parameters of the scenario, such as restitution=0.3, instead of a case.
         """
-        from labs.desk import showing, tables  # noqa: PLC0415
+        from labs.desk import asking, hand, showing, tables  # noqa: PLC0415
         from reference.scenarios import find  # noqa: PLC0415 - a check needs no catalogue
 
-        prediction = self._prediction(predicted)
+        predictions = self._guesses(predicted)
         wanted = [quantity] if isinstance(quantity, str) else list(quantity)
         for name in wanted:
             find(scenario)[0].quantity(name)
-        asked = self._ask(scenario, engines, profile, timestep, parameters)
-        _display(*showing.pictures(asked), tables.tables(asked, wanted, prediction))
+        asked = self._ask(scenario, engines, profile, timestep, parameters, ("predicted", "quantity"))
+        _display(*showing.pictures(asked), tables.tables(asked, wanted, predictions))
+        if asked.results[0].job.engine == asking.HANDWRITTEN:
+            _say_of_printing(set(hand.printing(hand.executed_cells())) & set(asked.results[0].functions))
 
     @_spoken
     def watch(
@@ -167,7 +178,7 @@ class Lab:
         parameter: str,
         values: Sequence[float] = (),
         *,
-        predicted: str = "",
+        predicted: str | Sequence[str] = (),
         quantity: str = "",
         engines: Sequence[str] | None = None,
         profile: str = "tuned",
@@ -175,7 +186,7 @@ class Lab:
         """Move one parameter of a scenario, or its timestep: a slider beside small pictures of every value."""
         from labs.desk import sweeping  # noqa: PLC0415
 
-        values, prediction = sweeping.values_of(scenario, parameter, values), self._prediction(predicted)
+        values, predictions = sweeping.values_of(scenario, parameter, values), self._guesses(predicted)
         with Progress("running", len(values)) as progress:
             asked: list[Asked] = []
             for value in values:
@@ -185,8 +196,8 @@ class Lab:
                     at, family = {parameter: value}, scenario.partition("/")[0]
                     asked.append(self._asked(family, engines, profile, None, at, recorded=True))
                 progress.done(len(asked), len(values), f"{parameter} {value:g}")
-        guess = prediction.with_unit if prediction else ""
-        found = sweeping.Sweep(parameter, tuple(values), tuple(asked), quantity, guess)
+        guesses = ", ".join(each.with_unit for each in predictions)
+        found = sweeping.Sweep(parameter, tuple(values), tuple(asked), quantity, guesses)
         _display(found.picture, found.table)
         sweeping.slide(found)
 
@@ -197,9 +208,13 @@ class Lab:
         profile: str,
         timestep: float | None,
         at: Mapping[str, float],
+        options: Sequence[str] = (),
     ) -> Asked:
         with Progress("running") as progress:
-            return self._asked(scenario, engines, profile, timestep, at, progress)
+            asked = self._asked(scenario, engines, profile, timestep, at, progress, options=options)
+        if asked.snapped:
+            print(asked.snapped)
+        return asked
 
     def _asked(
         self,
@@ -210,13 +225,18 @@ class Lab:
         at: Mapping[str, float],
         progress: Progress | None = None,
         recorded: bool = False,
+        options: Sequence[str] = (),
     ) -> Asked:
         from labs.desk import asking  # noqa: PLC0415 - loads the catalogue
 
         chosen = asking.ENGINES if engines is None else [engines] if isinstance(engines, str) else engines
         hand = self._hand()
         report = progress.done if progress else lambda done, of, label: None
-        return asking.ask(scenario, hand.source, chosen, profile, timestep, at, report, recorded).told(hand.located)
+        options = (*options, *asking.OPTIONS)
+        found = asking.ask(
+            scenario, hand.source, chosen, profile, timestep, at, report, recorded, hand.functions, options
+        )
+        return found.told(hand.located)
 
     def _hand(self, cells: Sequence[str] | None = None) -> Hand:
         from labs.desk import hand  # noqa: PLC0415
@@ -237,12 +257,13 @@ class Lab:
             raise InvalidInput(f'which lab is this? Run the first cell, or lab.begin("…") with one of {names}')
         return self.topic
 
-    def _prediction(self, key: str) -> Prediction | None:
-        if key and self._predictions and key not in self._predictions:
-            raise UnknownName("prediction", key, self._predictions)
-        if key and not self._predictions:
-            print(f"There is no prediction {key!r} yet: guess first, it is the point of the run.")
-        return self._predictions.get(key)
+    def _guesses(self, keys: str | Sequence[str]) -> list[Prediction]:
+        """The predictions of those keys that are made; of others it is said that they are not."""
+        keys = [keys] if isinstance(keys, str) else list(keys)
+        made = {key: each for key, each in self._predictions.items() if each.answer is not None}
+        for key in [key for key in keys if key and key not in made]:
+            print(f"There is no prediction {key!r} yet: guess first, in a cell above; it is the point of the run.")
+        return [made[key] for key in keys if key in made]
 
     def _tests(self) -> Grader:
         """What runs the tests; started once, since it takes longer than a check."""
@@ -251,6 +272,12 @@ class Lab:
 
             self._grader = Grader()
         return self._grader
+
+
+def _say_of_printing(names: Iterable[str]) -> None:
+    """Functions run in processes of their own: what they print is lost."""
+    if printing := sorted(names):
+        print(f"What {', '.join(printing)} prints is not shown here: call it in a cell of your own to see it.")
 
 
 def _display(*shown: object) -> None:

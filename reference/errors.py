@@ -29,9 +29,10 @@ class UnknownName(InvalidInput):
 
     def __init__(self, kind: str, value: object, choices: Iterable[str]) -> None:
         self.kind, self.value, self.choices = kind, value, tuple(choices)
+        between = "; " if any("," in choice for choice in self.choices) else ", "
         close = difflib.get_close_matches(str(value), self.choices, n=1, cutoff=0.5)
         hint = f" Did you mean {close[0]!r}?" if close else ""
-        super().__init__(f"unknown {kind} {str(value)!r}.{hint} Choices: {', '.join(self.choices) or 'none'}.")
+        super().__init__(f"unknown {kind} {str(value)!r}.{hint} Choices: {between.join(self.choices) or 'none'}.")
 
     def __reduce__(self) -> tuple[object, ...]:
         return UnknownName, (self.kind, self.value, self.choices)
@@ -86,12 +87,16 @@ def one_line(error: Exception) -> str:
 
 
 def place_of(trace: TracebackType | None) -> str:
-    """Where an error arose in hand-written code: `, at line 3 of lab.py, in collide`; empty where none is involved.
+    """Where an error arose in hand-written code: `, at line 3 of lab.py, in unit, for collide`; empty where in none.
 
-    The innermost place counts that is neither ours nor a library's.
+    The innermost place counts that is neither ours nor a library's, and the function by which one came there.
     """
     frames = [frame for frame in traceback.extract_tb(trace) if _is_handwritten(frame.filename)]
-    return f", at line {frames[-1].lineno} of {Path(frames[-1].filename).name}, in {frames[-1].name}" if frames else ""
+    if not frames:
+        return ""
+    asked, last = frames[0].name, frames[-1]
+    place = f", at line {last.lineno} of {Path(last.filename).name}, in {last.name}"
+    return place if asked == last.name else f"{place}, for {asked}"
 
 
 @cache

@@ -6,13 +6,13 @@ import functools
 import importlib
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from reference import lecture
-from reference.errors import InvalidInput, NeedsFunction
+from reference.errors import InvalidInput, NeedsFunction, RunFailed
 
 
 @dataclass(frozen=True)
@@ -21,10 +21,11 @@ class Implementation:
 
     source: an importable package with one module a topic (`"solutions"`), or the path of a `.py` file that holds the
     functions side by side, as a student hands it in; or several of these, `lab.py | labs.given`: what the first does
-    not define comes from the next. Being a string, it pickles.
+    not define comes from the next. Being a string, it pickles. asked: the functions that were asked for.
     """
 
     source: str = "solutions"
+    asked: set[str] = field(default_factory=set, compare=False, repr=False, kw_only=True)
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -38,13 +39,17 @@ class Implementation:
         found = next((each for module in modules if callable(each := getattr(module, name, None))), None)
         if found is None:
             raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.step})")
+        self.asked.add(name)
 
         @functools.wraps(found)
         def call(*arguments: Any, **named: Any) -> Any:
             try:
-                return found(*arguments, **named)
+                answer = found(*arguments, **named)
             except NotImplementedError:
                 raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.step})") from None
+            if answer is None:
+                raise RunFailed(f"{name} returned nothing: is a return missing?")
+            return answer
 
         return call
 

@@ -72,7 +72,8 @@ class JobResult:
     """All that a job gives back; plain data.
 
     seconds: what it took where it ran. cached: whether that was earlier, and the cache had it. recording: where and
-    when it was measured, if not here. poses: of each case's first scenario, where the job asks for them.
+    when it was measured, if not here. poses: of each case's first scenario, where the job asks for them. functions:
+    those of the hand-written side that it asked for.
     """
 
     job: Job
@@ -86,6 +87,7 @@ class JobResult:
     split: Split | None = None
     recording: str = ""
     poses: tuple[Track, ...] = ()
+    functions: tuple[str, ...] = field(default=(), compare=False)
     seconds: float = field(default=0.0, compare=False)
     cached: bool = field(default=False, compare=False)
 

@@ -138,7 +138,8 @@ def run_job(job: Job) -> JobResult:
     """Run a job here and now: every case, the plotted one, and error against timestep if it is asked for."""
     start = time.perf_counter()
     family = catalogue()[job.family]
-    engine = load_engine(job.engine, Implementation(job.implementation))
+    implementation = Implementation(job.implementation)
+    engine = load_engine(job.engine, implementation)
     version, has = engine.version(), profiles_of(engine, family)
     engine.module()  # where it cannot be imported, nothing is asked of it
     asked, rows = Question.of(family, engine), list[Row]()
@@ -169,6 +170,7 @@ def run_job(job: Job) -> JobResult:
         convergence,
         splits,
         poses=tuple(tracks),
+        functions=tuple(sorted(implementation.asked)),
         seconds=time.perf_counter() - start,
     )
 

@@ -96,7 +96,7 @@ class Trajectory:
             finite = np.isfinite(values).reshape(count, -1).all(axis=1)
             if not finite.all():
                 first = int(np.argmin(finite))
-                raise RunFailed(f"{self.engine}: {name} is not finite from t = {self.times[first]:.6g} s on")
+                raise RunFailed(f"{self.engine}: {name} are not finite from t = {self.times[first]:.6g} s on")
             object.__setattr__(self, name, _read_only(values))
         if np.any(np.diff(self.times) <= 0):
             raise RunFailed(f"{self.engine}: the times of a trajectory must increase")

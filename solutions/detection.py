@@ -199,8 +199,7 @@ def missing_probability(speed: ArrayLike, thickness: ArrayLike, radius: ArrayLik
 
         P = max(0, 1 − (w + 2r)/(v Δt))
 
-    This is the miss of a test for overlap. An engine that pushes a body out by the nearest way catches on less: beyond
-    the wall's middle that way leads out at the far side, so only w/2 + r of the way turns the ball back.
+    This is what a test for overlap does not notice. How much of what it notices an engine turns back is another matter.
 
     Parameters
     ----------

@@ -88,7 +88,10 @@ def read(topic: str) -> Lesson:
         If there is no such topic, it has no lesson yet, or the lesson does not fit the lecture: a function that the
         lecture has students write and the lesson does not, or out of order, or a question without a model answer.
     """
-    import jupytext  # noqa: PLC0415 - who only opens notebooks needs it not
+    try:
+        import jupytext  # noqa: PLC0415 - who only opens notebooks needs it not
+    except ImportError:
+        raise InvalidInput('lessons are read with jupytext: pip install -e ".[dev]"') from None
 
     name = lecture.topic(topic).name
     path = FOLDER / f"{name}.md"

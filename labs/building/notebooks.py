@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from labs.building.lessons import Cell, Lesson, read
+from labs.building.narrow import WIDTH, narrow
 from labs.building.pieces import Piece, Pieces, imports_of, text_of
 from labs.building.points import points_of
 from reference import lecture
@@ -27,19 +28,32 @@ _LEAST = 24
 _SETUP = """\
 # Run this cell first, and after every restart: it finds the lab, and says which engines answer.
 from __future__ import annotations
+
 import sys
 from pathlib import Path
 
-if "google.colab" in sys.modules and not Path("collisions-lab").exists():
-    import shutil
-    from google.colab import files
-    print("Choose the file collisions-lab.zip.")
-    shutil.unpack_archive(next(iter(files.upload())), ".")
-    get_ipython().run_line_magic("pip", "install --quiet 'pytest>=8.4' hypothesis mujoco")
+here = Path.cwd()
+course = here / "collisions-lab"
 
-around = [*Path("collisions-lab", "here").absolute().parents]
-sys.path[:0] = [str(place) for place in around if Path(place, "labs", "notebook.py").is_file()][:1]
-from labs import lab
+if "google.colab" in sys.modules:  # asks for the course's files, once for every machine that Colab lends you
+    import io, zipfile
+    from google.colab import files
+
+    if not course.exists():
+        print("Choose collisions-lab.zip, and with it your notebooks of earlier labs, if you have any.")
+        for content in files.upload().values():
+            if zipfile.is_zipfile(io.BytesIO(content)):
+                zipfile.ZipFile(io.BytesIO(content)).extractall()
+    if not course.exists():
+        raise FileNotFoundError("That was not collisions-lab.zip: run this cell again and choose it.")
+    !pip install --quiet mujoco hypothesis "pytest>=8.4"
+
+for folder in [course, here, *here.parents]:  # the lab is above this notebook, or beside it
+    if (folder / "labs" / "notebook.py").is_file():
+        sys.path.insert(0, str(folder))
+        break
+
+from labs import lab  # if there is no such module: put this notebook back where it came from
 
 lab.begin("{topic}")"""
 _ANSWER = "*Your answer:* "
@@ -129,8 +143,12 @@ def stub(pieces: Pieces, name: str) -> str:
     function = next(node for node in ast.parse(piece.text).body if isinstance(node, ast.FunctionDef))
     description = function.body[0].end_lineno
     entry = lecture.function(name)
-    unwritten = f'    raise NotImplementedError("{entry.topic}, step {entry.step}: {name} is yours to write")'
-    return "\n".join([*piece.text.split("\n")[:description], unwritten])
+    said = f'"{entry.topic}, step {entry.step}: {name} is yours to write"'
+    unwritten = f"    raise NotImplementedError({said})"
+    if len(unwritten) > WIDTH:
+        unwritten = f"    raise NotImplementedError(\n        {said}\n    )"
+    header = "\n".join(piece.text.split("\n")[:description])
+    return f"{narrow(header).rstrip()}\n{unwritten}"
 
 
 def _common(desk: _Desk, cell: Cell) -> None:
@@ -162,7 +180,8 @@ def _function(desk: _Desk, name: str, text: str) -> None:
     """A function's cell and the one that checks it."""
     desk.add("code", text, tags=[name], nbgrader=_nbgrader(name, solution=True))
     check = _nbgrader(f"check-{name}", grade=True, locked=True, points=points_of(name))
-    desk.add("code", f"lab.check({name!r})".replace("'", '"'), tags=["check"], nbgrader=check)
+    text = f"lab.check({name!r})".replace("'", '"')
+    desk.add("code", text, tags=["check"], editable=False, deletable=False, nbgrader=check)
 
 
 def _answer(cell: Cell) -> dict[str, Any]:

@@ -138,12 +138,15 @@ On your own machine, with Python 3.11 or later, once:
 
 ```sh
 python -m venv .venv
-.venv/bin/python -m pip install -c constraints.txt -e ".[notebooks,mujoco]"
-.venv/bin/jupyter lab labs/notebooks
+source .venv/bin/activate
+python -m pip install -c constraints.txt -e ".[notebooks,engines]"
+jupyter lab labs/notebooks
 ```
 
-On Windows the programs are in `.venv\\Scripts`. PyBullet has ready-made wheels for Python 3.11 on Linux only:
-`pip install -e ".[pybullet]"`. Without any engine the labs work all the same: recordings answer instead.
+On Windows the second line is `.venv\\Scripts\\activate`. In a new terminal begin with it, and the commands of the labs,
+which begin with `collisions`, are found as well. With Python 3.11 on Linux this installs both engines, MuJoCo and
+PyBullet; everywhere else MuJoCo alone, since PyBullet has no ready-made package there. An engine that is not installed
+answers from recordings.
 
 On Colab: open a notebook there, run its first cell, and choose `collisions-lab.zip` when it asks for a file.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from dataclasses import dataclass, replace
@@ -22,9 +22,9 @@ from reference.snapping import snapped
 from reference.study import SCENARIOS, plan
 
 ENGINES = ("pybullet", "mujoco")
-OPTIONS = ("predicted", "quantity", "engines", "profile", "timestep")
-"""What a run is told besides its parameters."""
-HANDWRITTEN, YOURS = "handwritten", "yours"
+OPTIONS = ("engines", "profile", "timestep")
+"""What every run is told besides its parameters."""
+HANDWRITTEN, YOURS, GIVEN = "handwritten", "yours", "given"
 TIME_LIMIT = 30.0
 """Of one run, s: an endless loop in a function is told so after this."""
 Progress = Callable[[int, int, str], None]
@@ -85,12 +85,15 @@ def ask(
     at: Mapping[str, float] | None = None,
     progress: Progress = lambda done, of, label: None,
     recorded: bool = False,
+    own: Collection[str] = (),
+    options: Sequence[str] = OPTIONS,
 ) -> Asked:
     """Run a case of the catalogue, `family/case`, or of a family at values of its parameters.
 
     profile: of the hand-written side; engines are tuned. recorded: whether engines answer from recordings where these
     have just what is asked, which is quicker. Where an engine has nothing but recordings, all are asked at the nearest
-    recorded point.
+    recorded point. own: the functions that the student has written; a run of none of them is called given. options:
+    what may be asked for besides parameters, for who misspells one.
 
     Raises
     ------
@@ -101,7 +104,7 @@ def ask(
     movable = family.grid.names if family.grid else ()
     for name in at or {}:
         if name not in movable:
-            raise UnknownName(f"option, or parameter of {family.name},", name, (*OPTIONS, *movable))
+            raise UnknownName(f"option, or parameter of {family.name},", name, (*options, *movable))
     if case is None and not at:
         case = family.case(family.curve.case)
     changes: dict[str, Option] = {} if timestep is None else {"timestep": timestep}
@@ -122,7 +125,7 @@ def ask(
             found[result.job] = result
             progress(len(found), len(jobs), result.title)
     (asked,) = jobs[0].chosen(family)
-    return Asked(family, asked, tuple(_named(found[job]) for job in jobs))
+    return Asked(family, asked, tuple(_named(found[job], own) for job in jobs))
 
 
 def _recorded(job: Job) -> JobResult | None:
@@ -132,6 +135,10 @@ def _recorded(job: Job) -> JobResult | None:
     return result if whole else None
 
 
-def _named(result: JobResult) -> JobResult:
-    """The hand-written side is the student's."""
-    return replace(result, title=YOURS) if result.job.engine == HANDWRITTEN else result
+def _named(result: JobResult, own: Collection[str]) -> JobResult:
+    """The hand-written side is the student's, unless it ran without asking for any of the student's functions."""
+    if result.job.engine != HANDWRITTEN:
+        return result
+    ran = any(row.measured is not None for row in result.rows)
+    foreign = ran and result.functions and not set(own) & set(result.functions)
+    return replace(result, title=GIVEN if foreign else YOURS)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 import re
+import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from labs.desk import hand
 from labs.grading import running, saying
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.remote import Grader
@@ -47,8 +49,8 @@ def check(notebook: Path, topic: str, names: Sequence[str], grader: Grader) -> C
     silent = all(each.endswith("missing") for each in sheet.complaints)
     said = "\n".join(saying.report(sheet, topics)).strip("\n")
     if len(names) == 1 and silent and saying.all_right(sheet):
-        said = f"{saying.RIGHT} {names[0]} is right, as far as this tries it: {saying.HIDDEN}."
-    return Checked(said, _credit(notebook, topics, names, grader, sheet))
+        said = textwrap.fill(f"{saying.RIGHT} {names[0]} is right, as far as this tries it: {saying.HIDDEN}.", 80)
+    return Checked(hand.in_kernel(said), _credit(notebook, topics, names, grader, sheet))
 
 
 def by_nbgrader() -> str:

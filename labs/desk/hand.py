@@ -59,7 +59,17 @@ class Hand:
             notebook, submission = self.files[file]
             return f"{notebook}{', ' * bool(notebook)}{submission.where(int(line) - _ABOVE)}"
 
-        return re.sub(r"line (\d+) of (\S+\.py)", cell, text)
+        return in_kernel(re.sub(r"line (\d+) of (\S+\.py)", cell, text).replace("handwritten: ", ""))
+
+    @property
+    def functions(self) -> frozenset[str]:
+        """All functions that the student has written, here and before."""
+        return frozenset((*self.own, *(name for name, _ in self.earlier)))
+
+
+def in_kernel(text: str) -> str:
+    """A message with cells as the kernel numbers them: `cell [3]`."""
+    return re.sub(r"(?<!ipynb, )code cell (\d+)", r"cell [\1]", text)
 
 
 def executed_cells() -> list[str]:

@@ -27,7 +27,7 @@ class Prediction:
     @property
     def shown(self) -> str:
         """The answer as it stands in a table."""
-        return f"{self.answer:g}" if isinstance(self.answer, float) else str(self.answer)
+        return f"{self.answer:g}".replace("-", "−") if isinstance(self.answer, float) else f"“{self.answer}”"
 
     @property
     def with_unit(self) -> str:
@@ -66,6 +66,6 @@ def predicted(
         return Prediction(key, question, str(answer), unit, tuple(choices))
     if isinstance(answer, np.ndarray) and answer.size == 1:  # as functions of the labs answer
         answer = answer.item()
-    if not isinstance(answer, Real) or isinstance(answer, bool) or not math.isfinite(answer):
+    if not isinstance(answer, Real) or isinstance(answer, bool) or math.isnan(answer):
         raise InvalidInput(f"{answer!r} is no number; write one such as 0.25, without quotes or unit")
     return Prediction(key, question, float(answer), unit)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import sys
 import threading
 import time
@@ -29,7 +30,8 @@ class Progress:
     def _speak(self) -> None:
         began, waits = time.monotonic(), _AFTER
         while not self._over.wait(waits):
-            self._line.write(f"{self._said}, {time.monotonic() - began:.0f} s")
+            with contextlib.suppress(Exception):  # a line that cannot be shown must not stop what it tells of
+                self._line.write(f"{self._said}, {time.monotonic() - began:.0f} s")
             waits = _EVERY
 
     def __enter__(self) -> Self:

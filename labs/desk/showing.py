@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from labs.desk.asking import Asked
 
 DPI = 110
+_LEVEL = 0.02
+"""Share of its size that a curve changes by, if it is level."""
 _HALF = "flex:1 1 400px;min-width:min(300px,100%);max-width:640px"
 """Replay and curve side by side where there is room for 400 px each, and else one below the other."""
 
@@ -91,12 +93,20 @@ def curve(asked: Asked) -> Picture | None:
             assert series is not None
             sparse: dict[str, Any] = {"markevery": (0.05 * len(axes.lines), 0.4)}
             axes.plot(*series.dense(), label=who(line), **figures.marker(line), **look(line), **sparse)
+        _widen(axes)
         axes.set(title=asked.title, xlabel="time, s", ylabel=asked.family.curve.y_label)
         figure.legend(loc="outside lower left", ncols=2, handlelength=3)
         content = io.BytesIO()
         figure.savefig(content, format="png")
     names = ", ".join(who(line) for line in plotted)
     return Picture(content.getvalue(), f"[{asked.family.curve.y_label} over time: {names}]")
+
+
+def _widen(axes: Any) -> None:
+    """Show zero where a curve is nearly level: on a scale of its own it would look like a fall."""
+    low, high = axes.get_ylim()
+    if high - low < _LEVEL * max(abs(low), abs(high)):
+        axes.set_ylim(min(low, 0.0), max(high, 0.0))
 
 
 def look(line: Line) -> dict[str, Any]:

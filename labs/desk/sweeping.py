@@ -182,7 +182,20 @@ def slide(sweep: Sweep) -> None:
 
     options = [(sweep.value(value).removeprefix(f"{sweep.parameter} "), value) for value in sweep.values]
     slider = ipywidgets.SelectionSlider(options=options, description=sweep.parameter, continuous_update=False)
-    ipywidgets.interact(show, value=slider)
+    if hasattr(slider, "_repr_mimebundle_"):
+        display(_Slider(ipywidgets.interactive(show, value=slider)))  # type: ignore[no-untyped-call]
+    else:  # ipywidgets 7
+        ipywidgets.interact(show, value=slider)
+
+
+class _Slider:
+    """A widget that says in words what it is, where it cannot be shown: in a page made of the notebook."""
+
+    def __init__(self, widget: Any) -> None:
+        self._widget = widget
+
+    def _repr_mimebundle_(self, **named: Any) -> dict[str, Any]:
+        return {**self._widget._repr_mimebundle_(**named), "text/plain": "[a slider, where the notebook runs]"}
 
 
 def _somebody_is_there() -> bool:

@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from labs.desk.asking import HANDWRITTEN
 from labs.desk.predicting import Prediction
 from reference.compare import Row, Verdict
 from reference.family import Quantity
 from reference.report import numbers
-from reference.report.summary import MARKS, Line, error_of
+from reference.report.summary import MARKS, Line, error_of, tolerance_of
 
 if TYPE_CHECKING:
     from labs.desk.asking import Asked
@@ -23,6 +24,8 @@ _MEANINGS = {
     Verdict.SHOWN: "theory has no number",
 }
 """What stands below a table; an implementation without a number says why itself."""
+_BEYOND = 10.0
+"""Times that a guess may be off before nobody asks how far."""
 _STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums"
 _CELL = "padding:2px 12px 2px 0;text-align:{};border:0;background:none"
 
@@ -37,8 +40,8 @@ class Table:
     notes: tuple[str, ...] = ()
 
     def __str__(self) -> str:
-        every = [self.headings, *self.rows]
-        widths = [max(len(row[place]) for row in every) for place in range(len(self.headings))]
+        every = [self.headings, *self.rows] if self.rows else []
+        widths = [max(len(row[place]) for row in every) for place in range(len(self.headings) if every else 0)]
         lines = [
             "  ".join(text.ljust(width) if place == 0 else text.rjust(width) for place, (text, width) in found).rstrip()
             for found in (enumerate(zip(row, widths, strict=True)) for row in every)
@@ -51,7 +54,7 @@ class Table:
     def markup(self) -> Iterator[str]:
         """The same as a piece of a page."""
         yield f'<div><b>{escape(self.title)}</b><table style="{_STYLE}">'
-        for kind, row in [("th", self.headings), *(("td", row) for row in self.rows)]:
+        for kind, row in [("th", self.headings), *(("td", row) for row in self.rows)] if self.rows else []:
             cells = (
                 f'<{kind} style="{_CELL.format("left" if place == 0 else "right")}">{escape(text)}</{kind}>'
                 for place, text in enumerate(row)
@@ -83,13 +86,15 @@ class Tables:
         return {"text/plain": str(self), "text/html": "".join([*_lines([self.title]), row, *_lines(self.notes)])}
 
 
-def tables(asked: Asked, quantities: Sequence[str], prediction: Prediction | None = None) -> Table | Tables:
-    """One table a quantity: who, what came, how far from theory; the first of them with the prediction."""
+def tables(asked: Asked, quantities: Sequence[str], predictions: Sequence[Prediction] = ()) -> Table | Tables:
+    """One table a quantity: who, what came, how far from theory; a predicted number in the first, words below all."""
     wanted = [asked.family.quantity(name) for name in quantities] or list(asked.family.quantities)
-    found = [_table(asked, quantity, prediction if place == 0 else None) for place, quantity in enumerate(wanted)]
-    notes = tuple(_notes(asked, [quantity.name for quantity in wanted]))
+    guesses = [each for each in predictions if isinstance(each.answer, float)]
+    found = [_table(asked, quantity, guesses if place == 0 else ()) for place, quantity in enumerate(wanted)]
+    said = [f"You predicted {each.shown}. {each.question}" for each in predictions if isinstance(each.answer, str)]
+    notes = (*said, *_notes(asked, [quantity.name for quantity in wanted]))
     if len(found) > 1:
-        return Tables(asked.title, tuple(found), notes)
+        return Tables(asked.title, tuple(table for table in found if table.rows), notes)
     return replace(found[0], title=f"{found[0].title} ({asked.title})", notes=notes)
 
 
@@ -103,16 +108,15 @@ def capital(text: str) -> str:
     return text[:1].upper() + text[1:] if text[1:2].isalpha() else text
 
 
-def _table(asked: Asked, quantity: Quantity, prediction: Prediction | None) -> Table:
+def _table(asked: Asked, quantity: Quantity, guesses: Sequence[Prediction]) -> Table:
     rows = [(line, row) for line in asked.lines if (row := _row(line, quantity.name))]
     theory = next((row.expected for _, row in rows if row.expected is not None), None)
     cells = [_cells(line, row) for line, row in rows]
-    if prediction is not None and prediction.answer is not None:
-        cells.insert(0, ("you predicted", prediction.shown, _off(prediction, theory), "", ""))
+    cells[:0] = [("you predicted", guess.shown, _off(guess, theory), "", "", "") for guess in guesses]
     if theory is not None:
-        cells.append(("theory", _value(theory), "", "", ""))
+        cells.append(("theory", _value(theory), "", "", "", ""))
     unit = f", {quantity.unit}" if quantity.unit else ""
-    headings = ("", f"value{unit}", "off by", "", "timestep")
+    headings = ("", f"value{unit}", "off by", "", "allowed", "timestep")
     used = [place for place in range(len(headings)) if place < 2 or any(row[place] for row in cells)]
     return Table(
         capital(quantity.title),
@@ -128,15 +132,22 @@ def _row(line: Line, quantity: str) -> Row | None:
 def _cells(line: Line, row: Row) -> tuple[str, ...]:
     value = _value(row.measured) if row.measured is not None else "none"
     timestep = f"{1000 * float(row.settings.split()[1]):.3g} ms"  # of `timestep 0.001 s, …`
-    return who(line), value, error_of(row) if row.error is not None else "", MARKS[row.verdict], timestep
+    error = error_of(row) if row.error is not None else ""
+    return who(line), value, error, MARKS[row.verdict], _allowed(row), timestep
+
+
+def _allowed(row: Row) -> str:
+    """The tolerance of a row; that of a number which may be off by rounding alone needs no figure."""
+    allowed = tolerance_of(row)
+    return "rounding" if allowed.startswith("<") else f"±{allowed}" if allowed else ""
 
 
 def _off(prediction: Prediction, theory: float | None) -> str:
-    """How far a guess is from theory, in percent where theory is not zero."""
-    if theory is None or not isinstance(prediction.answer, float):
+    """How far a guess is from theory, as a share of it; nothing where theory is zero, or the guess beyond measure."""
+    if not theory or not isinstance(prediction.answer, float):
         return ""
-    off = prediction.answer - theory
-    return numbers.percent(off / abs(theory)) if theory else numbers.deviation(off, "")
+    off = prediction.answer / theory - 1
+    return numbers.percent(off) if abs(off) <= _BEYOND else f">{_BEYOND * 100:.0f} %"
 
 
 def _value(value: float) -> str:
@@ -150,6 +161,8 @@ def _notes(asked: Asked, quantities: Sequence[str]) -> Iterator[str]:
         if not any(_row(line, name) for name in quantities):
             yield f"{who(line)}: {line.note}"
     rows = [(line, row) for line in asked.lines for row in line.result.rows if row.quantity in quantities]
+    if any(line.result.job.engine == HANDWRITTEN and _is_wrong(line) for line in asked.lines):
+        yield "lab.check() says more about your functions."
     verdicts = dict.fromkeys(row.verdict for _, row in rows if row.verdict in _MEANINGS)
     if verdicts:
         yield f"({'; '.join(f'{MARKS[verdict]} {_MEANINGS[verdict]}' for verdict in verdicts)})"
@@ -157,5 +170,8 @@ def _notes(asked: Asked, quantities: Sequence[str]) -> Iterator[str]:
         names = dict.fromkeys(who(line) for line, row in rows if row.note == note)
         yield f"{' and '.join(names)}: {note}"
     yield from (line.result.recording for line in asked.lines if line.result.recording)
-    if asked.snapped:
-        yield asked.snapped
+
+
+def _is_wrong(line: Line) -> bool:
+    """Whether something in a run hints at a wrong function, be it only that it cannot be."""
+    return any(row.verdict in (Verdict.FAIL, Verdict.CRASHED) or "wrong" in row.note for row in line.result.rows)

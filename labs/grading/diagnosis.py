@@ -7,7 +7,7 @@ counterexample alone.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -54,7 +54,8 @@ class Diagnosis:
     mistakes: the known ones that explain its numbers. counterexample: the simplest probe that it fails. crashes: the
     errors that it ended in on good input. one_alone: whether the mistake explains single contacts, and several in one
     call go wrong in another way. crash_in_many: whether it is several alone that end in an error. accepted: cases of
-    bad input that it answered. changes_input: whether it writes into its arguments.
+    bad input that it answered. changes_input: whether it writes into its arguments. odd: of a likely mistake the
+    simplest probe that it does not explain. limits_alone: whether all usual cases are right.
     """
 
     function: str
@@ -66,6 +67,8 @@ class Diagnosis:
     crash_in_many: bool = False
     accepted: tuple[str, ...] = ()
     changes_input: bool = False
+    odd: Counterexample | None = None
+    limits_alone: bool = False
 
     @property
     def right(self) -> bool:
@@ -110,17 +113,21 @@ class _Case:
         for probe, _, answer in self.answered:
             if answer.error:
                 errors.setdefault(answer.error, probe.group)
+        wrong = [at for at, own in enumerate(self.marks) if not own.right]
+        explained = [at for at in wrong if any(self.marks[at].agrees(entry.marks[at]) for entry in mistakes)]
         known_in_many = any(self._fits(entry, ("many",), silently=True) for entry in mistakes)
         return Diagnosis(
             self.knowledge.function,
             verdict,
             mistakes,
-            None if verdict in ("right", "unwritten") else self._counterexample(),
+            None if verdict in ("right", "unwritten") else self._simplest(explained or wrong),
             tuple(errors),
             verdict == "named" and not known_in_many,
             set(errors.values()) == {"many"},
             tuple(probe.note for probe, answer in self.refused if not answer.error),
             any(answer.changed for _, _, answer in self.answered),
+            self._simplest([at for at in wrong if at not in explained]) if verdict == "likely" else None,
+            all(self.groups[at] != "usual" for at in wrong),
         )
 
     def _verdict(self) -> tuple[Verdict, tuple[Known, ...]]:
@@ -184,8 +191,10 @@ class _Case:
             return "crashes"
         return "shape" if all(failure in ("shape", "kind") for failure in wrong) else "unknown"
 
-    def _counterexample(self) -> Counterexample | None:
-        for (probe, right, answer), own in zip(self.answered, self.marks, strict=True):
-            if not own.right:
-                return Counterexample(self.knowledge.function, probe, self.knowledge.parameters, answer, right)
-        return None
+    def _simplest(self, places: Sequence[int]) -> Counterexample | None:
+        """Of some probes the one to show: of one case before several, made by hand before drawn."""
+        if not places:
+            return None
+        simplest = min(places, key=lambda at: (self.groups[at] == "many", not self.answered[at][0].note))
+        probe, right, answer = self.answered[simplest]
+        return Counterexample(self.knowledge.function, probe, self.knowledge.parameters, answer, right)

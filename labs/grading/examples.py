@@ -73,11 +73,13 @@ class Examples:
         """
 
         def told(*arguments: Any) -> None:
-            try:
-                holds(*arguments)
-            except AssertionError as error:
-                names, tidy = list(inspect.signature(holds).parameters), _tidy(arguments)
-                raise AssertionError(f"{_own_words(error)}\nfor {called(names, tidy)}") from None
+            names, tidy = list(inspect.signature(holds).parameters), _tidy(arguments)
+            for tried in (tidy, arguments):
+                try:
+                    holds(*tried)
+                except AssertionError as error:
+                    words, example = _own_words(error), called(names, tidy)
+                    raise AssertionError(words if f"({example})" in words else f"{words}\nfor {example}") from None
 
         self._every(maker, self._drawn(maker, count), holds, told)
 

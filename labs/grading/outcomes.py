@@ -67,6 +67,7 @@ def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
     """
     for name in sheet.lost:
         sheet.uses[name] = submission.uses(name)
+        sheet.borrows[name] = submission.borrows(name)
         if name in remote.slow:
             sheet.diagnoses[name] = Diagnosis(name, "too slow")
             continue

@@ -24,6 +24,7 @@ from labs.grading.errors import GraderFailed, StudentError
 from labs.grading.examples import Examples
 from labs.grading.files import FILE_LIMIT
 from labs.grading.functions import Functions
+from labs.grading.given import given_names
 from labs.grading.outcomes import explain, is_hidden, marker, outcome_of, said, summary
 from labs.grading.plain import one_line
 from labs.grading.remote import Grader, Remote
@@ -93,6 +94,7 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
     found = read(path, wanted, also=lecture.FUNCTIONS)
     sheet = config.stash[SHEET]
     sheet.submission, sheet.unread = found.name, found.unread
+    sheet.given = given_names(topics) if found.starts else frozenset()
     sheet.complaints = [str(complaint) for complaint in found.complaints]
     with Remote(found, config.stash[GRADER]) as remote:
         yield Functions(remote, sheet)

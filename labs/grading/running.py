@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from labs.grading.errors import GraderFailed
+from labs.grading.errors import GraderFailed, UnreadableSubmission
 from labs.grading.remote import Grader
 from labs.grading.submission import Submission, read
 from reference import lecture
@@ -26,9 +26,13 @@ TESTS = ROOT / "tests" / "autograder"
 VISIBLE, HIDDEN = "visible", "hidden"
 _OPTIONS = (
     "-q", "--noconftest", "--disable-plugin-autoload", "-p", "labs.grading.plugin", "-p", "no:cacheprovider",
-    "-p", "no:unraisableexception", "--import-mode=importlib", "--strict-markers", "-W", "error",
+    "-p", "no:unraisableexception", "-p", "no:threadexception",
+    "--import-mode=importlib", "--strict-markers", "-W", "error",
 )  # fmt: skip
-"""Nothing but the tests and the plugin: what else is installed, or set for the project's own tests, takes its time."""
+"""Nothing but the tests and the plugin: what else is installed, or set for the project's own tests, takes its time.
+
+In a notebook the tests run in the kernel. What its other threads stumble over is no mistake of the student's.
+"""
 _FINE = (0, 1)  # all tests passed, some failed
 _TAIL = 400  # characters of what pytest printed, where it could not run
 
@@ -42,8 +46,8 @@ def run(
 ) -> Sheet:
     """Run the tests of some topics on a file. No process of the submission is left when this returns.
 
-    functions: those that are tested, all if none is named. Without a grader it has one of its own, which gets ready
-    while pytest is loaded.
+    functions: those that are tested, all if none is named; what a wrong one of them calls is tested as well, without
+    points, by the visible tests. Without a grader it has one of its own, which gets ready while pytest is loaded.
 
     Raises
     ------
@@ -56,7 +60,23 @@ def run(
         raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
     files = [str(file) for folder in folders for file in _files(folder, topics)]
     with Grader() if grader is None else contextlib.nullcontext(grader) as found:
-        return _run(Path(path), files, found, functions)
+        sheet = _run(Path(path), files, found, functions)
+        if functions and (used := _used(path, topics, sheet.lost) - set(functions)):
+            sheet.add_beneath(_run(Path(path), [str(file) for file in _files(VISIBLE, topics)], found, used))
+        return sheet
+
+
+def _used(path: Path | str, topics: Collection[str], names: Collection[str]) -> set[str]:
+    """The functions of some topics that functions of a file call, itself or by way of others, beside these."""
+    with contextlib.suppress(UnreadableSubmission):  # which its tests have said
+        submission = read(path, [entry.name for topic in topics for entry in _written(topic)])
+        waiting, seen = list(names), set(names)
+        while waiting:
+            found = set(submission.uses(waiting.pop())) - seen
+            seen |= found
+            waiting += found
+        return seen
+    return set()
 
 
 def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str]) -> Sheet:
@@ -115,12 +135,14 @@ def tested() -> tuple[str, ...]:
 
 def topics_of(path: Path | str) -> tuple[Submission, tuple[str, ...]]:
     """A file as it is read, and the topics of which it defines a function that students write, readable or not."""
-    written = [
-        entry.name for topic in tested() for entry in lecture.functions_of(topic) if entry.role == "written"
-    ]  # fmt: skip
-    submission = read(path, written)
+    submission = read(path, [entry.name for topic in tested() for entry in _written(topic)])
     found = {lecture.function(name).topic for name in (*submission.functions, *submission.unread)}
     return submission, tuple(topic for topic in tested() if topic in found)
+
+
+def _written(topic: str) -> list[lecture.Function]:
+    """The functions of a topic that students write."""
+    return [entry for entry in lecture.functions_of(topic) if entry.role == "written"]
 
 
 def _files(folder: str, topics: Collection[str]) -> list[Path]:

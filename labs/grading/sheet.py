@@ -75,7 +75,9 @@ class Sheet:
 
     complaints: about the file. unread: functions that stand where Python cannot read. tier: how far its processes were
     shut in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the
-    submission's functions each of these calls.
+    submission's functions each of these calls. beneath: outcomes, without points, of functions that wrong ones call and
+    nobody asked for. given: names that the lab's own cells define, where it is a notebook. borrows: variables of other
+    cells that a wrong function reads, with the cell.
     """
 
     submission: str = ""
@@ -86,6 +88,20 @@ class Sheet:
     skipped: list[str] = field(default_factory=list)
     diagnoses: dict[str, Diagnosis] = field(default_factory=dict)
     uses: dict[str, list[str]] = field(default_factory=dict)
+    beneath: list[Outcome] = field(default_factory=list)
+    given: frozenset[str] = frozenset()
+    borrows: dict[str, dict[str, str]] = field(default_factory=dict)
+
+    def about(self, function: str) -> list[Outcome]:
+        """What came of a function's tests, asked for or beneath."""
+        return [outcome for outcome in (*self.outcomes, *self.beneath) if outcome.function == function]
+
+    def add_beneath(self, other: Sheet) -> None:
+        """Take over what was found of functions that wrong ones call."""
+        self.beneath += other.outcomes
+        self.diagnoses |= other.diagnoses
+        self.uses |= other.uses
+        self.borrows |= other.borrows
 
     @property
     def lost(self) -> list[str]:

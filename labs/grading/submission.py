@@ -59,6 +59,23 @@ class Submission:
         around = (group for group in self._groups if line and group.first <= line <= group.last)
         return next((name for group in around for name in self.functions if name in group.defines), None)
 
+    def borrows(self, name: str) -> dict[str, str]:
+        """Variables in lower case that a function looks up in other cells, with the cell that set each; in a notebook.
+
+        Such as `step`, left behind by a plot, where an argument was meant.
+        """
+        own = [group for group in self._groups if name in group.defines]
+        used, here = {each for group in own for each in group.uses}, {self._cell(group) for group in own}
+        return {
+            variable: self._cell(group)
+            for group in self._groups
+            for variable in sorted(group.defines & used)
+            if variable.islower() and defined_as(group, variable) == "value" and self._cell(group) not in here
+        }
+
+    def _cell(self, group: Group) -> str:
+        return self.where(group.first).rpartition(", ")[0]
+
     @functools.cached_property
     def _groups(self) -> list[Group]:
         try:

@@ -15,6 +15,7 @@ from labs.grading.plain import one_line
 if TYPE_CHECKING:
     from labs.grading.diagnosis import Diagnosis
 
+ODD = "Something else is wrong besides:"
 MOST = 12
 """Numbers of an array that are still shown one by one."""
 
@@ -23,8 +24,8 @@ def told(diagnosis: Diagnosis) -> str:
     """All of a diagnosis, some lines."""
     first, *others = verdict(diagnosis)
     lines = [line for paragraph in (f"{diagnosis.function}: {first}", *others) for line in _wrapped(paragraph)]
-    if diagnosis.counterexample:
-        lines += ["For example", textwrap.indent(str(diagnosis.counterexample), "  ")]
+    for opening, example in (("For example", diagnosis.counterexample), (ODD, diagnosis.odd)):
+        lines += [opening, textwrap.indent(str(example), "  ")] if example else []
     return "\n".join([*lines, *(line for paragraph in besides(diagnosis) for line in _wrapped(paragraph))])
 
 
@@ -32,11 +33,14 @@ def verdict(diagnosis: Diagnosis) -> list[str]:
     """What is wrong, and the hint: a paragraph each. The first follows the function's name."""
     first = next(iter(diagnosis.mistakes), None)
     if first is None:
-        return [_WITHOUT_NAME[diagnosis.verdict]]
+        limits = diagnosis.verdict == "unknown" and diagnosis.limits_alone
+        return [_AT_LIMITS if limits else _WITHOUT_NAME[diagnosis.verdict]]
     if diagnosis.verdict == "named":
         return [first.rationale, f"Hint: {first.help}"]
     if diagnosis.verdict == "likely":
-        opening = "most of its numbers fit this mistake, not all of them: something else is wrong besides."
+        opening = "most of its numbers fit this mistake" + (
+            ":" if diagnosis.odd else ", not all of them: something else is wrong besides."
+        )
         return [opening, f"- {first.rationale}", f"Hint: {first.help}"]
     opening = "its numbers fit more than one mistake, and do not say which it is:"
     return [opening, *(f"- {each.rationale}" for each in diagnosis.mistakes)]
@@ -48,21 +52,22 @@ def besides(diagnosis: Diagnosis) -> list[str]:
     if diagnosis.changes_input:
         found.append("It writes into its arguments, as a += b and a[0] = b do: the caller's own arrays change.")
     if diagnosis.one_alone and not diagnosis.crash_in_many:
-        found.append("With several contacts in one call it is wrong in another way besides.")
+        found.append("With several cases in one call it is wrong in another way besides.")
     if diagnosis.crashes and diagnosis.verdict not in ("crashes", "unwritten"):
-        where = "With several contacts in one call" if diagnosis.crash_in_many else "On some input"
+        where = "With several cases in one call" if diagnosis.crash_in_many else "On some input"
         found.append(f"{where} it ends in an error: {diagnosis.crashes[0]}")
     if diagnosis.accepted and diagnosis.verdict != "unwritten":
         found.append(f"It should refuse, with a ValueError: {'; '.join(diagnosis.accepted)}.")
     return found
 
 
+_AT_LIMITS = "right in the usual cases, not yet in limiting ones."
 _WITHOUT_NAME = {
     "right": "right on every probe.",
     "unwritten": "not written yet.",
     "crashes": "it ends in an error.",
     "shape": "what it returns has not the shape that its description promises.",
-    "one at a time": "right for one contact, not yet for several in one call.",
+    "one at a time": "right for one case, not yet for several in one call.",
     "unknown": "its numbers are wrong, in a way that the lab does not know.",
     "too slow": "it gave no answer in time, and was asked no more. Does every loop in it come to an end?",
 }

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from reference.engines.stepping import Array, Mask, policy_of, record, start
+from reference.engines.stepping import Array, Mask, policy_of, record, start, until
 from reference.implementation import Implementation
 from reference.scenario import Pair, Scenario
 from reference.settings import Settings
@@ -82,14 +82,15 @@ def bounce(
 
     def until_exact_root(remaining: Array) -> Array:
         normal_velocity = np.sum(batch.velocity * batch.normal, axis=1)
-        return np.asarray(
-            function("time_of_impact_exact")(separation(batch.position), normal_velocity, normal_acceleration)
-        )
+        exact = function("time_of_impact_exact")
+        time = exact(separation(batch.position), normal_velocity, normal_acceleration)
+        return until("time_of_impact_exact", np.asarray(time))
 
     def until_slides_t(remaining: Array) -> Array:
         start = np.maximum(separation(batch.position), 0.0)  # left on the plane, it may be behind it by rounding
         end = separation(after(fly, remaining)[0])
-        time = np.asarray(function("time_of_impact_interpolated")(start, end, 0.0, remaining))
+        interpolated = function("time_of_impact_interpolated")
+        time = until("time_of_impact_interpolated", np.asarray(interpolated(start, end, 0.0, remaining)))
         moves_away = np.sum(batch.velocity * batch.normal, axis=1) > 0  # and back within the step: a chord cannot tell
         return np.where((start == 0) & moves_away, np.inf, time)
 

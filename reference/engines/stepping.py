@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from reference.errors import InvalidInput
+from reference.errors import InvalidInput, RunFailed
 from reference.scenario import Scenario
 from reference.settings import Settings
 from reference.trajectory import Event, Trajectory
@@ -24,6 +24,16 @@ def policy_of(policies: Mapping[str, Step], settings: Settings) -> Step:
     if name not in policies:
         raise InvalidInput(f"policy is {name!r}; here it is one of {', '.join(policies)}")
     return policies[name]
+
+
+def until(name: str, answered: Array) -> Array:
+    """Return times of impact as a function of that name answered them, s; refuse what lies in the past or is none."""
+    wrong = answered[~(answered >= 0)]
+    if wrong.size:
+        raise RunFailed(
+            f"{name} answered {wrong.flat[0]:.6g} s: a time of impact is 0 or later, infinity where it is none"
+        )
+    return answered
 
 
 def start(scenarios: Sequence[Scenario]) -> Array:

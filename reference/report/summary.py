@@ -293,6 +293,11 @@ def left_of(row: Row) -> str:
     return "" if row.error is None else _as_share(row, row.error - row.shift).lstrip("+−")
 
 
+def tolerance_of(row: Row) -> str:
+    """How far a row may be off, in percent where there is a scale, else in the unit; empty where none is given."""
+    return "" if row.tolerance is None else _as_share(row, row.tolerance).lstrip("+")
+
+
 def _as_share(row: Row, error: float) -> str:
     return numbers.percent(error / row.scale) if row.scale else numbers.deviation(error, row.unit)
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-import numpy as np
-
 from reference import truth
 from reference.engines.base import COMPLIANT, EXACT, Method
 from reference.family import Case, Convergence, Curve, Expectation, Family, Quantity
@@ -123,8 +121,14 @@ def _impulse_of_the_peg(trajectory: Trajectory) -> float:
     return float(velocity[-1] - velocity[0] + GRAVITY * time) / truth.impact_speed(DROP_HEIGHT, GRAVITY)
 
 
-def _spin(trajectory: Trajectory) -> float:
-    return float(np.linalg.norm(trajectory.angular_velocity("rod")[-1]))
+def _spin_from_above(trajectory: Trajectory) -> float:
+    """About y, the way that a ball from above turns the rod."""
+    return float(trajectory.angular_velocity("rod")[-1, 1])
+
+
+def _spin_from_below(trajectory: Trajectory) -> float:
+    """About −y, the way that a peg turns it."""
+    return -float(trajectory.angular_velocity("rod")[-1, 1])
 
 
 def _point_of_the_rod(trajectory: Trajectory, arm: float) -> float:
@@ -144,12 +148,12 @@ def _kept_by_the_peg(trajectory: Trajectory) -> float:
     return _impulse_of_the_peg(trajectory) - 1 + spun / truth.impact_speed(DROP_HEIGHT, GRAVITY)
 
 
-def _quantities(impulse: Measure, kept: Measure) -> tuple[Quantity, ...]:
+def _quantities(impulse: Measure, spin: Measure, kept: Measure) -> tuple[Quantity, ...]:
     return (
         Quantity(
             "impulse", "impulse ÷ (m v)", "", impulse, _expect(_impulse_of, lambda case: 2.0, _impulse_of), _impulse_of
         ),
-        Quantity("spin", "spin of the rod", "rad/s", _spin, _expect(_spin_of, _fastest_spin, _spin_of), _fastest_spin),
+        Quantity("spin", "spin of the rod", "rad/s", spin, _expect(_spin_of, _fastest_spin, _spin_of), _fastest_spin),
         Quantity(
             "kept",
             "kept of the closing speed",
@@ -184,7 +188,7 @@ STRUCK_ROD = Family(
         " MuJoCo has no restitution.",
     ),
     cases=tuple(_struck(restitution, arm) for restitution in (0.5, 1.0) for arm in ARMS),
-    quantities=_quantities(_impulse_on_the_ball, _kept_by_the_ball),
+    quantities=_quantities(_impulse_on_the_ball, _spin_from_above, _kept_by_the_ball),
     curve=Curve(
         "e=1,x=0.499",
         "Struck at its end, e = 1",
@@ -214,7 +218,7 @@ ROD_ON_PEG = Family(
         " closing speed. MuJoCo, stock, has no restitution.",
     ),
     cases=tuple(_dropped(restitution, arm) for restitution in (0.5, 1.0) for arm in ARMS),
-    quantities=_quantities(_impulse_of_the_peg, _kept_by_the_peg),
+    quantities=_quantities(_impulse_of_the_peg, _spin_from_below, _kept_by_the_peg),
     curve=Curve(
         "e=0.5,x=0.499",
         "On a peg at its end, e = 0.5",

@@ -14,6 +14,12 @@ FRAME_HEIGHT, FRAME_WIDTH = 430, 640
 """Least height and greatest width of the frame in a notebook, px."""
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
 """What a page of ours may do: nothing but what stands in it."""
+_ABOUT = (
+    "<style>:is([data-jp-theme-light=true],.vscode-light) .replay-frame{color-scheme:light}"
+    ":is([data-jp-theme-light=false],.vscode-dark,[theme=dark]) .replay-frame{color-scheme:dark}"
+    "@media print{.replay-frame{display:none}}</style>"
+)
+"""A frame is light or dark as the notebook about it (Jupyter, VS Code, Colab), not as the desktop. Paper has none."""
 _PAGE = """<!doctype html>
 <html lang="en">
 <head>
@@ -85,6 +91,7 @@ def frame(clip: Clip) -> str:
     return (
         f'<div style="position:relative;max-width:{FRAME_WIDTH}px;min-height:{FRAME_HEIGHT}px">'
         f'<img alt="{label}, the last frame" style="width:100%" src="data:image/svg+xml;base64,{picture}">'
-        f'<iframe title="{escape("Replay: " + clip.title)}" sandbox="allow-scripts" srcdoc="{page}"'
+        f'{_ABOUT}<iframe class="replay-frame" title="{escape("Replay: " + clip.title)}"'
+        f' sandbox="allow-scripts" srcdoc="{page}"'
         ' style="position:absolute;top:0;left:0;width:100%;height:100%;border:0"></iframe></div>'
     )

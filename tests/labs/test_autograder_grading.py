@@ -322,7 +322,7 @@ def test_a_partly_finished_file_is_told_where_to_go_on(tmp_path):
     text = joined(text)
     assert code == 1
     assert "line 19: is clasify_contact meant to be classify_contact?" in text
-    assert "normal_velocity It uses relative_velocity, which is not right yet: begin there." in text
+    assert "normal_velocity It calls your relative_velocity, which is not right yet: mend that first." in text
     assert "gives nothing (None): it prints, and has to return" in text
     assert "collide waits for contact_impulses" in text
     step = lecture.function("contact_impulses").step

@@ -13,6 +13,7 @@ import pytest
 from program import collisions
 
 from labs.building import lessons, notebooks
+from labs.building.narrow import WIDTH
 from labs.building.pieces import Pieces, imports_of, text_of
 from labs.building.points import points_of
 from labs.building.release import given, release
@@ -114,6 +115,21 @@ def test_a_solved_notebook_is_a_submission_with_every_function(lesson, tmp_path)
     found = read(path, written)
     assert found.functions == tuple(written)
     assert found.complaints == ()
+
+
+@pytest.mark.parametrize("topic", ["detection", "impulse", "friction", "response"])
+def test_a_stub_is_narrow_and_says_the_same_in_the_same_words(topic):
+    pieces = Pieces.of(topic)
+    for entry in lecture.functions_of(topic):
+        if entry.role != "written":
+            continue
+        (made,) = ast.parse(stub := notebooks.stub(pieces, entry.name)).body
+        whole = ast.parse(next(piece.text for piece in pieces.every if entry.name in piece.defines))
+        right = next(node for node in whole.body if isinstance(node, ast.FunctionDef))
+        assert max(map(len, stub.split("\n"))) <= WIDTH
+        assert (ast.get_docstring(made) or "").split() == (ast.get_docstring(right) or "").split()
+        assert ast.unparse(made.args) == ast.unparse(right.args)
+        assert ast.unparse(made.returns) == ast.unparse(right.returns)
 
 
 PREDICT = """

@@ -368,7 +368,7 @@ def test_a_setting_that_makes_an_engine_wrong_fails(installed):
     [
         (CRASH, "its process died (exit code 3)"),
         (RAISE, "ZeroDivisionError: [bold]by the moon[/]"),
-        (NAN, "is not finite from t = 0.01 s on"),
+        (NAN, "are not finite from t = 0.01 s on"),
     ],
     ids=["crash", "exception", "NaN"],
 )

@@ -36,7 +36,7 @@ def test_before_a_lab_has_begun_every_call_says_what_to_do(lab, capsys):
     [
         (..., {"unit": "m"}, "Put your guess in place of the dots"),
         (0.5, {"unit": "m"}, "You predict 0.5 m."),
-        ("up", {"choices": ("up", "down")}, "You predict up."),
+        ("up", {"choices": ("up", "down")}, "You predict “up”."),
         ("left", {"choices": ("up", "down")}, "'left' is none of the choices: 'up', 'down'"),
         (np.array(0.4), {}, "You predict 0.4"),
         (float("nan"), {}, "nan is no number"),

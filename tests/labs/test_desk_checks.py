@@ -49,8 +49,25 @@ def test_a_mistake_that_was_mended_is_not_told_again(lab, cells, capsys):
     assert "cannot read" not in said(capsys, lab.check, "is_colliding")
 
 
-def test_a_function_whose_cell_was_not_run_since_the_start_is_said_to_be_so(lab, capsys):
+def test_a_function_whose_cell_was_not_run_since_the_start_is_said_to_be_so(lab, cells, capsys):
     assert "No cell that defines is_colliding has been run" in said(capsys, lab.check, "is_colliding")
+    assert "No cell that defines a function of this lab has been run" in said(capsys, lab.check)
+    cells += right_cells()
+    assert "has been run" not in said(capsys, lab.check)
+
+
+def test_a_function_may_be_named_without_quotes(lab, cells, capsys):
+    def is_colliding():
+        pass
+
+    cells += right_cells()
+    assert "✓ is_colliding is right" in said(capsys, lab.check, is_colliding)
+
+
+def test_a_cell_is_called_as_the_kernel_numbers_it(lab, cells, capsys):
+    cells += [*right_cells(), "1", "def is_colliding(separation, tolerance=0.0):\n    return 1 / 0"]
+    assert "cell [4], line 2" in (told := said(capsys, lab.check, "is_colliding"))
+    assert "code cell" not in told
 
 
 HALF_RIGHT = "def side_of_plane(separation, tolerance=0.0):\n    return np.sign(separation)"

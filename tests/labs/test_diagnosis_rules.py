@@ -96,7 +96,7 @@ def test_a_mistake_is_named_though_several_contacts_end_in_an_error_or_another_s
     crashing = diagnose("f", lambda _, x: by_number(one_more, raises)(x))
     assert (crashing.verdict, len(crashing.mistakes)) == ("named", 1)
     assert (crashing.crash_in_many, crashing.one_alone) == (True, False)
-    assert "With several contacts in one call it ends in an error: ZeroDivisionError" in " ".join(str(crashing).split())
+    assert "With several cases in one call it ends in an error: ZeroDivisionError" in " ".join(str(crashing).split())
     shaped = diagnose("f", lambda _, x: by_number(one_more, shapeless)(x))
     assert (shaped.verdict, len(shaped.mistakes), shaped.one_alone) == ("named", 1, False)
 
@@ -107,7 +107,7 @@ def test_many_different_wrong_numbers_name_a_mistake_though_several_contacts_go_
     assert told(by_number(MISTAKES["in four cases"], lambda x: -x)) == ("likely", "in four cases")
     found = diagnose("f", lambda _, x: by_number(twice, lambda x: -x)(x))
     assert (found.verdict, found.one_alone) == ("named", True)
-    assert "With several contacts in one call it is wrong in another way besides." in str(found)
+    assert "With several cases in one call it is wrong in another way besides." in str(found)
 
 
 def test_a_known_mistake_that_has_no_answer_for_several_contacts_says_nothing_of_them():

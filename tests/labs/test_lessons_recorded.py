@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -41,7 +42,8 @@ def _runs(text: str) -> int:
 @pytest.fixture
 def asked(lab, monkeypatch):
     """Asks all that a lesson asks, with the solutions for the student's functions; what came, by the call."""
-    monkeypatch.setattr(lab, "_hand", lambda *_: SimpleNamespace(source="solutions", located=str))
+    in_hand = lab._hand
+    monkeypatch.setattr(lab, "_hand", lambda: replace(in_hand(), source="solutions"))
     monkeypatch.setattr(sweeping, "slide", lambda _: None)
     came, ask = [], asking.ask
     monkeypatch.setattr(asking, "ask", lambda *given: came.append(ask(*given)) or came[-1])

@@ -99,10 +99,10 @@ def test_what_else_is_known_is_added():
     assert "writes into its arguments" in words("right", changes_input=True)
     assert words("right", accepted=("less", "more")).endswith("It should refuse, with a ValueError: less; more.")
     assert words("unknown", crashes=("first", "second")).endswith("On some input it ends in an error: first")
-    alone = "With several contacts in one call it is wrong in another way besides."
+    alone = "With several cases in one call it is wrong in another way besides."
     assert words("named", FIRST, one_alone=True).endswith(alone)
     crash = words("named", FIRST, one_alone=True, crash_in_many=True, crashes=("no",))
-    assert crash.endswith("With several contacts in one call it ends in an error: no")
+    assert crash.endswith("With several cases in one call it ends in an error: no")
     assert alone not in crash
 
 
@@ -144,7 +144,7 @@ def test_the_report_goes_by_topic_and_step_and_ends_with_what_is_next():
         "", f"{lecture.topic('detection').title} (detection)", "  ✓ is_colliding",
         "", f"{lecture.topic('impulse').title} (impulse)", "  ✓ point_velocity", "  ✓ rebound_velocity",
         "", "3 of 3 functions right. Hidden tests ask the same of other inputs, at limits and",
-        "  of many contacts at once.",
+        "  of many cases at once.",
     ]  # fmt: skip
     entry = lecture.function("collide")
     at, slide = f"impulse, step {entry.step}", f"slide {entry.statement}"

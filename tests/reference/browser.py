@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -104,6 +106,28 @@ class Browser:
         while self.do("Runtime.evaluate", expression="document.readyState")["result"].get("value") != "complete":
             assert time.monotonic() < end, "the page does not open"
         self.run("await wait(0.15);")  # observers speak up a frame later
+
+    @contextlib.contextmanager
+    def within(self, title: str) -> Iterator[None]:
+        """Speak to the shut-in frame of the page whose document has this title; it has a process of its own."""
+        page = self._session
+        try:
+            self._session = next(session for session in self._frames() if self._title(session) == title)
+            for domain in ("Runtime", "Log"):
+                self.do(f"{domain}.enable")
+            yield
+        finally:
+            self._session = page
+
+    def _frames(self) -> Iterator[str]:
+        """A session for each shut-in frame."""
+        for target in self.do("Target.getTargets")["targetInfos"]:
+            if target["type"] == "iframe":
+                yield self.do("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
+
+    def _title(self, session: str) -> str:
+        self._session = session
+        return str(self.do("Runtime.evaluate", expression="document.title")["result"]["value"])
 
     def media(self, name: str, motion: bool = False) -> None:
         """Show the page on a screen or on paper."""

@@ -110,7 +110,9 @@ def test_whatever_a_driver_raises_becomes_a_row():
         raise NeedsFunction("needs signed_distance (detection, step 1)")
 
     assert asked(HAND, by_hand=missing) == [(Verdict.NEEDS, "needs signed_distance (detection, step 1)")]
-    assert asked(HAND, by_hand=lambda *_: 1 / 0) == [(Verdict.CRASHED, "ZeroDivisionError: division by zero")]
+    ((verdict, note),) = asked(HAND, by_hand=lambda *_: 1 / 0)
+    assert verdict is Verdict.CRASHED
+    assert note.startswith("ZeroDivisionError: division by zero, at line ")
     ((verdict, note),) = asked(HAND, by_hand=lambda *_: said(speed=2.0, times=(1.0, 2.0, 3.0)))
     assert verdict is Verdict.CRASHED
     assert note.startswith("ValueError")

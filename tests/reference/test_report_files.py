@@ -413,7 +413,7 @@ def with_odd_ones(results, tmp_path_factory) -> tuple[Path, list[JobResult]]:
 SAID = {
     "crashing": (Verdict.CRASHED, "its process died (exit code 3)"),
     "raising": (Verdict.CRASHED, f"RuntimeError: {MESSAGE}"),
-    "not a number": (Verdict.CRASHED, "is not finite from t = 0.01 s on"),
+    "not a number": (Verdict.CRASHED, "are not finite from t = 0.01 s on"),
     "missing": (Verdict.NOT_AVAILABLE, "pip install no_such_package"),
     "hanging": (Verdict.CRASHED, "no answer within 1 s"),
 }

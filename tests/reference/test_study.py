@@ -345,7 +345,7 @@ DEATHS = {
     "raises": ("raise ZeroDivisionError('by the moon')", "ZeroDivisionError: by the moon"),
     "nan": (
         "recorder.sample(state)\nrecorder.sample([float('nan')] * len(state))",
-        "positions is not finite from t = 0.01 s on",
+        "positions are not finite from t = 0.01 s on",
     ),
 }
 if os.name == "posix":  # where a process can be killed by a signal

@@ -94,16 +94,16 @@ def test_a_state_that_is_not_finite_is_a_failed_run_from_that_time_on(name, valu
     values[3, 1, 2] = value
     with pytest.raises(RunFailed) as caught:
         trajectory(**{name: values})
-    assert str(caught.value) == f"toy: {name} is not finite from t = 0.3 s on"
+    assert str(caught.value) == f"toy: {name} are not finite from t = 0.3 s on"
 
 
 def test_a_run_that_was_never_finite_failed_at_the_start():
-    with pytest.raises(RunFailed, match="positions is not finite from t = 0 s on"):
+    with pytest.raises(RunFailed, match="positions are not finite from t = 0 s on"):
         trajectory(positions=np.full((COUNT, 2, 3), math.nan))
 
 
 def test_a_time_that_is_not_finite_is_a_failed_run():
-    with pytest.raises(RunFailed, match="toy: times is not finite"):
+    with pytest.raises(RunFailed, match="toy: times are not finite"):
         trajectory(times=np.array([0.0, 0.1, 0.2, 0.3, math.inf]))
 
 

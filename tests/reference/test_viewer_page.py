@@ -116,8 +116,8 @@ def test_the_script_that_is_sent_is_the_source_without_its_comments_and_indents(
 def test_a_frame_is_shut_in_and_stands_over_a_still_picture():
     elements = Elements(page.frame(three_engines()))
     kinds = [tag for tag, _ in elements.found]
-    assert kinds == ["div", "img", "iframe"]
-    picture, frame = elements.found[1][1], elements.found[2][1]
+    assert kinds == ["div", "img", "style", "iframe"]
+    picture, frame = elements.found[1][1], elements.found[3][1]
     assert frame["sandbox"] == "allow-scripts"
     assert "application/json" in (frame["srcdoc"] or "")
     assert picture["alt"] == "Bouncing ball, the last frame"

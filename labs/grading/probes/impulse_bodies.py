@@ -15,8 +15,8 @@ _QUATERNIONS = ((1, 1, 1, 1, 2), (4, 2, 2, 1, 5), (1, 1, 7, 7, 10), (1, 5, 5, 7,
 
 
 def _body(velocity: Any, arm: Any = REST, spin: Any = REST, share: float = 1.0, turning: Any = None) -> Arguments:
-    """A body of 1 kg that turns as easily about any axis, unless said otherwise."""
-    return velocity, spin, arm, share, np.diag([2.0, 2.0, 2.0]) if turning is None else turning
+    """A body of 1 kg that does not turn alike about any two axes, unless said otherwise."""
+    return velocity, spin, arm, share, np.diag([1.0, 2.0, 4.0]) if turning is None else turning
 
 
 def _ground(arm: Any = REST) -> Arguments:

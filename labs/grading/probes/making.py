@@ -74,7 +74,8 @@ class Draw:
     def inverse_inertia(self) -> Array:
         """Of a body that does not stand along the axes, in the world frame, 1/(kg m²)."""
         turn = self.turn()
-        return np.asarray(turn @ np.diag([self.number(0.5, 4) for _ in range(3)]) @ turn.T)
+        matrix = turn @ np.diag([self.number(0.5, 4) for _ in range(3)]) @ turn.T
+        return np.asarray((matrix + matrix.T).round(2) / 2)  # symmetric to the last digit
 
     def body(self, speed: float = 3.0) -> Arguments:
         """Velocity, angular velocity, arm, inverse mass and inverse inertia of a body that can move."""

@@ -9,6 +9,8 @@ from __future__ import annotations
 import __future__
 
 import ast
+import builtins
+import difflib
 import io
 import itertools
 import os
@@ -29,6 +31,7 @@ TITLE = "submission"
 FAILED = 70
 """Exit code of a process in which not the submission failed but what runs it."""
 _MESSAGE_CHARACTERS = 2000
+_TELLING = 3  # letters that a name has at least for another one to be like it
 Failure = tuple[list[str], str, str, int | None]
 _FLAGS = __future__.annotations.compiler_flag  # a type hint that cannot be evaluated costs nothing
 
@@ -175,10 +178,29 @@ def _described(error: BaseException) -> tuple[str, str, int | None]:
     if isinstance(error, SyntaxError) and error.filename == TITLE:
         line = error.lineno
     try:
-        message = str(error)
+        message = str(error) + _meant(error)
     except BaseException:
         message = "(its message cannot be shown)"
     return type(error).__name__[:100], message[:_MESSAGE_CHARACTERS], line
+
+
+def _meant(error: BaseException) -> str:
+    """What Python's own traceback adds of a name that is misspelt: ". Did you mean: 'cross'?"."""
+    near: list[str] = []
+    if isinstance(error, NameError) and error.__traceback__:
+        frame = list(traceback.walk_tb(error.__traceback__))[-1][0]
+        near = _alike(error.name, {*frame.f_locals, *frame.f_globals}) or _alike(error.name, vars(builtins), 0.75)
+    elif isinstance(error, AttributeError):
+        near = _alike(error.name, dir(error.obj))
+    return f". Did you mean: {near[0]!r}?" if near else ""
+
+
+def _alike(name: str | None, names: Collection[str], least: float = 0.66) -> list[str]:
+    """Names that share at least so much of 1 with another one; first those with its first letter, as a rule right."""
+    if not name or len(name) < _TELLING:
+        return []
+    found = difflib.get_close_matches(name, [each for each in names if each[:1] != "_"], 5, least)
+    return sorted(found, key=lambda each: each[:1] != name[:1])
 
 
 def _names(statement: ast.stmt) -> Iterator[str]:

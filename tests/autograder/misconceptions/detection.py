@@ -3,7 +3,7 @@
 import numpy as np
 
 from labs.grading.bank import Misconception as M
-from labs.grading.bank import dot, flat, over, size
+from labs.grading.bank import col, dot, flat, over, size
 
 
 def plane(p, n, d):
@@ -60,9 +60,9 @@ def root_with(disc_of):
     return time
 
 
-def clipped(s, u, a):
+def clipped(s, u, a, positive=lambda disc: np.maximum(disc, 0.0)):
     s, u, a, disc = fall(s, u, a)
-    root = np.sqrt(np.maximum(disc, 0.0))
+    root = np.sqrt(positive(disc))
     rising = u >= 0
     below = np.where(rising, -a, root - u)
     return np.where(below > 0, np.where(rising, u + root, 2 * s) / np.where(below > 0, below, 1), np.inf)
@@ -70,6 +70,11 @@ def clipped(s, u, a):
 
 def right_fall(s, u, a):
     return np.where(fall(s, u, a)[3] >= 0, clipped(s, u, a), np.inf)
+
+
+def in_the_past(s, u, a):
+    time = right_fall(s, u, a)
+    return np.where(np.isfinite(time), -time, np.inf)
 
 
 def not_clamped(s, u, a):
@@ -96,6 +101,9 @@ BANK = (
     M("signed_distance", "offset not over the length", lambda p, n, d: flat(dot(n, p) / size(n)) + d,
       "The normal is made a unit vector, but the offset d belongs to the normal as it was given, and stays as it is.",
       "Which number changes too when you divide the plane's whole equation by something?"),
+    M("signed_distance", "offset alone over the length", lambda p, n, d: flat(dot(n, p) + col(d) / size(n)),
+      "Only the offset is divided by ‖n‖: n·p has to be as well; brackets are missing.",
+      "In which units is each of the two terms, with a normal of length 2?"),
     M("signed_distance", "offset subtracted", lambda p, n, d: (flat(dot(n, p)) - d) / flat(size(n)),
       "The offset has the wrong sign: the plane is n·p + d = 0, not n·p = d.",
       "Put the point of the plane that is nearest to the origin into your formula. What must come out?"),
@@ -232,6 +240,12 @@ BANK = (
       "A negative number under the root is set to zero and gives a time. It says that the body turns round before it "
       "arrives.",
       "What does it mean for the motion when the root does not exist?"),
+    M("time_of_impact_exact", "root of the size", lambda s, u, a: clipped(s, u, a, np.abs),
+      "The root is taken of the size of a negative number: there a body turns round before it reaches the plane.",
+      "What does a negative number under the root say of the path?"),
+    M("time_of_impact_exact", "in the past", in_the_past,
+      "The sign is turned round: the time lies in the past.",
+      "Which sign has a where it pulls towards the plane? So which sign has what stands below the line?"),
     M("time_of_impact_exact", "never when rising", refuses_rising,
       "A body that moves away is said never to arrive. Thrown up, it comes down again.",
       "Throw a ball up. What then?"),

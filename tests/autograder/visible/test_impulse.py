@@ -11,12 +11,17 @@ from labs.grading.expecting import asks, expect, numbers
 from labs.grading.runs import compared_with_theory, with_solutions
 
 X, UP, REST = [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
-TURNS = np.diag([2.0, 2.0, 2.0])
+TURNS = np.diag([1.0, 2.0, 4.0])
+"""Unlike about each axis: I⁻¹(r × J) is something else than (I⁻¹ r) × J then."""
 FALLING = ([0, 0, -2], REST, REST, 1.0, TURNS)
 """A body of 1 kg that comes down with 2 m/s, struck right below its centre."""
 BESIDE = ([0, 0, -2], REST, [0.5, 0, 0], 1.0, TURNS)
 """The same, struck half a metre beside its centre."""
+SPINS = (REST, [0, 2, 0], [0.5, 0, 0], 1.0, TURNS)
+"""Its centre is at rest; half a metre beside it, it comes down with 1 m/s."""
 STILL = (REST, REST, REST, 1.0, TURNS)
+LIGHT = (REST, REST, REST, 3.0, TURNS)
+"""A third of a kilogram."""
 GROUND = (REST, REST, REST, 0.0, np.zeros((3, 3)))
 
 
@@ -121,9 +126,10 @@ def test_the_mean_force_of_a_contact_is_the_net_force_less_the_others(submission
     "Slide 17. Where are the two centres?",
 )
 def test_the_normal_of_a_face_points_towards_a(submission, part):
-    with part(1, "A above, A below"):
+    with part(1, "A above, A below, beside B"):
         expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, 1], REST), UP)
         expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, -1], REST), [0.0, 0.0, -1.0])
+        expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, 0], REST), UP)
     with part(1, "both in one call"):
         expect(submission.point_plane_normal, ([0, 0, 2], [[3, 0, 1], [3, 0, -1]], REST), [UP, [0, 0, -1]])
         expect(submission.point_plane_normal, ([[0, 0, 2], [4, 0, 3]], [3, 0, 1], REST), [UP, [0.8, 0, 0.6]])
@@ -136,9 +142,10 @@ def test_the_normal_of_a_face_points_towards_a(submission, part):
     "Slide 17. How long is the cross product of the edges, and which ways may it point?",
 )
 def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission, part):
-    with part(1, "A above, A below"):
+    with part(1, "A above, A below, beside B"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, 1], REST), UP)
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, -1], REST), [0.0, 0.0, -1.0])
+        expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [3, 0, 0], REST), UP)
         expect(submission.edge_edge_normal, ([1e-4, 0, 0], [1e-4, 1e-6, 0], [0, 0, 1], REST), UP)  # 0.6° apart
     with part(1, "both in one call"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [[0, 0, 1], [0, 0, -1]], REST), [UP, [0, 0, -1]])
@@ -151,9 +158,10 @@ def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission,
 )  # fmt: skip
 def test_the_inverse_inertia_turns_with_the_body(submission, part):
     half = np.sqrt(0.5)
-    with part(1, "not turned, and a quarter turn about z"):
+    with part(1, "not turned, a quarter turn about z, a third of a turn about the diagonal"):
         expect(submission.world_inverse_inertia, ([1, 2, 4], [1, 0, 0, 0]), np.diag([1.0, 0.5, 0.25]))
         expect(submission.world_inverse_inertia, ([1, 2, 4], [half, 0, 0, half]), np.diag([0.5, 1.0, 0.25]))
+        expect(submission.world_inverse_inertia, ([1, 2, 4], [0.5, 0.5, 0.5, 0.5]), np.diag([0.25, 1.0, 0.5]))
     with part(1, "what cannot be turned, and a thin rod"):
         expect(submission.world_inverse_inertia, ([np.inf] * 3, [1, 0, 0, 0]), np.zeros((3, 3)))
         expect(submission.world_inverse_inertia, ([2, 2, 0], [1, 0, 0, 0]), np.diag([0.5, 0.5, 0.0]))
@@ -174,6 +182,7 @@ def many(*bodies):
 )  # fmt: skip
 def test_a_body_gives_way_more_easily_beside_its_centre(submission, part):
     with part(1, "through both centres: 1/M_A + 1/M_B"):
+        expect(submission.inverse_effective_mass, (FALLING, LIGHT, UP), 4.0)
         expect(submission.inverse_effective_mass, (FALLING, STILL, UP), 2.0)
         expect(submission.inverse_effective_mass, (FALLING, GROUND, UP), 1.0)
     with part(1, "beside a centre: r²/I more"):
@@ -191,8 +200,9 @@ def test_the_impulse_makes_the_points_part_as_asked(submission, part):
     with part(1, "a body on the ground, two equal bodies"):
         expect(submission.impulse_magnitude, (FALLING, GROUND, UP, 0.5), 3.0)
         expect(submission.impulse_magnitude, (FALLING, STILL, UP, 0.5), 1.5)
-    with part(1, "beside the centre; nothing to push away"):
+    with part(1, "beside the centre, also of a body that spins on the spot; nothing to push away"):
         expect(submission.impulse_magnitude, (BESIDE, GROUND, UP, 0.5), 2.0)
+        expect(submission.impulse_magnitude, (SPINS, GROUND, UP, 0.5), 1.0)
         expect(submission.impulse_magnitude, (GROUND, GROUND, UP, 0.5), 0.0)
     with part(1, "two contacts in one call"):
         expect(submission.impulse_magnitude, (many(FALLING, BESIDE), GROUND, UP, 0.5), [3.0, 2.0])
@@ -253,12 +263,12 @@ def test_the_momenta_change_by_the_impulse_and_its_moment(submission, part):
 )
 def test_velocities_follow_from_momenta(submission, part):
     with part(1, "a body, and an immovable one"):
-        expect(submission.velocities_from_momenta, ([4, 0, 0], [0, 0, 1], 0.5, TURNS), ([2, 0, 0], [0, 0, 2]))
+        expect(submission.velocities_from_momenta, ([4, 0, 0], [0, 0, 1], 0.5, TURNS), ([2, 0, 0], [0, 0, 4]))
         expect(submission.velocities_from_momenta, ([4, 0, 0], [0, 0, 1], 0.0, np.zeros((3, 3))), (REST, REST))
     with part(1, "two bodies in one call"):
         expect(
             submission.velocities_from_momenta, ([[4, 0, 0], REST], [[0, 0, 1], X], 0.5, TURNS),
-            ([[2, 0, 0], REST], [[0, 0, 2], [2, 0, 0]]),
+            ([[2, 0, 0], REST], [[0, 0, 4], [1, 0, 0]]),
         )  # fmt: skip
         two = ([[4, 0, 0], [4, 0, 0]], [REST, REST], [0.5, 0.25], TURNS)
         expect(submission.velocities_from_momenta, two, ([[2, 0, 0], X], [REST, REST]))
@@ -269,8 +279,9 @@ def test_velocities_follow_from_momenta(submission, part):
     "Slide 21: point velocities, normal velocity, is it colliding, impulse, new velocities.",
 )  # fmt: skip
 def test_a_collision_keeps_momentum_and_gains_no_energy(submission, part, examples):
-    with part(1, "down on the ground, one body on another"):
+    with part(1, "down on the ground, also by its spin alone; one body on another"):
         expect(submission.collide, (FALLING, GROUND, UP, 0.5), ([0, 0, 1], REST, REST, REST))
+        expect(submission.collide, (SPINS, GROUND, UP, 0.5), ([0, 0, 1], [0, 1, 0], REST, REST))
         expect(submission.collide, (FALLING, STILL, UP, 1.0), (REST, REST, [0, 0, -2], REST))
     with part(1, "parting already, or not faster than the threshold"):
         expect(
