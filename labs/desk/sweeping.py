@@ -156,12 +156,14 @@ def values_of(scenario: str, parameter: str, values: Sequence[float] | float = (
     if values:
         return list(values)
     if parameter == TIMESTEP:
-        recorded = [value for value in grid.timesteps if value >= _SHORTEST] if grid else []
-        return recorded or list(_TIMESTEPS)
+        return _some([value for value in grid.timesteps if value >= _SHORTEST] if grid else _TIMESTEPS)
     assert grid is not None
-    known = next(each.values for each in grid.parameters if each.name == parameter)
-    chosen = range(0, len(known), max(1, -(-len(known) // (MOST - 2))))
-    return [known[place] for place in chosen]
+    return _some(next(each.values for each in grid.parameters if each.name == parameter))
+
+
+def _some(values: Sequence[float]) -> list[float]:
+    """Of many values as many as are seen well, evenly."""
+    return list(values[:: max(1, -(-len(values) // (MOST - 2)))])
 
 
 def slide(sweep: Sweep) -> None:

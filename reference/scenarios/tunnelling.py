@@ -115,7 +115,7 @@ THIN_WALL = Family(
     convergence=Convergence("v=20", "passed", (10.0, 4.0, 2.0, 1.0)),
     grid=Grid(
         (Parameter("speed", "m/s", (5.0, 10.0, 20.0), 20.0),),
-        (5e-4, 1e-3, 2e-3, 1 / 480, 1 / 240, 1 / 120, 1 / 60),
+        (5e-4, 1 / 960, 1e-3, 1 / 720, 2e-3, 1 / 480, 1 / 240, 1 / 120, 1 / 60),
         _case,
     ),
 )
