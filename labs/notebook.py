@@ -17,7 +17,8 @@ import functools
 import inspect
 import logging
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from types import EllipsisType
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
@@ -28,7 +29,7 @@ from reference import lecture
 from reference.errors import CollisionsError, InvalidInput, UnknownName
 
 if TYPE_CHECKING:
-    from labs.desk.asking import Asked
+    from labs.desk.asking import Asked, Wanted
     from labs.desk.hand import Hand
     from labs.grading.remote import Grader
 
@@ -149,7 +150,10 @@ class Lab:
         wanted = [quantity] if isinstance(quantity, str) else list(quantity)
         for name in wanted:
             find(scenario)[0].quantity(name)
-        asked = self._ask(scenario, engines, profile, timestep, parameters, ("predicted", "quantity"))
+        options = ("predicted", "quantity", *asking.OPTIONS)
+        asked = self._ask(
+            asking.Wanted(scenario, asking.named(engines), profile, timestep, parameters, options=options)
+        )
         _display(*showing.pictures(asked), tables.tables(asked, wanted, predictions))
         if asked.results[0].job.engine == asking.HANDWRITTEN:
             _say_of_printing(set(hand.printing(hand.executed_cells())) & set(asked.results[0].functions))
@@ -165,9 +169,9 @@ class Lab:
         **parameters: float,
     ) -> None:
         """Show the replay of a run alone."""
-        from labs.desk import showing, tables  # noqa: PLC0415
+        from labs.desk import asking, showing, tables  # noqa: PLC0415
 
-        asked = self._ask(scenario, engines, profile, timestep, parameters)
+        asked = self._ask(asking.Wanted(scenario, asking.named(engines), profile, timestep, parameters))
         replay = showing.replay(asked)
         _display(replay if replay is not None else tables.tables(asked, ()))
 
@@ -184,59 +188,32 @@ class Lab:
         profile: str = "tuned",
     ) -> None:
         """Move one parameter of a scenario, or its timestep: a slider beside small pictures of every value."""
-        from labs.desk import sweeping  # noqa: PLC0415
+        from labs.desk import asking, sweeping  # noqa: PLC0415
 
         values, predictions = sweeping.values_of(scenario, parameter, values), self._guesses(predicted)
+        wanted = asking.Wanted(scenario, asking.named(engines), profile, recorded=True)
         with Progress("running", len(values)) as progress:
             asked: list[Asked] = []
             for value in values:
                 if parameter == sweeping.TIMESTEP:
-                    asked.append(self._asked(scenario, engines, profile, value, {}, recorded=True))
+                    each = replace(wanted, timestep=value)
                 else:  # it stands in place of a case
-                    at, family = {parameter: value}, scenario.partition("/")[0]
-                    asked.append(self._asked(family, engines, profile, None, at, recorded=True))
+                    each = replace(wanted, scenario=scenario.partition("/")[0], at={parameter: value})
+                asked.append(asking.ask(each, self._hand()))
                 progress.done(len(asked), len(values), f"{parameter} {value:g}")
         guesses = ", ".join(each.with_unit for each in predictions)
         found = sweeping.Sweep(parameter, tuple(values), tuple(asked), quantity, guesses)
         _display(found.picture, found.table)
         sweeping.slide(found)
 
-    def _ask(
-        self,
-        scenario: str,
-        engines: Sequence[str] | None,
-        profile: str,
-        timestep: float | None,
-        at: Mapping[str, float],
-        options: Sequence[str] = (),
-    ) -> Asked:
+    def _ask(self, wanted: Wanted) -> Asked:
+        from labs.desk import asking  # noqa: PLC0415 - loads the catalogue
+
         with Progress("running") as progress:
-            asked = self._asked(scenario, engines, profile, timestep, at, progress, options=options)
+            asked = asking.ask(wanted, self._hand(), progress.done)
         if asked.snapped:
             print(asked.snapped)
         return asked
-
-    def _asked(
-        self,
-        scenario: str,
-        engines: Sequence[str] | None,
-        profile: str,
-        timestep: float | None,
-        at: Mapping[str, float],
-        progress: Progress | None = None,
-        recorded: bool = False,
-        options: Sequence[str] = (),
-    ) -> Asked:
-        from labs.desk import asking  # noqa: PLC0415 - loads the catalogue
-
-        chosen = asking.ENGINES if engines is None else [engines] if isinstance(engines, str) else engines
-        hand = self._hand()
-        report = progress.done if progress else lambda done, of, label: None
-        options = (*options, *asking.OPTIONS)
-        found = asking.ask(
-            scenario, hand.source, chosen, profile, timestep, at, report, recorded, hand.functions, options
-        )
-        return found.told(hand.located)
 
     def _hand(self, cells: Sequence[str] | None = None) -> Hand:
         from labs.desk import hand  # noqa: PLC0415

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
+from labs.desk.hand import Hand
 from reference.cache import Cache
 from reference.compare import TUNED
 from reference.errors import UnknownName
@@ -29,6 +30,11 @@ TIME_LIMIT = 30.0
 """Of one run, s: an endless loop in a function is told so after this."""
 Progress = Callable[[int, int, str], None]
 """How many runs are done, of how many, and what has just come."""
+
+
+def named(engines: Sequence[str] | str | None) -> Sequence[str]:
+    """The engines that are named, one or several; the usual ones where nothing is said."""
+    return ENGINES if engines is None else [engines] if isinstance(engines, str) else engines
 
 
 @dataclass(frozen=True)
@@ -76,45 +82,38 @@ class Asked:
         return replace(self, results=tuple(results))
 
 
-def ask(
-    scenario: str,
-    implementation: str,
-    engines: Sequence[str] = ENGINES,
-    profile: str = TUNED,
-    timestep: float | None = None,
-    at: Mapping[str, float] | None = None,
-    progress: Progress = lambda done, of, label: None,
-    recorded: bool = False,
-    own: Collection[str] = (),
-    options: Sequence[str] = OPTIONS,
-) -> Asked:
-    """Run a case of the catalogue, `family/case`, or of a family at values of its parameters.
+@dataclass(frozen=True)
+class Wanted:
+    """What is to be run: a case, `family/case`, or a family at values of its parameters.
 
-    profile: of the hand-written side; engines are tuned. recorded: whether engines answer from recordings where these
-    have just what is asked, which is quicker. Where an engine has nothing but recordings, all are asked at the nearest
-    recorded point. own: the functions that the student has written; a run of none of them is called given. options:
-    what may be asked for besides parameters, for who misspells one.
+    profile: of the hand-written side; engines are tuned. timestep: s, each one's own if there is none. recorded:
+    whether engines answer from recordings where these have just what is asked, which is quicker. options: what may be
+    asked for besides parameters, for who misspells one.
+    """
+
+    scenario: str
+    engines: Sequence[str] = ENGINES
+    profile: str = TUNED
+    timestep: float | None = None
+    at: Mapping[str, float] = field(default_factory=dict)
+    recorded: bool = False
+    options: Sequence[str] = OPTIONS
+
+
+def ask(wanted: Wanted, hand: Hand, progress: Progress = lambda done, of, label: None) -> Asked:
+    """Run it with the functions of a hand and in the engines.
+
+    Where an engine has nothing but recordings, all are asked at the nearest recorded point. A run that asks for none of
+    the student's functions is called given.
 
     Raises
     ------
     UnknownName, InvalidInput
         If there is no such scenario, engine, profile or parameter, or a value is out of range.
     """
-    family, case = find(scenario)
-    movable = family.grid.names if family.grid else ()
-    for name in at or {}:
-        if name not in movable:
-            raise UnknownName(f"option, or parameter of {family.name},", name, (*options, *movable))
-    if case is None and not at:
-        case = family.case(family.curve.case)
-    changes: dict[str, Option] = {} if timestep is None else {"timestep": timestep}
-    cases = {family.name: (case.name,)} if case is not None else {}
-    jobs: list[Job] = []
-    for engine in (HANDWRITTEN, *engines):
-        wanted = profile if engine == HANDWRITTEN else TUNED
-        jobs += plan([family], [engine], [wanted], cases, implementation, changes, at=dict(at or {}))
-    jobs = snapped([replace(job, with_poses=True, with_curve=True) for job in jobs])
-    known = [_recorded(job) for job in jobs] if recorded else []
+    family, _ = find(wanted.scenario)
+    jobs = _jobs(wanted, hand.source)
+    known = [_recorded(job) for job in jobs] if wanted.recorded else []
     found = {result.job: result for result in known if result is not None}
     missing = [job for job in jobs if job not in found]
     with (
@@ -124,8 +123,26 @@ def ask(
         for result in finished:
             found[result.job] = result
             progress(len(found), len(jobs), result.title)
-    (asked,) = jobs[0].chosen(family)
-    return Asked(family, asked, tuple(_named(found[job], own) for job in jobs))
+    (case,) = jobs[0].chosen(family)
+    return Asked(family, case, tuple(_named(found[job], hand.functions) for job in jobs)).told(hand.located)
+
+
+def _jobs(wanted: Wanted, implementation: str) -> list[Job]:
+    """A job for the hand-written side and one for each engine, all at one point."""
+    family, case = find(wanted.scenario)
+    movable = family.grid.names if family.grid else ()
+    for name in wanted.at:
+        if name not in movable:
+            raise UnknownName(f"option, or parameter of {family.name},", name, (*wanted.options, *movable))
+    if case is None and not wanted.at:
+        case = family.case(family.curve.case)
+    changes: dict[str, Option] = {} if wanted.timestep is None else {"timestep": wanted.timestep}
+    cases = {family.name: (case.name,)} if case is not None else {}
+    jobs: list[Job] = []
+    for engine in (HANDWRITTEN, *wanted.engines):
+        profile = wanted.profile if engine == HANDWRITTEN else TUNED
+        jobs += plan([family], [engine], [profile], cases, implementation, changes, at=dict(wanted.at))
+    return snapped([replace(job, with_poses=True, with_curve=True) for job in jobs])
 
 
 def _recorded(job: Job) -> JobResult | None:
