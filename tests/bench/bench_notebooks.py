@@ -18,7 +18,7 @@ def check() -> Callable[[], object]:
     cells = ["".join(cell["source"]) for cell in notebooks.solved("impulse")["cells"] if cell["cell_type"] == "code"]
     grader = Grader()
     atexit.register(grader.close)
-    return lambda: checking.report(hand.written_down(cells), "impulse", ["impulse_magnitude"], grader)
+    return lambda: checking.check(hand.written_down(cells), "impulse", ["impulse_magnitude"], grader)
 
 
 def solved(topic: str) -> Callable[[], object]:
