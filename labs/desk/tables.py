@@ -143,10 +143,10 @@ def _allowed(row: Row) -> str:
 
 
 def _off(prediction: Prediction, theory: float | None) -> str:
-    """How far a guess is from theory, as a share of it; nothing where theory is zero, or the guess beyond measure."""
-    if not theory or not isinstance(prediction.answer, float):
+    """How far a guess is from theory, as a share of it, up to `_BEYOND`; nothing where theory is zero."""
+    if theory is None or _value(theory) == "0" or not isinstance(prediction.answer, float):
         return ""
-    off = prediction.answer / theory - 1
+    off = (prediction.answer - theory) / abs(theory)
     return numbers.percent(off) if abs(off) <= _BEYOND else f">{_BEYOND * 100:.0f} %"
 
 

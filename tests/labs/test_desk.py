@@ -11,6 +11,7 @@ from cells import STUB, right_cells, said, write_notebook
 import labs
 from labs import notebook
 from labs.desk import hand, tables
+from labs.desk.predicting import Prediction
 from reference.implementation import Implementation
 
 
@@ -93,3 +94,11 @@ def test_the_desk_is_loaded_by_name_alone():
 def test_an_earlier_notebook_that_cannot_be_read_is_named(lab, capsys, tmp_path):
     write_notebook(tmp_path / "detection.ipynb", "def is_colliding(separation:\n    return")
     assert "detection.ipynb, code cell 1, line 1: Python cannot read" in said(capsys, lab.begin, "response")
+
+
+@pytest.mark.parametrize(
+    ("answer", "theory", "off"),
+    [(-2.0, -1.0, "−100 %"), (0.3, 0.25, "+20 %"), (1e99, 1.0, ">1000 %"), (0.3, 1e-17, ""), (0.3, 0.0, "")],
+)
+def test_a_guess_is_off_by_a_share_of_theory_with_the_sign_of_the_difference(answer, theory, off):
+    assert tables._off(Prediction("key", "?", answer), theory) == off
