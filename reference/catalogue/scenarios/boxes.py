@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure, turning
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
@@ -16,7 +17,7 @@ from reference.engines.base import EXACT, Method
 from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 HALF = 0.1
 """Half the edge of a cube, m."""

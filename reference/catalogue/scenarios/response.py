@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
@@ -14,7 +15,7 @@ from reference.engines.base import COMPLIANT, EXACT, INTERPOLATED, Method
 from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RADIUS = 0.1
 """Radius of the ball, m."""

@@ -7,7 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from reference.engines.handwritten.stepping import Array, Mask, policy_of, record, start
+from reference.arrays import Array, Mask
+from reference.engines.handwritten.stepping import policy_of, record, start
 from reference.engines.implementation import Implementation
 from reference.errors import RunFailed
 from reference.scene.scenario import Scenario, Sphere

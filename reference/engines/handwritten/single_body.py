@@ -10,7 +10,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from reference.engines.handwritten.stepping import Array, Mask, policy_of, record, start, until
+from reference.arrays import Array, Mask
+from reference.engines.handwritten.stepping import policy_of, record, start, until
 from reference.engines.implementation import Implementation
 from reference.scene.scenario import Pair, Scenario
 from reference.scene.settings import Settings

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.errors import InvalidInput, RunFailed
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Event, Trajectory
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 Step = Callable[[float], None]
 """Takes the time at which the step begins, s."""
 

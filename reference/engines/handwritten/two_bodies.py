@@ -11,7 +11,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from reference.engines.handwritten.stepping import Array, Mask, policy_of, record, start
+from reference.arrays import Array, Mask
+from reference.engines.handwritten.stepping import policy_of, record, start
 from reference.engines.handwritten.supported import ball_and_other, face_towards, in_own_axes
 from reference.engines.implementation import Implementation
 from reference.errors import NeedsFunction, RunFailed
