@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from reference.catalogue.scenarios import boxes, response, tunnelling
+from reference.catalogue.scenarios import bouncing_ball, friction, stacks, tipping_box, tunnelling
 from reference.errors import UnknownName
 
 Profiles = Mapping[str, Mapping[str, str]]
@@ -71,7 +71,7 @@ def find(name: str) -> Demonstration:
 BOUNCE = Demonstration(
     name="bounce",
     title="A bouncing ball",
-    question=f"A ball falls {response.DROP_HEIGHT:g} m and keeps {_KEPT:g} of its speed at every impact. What will"
+    question=f"A ball falls {bouncing_ball.DROP_HEIGHT:g} m and keeps {_KEPT:g} of its speed at every impact. What will"
     " happen: does it bounce for ever, or does it come to rest? When?",
     look="Look at who stops first, and at who never leaves the floor.",
     lesson=(
@@ -111,7 +111,7 @@ STOP = Demonstration(
 STACK = Demonstration(
     name="stack",
     title="A stack of ten boxes",
-    question=f"Ten boxes stand on each other and nobody touches them. What will happen in {boxes.STANDING:g} seconds?",
+    question=f"Ten boxes stand on each other and nobody touches them. What will happen in {stacks.STANDING:g} seconds?",
     look="Look at the top box: how far does it sink, and does it stay there?",
     lesson=(
         "Nothing should move. Tuned, the top does: [{pybullet tuned height size} in PyBullet]"
@@ -176,8 +176,8 @@ TIP = Demonstration(
     " little, and at 32° with much. What will happen each time: does it hold, slide or tip?",
     look="Look at the lean of the box at 32°, and in the table at who disagrees.",
     lesson=(
-        f"Where tan θ > b/h ({math.degrees(math.atan(boxes.HALF / _HALF_HEIGHT)):.0f}°) the weight misses the base:"
-        " it tips, if μ holds it.",
+        f"Where tan θ > b/h ({math.degrees(math.atan(tipping_box.HALF_WIDTH / _HALF_HEIGHT)):.0f}°) the weight misses"
+        " the base: it tips, if μ holds it.",
         "Below that it slides where tan θ > μ: {theory way at 20°, μ = 0.3} in 1 s at 20° with μ = 0.3.",
         "[Soft friction creeps: stock MuJoCo moves {mujoco stock way size at 20°, μ = 0.7} where the box should hold.]",
     ),
@@ -190,7 +190,7 @@ TIP = Demonstration(
     profiles=WORLD,
     quantity="outcome",
     heading="what it does",
-    words={boxes.HOLDS: "holds", boxes.SLIDES: "slides", boxes.TIPS: "tips"},
+    words={friction.HOLDS: "holds", friction.SLIDES: "slides", tipping_box.TIPS: "tips"},
 )
 
 CRADLE = Demonstration(

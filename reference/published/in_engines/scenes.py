@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from reference.catalogue.scenarios.response import falling_ball
+from reference.catalogue.scenarios.bouncing_ball import falling_ball
 from reference.engines.base import Engine
 from reference.published import Answer, Figure, Published
 from reference.scene.scenario import GRAVITY, Scenario
