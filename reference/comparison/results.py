@@ -11,7 +11,7 @@ from reference.comparison.curves import Series
 from reference.comparison.shares import Split
 from reference.errors import InvalidInput
 from reference.scene.settings import Option
-from reference.viewer.poses import Track
+from reference.viewer.tracks import Track
 
 
 @dataclass(frozen=True)
