@@ -223,6 +223,7 @@ def _into_body(orientation: Array, vector: Array) -> Array:
 
 
 def _last(trajectory: Trajectory, window: float) -> Mask:
+    """Which samples lie in the last `window` seconds; one on the edge counts in spite of rounding."""
     return np.asarray(trajectory.times >= trajectory.times[-1] - window * (1 + 1e-9))
 
 

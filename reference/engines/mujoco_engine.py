@@ -193,6 +193,7 @@ def _set_restitution_and_friction(spec: Any, pair: Pair, settings: Settings) -> 
     """Add an explicit contact pair: its `solref` makes the restitution."""
     dt, restitution, friction = settings.timestep, pair.restitution, pair.kinetic_friction
     impedance = settings.number("impedance")
+    # An impedance that does not depend on depth; width, midpoint and power, which then do nothing, are the defaults
     options: dict[str, Any] = {"solimp": [impedance, impedance, 0.001, 0.5, 2]}
     if settings["contact"] == "one step":
         options["solref"] = [-settings.number("overlap_recovery") / dt**2, -(1 + restitution) / dt]

@@ -38,6 +38,8 @@ WORLD = {
     "cone_friction": "enableConeFriction",  # without it friction is limited along two axes, each by itself
 }
 """Our options for the whole world, and what Bullet calls them."""
+BODY_A, BODY_B, POINT_A, POINT_B, NORMAL, DISTANCE = 1, 2, 5, 6, 7, 8
+"""Fields of a contact or closest point of Bullet's: bodies, a point on each, the normal from B to A, the distance."""
 FARTHEST = 1e6
 """Distance beyond which no two bodies lie, m: Bullet searches for closest points up to it."""
 
@@ -151,7 +153,7 @@ class PyBullet(Engine):
             found = bullet.getClosestPoints(*pair, FARTHEST, **here)
             if not found:
                 raise RunFailed(f"Bullet finds no closest points of {query.body_a.name} and {query.body_b.name}")
-            return float(min(point[8] for point in found))
+            return float(min(point[DISTANCE] for point in found))
         finally:
             bullet.disconnect(client)
 
@@ -202,9 +204,9 @@ def _push(bullet: Any, number: int, force: Force, here: dict[str, int]) -> None:
 
 
 def _keep_contact(recorder: Recorder, places: Mapping[int, int], contact: Sequence[Any]) -> None:
-    """Of the fields, 1 and 2 are A and B, 5 and 6 the points on them, 7 the normal from B to A, 8 the distance."""
-    middle = [(on_a + on_b) / 2 for on_a, on_b in zip(contact[5], contact[6], strict=True)]
-    recorder.contact(places[contact[1]], places[contact[2]], middle, contact[7], contact[8])
+    """Keep a contact of Bullet's; its place is midway between the two surfaces."""
+    middle = [(on_a + on_b) / 2 for on_a, on_b in zip(contact[POINT_A], contact[POINT_B], strict=True)]
+    recorder.contact(places[contact[BODY_A]], places[contact[BODY_B]], middle, contact[NORMAL], contact[DISTANCE])
 
 
 def _state(bullet: Any, numbers: list[int], scenario: Scenario, here: dict[str, int]) -> list[float]:

@@ -34,6 +34,7 @@ def _stack(count: int) -> Case:
 
 
 def _top(trajectory: Trajectory) -> str:
+    """Name of the topmost cube: a stack lists its bodies from the floor up."""
     return trajectory.scenario.bodies[-1].name
 
 

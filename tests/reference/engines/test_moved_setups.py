@@ -210,6 +210,25 @@ def test_a_ball_strikes_a_leaning_plane_away_from_the_origin_when_its_gap_is_gon
     assert first <= late <= last
 
 
+@pytest.mark.parametrize("scenario", [two_balls(0.3), rod(0.3)], ids=["balls", "a rod"])
+def test_bodies_that_fall_together_meet_as_if_nothing_pulled(scenario):
+    still, falling = run(scenario, "tuned"), run(replace(scenario, gravity=DOWN), "tuned")
+    assert [event.time for event in falling.events] == pytest.approx([event.time for event in still.events], abs=NEAR)
+    np.testing.assert_allclose(np.diff(falling.velocities, axis=1), np.diff(still.velocities, axis=1), atol=NEAR)
+    np.testing.assert_allclose(falling.angular_velocities, still.angular_velocities, atol=NEAR)
+
+
+@pytest.mark.parametrize(("spin", "grips"), [(9.0, True), (60.0, False)])
+def test_a_spinning_ball_takes_two_sevenths_of_its_surface_speed_or_what_friction_gives(spin, grips):
+    ball = Body("ball", Sphere(0.1), 2.0, (0.0, 0.0, 0.4), velocity=(0.0, 0.0, -1.0), angular_velocity=(0.0, spin, 0.0))
+    scenario = replace(ball_over_floor(0.25), bodies=(Body("floor", HalfSpace()), ball))
+    made, speed = run(moved(scenario), "tuned"), math.sqrt(1.0 + 2 * G * 0.3)
+    along, surface = truth.spinning_impact(speed, 0.1 * spin, 0.6, 0.25)
+    assert (along == pytest.approx(2 / 7 * 0.1 * spin)) is grips
+    assert made.velocity("ball")[-1] @ turned((1.0, 0.0, 0.0)) == pytest.approx(along, abs=NEAR)
+    np.testing.assert_allclose(made.angular_velocity("ball")[-1], turned((0.0, surface / 0.1, 0.0)), atol=10 * NEAR)
+
+
 # Questions of geometry
 
 BODIES = {
