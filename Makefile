@@ -6,7 +6,11 @@ OUT    ?= report
 EXTRAS ?= engines,dev
 # Extras that some machines have no wheel for, which must not stop an install.
 OPTIONAL ?= crowd dart
+# More for pytest, as in `make test ARGS="-k friction"`.
+ARGS   ?=
 BIN    := $(VENV)/bin
+# The tests of one file share a worker, and with it what they have computed and the processes they have started.
+PYTEST := $(BIN)/python -m pytest -n auto --dist loadfile
 READY  := $(VENV)/.installed
 INSTALL := PIP_CONSTRAINT=constraints.txt $(BIN)/python -m pip install --quiet --disable-pip-version-check
 
@@ -27,7 +31,7 @@ report: $(READY) ## compare the four implementations and write the report
 	$(BIN)/collisions report --out $(OUT)
 
 test: $(READY)   ## the tests, in a few minutes
-	$(BIN)/python -m pytest -n auto --dist loadfile
+	$(PYTEST) --cpu-allowed=300 $(ARGS)
 
 lint: $(READY)   ## style and types
 	$(BIN)/ruff check .
@@ -40,7 +44,7 @@ docs: $(READY)   ## draw the figures of the statements and write their page
 	$(BIN)/python docs/symbol_table.py
 
 verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report
-	$(BIN)/python -m pytest -n auto --dist loadfile -m slow --timeout=1200
+	$(PYTEST) -m slow --timeout=1200 $(ARGS)
 
 clean:           ## remove the environment and what was built
 	rm -rf $(VENV) $(OUT) .pytest_cache .mypy_cache .ruff_cache .hypothesis

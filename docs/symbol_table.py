@@ -1,4 +1,4 @@
-"""Writes docs/symbols.md: the slides' symbols, their names in code and their units, from `reference.symbols`.
+"""Writes docs/symbols.md: the slides' symbols, their names in code and their units, from `reference.lecture.symbols`.
 
 `python docs/symbol_table.py` writes the page; `--check` only says whether it is up to date.
 """
@@ -8,14 +8,14 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from reference.symbols import SYMBOLS
+from reference.lecture.symbols import SYMBOLS
 
 PAGE = Path(__file__).with_name("symbols.md")
 HEAD = """# Symbols
 
 What the slides write, what it is called in code, and its unit. One thing has one name, in functions, tables and axes.
 Vectors have three components along the last axis, all other axes count contacts; quaternions are w, x, y, z; z points
-up. Written by `python docs/symbol_table.py` from `reference/symbols.py`.
+up. Written by `python docs/symbol_table.py` from `reference/lecture/symbols.py`.
 
 | slide | here | in code | unit | what it is | statements |
 |---|---|---|---|---|---|

@@ -23,15 +23,15 @@ from pathlib import Path
 from types import EllipsisType
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
-from labs.desk.predicting import Prediction, predicted
+from labs.desk.predictions import Prediction, predicted
 from labs.desk.progress import Progress
 from reference import lecture
 from reference.errors import CollisionsError, InvalidInput, UnknownName
 
 if TYPE_CHECKING:
-    from labs.desk.asking import Asked, Wanted
-    from labs.desk.hand import Hand
-    from labs.grading.remote import Grader
+    from labs.desk.case_runs import Asked, Wanted
+    from labs.desk.student_code import Hand
+    from labs.grading.calling.remote import Grader
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -72,11 +72,11 @@ class Lab:
     @_spoken
     def begin(self, topic: str) -> None:
         """Say which lab this is, which engines answer here, and what earlier work is at hand."""
-        from labs.desk import engines  # noqa: PLC0415
+        from labs.desk import engine_status  # noqa: PLC0415
 
         self.topic = lecture.topic(topic).name
         print(f"{lecture.topic(topic).title} ({self.topic})")
-        for line in engines.answering():
+        for line in engine_status.answering():
             print(line)
         hand = self._hand([""])
         for notebook in dict.fromkeys(notebook for _, notebook in hand.earlier):
@@ -92,24 +92,24 @@ class Lab:
 
         Only for nbgrader it has a value, the points that count.
         """
-        from labs.desk import checking, hand  # noqa: PLC0415 - loads the grader
+        from labs.desk import checks, student_code  # noqa: PLC0415 - loads the grader
 
         here = [entry.name for entry in lecture.functions_of(self._begun()) if entry.role == "written"]
         names = [str(getattr(function, "__name__", function)) for function in functions]
         for name in names:
             if name not in lecture.FUNCTIONS:
                 raise UnknownName("function of this lab", name, here)
-        cells = hand.executed_cells()
-        unseen = [name for name in names or here if name not in hand.defined_in(cells)]
+        cells = student_code.executed_cells()
+        unseen = [name for name in names or here if name not in student_code.defined_in(cells)]
         if unseen and (names or unseen == here):
             what = ", ".join(names and unseen) or "a function of this lab"
             print(f"No cell that defines {what} has been run since the kernel started (Run ▸ Run All Above).")
-        for name in [name for name in hand.vanished(cells) if name in (names or here)]:
+        for name in [name for name in student_code.vanished(cells) if name in (names or here)]:
             print(f"{name} is not there any more: deleted, or its cell ended in an error. The last one is checked.")
         with Progress("checking"):
-            found = checking.check(self._notebook(), self._begun(), names, self._tests())
+            found = checks.check(self._notebook(), self._begun(), names, self._tests())
         print(found.said)
-        _say_of_printing(name for name in hand.printing(cells) if name in (names or here))
+        _say_of_printing(name for name in student_code.printing(cells) if name in (names or here))
         return found.credit
 
     @_spoken
@@ -143,20 +143,22 @@ class Lab:
         engines: such as ("mujoco",), none if empty. profile: of your side, such as "stock", which answers at the end of
         a step. timestep: s, of all. Parameters of the scenario, such as restitution=0.3, instead of a case.
         """
-        from labs.desk import asking, hand, showing, tables  # noqa: PLC0415
-        from reference.scenarios import find  # noqa: PLC0415 - a check needs no catalogue
+        from labs.desk import case_runs, display, student_code, tables  # noqa: PLC0415
+        from reference.catalogue.scenarios import find  # noqa: PLC0415 - a check needs no catalogue
 
         predictions = self._guesses(predicted)
         wanted = [quantity] if isinstance(quantity, str) else list(quantity)
         for name in wanted:
             find(scenario)[0].quantity(name)
-        options = ("predicted", "quantity", *asking.OPTIONS)
+        options = ("predicted", "quantity", *case_runs.OPTIONS)
         asked = self._ask(
-            asking.Wanted(scenario, asking.named(engines), profile, timestep, parameters, options=options)
+            case_runs.Wanted(scenario, case_runs.named(engines), profile, timestep, parameters, options=options)
         )
-        _display(*showing.pictures(asked), tables.tables(asked, wanted, predictions))
-        if asked.results[0].job.engine == asking.HANDWRITTEN:
-            _say_of_printing(set(hand.printing(hand.executed_cells())) & set(asked.results[0].functions))
+        _display(*display.pictures(asked), tables.tables(asked, wanted, predictions))
+        if asked.results[0].job.engine == case_runs.HANDWRITTEN:
+            _say_of_printing(
+                set(student_code.printing(student_code.executed_cells())) & set(asked.results[0].functions)
+            )
 
     @_spoken
     def watch(
@@ -169,10 +171,10 @@ class Lab:
         **parameters: float,
     ) -> None:
         """Show the replay of a run alone."""
-        from labs.desk import asking, showing, tables  # noqa: PLC0415
+        from labs.desk import case_runs, display, tables  # noqa: PLC0415
 
-        asked = self._ask(asking.Wanted(scenario, asking.named(engines), profile, timestep, parameters))
-        replay = showing.replay(asked)
+        asked = self._ask(case_runs.Wanted(scenario, case_runs.named(engines), profile, timestep, parameters))
+        replay = display.replay(asked)
         _display(replay if replay is not None else tables.tables(asked, ()))
 
     @_spoken
@@ -188,45 +190,45 @@ class Lab:
         profile: str = "tuned",
     ) -> None:
         """Move one parameter of a scenario, or its timestep: a slider beside small pictures of every value."""
-        from labs.desk import asking, sweeping  # noqa: PLC0415
+        from labs.desk import case_runs, sweeps  # noqa: PLC0415
 
-        values, predictions = sweeping.values_of(scenario, parameter, values), self._guesses(predicted)
-        wanted = asking.Wanted(scenario, asking.named(engines), profile, recorded=True)
+        values, predictions = sweeps.values_of(scenario, parameter, values), self._guesses(predicted)
+        wanted = case_runs.Wanted(scenario, case_runs.named(engines), profile, recorded=True)
         with Progress("running", len(values)) as progress:
             asked: list[Asked] = []
             for value in values:
-                if parameter == sweeping.TIMESTEP:
+                if parameter == sweeps.TIMESTEP:
                     each = replace(wanted, timestep=value)
                 else:  # it stands in place of a case
                     each = replace(wanted, scenario=scenario.partition("/")[0], at={parameter: value})
-                asked.append(asking.ask(each, self._hand()))
+                asked.append(case_runs.ask(each, self._hand()))
                 progress.done(len(asked), len(values), f"{parameter} {value:g}")
         guesses = ", ".join(each.with_unit for each in predictions)
-        found = sweeping.Sweep(parameter, tuple(values), tuple(asked), quantity, guesses)
+        found = sweeps.Sweep(parameter, tuple(values), tuple(asked), quantity, guesses)
         _display(found.picture, found.table)
-        sweeping.slide(found)
+        sweeps.slide(found)
 
     def _ask(self, wanted: Wanted) -> Asked:
-        from labs.desk import asking  # noqa: PLC0415 - loads the catalogue
+        from labs.desk import case_runs  # noqa: PLC0415 - loads the catalogue
 
         with Progress("running") as progress:
-            asked = asking.ask(wanted, self._hand(), progress.done)
+            asked = case_runs.ask(wanted, self._hand(), progress.done)
         if asked.snapped:
             print(asked.snapped)
         return asked
 
     def _hand(self, cells: Sequence[str] | None = None) -> Hand:
-        from labs.desk import hand  # noqa: PLC0415
+        from labs.desk import student_code  # noqa: PLC0415
 
-        beside = hand.earlier_notebooks(self._begun(), Path.cwd())
-        return hand.in_hand(self._begun(), self._notebook(cells), beside)
+        beside = student_code.earlier_notebooks(self._begun(), Path.cwd())
+        return student_code.in_hand(self._begun(), self._notebook(cells), beside)
 
     def _notebook(self, cells: Sequence[str] | None = None) -> Path:
         """The cells that were run, as a file."""
-        from labs.desk import hand  # noqa: PLC0415
+        from labs.desk import student_code  # noqa: PLC0415
 
-        found = list(hand.executed_cells() if cells is None else cells)
-        return hand.written_down([*found, "pass"])
+        found = list(student_code.executed_cells() if cells is None else cells)
+        return student_code.written_down([*found, "pass"])
 
     def _begun(self) -> str:
         if not self.topic:
@@ -245,7 +247,7 @@ class Lab:
     def _tests(self) -> Grader:
         """What runs the tests; started once, since it takes longer than a check."""
         if self._grader is None:
-            from labs.grading.remote import Grader  # noqa: PLC0415
+            from labs.grading.calling.remote import Grader  # noqa: PLC0415
 
             self._grader = Grader()
         return self._grader

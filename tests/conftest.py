@@ -10,6 +10,7 @@ import pytest
 from reference.engines import Engine, load_engine
 from reference.errors import EngineNotInstalled
 
+pytest_plugins = ["processor_time"]
 AUTOGRADER = Path(__file__).parent / "autograder"
 
 

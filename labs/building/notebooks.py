@@ -14,9 +14,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from labs.building.excerpts import Piece, Pieces, imports_of, text_of
 from labs.building.lessons import Cell, Lesson, read
 from labs.building.narrow import WIDTH, narrow
-from labs.building.pieces import Piece, Pieces, imports_of, text_of
 from labs.building.points import points_of
 from reference import lecture
 from reference.errors import InvalidInput

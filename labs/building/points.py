@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from functools import cache
 
-from labs.grading.running import HIDDEN, TESTS, VISIBLE
+from labs.grading.judging.pytest_run import HIDDEN, TESTS, VISIBLE
 from reference import lecture
 
 _MARKER = "asks"

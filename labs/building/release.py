@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from labs.building import lessons, notebooks
-from labs.building.pieces import Pieces, imports_of, text_of
+from labs.building.excerpts import Pieces, imports_of, text_of
 from reference import lecture
 from reference.errors import InvalidInput
 

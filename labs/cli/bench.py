@@ -9,15 +9,15 @@ from rich.markup import escape
 from rich.table import Table
 from rich.text import Text
 
-from labs import benching
+from labs.benching import timing
+from labs.benching.programs import Environment
 from labs.cli.console import errors, output
-from labs.programs import Environment
 from reference.errors import CollisionsError, InvalidInput
 
 
 def bench(
     name: Annotated[list[str] | None, typer.Argument(help="Which ones; all if none is named.")] = None,
-    repeats: Annotated[int, typer.Option(min=1, help="Calls of each; the median is shown.")] = benching.REPEATS,
+    repeats: Annotated[int, typer.Option(min=1, help="Calls of each; the median is shown.")] = timing.REPEATS,
 ) -> None:
     """Time hand-written functions beside other libraries on the same input, in one run.
 
@@ -25,14 +25,14 @@ def bench(
 
     For example:  collisions bench point-plane
     """
-    chosen = [benching.find(each) for each in name] if name else list(benching.benches().values())
+    chosen = [timing.find(each) for each in name] if name else list(timing.benches().values())
     if not chosen:
         raise InvalidInput("there is nothing to time: the folder tests/bench of the project is missing")
     for environment in [environment for each in chosen if name for environment in each.environments]:
         _install(environment)
     for each in chosen:
         with errors.status(each.name):
-            timings = benching.measure(each, repeats)
+            timings = timing.measure(each, repeats)
         _print(each, timings)
 
 
@@ -47,25 +47,25 @@ def _install(environment: Environment) -> None:
         errors.print(escape(str(error)), soft_wrap=True)
 
 
-def _print(bench: benching.Bench, timings: list[benching.Timing]) -> None:
+def _print(bench: timing.Bench, timings: list[timing.Timing]) -> None:
     beyond = f" beyond “{bench.beyond}”" if bench.beyond else ""
     goal = f" Goal: {bench.goal:g} s{beyond}." if bench.goal else ""
     output.print(Text.assemble((bench.name, "bold"), f": {bench.what}.{goal}"))
     table = Table(box=None, header_style="bold", padding=(0, 1), pad_edge=False)
     table.add_column("")
-    counted = any(timing.memory for timing in timings)
+    counted = any(each.memory for each in timings)
     for heading in ("median, s", "fastest, s", "÷ ours", *(["MB"] if counted else [])):
         table.add_column(heading, justify="right")
-    own = next(timing.median for timing in timings if timing.median is not None)
-    for timing in timings:
-        if timing.median is None or timing.fastest is None:
-            table.add_row(timing.who, timing.note, "", "")
+    own = next(each.median for each in timings if each.median is not None)
+    for each in timings:
+        if each.median is None or each.fastest is None:
+            table.add_row(each.who, each.note, "", "")
         else:
-            memory = f"{timing.memory / 1e6:.0f}" if timing.memory else ""
-            ratio = f"{timing.median / own:.2f}"
-            table.add_row(timing.who, f"{timing.median:.3g}", f"{timing.fastest:.3g}", ratio, *[memory] * counted)
+            memory = f"{each.memory / 1e6:.0f}" if each.memory else ""
+            ratio = f"{each.median / own:.2f}"
+            table.add_row(each.who, f"{each.median:.3g}", f"{each.fastest:.3g}", ratio, *[memory] * counted)
     output.print(table)
-    less = next((timing.median for timing in timings if timing.who == bench.beyond), None)
+    less = next((each.median for each in timings if each.who == bench.beyond), None)
     if less is not None:
         output.print(f"Beyond “{bench.beyond}”: {own - less:.3g} s.")
     output.print()

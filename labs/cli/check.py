@@ -8,9 +8,10 @@ from typing import Annotated
 import typer
 
 from labs.cli.console import errors, output
-from labs.grading import running, saying
-from labs.grading.folding import folded
-from labs.grading.submission import Submission
+from labs.grading.feedback import report
+from labs.grading.judging import pytest_run
+from labs.grading.submission.reading import Submission
+from labs.grading.wrapping import folded
 from reference import lecture
 
 WRONG = 1
@@ -27,25 +28,25 @@ def check(
 
     For example:  collisions check lab.ipynb
     """
-    submission, found = running.topics_of(file)
+    submission, found = pytest_run.topics_of(file)
     topics = tuple(lecture.topic(name).name for name in topic) if topic else found
     if not topics:
         _nothing(submission)
         raise typer.Exit(WRONG)
     errors.print(f"Checking {submission.name} …", markup=False)
-    sheet = running.run(file, topics, (running.VISIBLE,))
-    for line in saying.report(sheet, topics):
+    sheet = pytest_run.run(file, topics, (pytest_run.VISIBLE,))
+    for line in report.report(sheet, topics):
         output.print(line, markup=False, soft_wrap=True)
-    raise typer.Exit(0 if saying.all_right(sheet) else WRONG)
+    raise typer.Exit(0 if report.all_right(sheet) else WRONG)
 
 
 def _nothing(submission: Submission) -> None:
     """Say why there is nothing to check: what is wrong with the file, or what would be looked for."""
-    first = next(entry.name for entry in lecture.functions_of(running.tested()[0]) if entry.role == "written")
+    first = next(entry.name for entry in lecture.functions_of(pytest_run.tested()[0]) if entry.role == "written")
     paragraphs = [
         *(str(complaint) for complaint in submission.complaints if "missing" not in complaint.text),
         f"{submission.name} defines no function of the lab, such as {first}.",
-        f"Topics that can be checked: {', '.join(running.tested())} (--topic)",
+        f"Topics that can be checked: {', '.join(pytest_run.tested())} (--topic)",
     ]
     for line in (line for paragraph in paragraphs for line in folded(paragraph, 0)):
         output.print(line, markup=False, soft_wrap=True)

@@ -8,14 +8,14 @@ import typer
 
 from labs.cli import jobs
 from labs.cli.console import output
-from reference.cache import Cache
 from reference.engines import engine_names
 from reference.errors import InvalidInput
-from reference.published import running
+from reference.published import jobs as published_jobs
 from reference.report.published_summary import PublishedTables
 from reference.report.published_terminal import print_published
 from reference.report.summary import sections
 from reference.report.terminal import print_comparison
+from reference.running.cache import Cache
 
 
 def compare(
@@ -69,7 +69,7 @@ def _published(
     fresh: bool,
     cases: bool,
 ) -> int:
-    planned = running.plan(names or (), engines or engine_names(), implementation)
-    results = jobs.run_work(planned, running.PUBLISHED, workers, Cache(fresh=fresh))
+    planned = published_jobs.plan(names or (), engines or engine_names(), implementation)
+    results = jobs.run_work(planned, published_jobs.PUBLISHED, workers, Cache(fresh=fresh))
     print_published(output, PublishedTables.of(results), cases)
     return jobs.published_exit_code(results)

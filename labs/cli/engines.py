@@ -7,8 +7,8 @@ from rich.table import Table
 from labs.cli.console import output
 from reference.engines import engine_names, load_engine
 from reference.errors import EngineNotInstalled, RunFailed
-from reference.isolate import run_isolated
-from reference.snapping import PROBE_LIMIT
+from reference.running.availability import PROBE_LIMIT
+from reference.running.isolate import run_isolated
 
 
 def engines() -> None:

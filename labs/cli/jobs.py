@@ -12,20 +12,21 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors
-from labs.desk.hand import with_hand
+from labs.desk.student_code import with_hand
 from reference import checks
-from reference.cache import Cache
-from reference.compare import Verdict, failures
+from reference.catalogue.family import Family
+from reference.catalogue.scenarios import catalogue, find
+from reference.comparison.compare import Verdict, failures
+from reference.comparison.results import Job, JobResult
 from reference.engines import engine_names
 from reference.errors import InvalidInput
-from reference.family import Family
 from reference.published import published_cases
-from reference.results import Job, JobResult, PublishedResult
-from reference.running import TIME_LIMIT, J, R, Work, recall, run_all
-from reference.scenarios import catalogue, find
-from reference.settings import Option
-from reference.snapping import snapped
-from reference.study import SCENARIOS, plan
+from reference.published.results import PublishedResult
+from reference.running.cache import Cache
+from reference.running.jobs import TIME_LIMIT, J, R, Work, recall, run_all
+from reference.running.snapping import snapped
+from reference.running.study import SCENARIOS, plan
+from reference.scene.settings import Option
 
 V = TypeVar("V")
 

@@ -11,18 +11,19 @@ from rich.table import Table
 
 from labs.cli import jobs
 from labs.cli.console import output
-from reference import record as recordings
-from reference.cache import Cache
-from reference.compare import ALL_CASES, Row, Verdict
+from reference.catalogue.family import Family
+from reference.catalogue.scenarios import catalogue, find
+from reference.comparison.compare import ALL_CASES, Row, Verdict
+from reference.comparison.results import Job, JobResult
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
-from reference.family import Family
+from reference.published import jobs as published_jobs
 from reference.published import recorded as published_recordings
-from reference.published import running
-from reference.results import Job, JobResult, PublishedJob
-from reference.running import R
-from reference.scenarios import catalogue, find
-from reference.snapping import absent
+from reference.published.results import PublishedJob
+from reference.recording import making as recordings
+from reference.running.availability import absent
+from reference.running.cache import Cache
+from reference.running.jobs import R
 
 MOST_BYTES = 512 * 2**20
 """Of the cache while recording: a run of thousands must not push its own first results out."""
@@ -97,8 +98,8 @@ def _published(
 ) -> list[Path]:
     """Record other people's cases; return the files."""
     wanted = [name for name in engines if not only_stale or published_recordings.is_stale(name, out)]
-    planned = running.plan((), wanted) if wanted else []
-    results = jobs.run_work(planned, running.PUBLISHED, workers, cache) if planned else []
+    planned = published_jobs.plan((), wanted) if wanted else []
+    results = jobs.run_work(planned, published_jobs.PUBLISHED, workers, cache) if planned else []
     return published_recordings.write(_in_order(results, planned), out)
 
 

@@ -10,13 +10,13 @@ import typer
 
 from labs.cli import jobs
 from labs.cli.console import output
-from reference.cache import Cache
 from reference.engines import engine_names
-from reference.published import running
+from reference.published import jobs as published_jobs
+from reference.published.results import PublishedResult
 from reference.report import files
 from reference.report.published_summary import PublishedTables
 from reference.report.summary import verdict_line
-from reference.results import PublishedResult
+from reference.running.cache import Cache
 
 
 def report(
@@ -47,5 +47,5 @@ def _published(
     engines: list[str] | None, implementation: str, workers: int | None, fresh: bool
 ) -> list[PublishedResult]:
     """Other people's cases, in the same engines."""
-    planned = running.plan((), engines or engine_names(), implementation)
-    return jobs.run_work(planned, running.PUBLISHED, workers, Cache(fresh=fresh))
+    planned = published_jobs.plan((), engines or engine_names(), implementation)
+    return jobs.run_work(planned, published_jobs.PUBLISHED, workers, Cache(fresh=fresh))

@@ -17,16 +17,16 @@ from rich.text import Text
 
 from labs.cli import jobs
 from labs.cli.console import output
-from labs.demonstrations import DEMONSTRATIONS, Demonstration, find
-from labs.replaying import page_of
-from labs.seen import Seen
-from reference.cache import Cache
+from labs.demonstrations.outcomes import Seen
+from labs.demonstrations.questions import DEMONSTRATIONS, Demonstration, find
+from labs.demonstrations.replay import page_of
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.results import Job
 from reference.errors import InvalidInput
 from reference.report import figures, terminal
 from reference.report.summary import MARKS, Line, error_of, recordings
-from reference.results import Job
-from reference.scenarios import catalogue
-from reference.study import plan
+from reference.running.cache import Cache
+from reference.running.study import plan
 
 SUFFIXES, PAGES = (".svg", ".png", ".pdf"), (".html", ".htm")
 LEAST_HEIGHT, MOST_WIDTH = 11, 140

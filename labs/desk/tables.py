@@ -7,15 +7,15 @@ from dataclasses import dataclass, replace
 from html import escape
 from typing import TYPE_CHECKING, Any
 
-from labs.desk.asking import HANDWRITTEN
-from labs.desk.predicting import Prediction
-from reference.compare import Row, Verdict
-from reference.family import Quantity
+from labs.desk.case_runs import HANDWRITTEN
+from labs.desk.predictions import Prediction
+from reference.catalogue.family import Quantity
+from reference.comparison.compare import Row, Verdict
 from reference.report import numbers
 from reference.report.summary import MARKS, Line, error_of, tolerance_of
 
 if TYPE_CHECKING:
-    from labs.desk.asking import Asked
+    from labs.desk.case_runs import Asked
 
 _MEANINGS = {
     Verdict.PASS: "within the tolerance of theory",

@@ -1,4 +1,4 @@
-"""The engines, found by file: `handwritten.py` and every `…_engine.py` in this folder, or any file by its path.
+"""The engines, found by file: every `…_engine.py` in this folder, or any file by its path.
 
 A new engine is one file that ends in `ENGINE = MyEngine`, a subclass of `reference.engines.base.Engine`.
 """
@@ -14,8 +14,8 @@ from pathlib import Path
 from types import ModuleType
 
 from reference.engines.base import Engine
+from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, UnknownName, one_line
-from reference.implementation import Implementation
 
 __all__ = ["Engine", "engine_names", "load_engine"]
 
@@ -37,9 +37,8 @@ def engine_names() -> tuple[str, ...]:
 
 @functools.cache
 def _found() -> dict[str, type[Engine]]:
-    modules = (info.name for info in pkgutil.iter_modules(__path__))
-    wanted = [name for name in modules if name == "handwritten" or name.endswith("_engine")]
-    classes = [_engine_class(importlib.import_module(f"{__name__}.{name}")) for name in wanted]
+    adapters = [info.name for info in pkgutil.iter_modules(__path__) if info.name.endswith("_engine")]
+    classes = [_engine_class(importlib.import_module(f"{__name__}.{name}")) for name in adapters]
     return {engine.name: engine for engine in sorted(classes, key=lambda engine: (engine.order, engine.name))}
 
 

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import ClassVar
 
+from reference.engines.implementation import Implementation
 from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, UnknownName
-from reference.implementation import Implementation
-from reference.query import Query
-from reference.scenario import Scenario
-from reference.settings import Move, Settings
-from reference.trajectory import Trajectory
+from reference.scene.query import Query
+from reference.scene.scenario import Scenario
+from reference.scene.settings import Move, Settings
+from reference.scene.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
 ROUNDING = 1e-9

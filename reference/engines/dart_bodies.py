@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from reference import geometry
-from reference.scenario import Body, Box, HalfSpace, Sphere
-from reference.settings import Settings
+from reference.scene import geometry
+from reference.scene.scenario import Body, Box, HalfSpace, Sphere
+from reference.scene.settings import Settings
 
 GROUND_EXTENT, GROUND_DEPTH = 100.0, 1.0
 """Half extents of the box that stands for a half-space, m: far larger than any way in the catalogue."""

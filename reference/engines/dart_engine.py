@@ -15,14 +15,14 @@ from typing import Any
 
 import numpy as np
 
-from reference import geometry
 from reference.engines import dart_bodies, mixing
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import CannotExpress, InvalidInput
-from reference.query import Query, Ray
-from reference.scenario import Box, Scenario, Sphere
-from reference.settings import Move, Option, Settings, steps_per_sample
-from reference.trajectory import Recorder, Trajectory
+from reference.scene import geometry
+from reference.scene.query import Query, Ray
+from reference.scene.scenario import Box, Scenario, Sphere
+from reference.scene.settings import Move, Option, Settings, steps_per_sample
+from reference.scene.trajectory import Recorder, Trajectory
 
 REST_SPEED = 0.1
 """A rebound slower than this is none, m/s; a constant of DART's source."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from reference.scenario import Body, Pair, Scenario
+from reference.scene.scenario import Body, Pair, Scenario
 
 Coefficient = Callable[[Pair], float]
 """Which coefficient of a pair is meant."""

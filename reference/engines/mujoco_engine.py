@@ -17,12 +17,13 @@ from typing import Any
 
 import numpy as np
 
-from reference import geometry, truth
+from reference import truth
 from reference.engines.base import AT_STEP, COMPLIANT, Engine, Method
-from reference.query import Query, Ray
-from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
-from reference.settings import Move, Option, Settings, steps_per_sample
-from reference.trajectory import Recorder, Trajectory
+from reference.scene import geometry
+from reference.scene.query import Query, Ray
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.settings import Move, Option, Settings, steps_per_sample
+from reference.scene.trajectory import Recorder, Trajectory
 
 SPRING_STIFFNESS = 1e6
 """Stiffness per unit mass of the `spring` profile, 1/s²: a contact lasts about π ms and a 1 m drop sinks in 4.4 mm."""

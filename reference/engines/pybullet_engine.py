@@ -18,14 +18,14 @@ from typing import Any
 
 import numpy as np
 
-from reference import geometry
 from reference.engines import mixing
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import RunFailed
-from reference.query import Query, Ray
-from reference.scenario import Body, Box, Force, HalfSpace, Scenario, Sphere
-from reference.settings import Move, Option, Settings
-from reference.trajectory import Recorder, Trajectory
+from reference.scene import geometry
+from reference.scene.query import Query, Ray
+from reference.scene.scenario import Body, Box, Force, HalfSpace, Scenario, Sphere
+from reference.scene.settings import Move, Option, Settings
+from reference.scene.trajectory import Recorder, Trajectory
 
 STOCK_TIMESTEP = 1 / 240
 GROUND_EXTENT, GROUND_DEPTH = (100.0, 100.0), 1.0

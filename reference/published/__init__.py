@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from reference.engines.base import Engine
+from reference.engines.implementation import Implementation
 from reference.errors import UnknownName
-from reference.implementation import Implementation
 
 Kind = Literal["verification", "validation", "cross-engine"]
 Figure = float | tuple[float, ...]

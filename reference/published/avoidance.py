@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from reference.implementation import Implementation
+from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 
 

@@ -7,7 +7,7 @@ import warnings
 
 import numpy as np
 
-from reference.implementation import Implementation
+from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 from reference.published.in_engines import sliding
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from reference.implementation import Implementation
+from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 from reference.published.in_engines import rolling, striking
 from reference.published.rigid_law import against_rigid_law

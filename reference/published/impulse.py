@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from reference.implementation import Implementation
+from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 from reference.published.in_engines import striking
 

@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from reference.compare import NOTHING_FINITE, Verdict, judge, verdict_of
+from reference.catalogue.family import Expectation
+from reference.comparison.compare import NOTHING_FINITE, Verdict, judge, verdict_of
 from reference.engines.base import Engine
 from reference.errors import (
     CannotExpress,
@@ -17,7 +18,6 @@ from reference.errors import (
     RunFailed,
     as_failed_run,
 )
-from reference.family import Expectation
 from reference.published import Answer, Answers, Figure, Published
 
 BY_HAND = "by hand"

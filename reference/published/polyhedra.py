@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from reference.implementation import Implementation
+from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 
 

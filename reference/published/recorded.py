@@ -14,15 +14,15 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
-from reference.compare import Verdict
+from reference.comparison.compare import Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
-from reference.fingerprint import hashed
 from reference.published import Answer, Figure, Published, published, published_cases
 from reference.published.judging import PublishedRow, judged
-from reference.record import lines, machine, version_here
-from reference.recording import FOLDER, MARK, Made, read, tuples
-from reference.results import PublishedJob, PublishedResult
+from reference.published.results import PublishedJob, PublishedResult
+from reference.recording.fingerprint import hashed
+from reference.recording.making import lines, machine, version_here
+from reference.recording.reading import FOLDER, MARK, Made, read, tuples
 
 SCHEMA, VERSION = "collisions-lab/published-recording", 1
 FILE = "published.json"

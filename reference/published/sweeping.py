@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from reference.implementation import Implementation
+from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 from reference.published.in_engines import questions
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from reference.compare import TUNED
+from reference.engines.profiles import TUNED
 from reference.report import numbers
 from reference.report.summary import Line, Section
 

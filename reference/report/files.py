@@ -22,16 +22,17 @@ from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
-from reference.compare import Row, Verdict
+from reference.comparison.compare import Row, Verdict
+from reference.comparison.results import JobResult
 from reference.engines import load_engine
 from reference.errors import InvalidInput
 from reference.published.judging import PublishedRow
+from reference.published.results import PublishedResult
 from reference.report import figures, page, published_page
 from reference.report.published_figures import oblique_impacts
 from reference.report.published_summary import PublishedTables
 from reference.report.replays import replay_of
 from reference.report.summary import Section, sections
-from reference.results import JobResult, PublishedResult
 
 ROWS, TIMINGS, PROVENANCE = "collisions-lab/rows", "collisions-lab/timings", "collisions-lab/provenance"
 PUBLISHED = "collisions-lab/published"

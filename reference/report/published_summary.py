@@ -6,14 +6,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from reference.compare import Verdict, why
+from reference.comparison.compare import Verdict, why
 from reference.engines import engine_names, load_engine
 from reference.published import Kind, Published, published_cases
 from reference.published.judging import PublishedRow, passes
-from reference.recording import MARK
+from reference.published.results import PublishedResult
+from reference.recording.reading import MARK
 from reference.report import numbers
 from reference.report.summary import AGREES, MARKS, SEVERITY
-from reference.results import PublishedResult
 
 PRINTED = 9
 """Digits of a number in the tables."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from reference.family import Case
-from reference.replay import Poses, Track, unpack
+from reference.catalogue.case import Case
+from reference.comparison.results import JobResult
 from reference.report.summary import Line, Section
-from reference.results import JobResult
+from reference.viewer.assembly import clip
 from reference.viewer.clip import Clip
-from reference.viewer.making import clip
+from reference.viewer.poses import Poses, Track, unpack
 
 
 def replay_of(section: Section) -> Clip | None:

@@ -11,13 +11,15 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
-from reference.compare import TUNED, Row, Verdict
+from reference.catalogue.case import Case
+from reference.catalogue.family import Family, Quantity
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import Row, Verdict
+from reference.comparison.results import JobResult
 from reference.engines import engine_names
-from reference.family import Case, Family, Quantity
+from reference.engines.profiles import STOCK, TUNED
 from reference.report import numbers
-from reference.results import JobResult
-from reference.scenarios import catalogue
-from reference.study import ROUNDING
+from reference.running.study import ROUNDING
 
 MARKS = {
     Verdict.PASS: "✓",
@@ -235,7 +237,7 @@ def sections(results: Iterable[JobResult]) -> list[Section]:
         return engines.index(name) if name in engines else len(engines), name
 
     def tuned_first(result: JobResult) -> int:
-        return {TUNED: 0, "stock": 2}.get(result.job.profile, 1)
+        return {TUNED: 0, STOCK: 2}.get(result.job.profile, 1)
 
     found = []
     for family in families.values():

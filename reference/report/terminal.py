@@ -12,7 +12,8 @@ from rich.table import Table
 from rich.text import Text
 
 from reference import lecture
-from reference.compare import TUNED, Row, Verdict
+from reference.comparison.compare import Row, Verdict
+from reference.engines.profiles import TUNED
 from reference.report import numbers
 from reference.report.summary import (
     LEGEND,

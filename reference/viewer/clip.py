@@ -1,6 +1,6 @@
 """A clip: one scenario as one or several implementations ran it, small enough to stand in a page.
 
-`reference.viewer.making` makes it. Its JSON is the same for the same poses; `docs/viewer.md` says what is in it.
+`reference.viewer.assembly` makes it. Its JSON is the same for the same poses; `docs/viewer.md` says what is in it.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from reference.viewer import camera
+from reference.viewer.contacts import Touch
 from reference.viewer.packing import packed
 from reference.viewer.shapes import Array, Shape, written
-from reference.viewer.touches import Touch
 
 SCHEMA, VERSION = "collisions-lab/replay", 1
 STEP, TURN = 1e-4, 5e-4

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from reference import geometry
-from reference.scenario import HalfSpace
+from reference.scene import geometry
+from reference.scene.scenario import HalfSpace
 from reference.viewer import camera
 from reference.viewer.clip import Clip, Run, Solid
 from reference.viewer.shapes import Array, vertices_of

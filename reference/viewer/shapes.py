@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from reference import checks
 from reference.checks import Vector
 from reference.errors import InvalidInput
-from reference.scenario import Box, HalfSpace, Sphere
+from reference.scene.scenario import Box, HalfSpace, Sphere
 
 Array = NDArray[np.float64]
 

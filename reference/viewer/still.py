@@ -12,8 +12,8 @@ from html import escape
 
 import numpy as np
 
-from reference import geometry
-from reference.scenario import HalfSpace
+from reference.scene import geometry
+from reference.scene.scenario import HalfSpace
 from reference.viewer.camera import Picture, basis
 from reference.viewer.clip import DASHES, WIDTHS, Clip, Run, Solid
 from reference.viewer.shapes import Array, Capsule, faces_of, vertices_of

@@ -1,4 +1,4 @@
-"""Avoiding a collision: force fields, steering around, flocks, and reciprocal avoidance in a crowd (slide 1)."""
+"""Avoiding a collision: force fields, steering, flocks and crowds (slide 1)."""
 
 from solutions.avoidance.approach import nearest_approach, time_to_collision
 from solutions.avoidance.directions import limited

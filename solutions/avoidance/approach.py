@@ -19,9 +19,9 @@ def nearest_approach(
     radius_a: ArrayLike = 0.0,
     radius_b: ArrayLike = 0.0,
 ) -> tuple[Array, Array]:
-    """When two points or spheres at constant velocities will be nearest, and how far apart then (slide 1).
+    """When two spheres at constant velocities are nearest, and how near (slide 1).
 
-    With x = p_A − p_B and u = ṗ_A − ṗ_B the squared distance (x + u t)² is least at t = −x·u/u².
+    Two points are spheres of radius 0.
 
     Parameters
     ----------
@@ -31,14 +31,28 @@ def nearest_approach(
 
     Returns
     -------
-    time : (...), s from now, never negative: if they already part, and if they keep their distance because the
-        velocities are equal, the answer is now, 0
-    separation : (...), m, between the surfaces then, negative where they will overlap
+    time : (...), s from now, never negative
+        It is 0, which means now, if the spheres already move apart. It is also 0 if
+        they keep their distance because their velocities are equal.
+    separation : (...), m, between the surfaces at that time
+        Negative where the spheres will overlap.
 
     Raises
     ------
     ValueError
-        If a radius is negative, or a vector is not finite or not in space.
+        If a radius is negative, or a vector is not finite or does not have three
+        components.
+
+    Notes
+    -----
+    Let x = p_A − p_B be the relative position now, and u = ṗ_A − ṗ_B the relative
+    velocity. After the time t the relative position is x + u t, and its square is
+
+        (x + u t)² = x² + 2 x·u t + u² t²
+
+    This is a parabola in t. Its derivative 2 x·u + 2 u² t vanishes at t = −x·u/u², and
+    there the distance is smallest. If this time is negative, it has passed: the spheres
+    move apart, and of all times from now on they are nearest at once.
     """
     x = in_space("position_a", position_a) - in_space("position_b", position_b)
     u = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)
@@ -56,11 +70,7 @@ def time_to_collision(
     velocity_b: ArrayLike,
     radius_b: ArrayLike,
 ) -> Array:
-    """Time until two spheres at constant velocities touch: the first root of ‖x + u t‖ = R, R = r_A + r_B (slide 1).
-
-        t = (x² − R²)/(−x·u + √(R² u² − (x × u)²))    if x·u < 0
-
-    The root is written so that no two nearly equal numbers are subtracted.
+    """Time until two spheres at constant velocities touch (slide 1).
 
     Parameters
     ----------
@@ -70,13 +80,32 @@ def time_to_collision(
 
     Returns
     -------
-    (...), s from now. 0 if they overlap, and if they touch and approach; infinity if they never meet. Spheres that
-    will just graze each other do meet.
+    (...), s from now
+        It is 0 if the spheres overlap, and if they touch and approach. It is infinity
+        if they never meet. Spheres that will just graze each other do meet.
 
     Raises
     ------
     ValueError
-        If a radius is negative, or a vector is not finite or not in space.
+        If a radius is negative, or a vector is not finite or does not have three
+        components.
+
+    Notes
+    -----
+    The spheres touch when their centres are R = r_A + r_B apart. With x = p_A − p_B and
+    u = ṗ_A − ṗ_B, the time is the first root of ‖x + u t‖ = R. Squared, this is
+
+        u² t² + 2 x·u t + x² − R² = 0
+
+    The identity (x·u)² + (x × u)² = x² u² turns the discriminant into R² u² − (x × u)²,
+    and the first root is t = (−x·u − √(R² u² − (x × u)²))/u². Multiply its numerator
+    and its denominator by −x·u + √(R² u² − (x × u)²):
+
+        t = (x² − R²)/(−x·u + √(R² u² − (x × u)²))    if x·u < 0
+
+    In this form no two nearly equal numbers are subtracted, because neither term of the
+    denominator is negative while the spheres approach. If they do not approach, or if
+    the number under the root is negative, they never meet.
     """
     x = in_space("position_a", position_a) - in_space("position_b", position_b)
     u = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)

@@ -1,4 +1,4 @@
-"""Vectors in space and in the plane: what may enter, their directions and lengths."""
+"""Vectors in space and in the plane: checks, directions and lengths."""
 
 from __future__ import annotations
 
@@ -24,14 +24,17 @@ def in_plane(name: str, value: ArrayLike) -> Array:
 
 
 def unit_or_zero(value: ArrayLike) -> Array:
-    """Return the direction of vectors (..., d): length 1, or zero where the vector is zero and has none."""
+    """Return the directions of vectors (..., d), as vectors of length 1.
+
+    A vector that is zero has no direction, and stays zero.
+    """
     v = np.asarray(value, dtype=float)
     length = np.linalg.norm(v, axis=-1, keepdims=True)
     return np.asarray(v / np.where(length > 0, length, 1.0))
 
 
 def limited(value: ArrayLike, largest: ArrayLike) -> Array:
-    """Shorten vectors to a largest length and keep their direction; shorter ones stay as they are.
+    """Vectors shortened to a largest length, with their direction kept.
 
     Parameters
     ----------
@@ -40,7 +43,8 @@ def limited(value: ArrayLike, largest: ArrayLike) -> Array:
 
     Returns
     -------
-    (..., d)
+    (..., d), in the same unit
+        A vector that is not longer than the largest length stays as it is.
 
     Raises
     ------
@@ -55,7 +59,10 @@ def limited(value: ArrayLike, largest: ArrayLike) -> Array:
 
 
 def to_the_left(direction: ArrayLike) -> Array:
-    """Return the horizontal unit vector to the left of a direction (..., 3); x where that is vertical or zero."""
+    """Return the horizontal unit vector to the left of a direction (..., 3).
+
+    It is +x where the direction is vertical or zero.
+    """
     d = np.asarray(direction, dtype=float)
     left = unit_or_zero(np.stack([-d[..., 1], d[..., 0], np.zeros(d.shape[:-1])], axis=-1))
     has_one = np.any(left != 0, axis=-1, keepdims=True)
@@ -63,6 +70,6 @@ def to_the_left(direction: ArrayLike) -> Array:
 
 
 def turned_left(value: ArrayLike) -> Array:
-    """Return vectors (..., 2) of the plane turned by a quarter to the left: (x, y) → (−y, x)."""
+    """Return vectors (..., 2), turned left by a quarter: (x, y) becomes (−y, x)."""
     v = np.asarray(value, dtype=float)
     return np.stack([-v[..., 1], v[..., 0]], axis=-1)

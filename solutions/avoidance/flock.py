@@ -1,4 +1,4 @@
-"""A flock: Reynolds' separation, alignment and cohesion among neighbours, and a step of them together (slide 1)."""
+"""A flock after Reynolds: separation, alignment, cohesion and their step (slide 1)."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ Array = NDArray[np.float64]
 
 
 def separation(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:
-    """Away from the neighbours, from the near ones most: Σ (p_i − p_j)/‖p_i − p_j‖² (slide 1).
+    """Push away from the neighbours, most of all from the near ones (slide 1).
 
-    What i feels from j is the opposite of what j feels from i, so over the whole flock it adds up to zero.
+    Each neighbour adds a push that points away from it and whose size is one over the
+    distance.
 
     Parameters
     ----------
@@ -24,7 +25,18 @@ def separation(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Arra
 
     Returns
     -------
-    (n, d), 1/m; neighbours at the same place have no direction from each other and do not count
+    (n, d), 1/m
+        Zero without neighbours. Neighbours at the same place have no direction from
+        each other and do not count.
+
+    Notes
+    -----
+    The sum runs over the neighbours j of i:
+
+        Σ (p_i − p_j)/‖p_i − p_j‖²
+
+    What i feels from j is the opposite of what j feels from i. Over the whole flock the
+    pushes therefore add up to zero.
     """
     p, i, j = np.asarray(position, dtype=float), np.asarray(first), np.asarray(second)
     apart = p[i] - p[j]
@@ -34,7 +46,7 @@ def separation(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Arra
 
 
 def alignment(velocity: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:
-    """From the own velocity to the mean one of the neighbours (slide 1).
+    """Mean velocity of the neighbours minus the own velocity (slide 1).
 
     Parameters
     ----------
@@ -43,13 +55,14 @@ def alignment(velocity: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array
 
     Returns
     -------
-    (n, d), m/s; zero without neighbours
+    (n, d), m/s
+        Zero without neighbours.
     """
     return _to_the_mean(velocity, first, second)
 
 
 def cohesion(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:
-    """From the own position to the mean one of the neighbours (slide 1).
+    """Mean position of the neighbours minus the own position (slide 1).
 
     Parameters
     ----------
@@ -58,7 +71,8 @@ def cohesion(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:
 
     Returns
     -------
-    (n, d), m; zero without neighbours
+    (n, d), m
+        Zero without neighbours.
     """
     return _to_the_mean(position, first, second)
 
@@ -74,26 +88,37 @@ def flock_step(
 ) -> tuple[Array, Array]:
     """State of a flock after one step of semi-implicit Euler (slide 1).
 
-        a = w_s separation + w_a alignment + w_c cohesion, shortened to a_max
-        v' = v + a dt, shortened to v_max;    p' = p + v' dt
+    The acceleration is the weighted sum of separation, alignment and cohesion,
+    shortened to its limit. The new velocity is shortened to the speed limit, and the
+    positions move with it.
 
     Parameters
     ----------
     position, velocity : (n, d), m, m/s, d = 2 or 3
     dt : s, positive
-    radius : m, how far a boid sees, positive
+    radius : m, positive, the distance up to which a boid sees others
     weights : of separation, m²/s², of alignment, 1/s, and of cohesion, 1/s²
     max_speed, max_acceleration : m/s, m/s², not negative
 
     Returns
     -------
-    position, velocity : (n, d) each
+    position, velocity : (n, d) each, m and m/s
 
     Raises
     ------
     ValueError
-        If the step or the radius is not positive, a limit is negative, a position is not finite, or the
-        shapes do not fit.
+        If the step or the radius is not positive, a limit is negative, a position is
+        not finite, or the shapes do not fit.
+
+    Notes
+    -----
+    With the weights w_s, w_a, w_c and the limits a_max and v_max, the step is
+
+        a = w_s separation + w_a alignment + w_c cohesion, shortened to a_max
+        v' = v + a dt, shortened to v_max;    p' = p + v' dt
+
+    Separation is in 1/m, alignment in m/s and cohesion in m. The units of the weights
+    turn each of them into an acceleration.
     """
     p, v, dt = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float), float(positive("dt", dt))
     max_speed = float(not_negative("max_speed", max_speed))
@@ -108,7 +133,10 @@ def flock_step(
 
 
 def _to_the_mean(value: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:
-    """Mean difference to the neighbours: the same as their mean less the own, but exact far from the origin."""
+    """Mean difference to the neighbours.
+
+    It equals their mean minus the own value, but stays exact far from the origin.
+    """
     x, i, j = np.asarray(value, dtype=float), np.asarray(first), np.asarray(second)
     towards = x[j] - x[i]
     count = np.bincount(i, minlength=len(x)) + np.bincount(j, minlength=len(x))

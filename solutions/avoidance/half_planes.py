@@ -1,8 +1,10 @@
-"""The velocity nearest to a wish that a set of half-planes and a speed limit permit (beyond slide 1).
+"""The velocity nearest to a wish that half-planes and a speed limit permit.
 
-The programme of the library RVO2 (van den Berg, Guy, Snape, Lin and Manocha), for many bodies at once: the half-planes
-are taken one after the other, in the order given, and where one is broken the answer is looked for on its border.
-Inside, a half-plane is n·v ≥ b with its unit normal n and b = n·point.
+This goes beyond slide 1. It is the programme of the library RVO2 (van den Berg, Guy,
+Snape, Lin and Manocha), for many bodies at once. The half-planes are taken one after
+the other, in the order given. Where one of them is broken, the new velocity is looked
+for on its border. In the private functions a half-plane is n·v ≥ b, with its unit
+normal n and b = n·point.
 """
 
 from __future__ import annotations
@@ -18,31 +20,61 @@ from solutions.checks import UNIT_TOLERANCE, not_negative
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 PARALLEL = 1e-12
-"""Sine of the angle below which two borders count as parallel: their crossing point has no digits left."""
+"""Sine of the angle below which two borders count as parallel.
+
+The crossing point of such borders has no correct digits left.
+"""
 
 
-def permitted_velocity(preferred: ArrayLike, max_speed: ArrayLike, point: ArrayLike, normal: ArrayLike) -> Array:
-    """Velocity nearest to the preferred one that keeps to the speed limit and to all half-planes (beyond slide 1).
+def permitted_velocity(
+    preferred: ArrayLike,
+    max_speed: ArrayLike,
+    point: ArrayLike,
+    normal: ArrayLike,
+) -> Array:
+    """Velocity nearest to the preferred one that all limits permit (beyond slide 1).
 
-        minimise ‖v − v_preferred‖    with (v − point_k)·n_k ≥ 0 for all k and ‖v‖ ≤ v_max
-
-    Where no velocity keeps to all of them, the one that breaks the most broken by least.
+    The limits are the largest speed and the half-planes. A half-plane permits the
+    velocities on the side of its border to which its normal points.
 
     Parameters
     ----------
     preferred : (..., 2), m/s
     max_speed : (...), m/s, not negative
-    point, normal : (..., m, 2), m/s and unit; a normal of zero permits everything
+    point : (..., m, 2), m/s, any velocity on the border of each half-plane
+    normal : (..., m, 2), of length 1; a normal of zero permits everything
 
     Returns
     -------
     (..., 2), m/s
+        Where no velocity keeps to all half-planes, it keeps to the speed limit, and its
+        worst violation of a half-plane is as small as possible. Borders that enclose an
+        angle whose sine is below 1e-12 count as parallel.
 
     Raises
     ------
     ValueError
-        If a speed is negative, a normal has neither length 1 nor length 0, or a vector is not finite or not in the
-        plane.
+        If a speed is negative, a normal has neither length 1 nor length 0, or a vector
+        is not finite or does not have two components.
+
+    Notes
+    -----
+    The function solves the programme
+
+        minimise ‖v − v_preferred‖
+        with (v − point_k)·n_k ≥ 0 for all k, and ‖v‖ ≤ v_max
+
+    It starts with the preferred velocity, shortened to v_max, and takes the half-planes
+    one after the other. If the velocity so far keeps to the next half-plane, it remains
+    the nearest. If it does not, the nearest permitted velocity lies on the border of
+    this half-plane: any permitted velocity beyond the border can be moved towards the
+    velocity so far until it reaches the border, and on this way it comes nearer to the
+    preferred velocity. The border is a line. The speed limit and the earlier
+    half-planes leave a stretch of it, and the function takes the point of this stretch
+    that is nearest to the preferred velocity.
+
+    If nothing is left of the line, no velocity keeps to all half-planes. The function
+    then minimises the worst violation, again with one half-plane after the other.
     """
     n, speed = _normals(normal), not_negative("max_speed", max_speed)
     bound = np.sum(n * in_plane("point", point), axis=-1)
@@ -70,9 +102,11 @@ def _normals(normal: ArrayLike) -> Array:
 
 
 def _nearest(wish: Array, speed: Array, normal: Array, bound: Array, far: bool = False) -> tuple[Array, Index]:
-    """Velocity nearest to the wish, and the first half-plane that cannot be kept with those before it, m if none.
+    """Velocity nearest to the wish, and the first half-plane that cannot be kept.
 
-    With `far` the wish is a direction, and the velocity is to go as far along it as it may.
+    That half-plane, k of m, cannot be kept together with those before it; the index is
+    m if all can be kept. If `far` is true, the wish is a direction, and the velocity
+    goes as far along it as the limits permit.
     """
     m = normal.shape[1]
     v = wish * speed[:, None] if far else limited(wish, speed)
@@ -93,9 +127,11 @@ def _nearest(wish: Array, speed: Array, normal: Array, bound: Array, far: bool =
 
 
 def _stretch(normal: Array, bound: Array, speed: Array, along: Array, k: int) -> tuple[Array, Array]:
-    """Part of the border of half-plane k, measured from its foot, that the speed limit and those before k leave.
+    """Part of the border of half-plane k that the other limits leave, from low to high.
 
-    The border's points are n_k b_k + t along. Half-plane j asks for t (n_j·along) ≥ b_j − b_k n_j·n_k.
+    These limits are the speed limit and the half-planes before k. The points of the
+    border are n_k b_k + t along, so t is measured from the foot of the border.
+    Half-plane j requires t (n_j·along) ≥ b_j − b_k n_j·n_k.
     """
     before, b = normal[:, :k], bound[:, k, None]
     slope = np.sum(before * along[:, None], axis=-1)
@@ -106,15 +142,20 @@ def _stretch(normal: Array, bound: Array, speed: Array, along: Array, k: int) ->
     half = np.where(room >= 0, np.sqrt(np.maximum(room, 0.0)), -np.inf)
     low = np.max(place, axis=-1, where=slope > PARALLEL, initial=-np.inf)
     high = np.min(place, axis=-1, where=slope < -PARALLEL, initial=np.inf)
-    too_far = parallel & (asked > PARALLEL * (speed[:, None] + np.abs(b)))  # the same border twice is not
+    # A parallel border counts only if it lies beyond this one by more than rounding. A
+    # half-plane that is given twice must not exclude itself.
+    too_far = parallel & (asked > PARALLEL * (speed[:, None] + np.abs(b)))
     return np.maximum(low, -half), np.where(np.any(too_far, axis=-1), -np.inf, np.minimum(high, half))
 
 
 def _least_broken(v: Array, speed: Array, normal: Array, bound: Array, failed: Index) -> Array:
-    """Velocity whose worst violation b_k − n_k·v is least, starting from one that keeps to all before `failed`.
+    """Velocity whose worst violation b_k − n_k·v is as small as possible.
 
-    Half-plane k in turn: where it is broken worse than any before, go as far along its normal as leaves it the worst.
-    That j is not broken worse than k, b_j − n_j·v ≤ b_k − n_k·v, is a half-plane too: its normal is n_j − n_k.
+    It starts from a velocity that keeps to all half-planes before `failed`, and takes
+    half-plane k in turn. Where k is broken worse than any before it, the velocity goes
+    as far along the normal of k as it can while k remains the worst. The condition that
+    j is not broken worse than k, b_j − n_j·v ≤ b_k − n_k·v, is a half-plane too: its
+    normal is n_j − n_k.
     """
     worst = np.zeros(len(v))
     for k in range(normal.shape[1]):

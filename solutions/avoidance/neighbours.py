@@ -1,4 +1,7 @@
-"""Who is near whom: all pairs of points within a radius, by a grid of cells (slide 1, for flocks and crowds)."""
+"""All pairs of points within a radius, by a grid of cells (slide 1).
+
+Flocks and crowds find their neighbours with it.
+"""
 
 from __future__ import annotations
 
@@ -16,11 +19,9 @@ EPSILON = float(np.finfo(float).eps)
 
 
 def neighbour_pairs(position: ArrayLike, radius: float) -> tuple[Index, Index]:
-    """All pairs of points no further apart than a radius, each once, without looking at all pairs (slide 1).
+    """All pairs of points that are no further apart than a radius, each once (slide 1).
 
-    The points are sorted into cells as wide as the radius, so partners lie in the same cell or in one beside it. The
-    cells of one row along the last axis are numbered consecutively: whom a point may meet in three cells of a row is
-    one stretch of the sorted points. Of the rows around, half are looked at; the other half looks back.
+    The function does not look at all pairs, so it is fast for many points.
 
     Parameters
     ----------
@@ -34,8 +35,19 @@ def neighbour_pairs(position: ArrayLike, radius: float) -> tuple[Index, Index]:
     Raises
     ------
     ValueError
-        If positions are not finite or not (n, 2) or (n, 3), if the radius is not positive, or if the points are too
-        many to number the cells (a million may be spread out in space in any way).
+        If positions are not finite or not (n, 2) or (n, 3), if the radius is not
+        positive, or if there are too many points to number the cells. A million points
+        may be spread out in space in any way.
+
+    Notes
+    -----
+    The function sorts the points into cells that are as wide as the radius. The
+    partners of a point then lie in its own cell or in one of the cells around it.
+
+    The cells of one row along the last axis are numbered consecutively. So the points
+    that a point may meet in three neighbouring cells of a row form one stretch of the
+    sorted points. The function looks at only half of the rows around a cell. The other
+    half is covered when the cells there look back.
     """
     p, reach = _points(position), float(positive("radius", radius))
     key, rows_ahead = _cells(p, reach)
@@ -58,14 +70,16 @@ def _points(position: ArrayLike) -> Array:
 
 
 def _cells(p: Array, radius: float) -> tuple[Index, list[int]]:
-    """Number of each point's cell, and what leads from a cell to the rows around it that have higher numbers.
+    """Number of each point's cell, and the steps to the rows around it that lie ahead.
 
-    A cell is wider than the radius by the rounding of the farthest coordinate, so that two points within the radius
-    never come to lie two cells apart.
+    A step is added to the number of a cell, and rows ahead have higher numbers. A cell
+    is wider than the radius by the rounding of the farthest coordinate, so that two
+    points within the radius never lie two cells apart.
     """
     size = radius + 4 * EPSILON * (radius + np.abs(p).max(initial=0.0))
     place = np.stack([_closed_up(np.floor(axis / size)) for axis in p.T])
-    width = [int(axis.max(initial=0)) + 2 for axis in place]  # an empty cell at either end: no row touches the next
+    # There is an empty cell at either end, so that no row touches the next.
+    width = [int(axis.max(initial=0)) + 2 for axis in place]
     if math.prod(width) > np.iinfo(np.int64).max:
         raise ValueError(f"position must have fewer points so widely spread, not {len(p)}")
     stride = [math.prod(width[axis + 1 :]) for axis in range(len(width))]
@@ -74,14 +88,17 @@ def _cells(p: Array, radius: float) -> tuple[Index, list[int]]:
 
 
 def _closed_up(cell: Array) -> Index:
-    """Number the occupied cells of an axis from 1; any gap counts as one empty cell, however wide it is."""
+    """Number the occupied cells of an axis from 1.
+
+    Any gap between them counts as one empty cell, however wide it is.
+    """
     occupied, back = np.unique(cell, return_inverse=True)
     steps = np.minimum(np.diff(occupied, prepend=occupied[:1] - 1), 2)
     return np.asarray(np.cumsum(steps).astype(np.int64)[back])
 
 
 def _near(p: Array, radius: float, start: Index, stop: Index) -> tuple[Index, Index]:
-    """Of each point and those from its start to its stop: the pairs within the radius."""
+    """Pairs within the radius, of each point with those from its start to its stop."""
     count = np.maximum(stop - start, 0)
     one = np.repeat(np.arange(len(p)), count)
     other = np.arange(len(one)) + np.repeat(start - (np.cumsum(count) - count), count)

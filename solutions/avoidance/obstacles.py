@@ -1,4 +1,4 @@
-"""Fixed obstacles: a force field that repels, and steering to the tangent point of a sphere (slide 1)."""
+"""Fixed obstacles: a repelling force field, and a way around a sphere (slide 1)."""
 
 from __future__ import annotations
 
@@ -10,17 +10,22 @@ from solutions.checks import not_negative, positive, unit
 
 Array = NDArray[np.float64]
 HEAD_ON = 1e-9
-"""A wish whose part across the way is smaller than this share of it names no side: rounding must not choose."""
+"""Share of a wish below which its part across the way names no side.
+
+Without this threshold rounding would choose the side.
+"""
 
 
-def repelling_force(separation: ArrayLike, normal: ArrayLike, strength: ArrayLike, reach: ArrayLike) -> Array:
-    """Force of a field around an obstacle of any shape, which falls smoothly to zero at its reach (slide 1).
+def repelling_force(
+    separation: ArrayLike,
+    normal: ArrayLike,
+    strength: ArrayLike,
+    reach: ArrayLike,
+) -> Array:
+    """Force of a repelling field around an obstacle of any shape (slide 1).
 
-        F = F0 (1 − s/R)² n    for 0 ≤ s < R,    zero beyond,    F0 n inside the obstacle
-
-    The slide only says "force fields". Three things no such field can do. It lets nobody fly along a wall: within the
-    reach it pushes off. Met head-on it pushes straight back, with no part to the side: a body that is drawn to a goal
-    behind the obstacle stops where the two forces balance. And the forces of two obstacles cancel between them.
+    The force points away from the obstacle. Its size falls from F0 at the surface to
+    zero at the reach, with the square of the share of the reach that is left.
 
     Parameters
     ----------
@@ -32,19 +37,44 @@ def repelling_force(separation: ArrayLike, normal: ArrayLike, strength: ArrayLik
     Returns
     -------
     (..., 3), N
+        Inside the obstacle it is F0 n, as at the surface. At the reach and beyond it is
+        zero.
 
     Raises
     ------
     ValueError
-        If a normal has not length 1, a strength is negative or a reach is not positive.
+        If a normal does not have length 1, a strength is negative, or a reach is not
+        positive.
+
+    Notes
+    -----
+    The slide only says "force fields". The field chosen here is
+
+        F = F0 (1 − s/R)² n    for 0 ≤ s < R,    zero beyond,    F0 n inside
+
+    Because of the square, both the force and its slope are zero at the reach, so that
+    the force sets in smoothly.
+
+    There are three things that no such field can do. It lets no body fly along a wall,
+    because within its reach it pushes the body off. A body that meets it head-on is
+    pushed straight back, with no part to the side: if the body is drawn to a goal
+    behind the obstacle, it stops where the two forces balance. And the forces of two
+    obstacles cancel somewhere between them.
     """
     return _field(separation, unit("normal", normal), strength, reach)
 
 
 def sphere_force(
-    position: ArrayLike, centre: ArrayLike, radius: ArrayLike, strength: ArrayLike, reach: ArrayLike
+    position: ArrayLike,
+    centre: ArrayLike,
+    radius: ArrayLike,
+    strength: ArrayLike,
+    reach: ArrayLike,
 ) -> Array:
-    """Force of the field around a sphere: `repelling_force` with s = ‖p − c‖ − r, away from the centre (slide 1).
+    """Force of the repelling field around a sphere, away from its centre (slide 1).
+
+    It is the force of `repelling_force`, at the separation from the surface of the
+    sphere.
 
     Parameters
     ----------
@@ -55,41 +85,78 @@ def sphere_force(
 
     Returns
     -------
-    (..., 3), N; zero exactly at the centre, where no direction is away.
+    (..., 3), N
+        Zero exactly at the centre, where no direction leads away.
 
     Raises
     ------
     ValueError
-        If a radius or a strength is negative, a reach is not positive, or a place is not finite or not in space.
+        If a radius or a strength is negative, a reach is not positive, or a place is
+        not finite or does not have three components.
+
+    Notes
+    -----
+    For a body at p, a centre c and a radius r, the separation is
+
+        s = ‖p − c‖ − r
+
+    and the normal is the direction of p − c.
     """
     away = in_space("position", position) - in_space("centre", centre)
     separation = np.linalg.norm(away, axis=-1) - not_negative("radius", radius)
     return _field(separation, unit_or_zero(away), strength, reach)
 
 
-def tangent_point(position: ArrayLike, heading: ArrayLike, centre: ArrayLike, radius: ArrayLike) -> Array:
-    """Point where a line from the position touches a bounding sphere, on the side of the heading (slide 1).
+def tangent_point(
+    position: ArrayLike,
+    heading: ArrayLike,
+    centre: ArrayLike,
+    radius: ArrayLike,
+) -> Array:
+    """Point where a line from the position touches a bounding sphere (slide 1).
 
-    With the distance L to the centre, the way to the tangent point is k = √(L² − r²). It lies t = r²/L short of the
-    centre and s = √(r² − t²) to the side. Here s is written r k/L, which is the same and keeps its digits near the
-    sphere.
+    Of all such points, it is the one on the side of the heading.
 
     Parameters
     ----------
     position, centre : (..., 3), m
-    heading : (..., 3), any length; its part across the line to the centre chooses the side
+    heading : (..., 3), of any length
+        Its part across the line to the centre chooses the side.
     radius : (...), r, m, positive
 
     Returns
     -------
-    (..., 3), m. Where the heading names no side (head-on, straight away, zero): the left as seen from above, or +x
-    if the centre is straight above or below. From inside there is no tangent: the nearest point of the surface, and
-    from the centre itself the top of the sphere.
+    (..., 3), m
+        The heading names no side if it is zero, or if its part across the line is at
+        most 1e-9 of it: head-on, or straight away. The point then lies to the left as
+        seen from above, or towards +x if the centre is straight above or below. From a
+        position inside the sphere there is no tangent. The result is then the nearest
+        point of the surface, and for a position exactly at the centre the top of the
+        sphere.
 
     Raises
     ------
     ValueError
-        If a radius is not positive, or a vector is not finite or not in space.
+        If a radius is not positive, or a vector is not finite or does not have three
+        components.
+
+    Notes
+    -----
+    Let L be the distance from the position to the centre. The tangent meets the radius
+    at a right angle, so position, centre and tangent point form a right triangle with
+    the longest side L. By Pythagoras the way to the tangent point is
+
+        k = √(L² − r²)
+
+    Drop the perpendicular from the tangent point onto the line to the centre. It
+    divides the triangle into two triangles of the same shape as the whole. From them,
+    the tangent point lies
+
+        t = r²/L    short of the centre
+        s = √(r² − t²)    to the side
+
+    The function computes s as r k/L. That is the same number, but it keeps its digits
+    near the sphere, where r² and t² are nearly equal.
     """
     p, c, r = in_space("position", position), in_space("centre", centre), positive("radius", radius)
     towards = unit_or_zero(c - p)
@@ -103,10 +170,16 @@ def tangent_point(position: ArrayLike, heading: ArrayLike, centre: ArrayLike, ra
     return np.where(at_centre, c + r[..., None] * np.array([0.0, 0.0, 1.0]), c - short * towards + aside * side)
 
 
-def is_in_the_way(position: ArrayLike, goal: ArrayLike, centre: ArrayLike, radius: ArrayLike) -> NDArray[np.bool_]:
-    """Whether the straight way from a position to a goal goes through a sphere (slide 1).
+def is_in_the_way(
+    position: ArrayLike,
+    goal: ArrayLike,
+    centre: ArrayLike,
+    radius: ArrayLike,
+) -> NDArray[np.bool_]:
+    """Whether the straight way from a position to a goal enters a sphere (slide 1).
 
-    A sphere behind the position or beyond the goal is not in the way, nor is one that the way only touches.
+    The way ends at the goal, so a sphere behind the position or beyond the goal is not
+    in the way. Neither is a sphere that the way only touches.
 
     Parameters
     ----------
@@ -115,12 +188,24 @@ def is_in_the_way(position: ArrayLike, goal: ArrayLike, centre: ArrayLike, radiu
 
     Returns
     -------
-    (...), bool; at the goal: whether that is inside the sphere
+    (...), bool
+        At the goal it says whether the goal is inside the sphere.
 
     Raises
     ------
     ValueError
-        If a radius is not positive, or a vector is not finite or not in space.
+        If a radius is not positive, or a vector is not finite or does not have three
+        components.
+
+    Notes
+    -----
+    The way consists of the points p + λ (g − p) with λ from 0 to 1, from the position p
+    to the goal g. The point of the whole line nearest to the centre c has
+
+        λ = (c − p)·(g − p)/(g − p)²
+
+    Limited to the range from 0 to 1, it gives the point of the way that is nearest to
+    the centre. The sphere is in the way if this point lies inside it.
     """
     p, c = in_space("position", position), in_space("centre", centre)
     way = in_space("goal", goal) - p
@@ -131,16 +216,19 @@ def is_in_the_way(position: ArrayLike, goal: ArrayLike, centre: ArrayLike, radiu
 
 
 def steer_around(
-    position: ArrayLike, velocity: ArrayLike, goal: ArrayLike, centre: ArrayLike, radius: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    goal: ArrayLike,
+    centre: ArrayLike,
+    radius: ArrayLike,
 ) -> Array:
-    """Direction to fly: to the goal, or to the tangent point of a bounding sphere that is in the way (slide 1).
+    """Direction to fly: to the goal, or around a sphere that is in the way (slide 1).
 
-    The tangent makes an angle with the line to the centre whose sine is r/L and whose cosine is k/L:
-
-        d = (k/L) towards the centre + (r/L) to the side
-
-    The side is the one nearer to the velocity; where that names none (head-on, at rest) the one nearer to the goal;
-    then the left as seen from above.
+    If a bounding sphere is in the way, the direction leads to its tangent point. Of the
+    two sides, the body takes the one nearer to its velocity. If the velocity names no
+    side (head-on, or at rest), it takes the side nearer to the goal. If the goal names
+    none either, it takes the left as seen from above, or +x if the centre is straight
+    above or below.
 
     Parameters
     ----------
@@ -150,13 +238,25 @@ def steer_around(
 
     Returns
     -------
-    (..., 3), unit; inside the sphere straight out, from its centre to the goal. Zero at the goal. A goal inside the
-    sphere is never reached: the flier circles it.
+    (..., 3), unit
+        Inside the sphere it points straight out, and exactly at its centre to the goal.
+        At the goal, outside the sphere, it is zero. A goal inside the sphere is never
+        reached: the flier circles it.
 
     Raises
     ------
     ValueError
-        If a radius is not positive, or a vector is not finite or not in space.
+        If a radius is not positive, or a vector is not finite or does not have three
+        components.
+
+    Notes
+    -----
+    Position, centre and tangent point form a right triangle with the sides L, r and
+    k = √(L² − r²), as in `tangent_point`. So the angle between the tangent and the line
+    to the centre has the sine r/L and the cosine k/L, and the direction of the tangent
+    is
+
+        d = (k/L) towards the centre + (r/L) to the side
     """
     p, c, r = in_space("position", position), in_space("centre", centre), positive("radius", radius)
     to_goal = in_space("goal", goal) - p
@@ -177,16 +277,25 @@ def _field(separation: ArrayLike, normal: Array, strength: ArrayLike, reach: Arr
 
 
 def _distance_and_way(to_centre: Array, radius: Array) -> tuple[Array, Array]:
-    """L and k = √(L² − r²), as a product so that no two nearly equal squares are subtracted; 0 inside."""
+    """L and k = √(L² − r²); k is 0 inside the sphere.
+
+    The root is computed from a product, so that no two nearly equal squares are
+    subtracted.
+    """
     distance = np.asarray(np.linalg.norm(to_centre, axis=-1))
     return distance, np.sqrt(np.maximum(distance - radius, 0.0) * (distance + radius))
 
 
 def _side(towards: Array, *wishes: Array) -> Array:
-    """Unit vector across the line to the centre, on the side of the first wish that names one."""
+    """Unit vector across the line to the centre, on the side that a wish names.
+
+    The first wish counts whose part across the line is more than rounding. If no wish
+    names a side, it is the left.
+    """
     side = to_the_left(towards)
     for wish in reversed(wishes):
-        across = _across(_across(wish, towards), towards)  # twice: once leaves the rounding of a long wish
+        # Twice, because the first time leaves the rounding of a long wish.
+        across = _across(_across(wish, towards), towards)
         named = np.linalg.norm(across, axis=-1) > HEAD_ON * np.linalg.norm(wish, axis=-1)
         side = np.where(named[..., None], unit_or_zero(across), side)
     return side

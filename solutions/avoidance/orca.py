@@ -1,7 +1,7 @@
-"""Reciprocal avoidance: the half-plane of velocities that each of two discs leaves to itself (beyond slide 1).
+"""Reciprocal avoidance: each of two discs makes half of the change (beyond slide 1).
 
-The method is ORCA (van den Berg, Guy, Lin and Manocha 2011, "Reciprocal n-body collision avoidance"). All vectors lie
-in the plane, (..., 2).
+The method is ORCA (van den Berg, Guy, Lin and Manocha 2011, "Reciprocal n-body
+collision avoidance"). All vectors lie in the plane, (..., 2).
 """
 
 from __future__ import annotations
@@ -27,36 +27,60 @@ def orca_half_plane(
     horizon: ArrayLike,
     dt: ArrayLike,
 ) -> tuple[Array, Array]:
-    """Half-plane of the velocities with which disc A does its half of avoiding B (beyond slide 1).
+    """Half-plane of velocities with which disc A does its half of avoiding B.
 
-    The relative velocities u = v_A − v_B that lead to a collision within the horizon τ fill a cone towards B, cut off
-    by a disc of radius R/τ about x/τ, where x = p_B − p_A and R = r_A + r_B. With the vector c from u to the nearest
-    point of its border and the outward normal n there, A takes half of the change and leaves the other half to B:
+    This goes beyond slide 1. A velocity v of disc A is permitted if
+    (v − point)·normal ≥ 0. If A and B both choose permitted velocities and keep them,
+    discs that are apart do not collide within the horizon.
 
-        (v − (v_A + c/2))·n ≥ 0
-
-    Discs that touch or overlap already are to part within one step: dt stands for τ, and there is no cone, only the
-    disc.
+    The relative velocities v_A − v_B that lead to a collision within the horizon fill
+    a cone towards B that is cut off by a disc. For discs that overlap already they fill
+    a disc. The vector c leads from v_A − v_B to the nearest point of the border.
+    A makes half of this change.
 
     Parameters
     ----------
     position_a, position_b : (..., 2), m
     velocity_a, velocity_b : (..., 2), m/s
     radius_a, radius_b : (...), m, not negative
-    horizon, dt : (...), τ and the step, s, positive
+    horizon : (...), τ, s, positive, the time for which collisions are avoided
+    dt : (...), s, positive, the step
+        Discs that touch or overlap are to part within one step: for them dt takes the
+        place of the horizon.
 
     Returns
     -------
     point : (..., 2), v_A + c/2, m/s
-    normal : (..., 2), n, unit. Where both sides of the cone are equally near, each turns to its right. Where discs
-        that overlap have u at the centre of the disc, which has no nearest point: away from B, and if the centres
-        coincide as well, +x. Then nothing tells A from B, and whoever asks for B as well must turn the normal round,
-        as `crowd_step` does.
+    normal : (..., 2), n, unit
+        Where both sides of the cone are equally near, each disc turns to its right.
+        Where discs that overlap have their relative velocity at the centre of the
+        forbidden disc, all points of its border are equally near, and the normal points
+        away from B. If the centres of the discs coincide as well, it is +x. Nothing
+        then distinguishes A from B, and a caller who also needs the half-plane of B
+        must reverse the normal, as `crowd_step` does.
 
     Raises
     ------
     ValueError
-        If a radius is negative, a horizon or step is not positive, or a vector is not finite or not in the plane.
+        If a radius is negative, a horizon or step is not positive, or a vector is not
+        finite or does not have two components.
+
+    Notes
+    -----
+    Let x = p_B − p_A, R = r_A + r_B and u = v_A − v_B. The discs meet at the time t if
+    u t lies within the distance R of x, that is, if u lies in the disc of radius R/t
+    about x/t. For all times up to the horizon τ, these discs together fill a cone
+    towards B, which is cut off by the disc of radius R/τ about x/τ. A relative velocity
+    inside this obstacle leads to a collision within the horizon.
+
+    Let c be the vector from u to the nearest point of the border of the obstacle, and n
+    the outward normal there. If u changes by c, the discs just avoid the collision. A
+    takes half of this change and leaves the other half to B:
+
+        (v − (v_A + c/2))·n ≥ 0
+
+    For discs that already touch or overlap there is no cone, only the disc, with dt
+    instead of τ.
     """
     v, other = in_plane("velocity_a", velocity_a), in_plane("velocity_b", velocity_b)
     towards = in_plane("position_b", position_b) - in_plane("position_a", position_a)
@@ -76,11 +100,11 @@ def crowd_step(
     horizon: float,
     dt: float,
 ) -> tuple[Array, Array]:
-    """State of a crowd of discs after a step in which each keeps out of the others' way (beyond slide 1).
+    """State of a crowd of discs after a step in which they avoid each other.
 
-    Each disc takes the velocity nearest to its preferred one that all its half-planes permit. Discs that cannot meet
-    within the horizon even at full speed are left out. Discs that start from rest exactly head-on, two or a whole ring,
-    stop in front of each other: nothing names a side. A wish turned a little to the right sets them free.
+    This goes beyond slide 1. Each disc takes the velocity nearest to its preferred one
+    that all its half-planes permit, as `permitted_velocity` finds it, and moves with it
+    for dt.
 
     Parameters
     ----------
@@ -90,20 +114,31 @@ def crowd_step(
 
     Returns
     -------
-    position, velocity : (n, 2) each
+    position, velocity : (n, 2) each, m and m/s
+        Discs that start from rest exactly head-on, two of them or a whole ring, stop in
+        front of each other, because nothing names a side. A preferred velocity turned a
+        little to the right sets them free.
 
     Raises
     ------
     ValueError
-        If a radius or a speed is negative, a horizon or step is not positive, a position is not finite, or the shapes
-        do not fit.
+        If a radius or a speed is negative, a horizon or step is not positive, a
+        position is not finite, or the shapes do not fit.
+
+    Notes
+    -----
+    Two discs need half-planes only if they could meet within the horizon when both fly
+    straight at each other at full speed. The function leaves out all pairs that are too
+    far apart for this, even with the largest radius and the highest speed of the crowd.
+    The half-planes of A and B are mirror images: from `orca_half_plane` for A, the
+    function derives the one for B with the same change in the opposite direction.
     """
     p, v = _states(position, velocity)
     r = np.broadcast_to(not_negative("radius", radius), len(p))
     speed = np.broadcast_to(not_negative("max_speed", max_speed), len(p))
     i, j = _who_may_meet(p, r, speed, horizon)
     point, normal = orca_half_plane(p[i], v[i], r[i], p[j], v[j], r[j], horizon, dt)
-    mirrored = v[j] - (point - v[i])  # the other half of the same change, the other way
+    mirrored = v[j] - (point - v[i])  # the other half of the change, in reverse
     points, normals = _in_rows(len(p), np.r_[i, j], np.r_[point, mirrored], np.r_[normal, -normal])
     v = permitted_velocity(preferred, speed, points, normals)
     return p + v * dt, v
@@ -119,13 +154,20 @@ def _states(position: ArrayLike, velocity: ArrayLike) -> tuple[Array, Array]:
 
 
 def _who_may_meet(p: Array, radius: Array, speed: Array, horizon: float) -> tuple[Index, Index]:
-    """Pairs that could touch within the horizon, if the largest and fastest flew straight at each other."""
+    """Pairs near enough to touch within the horizon.
+
+    The largest radius and the highest speed decide, for two discs that fly straight at
+    each other.
+    """
     sight = 2 * (radius.max(initial=0.0) + speed.max(initial=0.0) * horizon)
     return neighbour_pairs(p, sight if sight > 0 else 1.0)
 
 
 def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps: Array) -> tuple[Array, Array]:
-    """How far a relative velocity is inside the obstacle, negative outside, and the normal of the nearest border."""
+    """How far u is inside the obstacle, and the normal of the nearest border.
+
+    The distance is negative for a relative velocity u outside.
+    """
     from_centre = u - towards / time[..., None]
     length = np.linalg.norm(from_centre, axis=-1)
     along = np.sum(from_centre * towards, axis=-1)
@@ -136,13 +178,21 @@ def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps
 
 
 def _disc_normal(from_centre: Array, towards: Array) -> Array:
-    """Radially outwards; from the centre itself against `towards`, or +x where that is zero as well."""
+    """Outward normal of the disc, in the radial direction.
+
+    At the centre of the disc it points against `towards`, or along +x where that is
+    zero as well.
+    """
     for_none = np.where(np.any(towards != 0, axis=-1, keepdims=True), -unit_or_zero(towards), np.array([1.0, 0.0]))
     return np.where(np.any(from_centre != 0, axis=-1, keepdims=True), unit_or_zero(from_centre), for_none)
 
 
 def _leg_normal(from_centre: Array, towards: Array, reach: Array) -> Array:
-    """Out of the cone: its half-angle has the sine R/L, so n = ±(k/L) left − (R/L) ahead with k = √(L² − R²)."""
+    """Outward normal of the cone, at the nearer of its two sides.
+
+    Half the angle of the cone has the sine R/L, so n = ±(k/L) left − (R/L) ahead with
+    k = √(L² − R²).
+    """
     ahead = unit_or_zero(towards)
     left = turned_left(ahead)
     distance = np.linalg.norm(towards, axis=-1)
@@ -153,7 +203,10 @@ def _leg_normal(from_centre: Array, towards: Array, reach: Array) -> Array:
 
 
 def _in_rows(n: int, owner: Index, *values: Array) -> list[Array]:
-    """Spread values (m, 2) over rows (n, longest, 2) by their owner; what is left over in a row is zero."""
+    """Spread values (m, 2) over rows (n, longest, 2) by their owner.
+
+    The places in a row that are left over are zero.
+    """
     order = np.argsort(owner, kind="stable")
     count = np.bincount(owner, minlength=n)
     place = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)

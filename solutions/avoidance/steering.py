@@ -1,4 +1,4 @@
-"""Steering of one body to or from a target, after Reynolds (slide 1: "as in flocking")."""
+"""Steering to or from a target, after Reynolds (slide 1: "as in flocking")."""
 
 from __future__ import annotations
 
@@ -14,10 +14,6 @@ Array = NDArray[np.float64]
 def seek(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
     """Velocity wanted by a body that seeks a target: full speed towards it (slide 1).
 
-        v_wanted = v_max (target − position)/‖target − position‖
-
-    A widely copied text has position − target: the wrong sign, it flees.
-
     Parameters
     ----------
     position, target : (..., d), m, d = 2 or 3
@@ -25,19 +21,29 @@ def seek(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
 
     Returns
     -------
-    (..., d), m/s; zero at the target
+    (..., d), m/s
+        Zero at the target.
 
     Raises
     ------
     ValueError
         If a speed is negative.
+
+    Notes
+    -----
+    The vector target − position points from the body to the target. Divided by its
+    length, it is the direction, so
+
+        v_wanted = v_max (target − position)/‖target − position‖
+
+    A widely copied text has position − target. With this sign the body flees.
     """
     speed = not_negative("max_speed", max_speed)
     return np.asarray(speed[..., None] * unit_or_zero(np.subtract(target, position)))
 
 
 def flee(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
-    """Velocity wanted by a body that flees from a target: full speed away from it (slide 1).
+    """Velocity wanted by a body that flees from a target: full speed away (slide 1).
 
     Parameters
     ----------
@@ -46,7 +52,8 @@ def flee(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
 
     Returns
     -------
-    (..., d), m/s; zero at the target, from which no direction leads away
+    (..., d), m/s
+        Zero at the target, from which no direction leads away.
 
     Raises
     ------
@@ -56,13 +63,16 @@ def flee(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:
     return -seek(position, target, max_speed)
 
 
-def arrive(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike, slowing_radius: ArrayLike) -> Array:
-    """Velocity wanted by a body that is to stop at a target: from the slowing radius on in step with the distance.
+def arrive(
+    position: ArrayLike,
+    target: ArrayLike,
+    max_speed: ArrayLike,
+    slowing_radius: ArrayLike,
+) -> Array:
+    """Velocity wanted by a body that is to stop at a target.
 
-        v_wanted = v_max min(1, distance/R) towards the target
-
-    Steered with the response time τ, the body is near the target an oscillator, x″ = −(x′ + v_max x/R)/τ. It stops
-    without overshoot if R ≥ 4 v_max τ (critical damping) and if the force is large enough to brake: F_max ≥ m v_max²/R.
+    Outside the slowing radius the body moves towards the target at full speed. Inside,
+    its speed is proportional to the distance that is left.
 
     Parameters
     ----------
@@ -73,25 +83,45 @@ def arrive(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike, slowing
     Returns
     -------
     (..., d), m/s
+        Zero at the target.
 
     Raises
     ------
     ValueError
         If a speed is negative or a slowing radius is not positive.
+
+    Notes
+    -----
+    The formula is
+
+        v_wanted = v_max min(1, distance/R) towards the target
+
+    Suppose that the body is steered with the response time τ, as in `steering_force`.
+    At the distance x, inside the slowing radius, its acceleration is (v_wanted − v)/τ
+    with v_wanted = −v_max x/R. The body is then an oscillator:
+
+        x″ = −(x′ + v_max x/R)/τ
+
+    It stops without overshoot if its damping is at least critical. The characteristic
+    equation τ λ² + λ + v_max/R = 0 has real solutions if R ≥ 4 v_max τ. The force must
+    also be large enough to brake. A body that follows v_wanted loses speed at the rate
+    v_max² x/R², which is largest at x = R, so the condition is F_max ≥ m v_max²/R.
     """
     rate = not_negative("max_speed", max_speed) / positive("slowing_radius", slowing_radius)
     return limited(rate[..., None] * np.subtract(target, position), max_speed)
 
 
 def steering_force(
-    velocity: ArrayLike, wanted: ArrayLike, mass: ArrayLike, response_time: ArrayLike, max_force: ArrayLike
+    velocity: ArrayLike,
+    wanted: ArrayLike,
+    mass: ArrayLike,
+    response_time: ArrayLike,
+    max_force: ArrayLike,
 ) -> Array:
-    """Force that brings a velocity to the wanted one within the response time, as far as the body is able to (slide 1).
+    """Force that changes a velocity into the wanted one (slide 1).
 
-        F = m (v_wanted − v)/τ, shortened to F_max
-
-    Reynolds writes steering = desired − velocity: a difference of velocities, called a force. The response time τ is
-    what makes it one; his is one frame.
+    The force would complete the change within the response time. It is shortened to the
+    largest force that the body is able to exert.
 
     Parameters
     ----------
@@ -103,11 +133,23 @@ def steering_force(
     Returns
     -------
     (..., d), N
+        Zero where the velocity is the wanted one.
 
     Raises
     ------
     ValueError
         If a mass or a response time is not positive or a force is negative.
+
+    Notes
+    -----
+    To change v into v_wanted within the time τ takes the acceleration (v_wanted − v)/τ.
+    Newton's law gives the force:
+
+        F = m (v_wanted − v)/τ, shortened to F_max
+
+    Reynolds writes steering = desired − velocity. That is a difference of velocities,
+    although he calls it a force. Only the division by a response time τ makes it one.
+    In his text that time is one frame.
     """
     gain = positive("mass", mass) / positive("response_time", response_time)
     change = np.asarray(np.subtract(wanted, velocity), dtype=float)

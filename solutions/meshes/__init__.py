@@ -1,4 +1,4 @@
-"""Spring meshes: what they are made of, how they move, how long a step they take, and where they rest (slide 28)."""
+"""Spring meshes: what makes them up, how they move, where they rest (slide 28)."""
 
 from solutions.meshes.contact import mesh_plane_contact, mesh_sphere_contact
 from solutions.meshes.shape import limit_strain, static_shape

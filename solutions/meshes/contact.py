@@ -23,26 +23,46 @@ def mesh_plane_contact(
     restitution: ArrayLike = 0.0,
     friction: ArrayLike = 0.0,
 ) -> tuple[Array, Array]:
-    """Answer for every node that is behind the plane n·p + d = 0: put it back, reverse its approach, rub it.
+    """State of the nodes after their contact with the plane n·p + d = 0.
 
-    The normal velocity becomes −e times what it was. The tangential one loses μ times that change at most, as the
-    normal impulse allows: so a node that rests and slides is slowed by μ g, whatever the timestep.
+    A node behind the plane is moved back onto it, by the shortest way. If the node
+    approaches the plane, its normal velocity v_n becomes −e v_n, and friction takes at
+    most μ (1 + e) |v_n| from its speed along the plane. Friction stops the sliding but
+    never reverses it.
 
     Parameters
     ----------
     position, velocity : (..., n, 3), m and m/s
-    normal : (3,), out of the plane, any length but zero; one for each mesh of a batch: (..., 1, 3)
-    offset : d; for a batch (..., 1)
-    restitution, friction : e, 0 to 1, and μ
+    normal : (3,), n, pointing out of the plane, of any length but zero
+        For a batch of meshes, one normal for each: (..., 1, 3).
+    offset : d, in m if the normal has length 1; for a batch (..., 1)
+    restitution : e, from 0 to 1
+    friction : μ, not negative
 
     Returns
     -------
-    position, velocity : (..., n, 3) each; those of pinned nodes, and of nodes in front of the plane, as they were
+    position, velocity : (..., n, 3) each, m and m/s
+        A pinned node and a node on or in front of the plane keep both. A node behind
+        the plane that already moves away, or along it, keeps its velocity.
 
     Raises
     ------
     ValueError
-        If the normal is zero, e is not from 0 to 1, or μ is negative.
+        If the normal is zero, e is not from 0 to 1, μ is negative, or an array does not
+        fit the mesh.
+
+    Notes
+    -----
+    The plane gives a node of mass m the normal impulse m (1 + e) |v_n|, which turns v_n
+    into −e v_n. Coulomb's law limits the impulse of friction to μ times the normal
+    impulse. Divided by the mass, that limit is
+
+        |Δv_t| ≤ μ (1 + e) |v_n|
+
+    so the mass drops out. The normal impulses on a node that rests on a horizontal
+    plane add up to its weight times the time, whatever the timestep is. Friction
+    therefore slows such a node at the rate μ g while it slides, and this rate does not
+    depend on the timestep.
     """
     p = node_vectors(mesh, "position", position)
     separation = signed_distance(p, normal, offset)
@@ -60,26 +80,43 @@ def mesh_sphere_contact(
     restitution: ArrayLike = 0.0,
     friction: ArrayLike = 0.0,
 ) -> tuple[Array, Array]:
-    """Answer for every node that is within a fixed sphere, as `mesh_plane_contact` does, with n away from its centre.
+    """State of the nodes after their contact with a fixed sphere.
 
-    Only nodes are tested: an edge of length L whose ends lie on the sphere cuts into it by L²/(8 r). Draw the sphere
-    smaller by that, or keep the nodes a little off.
+    A node inside the sphere is treated as `mesh_plane_contact` treats a node behind a
+    plane. The normal n points from the centre of the sphere to the node.
+
+    Only nodes are tested. An edge of length L whose ends lie on the sphere cuts into it
+    by L²/(8 r). Draw the sphere smaller by that length, or keep the nodes a little off
+    its surface.
 
     Parameters
     ----------
     position, velocity : (..., n, 3), m and m/s
-    centre : (3,), m; one for each mesh of a batch: (..., 1, 3)
-    radius : m, positive; for a batch (..., 1)
-    restitution, friction : e, 0 to 1, and μ
+    centre : (3,), m; for a batch of meshes, one centre for each: (..., 1, 3)
+    radius : r, m, positive; for a batch (..., 1)
+    restitution : e, from 0 to 1
+    friction : μ, not negative
 
     Returns
     -------
-    position, velocity : (..., n, 3) each. A node at the very centre has no way out that is shortest: it goes up, +z.
+    position, velocity : (..., n, 3) each, m and m/s
+        A pinned node and a node on or outside the sphere keep both. A node exactly at
+        the centre has no shortest way out: it moves up, along +z.
 
     Raises
     ------
     ValueError
-        If the radius is not positive, e is not from 0 to 1, or μ is negative.
+        If the radius is not positive, e is not from 0 to 1, μ is negative, or an array
+        does not fit the mesh.
+
+    Notes
+    -----
+    The middle of an edge whose ends lie on the sphere is √(r² − L²/4) from the centre,
+    by Pythagoras. It lies below the surface by
+
+        r − √(r² − L²/4) ≈ L²/(8 r)
+
+    where the approximation holds for an edge that is short compared with the radius.
     """
     p = node_vectors(mesh, "position", position)
     away = p - np.asarray(centre, dtype=float)
@@ -108,7 +145,10 @@ def _answered(
 
 
 def _slowed(velocity: Array, normal: Array, most: Array) -> Array:
-    """The velocity with its part along the surface made slower by so much at most, and never reversed."""
+    """The velocity with its tangential speed reduced by at most `most`.
+
+    The tangential velocity is never reversed.
+    """
     across = np.sum(velocity * normal, axis=-1, keepdims=True) * normal
     along = velocity - across
     speed = np.linalg.norm(along, axis=-1)

@@ -1,4 +1,4 @@
-"""Keeping a mesh in shape: how far a spring may stretch, and where a mesh comes to rest (slide 28)."""
+"""Keeping a mesh in shape: a limit on the strain, and the shape at rest (slide 28)."""
 
 from __future__ import annotations
 
@@ -10,36 +10,61 @@ from solutions.meshes.springs import edge_directions, finite_vectors, mesh_force
 from solutions.meshes.topology import Array, SpringMesh
 
 ROUNDING = 1e-12
-"""Share of a length that is taken for rounding."""
+"""The share of a length that counts as rounding."""
 
 
-def limit_strain(mesh: SpringMesh, position: ArrayLike, limit: float = 0.1, iterations: int = 1000) -> Array:
-    """Draw the ends of every spring that is stretched by more than the limit together, again and again (Provot 1995).
+def limit_strain(
+    mesh: SpringMesh,
+    position: ArrayLike,
+    limit: float = 0.1,
+    iterations: int = 1000,
+) -> Array:
+    """Positions in which no spring is stretched beyond the limit (Provot 1995).
 
-    Provot takes one spring after another, here all are taken at once. One that is too long by x moves its ends by w1 λ
-    and w2 λ, with the inverse masses w; so the centre of mass stays, and a pinned end leaves all to the other. With
-
-        λ = x/(c1 w1 + c2 w2)
-
-    where c counts the too long springs at an end, one spring alone fits at once, and many do not move a node too far.
-    It takes more rounds the longer the way across the mesh and the more unequal the masses.
+    In each round the function draws the two ends of every spring that is too long
+    together, each end in proportion to its inverse mass. The centre of mass of a mesh
+    without pins therefore stays in place, and where one end is pinned the other end
+    makes the whole move. All springs are corrected at the same time, and a correction
+    is smaller where several springs that are too long share a node.
 
     Parameters
     ----------
     position : (..., n, 3), m
-    limit : longest strain allowed, 0.1 for the usual tenth
-    iterations : rounds at most; it ends earlier when no spring is too long
+    limit : largest strain allowed, not negative; 0.1 is the usual tenth
+        A spring counts as too long when it exceeds the allowed length by more than
+        rounding, a share of 1e-12.
+    iterations : largest number of rounds; it stops earlier when no spring is too long
 
     Returns
     -------
-    (..., n, 3), m. Springs between two pinned nodes stay as they are. Where the pins are too far apart for all springs
-    to fit it does not settle, and some are too long in the end. Shortened springs, and those of no rest length, are
-    left alone.
+    (..., n, 3), m
+        A spring between two pinned nodes keeps its length. Where the pins are too far
+        apart for all springs to fit, the rounds do not settle, and some springs are
+        still too long at the end. Shortened springs, and springs whose rest length is
+        zero, are left alone.
 
     Raises
     ------
     ValueError
         If the limit is negative, or the positions do not fit the mesh.
+
+    Notes
+    -----
+    Provot corrects one spring after another. Here all springs are corrected in the same
+    round. Take a spring that is too long by x, and let w1 and w2 be the inverse masses
+    of its ends. The ends move towards each other by w1 λ and w2 λ with
+
+        λ = x/(c1 w1 + c2 w2)
+
+    where c1 and c2 count the springs at each end that are too long. Mass times
+    displacement is λ at both ends, in opposite directions, so the centre of mass stays.
+    A pinned end has w = 0 and does not move.
+
+    If one spring alone is too long, both counts are 1. Its ends then approach each
+    other by w1 λ + w2 λ = x, and the spring fits at once. If many such springs meet at
+    a node, the counts keep the sum of their corrections from moving the node too far.
+    The number of rounds grows with the distance across the mesh and with the ratio of
+    the masses.
     """
     p = node_vectors(mesh, "position", position)
     longest = np.where(mesh.rest_length > 0, mesh.rest_length * (1 + not_negative("limit", limit)), np.inf)
@@ -55,7 +80,10 @@ def limit_strain(mesh: SpringMesh, position: ArrayLike, limit: float = 0.1, iter
 
 
 def _counts_and_inverse_masses(mesh: SpringMesh, counted: NDArray[np.bool_]) -> Array:
-    """For every edge c1 w1 + c2 w2, (..., m), where c is how many of the counted edges (..., m) meet at an end."""
+    """For every edge c1 w1 + c2 w2, (..., m), as `limit_strain` needs it.
+
+    The counts c1 and c2 say how many of the counted edges, (..., m), meet at each end.
+    """
     at_node = np.zeros((len(mesh.mass), *counted.shape[:-1]))
     for end in mesh.edges.T:
         np.add.at(at_node, end, np.moveaxis(counted, -1, 0).astype(float))
@@ -64,33 +92,54 @@ def _counts_and_inverse_masses(mesh: SpringMesh, counted: NDArray[np.bool_]) -> 
 
 
 def static_shape(
-    mesh: SpringMesh, position: ArrayLike, acceleration: ArrayLike, tolerance: float = 1e-8, iterations: int = 100_000
+    mesh: SpringMesh,
+    position: ArrayLike,
+    acceleration: ArrayLike,
+    tolerance: float = 1e-8,
+    iterations: int = 100_000,
 ) -> Array:
-    """Shape in which springs and weight cancel at every free node, by dynamic relaxation (Cundall 1976).
+    """Shape at rest, in which springs and weight balance at every free node.
 
-    Let it swing, and take all velocity away whenever the kinetic energy has passed a peak: there the potential energy
-    is in a valley. As only the end counts, time and masses are free: each node gets the mass Σ k of its springs and
-    the steps are 1 long, which `timestep_bound` allows with √2 to spare. Dampers have no say in it.
+    It is found by dynamic relaxation (Cundall 1976). Dampers have no influence on it.
 
     Parameters
     ----------
     position : (..., n, 3), m, the first guess
-    acceleration : as of gravity, broadcast to (..., n, 3), m/s²
-    tolerance : largest net force left at a free node, relative to the largest weight; if there is none, to the largest
-        net force at first
-    iterations : steps at most
+    acceleration : of gravity, for example; broadcast to (..., n, 3), m/s²
+    tolerance : largest net force that may be left at a free node
+        It is relative to the largest weight, or to the largest net force at the start
+        if no node has a weight.
+    iterations : largest number of steps
 
     Returns
     -------
-    (..., n, 3), m. Where there are several such shapes, one that the first guess leads to; out of a shape in which the
-    forces cancel already it does not move, even if that balances on edge.
+    (..., n, 3), m
+        If several such shapes exist, the result is one to which the first guess leads.
+        A first guess in which the forces already cancel is returned as it is, even if
+        this equilibrium is unstable.
 
     Raises
     ------
     RuntimeError
-        If no such shape is found in so many steps: as for a mesh that nothing holds, which falls for ever.
+        If no such shape is found within the given number of steps. A mesh without
+        pinned nodes, for example, falls for ever.
     ValueError
-        If a position is not finite.
+        If a position is not finite, or the positions do not fit the mesh.
+
+    Notes
+    -----
+    The function lets the mesh swing without damping. Its total energy then stays the
+    same, so when the kinetic energy passes a peak, the potential energy is in a valley.
+    There the function sets all velocities to zero, and the mesh starts again from this
+    lower potential energy. The swings become smaller until the mesh rests.
+
+    Only the final shape matters, so the inertia of the nodes and the timestep may be
+    chosen freely. Each node gets the inertia Σ k, the sum of the stiffnesses of its
+    springs, and each step has length 1. With these values `timestep_bound` allows
+
+        dt = 4/√(4 · 2 Σk/Σk) = √2
+
+    so a step of 1 leaves a margin of a factor √2. The weights keep the true masses.
     """
     p = finite_vectors(mesh, "position", position)
     weight = np.where(mesh.pinned, 0.0, mesh.mass)[:, None] * np.asarray(acceleration, dtype=float)
@@ -111,5 +160,5 @@ def static_shape(
 
 
 def _largest(force: Array) -> Array:
-    """Of the forces (..., n, 3), the size of the largest, (...)."""
+    """The size of the largest of the forces (..., n, 3), as (...)."""
     return np.asarray(np.max(np.linalg.norm(force, axis=-1), axis=-1, initial=0.0))

@@ -1,4 +1,4 @@
-"""What the springs of a mesh do: their forces, their energy, and how both change with the shape (slides 27 to 29)."""
+"""What the springs of a mesh do: forces, energy and stiffness (slides 27 to 29)."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from solutions.meshes.topology import Array, SpringMesh, lengths
 
 
 def node_vectors(mesh: SpringMesh, name: str, value: ArrayLike) -> Array:
-    """Return the value as (..., n, 3) floats, one vector a node of the mesh.
+    """Return the value as floats (..., n, 3), one vector for each node of the mesh.
 
     Raises
     ------
     ValueError
-        If it has another shape.
+        If the value has another shape.
     """
     array = np.asarray(value, dtype=float)
     if array.shape[-2:] != (len(mesh.mass), 3):
@@ -23,12 +23,14 @@ def node_vectors(mesh: SpringMesh, name: str, value: ArrayLike) -> Array:
 
 
 def finite_vectors(mesh: SpringMesh, name: str, value: ArrayLike) -> Array:
-    """Return the value as `node_vectors` does, where infinity or NaN would lead to a wrong number without a trace.
+    """Return the value as `node_vectors` does, and refuse infinity and NaN.
+
+    Functions use it where such a number would silently lead to a wrong result.
 
     Raises
     ------
     ValueError
-        If it has another shape, or a number in it is not finite.
+        If the value has another shape, or a number in it is not finite.
     """
     array = node_vectors(mesh, name, value)
     if not np.all(np.isfinite(array)):
@@ -37,12 +39,18 @@ def finite_vectors(mesh: SpringMesh, name: str, value: ArrayLike) -> Array:
 
 
 def across_edges(mesh: SpringMesh, vector: Array) -> Array:
-    """Difference of a nodes' quantity (..., n, 3) over every edge, (..., m, 3): end 1 less end 2."""
+    """Difference of a quantity of the nodes over every edge: end 1 minus end 2.
+
+    It turns (..., n, 3) into (..., m, 3).
+    """
     return np.asarray(np.take(vector, mesh.edges[:, 0], axis=-2) - np.take(vector, mesh.edges[:, 1], axis=-2))
 
 
 def onto_nodes(mesh: SpringMesh, force: Array) -> Array:
-    """Sum for every node, (..., n, 3), of what the edges (..., m, 3) do to it: plus on end 1, minus on end 2."""
+    """Sum, for every node, of what its edges do: plus on end 1, minus on end 2.
+
+    It turns (..., m, 3) into (..., n, 3).
+    """
     shape = (*force.shape[:-2], len(mesh.mass), 3)
     batch = np.arange(np.prod(shape[:-2], dtype=int))[:, None]
     first, second = (
@@ -54,7 +62,7 @@ def onto_nodes(mesh: SpringMesh, force: Array) -> Array:
 
 
 def edge_directions(mesh: SpringMesh, position: ArrayLike) -> tuple[Array, Array]:
-    """Unit vector u from end 2 to end 1 of every edge, and its length L.
+    """Unit vector u from end 2 to end 1 of every edge, and the length L of the edge.
 
     Parameters
     ----------
@@ -62,8 +70,14 @@ def edge_directions(mesh: SpringMesh, position: ArrayLike) -> tuple[Array, Array
 
     Returns
     -------
-    direction : (..., m, 3); zero where both ends are at the same place: such an edge has no direction
+    direction : (..., m, 3)
+        Zero where both ends are at the same place: such an edge has no direction.
     length : (..., m), m
+
+    Raises
+    ------
+    ValueError
+        If the positions do not fit the mesh.
     """
     between = across_edges(mesh, node_vectors(mesh, "position", position))
     length = lengths(between)
@@ -73,9 +87,8 @@ def edge_directions(mesh: SpringMesh, position: ArrayLike) -> tuple[Array, Array
 def mesh_forces(mesh: SpringMesh, position: ArrayLike, velocity: ArrayLike) -> Array:
     """Force of springs and dampers on every node (slides 28 and 29).
 
-    Slide 29 has F = (x' − x_rest) k − v k_d, which pushes away from rest and damps all motion. Along an edge it is
-
-        F = −k (L − L0) u − k_d ((v1 − v2)·u) u    on end 1, and −F on end 2
+    A spring that is longer than its rest length pulls its ends together, and a shorter
+    one pushes them apart. A damper resists only the rate at which the length changes.
 
     Parameters
     ----------
@@ -83,7 +96,27 @@ def mesh_forces(mesh: SpringMesh, position: ArrayLike, velocity: ArrayLike) -> A
 
     Returns
     -------
-    (..., n, 3), N; on a pinned node what its springs pull with. An edge of no length has no direction, and no force.
+    (..., n, 3), N
+        For a pinned node it is the force with which its springs and dampers pull. An
+        edge of zero length has no direction, and therefore no force.
+
+    Raises
+    ------
+    ValueError
+        If an array does not fit the mesh.
+
+    Notes
+    -----
+    Slide 29 prints F = (x' − x_rest) k − v k_d. With this sign the spring pushes the
+    body away from its rest position, and the damper acts on all of the motion. Along an
+    edge of length L and rest length L0, with the unit vector u from end 2 to end 1, the
+    force is
+
+        F = −k (L − L0) u − k_d ((v1 − v2)·u) u    on end 1, and −F on end 2
+
+    The length changes at the rate (v1 − v2)·u, the part along the edge of the velocity
+    with which end 1 moves as seen from end 2. The remaining part turns the edge, and no
+    damper resists it.
     """
     u, length = edge_directions(mesh, position)
     rate = np.einsum("...i,...i->...", across_edges(mesh, node_vectors(mesh, "velocity", velocity)), u)
@@ -92,7 +125,7 @@ def mesh_forces(mesh: SpringMesh, position: ArrayLike, velocity: ArrayLike) -> A
 
 
 def mesh_energy(mesh: SpringMesh, position: ArrayLike) -> Array:
-    """Energy stored in the springs: Σ k (L − L0)²/2.
+    """Energy stored in the springs.
 
     Parameters
     ----------
@@ -100,14 +133,27 @@ def mesh_energy(mesh: SpringMesh, position: ArrayLike) -> Array:
 
     Returns
     -------
-    (...), J
+    (...), J, summed over all springs
+
+    Raises
+    ------
+    ValueError
+        If the positions do not fit the mesh.
+
+    Notes
+    -----
+    To stretch a spring from its rest length L0 to the length L takes the work of its
+    force k (L − L0), which grows in proportion to the stretch. Summed over the springs,
+    this is
+
+        E = Σ k (L − L0)²/2
     """
     stretch = edge_directions(mesh, position)[1] - mesh.rest_length
     return np.asarray(np.sum(mesh.stiffness * stretch**2 / 2, axis=-1))
 
 
 def edge_strain(mesh: SpringMesh, position: ArrayLike) -> Array:
-    """Strain of every spring: (L − L0)/L0, negative when it is shortened.
+    """Strain of every spring, negative where the spring is shortened.
 
     Parameters
     ----------
@@ -115,28 +161,68 @@ def edge_strain(mesh: SpringMesh, position: ArrayLike) -> Array:
 
     Returns
     -------
-    (..., m); zero for a spring of no rest length, which has no strain
+    (..., m)
+        Zero for a spring whose rest length is zero, as no strain is defined for it.
+
+    Raises
+    ------
+    ValueError
+        If the positions do not fit the mesh.
+
+    Notes
+    -----
+    For the length L and the rest length L0 it is
+
+        (L − L0)/L0
     """
     stretch = edge_directions(mesh, position)[1] - mesh.rest_length
     return np.where(mesh.rest_length > 0, stretch / np.where(mesh.rest_length > 0, mesh.rest_length, 1.0), 0.0)
 
 
-def edge_stiffness(mesh: SpringMesh, position: ArrayLike, clamped: bool = True) -> Array:
-    """How the force of every spring answers a small displacement d = d1 − d2 of its ends: it changes by −K d on end 1.
+def edge_stiffness(
+    mesh: SpringMesh,
+    position: ArrayLike,
+    clamped: bool = True,
+) -> Array:
+    """Stiffness matrix K of every spring, for small displacements of its ends.
 
-        K = k (u uᵀ + g (I − u uᵀ)),    g = 1 − L0/L
-
-    Along the edge that is k. Across it the tension turns with the edge: a taut spring resists, but in a shortened one
-    g is negative, so that it buckles, and a step that relies on K may blow up. Clamped, g is at least 0.
+    If end 1 moves by d1 and end 2 by d2, the force on end 1 changes by −K d, with the
+    relative displacement d = d1 − d2. The force on end 2 changes by +K d.
 
     Parameters
     ----------
     position : (..., n, 3), m
-    clamped : whether g < 0 is taken as 0, so that no K has a negative eigenvalue
+    clamped : whether K has no negative eigenvalue
+        A shortened spring has a negative stiffness across its edge, as it buckles. If
+        clamped is true, zero is used in its place.
 
     Returns
     -------
-    (..., m, 3, 3), N/m. At no length: k I for a spring of no rest length, else 0, as there is no direction.
+    (..., m, 3, 3), N/m
+        At zero length K is k I for a spring whose rest length is zero. For any other
+        spring it is 0 there, as the edge has no direction.
+
+    Raises
+    ------
+    ValueError
+        If the positions do not fit the mesh.
+
+    Notes
+    -----
+    The force on end 1 is −k (L − L0) u. A small displacement d changes the length by
+    u·d and turns the direction by (I − u uᵀ) d/L, which is the part of d across the
+    edge divided by the length. By the product rule the force changes by
+
+        −k (u·d) u − k (L − L0)/L (I − u uᵀ) d
+
+    and comparing this with −K d gives
+
+        K = k (u uᵀ + g (I − u uᵀ)),    g = 1 − L0/L
+
+    Along the edge the stiffness is k. Across the edge it is k g, because the tension
+    turns with the edge: a taut spring resists. In a shortened spring g is negative, so
+    the spring buckles, and a step that relies on K may blow up. Clamped, g is never
+    negative.
     """
     u, length = edge_directions(mesh, position)
     across = 1 - mesh.rest_length / np.where(length > 0, length, 1.0)
@@ -147,7 +233,10 @@ def edge_stiffness(mesh: SpringMesh, position: ArrayLike, clamped: bool = True) 
 
 
 def edge_damping(mesh: SpringMesh, position: ArrayLike) -> Array:
-    """How the force of every damper answers a change of its ends' velocities: by −C (v1 − v2), C = k_d u uᵀ.
+    """Damping matrix C of every damper, for changes of the velocities of its ends.
+
+    If the relative velocity v1 − v2 changes by Δ, the force on end 1 changes by −C Δ,
+    and the force on end 2 by +C Δ.
 
     Parameters
     ----------
@@ -155,38 +244,66 @@ def edge_damping(mesh: SpringMesh, position: ArrayLike) -> Array:
 
     Returns
     -------
-    (..., m, 3, 3), N s/m; zero at no length
+    (..., m, 3, 3), N s/m
+        Zero where the edge has zero length.
+
+    Raises
+    ------
+    ValueError
+        If the positions do not fit the mesh.
+
+    Notes
+    -----
+    The damper's force on end 1 is −k_d ((v1 − v2)·u) u. It is linear in v1 − v2, with
+
+        C = k_d u uᵀ
     """
     u, _ = edge_directions(mesh, position)
     return np.asarray(mesh.damping[:, None, None] * (u[..., :, None] * u[..., None, :]))
 
 
 def mesh_product(mesh: SpringMesh, blocks: ArrayLike, vector: ArrayLike) -> Array:
-    """Product of the matrix of the whole mesh with a vector, edge by edge: the matrix itself is never made.
+    """Product of the matrix of the whole mesh with a vector.
+
+    The product is added up edge by edge. The matrix itself is never built.
 
     Parameters
     ----------
-    blocks : (..., m, 3, 3), of every edge, as from `edge_stiffness`
+    blocks : (..., m, 3, 3), one block for each edge, as `edge_stiffness` returns them
     vector : (..., n, 3)
 
     Returns
     -------
     (..., n, 3)
+        Pinned nodes are treated as if they were free.
+
+    Raises
+    ------
+    ValueError
+        If the vector does not fit the mesh.
     """
     between = across_edges(mesh, node_vectors(mesh, "vector", vector))
     return onto_nodes(mesh, np.einsum("...ij,...j->...i", np.asarray(blocks, dtype=float), between))
 
 
 def mesh_matrix(mesh: SpringMesh, blocks: ArrayLike) -> Array:
-    """Matrix of the whole mesh: every edge adds its block B as +B to both ends and as −B between them.
+    """Matrix of the whole mesh, built from the blocks of its edges.
 
     Parameters
     ----------
-    blocks : (..., m, 3, 3), of every edge, as from `edge_stiffness`
+    blocks : (..., m, 3, 3), one block for each edge, as `edge_stiffness` returns them
 
     Returns
     -------
-    (..., 3 n, 3 n), rows and columns x, y, z of node 0, then of node 1 …; pinned nodes are in it as if free
+    (..., 3 n, 3 n)
+        The rows and columns are x, y, z of node 0, then of node 1, and so on. Pinned
+        nodes are included as if they were free.
+
+    Notes
+    -----
+    An edge with the block B gives end 1 the force −B (d1 − d2) and end 2 the opposite
+    force. So every edge adds +B to the diagonal blocks of both its ends, and −B to the
+    two blocks that couple them.
     """
     block, nodes = np.asarray(blocks, dtype=float), len(mesh.mass)
     first, second = mesh.edges.T

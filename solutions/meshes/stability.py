@@ -1,4 +1,4 @@
-"""How long a step a mesh can take, and which motions it does not resist at all (slide 28)."""
+"""Which timesteps a mesh allows, and which motions it does not resist (slide 28)."""
 
 from __future__ import annotations
 
@@ -9,19 +9,28 @@ from solutions.meshes.springs import edge_damping, edge_stiffness, finite_vector
 from solutions.meshes.topology import Array, SpringMesh
 
 SEED = 28
-"""Of the vector that a power iteration starts from: any will do that has some of the mode it looks for."""
+"""Seed of the random vector from which a power iteration starts.
+
+Any vector will do that has a part along the mode to be found.
+"""
 
 
-def zero_energy_modes(mesh: SpringMesh, position: ArrayLike, tolerance: float = 1e-9) -> NDArray[np.int64]:
-    """How many independent small motions of the free nodes cost no energy: eigenvalues of the stiffness that are zero.
+def zero_energy_modes(
+    mesh: SpringMesh,
+    position: ArrayLike,
+    tolerance: float = 1e-9,
+) -> NDArray[np.int64]:
+    """Number of independent small motions of the free nodes that cost no energy.
 
-    A free body that keeps its shape has six, its rigid motions. Each one more is a way to collapse. A cube of edges
-    alone has twelve; its internal springs leave six (slide 28).
+    A free body that keeps its shape has six of them, its rigid motions. Each further
+    one is a way to collapse. A cube of edges alone has twelve; its internal springs
+    leave six (slide 28).
 
     Parameters
     ----------
-    position : (..., n, 3), m, the shape at rest; tension in a stretched mesh would resist some of the motions
-    tolerance : below which share of the largest eigenvalue one counts as zero
+    position : (..., n, 3), m, the shape at rest
+        In a stretched mesh the tension would resist some of the motions.
+    tolerance : share of the largest eigenvalue up to which an eigenvalue counts as zero
 
     Returns
     -------
@@ -30,7 +39,14 @@ def zero_energy_modes(mesh: SpringMesh, position: ArrayLike, tolerance: float = 
     Raises
     ------
     ValueError
-        If a position is not finite.
+        If a position is not finite, or the positions do not fit the mesh.
+
+    Notes
+    -----
+    A small motion d of the free nodes costs the energy d·K d/2, with the stiffness
+    matrix K of the whole mesh at rest. K is symmetric and has no negative eigenvalue,
+    so this energy is zero exactly for the motions with K d = 0. The number of
+    independent ones is the number of eigenvalues that are zero.
     """
     free = np.repeat(~mesh.pinned, 3)
     matrix = mesh_matrix(mesh, edge_stiffness(mesh, finite_vectors(mesh, "position", position)))[..., free, :][
@@ -42,27 +58,51 @@ def zero_energy_modes(mesh: SpringMesh, position: ArrayLike, tolerance: float = 
 
 
 def largest_eigenvalue(
-    mesh: SpringMesh, position: ArrayLike, tolerance: float = 1e-4, iterations: int = 10_000
+    mesh: SpringMesh,
+    position: ArrayLike,
+    tolerance: float = 1e-4,
+    iterations: int = 10_000,
 ) -> Array:
-    """Largest eigenvalue λ = ω² of M⁻¹K by power iteration: x ← K x, until x only grows longer.
+    """Largest eigenvalue λ = ω² of M⁻¹K, found by power iteration.
 
-    With x scaled by √M the matrix is symmetric, and the quotient x·Kx/x·x is never above λ and reaches it twice as
-    fast as x settles.
+    M holds the masses and K the stiffnesses of the mesh, so ω is its highest angular
+    frequency.
 
     Parameters
     ----------
     position : (..., n, 3), m
-    tolerance : stop when ‖Kx − λx‖ is below this share of λ, so that an eigenvalue lies as near as that
-    iterations : rounds at most; then the answer is what has been found, not above λ
+    tolerance : share of λ by which the result may miss an eigenvalue
+        The iteration stops when ‖A x − λ x‖ is at most this share of λ, for x of length
+        1 and the matrix A = M⁻¹K in its symmetric form. An eigenvalue of A then lies as
+        near as that.
+    iterations : largest number of rounds
+        If it is reached, the result is the value found so far.
 
     Returns
     -------
-    (...), rad²/s²; zero for a mesh that nothing holds
+    (...), rad²/s²
+        Never above the true λ. Zero if no spring acts on a free node.
 
     Raises
     ------
     ValueError
-        If a position is not finite.
+        If a position is not finite, or the positions do not fit the mesh.
+
+    Notes
+    -----
+    Multiplying a vector x by a matrix A with no negative eigenvalue stretches its part
+    along the mode with the largest eigenvalue more than any other part. If x is
+    replaced by A x again and again, it therefore turns into that mode, until
+    multiplication changes only its length.
+
+    The function scales x by √M, which turns M⁻¹K into a symmetric matrix with the same
+    eigenvalues:
+
+        A = M^(−1/2) K M^(−1/2)
+
+    For a symmetric matrix the quotient x·Ax/x·x is an average of the eigenvalues, so it
+    is never above λ. Its error is of second order in the error of x, so it settles
+    twice as fast as x does.
     """
     p = finite_vectors(mesh, "position", position)
     blocks, scale = edge_stiffness(mesh, p), np.sqrt(mesh.inverse_mass)[:, None]
@@ -76,16 +116,15 @@ def largest_eigenvalue(
     return np.asarray(quotient[..., 0, 0])
 
 
-def stable_timestep(mesh: SpringMesh, position: ArrayLike, tolerance: float = 1e-4, iterations: int = 10_000) -> Array:
-    """Longest stable step of semi-implicit Euler in small vibrations: 2/√λ without damping (slides 28 and 29).
+def stable_timestep(
+    mesh: SpringMesh,
+    position: ArrayLike,
+    tolerance: float = 1e-4,
+    iterations: int = 10_000,
+) -> Array:
+    """Longest stable timestep of semi-implicit Euler for small vibrations (slide 28).
 
-    A vibration x grows as soon as its step turns it over, x' = −x, with no loss: when (dt² K + 2 dt C) x = 4 M x. So
-
-        dt = min over x of 4/(c + √(c² + 4 k)),    k = x·Kx/x·Mx,  c = x·Cx/x·Mx
-
-    which is 2/ω for c = 0 and (2/ω)(√(1 + ζ²) − ζ) for c = 2ζω. The x that gives the least is found by power iteration
-    on dt² K + 2 dt C. The single spring's 2√(m/k) is too optimistic for a node that many springs hold: a 10×10 cloth
-    takes 1.01, 0.72 and 0.646 √(m/k) as structural, shear and bend springs are added.
+    Damping is included: it makes the limit shorter (slide 29).
 
     Parameters
     ----------
@@ -94,12 +133,37 @@ def stable_timestep(mesh: SpringMesh, position: ArrayLike, tolerance: float = 1e
 
     Returns
     -------
-    (...), s; infinity for a mesh that nothing holds. Never below the true limit: stay a little under it.
+    (...), s
+        Never below the true limit, so stay a little under it. Infinity if no spring and
+        no damper acts on a free node.
 
     Raises
     ------
     ValueError
-        If a position is not finite.
+        If a position is not finite, or the positions do not fit the mesh.
+
+    Notes
+    -----
+    For a small displacement x and a velocity v the integrator takes the steps
+    v' = v − dt M⁻¹(K x + C v) and x' = x + dt v'. With a longer and longer dt, a
+    vibration begins to grow when one step only turns it over, without loss: x' = −x and
+    v' = −v. The second rule then gives v = 2 x/dt, and with this the first rule becomes
+
+        (dt² K + 2 dt C) x = 4 M x
+
+    Multiply by x from the left and divide by x·Mx. The result is a quadratic equation
+    for dt, dt² k + 2 dt c = 4. Its positive solution is the step that turns x over, and
+    the limit is the shortest of these steps:
+
+        dt = min over x of 4/(c + √(c² + 4 k)),    k = x·Kx/x·Mx,  c = x·Cx/x·Mx
+
+    Without damping c = 0, and the limit is 2/ω = 2/√λ. With c = 2ζω it is
+    (2/ω)(√(1 + ζ²) − ζ). The function finds the x that gives the shortest step by power
+    iteration on dt² K + 2 dt C.
+
+    The limit of a single spring, 2√(m/k), is too optimistic for a node that many
+    springs hold. A 10×10 cloth takes 1.01, 0.72 and 0.646 √(m/k) as structural, shear
+    and bend springs are added.
     """
     p = finite_vectors(mesh, "position", position)
     stiffness, damping = edge_stiffness(mesh, p), edge_damping(mesh, p)
@@ -118,16 +182,32 @@ def stable_timestep(mesh: SpringMesh, position: ArrayLike, tolerance: float = 1e
 
 
 def timestep_bound(mesh: SpringMesh) -> float:
-    """A step that is safe in every shape of the mesh, found by adding up alone (Gershgorin).
+    """A timestep that is safe in every shape of the mesh.
 
-        dt = least over the nodes of 4/(c + √(c² + 4 k)),    k = 2 Σ stiffness/mass,  c = 2 Σ damping/mass
-
-    with the sums over the springs at a node and its own mass. No direction of an edge and no tension makes a spring
-    stiffer than its stiffness, so no shape has a shorter limit.
+    It needs only sums over the springs at each node (Gershgorin), no iteration. It is
+    at most as long as `stable_timestep`, whatever the shape.
 
     Returns
     -------
-    s; infinity for a mesh that nothing holds
+    s
+        Infinity if no spring and no damper acts on a free node.
+
+    Notes
+    -----
+    The formula is
+
+        dt = least over the nodes of 4/(c + √(c² + 4 k))
+        k = 2 Σ stiffness/mass,  c = 2 Σ damping/mass
+
+    with the sums over the springs at a node, and with its own mass.
+
+    No direction of an edge and no tension makes a spring stiffer than its stiffness. So
+    a spring whose ends move by x1 and x2 contributes at most stiffness ‖x1 − x2‖² to
+    x·Kx, and ‖x1 − x2‖² is at most 2 ‖x1‖² + 2 ‖x2‖². Collect these terms at each node:
+    x·Kx is at most the sum of k mass ‖x‖² over the nodes, and x·Cx the sum of c mass
+    ‖x‖². A dt with dt² k + 2 dt c ≤ 4 at every node is therefore within the limit of
+    `stable_timestep`, whatever the shape. The longest such dt is the formula above. It
+    is the bound that Gershgorin's theorem gives.
     """
     ends = mesh.edges.ravel()
     k, c = (
@@ -143,7 +223,7 @@ def _start(shape: tuple[int, ...]) -> Array:
 
 
 def _dot(a: Array, b: Array) -> Array:
-    """Product over all nodes, (..., 1, 1)."""
+    """Scalar product over all nodes, (..., 1, 1)."""
     return np.asarray(np.sum(a * b, axis=(-2, -1), keepdims=True))
 
 

@@ -9,49 +9,61 @@ from solutions.meshes.topology import Integers
 
 
 def surface_edges(triangles: ArrayLike) -> Integers:
-    """Edges of a surface, each once, however many triangles share it.
+    """Edges of a surface, each of them once, however many triangles share it.
 
     Parameters
     ----------
-    triangles : (t, 3), the nodes at their corners, in either sense
+    triangles : (t, 3), the nodes at the corners, in either sense
 
     Returns
     -------
-    (m, 2), in rising order
+    (m, 2), in ascending order, the smaller node first
 
     Raises
     ------
     ValueError
-        If the shape is another, or a triangle has the same corner twice.
+        If the triangles are not integers of the shape (t, 3), a node is negative, or a
+        triangle has the same corner twice.
     """
     return np.asarray(np.unique(_sides(_checked_triangles(triangles))[0], axis=0))
 
 
 def bend_edges(triangles: ArrayLike) -> Integers:
-    """Pairs of nodes that face each other across an edge with a triangle on either side: bend springs.
+    """Pairs of nodes that face each other across an edge: the ends of bend springs.
 
-    A pair that is an edge already (in a tetrahedron all are) is left out, and a pair that faces across several edges
-    (in an octahedron all do) comes once: two springs between the same nodes would be one, twice as stiff.
+    Two triangles share such an edge, and the pair are the two corners opposite to it.
 
     Parameters
     ----------
-    triangles : (t, 3), the nodes at their corners, in either sense
+    triangles : (t, 3), the nodes at the corners, in either sense
 
     Returns
     -------
-    (b, 2), in rising order; none for edges at the rim
+    (b, 2), in ascending order, the smaller node first
+        An edge at the rim has no pair. A pair that is already an edge is left out: in a
+        tetrahedron all pairs are. A pair that faces across several edges comes once: in
+        an octahedron all pairs do. Two triangles with the same three corners have no
+        pair.
 
     Raises
     ------
     ValueError
-        As `surface_edges` does; and if more than two triangles share an edge: then no two corners face each other.
+        As `surface_edges` does. Also if more than two triangles share an edge, because
+        then no two corners face each other.
+
+    Notes
+    -----
+    Two springs between the same two nodes act as one spring that is twice as stiff.
+    This is why no pair comes twice, and why no pair that is already an edge is
+    returned.
     """
     sides, facing = _sides(_checked_triangles(triangles))
     edges, which, count = np.unique(sides, axis=0, return_inverse=True, return_counts=True)
     for edge in edges[count > 2]:
         raise ValueError(f"triangles: more than two share the edge {edge.tolist()}")
     order = np.argsort(which.ravel(), kind="stable")
-    start = np.cumsum(count)[count == 2] - 2  # where in that order the two sides of an inner edge stand
+    # The place in that order from which the two sides of an inner edge are listed.
+    start = np.cumsum(count)[count == 2] - 2
     pairs = np.unique(np.sort(np.stack([facing[order[start]], facing[order[start + 1]]], axis=-1), axis=-1), axis=0)
     known = {tuple(edge) for edge in edges.tolist()}
     fresh = [tuple(pair) not in known and pair[0] != pair[1] for pair in pairs.tolist()]
@@ -59,7 +71,10 @@ def bend_edges(triangles: ArrayLike) -> Integers:
 
 
 def _sides(triangles: Integers) -> tuple[Integers, Integers]:
-    """Sides of every triangle, (3 t, 2) with the smaller node first, and the corner that faces each, (3 t,)."""
+    """Sides of every triangle, (3 t, 2), and the corner that faces each side, (3 t,).
+
+    The smaller node of a side comes first.
+    """
     sides = np.concatenate([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, [0, 1]]])
     return np.sort(sides, axis=-1), triangles.T.ravel()
 

@@ -1,4 +1,7 @@
-"""What a spring mesh is made of: nodes with a mass, and edges that are springs with a damper beside each (slide 28)."""
+"""What a spring mesh is made of: nodes with a mass and edges as springs (slide 28).
+
+Every edge has a spring, and a damper beside it.
+"""
 
 from __future__ import annotations
 
@@ -20,29 +23,43 @@ CLOTH_SPRINGS: Mapping[str, tuple[Offset, ...]] = {
     "shear": ((1, 1), (1, -1)),
     "bend": ((0, 2), (2, 0)),
 }
-"""Which nodes of a cloth each kind of spring joins: (rows, columns) from one end to the other."""
+"""Which nodes of a cloth each kind of spring joins.
+
+An offset is (rows, columns) from the first end to the second.
+"""
 
 LATTICE_SPRINGS: Mapping[str, tuple[Offset, ...]] = {
     "structural": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
     "face": ((1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1)),
     "space": ((1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1)),
 }
-"""The same for a solid lattice: edges of its cubes, and the internal springs along the diagonals."""
+"""Which nodes of a solid lattice each kind of spring joins.
+
+"structural" springs are the edges of the cubes. The others are the internal springs
+along the diagonals of their faces and of space.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class SpringMesh:
     """A spring mesh of n nodes and m springs, as plain arrays that nothing writes to.
 
-    edges : (m, 2), the nodes at the ends. rest_length : (m,), m. stiffness : (m,), N/m. damping : (m,), N s/m.
-    mass : (n,), kg; infinity is an immovable node. pinned : (n,), bool, the nodes that do not move.
     Rest length, stiffness, damping and pinned may be given as one number for all.
+
+    Parameters
+    ----------
+    edges : (m, 2), the nodes at the two ends of each spring
+    rest_length : (m,), m, not negative and finite
+    stiffness : (m,), N/m, not negative and finite
+    damping : (m,), N s/m, not negative and finite
+    mass : (n,), kg, positive; infinity for an immovable node, which counts as pinned
+    pinned : (n,), bool, the nodes that do not move
 
     Raises
     ------
     ValueError
-        If an edge joins a node to itself or to one that is not there, a mass is not positive, or any of the other
-        numbers is negative or not finite.
+        If an edge joins a node to itself or to one that does not exist, a mass is not
+        positive, or any of the other numbers is negative or not finite.
     """
 
     edges: Integers
@@ -67,7 +84,7 @@ class SpringMesh:
 
     @property
     def inverse_mass(self) -> Array:
-        """Of every node, (n,), 1/kg: zero where it is pinned."""
+        """Inverse mass of every node, (n,), 1/kg: zero where the node is pinned."""
         return np.where(self.pinned, 0.0, 1 / self.mass)
 
 
@@ -79,22 +96,31 @@ def _finite(name: str, value: ArrayLike) -> Array:
 
 
 def lengths(vector: Array) -> Array:
-    """Lengths of the vectors (..., 3). The only such formula here: a mesh in its first shape is at rest to the bit."""
+    """Lengths of the vectors (..., 3).
+
+    Every length of an edge is computed with this formula, so a mesh in its first shape
+    is at rest to the last bit.
+    """
     return np.asarray(np.sqrt(np.einsum("...i,...i->...", vector, vector)))
 
 
 def checked_edges(edges: ArrayLike, nodes: int) -> Integers:
-    """Return a copy of the edges as (m, 2) integers; refuse ends that are no nodes, and an edge from a node to itself.
+    """Return a copy of the edges as (m, 2) integers, if they can be edges.
 
     Parameters
     ----------
-    edges : (m, 2), integers; an empty list has no edges
-    nodes : how many there are
+    edges : (m, 2), integers; an empty list means that there are no edges
+    nodes : number of nodes
+
+    Returns
+    -------
+    (m, 2), a copy; (0, 2) if there are no edges
 
     Raises
     ------
     ValueError
-        If the shape is another or an end is not one of the nodes 0 to nodes − 1, or both ends are the same.
+        If the shape is another, an end is not one of the nodes 0 to nodes − 1, or both
+        ends of an edge are the same node.
     """
     found = np.asarray(edges)
     if found.size == 0:
@@ -116,20 +142,26 @@ def spring_mesh(
     mass: ArrayLike = 1.0,
     pinned: Sequence[int] = (),
 ) -> SpringMesh:
-    """Make every edge a spring that is at rest in this shape (slide 28: edges are springs).
+    """Mesh in which every edge is a spring at rest in this shape (slide 28).
 
     Parameters
     ----------
     position : (n, 3), m
-    edges : (m, 2)
+    edges : (m, 2), the nodes at the two ends
     stiffness, damping : (m,) or one for all, N/m and N s/m
     mass : (n,) or one for all, kg, of each node
     pinned : numbers of the nodes that do not move
 
+    Returns
+    -------
+    SpringMesh
+        The rest length of each spring is the distance between its ends in this shape.
+
     Raises
     ------
     ValueError
-        As `SpringMesh` does; and if a position is not finite, or a pinned node is not there.
+        As `SpringMesh` does. Also if a position is not finite, or a pinned node does
+        not exist.
     """
     place = np.asarray(position, dtype=float)
     if place.ndim != 2 or place.shape[1] != 3 or not np.all(np.isfinite(place)):
@@ -142,12 +174,21 @@ def spring_mesh(
 
 
 def pin(mesh: SpringMesh, nodes: Sequence[int]) -> SpringMesh:
-    """Return the mesh with these nodes pinned, beside those that are already.
+    """The mesh with these nodes pinned, in addition to those that already are.
+
+    Parameters
+    ----------
+    nodes : numbers of the nodes, from 0 on
+
+    Returns
+    -------
+    SpringMesh
+        A new mesh; the given one stays as it is.
 
     Raises
     ------
     ValueError
-        If a node is not there.
+        If a node does not exist.
     """
     for node in nodes:
         if not 0 <= node < len(mesh.mass):
@@ -156,28 +197,37 @@ def pin(mesh: SpringMesh, nodes: Sequence[int]) -> SpringMesh:
 
 
 def cloth(
-    rows: int, columns: int, spacing: float, kinds: Collection[str] = tuple(CLOTH_SPRINGS)
+    rows: int,
+    columns: int,
+    spacing: float,
+    kinds: Collection[str] = tuple(CLOTH_SPRINGS),
 ) -> tuple[Array, Integers]:
-    """Nodes and edges of a flat cloth in the plane z = 0; node (row, column) has the number row · columns + column.
+    """Nodes and edges of a flat cloth in the plane z = 0.
 
-    Structural springs join neighbours and keep the distance. Shear springs are the diagonals: without them a square
-    becomes a rhombus for free. Bend springs join every second node: without them the cloth folds for free.
+    Columns run along x and rows along y. Node (row, column) has the number
+    row · columns + column.
 
     Parameters
     ----------
-    rows, columns : nodes along y and x, at least 1
-    spacing : m
-    kinds : of "structural", "shear" and "bend"
+    rows, columns : numbers of nodes along y and x, at least 1
+    spacing : distance of neighbours, m, positive
+    kinds : any of "structural", "shear" and "bend"; by default all
 
     Returns
     -------
     position : (rows · columns, 3), m
-    edges : (m, 2)
+    edges : (m, 2), of the wanted kinds
 
     Raises
     ------
     ValueError
-        If a count is not positive, the spacing is not, or a kind is not known.
+        If a count or the spacing is not positive, or a kind is not known.
+
+    Notes
+    -----
+    Structural springs join neighbours and keep their distance. Shear springs are the
+    diagonals: without them a square becomes a rhombus at no cost of energy. Bend
+    springs join every second node: without them the cloth folds at no cost of energy.
     """
     node = _node_numbers({"rows": rows, "columns": columns})
     row, column = np.divmod(np.arange(node.size), columns)
@@ -186,28 +236,37 @@ def cloth(
 
 
 def lattice(
-    nx: int, ny: int, nz: int, spacing: float, kinds: Collection[str] = tuple(LATTICE_SPRINGS)
+    nx: int,
+    ny: int,
+    nz: int,
+    spacing: float,
+    kinds: Collection[str] = tuple(LATTICE_SPRINGS),
 ) -> tuple[Array, Integers]:
-    """Nodes and edges of a solid of nx × ny × nz nodes; node (i, j, k) has the number (i · ny + j) · nz + k.
+    """Nodes and edges of a solid of nx × ny × nz nodes.
 
-    The structural springs are the edges of its cubes. They alone let every cube shear and collapse; the internal
-    springs along the diagonals of faces and of space stabilise the shape (slide 28).
+    Node (i, j, k), counted along x, y and z, has the number (i · ny + j) · nz + k.
 
     Parameters
     ----------
-    nx, ny, nz : nodes along x, y and z, at least 1
-    spacing : m
-    kinds : of "structural", "face" and "space"
+    nx, ny, nz : numbers of nodes along x, y and z, at least 1
+    spacing : distance of neighbours, m, positive
+    kinds : any of "structural", "face" and "space"; by default all
 
     Returns
     -------
     position : (nx · ny · nz, 3), m
-    edges : (m, 2)
+    edges : (m, 2), of the wanted kinds
 
     Raises
     ------
     ValueError
-        If a count is not positive, the spacing is not, or a kind is not known.
+        If a count or the spacing is not positive, or a kind is not known.
+
+    Notes
+    -----
+    The structural springs are the edges of the cubes. On their own they let every cube
+    shear and collapse. The internal springs along the diagonals of the faces and of
+    space stabilise the shape (slide 28).
     """
     node = _node_numbers({"nx": nx, "ny": ny, "nz": nz})
     position = positive("spacing", spacing) * np.stack(np.unravel_index(np.arange(node.size), node.shape), axis=-1)
@@ -223,7 +282,7 @@ def _node_numbers(counts: Mapping[str, int]) -> Integers:
 
 
 def _grid_edges(node: Integers, springs: Mapping[str, tuple[Offset, ...]], kinds: Collection[str]) -> Integers:
-    """All pairs of nodes of a grid that lie one of the offsets of the wanted kinds apart."""
+    """All pairs of nodes of a grid whose offset belongs to one of the wanted kinds."""
     for kind in kinds:
         if kind not in springs:
             raise ValueError(f"kinds are {', '.join(springs)}, not {kind!r}")

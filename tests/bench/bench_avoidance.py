@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from labs.benching import Bench
+from labs.benching.timing import Bench
 from solutions.avoidance import crowd_step, flock_step, neighbour_pairs
 
 BOIDS, FEW, SEEN = 10_000, 2_000, 20

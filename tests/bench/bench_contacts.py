@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from labs.benching import Bench
+from labs.benching.timing import Bench
 from solutions.friction import friction_impulse, point_inverse_mass
 from solutions.impulse import (
     Body,

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from labs.benching import Bench
+from labs.benching.timing import Bench
 from solutions.detection import overlap_interval, signed_distance, time_of_impact_exact
 from solutions.response import bounce_along_normal, kinematic_response
 

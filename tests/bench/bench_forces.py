@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from labs.benching import Bench
+from labs.benching.timing import Bench
 from solutions import forces
 
 GRAVITY = np.array([0.0, 0.0, -9.80665])

@@ -23,10 +23,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labs.benching import Bench
-from labs.grading.calls import Call
-from labs.grading.grade import read_grade
-from labs.programs import Environment, Run, run
+from labs.benching.programs import Environment, Run, run
+from labs.benching.timing import Bench
+from labs.grading.calling.calls import Call
+from labs.grading.judging.grade import read_grade
 from reference.errors import RunFailed
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -42,8 +42,8 @@ CLASS = 20
 GRADE = """
 import sys
 from pathlib import Path
-from labs.grading.grade import grade
-from labs.grading.remote import Grader
+from labs.grading.judging.grade import grade
+from labs.grading.calling.remote import Grader
 
 with Grader() as grader:
     for submission in map(Path, sys.argv[1:]):

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from labs.benching import Bench
+from labs.benching.timing import Bench
 from solutions.impulse import Body, collide, sphere_inertia, world_inverse_inertia
 
 PAIRS, MANY = 1_000, 100_000

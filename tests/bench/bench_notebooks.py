@@ -7,10 +7,10 @@ import tempfile
 from collections.abc import Callable
 from functools import partial
 
-from labs.benching import Bench
+from labs.benching.timing import Bench
 from labs.building import notebooks
-from labs.desk import checking, hand
-from labs.grading.remote import Grader
+from labs.desk import checks, student_code
+from labs.grading.calling.remote import Grader
 
 
 def check() -> Callable[[], object]:
@@ -18,7 +18,7 @@ def check() -> Callable[[], object]:
     cells = ["".join(cell["source"]) for cell in notebooks.solved("impulse")["cells"] if cell["cell_type"] == "code"]
     grader = Grader()
     atexit.register(grader.close)
-    return lambda: checking.check(hand.written_down(cells), "impulse", ["impulse_magnitude"], grader)
+    return lambda: checks.check(student_code.written_down(cells), "impulse", ["impulse_magnitude"], grader)
 
 
 def solved(topic: str) -> Callable[[], object]:

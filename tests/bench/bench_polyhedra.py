@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from labs.benching import Bench
+from labs.benching.timing import Bench
 from solutions.polyhedra import (
     convex_separation,
     inside_by_parity,

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from labs.benching import Bench
+from labs.benching.timing import Bench
 from solutions.sweeping import edge_edge_impact, ray_capsule, sweep_convex, vertex_face_impact
 
 QUERIES, RAYS, BODIES = 2_000, 10_000, 100

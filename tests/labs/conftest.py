@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from labs import notebook
-from labs.desk import hand
-from reference import snapping
+from labs.desk import student_code
 from reference.engines import engine_names, load_engine
-from reference.isolate import stop_workers
+from reference.running.availability import absent
+from reference.running.isolate import stop_workers
 
 
 @pytest.fixture
@@ -20,7 +20,7 @@ def cells():
 @pytest.fixture
 def lab(cells, monkeypatch, tmp_path):
     """A desk of the detection lab; `lab.shown` is what it has displayed."""
-    monkeypatch.setattr(hand, "executed_cells", lambda: hand.without_mended(cells))
+    monkeypatch.setattr(student_code, "executed_cells", lambda: student_code.without_mended(cells))
     monkeypatch.chdir(tmp_path)
     desk = notebook.Lab()
     desk.topic = "detection"
@@ -38,7 +38,7 @@ def no_engine(tmp_path_factory, monkeypatch):
 
     def forget() -> None:
         stop_workers()  # those that are idle have imported them already
-        snapping.absent.cache_clear()
+        absent.cache_clear()
 
     folder = tmp_path_factory.mktemp("blocked")
     for package in filter(None, (load_engine(name).package for name in engine_names())):

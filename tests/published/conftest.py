@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from reference.compare import Verdict
+from reference.comparison.compare import Verdict
 from reference.engines import load_engine
 from reference.published import Figure, published
 from reference.published.judging import PublishedRow, compare_published

@@ -9,16 +9,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from reference import measure, truth
-from reference.compare import Verdict
+from reference import truth
+from reference.catalogue import measure
+from reference.comparison.compare import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
 from reference.published import Published, published, published_cases
 from reference.published.in_engines import bouncing, scenes, springs
 from reference.published.in_engines.at_step import Bounce, apexes_off, stepped, times_off
 from reference.published.judging import PublishedRow, compare_published
-from reference.settings import Settings
-from reference.trajectory import Trajectory
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Trajectory
 
 ENGINES = ("pybullet", "mujoco", "dart")
 SLOW = ("P1", "P2")

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from reference.implementation import Implementation
+from reference.engines.implementation import Implementation
 from reference.published import published
 from reference.published.springs import granular
 from solutions.response import penalty_damping, penalty_restitution

@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from reference.compare import Row
-from reference.curves import NEAR, Series
+from reference.comparison.compare import Row
+from reference.comparison.curves import NEAR, Series
 
 
 def same(now: Row, then: Row) -> None:

@@ -7,11 +7,11 @@ import math
 
 import pytest
 
-from reference.compare import Row
-from reference.results import Job, JobResult
-from reference.scenarios import catalogue
-from reference.scenarios.response import DROPS, SPREAD
-from reference.study import run_job
+from reference.catalogue.scenarios import catalogue
+from reference.catalogue.scenarios.response import DROPS, SPREAD
+from reference.comparison.compare import Row
+from reference.comparison.results import Job, JobResult
+from reference.running.study import run_job
 
 G = 9.81  # m/s²
 FALL = math.sqrt(2 / G)  # s: from rest through 1 m

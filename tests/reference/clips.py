@@ -6,10 +6,10 @@ import base64
 
 import numpy as np
 
-from reference.replay import Poses
-from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.viewer.assembly import clip, mesh_clip
 from reference.viewer.clip import Clip
-from reference.viewer.making import clip, mesh_clip
+from reference.viewer.poses import Poses
 
 GRAVITY, RATE, KEPT, HEIGHT = 9.81, 60, 0.5, 1.0
 EVIL = "</script><script>window.evil = 1</script>\"'&<b>"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from engine_grid import Cell, run
 
-from reference.trajectory import Trajectory
+from reference.scene.trajectory import Trajectory
 
 
 @pytest.fixture

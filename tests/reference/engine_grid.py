@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from reference import geometry
+from reference.catalogue.scenarios import catalogue
 from reference.engines import Engine, engine_names, load_engine
 from reference.errors import CannotExpress, NeedsFunction
-from reference.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
-from reference.scenarios import catalogue
-from reference.settings import Settings
-from reference.trajectory import Trajectory
+from reference.scene import geometry
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Trajectory
 
 TOY = str(Path(__file__).with_name("toy_engine.py"))
 ENGINES = (*engine_names(), TOY)

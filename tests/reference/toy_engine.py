@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from reference import geometry
 from reference.engines.base import AT_STEP, Engine, Method
-from reference.scenario import HalfSpace, Scenario, Sphere
-from reference.settings import Settings
-from reference.trajectory import Recorder, Trajectory
+from reference.scene import geometry
+from reference.scene.scenario import HalfSpace, Scenario, Sphere
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Recorder, Trajectory
 
 
 class Toy(Engine):

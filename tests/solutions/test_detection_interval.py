@@ -8,7 +8,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from reference.scenarios import tunnelling
+from reference.catalogue.scenarios import tunnelling
 from solutions.detection import is_colliding, missing_probability, overlap_interval, side_of_plane, substeps_needed
 
 EPSILON = np.finfo(float).eps

@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading import messages
+from labs.grading.worker import messages
 from labs.grading.worker.sandbox import Sealing
 
 TITLE = "submission"

@@ -15,7 +15,7 @@ import numpy as np
 
 from reference import truth
 from reference.engines.base import EXACT, Method
-from reference.trajectory import Array
+from reference.scene.trajectory import Array
 
 
 def late(timestep: float) -> str:

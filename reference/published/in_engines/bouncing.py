@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from reference import measure, truth
+from reference import truth
+from reference.catalogue import measure
 from reference.engines.base import Engine
 from reference.published import Answer, Answers, Published
 from reference.published.in_engines.at_step import Bounce, apexes_off, end_off, late, stepped, times_off
 from reference.published.in_engines.scenes import FINE, at_least, ball_over_floor, gravity_of, tuned
-from reference.scenario import Scenario
-from reference.settings import Option, Settings
-from reference.trajectory import Array
+from reference.scene.scenario import Scenario
+from reference.scene.settings import Option, Settings
+from reference.scene.trajectory import Array
 
 DART_LIFT = 1e-3
 """How fast DART takes back overlap, m/s; a constant of its source."""

@@ -10,8 +10,8 @@ from __future__ import annotations
 from reference.engines.base import Engine
 from reference.published import Answer, Answers, Published
 from reference.published.in_engines.scenes import at_least
-from reference.query import Distance, Ray
-from reference.scenario import Body, Box, HalfSpace, Shape, Sphere
+from reference.scene.query import Distance, Ray
+from reference.scene.scenario import Body, Box, HalfSpace, Shape, Sphere
 
 THICKNESS = 0.05
 """Half of the boxes' thickness, m; the answer does not hang on it."""

@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from reference import truth, turning
+from reference import truth
+from reference.catalogue import turning
+from reference.catalogue.scenarios.rolling import ball_on_plane
 from reference.engines.base import EXACT, Engine
 from reference.published import Answer, Answers, Published
 from reference.published.in_engines.scenes import as_heavy, at_least, ball_over_floor, gravity_of, tuned
-from reference.scenario import Pair
-from reference.scenarios.rolling import ball_on_plane
-from reference.trajectory import Trajectory
+from reference.scene.scenario import Pair
+from reference.scene.trajectory import Trajectory
 
 TWO_IMPACTS = 1.2
 """How long the spinning ball is watched, s: impacts are at 0.32 and 0.89 s. The second finds it rolling."""

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from reference.catalogue.scenarios.response import falling_ball
 from reference.engines.base import Engine
 from reference.published import Answer, Figure, Published
-from reference.scenario import GRAVITY, Scenario
-from reference.scenarios.response import falling_ball
-from reference.settings import Settings
+from reference.scene.scenario import GRAVITY, Scenario
+from reference.scene.settings import Settings
 
 FINE = 1e-4
 """Timestep where the case gives none, s."""

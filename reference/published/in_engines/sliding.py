@@ -7,12 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from reference import measure, truth
+from reference import truth
+from reference.catalogue import measure
+from reference.catalogue.scenarios.friction import slab_on_plane
 from reference.engines.base import Engine
 from reference.published import Answer, Answers, Published
 from reference.published.in_engines.scenes import as_heavy, gravity_of
-from reference.scenario import Body, Box, Scenario
-from reference.scenarios.friction import slab_on_plane
+from reference.scene.scenario import Body, Box, Scenario
 
 WATCHED = 0.5
 """How long a box that has stopped is watched, s."""

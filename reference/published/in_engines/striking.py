@@ -7,13 +7,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from reference import measure, truth
+from reference import truth
+from reference.catalogue import measure
 from reference.engines.base import Engine
 from reference.published import Answer, Answers, Published
 from reference.published.in_engines.at_step import Bounce, apexes_off, late
 from reference.published.in_engines.scenes import at_least, ball_over_floor, gravity_of, tuned
 from reference.published.rigid_law import against_rigid_law
-from reference.scenario import Body, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 
 ONE_STEP = "its impact lasts a step: a mean force needs a contact that lasts, and the 15 ms are not its own"
 FLOOR = Body("floor", HalfSpace())

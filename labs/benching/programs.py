@@ -1,0 +1,144 @@
+"""Other programs, watched from outside: how long they take, what memory all their processes take together.
+
+Some rivals need so much that they live in environments of their own, in the folder for caches; never in the lab's.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from reference.errors import CollisionsError, RunFailed
+from reference.running.cache import default_folder
+
+_LOOKS_EVERY = 0.02  # s
+_SAID = 400  # characters of a program that failed
+
+
+@dataclass(frozen=True)
+class Run:
+    """How a program ended. seconds: from start to end. memory: bytes, at most, of all its processes together; None
+    where the system does not tell. said: what it printed.
+    """  # noqa: D205
+
+    seconds: float
+    memory: int | None
+    said: str
+
+
+def run(command: Sequence[str | Path], folder: Path, environment: Mapping[str, str] | None = None) -> Run:
+    """Run a program to its end.
+
+    Memory is that of the program and of all processes below it, looked at all the while, on Linux alone. What several
+    processes share counts once; of a process that does not let us look, all that it has counts, shared or not.
+
+    Raises
+    ------
+    RunFailed
+        If it cannot be started, or its exit code is not 0.
+    """
+    most = 0
+    with tempfile.TemporaryFile() as said:
+        start = time.perf_counter()
+        try:
+            started = subprocess.Popen(
+                command, cwd=folder, env={**os.environ, **(environment or {})},
+                stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.STDOUT,
+            )  # fmt: skip
+        except OSError as error:
+            raise RunFailed(f"{command[0]} cannot be started: {error}") from None
+        with started:
+            while started.poll() is None:
+                most = max(most, _memory(started.pid))
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    started.wait(_LOOKS_EVERY)
+        seconds = time.perf_counter() - start
+        said.seek(0)
+        text = said.read().decode(errors="replace")
+    if started.returncode:
+        raise RunFailed(f"{Path(command[0]).name} ended with {started.returncode}: {text[-_SAID:].strip()}")
+    return Run(seconds, most or None, text)
+
+
+def _memory(process: int) -> int:
+    """Bytes of a process and of all below it; zero for what is gone, or where there is no `/proc`."""
+    own = Path("/proc", str(process))
+    try:
+        below = [
+            int(child)
+            for children in own.glob("task/*/children")
+            for child in children.read_text(encoding="ascii").split()
+        ]
+        return _share(own) + sum(map(_memory, below))
+    except (OSError, IndexError):
+        return 0
+
+
+def _share(process: Path) -> int:
+    """Bytes of a process, of shared ones its share."""
+    with contextlib.suppress(OSError):
+        for line in (process / "smaps_rollup").read_text(encoding="ascii").splitlines():
+            if line.startswith("Pss:"):
+                return int(line.split()[1]) * 1024
+    return int((process / "statm").read_text(encoding="ascii").split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+@dataclass(frozen=True)
+class Environment:
+    """A virtual environment in the folder for caches. packages: as pip is asked for them, the one that counts first."""
+
+    name: str
+    packages: tuple[str, ...]
+
+    @property
+    def folder(self) -> Path:
+        """Where it lies."""
+        return default_folder() / "environments" / self.name
+
+    @property
+    def ready(self) -> bool:
+        """Whether it was installed in full, with these packages."""
+        with contextlib.suppress(OSError):
+            return self._note.read_text(encoding="utf-8") == "\n".join(self.packages)
+        return False
+
+    @property
+    def _note(self) -> Path:
+        return self.folder / "packages.txt"
+
+    def program(self, name: str) -> Path:
+        """Return one of its programs.
+
+        Raises
+        ------
+        ImportError
+            If it was not installed.
+        """
+        if not self.ready:
+            raise ImportError(f"no environment with {self.packages[0]}", name=self.packages[0])
+        return self.folder / ("Scripts" if os.name == "nt" else "bin") / name
+
+    def install(self) -> None:
+        """Make it anew, with the user's own configuration of pip.
+
+        Raises
+        ------
+        CollisionsError
+            If pip cannot install it, with what pip says last.
+        """
+        shutil.rmtree(self.folder, ignore_errors=True)
+        python = self.folder / ("Scripts" if os.name == "nt" else "bin") / "python"
+        try:
+            run([sys.executable, "-m", "venv", self.folder], Path.cwd())
+            run([python, "-m", "pip", "install", "--quiet", *self.packages], Path.cwd())
+            self._note.write_text("\n".join(self.packages), encoding="utf-8")
+        except (OSError, RunFailed) as error:
+            raise CollisionsError(f"{self.packages[0]} cannot be installed: {error}") from None

@@ -1,0 +1,106 @@
+"""Timings side by side: our own function and what others offer for the same, on the same input, in one run."""
+
+from __future__ import annotations
+
+import importlib.util
+import statistics
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType
+
+from labs.benching.programs import Environment, Run
+from reference.errors import UnknownName
+
+Prepare = Callable[[], Callable[[], object]]
+"""Makes the input, untimed, and returns the call that is timed. Rivals are imported in it; one may be missing."""
+REPEATS = 7
+PLACE = Path(__file__).resolve().parents[2] / "tests" / "bench"
+
+
+@dataclass(frozen=True)
+class Bench:
+    """One question of speed. what: the task in words. ours, rivals: who does it. goal: s that ours should keep to.
+
+    beyond: the rival whose time the goal leaves out. who: what ours is called. environments: what rivals need that is
+    not installed beside the lab.
+    """
+
+    name: str
+    what: str
+    ours: Prepare
+    rivals: Mapping[str, Prepare] = field(default_factory=dict)
+    goal: float | None = None
+    beyond: str = ""
+    who: str = "hand-written"
+    environments: tuple[Environment, ...] = ()
+
+
+@dataclass(frozen=True)
+class Timing:
+    """Median and fastest of several calls, s; None where a rival is not installed, and `note` says so.
+
+    memory: bytes, the most that a call took, where the calls are programs of their own and say so.
+    """
+
+    who: str
+    median: float | None
+    fastest: float | None
+    note: str = ""
+    memory: int | None = None
+
+
+def benches(place: Path | None = None) -> dict[str, Bench]:
+    """All benches by name, from the files `bench_*.py` of a folder; by default the project's own."""
+    modules = [_load(path) for path in sorted((place or PLACE).glob("bench_*.py"))]
+    return {bench.name: bench for module in modules for bench in module.BENCHES}
+
+
+def find(name: str) -> Bench:
+    """Return the bench of that name.
+
+    Raises
+    ------
+    UnknownName
+        If there is none.
+    """
+    known = benches()
+    if name not in known:
+        raise UnknownName("bench", name, known)
+    return known[name]
+
+
+def measure(bench: Bench, repeats: int = REPEATS) -> list[Timing]:
+    """Time our own function and its rivals in turn, round by round, so that a busy moment meets all alike."""
+    timings: list[Timing] = []
+    calls: dict[str, Callable[[], object]] = {}
+    samples: dict[str, list[float]] = {}
+    memory: dict[str, int] = {}
+    for who, prepare in {bench.who: bench.ours, **bench.rivals}.items():
+        try:
+            calls[who] = prepare()
+        except ImportError as missing:
+            timings.append(Timing(who, None, None, f"not installed: {missing.name}"))
+            continue
+        calls[who]()  # the first call pays for what is loaded late
+        samples[who] = []
+    for _ in range(repeats):
+        for who, call in calls.items():
+            start = time.perf_counter()
+            result = call()
+            samples[who].append(time.perf_counter() - start)
+            if isinstance(result, Run) and result.memory:
+                memory[who] = max(result.memory, memory.get(who, 0))
+    return [
+        Timing(who, statistics.median(found), min(found), memory=memory.get(who)) for who, found in samples.items()
+    ] + timings
+
+
+def _load(path: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module

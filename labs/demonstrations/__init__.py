@@ -1,0 +1,1 @@
+"""Questions for a lecture hall, what their runs gave, and their replay."""

@@ -1,0 +1,217 @@
+"""Demonstrations for a lecture: a question, a few runs that answer it, and what they teach. Plain data.
+
+`labs.demonstrations.outcomes` says what stands in a lesson's `{}` and `[]`.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from reference.catalogue.scenarios import boxes, response, tunnelling
+from reference.errors import UnknownName
+
+Profiles = Mapping[str, Mapping[str, str]]
+"""Engine → its profiles → what a class reads for each, where the name says too little."""
+ENGINES: Profiles = {engine: {"tuned": "", "stock": ""} for engine in ("pybullet", "mujoco")}
+STEPPED: Profiles = {"handwritten": {"tuned": "exact", "stock": "at the step"}, **ENGINES}
+WORLD: Profiles = {"handwritten": {"tuned": ""}, **ENGINES}
+_KEPT = 0.8
+"""Restitution of the ball that bounces."""
+_SPEED = 20.0
+"""Speed of the balls that are shot at the wall, m/s."""
+_HALF_HEIGHT = 0.2
+"""Of the box on the slope, m."""
+
+
+@dataclass(frozen=True)
+class Demonstration:
+    """One question, asked in one case of a family, or in several cases or timesteps side by side.
+
+    family, cases: which runs; a case by what it is called here, the one that is plotted among them. profiles: of each
+    engine. timesteps: in s by what they are called, instead of the profiles' own. quantity: what is compared with
+    theory. heading: its name in the table. beside: further quantities, with their headings, of which the value is
+    shown. percent: whether it is a share of a hundred. words: what its values are called. predicted: timestep in s →
+    the value that is known to come of it.
+    """
+
+    name: str
+    title: str
+    question: str
+    look: str
+    lesson: tuple[str, ...]
+    family: str
+    cases: Mapping[str, str]
+    profiles: Profiles
+    quantity: str
+    heading: str
+    beside: Mapping[str, str] = field(default_factory=dict)
+    timesteps: Mapping[str, float] = field(default_factory=dict)
+    percent: bool = False
+    words: Mapping[float, str] = field(default_factory=dict)
+    predicted: Callable[[float], float] | None = None
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """What the rows of the table are called where they are cases or timesteps; empty where implementations are."""
+        several = self.timesteps or (self.cases if len(self.cases) > 1 else {})
+        return tuple(several)
+
+
+def find(name: str) -> Demonstration:
+    """Return the demonstration of that name."""
+    known = {demonstration.name: demonstration for demonstration in DEMONSTRATIONS}
+    if name not in known:
+        raise UnknownName("demonstration", name, known)
+    return known[name]
+
+
+BOUNCE = Demonstration(
+    name="bounce",
+    title="A bouncing ball",
+    question=f"A ball falls {response.DROP_HEIGHT:g} m and keeps {_KEPT:g} of its speed at every impact. What will"
+    " happen: does it bounce for ever, or does it come to rest? When?",
+    look="Look at who stops first, and at who never leaves the floor.",
+    lesson=(
+        "Infinitely many bounces, each shorter than the last, end after {theory rest_time}.",
+        "A step method misses the last ones: hand-written, at the step, {handwritten stock rest_time error}.",
+        "Stock: [PyBullet rests at {pybullet stock rest_time measured} (contact too early)]"
+        "[, MuJoCo {mujoco stock rest_time measured} (no e)].",
+    ),
+    family="ball-to-rest",
+    cases={f"e = {_KEPT:g}": f"e={_KEPT:g}"},
+    profiles={**STEPPED, "handwritten": {"tuned": "exact", "slide": "the slide's T", "stock": "at the step"}},
+    quantity="rest_time",
+    heading="time of rest",
+)
+
+STOP = Demonstration(
+    name="stop",
+    title="A slab slides to a stop",
+    question="A slab slides over the floor at 2 m/s, with μ = 0.4, at 30° to the axes. What will happen: how far does"
+    " it go, and does its direction matter?",
+    look="Look at where each curve becomes level, and at how far aside the slab has gone.",
+    lesson=(
+        "v²/(2 μ g) = {theory stopping_distance}, whatever the mass and the direction.",
+        "A step method stops v dt/2 short: [{handwritten stock stopping_distance error} at the step]"
+        "[, {pybullet tuned stopping_distance error} in PyBullet].",
+        "Stock: [PyBullet {pybullet stock stopping_distance error} (damping)]"
+        "[, MuJoCo {mujoco stock stopping_distance error} (pyramid for friction cone)].",
+    ),
+    family="sliding-slab",
+    cases={"μ = 0.4, 2 m/s, 30°": "μ=0.4,v=2,heading=30°"},
+    profiles=STEPPED,
+    quantity="stopping_distance",
+    heading="distance",
+    beside={"sideways": "aside"},
+)
+
+STACK = Demonstration(
+    name="stack",
+    title="A stack of ten boxes",
+    question=f"Ten boxes stand on each other and nobody touches them. What will happen in {boxes.STANDING:g} seconds?",
+    look="Look at the top box: how far does it sink, and does it stay there?",
+    lesson=(
+        "Nothing should move. Tuned, the top does: [{pybullet tuned height size} in PyBullet]"
+        "[, {mujoco tuned height size} in MuJoCo].",
+        "[Stock PyBullet gives its solver too few passes: a box drifts by {pybullet stock drift size}.]",
+        "[Stock MuJoCo has soft contacts: the top sinks by {mujoco stock height size}, at once.]",
+    ),
+    family="stack",
+    cases={"ten": "boxes=10"},
+    profiles=WORLD,
+    quantity="height",
+    heading="top moves",
+    beside={"drift": "drift aside"},
+)
+
+TUNNELLING = Demonstration(
+    name="tunnelling",
+    title="A fast ball and a thin wall",
+    question=f"A ball of {1000 * tunnelling.RADIUS:g} mm radius flies at {_SPEED:g} m/s at a solid wall"
+    f" {1000 * tunnelling.THICKNESS:g} mm thick. What will happen: does the wall stop it – every time?",
+    look="Look at the share of balls that pass the wall as the step grows; the line is the prediction.",
+    lesson=(
+        f"A step moves the ball v dt; only on d/2 + r = {1000 * tunnelling.CAUGHT:g} mm can the wall stop it.",
+        "So 1 − (d/2 + r)/(v dt) pass: {predicted 1/240 s} at 1/240 s[; PyBullet {pybullet tuned passed measured at"
+        " 1/240 s}][, MuJoCo {mujoco tuned passed measured at 1/240 s}].",
+        "At 1 ms: [PyBullet {pybullet tuned passed measured at 1 ms}][, MuJoCo {mujoco tuned passed measured at 1 ms}]."
+        " Cure: small steps, or[ a swept test: {handwritten tuned passed measured at 1/60 s}].",
+    ),
+    family="thin-wall",
+    cases={f"{_SPEED:g} m/s": f"v={_SPEED:g}"},
+    profiles={"handwritten": {"tuned": "swept"}, **{engine: {"tuned": ""} for engine in ENGINES}},
+    timesteps={"0.5 ms": 5e-4, "1 ms": 1e-3, "2 ms": 2e-3, "1/240 s": 1 / 240, "1/120 s": 1 / 120, "1/60 s": 1 / 60},
+    quantity="passed",
+    heading="balls that pass",
+    percent=True,
+    predicted=functools.partial(tunnelling.passing_share, _SPEED),
+)
+
+ROLL = Demonstration(
+    name="roll",
+    title="A ball that begins to roll",
+    question="A ball is set down at 2 m/s without spin, with μ = 0.1. What will happen: how fast is it in the end –"
+    " and would it be slower with more friction?",
+    look="Look at the kink, where sliding becomes rolling, and at what comes after it.",
+    lesson=(
+        "5/7 of the speed is left, {theory rolling_speed}: about the floor friction has no moment.",
+        "So μ decides only when it rolls: from 2 v/(7 μ g) = {theory rolling_start} on.",
+        "[Stock PyBullet: {pybullet stock rolling_speed error}, for its damping goes on when friction is done.]",
+    ),
+    family="sliding-ball",
+    cases={"μ = 0.1, 2 m/s": "μ=0.1,v=2"},
+    profiles=WORLD,
+    quantity="rolling_speed",
+    heading="final speed",
+    beside={"rolling_start": "rolls from"},
+)
+
+TIP = Demonstration(
+    name="tip",
+    title="A box on a slope",
+    question="A box, twice as high as wide, is set on a slope and let go: at 20° with much friction, at 20° with"
+    " little, and at 32° with much. What will happen each time: does it hold, slide or tip?",
+    look="Look at the lean of the box at 32°, and in the table at who disagrees.",
+    lesson=(
+        f"Where tan θ > b/h ({math.degrees(math.atan(boxes.HALF / _HALF_HEIGHT)):.0f}°) the weight misses the base:"
+        " it tips, if μ holds it.",
+        "Below that it slides where tan θ > μ: {theory way at 20°, μ = 0.3} in 1 s at 20° with μ = 0.3.",
+        "[Soft friction creeps: stock MuJoCo moves {mujoco stock way size at 20°, μ = 0.7} where the box should hold.]",
+    ),
+    family="tipping-box",
+    cases={
+        "20°, μ = 0.7": f"h={_HALF_HEIGHT:g},μ=0.7,θ=20°",
+        "20°, μ = 0.3": f"h={_HALF_HEIGHT:g},μ=0.3,θ=20°",
+        "32°, μ = 0.7": f"h={_HALF_HEIGHT:g},μ=0.7,θ=32°",
+    },
+    profiles=WORLD,
+    quantity="outcome",
+    heading="what it does",
+    words={boxes.HOLDS: "holds", boxes.SLIDES: "slides", boxes.TIPS: "tips"},
+)
+
+CRADLE = Demonstration(
+    name="cradle",
+    title="Newton's cradle",
+    question="One ball strikes four others that touch, all alike and elastic, at 1 m/s. What will happen: which of them"
+    " move off, and how fast?",
+    look="Look at the last ball, and at who agrees with whom.",
+    lesson=(
+        "Newton's rule is for one impact. Two at a time, the last ball gets {handwritten tuned last measured}.",
+        "All at once, it gets {handwritten stock last measured}, and the first one"
+        " {handwritten stock first measured}. Both ways keep energy.",
+        "Engines take a step's contacts together[: PyBullet {pybullet tuned last measured}]"
+        "[, MuJoCo {mujoco tuned last measured}].",
+    ),
+    family="cradle",
+    cases={"five, touching": "5 touching"},
+    profiles={"handwritten": {"tuned": "in turn", "stock": "at once"}, **ENGINES},
+    quantity="last",
+    heading="last ball",
+    beside={"first": "first ball", "energy": "energy"},
+)
+
+DEMONSTRATIONS = (BOUNCE, STOP, STACK, TUNNELLING, ROLL, TIP, CRADLE)

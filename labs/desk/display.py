@@ -1,0 +1,125 @@
+"""What a run looks like in a notebook: the replay, and the curve beside it.
+
+Each is an output of its own with a plain-text twin: a notebook that is not trusted yet shows no markup, a terminal none
+at all.
+"""
+
+from __future__ import annotations
+
+import base64
+import io
+from dataclasses import dataclass
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+from labs.desk.case_runs import HANDWRITTEN
+from labs.desk.tables import who
+from reference.report import figures
+from reference.report.summary import Line
+
+if TYPE_CHECKING:
+    from labs.desk.case_runs import Asked
+
+DPI = 110
+_LEVEL = 0.02
+"""Share of its size that a curve changes by, if it is level."""
+_HALF = "flex:1 1 400px;min-width:min(300px,100%);max-width:640px"
+"""Replay and curve side by side where there is room for 400 px each, and else one below the other."""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure as PNG. text: what it shows, for who cannot see it."""
+
+    png: bytes
+    text: str
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        return {"text/plain": self.text, "image/png": self.png}
+
+    @property
+    def markup(self) -> str:
+        """The same as a piece of a page."""
+        content = base64.b64encode(self.png).decode("ascii")
+        return f'<img alt="{escape(self.text)}" style="width:100%" src="data:image/png;base64,{content}">'
+
+
+@dataclass(frozen=True)
+class Replay:
+    """A replay: a frame of its own with a still picture beside it."""
+
+    markup: str
+    text: str
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        return {"text/plain": self.text, "text/html": self.markup}
+
+
+@dataclass(frozen=True)
+class Beside:
+    """A replay and a curve side by side; the curve alone where no page can be shown."""
+
+    replay: Replay
+    curve: Picture
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        halves = "".join(f'<div style="{_HALF}">{each.markup}</div>' for each in (self.replay, self.curve))
+        markup = f'<div style="display:flex;flex-wrap:wrap;gap:0 12px">{halves}</div>'
+        text = f"{self.replay.text}\n{self.curve.text}"
+        return {"text/plain": text, "text/html": markup, "image/png": self.curve.png}
+
+
+def pictures(asked: Asked) -> list[Beside | Replay | Picture]:
+    """Replay and curve, as far as there is anything to see."""
+    moving, plotted = replay(asked), curve(asked)
+    if moving is not None and plotted is not None:
+        return [Beside(moving, plotted)]
+    return [each for each in (moving, plotted) if each is not None]
+
+
+def curve(asked: Asked) -> Picture | None:
+    """The family's curve in every implementation; None where none of them has one."""
+    plotted = [line for line in asked.lines if line.result.series is not None]
+    if not plotted:
+        return None
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    with matplotlib.rc_context(figures.STYLE):
+        figure = Figure(figsize=(figures.WIDTH, figures.HEIGHT), layout="constrained", dpi=DPI)
+        axes = figure.add_subplot()
+        for line in plotted:
+            series = line.result.series
+            assert series is not None
+            sparse: dict[str, Any] = {"markevery": (0.05 * len(axes.lines), 0.4)}
+            axes.plot(*series.dense(), label=who(line), **figures.marker(line), **look(line), **sparse)
+        _widen(axes)
+        axes.set(title=asked.title, xlabel="time, s", ylabel=asked.family.curve.y_label)
+        figure.legend(loc="outside lower left", ncols=2, handlelength=3)
+        content = io.BytesIO()
+        figure.savefig(content, format="png")
+    names = ", ".join(who(line) for line in plotted)
+    return Picture(content.getvalue(), f"[{asked.family.curve.y_label} over time: {names}]")
+
+
+def _widen(axes: Any) -> None:
+    """Show zero where a curve is nearly level: on a scale of its own it would look like a fall."""
+    low, high = axes.get_ylim()
+    if high - low < _LEVEL * max(abs(low), abs(high)):
+        axes.set_ylim(min(low, 0.0), max(high, 0.0))
+
+
+def look(line: Line) -> dict[str, Any]:
+    """A line's colour and stroke: the student's is a broad band in every profile, to be seen below all others."""
+    return figures.line_style(line, as_tuned=line.result.job.engine == HANDWRITTEN)
+
+
+def replay(asked: Asked) -> Replay | None:
+    """All runs in one picture, the student's solid and the engines as outlines; None where nothing ran."""
+    poses = asked.poses
+    if not poses:
+        return None
+    from reference.viewer import assembly, page  # noqa: PLC0415 - a check needs none of it
+
+    clip = assembly.clip(asked.case.scenarios[0], poses, asked.title)
+    return Replay(page.frame(clip), f"[replay: {', '.join(each.title for each in poses.values())}]")

@@ -1,0 +1,251 @@
+"""One parameter moved: small pictures of every value, a line over all of them, and a slider where there is a kernel."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from labs.desk.display import DPI, Picture, curve, look
+from labs.desk.tables import Table, capital, tables
+from reference.catalogue.family import Quantity
+from reference.catalogue.scenarios import find
+from reference.errors import InvalidInput, UnknownName
+from reference.report import figures, numbers
+
+if TYPE_CHECKING:
+    from labs.desk.case_runs import Asked
+    from reference.report.summary import Line
+
+TIMESTEP = "timestep"
+MOST = 8
+"""Small pictures that still can be read."""
+_LARGE, _SMALL, _ROWS = (3.6, 3.4), 1.75, 2
+"""Inches of the large picture, width of a small one, and how many of these stand one below the other."""
+_ALIKE = 10.0
+"""Times that the largest range of a curve may be the smallest one's, if all are to have the same scale."""
+_TIMESTEPS = (1e-3, 2e-3, 1 / 240, 1 / 120)
+"""s, where nothing was recorded at others."""
+_SHORTEST = 1e-3
+"""s; with shorter steps a sweep takes longer than one waits."""
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """Runs over the values of one parameter.
+
+    quantity: what is measured, the family's first if empty. predicted: what was expected of it, empty for nothing.
+    """
+
+    parameter: str
+    values: tuple[float, ...]
+    asked: tuple[Asked, ...]
+    quantity: str = ""
+    predicted: str = ""
+
+    @property
+    def measured(self) -> Quantity:
+        """What the table and the large picture show."""
+        family = self.asked[0].family
+        return family.quantity(self.quantity) if self.quantity else family.quantities[0]
+
+    @property
+    def unit(self) -> str:
+        """Of the parameter; empty for a mere number."""
+        grid = self.asked[0].family.grid
+        units = {each.name: each.unit for each in grid.parameters} if grid else {}
+        return "ms" if self.parameter == TIMESTEP else units[self.parameter]
+
+    def shown(self, value: float) -> float:
+        """A value of the parameter in that unit."""
+        return 1000 * value if self.parameter == TIMESTEP else value
+
+    @property
+    def heading(self) -> str:
+        """The parameter with its unit."""
+        return f"{self.parameter}, {self.unit}" if self.unit else self.parameter
+
+    @property
+    def titles(self) -> dict[str, str]:
+        """The engines that were asked, as they are called; with the mark of a recording where one answered."""
+        found: dict[str, str] = {}
+        for line in self._lines():
+            if line.result.recording or line.result.job.engine not in found:
+                found[line.result.job.engine] = line.result.title
+        return found
+
+    def numbers(self, engine: str) -> list[tuple[float, float | None, float | None]]:
+        """An engine's numbers: the parameter, what was measured, and what theory says."""
+        found = []
+        for value, asked in zip(self.values, self.asked, strict=True):
+            lines = [line for line in asked.lines if line.result.job.engine == engine]
+            row = next((row for line in lines for row in line.result.rows if row.quantity == self.measured.name), None)
+            found.append((value, row.measured if row else None, row.expected if row else None))
+        return found
+
+    def theory(self) -> dict[float, float]:
+        """What theory says, by the parameter's value; nothing where it says nothing."""
+        rows = [row for engine in self.titles for row in self.numbers(engine)]
+        return {value: expected for value, _, expected in rows if expected is not None}
+
+    @property
+    def table(self) -> Table:
+        """Every implementation's numbers, one row a value."""
+        columns, theory = [self.numbers(engine) for engine in self.titles], self.theory()
+        rows = []
+        for place, value in enumerate(self.values):
+            found = [column[place][1] for column in columns]
+            rows.append((numbers.digits(self.shown(value), 3), *map(_digits, (*found, theory.get(value)))))
+        unit = f", {self.measured.unit}" if self.measured.unit else ""
+        title = f"{capital(self.measured.title)}{unit}, by {self.parameter}"
+        lines = list(self._lines())
+        notes = [f"You predicted {self.predicted}."] * bool(self.predicted)
+        notes += [f"{line.result.title}: {line.note}" for line in lines if line.note]
+        recorded = dict.fromkeys(line.result.title for line in lines if line.result.recording)
+        notes += [f"{', '.join(recorded)}: recorded earlier, which is quicker than a run."] * bool(recorded)
+        notes += [asked.snapped for asked in self.asked]
+        headings = (self.heading, *self.titles.values(), "theory")
+        return Table(title, headings, tuple(rows), tuple(dict.fromkeys(note for note in notes if note)))
+
+    def _lines(self) -> Iterator[Line]:
+        return (line for asked in self.asked for line in asked.lines)
+
+    @property
+    def picture(self) -> Picture:
+        """What was measured over all values, and beside it a small picture of the curve for each."""
+        import matplotlib
+        from matplotlib.figure import Figure
+
+        shown = [(value, asked) for value, asked in zip(self.values, self.asked, strict=True) if _has_curve(asked)]
+        columns = -(-len(shown) // _ROWS)
+        with matplotlib.rc_context(figures.STYLE | {"font.size": 8, "axes.titlesize": 9}):
+            figure = Figure(figsize=(_LARGE[0] + _SMALL * columns, _LARGE[1]), layout="constrained", dpi=DPI)
+            shares = [_LARGE[0], max(_SMALL * columns, 1e-3)]
+            large, small = figure.subfigures(1, 2, width_ratios=shares, squeeze=False)[0]
+            axes = large.subplots()
+            _draw_measured(axes, self)
+            if shown:
+                _draw_curves(small, shown, self)
+            large.legend(loc="outside lower left", ncols=4, handlelength=2, columnspacing=1, fontsize=8)
+            content = io.BytesIO()
+            figure.savefig(content, format="png")
+        return Picture(content.getvalue(), f"[{self.measured.title} over {self.parameter}]")
+
+    def value(self, value: float) -> str:
+        """The parameter at a value, with its unit: `arm 0.1 m`, `timestep 2 ms`."""
+        return " ".join(part for part in (self.parameter, numbers.digits(self.shown(value), 3), self.unit) if part)
+
+
+def values_of(scenario: str, parameter: str, values: Sequence[float] | float = ()) -> list[float]:
+    """The values that are run: those given, or some of those that were recorded.
+
+    Raises
+    ------
+    UnknownName, InvalidInput
+        If the scenario has no such parameter, or too many values are given to be seen side by side.
+    """
+    values = [values] if isinstance(values, int | float) else values
+    family, _ = find(scenario)
+    grid = family.grid
+    names = [TIMESTEP, *(grid.names if grid else ())]
+    if parameter not in names:
+        raise UnknownName(f"parameter of {family.name}", parameter, names)
+    if len(values) > MOST:
+        raise InvalidInput(f"{len(values)} values are too many to be seen side by side: at most {MOST}")
+    if values:
+        return list(values)
+    if parameter == TIMESTEP:
+        return _some([value for value in grid.timesteps if value >= _SHORTEST] if grid else _TIMESTEPS)
+    assert grid is not None
+    return _some(next(each.values for each in grid.parameters if each.name == parameter))
+
+
+def _some(values: Sequence[float]) -> list[float]:
+    """Of many values as many as are seen well, evenly."""
+    return list(values[:: max(1, -(-len(values) // (MOST - 2)))])
+
+
+def slide(sweep: Sweep) -> None:
+    """A slider over the runs, where somebody can move it; the pictures above stay for where nobody can."""
+    try:
+        import ipywidgets  # noqa: PLC0415 - without it there is the static picture
+    except ImportError:
+        return
+    from IPython.display import display  # noqa: PLC0415
+
+    if not _somebody_is_there():
+        return
+
+    def show(value: float) -> None:
+        asked = sweep.asked[sweep.values.index(value)]
+        shown: list[Any] = [curve(asked), tables(asked, [sweep.measured.name])]
+        display(*(each for each in shown if each is not None))  # type: ignore[no-untyped-call]
+
+    options = [(sweep.value(value).removeprefix(f"{sweep.parameter} "), value) for value in sweep.values]
+    slider = ipywidgets.SelectionSlider(options=options, description=sweep.parameter, continuous_update=False)
+    if hasattr(slider, "_repr_mimebundle_"):
+        display(_Slider(ipywidgets.interactive(show, value=slider)))  # type: ignore[no-untyped-call]
+    else:  # ipywidgets 7
+        ipywidgets.interact(show, value=slider)
+
+
+class _Slider:
+    """A widget that says in words what it is, where it cannot be shown: in a page made of the notebook."""
+
+    def __init__(self, widget: Any) -> None:
+        self._widget = widget
+
+    def _repr_mimebundle_(self, **named: Any) -> dict[str, Any]:
+        return {**self._widget._repr_mimebundle_(**named), "text/plain": "[a slider, where the notebook runs]"}
+
+
+def _somebody_is_there() -> bool:
+    """Whether a person runs the notebook: who only executes it can be asked nothing, and some wait for the widget."""
+    from IPython import get_ipython  # noqa: PLC0415
+
+    return bool(getattr(getattr(get_ipython(), "kernel", None), "_allow_stdin", False))
+
+
+def _has_curve(asked: Asked) -> bool:
+    return any(line.result.series is not None for line in asked.lines)
+
+
+def _draw_curves(figure: Any, shown: Sequence[tuple[float, Asked]], sweep: Sweep) -> None:
+    columns = -(-len(shown) // _ROWS)
+    places = figure.subplots(_ROWS, columns, squeeze=False, sharex=True, sharey=_are_alike(shown))
+    for axes, (value, asked) in zip(places.flat, shown, strict=False):
+        for line in asked.lines:
+            if line.result.series is not None:
+                axes.plot(line.result.series.times, line.result.series.values, **look(line))
+        axes.set_title(sweep.value(value))
+        axes.tick_params(labelbottom=True)
+    for axes in places.flat[len(shown) :]:
+        axes.set_axis_off()
+    figure.suptitle(sweep.asked[0].family.curve.y_label, x=0.01, horizontalalignment="left", fontsize=9)
+    figure.supxlabel("time, s", fontsize=8)
+
+
+def _are_alike(shown: Sequence[tuple[float, Asked]]) -> bool:
+    """Whether all curves can be read on one scale."""
+    series = [[line.result.series for line in asked.lines if line.result.series] for _, asked in shown]
+    ranges = [max(max(each.values) for each in one) - min(min(each.values) for each in one) for one in series]
+    return max(ranges) <= _ALIKE * min(ranges)
+
+
+def _draw_measured(axes: Any, sweep: Sweep) -> None:
+    looks = {line.result.job.engine: line for asked in sweep.asked for line in asked.lines}
+    theory = sweep.theory()
+    for engine, title in sweep.titles.items():
+        found = [(value, measured) for value, measured, _ in sweep.numbers(engine) if measured is not None]
+        style = {**figures.marker(looks[engine]), **look(looks[engine])}
+        axes.plot([sweep.shown(value) for value, _ in found], [measured for _, measured in found], label=title, **style)
+    places = [sweep.shown(value) for value in theory]
+    axes.plot(places, list(theory.values()), color="#999999", linestyle=":", label="theory")
+    unit = f", {sweep.measured.unit}" if sweep.measured.unit else ""
+    axes.set(title=f"{capital(sweep.measured.title)}{unit}", xlabel=sweep.heading)
+    axes.locator_params(axis="x", nbins=6)
+
+
+def _digits(value: float | None) -> str:
+    return "none" if value is None else numbers.quantity(value, "")

@@ -1,0 +1,318 @@
+"""The calls of one test: functions of a submission by name, in one process, within the test's time.
+
+Threat: answers that are forged, stale or of no plain type, and errors whose text is the student's own. Every answer is
+matched part by part, with the number of its call; every text is made fit to be shown; whatever is odd ends the process.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import time
+from collections import Counter, deque
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from labs.grading.calling import endings
+from labs.grading.calling.load_failures import Failures, is_line
+from labs.grading.calling.processes import LOST, Ended, Host, Limits, Process
+from labs.grading.errors import (
+    FunctionMissing,
+    FunctionRaised,
+    GraderFailed,
+    NoAnswer,
+    NotSteady,
+    OutOfTime,
+    ProcessDied,
+    StudentError,
+    WrongType,
+)
+from labs.grading.safe_text import one_line, plain
+from labs.grading.submission.reading import Submission
+from labs.grading.worker import messages
+from labs.grading.worker.sandbox import Sealing
+from labs.grading.worker.tier import Tier
+from reference import lecture
+from reference.engines.implementation import Implementation
+from reference.errors import InvalidInput, NeedsFunction
+
+_AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
+_STARTING = 10.0  # s for the process itself, before it has seen the submission
+_SHORTENED = 5.0  # times as short is the wait for a function that ran out of time, each time that it did
+_SHORTEST = 0.2  # s, a thousand times what a call takes
+
+
+@dataclass
+class Patience:
+    """How much longer a submission is waited for.
+
+    left: s for all its tests together. slow: how often each function ran out of the time for a call. It is asked again,
+    as one slow call says little of the next, and waited for less long.
+    """
+
+    left: float
+    slow: Counter[str] = field(default_factory=Counter)
+
+    def for_call(self, name: str, whole: float) -> float:
+        """How long to wait for a function's answer, of the whole time that a call has."""
+        return max(whole / _SHORTENED ** self.slow[name], min(whole, _SHORTEST))
+
+
+class Call:
+    """Calls functions of the submission in one process.
+
+    Of the last call: printed, what it printed; changed, which of its arguments it wrote to, by place. Of the process:
+    sealing, how far it is shut in, None before it says so; ended, once it has, how that was and what it used.
+    """
+
+    def __init__(
+        self,
+        submission: Submission,
+        limits: Limits,
+        patience: Patience,
+        fresh: Callable[[], AbstractContextManager[Call]],
+    ) -> None:
+        self._submission, self._limits, self._patience, self._fresh = submission, limits, patience, fresh
+        self._process: Process | None = None
+        self._left = limits.test  # s of waiting that are left to this test
+        self._number = 0
+        self._ahead: deque[tuple[int, str, tuple[Any, ...]]] = deque()  # calls that are sent, and not read yet
+        self._lost: StudentError | None = None
+        self._names: frozenset[str] = frozenset()
+        self._failures = Failures()
+        self.printed = ""
+        self.changed: tuple[int, ...] = ()
+        self.sealing: Sealing | None = None
+
+    def start(self, host: Host) -> None:
+        """Start the process and send it the text, which it runs at once; `begin` asks what came of it."""
+        self._process = host.start(self._limits)
+        text = np.frombuffer(self._submission.text.encode(), np.uint8)  # as bytes, whose commas nobody counts
+        with self._starting():
+            self._process.send(messages.pack((text, self._limits.printed)), _STARTING)
+
+    def begin(self, host: Host, least: Tier, unloadable: StudentError | None = None) -> StudentError | None:
+        """Have the process run the submission's text; returns why that cannot be, for every call to tell.
+
+        least: the tier below which it is not run. unloadable: what was found before, so that it need not be again.
+        """
+        self._lost = unloadable
+        if unloadable is None:
+            if self._process is None:
+                self.start(host)
+            self._seal(least)
+            try:
+                self._load()
+            except StudentError as error:
+                return error
+        return unloadable
+
+    def _seal(self, least: Tier) -> None:
+        """Learn how far the process is shut in, which it says before it runs any of the text."""
+        assert self._process is not None
+        with self._starting():
+            match messages.unpack(self._process.exchange(b"", _STARTING)):
+                case ("sealed", int(tier), list(missing)):
+                    self.sealing = Sealing(Tier(tier), tuple(missing))
+                case _:
+                    raise messages.Refused("it does not say how far it is shut in")
+        if self.sealing.tier < least:
+            offered, lacking = self.sealing.tier.title, "; ".join(self.sealing.missing)
+            raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {lacking}")
+
+    @contextlib.contextmanager
+    def _starting(self) -> Iterator[None]:
+        try:
+            yield
+        except (OSError, EOFError, messages.Refused) as error:
+            assert self._process is not None
+            why = str(error) or endings.reason(self._process.ended)
+            raise GraderFailed(f"a test's process did not start: {why}") from None
+
+    def _load(self) -> None:
+        match self._exchange("the submission, on loading,", b""):
+            case (str(), list(names), list(failures)):
+                self._names = frozenset(name for name in names if isinstance(name, str))
+                self._failures = Failures(failures)
+            case _:
+                raise self._lose(NoAnswer("the submission wrote into the grader's pipe on loading"))
+
+    @property
+    def gone(self) -> bool:
+        """Whether the process has ended by itself."""
+        return self._process is None or self._process.gone
+
+    def __call__(self, name: str, /, *arguments: Any, **named: Any) -> Any:
+        """Call a function; raises a `StudentError` where it does not answer with plain values.
+
+        Arguments and answers are None, bool, int, float, str, tuples and lists of these, NumPy arrays and scalars.
+        """
+        if self._lost is not None:
+            raise self._lost
+        self.printed, self.changed = "", ()
+        foreseen = self._was_foreseen(name, arguments, named)
+        asked, message = (foreseen, b"") if foreseen else self._request(name, arguments, named)
+        match self._exchange(name, message):
+            case (str(), int(number), str(outcome), *rest, str(printed)) if number == asked:
+                self.printed = plain(printed, self._limits.printed)
+                return self._judged(name, outcome, rest, len(arguments) + len(named))
+        raise self._lose(NoAnswer(f"{name} wrote into the grader's pipe instead of answering"))
+
+    def foresee(self, name: str, several: Iterable[tuple[Any, ...]]) -> None:
+        """Send the calls of a function that come next, in this order, so that the process works ahead of us."""
+        if self._lost is not None or self._ahead:
+            return
+        requests = b""
+        for arguments in several:
+            number, request = self._request(name, arguments, {})
+            if len(requests + request) > _AHEAD:
+                break
+            self._ahead.append((number, name, arguments))
+            requests += request
+        assert self._process is not None
+        with self._counted(name) as (_, allowed), contextlib.suppress(OSError):  # no answer will show it
+            self._process.send(requests, allowed)
+
+    def _was_foreseen(self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> int | None:
+        """The call's number if it is the next that was foreseen; if not, the answers to all these are passed over."""
+        while self._ahead:
+            number, ahead, given = self._ahead.popleft()
+            if name == ahead and not named and [*map(id, arguments)] == [*map(id, given)]:
+                return number
+            self._exchange(ahead, b"")
+        return None
+
+    def _request(self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> tuple[int, bytes]:
+        self._number += 1
+        try:
+            return self._number, messages.pack(("call", self._number, name, arguments, list(named.items())))
+        except messages.Refused as refused:
+            raise InvalidInput(f"{name} cannot be called with {refused}") from None
+
+    def _judged(self, name: str, outcome: str, rest: list[Any], arguments: int) -> Any:
+        """The value that was answered. Types come before any comparison: an array compared is no truth value."""
+        match rest:
+            case [float(), list(changed), value] if outcome == "value":
+                written = {place for place in changed if isinstance(place, int) and 0 <= place < arguments}
+                self.changed = tuple(sorted(written))
+                return value
+            case [str(kind), str(text), line] if outcome == "raised":
+                raise self._raised(name, kind, text, line if is_line(line) else None)
+            case [str(why)] if outcome == "refused":
+                allowed = "a number, text, an array or a tuple of these"
+                raise WrongType(f"{name} gave {one_line(why)}; an answer is {allowed}")
+            case [] if outcome == "missing":
+                raise self._missing(name)
+        raise self._lose(NoAnswer(f"{name} wrote into the grader's pipe instead of answering"))
+
+    def steady(self, name: str, /, *arguments: Any, **named: Any) -> Any:
+        """Call a function here and in a fresh process; raises `NotSteady` unless both give the same, bit by bit."""
+        value = self(name, *arguments, **named)
+        with self._fresh() as other:
+            again = other(name, *arguments, **named)
+        if messages.pack(value) != messages.pack(again):
+            raise NotSteady(f"{name} answered the same call otherwise in a fresh process; only the arguments may count")
+        return value
+
+    def defines(self, name: str) -> bool:
+        """Whether the submission has a function of that name."""
+        return name in self._names
+
+    def implementation(self) -> RemoteImplementation:
+        """These functions as what the drivers of scenarios call."""
+        return RemoteImplementation("submission", self)
+
+    def end(self) -> None:
+        """Have the process killed with all that it started."""
+        if self._process is not None:
+            self._process.end()
+
+    @property
+    def ended(self) -> Ended | None:
+        """How the process ended and what it used, None where there was none; nothing of it is left then."""
+        return None if self._process is None else self._process.ended
+
+    def _exchange(self, name: str, message: bytes) -> Any:
+        """Send a message and read the answer, within what time is left; whatever goes wrong ends the process."""
+        assert self._process is not None
+        with self._counted(name) as (for_call, allowed):
+            return self._answered(name, message, for_call, allowed)
+
+    @contextlib.contextmanager
+    def _counted(self, name: str) -> Iterator[tuple[float, float]]:
+        """What a call may take, and what is left for it; what it took, the test and the submission have less."""
+        began, for_call = time.monotonic(), self._patience.for_call(name, self._limits.call)
+        try:
+            yield for_call, max(0.0, min(for_call, self._left, self._patience.left))
+        finally:
+            spent = time.monotonic() - began
+            self._left -= spent
+            self._patience.left -= spent
+
+    def _answered(self, name: str, message: bytes, for_call: float, allowed: float) -> Any:
+        assert self._process is not None
+        try:
+            return messages.unpack(self._process.exchange(message, allowed))
+        except TimeoutError:
+            limit = f"{allowed:.3g} s{self._cut_short(name, allowed, for_call)}"
+            raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
+        except (OSError, EOFError):
+            if self._process.ended is LOST:
+                raise GraderFailed("the nursery, of which a test's process is part, was stopped meanwhile") from None
+            raise self._lose(ProcessDied(f"{name} gave no answer: {endings.reason(self._process.ended)}")) from None
+        except messages.Refused as refused:
+            raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None
+
+    def _cut_short(self, name: str, allowed: float, for_call: float) -> str:
+        """Why it had less time than a call has; notes where it had all that was its own."""
+        if allowed < for_call:
+            whose = "submission" if allowed == max(0.0, self._patience.left) else "test"
+            return f" (the {whose}'s time is up)"
+        self._patience.slow[name] += 1
+        return " (it ran out of time before)" if allowed < self._limits.call else ""
+
+    def _lose(self, error: StudentError) -> StudentError:
+        self._lost = error
+        self.end()
+        return error
+
+    def _missing(self, name: str) -> StudentError:
+        if failure := self._failures.of(name):
+            _, kind, text, line = failure
+            return FunctionRaised(f"{name} could not be defined: {self._said(kind, text, line)}", kind, line)
+        return FunctionMissing(f"{_needs(name)}: it is not in the submission")
+
+    def _raised(self, name: str, kind: str, text: str, line: int | None) -> StudentError:
+        if kind == "NotImplementedError":
+            stub = self._submission.function_at(line) or name
+            return FunctionMissing(f"{f'{name} ' * (stub != name)}{_needs(stub)}: it is not written yet")
+        message = f"{name} raised {self._said(kind, text, line)}"
+        if kind == "NameError" and (failure := self._failures.behind(text)):
+            message += f". On loading: {self._said(*failure[1:])}"
+        return FunctionRaised(message, one_line(kind), line)
+
+    def _said(self, kind: str, text: str, line: int | None) -> str:
+        where = f" ({self._submission.where(line)})" if line else ""
+        return f"{one_line(kind, 100)}{': ' * bool(text)}{one_line(text)}{where}"
+
+
+@dataclass(frozen=True)
+class RemoteImplementation(Implementation):
+    """A submission as what drivers call: they and the trajectory stay here, the functions run over there."""
+
+    call: Call | None = None
+
+    def function(self, name: str) -> Callable[..., Any]:
+        """Return a proxy of the function; where it is not written yet, raise `NeedsFunction`."""
+        call = self.call
+        if call is None or not call.defines(name):
+            raise NeedsFunction(_needs(name))
+        return lambda *arguments, **named: call(name, *arguments, **named)
+
+
+def _needs(name: str) -> str:
+    entry = lecture.FUNCTIONS.get(name)
+    return f"needs {name} ({entry.topic}, step {entry.step})" if entry else f"needs {name}"

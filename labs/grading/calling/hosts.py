@@ -1,0 +1,227 @@
+"""Where tests' processes come from: the nursery on Linux, elsewhere an interpreter for each.
+
+Threat: what a test's process could learn or damage on our side. The nursery is talked to on a socket of its own, which
+no test's process holds; it is started with no environment and no descriptor of ours. While it is open, others of the
+same user cannot look into this process.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import weakref
+from collections import deque
+from collections.abc import Collection
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+
+from labs.grading.calling.processes import LOST, Ended, Limits, Process
+from labs.grading.errors import GraderFailed
+from labs.grading.worker import system
+from labs.grading.worker.sandbox import Plan
+
+MEASURES = ("limits", "user", "death", "privileges", "landlock", "seccomp", "namespace")
+"""What can be left out, to see what the others are worth."""
+
+_FOLDERS = (str(Path(__file__).parents[3]), str(Path(np.__file__).parents[1]))  # ours and NumPy's
+_INTERPRETER = (sys.executable, "-I", "-S", "-B", "-X", "utf8", "-c")
+_START = "import sys; sys.path[:0] = sys.argv[1:3]; from labs.grading.worker import {0}; {0}.main()"
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+_PATIENCE = 30.0  # s for the nursery, which nobody untrusted can keep waiting
+_UNHEARD = 32  # ends that the nursery may say while nobody listens; its socket holds some hundreds
+
+
+class NurseryHost:
+    """The nursery, started when the first test needs it, and anew when it died."""
+
+    def __init__(self, user: int, without: Collection[str] = ()) -> None:
+        self._user, self._without = user, tuple(without)
+        self._lock = threading.Lock()
+        self._tests = 0
+        self._dying: deque[Process] = deque()  # the nursery was told to end them, and has not said that it has
+        self._folder = tempfile.mkdtemp(prefix="grading-")
+        self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
+        _hide(self)
+        self._open()
+
+    def _open(self) -> None:
+        self._before = self._tests  # up to this one they belong to an earlier nursery
+        self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        self._control.settimeout(_PATIENCE)
+        command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), json.dumps(self._without)]
+        with theirs, open(Path(self._folder, "log"), "wb") as log:
+            self._process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=log, pass_fds=[theirs.fileno()],
+                env=dict.fromkeys(_THREADS, "1"), cwd=self._folder, start_new_session=True,
+            )  # fmt: skip
+
+    def start(self, limits: Limits) -> Process:
+        """Have a process forked, without waiting for it; raises `GraderFailed` where there is no nursery to ask."""
+        with self._lock:
+            if self._process.poll() is None:
+                with contextlib.suppress(OSError):  # it is about to end
+                    return self._start(limits)
+            self._stop()
+            self._open()
+            try:
+                return self._start(limits)
+            except OSError:
+                raise GraderFailed(f"the grader's nursery does not answer: {self._log()}") from None
+
+    def _start(self, limits: Limits) -> Process:
+        self._tests += 1
+        folder = str(Path(self._folder, str(self._tests)))
+        plan = Plan(folder, self._user, limits.memory, int(limits.test) + 1, self._without)
+        (their_requests, requests), (answers, their_answers) = os.pipe(), os.pipe()
+        try:
+            self._ask({"start": self._tests, "plan": asdict(plan)}, [their_requests, their_answers])
+        except OSError:
+            os.close(requests)
+            os.close(answers)
+            raise
+        finally:
+            os.close(their_requests)
+            os.close(their_answers)
+        return Process(self._tests, requests, answers, self)
+
+    def end(self, process: Process) -> None:
+        """Have the nursery kill the process and its descendants, without waiting for it."""
+        with self._lock:
+            try:
+                if process.number <= self._before:
+                    raise ConnectionError
+                self._ask({"end": process.number}, [])
+            except OSError:  # the nursery is gone, and its tests with it
+                process.outcome = LOST
+            else:
+                self._dying.append(process)
+            while len(self._dying) > _UNHEARD:
+                self._hear()
+
+    def wait(self, process: Process | None = None) -> None:
+        """Until nothing is left of the process, or of any that was ended."""
+        with self._lock:
+            while self._dying and (process is None or process.outcome is None):
+                self._hear()
+
+    def has_lost(self, process: Process) -> bool:
+        """Whether the process went with its nursery, or is about to."""
+        return process.number <= self._before or self._process.poll() is not None
+
+    def close(self) -> None:
+        """Stop the nursery and what is left of its tests."""
+        with self._lock:
+            self._stop()
+            self._clear()
+            _show(self)
+
+    def _ask(self, request: dict[str, object], descriptors: list[int]) -> None:
+        socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
+
+    def _hear(self) -> None:
+        """Read what the nursery says of the process that it ended next: it goes by the order of the requests."""
+        process = self._dying.popleft()
+        try:
+            said = json.loads(self._control.recv(2**16))
+        except (OSError, ValueError):  # the nursery is gone, or stuck: whatever it says later answers nothing
+            self._process.kill()
+            self._process.wait()
+            for each in (process, *self._dying):
+                each.outcome = LOST
+            self._dying.clear()
+        else:
+            code = os.waitstatus_to_exitcode(said["status"])
+            process.outcome = Ended(code, said["seconds"], said["memory"], said["strays"])
+
+    def _log(self) -> str:
+        log = Path(self._folder, "log").read_text(encoding="utf-8", errors="replace")
+        return log.strip()[-300:] or "it has ended"
+
+    def _stop(self) -> None:
+        while self._dying:
+            self._hear()
+        self._control.close()
+        try:
+            self._process.wait(_PATIENCE)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+
+
+class LoneHost:
+    """A fresh interpreter for each test, where there is no sandbox."""
+
+    def __init__(self) -> None:
+        self._folder = tempfile.mkdtemp(prefix="grading-")
+        self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
+        self._running: dict[int, subprocess.Popen[bytes]] = {}
+
+    def start(self, limits: Limits) -> Process:
+        """Start an interpreter."""
+        command = [*_INTERPRETER, _START.format("lone"), *_FOLDERS, self._folder]
+        kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}  # Windows needs it
+        running = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=self._folder,
+            env=kept | dict.fromkeys(_THREADS, "1"), start_new_session=True, bufsize=0,
+        )  # fmt: skip
+        self._running[running.pid] = running
+        assert running.stdin is not None
+        assert running.stdout is not None
+        pipes = [os.dup(stream.fileno()) for stream in (running.stdin, running.stdout)]
+        running.stdin.close()
+        running.stdout.close()
+        return Process(running.pid, pipes[0], pipes[1], self)
+
+    def end(self, process: Process) -> None:
+        """Kill it, and on POSIX its session."""
+        if process.outcome is None:
+            process.outcome = Ended(self._kill(self._running.pop(process.number)))
+
+    def wait(self, process: Process | None = None) -> None:
+        """Nothing to wait for: what is killed is waited for at once."""
+
+    def has_lost(self, process: Process) -> bool:
+        """Never: each has a life of its own."""
+        return False
+
+    def _kill(self, running: subprocess.Popen[bytes]) -> int:
+        with contextlib.suppress(OSError):
+            if os.name == "posix":
+                os.killpg(running.pid, signal.SIGKILL)
+            running.kill()
+        return running.wait()
+
+    def close(self) -> None:
+        """End what runs."""
+        for running in self._running.values():
+            self._kill(running)
+        self._clear()
+
+
+_hiding: weakref.WeakSet[NurseryHost] = weakref.WeakSet()
+"""Those that are open, where others of this user could look into this process before."""
+
+
+def _hide(host: NurseryHost) -> None:
+    """Keep others of this user from looking into this process, until the last host is closed."""
+    with contextlib.suppress(OSError):
+        if _hiding or system.prctl(system.GET_DUMPABLE) == 1:
+            system.prctl(system.SET_DUMPABLE, 0)
+            _hiding.add(host)
+
+
+def _show(host: NurseryHost) -> None:
+    if host in _hiding:
+        _hiding.remove(host)
+        if not _hiding:
+            system.prctl(system.SET_DUMPABLE, 1)

@@ -1,0 +1,50 @@
+"""Statements of a submission that failed on loading: which name each would have defined, and why it could not be.
+
+Threat: the list is the submission's own, thousands of entries if it likes, and is asked for every error. So it is
+sorted by name once.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import Any, TypeGuard
+
+from labs.grading.submission.cells import CODE_LIMIT
+from labs.grading.worker.serving import Failure
+
+_QUOTED = re.compile(r"'(\w+)'")
+_NAMED = 200  # characters of a NameError's message in which the name stands
+
+
+class Failures:
+    """What failed: by default nothing. said: entries as the worker sends them; odd ones are left out."""
+
+    def __init__(self, said: Iterable[Any] = ()) -> None:
+        self._by_name: dict[str, Failure] = {}  # "" is every name
+        for failure in said:
+            if _is_failure(failure):
+                for name in failure[0] or [""]:
+                    self._by_name.setdefault(name, failure)
+
+    def of(self, name: str) -> Failure | None:
+        """Why a name could not be defined, None where nothing is known of it."""
+        return self._by_name.get(name) or self._by_name.get("")
+
+    def behind(self, message: str) -> Failure | None:
+        """The same of the name that a NameError speaks of."""
+        found = _QUOTED.search(message, 0, _NAMED)
+        return self._by_name.get(found[1]) if found else None
+
+
+def is_line(found: object) -> TypeGuard[int]:
+    """Whether it can be the number of a line."""
+    return isinstance(found, int) and 0 < found <= CODE_LIMIT
+
+
+def _is_failure(found: object) -> TypeGuard[Failure]:
+    """Whether it is what the worker says of a statement that failed: names, type, message, line."""
+    match found:
+        case (list(names), str(), str(), line):
+            return all(isinstance(name, str) for name in names) and (line is None or is_line(line))
+    return False

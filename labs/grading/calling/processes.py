@@ -1,0 +1,161 @@
+"""Our side of a test's process: messages to it and from it, with a deadline.
+
+Threat: a process that never answers, answers without end, or stops reading. Every wait here has a deadline, and
+what is read is limited before it is read.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+from labs.grading.worker import messages
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a test may use. memory: bytes beyond NumPy's. printed: characters that are kept.
+
+    call, test, submission: s of wall-clock time for a call, for all calls of a test, and for all tests together.
+    """
+
+    call: float = 5.0
+    test: float = 20.0
+    submission: float = 180.0
+    memory: int = 2**30
+    printed: int = 10_000
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How a test's process ended: its exit code, or minus the signal; s of processor time, bytes, strays killed."""
+
+    code: int
+    seconds: float = 0.0
+    memory: int = 0
+    strays: int = 0
+
+
+LOST = Ended(-9)
+"""What becomes of a process whose host died: killed with it, and nobody knows more."""
+
+
+class Host(Protocol):
+    """Starts processes for tests and ends them."""
+
+    def start(self, limits: Limits) -> Process: ...  # noqa: D102
+    def end(self, process: Process) -> None: ...  # noqa: D102
+    def wait(self, process: Process | None = None) -> None: ...  # noqa: D102
+    def has_lost(self, process: Process) -> bool: ...  # noqa: D102
+    def close(self) -> None: ...  # noqa: D102
+
+
+class Process:
+    """One test's process: messages to it and from it. The descriptors are ours from now on.
+
+    outcome: how it ended, which its host says when nothing of it is left.
+    """
+
+    def __init__(self, number: int, requests: int, answers: int, host: Host) -> None:
+        self.number, self._requests, self._answers, self._host = number, requests, answers, host
+        self._read = bytearray()
+        self._over = False
+        self.outcome: Ended | None = None
+        if os.name == "posix":
+            os.set_blocking(requests, False)
+            os.set_blocking(answers, False)
+
+    def exchange(self, message: bytes, seconds: float) -> bytes:
+        """Send a message (or nothing) and return the answer without its header.
+
+        Raises TimeoutError after so many seconds, OSError or EOFError when the process hung up, and
+        `messages.Refused` for an answer that is too long.
+        """
+        self.send(message, seconds)
+        until = time.monotonic() + seconds
+        with self._killed_at(until):
+            self._fill(messages.HEADER, until)
+            end = messages.HEADER + messages.length(bytes(self._read[: messages.HEADER]))
+            self._fill(end, until)
+        answer = bytes(self._read[messages.HEADER : end])
+        del self._read[:end]
+        return answer
+
+    def send(self, message: bytes, seconds: float) -> None:
+        """Send a message without waiting for an answer; raises as `exchange`."""
+        until = time.monotonic() + seconds
+        with self._killed_at(until):
+            self._write(message, until)
+
+    @property
+    def gone(self) -> bool:
+        """Whether nobody is left who could answer."""
+        if self._host.has_lost(self):
+            return True
+        if os.name != "posix":
+            return False
+        poll = select.poll()
+        poll.register(self._answers, select.POLLIN)
+        return any(event & select.POLLHUP for _, event in poll.poll(0))
+
+    def end(self) -> None:
+        """Have the process killed with all that it started, without waiting for it; it can answer nothing any more."""
+        if not self._over:
+            self._over = True
+            os.close(self._requests)
+            os.close(self._answers)
+            self._host.end(self)
+
+    @property
+    def ended(self) -> Ended:
+        """How it ended, once nothing of it is left; ends it where that has not been done."""
+        self.end()
+        self._host.wait(self)
+        assert self.outcome is not None
+        return self.outcome
+
+    def _write(self, message: bytes, until: float) -> None:
+        rest = memoryview(message)
+        while rest:
+            try:
+                rest = rest[os.write(self._requests, rest) :]
+            except BlockingIOError:
+                self._wait(self._requests, "POLLOUT", until)
+
+    def _fill(self, count: int, until: float) -> None:
+        """Read until there are so many bytes."""
+        while len(self._read) < count:
+            self._wait(self._answers, "POLLIN", until)
+            part = os.read(self._answers, 2**18)
+            if not part:
+                raise EOFError
+            self._read += part
+
+    def _wait(self, descriptor: int, event: str, until: float) -> None:
+        """Until the pipe is ready; on Windows, whose pipes cannot be asked, the reading itself waits."""
+        if os.name == "posix":
+            poll = select.poll()
+            poll.register(descriptor, getattr(select, event))
+            if not poll.poll(max(0.0, until - time.monotonic()) * 1000):
+                raise TimeoutError
+
+    @contextlib.contextmanager
+    def _killed_at(self, until: float) -> Iterator[None]:
+        """Where a wait cannot be given a deadline, the process is killed at it."""
+        if os.name == "posix":
+            yield
+            return
+        timer = threading.Timer(until - time.monotonic(), self._host.end, [self])
+        timer.start()
+        try:
+            yield
+        except (OSError, EOFError):
+            raise (TimeoutError() if time.monotonic() >= until else EOFError()) from None
+        finally:
+            timer.cancel()

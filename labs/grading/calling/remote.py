@@ -1,0 +1,138 @@
+"""A submission's functions, called as if they were here, run in a process that shuts them in.
+
+    with Remote(submission) as remote, remote.fresh() as call:
+        speed = call("rebound_velocity", -2.0, 0.5)
+
+Each `fresh()` is a process of its own, so one test's crash, loop or patch costs that test. All that a call raises
+because of the submission is a `StudentError`, with a message for the student; `GraderFailed` is ours.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Collection, Iterator
+from types import TracebackType
+from typing import Self
+
+from labs.grading.calling.calls import Call, Patience
+from labs.grading.calling.hosts import LoneHost, NurseryHost
+from labs.grading.calling.processes import Host, Limits
+from labs.grading.errors import GraderFailed, OutOfTime, StudentError
+from labs.grading.submission.reading import Submission
+from labs.grading.worker.tier import Tier
+
+__all__ = ["Call", "Grader", "Limits", "Remote"]
+
+_NOBODY = 65534
+
+
+class Grader:
+    """What runs tests: one for all submissions of a class.
+
+    least: the tier below which nothing is graded. user: the id that tests run as when this is root, `nobody` unless
+    said otherwise. without: measures to leave out (`hosts.MEASURES`), or "nursery" for what other systems offer.
+    """
+
+    def __init__(
+        self,
+        limits: Limits | None = None,
+        *,
+        least: Tier = Tier.PROCESS,
+        user: int = _NOBODY,
+        without: Collection[str] = (),
+    ) -> None:
+        self.limits, self.least = limits or Limits(), least
+        nursery = sys.platform == "linux" and "nursery" not in without
+        self.host: Host = NurseryHost(user, without) if nursery else LoneHost()
+
+    def close(self) -> None:
+        """End all processes."""
+        self.host.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: object, trace: TracebackType | None) -> None:
+        self.close()
+
+
+class Remote:
+    """One submission's functions. Without a grader it has one of its own, which `close` ends."""
+
+    def __init__(self, submission: Submission, grader: Grader | None = None) -> None:
+        self.submission = submission
+        self.grader = grader or Grader()
+        self._own = grader is None
+        self._unloadable: StudentError | None = None
+        self._patience = Patience(self.grader.limits.submission)
+        self._next: Call | None = None
+
+    @property
+    def slow(self) -> frozenset[str]:
+        """The functions of which a call ran out of its time."""
+        return frozenset(self._patience.slow)
+
+    @contextlib.contextmanager
+    def fresh(self) -> Iterator[Call]:
+        """A process for one test, which is told to end where the block does; `close` waits until nothing is left.
+
+        The process for the next test gets ready meanwhile, on another processor if there is one. Where the submission
+        does not even load, or its time is up, later tests are told so without the wait.
+        """
+        if self._patience.left <= 0 and self._unloadable is None:
+            self._unloadable = OutOfTime("the submission has used up the time of all its tests together")
+        call = self._begun()
+        try:
+            if self._unloadable is None:
+                self._get_ready()
+            yield call
+        finally:
+            call.end()
+
+    def _begun(self) -> Call:
+        """The process that got ready; a new one where there is none, or the nursery died and took it along."""
+        ready, self._next = self._next, None
+        if ready is not None:
+            with contextlib.suppress(GraderFailed):
+                if self._begin(ready, self._unloadable) == self._unloadable and not ready.gone:
+                    return ready
+            ready.end()
+        call = self._new()
+        self._unloadable = self._begin(call, self._unloadable)
+        return call
+
+    def _begin(self, call: Call, unloadable: StudentError | None) -> StudentError | None:
+        try:
+            return call.begin(self.grader.host, self.grader.least, unloadable)
+        except BaseException:
+            call.end()
+            raise
+
+    def _new(self) -> Call:
+        return Call(self.submission, self.grader.limits, self._patience, self.fresh)
+
+    def _get_ready(self) -> None:
+        if self._next is None:
+            call = self._new()
+            try:
+                call.start(self.grader.host)
+            except GraderFailed:  # the next test starts its own, and says so if that fails as well
+                call.end()
+            else:
+                self._next = call
+
+    def close(self) -> None:
+        """End the process that nobody needs any more; nothing of any test is left afterwards."""
+        if self._next is not None:
+            self._next.end()
+            self._next = None
+        self.grader.host.wait()
+        if self._own:
+            self.grader.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: object, trace: TracebackType | None) -> None:
+        self.close()

@@ -1,0 +1,141 @@
+"""A submission's functions in the lab's scenarios: driver and trajectory stay here, the functions run in the worker.
+
+A scenario needs functions of several topics. The submission answers for the topic that is tested; all others are right
+ones, so that an earlier mistake costs no points again.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from labs import answers
+from labs.grading.calling.calls import Call
+from reference import lecture
+from reference.catalogue import scenarios
+from reference.catalogue.case import Case
+from reference.catalogue.family import Family
+from reference.comparison.compare import Row, Verdict, compare_case
+from reference.comparison.results import Job
+from reference.engines import engine_names, load_engine
+from reference.engines.implementation import Implementation
+from reference.errors import InvalidInput, NeedsFunction, RunFailed
+from reference.recording.reading import recall
+
+TIMESTEP = 0.02
+"""s. The hand-written drivers solve for the instant of an impact: with long steps as well as with short ones."""
+SINGLE = 1e-4
+"""Share of a number up to which single precision, over all the calls of a run, may be off."""
+MOST_CALLS = 4000
+"""Ten times as many as any of these runs needs: an impact that never ends would go on asking."""
+MOST_NUMBERS, MOST_AXES = 64, 3
+"""Of one array that a function answers in a run: a matrix for each of a few bodies."""
+RIGHT = answers.place() or "solutions"
+"""Where right answers for other topics come from. A student's tree may have none: then these tests are skipped."""
+WITHOUT_OTHERS = "a whole scenario needs right answers of other topics, which this copy of the lab does not have"
+
+
+@dataclass(frozen=True)
+class Mixed(Implementation):
+    """A submission's functions of one topic, and right ones of all others."""
+
+    source: str = RIGHT
+    call: Call | None = None
+    topic: str = ""
+    calls: Iterator[int] = field(default_factory=itertools.count, repr=False, compare=False)
+
+    def function(self, name: str) -> Callable[..., Any]:
+        """Return the submission's function, or the right one where it belongs to another topic."""
+        found, calls = self._function(name), self.calls
+
+        def called(*arguments: Any, **named: Any) -> Any:
+            if next(calls) > MOST_CALLS:
+                raise RunFailed("with these answers the run comes to no end")
+            return found(*arguments, **named)
+
+        return called
+
+    def _function(self, name: str) -> Callable[..., Any]:
+        entry, call = lecture.function(name), self.call
+        written = entry.topic == self.topic and entry.role == "written"
+        if call is None or not (written or (entry.topic == self.topic and call.defines(name))):
+            return super().function(name)
+        theirs = call.implementation().function(name)
+        return lambda *arguments, **named: _arrays(theirs(*arguments, **named))
+
+
+def _arrays(value: Any) -> Any:
+    """Lists, which are as good an answer as arrays, as the drivers need them.
+
+    No larger than any that these runs ask for: a driver that adds a row to a column of thousands fills the memory.
+    """
+    if isinstance(value, tuple):
+        return tuple(map(_arrays, value))
+    array = np.asarray(value)
+    if array.size > MOST_NUMBERS or array.ndim > MOST_AXES:
+        raise RunFailed(f"an answer has the shape {array.shape}, where there is one contact")
+    return array
+
+
+def with_solutions(submission: Any, topic: str) -> Implementation:
+    """The submission's functions of a topic as what the scenarios call; skips the test where others are missing."""
+    try:
+        Implementation(RIGHT).function("ballistic_motion")
+    except (NeedsFunction, InvalidInput):  # no such function, no such package
+        pytest.skip(WITHOUT_OTHERS)
+    return Mixed(call=submission.process(), topic=topic)
+
+
+def compared_with_theory(
+    code: Implementation, family: str, cases: Collection[str], quantities: Collection[str]
+) -> None:
+    """Run cases of a family and raise an AssertionError unless the quantities are what theory says.
+
+    It says what came, what theory says and what the engines gave, as recorded.
+    """
+    found = scenarios.family(family)
+    for name in cases:
+        case = found.case(name)
+        for row in _rows(code, found, replace(case, scenarios=case.scenarios[:1])):
+            if row.quantity in quantities or not row.quantity:
+                assert _is_right(row), _told(found, row)
+
+
+def _rows(code: Implementation, family: Family, case: Case) -> list[Row]:
+    engine = load_engine("handwritten", code)
+    settings = engine.settings(case.scenarios[0], "tuned").change(timestep=TIMESTEP)
+    return compare_case(family, case, engine, "tuned", settings)[0]
+
+
+def _is_right(row: Row) -> bool:
+    if row.verdict in (Verdict.PASS, Verdict.KNOWN_DEVIATION):
+        return True
+    if row.measured is None or row.expected is None:
+        return False
+    return abs(row.measured - row.expected) <= SINGLE * max(abs(row.expected), row.scale or 0.0, 1e-3)
+
+
+def _told(family: Family, row: Row) -> str:
+    if not row.quantity:
+        return f"{family.title}, {row.case}: {row.note}"
+    quantity = family.quantity(row.quantity)
+    physics = "says nothing" if row.expected is None else f"{row.expected:.6g} {row.unit}".rstrip()
+    came = row.note if row.measured is None else f"{row.measured:.6g} {row.unit}".rstrip()
+    lines = [f"{family.title}, {row.case}: {quantity.title}", f"gives   {came}", f"physics {physics}"]
+    engines = [f"{title} {value:.6g}" for title, value in _engines(row)]
+    return "\n".join([*lines, *([f"engines {', '.join(engines)} (recorded)"] if engines else [])])
+
+
+def _engines(row: Row) -> list[tuple[str, float]]:
+    found = []
+    for name in engine_names():
+        result = recall(Job(row.family, name, "tuned", (row.case,))) if name != "handwritten" else None
+        for other in result.rows if result else ():
+            if other.quantity == row.quantity and other.measured is not None:
+                found.append((load_engine(name).title, other.measured))
+    return found

@@ -1,0 +1,58 @@
+"""What is known of one function of a submission: a verdict, the mistakes that explain it, a counterexample."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from labs.grading.diagnosis.fingerprints.reading import Known
+from labs.grading.diagnosis.marks import Answer, Right
+from labs.grading.diagnosis.probes import Probe
+
+Verdict = Literal[
+    "right", "named", "likely", "several", "unknown", "one at a time", "crashes", "shape", "unwritten", "too slow"
+]
+"""right: on every probe. named: one known mistake explains every answer of a single contact. likely: one explains the
+usual cases, but not all limiting ones. several: more than one explains the same. unknown: none does. one at a time:
+right for a single contact only. crashes, shape: it gives no number to compare. unwritten: it is the stub. too slow: it
+ran out of time in a test, and was not asked again."""
+
+
+@dataclass(frozen=True)
+class Counterexample:
+    """The simplest probe that a submission fails, what came of it, and what should have."""
+
+    function: str
+    probe: Probe
+    parameters: tuple[str, ...]
+    answer: Answer
+    right: Right
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What is known of one function of a submission.
+
+    mistakes: the known ones that explain its numbers. counterexample: the simplest probe that it fails. crashes: the
+    errors that it ended in on good input. one_alone: whether the mistake explains single contacts, and several in one
+    call go wrong in another way. crash_in_many: whether it is several alone that end in an error. accepted: cases of
+    bad input that it answered. changes_input: whether it writes into its arguments. odd: of a likely mistake the
+    simplest probe that it does not explain. limits_alone: whether all usual cases are right.
+    """
+
+    function: str
+    verdict: Verdict
+    mistakes: tuple[Known, ...] = ()
+    counterexample: Counterexample | None = None
+    crashes: tuple[str, ...] = ()
+    one_alone: bool = False
+    crash_in_many: bool = False
+    accepted: tuple[str, ...] = ()
+    changes_input: bool = False
+    odd: Counterexample | None = None
+    limits_alone: bool = False
+
+    @property
+    def right(self) -> bool:
+        """Whether every number is right and no input was changed."""
+        return self.verdict == "right" and not self.changes_input

@@ -1,0 +1,190 @@
+"""Making the files of fingerprints from an implementation that is right and a bank of wrong ones."""
+
+from __future__ import annotations
+
+import contextlib
+import inspect
+import itertools
+import json
+import math
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from labs.grading.diagnosis.bank import Misconception, read_bank
+from labs.grading.diagnosis.fingerprints.inheriting import inherited
+from labs.grading.diagnosis.fingerprints.reading import BETWEEN, FOLDER, SCHEMA, VERSION, known, read
+from labs.grading.diagnosis.marks import Array, Mark, Right, ask, mark, outputs
+from labs.grading.diagnosis.probes import Probe, probed, probes
+from reference.engines.implementation import Implementation
+from reference.errors import InvalidInput
+
+NUDGE = 2e-7
+"""Relative change of an input: what rounding to single precision does to it, and still a unit vector of unit length."""
+JUMP = 1e4
+"""An output that moves by more than this many times its size is on an edge: there the scale is its size."""
+DIGITS = 9
+Content = dict[str, Any]
+
+
+def write(folder: Path | None = None, implementation: Implementation | None = None) -> list[Path]:
+    """Write one file a topic and return the files."""
+    written = []
+    for topic, content in build(implementation).items():
+        path = (folder or FOLDER) / f"{topic}.json"
+        path.write_text(lines(content) + "\n", encoding="utf-8")
+        written.append(path)
+    read.cache_clear()
+    known.cache_clear()
+    return written
+
+
+def build(
+    implementation: Implementation | None = None,
+    bank: Iterable[Misconception] | None = None,
+    inheriting: bool = True,
+) -> dict[str, Content]:
+    """The files' content by topic; on request without what a function inherits from others, which takes longest.
+
+    Raises
+    ------
+    InvalidInput
+        If an entry of the bank is right on every probe, or two of them are as far off on all: they are one mistake, or
+        the probes are too few to tell them apart.
+    """
+    right, table = implementation or Implementation("solutions"), tuple(read_bank() if bank is None else bank)
+    content: dict[str, Content] = {}
+    earlier: dict[str, tuple[Callable[..., Any], list[Misconception]]] = {}
+    for entry in probed():
+        head = {"schema": SCHEMA, "version": VERSION, "functions": {}}
+        own = [known for known in table if known.function == entry.name]
+        functions = content.setdefault(entry.topic, head)["functions"]
+        function = inspect.unwrap(right.function(entry.name))
+        functions[entry.name] = learned(entry.name, function, own, earlier if inheriting else {})
+        earlier[entry.name] = function, own
+    return content
+
+
+def learned(
+    name: str,
+    right: Callable[..., Any],
+    bank: list[Misconception],
+    earlier: Mapping[str, tuple[Callable[..., Any], Sequence[Misconception]]] | None = None,
+) -> Content:
+    """What is known of one function, as the file holds it; raises as `build`."""
+    cases = probes(name)
+    answers = [None if probe.group == "refused" else right_answer(right, probe) for probe in cases]
+    marks = {entry.name: marks_of(entry.formula, name, cases, answers) for entry in bank}
+    _tell_apart(name, marks)
+    through = inherited(name, right, earlier or {}, cases, answers, list(marks.values()), marks_of)
+    return {
+        "parameters": list(inspect.signature(right).parameters),
+        "right": [answer and _kept(answer) for answer in answers],
+        "mistakes": {
+            entry.name: {
+                "rationale": entry.rationale,
+                "help": entry.help,
+                "marks": _short(marks[entry.name]),
+            }
+            for entry in bank
+        },
+        "inherited": {BETWEEN.join(ids): _short(own) for ids, own in through},
+    }
+
+
+def marks_of(
+    formula: Callable[..., Any], name: str, cases: Iterable[Probe], answers: Iterable[Right | None]
+) -> list[Mark]:
+    """How far a formula is from right on each probe that has a right answer."""
+    pairs = [(probe, answer) for probe, answer in zip(cases, answers, strict=True) if answer]
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        said = ask(lambda _, *arguments: formula(*arguments), name, [probe for probe, _ in pairs])
+    return [mark(answer, right) for answer, (_, right) in zip(said, pairs, strict=True)]
+
+
+def _tell_apart(name: str, marks: Mapping[str, list[Mark]]) -> None:
+    for entry, own in marks.items():
+        if all(known.right for known in own):
+            raise InvalidInput(f"{name}/{entry} is right on every probe; drop it, or add a probe that shows it")
+        if all(known.failure for known in own):
+            raise InvalidInput(f"{name}/{entry} fails on every probe: its formula is broken")
+    for first, second in itertools.combinations(marks, 2):
+        if all(a.agrees(b) for a, b in zip(marks[first], marks[second], strict=True)):
+            raise InvalidInput(f"{name}/{first} and {name}/{second} give the same numbers; merge them or add a probe")
+
+
+# Right answers
+
+
+def right_answer(function: Callable[..., Any], probe: Probe) -> Right:
+    """What the function returns, with the size of the numbers that went into it."""
+    value = function(*probe.arguments)
+    count = len(value) if isinstance(value, tuple) else 1
+    found = outputs(value, count)
+    assert found is not None
+    moved = [outputs(value, count) for value in _beside(function, probe)]
+    scales = [_scale(array, [other[place] for other in moved if other]) for place, array in enumerate(found)]
+    return Right(found, tuple(scales))
+
+
+def _beside(function: Callable[..., Any], probe: Probe) -> Iterator[Any]:
+    for seed in range(2):
+        with contextlib.suppress(ValueError):  # nudged past a limit, such as two equal coefficients of friction
+            yield function(*_nudged(probe.arguments, seed))
+
+
+def _scale(array: Array, moved: list[Array]) -> float:
+    finite = array[np.isfinite(array)]
+    size = float(np.max(np.abs(finite), initial=0.0))
+    with np.errstate(invalid="ignore"):
+        shifts = np.array([np.max(np.nan_to_num(np.abs(other - array), nan=0.0), initial=0.0) for other in moved])
+    reach = float(np.max(shifts, initial=0.0)) / NUDGE
+    scale = max(size, reach) if reach <= JUMP * max(size, 1e-3) else size
+    # A power of two, so that two machines agree on it; by 0.9, as the sizes of cases made by hand are such powers.
+    return float(2.0 ** math.ceil(math.log2(0.9 * scale))) if scale else 1.0
+
+
+def _nudged(value: Any, seed: int) -> Any:
+    """The input with every number changed a little; whole numbers and flags stay."""
+    rng = np.random.default_rng(seed)
+
+    def change(item: Any) -> Any:
+        if isinstance(item, tuple):
+            return tuple(change(part) for part in item)
+        if isinstance(item, np.ndarray):
+            return item * (1 - NUDGE * rng.uniform(size=item.shape))  # less, never more: e = 1 must not pass 1
+        return item * (1 - NUDGE * rng.uniform()) if isinstance(item, float) else item
+
+    return change(value)
+
+
+# The files
+
+
+def _short(marks: Iterable[Mark]) -> list[Any]:
+    return [known.failure or _digits(known.deviation) for known in marks]
+
+
+def _kept(answer: Right) -> list[list[Any]]:
+    pairs = zip(answer.outputs, answer.scales, strict=True)
+    return [[list(array.shape), [_digits(number) for number in array.ravel()], scale] for array, scale in pairs]
+
+
+def _digits(number: float) -> float | int | str:
+    """A number of nine digits; a word for what JSON has none for."""
+    if not math.isfinite(number):
+        return str(float(number))
+    rounded = float(f"{number:.{DIGITS}g}")
+    return int(rounded) if rounded == int(rounded) and abs(rounded) < 1e9 else rounded
+
+
+def lines(content: Any, depth: int = 6) -> str:
+    """JSON with a line for each entry down to some depth, so that a mistake that changes changes few lines."""
+    if depth == 0 or not isinstance(content, Mapping) or not content:
+        return json.dumps(content, ensure_ascii=False, separators=(",", ":"))
+    entries = (f"{json.dumps(name, ensure_ascii=False)}: {lines(value, depth - 1)}" for name, value in content.items())
+    return "{\n" + ",\n".join(entries) + "\n}"

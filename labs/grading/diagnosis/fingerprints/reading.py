@@ -1,0 +1,115 @@
+"""Reading the files of fingerprints."""
+
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from labs.grading.diagnosis.marks import Mark, Right
+from reference import lecture
+from reference.errors import InvalidInput, UnknownName
+
+SCHEMA, VERSION = "collisions-lab/fingerprints", 1
+FOLDER = Path(__file__).parent
+BETWEEN = " | "
+"""Between the ids of mistakes that another function inherits alike."""
+
+
+@dataclass(frozen=True)
+class Known:
+    """One known mistake without its formula: its marks, one a probe, and its texts.
+
+    origins: the ids of the mistakes that it may come from, where it lies in another function that this one uses.
+    """
+
+    id: str
+    rationale: str
+    help: str
+    marks: tuple[Mark, ...]
+    origins: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Knowledge:
+    """What is known of one function: the names of its parameters, the right answers, and the mistakes.
+
+    right: one entry a probe; None where bad input is to be refused.
+    """
+
+    function: str
+    parameters: tuple[str, ...]
+    right: tuple[Right | None, ...]
+    mistakes: tuple[Known, ...]
+
+
+@functools.cache
+def known(function: str) -> Knowledge:
+    """What is known of a function.
+
+    Raises
+    ------
+    UnknownName
+        If the lecture has no such function or there are no fingerprints of it.
+    InvalidInput
+        If the file is not one of fingerprints, or of another version.
+    """
+    topic = lecture.function(function).topic
+    path = FOLDER / f"{topic}.json"
+    functions = read(path)["functions"] if path.exists() else {}
+    if function not in functions:
+        raise UnknownName("function with fingerprints", function, functions)
+    return _knowledge(function, functions[function])
+
+
+@functools.cache
+def read(path: Path) -> Mapping[str, Any]:
+    """The content of a file; refuse what is none of ours."""
+    content: Mapping[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    found = content.get("schema"), content.get("version")
+    if found != (SCHEMA, VERSION):
+        raise InvalidInput(f"{path.name} is {found[0]} {found[1]}, not {SCHEMA} {VERSION}; make the fingerprints anew")
+    return content
+
+
+def _knowledge(function: str, entry: Mapping[str, Any]) -> Knowledge:
+    right = tuple(None if answer is None else _right(answer) for answer in entry["right"])
+    own = tuple(
+        Known(f"{function}/{name}", text["rationale"], text["help"], tuple(map(_mark, text["marks"])))
+        for name, text in entry["mistakes"].items()
+    )
+    others = tuple(_inherited(function, ids, marks) for ids, marks in entry["inherited"].items())
+    return Knowledge(function, tuple(entry["parameters"]), right, own + others)
+
+
+def _inherited(function: str, ids: str, marks: list[Any]) -> Known:
+    """A mistake of a function that is right itself; its texts are those of where it comes from."""
+    origins = tuple(ids.split(BETWEEN))
+    texts = [_own(*origin.split("/", 1)) for origin in origins]
+    names = " or ".join(dict.fromkeys(origin.split("/")[0] for origin in origins))
+    rationale = f"It answers as if it were right itself and used a wrong {names}: " + " Or: ".join(
+        text["rationale"] for text in texts
+    )
+    return Known(f"{function} < {ids}", rationale, texts[0]["help"], tuple(map(_mark, marks)), origins)
+
+
+def _own(function: str, name: str) -> Mapping[str, str]:
+    content = read(FOLDER / f"{lecture.function(function).topic}.json")
+    texts: Mapping[str, str] = content["functions"][function]["mistakes"][name]
+    return texts
+
+
+def _right(answer: list[list[Any]]) -> Right:
+    arrays = tuple(np.asarray(numbers, dtype=float).reshape(shape) for shape, numbers, _ in answer)
+    return Right(arrays, tuple(scale for *_, scale in answer))
+
+
+def _mark(number: Any) -> Mark:
+    if isinstance(number, str):
+        return Mark(failure=number)  # type: ignore[arg-type]
+    return Mark(number, abs(number))

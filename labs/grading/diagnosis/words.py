@@ -1,0 +1,154 @@
+"""A diagnosis in words, for a terminal and for feedback."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from labs.grading.diagnosis.findings import Counterexample, Diagnosis
+from labs.grading.diagnosis.marks import Answer, Right, outputs
+from labs.grading.safe_text import one_line
+from labs.grading.wrapping import WIDTH
+
+ODD = "Something else is wrong besides:"
+MOST = 12
+"""Numbers of an array that are still shown one by one."""
+
+
+def told(diagnosis: Diagnosis) -> str:
+    """All of a diagnosis, some lines."""
+    first, *others = verdict(diagnosis)
+    lines = [line for paragraph in (f"{diagnosis.function}: {first}", *others) for line in _wrapped(paragraph)]
+    for opening, example in (("For example", diagnosis.counterexample), (ODD, diagnosis.odd)):
+        lines += [opening, textwrap.indent(example_of(example), "  ")] if example else []
+    return "\n".join([*lines, *(line for paragraph in besides(diagnosis) for line in _wrapped(paragraph))])
+
+
+def example_of(found: Counterexample) -> str:
+    """What was tried, what the function gave, and what is right: some lines."""
+    tried = called(found.parameters, found.probe.arguments, found.function)
+    case = f", {found.probe.note}" if found.probe.note else ""
+    return f"{tried}{case}\n{compared(found.answer, found.right)}"
+
+
+def verdict(diagnosis: Diagnosis) -> list[str]:
+    """What is wrong, and the hint: a paragraph each. The first follows the function's name."""
+    first = next(iter(diagnosis.mistakes), None)
+    if first is None:
+        limits = diagnosis.verdict == "unknown" and diagnosis.limits_alone
+        return [_AT_LIMITS if limits else _WITHOUT_NAME[diagnosis.verdict]]
+    if diagnosis.verdict == "named":
+        return [first.rationale, f"Hint: {first.help}"]
+    if diagnosis.verdict == "likely":
+        opening = "most of its numbers fit this mistake" + (
+            ":" if diagnosis.odd else ", not all of them: something else is wrong besides."
+        )
+        return [opening, f"- {first.rationale}", f"Hint: {first.help}"]
+    opening = "its numbers fit more than one mistake, and do not say which it is:"
+    return [opening, *(f"- {each.rationale}" for each in diagnosis.mistakes)]
+
+
+def besides(diagnosis: Diagnosis) -> list[str]:
+    """What else was seen, a paragraph each."""
+    found = []
+    if diagnosis.changes_input:
+        found.append("It writes into its arguments, as a += b and a[0] = b do: the caller's own arrays change.")
+    if diagnosis.one_alone and not diagnosis.crash_in_many:
+        found.append("With several cases in one call it is wrong in another way besides.")
+    if diagnosis.crashes and diagnosis.verdict not in ("crashes", "unwritten"):
+        where = "With several cases in one call" if diagnosis.crash_in_many else "On some input"
+        found.append(f"{where} it ends in an error: {diagnosis.crashes[0]}")
+    if diagnosis.accepted and diagnosis.verdict != "unwritten":
+        found.append(f"It should refuse, with a ValueError: {'; '.join(diagnosis.accepted)}.")
+    return found
+
+
+_AT_LIMITS = "right in the usual cases, not yet in limiting ones."
+_WITHOUT_NAME = {
+    "right": "right on every probe.",
+    "unwritten": "not written yet.",
+    "crashes": "it ends in an error.",
+    "shape": "what it returns has not the shape that its description promises.",
+    "one at a time": "right for one case, not yet for several in one call.",
+    "unknown": "its numbers are wrong, in a way that the lab does not know.",
+    "too slow": "it gave no answer in time, and was asked no more. Does every loop in it come to an end?",
+}
+
+
+def _wrapped(text: str) -> list[str]:
+    return textwrap.wrap(text, WIDTH, break_on_hyphens=False)
+
+
+def called(parameters: Sequence[str], arguments: Sequence[Any], function: str = "") -> str:
+    """Arguments by name where it is known, `velocity=(0, 0, -2), restitution=0.5`; of a function, as its call."""
+    names = [f"{name}=" for name in parameters] or [""] * len(arguments)
+    given = ", ".join(f"{name}{shown(value)}" for name, value in zip(names, arguments, strict=False))
+    return f"{function}({given})" if function else given
+
+
+def compared(answer: Answer, right: Right) -> str:
+    """What came and what should have: two lines."""
+    truths = _are_truths(answer.value, right)
+    expected = ", ".join(shown(array.astype(bool) if truths else array) for array in right.outputs)
+    found = outputs(answer.value, len(right.outputs))
+    if answer.error:
+        came = answer.error
+    elif found is None:
+        came = no_answer(answer.value, len(right.outputs), answer.printed)
+    else:
+        came = ", ".join(shown(array.astype(bool) if truths else array) for array in found)
+        if [array.shape for array in found] != [array.shape for array in right.outputs]:
+            came += f" of shape {_shapes(found)} instead of {_shapes(right.outputs)}"
+    return f"gives   {came}\nphysics {expected}"
+
+
+def no_answer(value: Any, count: int, printed: str = "") -> str:
+    """What was returned where a number, or so many arrays, should be. printed: by the same call."""
+    wanted = "a number or an array" if count == 1 else f"{count} arrays"
+    if value is None:
+        return "nothing (None): it prints, and has to return" if printed else "nothing (None): is a return missing?"
+    if isinstance(value, str):
+        return f"the text {one_line(repr(value), 40)} instead of {wanted}"
+    if isinstance(value, tuple | list) and count > 1 and len(value) != count:
+        return f"{len(value)} thing{'s' * (len(value) != 1)} instead of {count}"
+    if isinstance(value, tuple | list):
+        return f"a {type(value).__name__} that is not {wanted} of numbers"
+    return f"one {'array' if isinstance(value, np.ndarray) else type(value).__name__} instead of {wanted}"
+
+
+def _are_truths(value: Any, right: Right) -> bool:
+    """Whether the answer is True or False, or an array of these, as the right one is."""
+    is_truth = isinstance(value, bool | np.bool_) or (isinstance(value, np.ndarray) and value.dtype == bool)
+    return is_truth and all(np.isin(array, (0, 1)).all() for array in right.outputs)
+
+
+def _shapes(arrays: Sequence[Any]) -> str:
+    return ", ".join(str(array.shape) for array in arrays)
+
+
+def shown(value: Any) -> str:
+    """A value in few digits: a diagonal matrix as `diag(2, 2, 2)`, of a long array only its shape."""
+    if isinstance(value, tuple):
+        return "(" + ", ".join(shown(item) for item in value) + ")"
+    array = np.asarray(value)
+    if array.dtype.kind not in "biuf":
+        return repr(value)
+    if array.size > MOST:
+        return f"an array {array.shape}"
+    if _is_diagonal(array):
+        return f"diag{_nested(np.diagonal(array).tolist())}"
+    return _nested(array.tolist())
+
+
+def _is_diagonal(array: Any) -> bool:
+    square = array.ndim == 2 and array.shape[0] == array.shape[1] > 1
+    return square and array.dtype.kind != "b" and not np.any(array[~np.eye(len(array), dtype=bool)])
+
+
+def _nested(value: Any) -> str:
+    if isinstance(value, list):
+        return "(" + ", ".join(map(_nested, value)) + ")"
+    return str(value) if isinstance(value, bool) else f"{float(value) + 0.0:.6g}"

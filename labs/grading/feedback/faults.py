@@ -1,0 +1,162 @@
+"""What a student reads of one function that is wrong: what to mend first, what was tried, and what is known of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from labs.grading.diagnosis.findings import Counterexample, Diagnosis
+from labs.grading.diagnosis.words import ODD, besides, example_of, verdict
+from labs.grading.feedback.error_advice import Advice
+from labs.grading.judging.sheet import Sheet
+from labs.grading.wrapping import folded
+
+MOST_PARTS = 2
+"""Parts of a function that are told with what was tried; one where the mistake has a name, or lies elsewhere first."""
+_SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow")
+"""Verdicts that say no more than what was tried and what came."""
+_NOT_PHYSICS = ("crashes", "shape", "too slow", "one at a time")
+"""Verdicts on which a hint about the slide does not bear."""
+_RIGHT_ALONE = ("right", "one at a time", "unwritten")
+"""Verdicts on a function that gives no wrong number to one that calls it for a single case."""
+_NO_ANSWER = re.compile(
+    r"^gives +(nothing \(None\).*|.* instead of (a number or an array|\d+( arrays)?)|a \w+ that is not .*)$",
+    re.MULTILINE,
+)
+"""What is said of an answer that is None, of another type, or another number of things."""
+_NEEDS = re.compile(r": needs \w+ \(")
+"""Of a whole scenario that lacks another function."""
+Told = Sequence[tuple[str, str]]
+"""Parts, each with what was tried and what came of it."""
+
+
+def share(sheet: Sheet, name: str) -> str:
+    """How much of a wrong function is right, to go on from."""
+    parts = [part.passed for outcome in sheet.about(name) for part in outcome.parts]
+    return f"  {sum(parts)} of {len(parts)} parts right" if any(parts) else ""
+
+
+def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
+    """What to mend first, what was tried and came, what is known of it, what to look at, and what else is not so."""
+    failures = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
+    uses = [each for each in sheet.uses.get(name, []) if each in sheet.diagnoses]
+    diagnosis, told = _certain(sheet, name, uses, failures)
+    yield from _first(sheet, name, uses)
+    for reason, said in told:
+        yield from folded(f"Not yet: {reason}", 1)
+        yield from _indented(said, advice, bool(diagnosis and diagnosis.verdict == "named"))
+    if diagnosis and not diagnosis.right:
+        yield from _diagnosed(diagnosis, [said for _, said in told], advice)
+    if _hint_bears(diagnosis, bool(uses), told, advice):
+        helps = dict.fromkeys(outcome.help for outcome in sheet.about(name) if outcome.help and not outcome.passed)
+        yield from (line for help in helps for line in folded(f"Hint: {help}", 1))
+    others = [reason for reason, _ in failures if reason not in [reason for reason, _ in told]]
+    if others:
+        yield from folded(f"{'Not yet either' if told else 'Not yet'}: {'; '.join(others)}", 1)
+
+
+def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tuple[Diagnosis | None, Told]:
+    """What is known of its own mistakes, and what to tell of its parts. uses: wrong functions that it calls.
+
+    Where one of these gives it wrong numbers, nothing is known but whether there is an answer at all, and which errors
+    it does not share with them.
+    """
+    diagnosis = sheet.diagnoses.get(name)
+    if any(sheet.diagnoses[other].verdict not in _RIGHT_ALONE for other in uses):
+        theirs = {_own(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
+        none = [(reason, said) for reason, said in failures if said.startswith("raised ") or _NO_ANSWER.search(said)]
+        return None, _told([(reason, said) for reason, said in none if said not in theirs], 1)
+    if diagnosis and uses:
+        diagnosis = replace(diagnosis, crashes=(), one_alone=False)  # with many it fails as they do
+    return diagnosis, _told(failures, 1 if uses or (diagnosis and diagnosis.mistakes) else MOST_PARTS)
+
+
+def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:
+    """What lies outside of it: functions to be mended before it, and variables that it finds elsewhere."""
+    slow = [other for other in uses if sheet.diagnoses[other].verdict == "too slow"]
+    if slow:
+        yield from folded(f"It calls your {listed(slow)}, which gave no answer in time: mend that first.", 1)
+    elif len(uses) == 1:
+        yield from folded(f"It calls your {uses[0]}, which is not right yet: mend that first.", 1)
+    elif uses:
+        yield from folded(f"It calls your {listed(uses)}, which are not right yet: mend them first.", 1)
+    for variable, cell in sheet.borrows.get(name, {}).items():
+        if variable not in sheet.given:
+            yield from folded(f"It takes {variable} from {cell}, not from its arguments: is that meant?", 1)
+
+
+def _told(failures: Told, most: int) -> Told:
+    """The parts that are told with what was tried, no two of which say the same."""
+    first = {_gist(said): (reason, said) for reason, said in reversed(failures) if said}
+    told = [failure for failure in failures if failure in first.values()]
+    told = [(reason, said) for reason, said in told if not _NEEDS.search(said)] or told
+    return told[: 1 if told and _NO_ANSWER.search(told[0][1]) else most]
+
+
+def _gist(said: str) -> str:
+    """What a failure says: of an answer that is none the example does not matter."""
+    return found[0] if (found := _NO_ANSWER.search(said)) else said
+
+
+def _hint_bears(diagnosis: Diagnosis | None, elsewhere: bool, told: Told, advice: Advice) -> bool:
+    """Whether the test's own hint, on the physics, says something of what went wrong, and nothing else does."""
+    if elsewhere or (told and all(_NO_ANSWER.search(said) or advice.known(said) for _, said in told)):
+        return False
+    return not diagnosis or not (diagnosis.mistakes or diagnosis.limits_alone or diagnosis.verdict in _NOT_PHYSICS)
+
+
+def _own(said: str, name: str) -> str:
+    """What was said of a function, below its name."""
+    return "\n".join(line.removeprefix(f"{name} ") for line in said.splitlines())
+
+
+def _indented(said: str, advice: Advice, named: bool = False) -> Iterator[str]:
+    """What was tried and what came of it, with advice that was not given yet. named: its mistake says what to do."""
+    for line in said.splitlines():
+        yield from folded(line, 2)
+    if not named or "\ngives " not in said:
+        yield from _advised(said, advice)
+
+
+def _advised(said: str, advice: Advice) -> Iterator[str]:
+    if words := advice.new(said):
+        yield from folded(f"→ {words}", 2)
+
+
+def _diagnosed(diagnosis: Diagnosis, told: Sequence[str], advice: Advice) -> Iterator[str]:
+    """What is known of the mistake: no example and no error where the tests have shown one already."""
+    if diagnosis.limits_alone or not (told and diagnosis.verdict in _SAID_BY_THE_EXAMPLE):
+        first, *others = verdict(diagnosis)
+        if diagnosis.verdict != "named":  # a mistake's own text may begin with a symbol, such as e
+            first = first[:1].upper() + first[1:]
+        yield from (line for paragraph in (first, *others) for line in folded(paragraph, 1))
+    if (example := diagnosis.counterexample) and not _is_shown(diagnosis, example, told):
+        yield from folded("For example", 1)
+        yield from _indented(example_of(example), advice, diagnosis.verdict == "named")
+    if diagnosis.odd and not any(advice.known(said) for said in told):
+        yield from folded(ODD, 1)
+        yield from _indented(example_of(diagnosis.odd), advice)
+    shown = any(said.startswith(("raised ", "needs ", "gave ")) for said in told)
+    rest = replace(diagnosis, accepted=(), crashes=() if shown else diagnosis.crashes)
+    for paragraph in besides(rest):
+        yield from folded(paragraph.replace(f"error: {diagnosis.function} raised ", "error: "), 1)
+        yield from _advised(paragraph, advice)
+
+
+def _is_shown(diagnosis: Diagnosis, example: Counterexample, told: Sequence[str]) -> bool:
+    """Whether what the tests told shows the mistake, so that an example adds nothing."""
+    in_many = diagnosis.verdict == "one at a time" or bool(example.answer.error)
+    if told and in_many:
+        return True
+    return any("\nphysics " in said for said in told) and not (diagnosis.odd and any(map(_is_no_number, told)))
+
+
+def _is_no_number(said: str) -> bool:
+    """Whether nan or inf came: the mistake that numbers show is not to be seen there."""
+    return bool(re.search(r"^gives .*\b(nan|inf)\b", said, re.MULTILINE))
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names in a sentence."""
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

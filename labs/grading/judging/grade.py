@@ -1,0 +1,150 @@
+"""A grade: what a submission earned by test, function and topic, as one file that everything else is made from.
+
+`grade.json` is written when no process of the submission is left, to a temporary file that is renamed last, and is
+readable by its owner alone. Points are whole numbers.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import tempfile
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from labs.grading.calling.remote import Grader
+from labs.grading.diagnosis.words import told
+from labs.grading.judging.pytest_run import HIDDEN, VISIBLE, run, topics_of
+from labs.grading.judging.sheet import Outcome, Sheet
+from reference import lecture
+from reference.errors import InvalidInput
+
+SCHEMA, VERSION = "collisions-lab/grade", 1
+
+
+@dataclass(frozen=True)
+class Grade:
+    """What a submission earned. topics: those that were tested. sheet: all outcomes, with the tier of isolation."""
+
+    topics: tuple[str, ...]
+    sheet: Sheet
+
+    def content(self) -> dict[str, Any]:
+        """The grade as plain data, as the file holds it."""
+        sheet = self.sheet
+        return {
+            "schema": SCHEMA,
+            "version": VERSION,
+            "submission": sheet.submission,
+            "tier": sheet.tier,
+            "complaints": sheet.complaints,
+            **_points(sheet.outcomes),
+            "topics": [{"name": name, **_points(self._about(name))} for name in self.topics],
+            "functions": [self._function(name) for name in self._functions()],
+            "tests": [_test(outcome) for outcome in sheet.outcomes],
+        }
+
+    def write(self, path: Path | str) -> None:
+        """Write the file in one go: whoever reads it sees the old one or the new one."""
+        path = Path(path)
+        descriptor, name = tempfile.mkstemp(prefix=f".{path.name}-", dir=path.parent)  # of mode 0600
+        try:
+            with open(descriptor, "w", encoding="utf-8") as file:
+                json.dump(self.content(), file, ensure_ascii=False, indent=1, allow_nan=False)
+                file.write("\n")
+                file.flush()
+                os.fsync(file.fileno())
+            os.replace(name, path)
+        except BaseException:
+            with contextlib.suppress(FileNotFoundError):
+                os.unlink(name)
+            raise
+
+    def _about(self, topic: str) -> list[Outcome]:
+        return [outcome for outcome in self.sheet.outcomes if _topic(outcome) == topic]
+
+    def _functions(self) -> list[str]:
+        return list(dict.fromkeys(outcome.function for outcome in self.sheet.outcomes if outcome.function))
+
+    def _function(self, name: str) -> dict[str, Any]:
+        diagnosis = self.sheet.diagnoses.get(name)
+        return {
+            "name": name,
+            "topic": lecture.function(name).topic,
+            **_points(outcome for outcome in self.sheet.outcomes if outcome.function == name),
+            "verdict": diagnosis.verdict if diagnosis else "right",
+            "mistakes": [known.id for known in diagnosis.mistakes] if diagnosis else [],
+            "message": told(diagnosis) if diagnosis else "",
+        }
+
+
+def grade(
+    path: Path | str,
+    topics: Collection[str] | None = None,
+    folders: Iterable[str] = (VISIBLE, HIDDEN),
+    grader: Grader | None = None,
+) -> Grade:
+    """Grade a file: the topics named, or those of which it defines a function.
+
+    Whoever grades many hands in a grader for all of them, which saves the start of one for each.
+
+    Raises
+    ------
+    UnreadableSubmission, InvalidInput, GraderFailed
+        If the file cannot be read, no topic is named and it has a function of none, or the tests cannot be run.
+    """
+    wanted = tuple(topics) if topics is not None else topics_of(path)[1]
+    if not wanted:
+        raise InvalidInput(
+            f"{Path(path).name} defines no function of the lab; name the topic that it is to be graded for"
+        )
+    return Grade(wanted, run(path, wanted, folders, grader))
+
+
+def read_grade(path: Path | str) -> dict[str, Any]:
+    """The content of a file; raises `InvalidInput` where it is no grade, or of another version."""
+    try:
+        content: dict[str, Any] = json.loads(Path(path).read_text(encoding="utf-8"))
+        found = content.get("schema"), content.get("version")
+    except (ValueError, AttributeError):
+        raise InvalidInput(f"{str(path)!r} is no grade") from None
+    if found != (SCHEMA, VERSION):
+        raise InvalidInput(f"{str(path)!r} is {found[0]} {found[1]}, not {SCHEMA} {VERSION}")
+    return content
+
+
+def _points(outcomes: Iterable[Outcome]) -> dict[str, int]:
+    pairs = [(outcome.earned, outcome.points) for outcome in outcomes]
+    return {"got": sum(got for got, _ in pairs), "possible": sum(possible for _, possible in pairs)}
+
+
+def _topic(outcome: Outcome) -> str:
+    return lecture.function(outcome.function).topic if outcome.function else ""
+
+
+def _test(outcome: Outcome) -> dict[str, Any]:
+    return {
+        "name": outcome.test,
+        "title": outcome.title,
+        "function": outcome.function,
+        "topic": _topic(outcome),
+        "hidden": outcome.hidden,
+        "passed": outcome.passed,
+        "got": outcome.earned,
+        "possible": outcome.points,
+        "message": outcome.said,
+        "rationale": outcome.rationale,
+        "help": outcome.help,
+        "parts": [
+            {
+                "reason": part.reason,
+                "got": part.points if part.passed else 0,
+                "possible": part.points,
+                "message": part.said,
+            }
+            for part in outcome.parts
+        ],
+    }

@@ -1,0 +1,107 @@
+"""What a test that pytest ran came to: its points, and words of it that may be told."""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from typing import Any
+
+import pytest
+
+from labs.grading.calling.remote import Remote
+from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.diagnosis.naming import diagnose
+from labs.grading.diagnosis.words import told
+from labs.grading.errors import FunctionMissing, GraderFailed, StudentError, UnreadableSubmission
+from labs.grading.judging.sheet import Outcome, Part, Sheet
+from labs.grading.safe_text import plain
+from labs.grading.submission.reading import Submission
+from reference import lecture
+from reference.errors import UnknownName
+
+_LINES = 8  # of what a failed assertion says
+_OBVIOUS = tuple(f"{name} = submission.{name}" for name in lecture.FUNCTIONS)  # as pytest adds it
+
+
+def outcome_of(item: pytest.Item, passed: bool, error: BaseException | None, parts: tuple[Part, ...]) -> Outcome:
+    """A test as the sheet holds it."""
+    hidden = is_hidden(item)
+    return Outcome(
+        test=item.name,
+        points=marker(item, "points", 1),
+        passed=passed,
+        hidden=hidden,
+        said="" if passed or any(not part.passed for part in parts) else said(error, hidden),
+        rationale=marker(item, "rationale", ""),
+        help=marker(item, "help", ""),
+        parts=parts,
+        function=marker(item, "function", ""),
+    )
+
+
+def said(error: BaseException | None, hidden: bool) -> str:
+    """What may be told of a failure, never nothing: a part of which nothing is said has passed.
+
+    A hidden test keeps its numbers, and what the submission could make of them.
+    """
+    if hidden and isinstance(error, StudentError):
+        return f"the function {error.gist}"
+    if hidden and not isinstance(error, UnreadableSubmission):  # what a driver says may hold numbers
+        return "the answer is wrong"
+    lines = [line.strip() for line in plain(str(error), 1000).splitlines()]
+    ours = not isinstance(error, StudentError)  # a submission may say what pytest says
+    kept = [line for line in lines if line and not (ours and line.endswith(_OBVIOUS))][:_LINES]
+    notes = [] if isinstance(error, FunctionMissing) else getattr(error, "__notes__", [])
+    found = [*kept, *(f"for {example}" for note in notes if (example := _example(note)))]
+    return "\n".join(found) or "the answer is wrong"
+
+
+def _example(note: str) -> str:
+    """The arguments of the smallest example that hypothesis found, as it notes them, one a line."""
+    arguments = re.findall(r"^ {4}(\w+=.*?),?(?:  #.*)?$", plain(note, 1000), re.MULTILINE)
+    return ", ".join(argument for argument in arguments if argument != "submission=submission")
+
+
+def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
+    """Note of each function that lost points what is wrong with it, and which others it uses.
+
+    One that ran out of time is not asked again: its probes would wait as well.
+    """
+    for name in sheet.lost:
+        sheet.uses[name] = submission.uses(name)
+        sheet.borrows[name] = submission.borrows(name)
+        if name in remote.slow:
+            sheet.diagnoses[name] = Diagnosis(name, "too slow")
+            continue
+        with contextlib.suppress(UnknownName, GraderFailed), remote.fresh() as call:  # it has no probes, or no process
+            sheet.diagnoses[name] = diagnose(name, call)
+
+
+def summary(terminal: pytest.TerminalReporter, sheet: Sheet) -> None:
+    """For whoever ran pytest: what is wrong with the file, what each lost test is about, and the points."""
+    if not sheet.outcomes:
+        return
+    write = terminal.write_line
+    terminal.write_sep("=", sheet.submission or "no submission")
+    for complaint in sheet.complaints:
+        write(complaint)
+    for outcome in sheet.outcomes:
+        if not outcome.passed:
+            write("\n    ".join(line for lines in outcome.lines() for line in lines.splitlines()))
+    for diagnosis in sheet.diagnoses.values():
+        write(f"\n{told(diagnosis)}" if diagnosis.verdict != "unwritten" else told(diagnosis))
+    write("")
+    for reason, count in sheet.left_out.items():
+        write(f"{count} test{'s' * (count != 1)} left out: {reason}")
+    write(f"{sheet.earned} of {sheet.points} points ({sheet.tier or 'not run'})")
+
+
+def is_hidden(item: pytest.Item) -> bool:
+    """Whether a test lies in a folder of that name."""
+    return "hidden" in item.path.parts
+
+
+def marker(item: pytest.Item, name: str, otherwise: Any) -> Any:
+    """What a marker of a test holds."""
+    found = item.get_closest_marker(name)
+    return found.args[0] if found and found.args else otherwise

@@ -1,0 +1,193 @@
+"""A pytest plugin: tests call a submission's functions as if they were here, and are worth points.
+
+    pytest tests/autograder --submission lab.ipynb
+
+A test asks the fixture `submission`, `submission.rebound_velocity(-2.0, 0.5)`; each test has a process of its own.
+Markers say what it is worth: `points(3)`, one where nothing is said; `rationale("…")`, why it asks; `help("…")`, what
+to look at. The fixture `part` gives points for a part: `with part(2, "the normal direction"): assert …`; the test goes
+on after it, and fails in the end. Properties (hypothesis) draw the same examples whenever the same file is graded.
+Without `--submission` these tests are skipped. What was earned is in `config.stash[SHEET]`.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import sys
+from collections.abc import Callable, Generator, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from labs.grading.calling.remote import Grader, Remote
+from labs.grading.errors import GraderFailed, StudentError
+from labs.grading.judging.examples import Examples
+from labs.grading.judging.given_names import given_names
+from labs.grading.judging.outcomes import explain, is_hidden, marker, outcome_of, said, summary
+from labs.grading.judging.sheet import Part, Sheet
+from labs.grading.judging.submitted_functions import Functions
+from labs.grading.safe_text import one_line
+from labs.grading.submission.cells import FILE_LIMIT
+from labs.grading.submission.reading import read
+from reference import lecture
+from reference.errors import CollisionsError
+
+SHEET = pytest.StashKey[Sheet]()
+GRADER = pytest.StashKey[Grader]()
+"""What was earned, and what runs the tests; whoever starts pytest may put a grader there, and closes it then."""
+_PARTS = pytest.StashKey[list[Part]]()
+_MARKERS = {
+    "points(n)": "what the test is worth, a whole number",
+    "function(name)": "which function it is about; where a test of it fails, the feedback says what is wrong with it",
+    "rationale(text)": "why a submission has to pass it",
+    "help(text)": "what a student should look at",
+}
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add `--submission`."""
+    group = parser.getgroup("grading")
+    group.addoption("--submission", type=Path, metavar="FILE", help="the .ipynb or .py file that is graded")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the markers known; the grader gets ready while the tests are collected."""
+    config.stash[SHEET] = Sheet()
+    if config.getoption("--submission") and GRADER not in config.stash:
+        config.stash[GRADER] = Grader()
+        config.add_cleanup(config.stash[GRADER].close)
+    for usage, meaning in _MARKERS.items():
+        config.addinivalue_line("markers", f"{usage}: {meaning}")
+
+
+def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> None:
+    """Let the properties of a file depend on nothing but the submission: no database, no deadline."""
+    if parent.config.getoption("--submission") and b"hypothesis" in module_path.read_bytes():
+        import hypothesis  # noqa: PLC0415 - takes as long to load as NumPy, and few files need it
+
+        slow = [hypothesis.HealthCheck.too_slow]
+        hypothesis.settings.register_profile(
+            "grading", derandomize=True, deadline=None, report_multiple_bugs=False, suppress_health_check=slow
+        )
+        hypothesis.settings.load_profile("grading")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Check the points, and seed the properties from the submission, so that regrading gives the same marks."""
+    for item in _graded(items):
+        if type(points := marker(item, "points", 1)) is not int or points < 0:
+            raise pytest.UsageError(f"{item.nodeid}: points are a whole number, not {points!r}")
+        test: Any = getattr(item, "obj", None)
+        if (hypothesis := sys.modules.get("hypothesis")) and hypothesis.is_hypothesis_test(test):
+            hypothesis.seed(_seed(item))(getattr(test, "__func__", test))
+
+
+@pytest.fixture(scope="session")
+def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
+    """The functions of the file given by `--submission`."""
+    config, path = request.config, request.config.getoption("--submission")
+    if path is None:
+        pytest.skip("give --submission FILE to grade one")
+    topics = {item.path.stem.removeprefix("test_") for item in _graded(request.session.items)}
+    wanted = [name for name, entry in lecture.FUNCTIONS.items() if entry.topic in topics and entry.role == "written"]
+    found = read(path, wanted, also=lecture.FUNCTIONS)
+    sheet = config.stash[SHEET]
+    sheet.submission, sheet.unread = found.name, found.unread
+    sheet.given = given_names(topics) if found.starts else frozenset()
+    sheet.complaints = [str(complaint) for complaint in found.complaints]
+    with Remote(found, config.stash[GRADER]) as remote:
+        yield Functions(remote, sheet)
+        explain(sheet, found, remote)
+
+
+@pytest.fixture
+def examples(request: pytest.FixtureRequest) -> Examples:
+    """Inputs drawn for this test from the submission's text, and the test's own."""
+    return Examples(_seed(request.node), told=not is_hidden(request.node))
+
+
+@pytest.fixture
+def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.AbstractContextManager[None]]:
+    """Points for a part of the test: a block that may fail without ending it."""
+    parts = _parts(request.node)
+
+    @contextlib.contextmanager
+    def worth(points: int, reason: str) -> Iterator[None]:
+        try:
+            yield
+        except (AssertionError, StudentError) as error:
+            parts.append(Part(points, reason, said(error, is_hidden(request.node))))
+        else:
+            parts.append(Part(points, reason))
+
+    return worth
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
+    """Fail a test that lost a part, and end its process."""
+    try:
+        result = yield
+        lost = [each for each in _parts(item) if not each.passed]
+        if lost:
+            pytest.fail("\n".join(_told(lost)), pytrace=False)
+        return result
+    finally:
+        functions = getattr(item, "funcargs", {}).get("submission")
+        if isinstance(functions, Functions):
+            functions.end_test()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Note what the test earned; what the submission did wrong is told in a line, not as our own traceback."""
+    report = yield
+    error, sheet = call.excinfo.value if call.excinfo else None, item.config.stash[SHEET]
+    if "submission" not in getattr(item, "fixturenames", ()):
+        return report
+    if report.skipped:
+        sheet.skipped.append(str(error))
+    else:
+        if isinstance(error, CollisionsError):
+            report.longrepr = one_line(str(error), 1000)
+        if isinstance(error, GraderFailed):
+            item.session.shouldstop = one_line(str(error), 1000)  # our fault is not to cost the student's points
+        elif report.when == "call" or (report.when == "setup" and report.failed):
+            sheet.outcomes.append(outcome_of(item, report.passed, error, tuple(_parts(item))))
+    return report
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """Say what was lost and why, and the points."""
+    summary(terminalreporter, config.stash[SHEET])
+
+
+def _seed(item: pytest.Item) -> int:
+    """What examples are drawn with: a number made of the submission's text and of the file of the test.
+
+    The second is for hidden tests: else a student could change a comment until no example meets the mistake.
+    """
+    path: Path | None = item.config.getoption("--submission")
+    if path is None or not path.is_file():
+        return 0
+    drawn = hashlib.sha256(item.path.read_bytes())
+    with path.open("rb") as file:  # no more of it than a submission may have
+        drawn.update(file.read(FILE_LIMIT))
+    return int.from_bytes(drawn.digest()[:8])
+
+
+def _graded(items: list[pytest.Item]) -> list[pytest.Item]:
+    return [item for item in items if "submission" in getattr(item, "fixturenames", ())]
+
+
+def _told(lost: list[Part]) -> Iterator[str]:
+    """The parts that were lost, with what was said of each; what is the same of several is said once."""
+    for said_of_it in dict.fromkeys(part.said for part in lost):
+        yield f"{'; '.join(part.reason for part in lost if part.said == said_of_it)}: {said_of_it}"
+
+
+def _parts(item: pytest.Item) -> list[Part]:
+    return item.stash.setdefault(_PARTS, [])

@@ -1,0 +1,154 @@
+"""Running the tests of topics on a file, in this process: returned is what was found, and nothing is printed."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import io
+import os
+from collections.abc import Collection, Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from labs.grading.calling.remote import Grader
+from labs.grading.errors import GraderFailed, UnreadableSubmission
+from labs.grading.submission.reading import Submission, read
+from reference import lecture
+from reference.errors import InvalidInput
+
+if TYPE_CHECKING:
+    import pytest
+
+    from labs.grading.judging.sheet import Sheet
+
+ROOT = Path(__file__).resolve().parents[3]
+TESTS = ROOT / "tests" / "autograder"
+VISIBLE, HIDDEN = "visible", "hidden"
+_OPTIONS = (
+    "-q", "--noconftest", "--disable-plugin-autoload", "-p", "labs.grading.judging.plugin", "-p", "no:cacheprovider",
+    "-p", "no:unraisableexception", "-p", "no:threadexception",
+    "--import-mode=importlib", "--strict-markers", "-W", "error",
+)  # fmt: skip
+"""Nothing but the tests and the plugin: what else is installed, or set for the project's own tests, takes its time.
+
+In a notebook the tests run in the kernel. What its other threads stumble over is no mistake of the student's.
+"""
+_FINE = (0, 1)  # all tests passed, some failed
+_TAIL = 400  # characters of what pytest printed, where it could not run
+
+
+def run(
+    path: Path | str,
+    topics: Collection[str],
+    folders: Iterable[str] = (VISIBLE, HIDDEN),
+    grader: Grader | None = None,
+    functions: Collection[str] = (),
+) -> Sheet:
+    """Run the tests of some topics on a file. No process of the submission is left when this returns.
+
+    functions: those that are tested, all if none is named; what a wrong one of them calls is tested as well, without
+    points, by the visible tests. Without a grader it has one of its own, which gets ready while pytest is loaded.
+
+    Raises
+    ------
+    InvalidInput
+        If a topic has no tests.
+    GraderFailed
+        If pytest is missing or could not run the tests, or a test's process failed for no fault of the submission.
+    """
+    if importlib.util.find_spec("pytest") is None:
+        raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
+    files = [str(file) for folder in folders for file in _files(folder, topics)]
+    with Grader() if grader is None else contextlib.nullcontext(grader) as found:
+        sheet = _run(Path(path), files, found, functions)
+        if functions and (used := _used(path, topics, sheet.lost) - set(functions)):
+            sheet.add_beneath(_run(Path(path), [str(file) for file in _files(VISIBLE, topics)], found, used))
+        return sheet
+
+
+def _used(path: Path | str, topics: Collection[str], names: Collection[str]) -> set[str]:
+    """The functions of some topics that functions of a file call, itself or by way of others, beside these."""
+    with contextlib.suppress(UnreadableSubmission):  # which its tests have said
+        submission = read(path, [entry.name for topic in topics for entry in _written(topic)])
+        waiting, seen = list(names), set(names)
+        while waiting:
+            found = set(submission.uses(waiting.pop())) - seen
+            seen |= found
+            waiting += found
+        return seen
+    return set()
+
+
+def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str]) -> Sheet:
+    import pytest  # noqa: PLC0415 - a student's install may lack it
+
+    from labs.grading.judging.plugin import GRADER, SHEET  # noqa: PLC0415
+
+    class Keep:
+        sheet: Sheet | None = None
+        broken = ""
+        stopped: BaseException | None = None
+
+        @pytest.hookimpl(tryfirst=True)
+        def pytest_configure(self, config: pytest.Config) -> None:
+            config.stash[GRADER] = grader
+
+        def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+            items[:] = [item for item in items if not functions or _about(item) in functions]
+
+        def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+            if report.when == "teardown" and report.failed:  # nothing of the submission's: pytest counts it as failed
+                self.broken = report.longreprtext
+
+        def pytest_keyboard_interrupt(self, excinfo: pytest.ExceptionInfo[BaseException]) -> None:
+            self.stopped = excinfo.value
+
+        def pytest_unconfigure(self, config: pytest.Config) -> None:
+            self.sheet = config.stash[SHEET]
+
+    keep, printed = Keep(), io.StringIO()
+    options = [*_OPTIONS, "-c", os.devnull, "--rootdir", str(TESTS.parent), "--confcutdir", str(TESTS)]
+    options += [
+        "-W",
+        "ignore::pytest.PytestAssertRewriteWarning",
+    ]  # the plugin may be loaded already, and asserts nothing
+    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+        code = pytest.main([*options, "--submission", str(path.absolute()), *files], plugins=[keep])
+    if isinstance(keep.stopped, KeyboardInterrupt) and not isinstance(keep.stopped, pytest.Session.Interrupted):
+        raise KeyboardInterrupt
+    if keep.stopped:
+        raise GraderFailed(str(keep.stopped))
+    if code not in _FINE or keep.broken or keep.sheet is None or not keep.sheet.outcomes:
+        raise GraderFailed(f"the tests could not be run: {(keep.broken or printed.getvalue()).strip()[-_TAIL:]}")
+    return keep.sheet
+
+
+def _about(item: pytest.Item) -> str:
+    marker = item.get_closest_marker("function")
+    return str(marker.args[0]) if marker else ""
+
+
+def tested() -> tuple[str, ...]:
+    """The topics that have tests, in the order of teaching."""
+    return tuple(topic.name for topic in lecture.TOPICS if (TESTS / VISIBLE / f"test_{topic.name}.py").exists())
+
+
+def topics_of(path: Path | str) -> tuple[Submission, tuple[str, ...]]:
+    """A file as it is read, and the topics of which it defines a function that students write, readable or not."""
+    submission = read(path, [entry.name for topic in tested() for entry in _written(topic)])
+    found = {lecture.function(name).topic for name in (*submission.functions, *submission.unread)}
+    return submission, tuple(topic for topic in tested() if topic in found)
+
+
+def _written(topic: str) -> list[lecture.Function]:
+    """The functions of a topic that students write."""
+    return [entry for entry in lecture.functions_of(topic) if entry.role == "written"]
+
+
+def _files(folder: str, topics: Collection[str]) -> list[Path]:
+    """The test files of a folder; a student's tree has no hidden ones."""
+    files = {lecture.topic(topic).name: TESTS / folder / f"test_{topic}.py" for topic in topics}
+    missing = [topic for topic, file in files.items() if not file.exists()]
+    if missing and folder == VISIBLE:
+        raise InvalidInput(f"no tests of {', '.join(missing)}; there are tests of {', '.join(tested())}")
+    return [file for file in files.values() if file.exists()]

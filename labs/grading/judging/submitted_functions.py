@@ -1,0 +1,60 @@
+"""A submission's functions as attributes of an object, for tests that call them as if they were here."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from labs.grading.calling.remote import Call, Remote
+from labs.grading.judging.sheet import Sheet
+
+
+@dataclass(frozen=True)
+class Function:
+    """One function, which reads in pytest's own words as a student writes it: `rebound_velocity(-2.0, 0.5)`."""
+
+    functions: Functions
+    name: str
+
+    def __call__(self, *arguments: Any, **named: Any) -> Any:
+        """Call it in the process of the test that runs."""
+        return self.functions.process()(self.name, *arguments, **named)
+
+    def foresee(self, several: Iterable[tuple[Any, ...]]) -> None:
+        """Say which calls of it come next, so that its process can work ahead."""
+        self.functions.process().foresee(self.name, several)
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+class Functions:
+    """A submission's functions as attributes; each test has a process of its own, from its first call on."""
+
+    def __init__(self, remote: Remote, sheet: Sheet) -> None:
+        self._remote, self._sheet = remote, sheet
+        self._test = contextlib.ExitStack()
+        self._call: Call | None = None
+
+    def __getattr__(self, name: str) -> Function:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return Function(self, name)
+
+    def __repr__(self) -> str:
+        return "submission"
+
+    def process(self) -> Call:
+        """The process of the test that runs, for what is more than a call: `steady`, `changed`, `implementation`."""
+        if self._call is None:
+            self._call = self._test.enter_context(self._remote.fresh())
+            if self._call.sealing:  # where it does not load, later tests have no process
+                self._sheet.tier = self._call.sealing.tier.title
+        return self._call
+
+    def end_test(self) -> None:
+        """End the test's process."""
+        self._call = None
+        self._test.close()

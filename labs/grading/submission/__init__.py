@@ -1,0 +1,1 @@
+"""A student's file as the source text of its functions."""

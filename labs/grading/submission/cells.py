@@ -1,0 +1,203 @@
+"""A submitted file as cells of source text: a notebook's code cells, or the whole of a `.py` file as one.
+
+Threat: the file is hostile data. It is opened without following a link (which could show the grader's own files in a
+message) and without waiting for a pipe, refused above 10 MB before a byte is parsed, and read as JSON and as text
+alone: no kernel, no nbformat, no import. Outputs are dropped unseen.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import os
+import re
+import stat
+import tokenize
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from labs.grading.errors import UnreadableSubmission
+from labs.grading.safe_text import one_line
+
+FILE_LIMIT = 10 * 2**20
+"""Bytes of the largest file."""
+CELL_LIMIT = 2000
+"""The most code cells."""
+CODE_LIMIT = 2**18
+"""Characters of the longest source, all code cells together: some five thousand lines."""
+BRACE_LIMIT = 10_000
+"""The most opening braces in it. Python reads an f-string in the square of the time; of 80,000 it makes a minute."""
+
+_OTHERS = {
+    b"%PDF": "a PDF", b"PK\x03\x04": "a zip archive", b"\x1f\x8b": "a gzip archive", b"\x89PNG": "an image",
+    b"\xff\xd8\xff": "an image", b"\x7fELF": "a program", b"<!doctype html": "a web page", b"<html": "a web page",
+}  # fmt: skip
+_DECLARED = {"iso-8859-1", "iso-8859-15", "cp1252", "cp1250", "mac-roman", "ascii"}
+"""What a first line `# coding: …` may say beside UTF-8; others take long to decode what is made to do so."""
+_MERGE_MARK = re.compile(r"^(<{7} |={7}$|>{7} |\|{7} )", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Complaint:
+    """What is wrong with a submission, in a line. cell: which code cell, from 1. line: in that cell or in the file."""
+
+    text: str
+    cell: int | None = None
+    line: int | None = None
+
+    def __str__(self) -> str:
+        found = place(self.cell, self.line)
+        return f"{found}: {self.text}" if found else self.text
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One piece of source. number: which code cell of the notebook, None for a `.py` file. tags: what it is for."""
+
+    source: str
+    number: int | None = None
+    tags: frozenset[str] = frozenset()
+
+
+def place(cell: int | None, line: int | None) -> str:
+    """In words, such as "code cell 3, line 2"; empty where neither is known."""
+    parts = [f"code cell {cell}"] * (cell is not None) + [f"line {line}"] * (line is not None)
+    return ", ".join(parts)
+
+
+def read_cells(path: Path) -> tuple[list[Cell], list[Complaint]]:
+    """The file's code; raises `UnreadableSubmission` where there is none to be had."""
+    raw = _bytes(path)
+    text, complaints = _text(raw)
+    notebook = text.lstrip().startswith("{") and '"cells"' in text
+    if path.suffix == ".ipynb" or (notebook and path.suffix != ".py") or (notebook and _is_json(text)):
+        cells = list(_notebook_cells(text))
+        if path.suffix != ".ipynb":
+            complaints.append(
+                Complaint(f"it is a notebook, though its name ends in {one_line(path.suffix) or 'nothing'}")
+            )
+    elif path.suffix == ".py":
+        cells = [Cell(text)]
+    else:
+        raise UnreadableSubmission(f"its name ends in {one_line(path.suffix)!r}: hand in a .ipynb or a .py file")
+    if not any(cell.source.strip() for cell in cells):
+        raise UnreadableSubmission("it holds no code")
+    if len(cells) > CELL_LIMIT:
+        raise UnreadableSubmission(f"it has {len(cells)} code cells, and at most {CELL_LIMIT} are read")
+    if sum(len(cell.source) for cell in cells) > CODE_LIMIT:
+        raise UnreadableSubmission(f"it holds more than {CODE_LIMIT} characters of code")
+    if sum(cell.source.count("{") for cell in cells) > BRACE_LIMIT:
+        raise UnreadableSubmission(f"it holds more than {BRACE_LIMIT} opening braces")
+    return cells, complaints
+
+
+def merge_marks(cell: Cell) -> Iterator[Complaint]:
+    """The first mark that a merge left in the source, if there is one."""
+    if found := _MERGE_MARK.search(cell.source):
+        line = cell.source.count("\n", 0, found.start()) + 1
+        yield Complaint(f"a merge left its mark {found.group().strip()!r}: choose one version", cell.number, line)
+
+
+def _bytes(path: Path) -> bytes:
+    flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+    try:
+        if path.is_symlink():
+            raise UnreadableSubmission("it is a symbolic link: hand in the file itself")
+        descriptor = os.open(path, flags)
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            os.close(descriptor)
+            raise UnreadableSubmission("it is a folder or a device, not a file")
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise UnreadableSubmission(f"it cannot be opened: {reason}") from None
+    with open(descriptor, "rb") as file:
+        if status.st_size > FILE_LIMIT:
+            size = status.st_size / 2**20
+            raise UnreadableSubmission(
+                f"it has {size:.0f} MB, and at most {FILE_LIMIT / 2**20:.0f} are read: clear the notebook's outputs"
+            )
+        raw = file.read(FILE_LIMIT + 1)
+    if not raw.strip():
+        raise UnreadableSubmission("it is empty")
+    for start, kind in _OTHERS.items():
+        if raw[:64].lstrip().lower().startswith(start.lower()):
+            raise UnreadableSubmission(f"it is {kind}, whatever its name says: hand in a .ipynb or a .py file")
+    return raw
+
+
+def _text(raw: bytes) -> tuple[str, list[Complaint]]:
+    """The file as text with plain line ends; a complaint where its encoding had to be guessed."""
+    complaints = []
+    encoding = "utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
+    with contextlib.suppress(SyntaxError):  # raised for an encoding that Python does not know
+        declared, _ = tokenize.detect_encoding(io.BytesIO(raw).readline)
+        encoding = declared if declared in _DECLARED else encoding
+    try:
+        text = raw.decode(encoding)
+    except UnicodeDecodeError:
+        text = raw.decode("cp1252", errors="replace")
+        complaints.append(Complaint("it is not UTF-8; read as Windows-1252, so letters with accents may be wrong"))
+    if encoding == "utf-16":
+        complaints.append(Complaint("it is UTF-16, which Python does not run; save it as UTF-8"))
+    if "\0" in text:
+        raise UnreadableSubmission("it is not a text file")
+    return text.replace("\r\n", "\n").replace("\r", "\n"), complaints
+
+
+def _is_json(text: str) -> bool:
+    try:
+        json.loads(text)
+    except (ValueError, RecursionError):
+        return False
+    return True
+
+
+def _notebook_cells(text: str) -> Iterator[Cell]:
+    try:
+        notebook = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        if found := _MERGE_MARK.search(text):
+            line = text.count("\n", 0, found.start()) + 1
+            raise UnreadableSubmission(
+                f"line {line}: a merge left its marks in the notebook, so it cannot be read"
+            ) from None
+        raise UnreadableSubmission(f"it is not a notebook: {one_line(str(error))}") from None
+    number = 0
+    for cell in _cells_of(notebook):
+        if isinstance(cell, dict) and cell.get("cell_type") == "code":
+            number += 1
+            source = _joined(cell.get("source", cell.get("input", "")))
+            yield Cell(source.replace("\r\n", "\n").replace("\r", "\n"), number, _tags(cell.get("metadata")))
+
+
+def _cells_of(notebook: Any) -> list[Any]:
+    """Of format 4 the cells, of format 3 those of all worksheets."""
+    if isinstance(notebook, dict):
+        sheets = notebook.get("worksheets")
+        found = notebook.get("cells")
+        if found is None and isinstance(sheets, list):
+            each = [sheet.get("cells") for sheet in sheets if isinstance(sheet, dict)]
+            found = [cell for cells in each if isinstance(cells, list) for cell in cells]
+        if isinstance(found, list):
+            return found
+    raise UnreadableSubmission("it is not a notebook: it has no cells")
+
+
+def _joined(source: Any) -> str:
+    """A cell's source, which is a text or a list of its lines."""
+    lines = source if isinstance(source, list) else [source]
+    return "".join(line for line in lines if isinstance(line, str))
+
+
+def _tags(metadata: Any) -> frozenset[str]:
+    """A cell's tags, and the name that nbgrader gave it."""
+    if not isinstance(metadata, dict):
+        return frozenset()
+    tags, grading = metadata.get("tags"), metadata.get("nbgrader")
+    found = list(tags) if isinstance(tags, list) else []
+    found += [grading.get("grade_id")] if isinstance(grading, dict) else []
+    return frozenset(tag for tag in found if isinstance(tag, str))

@@ -1,0 +1,236 @@
+"""A student's file as the source text of the functions that are wanted of it, and what is wrong with it.
+
+The file is never run here: it is read (`files`), freed of what only a notebook understands (`magics`) and cut down
+to what the functions need (`slicing`). Lines that are left out stay behind as empty lines, so an error's line number
+leads back to the line, and in a notebook the code cell, that the student knows.
+
+A function counts in the last place that defines it; a cell that is tagged with the function's name, or that nbgrader
+knows by it, comes before any other.
+"""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import functools
+import re
+import warnings
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from labs.grading.errors import UnreadableSubmission
+from labs.grading.safe_text import one_line
+from labs.grading.submission.cells import Cell, Complaint, merge_marks, place, read_cells
+from labs.grading.submission.magics import without_magics
+from labs.grading.submission.slicing import Group, defined_as, groups, needed, used_by
+from reference import lecture
+
+__all__ = ["Complaint", "Submission", "read"]
+
+_ALIKE = 0.85  # of 1, how much a name has to share with another one to be taken for it
+_LOOKED_AT = 500  # names at most
+_TOO_MUCH = (ValueError, RecursionError, MemoryError)  # of ast, for what no person writes
+
+
+@dataclass(frozen=True)
+class Submission:
+    """What a student handed in.
+
+    name: the file's, fit to be shown. text: Python source of the functions and what they need. functions: those of
+    the wanted that it defines, in the order asked for. complaints: what the student should know. starts: the lines of
+    `text` before each code cell, with the cell's number; empty for a `.py` file. unread: those of the wanted that stand
+    where Python cannot read.
+    """
+
+    name: str
+    text: str
+    functions: tuple[str, ...] = ()
+    complaints: tuple[Complaint, ...] = ()
+    starts: tuple[tuple[int, int], ...] = ()
+    unread: tuple[str, ...] = ()
+
+    def uses(self, name: str) -> list[str]:
+        """The functions of the submission that one of them calls, itself or by way of what it needs besides."""
+        return used_by(self._groups, name, self.functions)
+
+    def function_at(self, line: int | None) -> str | None:
+        """The function of the submission that a line of the text stands in, if it is one."""
+        around = (group for group in self._groups if line and group.first <= line <= group.last)
+        return next((name for group in around for name in self.functions if name in group.defines), None)
+
+    def borrows(self, name: str) -> dict[str, str]:
+        """Variables in lower case that a function looks up in other cells, with the cell that set each; in a notebook.
+
+        Such as `step`, left behind by a plot, where an argument was meant.
+        """
+        own = [group for group in self._groups if name in group.defines]
+        used, here = {each for group in own for each in group.uses}, {self._cell(group) for group in own}
+        return {
+            variable: self._cell(group)
+            for group in self._groups
+            for variable in sorted(group.defines & used)
+            if variable.islower() and defined_as(group, variable) == "value" and self._cell(group) not in here
+        }
+
+    def _cell(self, group: Group) -> str:
+        return self.where(group.first).rpartition(", ")[0]
+
+    @functools.cached_property
+    def _groups(self) -> list[Group]:
+        try:
+            return groups(self.text)
+        except (SyntaxError, *_TOO_MUCH):  # what each cell may say, and all of them together may not
+            return []
+
+    def where(self, line: int) -> str:
+        """A line of the text in the student's words: "line 12", or "code cell 3, line 2"."""
+        before = [(start, cell) for start, cell in self.starts if start < line]
+        return place(before[-1][1], line - before[-1][0]) if before else place(None, line)
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """A group of statements and the cell that it stands in."""
+
+    group: Group
+    cell: Cell
+
+
+def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) -> Submission:
+    """Read a `.ipynb` or `.py` file, looking for the wanted functions.
+
+    also: functions that are kept where they are defined, and not missed where they are not.
+    Raises `UnreadableSubmission` where the file holds no code at all; anything smaller is a complaint.
+    """
+    path = Path(path)
+    name = one_line(path.name)
+    try:
+        cells, complaints = read_cells(path)
+    except UnreadableSubmission as error:
+        raise UnreadableSubmission(f"{name}: {error}") from None
+    pieces, sources = [], []
+    for cell in cells:
+        source, found = _parsed(cell, complaints)
+        sources.append(source)
+        pieces += [_Piece(group, cell) for group in found]
+    functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
+    defined = {name for piece in pieces for name in piece.group.defines}
+    missing = [each for each in wanted if each not in defined]
+    complaints.extend(_misspelt(missing, pieces))
+    if missing:
+        complaints.append(Complaint(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"))
+    functions += [name for name in also if name in defined and name not in wanted]
+    text, starts = _assembled(cells, sources, pieces, functions)
+    lost = {each for cell, source in zip(cells, sources, strict=True) if not source for each in _defs(cell.source)}
+    unread = tuple(each for each in missing if each in lost)
+    return Submission(name, text, tuple(functions), tuple(complaints), starts, unread)
+
+
+def _parsed(cell: Cell, complaints: list[Complaint]) -> tuple[str, list[Group]]:
+    """The cell's Python and its statements; a cell that cannot be read costs what it defines."""
+    if marks := list(merge_marks(cell)):
+        complaints.extend(replace(mark, text=mark.text + _effect(cell.source)) for mark in marks)
+        return "", []
+    source = cell.source
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of a backslash in a text: the student sees that elsewhere
+        try:
+            return source, groups(source)
+        except (SyntaxError, *_TOO_MUCH):
+            source = without_magics(source)
+        try:
+            return source, groups(source)
+        except SyntaxError as error:
+            complaints.append(_told(error, cell, source))
+        except _TOO_MUCH as error:
+            why = "it holds half a character" if isinstance(error, UnicodeError) else "too deeply nested"
+            complaints.append(Complaint(f"Python cannot read this: {why}", cell.number))
+    return "", []
+
+
+def _told(error: SyntaxError, cell: Cell, source: str) -> Complaint:
+    lines = source.splitlines()
+    number = error.lineno or 1
+    line = one_line(lines[number - 1], 80) if number <= len(lines) else ""
+    return Complaint(f"Python cannot read {line!r}: {one_line(error.msg)}{_effect(source)}", cell.number, number)
+
+
+def _effect(source: str) -> str:
+    lost = _defs(source)
+    return f"; so {', '.join(lost[:3])}{' …' if len(lost) > 3 else ''} cannot be read" if lost else ""
+
+
+def _defs(source: str) -> list[str]:
+    """The functions of a source that Python cannot read."""
+    return list(dict.fromkeys(re.findall(r"^def (\w+)", source, re.MULTILINE)))
+
+
+def _misspelt(missing: list[str], pieces: list[_Piece]) -> Iterator[Complaint]:
+    """Functions of other names that look like missing ones."""
+    plainly = {_letters(name): name for name in missing}
+    others = [(name, piece) for piece in pieces for name in sorted(piece.group.defines - lecture.FUNCTIONS.keys())]
+    for name, piece in others[:_LOOKED_AT]:
+        if defined_as(piece.group, name) == "def":
+            for near in difflib.get_close_matches(_letters(name), plainly, 1, _ALIKE):
+                text = f"is {one_line(name, 80)} meant to be {plainly[near]}? It counts under that name alone"
+                yield Complaint(text, piece.cell.number, piece.group.first)
+
+
+def _letters(name: str) -> str:
+    return name.replace("_", "").lower()
+
+
+def _check_definition(name: str, pieces: list[_Piece], complaints: list[Complaint]) -> bool:
+    """Whether the submission defines the function; complains of copies, and of an import in its stead."""
+    found = [piece for piece in pieces if defined_as(piece.group, name)]
+    kinds = {defined_as(piece.group, name) for piece in found}
+    if kinds == {"import"}:
+        complaints.append(Complaint(f"{name} is imported, not written", found[-1].cell.number, found[-1].group.first))
+        return False
+    if len(found) > 1:
+        counts = _counting(name, found)
+        where = place(counts.cell.number, counts.group.first)
+        complaints.append(Complaint(f"{name} is defined {len(found)} times; the one at {where} counts"))
+    return bool(found)
+
+
+def _counting(name: str, found: list[_Piece]) -> _Piece:
+    """The definition that counts: the last, in the cell made for it if there is one."""
+    return ([piece for piece in found if name in piece.cell.tags] or found)[-1]
+
+
+def _assembled(
+    cells: list[Cell], sources: list[str], pieces: list[_Piece], functions: list[str]
+) -> tuple[str, tuple[tuple[int, int], ...]]:
+    """The text of what the functions need, all other lines empty, and where each code cell starts in it."""
+    made_for_it = _in_cells_made_for(pieces, functions)
+    counting = [piece for piece in pieces if not _outdone(piece, made_for_it)]
+    kept: dict[int, list[Group]] = {}  # of each cell
+    for at in sorted(needed([piece.group for piece in counting], functions)):
+        kept.setdefault(id(counting[at].cell), []).append(counting[at].group)
+    lines: list[str] = []
+    starts = []
+    for cell, source in zip(cells, sources, strict=True):
+        if cell.number is not None:
+            starts.append((len(lines), cell.number))
+        lines += _only(source, kept.get(id(cell), []))
+    return "\n".join(lines).rstrip("\n") + "\n", tuple(starts)
+
+
+def _in_cells_made_for(pieces: list[_Piece], functions: list[str]) -> dict[str, _Piece]:
+    """The functions that a cell made for them defines, each with the definition that counts."""
+    return {name: piece for piece in pieces for name in piece.group.defines & set(functions) if name in piece.cell.tags}
+
+
+def _outdone(piece: _Piece, made_for_it: dict[str, _Piece]) -> bool:
+    """Whether it only defines a function anew that the cell made for it defines as well."""
+    alone = len(piece.group.statements) == 1 and isinstance(piece.group.statements[0], ast.FunctionDef)
+    return alone and any(name not in piece.cell.tags for name in piece.group.defines & made_for_it.keys())
+
+
+def _only(source: str, kept: list[Group]) -> list[str]:
+    """The source's lines, empty but for those of the groups kept."""
+    lines = source.split("\n")
+    wanted = {number for group in kept for number in range(group.first, group.last + 1)}
+    return [line if number in wanted else "" for number, line in enumerate(lines, start=1)]

@@ -1,0 +1,128 @@
+"""A family: one question asked in several cases, what is measured, what is expected and why."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from reference.catalogue.case import Case
+from reference.catalogue.grid import Grid
+from reference.engines.base import EXACT, Engine, Method
+from reference.errors import InvalidInput, UnknownName
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Array, Trajectory
+
+_ANY_TIMESTEP = 1e-3
+"""s. What theory says hangs on no timestep; what a method adds to it does."""
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """What theory says of one quantity, and how near is near enough.
+
+    value: the closed form. tolerance: accepted distance from it, with its reason. shift: what the method at hand is
+    known to do to the value, with its derivation in a few words; shift_tolerance: accepted distance from value + shift.
+    All in the quantity's unit.
+    """
+
+    value: float
+    tolerance: float
+    reason: str
+    shift: float = 0.0
+    shift_reason: str = ""
+    shift_tolerance: float = 0.0
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One number that is measured in every case.
+
+    measure: trajectory → number. expect: case, settings and the engine's method → expectation; None where theory has
+    no figure, in this case or in any, and the number is only shown. scale: what a deviation is judged against when it
+    is printed in percent, None to print it as it is.
+    """
+
+    name: str
+    title: str
+    unit: str
+    measure: Callable[[Trajectory], float]
+    expect: Callable[[Case, Settings, Method], Expectation | None] | None
+    scale: Callable[[Case], float] | None = None
+
+    def theory(self, case: Case) -> float | None:
+        """What theory says, whoever is asked and with whatever timestep; None where it says nothing."""
+        expectation = self.expect(case, Settings(_ANY_TIMESTEP), Method(EXACT)) if self.expect else None
+        return expectation.value if expectation else None
+
+    def expected_value(self, case: Case) -> float:
+        """What theory says; an error where it says nothing, for whoever needs a figure."""
+        value = self.theory(case)
+        if value is None:
+            raise InvalidInput(f"{self.name} has no expected value in {case.name}")
+        return value
+
+
+@dataclass(frozen=True)
+class Curve:
+    """What is plotted of one case: a time series of its first scenario."""
+
+    case: str
+    title: str
+    y_label: str
+    values: Callable[[Trajectory], Array]
+    until: float | None = None
+    """End of the plotted time, s."""
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """Error of one quantity in one case against the timestep.
+
+    factors: the timesteps, as multiples of a profile's own. every_step: sample every step, for a quantity that is read
+    from samples and would otherwise show their interval.
+    """
+
+    case: str
+    quantity: str
+    factors: tuple[float, ...] = (4.0, 2.0, 1.0, 0.5)
+    every_step: bool = False
+
+
+@dataclass(frozen=True)
+class Family:
+    """A family of cases and all that the report says about it.
+
+    statements: numbers of the lecture's statements. about: what it is. expected: the expected value and why.
+    why: why the implementations differ. grid: what can be moved, None where nothing can.
+    """
+
+    name: str
+    title: str
+    topic: str
+    statements: tuple[int, ...]
+    about: str
+    expected: str
+    why: tuple[str, ...]
+    cases: tuple[Case, ...]
+    quantities: tuple[Quantity, ...]
+    curve: Curve
+    convergence: Convergence
+    grid: Grid | None = None
+
+    def profiles(self, engine: Engine) -> Mapping[str, str]:
+        """The profiles that an engine has for this family, tuned first, with a line on each."""
+        return engine.profiles(self.cases[0].scenarios[0])
+
+    def case(self, name: str) -> Case:
+        """Return the case of that name."""
+        for case in self.cases:
+            if case.name == name:
+                return case
+        raise UnknownName(f"case of {self.name}", name, (case.name for case in self.cases))
+
+    def quantity(self, name: str) -> Quantity:
+        """Return the quantity of that name."""
+        for quantity in self.quantities:
+            if quantity.name == name:
+                return quantity
+        raise UnknownName(f"quantity of {self.name}", name, (quantity.name for quantity in self.quantities))

@@ -1,0 +1,191 @@
+"""Newton's cradle: impacts that come together, which theory leaves open (slide 22)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from reference import truth
+from reference.catalogue.case import Case
+from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
+from reference.catalogue.grid import Grid, Parameter
+from reference.engines.base import EXACT, Method
+from reference.scene.scenario import Body, Pair, Scenario, Sphere
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Array, Trajectory
+
+RADIUS = 0.125
+"""Radius of every ball, m: a sum of such numbers has no rounding, so that balls touch which are meant to."""
+LEAD = 513 / 2048
+"""How far the first ball is drawn back, m: it strikes in the middle of a step, whatever the timestep."""
+SHARE = 1e-3
+"""Accepted share of the first speed: 0.1 %."""
+ROUNDING = 1e-9
+
+
+def _row(family: str, name: str, velocities: tuple[float, ...], gap: float = 0.0, lead: float = 0.0) -> Case:
+    """Equal elastic balls in a row, `gap` apart, those that move at 1 m/s drawn back by `lead`, m."""
+    places = [number * (2 * RADIUS + gap) - (lead if speed == 1 else 0.0) for number, speed in enumerate(velocities)]
+    balls = tuple(
+        Body(f"ball {number}", Sphere(RADIUS), 1.0, (place, 0.0, 0.0), velocity=(velocity, 0.0, 0.0))
+        for number, (place, velocity) in enumerate(zip(places, velocities, strict=True), 1)
+    )
+    pairs = tuple(Pair(f"ball {number}", f"ball {number + 1}", 1.0) for number in range(1, len(balls)))
+    scenario = Scenario(f"{family}/{name}", balls, pairs, lead + len(balls) * gap + 0.1, (0.0, 0.0, 0.0))
+    return Case(name, (scenario,), {"gap": gap})
+
+
+def _one_struck(balls: float, gap: float) -> Case:
+    """The first of so many balls strikes the rest."""
+    apart = f"{1e6 * gap:g} µm" if gap < 1e-3 else f"{1e3 * gap:g} mm"
+    name = f"{balls:g}, {apart} apart" if gap else f"{balls:g} touching"
+    return _row("cradle", name, (1.0, *(0.0,) * (int(balls) - 1)), gap, LEAD)
+
+
+def _first_velocities(case: Case) -> Array:
+    return np.array([body.velocity[0] for body in case.scenarios[0].bodies])
+
+
+def _last_velocities(trajectory: Trajectory) -> Array:
+    return np.asarray(trajectory.velocities[-1, :, 0])
+
+
+def _touching(case: Case) -> bool:
+    """Whether the balls touch, so that Newton's rule leaves open what comes out."""
+    return case.parameters["gap"] == 0
+
+
+def _expect_ball(number: int) -> Callable[[Case, Settings, Method], Expectation | None]:
+    def expect(case: Case, settings: Settings, method: Method) -> Expectation | None:
+        if _touching(case):
+            return None
+        exact = float(truth.cradle_in_turn(_first_velocities(case))[number])
+        return Expectation(exact, SHARE, "0.1 % of the first speed: one impact after another, each of two equal balls")
+
+    return expect
+
+
+def _readings(first: Array, apart: bool) -> list[Array]:
+    """What may come out: impacts in turn; of balls that touch also all at once, and at once with all turned back."""
+    in_turn = truth.cradle_in_turn(first)
+    if apart:
+        return [in_turn]
+    struck = int(np.flatnonzero(np.diff(first) < 0)[-1])
+    found = [in_turn, truth.cradle_at_once(first, struck)]
+    return [*found, truth.cradle_turned_back(first)] if len(first) == 3 else found
+
+
+def _off_readings(trajectory: Trajectory) -> float:
+    """Largest difference of any ball's velocity from the nearest reading, ÷ 1 m/s."""
+    balls = trajectory.scenario.bodies
+    apart = balls[2].position[0] - balls[1].position[0] > 2 * RADIUS
+    readings = _readings(trajectory.velocities[0, :, 0], apart)
+    return min(float(np.max(np.abs(_last_velocities(trajectory) - reading))) for reading in readings)
+
+
+def _expect_a_reading(case: Case, settings: Settings, method: Method) -> Expectation:
+    return Expectation(0.0, SHARE, "0.1 % of the first speed")
+
+
+def _expect_momentum(case: Case, settings: Settings, method: Method) -> Expectation:
+    return Expectation(1.0, ROUNDING, "what one ball gains another loses, in every step: rounding only")
+
+
+def _expect_energy(case: Case, settings: Settings, method: Method) -> Expectation:
+    return Expectation(1.0, ROUNDING if method.kind == EXACT else 2 * SHARE, "0.2 %: twice that of a speed")
+
+
+def _share_of_first(power: int) -> Callable[[Trajectory], float]:
+    def share(trajectory: Trajectory) -> float:
+        before, after = trajectory.velocities[0, :, 0], _last_velocities(trajectory)
+        return float(np.sum(after**power) / np.sum(before**power))
+
+    return share
+
+
+def _ball(name: str, number: int) -> Quantity:
+    title = f"{name} ball"
+    return Quantity(
+        name, title, "", lambda trajectory: float(_last_velocities(trajectory)[number]), _expect_ball(number)
+    )
+
+
+FIRST, LAST = _ball("first", 0), _ball("last", -1)
+OFF = Quantity("off", "off a reading", "", _off_readings, _expect_a_reading)
+MOMENTUM = Quantity("momentum", "momentum", "", _share_of_first(1), _expect_momentum)
+TWO_OF_FIVE = (1.0, 1.0, 0.0, 0.0, 0.0)
+
+CRADLE = Family(
+    name="cradle",
+    title="Newton's cradle",
+    topic="impulse",
+    statements=(12, 16, 20, 22),
+    about="Equal elastic balls in a row, without weight. The first one, or two, strike the rest at 1 m/s,"
+    " of which every velocity here is a share.",
+    expected="Balls that are apart collide two at a time, and each time two equal elastic balls swap their"
+    " velocities: as many fly off at the far end as came. For balls that touch, Newton's rule has a second reading,"
+    " all impacts at once: the first of five comes back with −3/5 of its speed and the others move on together with"
+    " 2/5. Both keep momentum and energy; the rule does not say which.",
+    why=(
+        "What decides is what an implementation takes for touching. The engines, tuned, solve the contacts of a step"
+        " together, and balls that touch exactly get the second reading. A micrometre between them is enough for the"
+        " first: each impact then has a step of its own. PyBullet leaves out a contact whose gap is 10⁻¹² m, MuJoCo one"
+        " beyond its margin of 10⁻⁹ m, DART one that is open at all. Hence a radius that is a power of two: with 0.1 m,"
+        " rounding would decide.",
+        "The hand-written code has one reading in each profile: tuned two at a time, at the step all that touch.",
+        "A real contact lasts. In MuJoCo's spring profile it is 1 mm deep, and with the gap one reading goes over into"
+        " the other: the first of five comes back with −0.60 m/s where they touch, and with −0.08 m/s where they are"
+        " 1 mm apart.",
+        "Stock, PyBullet gives touching balls the second reading, less its damping. Where they are apart it makes"
+        " energy, up to 22 %: the last of five flies off 10 % too fast. MuJoCo has no restitution.",
+    ),
+    cases=(
+        _one_struck(3, 0.0),
+        *(_one_struck(5, gap) for gap in (0.0, 1e-6, 1e-3)),
+        _row("cradle", "5, 1 mm apart, two struck", TWO_OF_FIVE, gap=1e-3, lead=LEAD),
+    ),
+    quantities=(FIRST, LAST, OFF, MOMENTUM, Quantity("energy", "energy", "", _share_of_first(2), _expect_energy)),
+    curve=Curve(
+        "5 touching", "Last of five that touch", "velocity, m/s", lambda trajectory: trajectory.velocities[:, -1, 0]
+    ),
+    convergence=Convergence("5, 1 mm apart", "last"),
+    grid=Grid(
+        (
+            Parameter("balls", "", (3.0, 4.0, 5.0), 5.0, whole=True),
+            Parameter("gap", "m", (0.0, 1e-6, 1e-5, 1e-4, 1e-3), 0.0),
+        ),
+        (5e-4, 1e-3, 2e-3, 5e-3),
+        _one_struck,
+    ),
+)
+
+PARTING_BALL = Family(
+    name="parting-ball",
+    title="Three balls, the last one parting",
+    topic="impulse",
+    statements=(12, 16, 20, 22),
+    about="Three equal elastic balls touch, without weight. The first one moves into the second at 1 m/s, of"
+    " which every velocity here is a share; the last one is about to part from it.",
+    expected="One impact after another: the balls swap velocities until they are in order, and energy stays. All at"
+    " once, Newton's rule makes energy: the pair that would part is thrown together, and pushed apart without"
+    " restitution, as it did not close. From (1, 0, 0.1) come (−0.3, 0.7, 0.7), and of 0.505 J per kg become 0.535.",
+    why=(
+        "Three implementations, three answers, each by a rule that sounds right. Hand-written, tuned: in turn,"
+        " (0, 0.1, 1). At the step, in PyBullet and in DART: all at once, with 6 to 13 % more energy than before."
+        " MuJoCo's contact turns every relative velocity round, also that of the two that part; these then approach,"
+        " and collide in the next step: (−0.267, 0.633, 0.733), which keeps the energy.",
+        "Stock, PyBullet gives the second answer less its damping; MuJoCo, which has no restitution, none of them.",
+    ),
+    cases=tuple(_row("parting-ball", f"v={parting:g}", (1.0, 0.0, parting)) for parting in (0.1, 0.3, 0.5)),
+    quantities=(FIRST, LAST, OFF, MOMENTUM, Quantity("energy", "energy", "", _share_of_first(2), None)),
+    curve=Curve(
+        "v=0.1",
+        "The middle ball, parting at 0.1 m/s",
+        "velocity, m/s",
+        lambda trajectory: trajectory.velocities[:, 1, 0],
+    ),
+    convergence=Convergence("v=0.1", "off"),
+)
+
+FAMILIES = (CRADLE, PARTING_BALL)

@@ -1,0 +1,216 @@
+"""A ball without weight between walls: in a corner, and back and forth between two (slides 5 to 7, 12)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from reference import truth
+from reference.catalogue.case import Case
+from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
+from reference.catalogue.grid import TENTHS, Grid, Parameter
+from reference.engines.base import EXACT, Method
+from reference.errors import RunFailed
+from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Array, Trajectory
+
+RADIUS = 0.1
+"""Radius of the ball, m."""
+SPEED = 2.0
+"""First speed of the ball, m/s; in the corner, towards each wall."""
+GAP = 0.8
+"""Free way between the two walls, m."""
+IMPACTS = 5
+"""How many impacts are awaited between the two walls."""
+AFTER = 0.1
+"""How long a ball is watched after its last impact, s."""
+SHARE = 1e-3
+"""Accepted share of a value: 0.1 %."""
+STILL = 1e-6
+"""Share of the first speed below which a ball stands still."""
+WEIGHTLESS = (0.0, 0.0, 0.0)
+
+
+def _corner(restitution: float, later: float) -> Case:
+    """A ball that meets the wall `later` seconds after the floor."""
+    name = f"e={restitution:g}" + (f",later={later:g}" if later else "")
+    away = 0.5 * SPEED
+    position = (RADIUS + away + later * SPEED, 0.0, RADIUS + away)
+    ball = Body("ball", Sphere(RADIUS), 1.0, position, velocity=(-SPEED, 0.0, -SPEED))
+    bodies = (Body("floor", HalfSpace()), Body("wall", HalfSpace((1.0, 0.0, 0.0))), ball)
+    pairs = (Pair("ball", "floor", restitution), Pair("ball", "wall", restitution))
+    scenario = Scenario(f"corner/{name}", bodies, pairs, 0.5 + later + AFTER, WEIGHTLESS)
+    return Case(name, (scenario,), {"restitution": restitution})
+
+
+def _expect_kept(case: Case, settings: Settings, method: Method) -> Expectation:
+    exact = case.parameters["restitution"]
+    return Expectation(exact, SHARE * exact, "0.1 %: without weight or friction an impact is all that changes a speed")
+
+
+def _restitution(case: Case) -> float:
+    return case.parameters["restitution"]
+
+
+def _distance(trajectory: Trajectory) -> Array:
+    """Distance of the ball's surface from the floor's edge along the wall, m."""
+    positions = trajectory.position("ball")
+    return np.asarray(np.hypot(positions[:, 0] - RADIUS, positions[:, 2] - RADIUS))
+
+
+CORNER = Family(
+    name="corner",
+    title="Ball in a corner",
+    topic="response",
+    statements=(6, 7, 12, 22),
+    about=f"A ball without weight flies into the corner of a floor and a wall, at {SPEED:g} m/s towards each. It meets"
+    " both at once, or the wall a little after the floor.",
+    expected="Each impact reverses the velocity along its own normal and keeps e of it. The two normals are"
+    " perpendicular, so neither impact disturbs the other, in whatever order: the ball leaves with −e v.",
+    why=(
+        "Without weight, impacts are all there is, and PyBullet is right to the last digit, whether the two come in"
+        " one step or in two. MuJoCo's one-step contact takes a ten-thousandth of the overlap back as speed, and that"
+        " is what is left of its error. DART's is not quite hard: 10⁻⁵ of the change of speed is missing, tuned and"
+        " stock.",
+        "Stock, the other two lose the ball's speed: PyBullet by its damping and by contacts made before the walls are"
+        " reached, MuJoCo because it has no restitution. What is left of the speed there is what its soft contact"
+        " gives back.",
+    ),
+    cases=tuple(_corner(restitution, later) for restitution in (0.5, 0.8, 1.0) for later in (0.0, 0.0005, 0.02)),
+    quantities=(
+        Quantity(
+            "kept_by_floor",
+            "speed kept, off the floor",
+            "",
+            lambda trajectory: float(trajectory.velocity("ball")[-1, 2] / SPEED),
+            _expect_kept,
+            _restitution,
+        ),
+        Quantity(
+            "kept_by_wall",
+            "speed kept, off the wall",
+            "",
+            lambda trajectory: float(trajectory.velocity("ball")[-1, 0] / SPEED),
+            _expect_kept,
+            _restitution,
+        ),
+    ),
+    curve=Curve("e=0.8", "Both at once at e = 0.8", "distance from the corner, m", _distance),
+    convergence=Convergence("e=0.8", "kept_by_floor"),
+    grid=Grid(
+        (Parameter("restitution", "", TENTHS[1:], 0.8), Parameter("later", "s", (0.0, 5e-4, 2e-2), 0.0)),
+        (1e-3, 2e-3, 5e-3),
+        _corner,
+    ),
+)
+
+
+def _between(restitution: float) -> Case:
+    name = f"e={restitution:g}"
+    ball = Body("ball", Sphere(RADIUS), 1.0, (RADIUS, 0.0, 0.0), velocity=(SPEED, 0.0, 0.0))
+    left = Body("left", HalfSpace((1.0, 0.0, 0.0)))
+    right = Body("right", HalfSpace((-1.0, 0.0, 0.0)), position=(GAP + 2 * RADIUS, 0.0, 0.0))
+    pairs = (Pair("ball", "left", restitution), Pair("ball", "right", restitution))
+    duration = float(truth.wall_impacts(GAP, SPEED, restitution, IMPACTS)[-1]) + AFTER
+    scenario = Scenario(f"two-walls/{name}", (left, right, ball), pairs, duration, WEIGHTLESS)
+    return Case(name, (scenario,), {"restitution": restitution})
+
+
+def _speed_left(case: Case) -> float:
+    return SPEED * float(case.parameters["restitution"] ** IMPACTS)
+
+
+def _expect_speed_left(case: Case, settings: Settings, method: Method) -> Expectation:
+    exact = _speed_left(case)
+    reason = f"0.1 % after {IMPACTS} impacts: nothing but what comes back of the overlap changes the speed"
+    if exact < case.parameters["restitution"] * method.rest_speed:
+        why = "−e⁵ v: the last impact is slower than what is taken for rest"
+        return Expectation(exact, SHARE * exact, reason, -exact, why, SHARE * exact)
+    return Expectation(exact, SHARE * exact, reason)
+
+
+def _before_last_impact(trajectory: Trajectory) -> int:
+    """Place of the last sample before the last impact; `RunFailed` where there were fewer impacts."""
+    velocity = trajectory.velocity("ball")[:, 0]
+    still = np.abs(velocity) < STILL * SPEED  # a ball that stays at a wall has met it too
+    turns = np.flatnonzero(np.diff(np.where(still, 0.0, np.sign(velocity))) != 0)
+    if len(turns) < IMPACTS:
+        raise RunFailed(f"the ball has met the walls {len(turns)} times, not {IMPACTS}")
+    return int(turns[IMPACTS - 1])
+
+
+def _speed_at_end(trajectory: Trajectory) -> float:
+    """Speed after the last impact, m/s; a ball that was caught before has none."""
+    _before_last_impact(trajectory)
+    return float(np.linalg.norm(trajectory.velocity("ball")[-1]))
+
+
+def _last_impact(trajectory: Trajectory) -> float:
+    """Instant of the last impact, s: where the straight flights before and after it meet the wall."""
+    velocity, position = trajectory.velocity("ball")[:, 0], trajectory.position("ball")[:, 0]
+    before = _before_last_impact(trajectory)
+    wall = RADIUS + GAP if velocity[before] > 0 else RADIUS
+    return float(trajectory.times[before] + (wall - position[before]) / velocity[before])
+
+
+def _true_impacts(case: Case) -> Array:
+    return truth.wall_impacts(GAP, SPEED, case.parameters["restitution"], IMPACTS)
+
+
+def _true_last_impact(case: Case) -> float:
+    return float(_true_impacts(case)[-1])
+
+
+def _expect_last_impact(case: Case, settings: Settings, method: Method) -> Expectation:
+    exact, restitution = _true_last_impact(case), case.parameters["restitution"]
+    if method.kind == EXACT:
+        return Expectation(exact, 1e-9, "rounding only")
+    # An impact is noticed up to dt late, and the way back from behind the wall takes up to dt/e more. All that follows
+    # is late by as much, no more: a delay, unlike a way, is the same at every speed.
+    delays = (IMPACTS - 1) * settings.timestep * (1 + 1 / restitution)
+    # Overlap that is taken back as speed adds up to a share r/e to the speed of each rebound; a contact that is
+    # not quite hard falls short of the change, (1 + e) v, by a share s of it. A crossing has it of all impacts before.
+    changed = (method.speed_recovery + (1 + restitution) * method.softness) / restitution
+    crossings = np.diff(_true_impacts(case), prepend=0.0)
+    reason = "each impact is noticed up to a step late, and overlap that comes back as speed hastens the next"
+    if method.softness:
+        reason = "each impact is noticed up to a step late, and a contact that is not quite hard delays the next"
+    return Expectation(exact, delays + changed * float(np.arange(IMPACTS) @ crossings), reason)
+
+
+TWO_WALLS = Family(
+    name="two-walls",
+    title="Ball between two walls",
+    topic="response",
+    statements=(5, 6, 7, 12),
+    about=f"A ball without weight flies back and forth between two walls, {GAP:g} m apart but for the ball itself.",
+    expected="Each impact keeps e of the speed, so every crossing takes 1/e of the time of the one before, and after n"
+    " impacts eⁿ of the speed are left.",
+    why=(
+        "Speeds are kept exactly by PyBullet and to 0.06 % after five impacts by MuJoCo, whose weak contact spring"
+        " gives a little overlap back as speed. Times are late by up to dt (1 + 1/e) an impact, at every speed: it is"
+        " noticed at the end of its step, and the way back from behind the wall takes 1/e of what was overshot. In"
+        " MuJoCo at e = 0.5 that little speed weighs more, since 12 s pass: the last impact is 5 ms early.",
+        "DART takes a rebound below 0.1 m/s for none, and so the last one at e = 0.5, of 0.0625 m/s, does not happen.",
+        "Stock PyBullet makes contacts ahead of the wall and damps the flight: at e = 0.5 the ball is caught after a"
+        " bounce or two. Stock MuJoCo has no restitution and lets the ball creep off the wall. Neither has a fifth"
+        " impact, whatever e is.",
+    ),
+    cases=tuple(_between(restitution) for restitution in (0.5, 0.8, 1.0)),
+    quantities=(
+        Quantity(
+            "speed_left",
+            f"speed after {IMPACTS} impacts",
+            "m/s",
+            _speed_at_end,
+            _expect_speed_left,
+            _speed_left,
+        ),
+        Quantity("last_impact", f"impact {IMPACTS}", "s", _last_impact, _expect_last_impact, _true_last_impact),
+    ),
+    curve=Curve("e=0.8", "To and fro at e = 0.8", "place, m", lambda trajectory: trajectory.position("ball")[:, 0]),
+    convergence=Convergence("e=0.8", "last_impact"),
+    grid=Grid((Parameter("restitution", "", TENTHS[5:], 0.8),), (5e-4, 1e-3, 2e-3, 5e-3), _between),
+)
+
+FAMILIES = (CORNER, TWO_WALLS)

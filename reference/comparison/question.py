@@ -1,0 +1,79 @@
+"""One number asked of an engine again and again, each time with other settings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from reference.catalogue.case import Case
+from reference.catalogue.family import Family, Quantity
+from reference.engines.base import Engine
+from reference.errors import CollisionsError, as_failed_run
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Array, Trajectory
+
+
+@dataclass(frozen=True)
+class Question:
+    """What a family studies, in one engine. It is run once with each settings, and the answer is remembered.
+
+    every_step: as in `Convergence`.
+    """
+
+    engine: Engine
+    case: Case
+    quantity: Quantity
+    every_step: bool
+    _answers: dict[Settings, Array | None] = field(default_factory=dict, repr=False, compare=False)
+
+    @classmethod
+    def of(cls, family: Family, engine: Engine) -> Question:
+        """The question of a family's convergence study."""
+        study = family.convergence
+        return cls(engine, family.case(study.case), family.quantity(study.quantity), study.every_step)
+
+    def mean_error(self, settings: Settings) -> float | None:
+        """Mean error over the case's scenarios; None where there is no such number."""
+        return self._finite(settings, np.mean)
+
+    def rms_error(self, settings: Settings) -> float | None:
+        """Root mean square error over the case's scenarios; None where there is no such number."""
+        return self._finite(settings, lambda errors: np.sqrt(np.mean(errors**2)))
+
+    def remember(self, settings: Settings, trajectories: Sequence[Trajectory]) -> None:
+        """Take the answer from trajectories of the case that somebody has run with these settings already."""
+        if trajectories and settings == self._sampled(settings):
+            self._answers[settings] = self._measured(trajectories)
+
+    def _finite(self, settings: Settings, summary: Callable[[Array], Any]) -> float | None:
+        errors = self._errors(self._sampled(settings))
+        if errors is None:
+            return None
+        with np.errstate(over="ignore", invalid="ignore"):  # of numbers whose squares are none
+            error = float(summary(errors))
+        return error if math.isfinite(error) else None
+
+    def _errors(self, settings: Settings) -> Array | None:
+        if settings not in self._answers:
+            try:
+                with as_failed_run():
+                    trajectories = self.engine.run_many(self.case.scenarios, settings)
+            except CollisionsError:
+                trajectories = []
+            self._answers[settings] = self._measured(trajectories) if trajectories else None
+        return self._answers[settings]
+
+    def _measured(self, trajectories: Sequence[Trajectory]) -> Array | None:
+        try:
+            with as_failed_run():
+                measured = np.array([self.quantity.measure(trajectory) for trajectory in trajectories])
+                return np.asarray(measured - self.quantity.expected_value(self.case))
+        except CollisionsError:
+            return None
+
+    def _sampled(self, settings: Settings) -> Settings:
+        return replace(settings, sample_every=1) if self.every_step else settings

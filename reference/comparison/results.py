@@ -1,0 +1,99 @@
+"""What a job is, and what it gives back: plain data that pickles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from reference.catalogue.case import Case
+from reference.catalogue.family import Family
+from reference.comparison.compare import Row
+from reference.comparison.curves import Series
+from reference.comparison.shares import Split
+from reference.errors import InvalidInput
+from reference.scene.settings import Option
+from reference.viewer.poses import Track
+
+
+@dataclass(frozen=True)
+class Job:
+    """One family × engine × profile.
+
+    cases: names, all when empty. changes: settings to change, by name. at: values of the family's parameters, for one
+    case at these instead of its own. grid: every point of the family's grid instead. with_poses: whether the result
+    has poses for a replay. with_curve: whether the curve is of its one case, and not of the family's. snapped: what was
+    moved to a recorded point, in words; nothing hangs on it.
+    """
+
+    family: str
+    engine: str
+    profile: str
+    cases: tuple[str, ...] = ()
+    implementation: str = "solutions"
+    changes: tuple[tuple[str, Option], ...] = ()
+    with_studies: bool = False
+    at: tuple[tuple[str, float], ...] = ()
+    grid: bool = False
+    with_poses: bool = False
+    with_curve: bool = False
+    snapped: str = ""
+
+    def __str__(self) -> str:
+        at = "".join(f", {name} {value:g}" for name, value in self.at)
+        return f"{self.family}{at}{' on its grid' if self.grid else ''} in {self.engine}, {self.profile}"
+
+    def shared(self) -> Job:
+        """The job without what its result does not depend on."""
+        return replace(self, snapped="")
+
+    def chosen(self, family: Family) -> tuple[Case, ...]:
+        """The cases of its family that it runs.
+
+        Raises
+        ------
+        UnknownName, InvalidInput
+            If the family has no such parameter, or no such value of it.
+        """
+        if not (self.at or self.grid):
+            return tuple(case for case in family.cases if not self.cases or case.name in self.cases)
+        if family.grid is None:
+            raise InvalidInput(f"{family.name} has no parameters that can be moved")
+        return (family.grid.case(**dict(self.at)),) if self.at else family.grid.cases
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Error against timestep. order: slope of the log–log line, None where every error is rounding."""
+
+    timesteps: tuple[float, ...]
+    errors: tuple[float, ...]
+    order: float | None
+
+
+@dataclass(frozen=True)
+class JobResult:
+    """All that a job gives back; plain data.
+
+    seconds: what it took where it ran. cached: whether that was earlier, and the cache had it. recording: where and
+    when it was measured, if not here. poses: of each case's first scenario, where the job asks for them. functions:
+    those of the hand-written side that it asked for.
+    """
+
+    job: Job
+    title: str
+    description: str
+    rows: tuple[Row, ...]
+    settings: str = ""
+    version: str = ""
+    series: Series | None = None
+    convergence: Errors | None = None
+    split: Split | None = None
+    recording: str = ""
+    poses: tuple[Track, ...] = ()
+    functions: tuple[str, ...] = field(default=(), compare=False)
+    seconds: float = field(default=0.0, compare=False)
+    cached: bool = field(default=False, compare=False)
+
+    @property
+    def label(self) -> str:
+        """What a progress bar says of it."""
+        return f"{self.job.family}, {self.title}, {self.job.profile}"

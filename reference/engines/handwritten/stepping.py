@@ -1,0 +1,88 @@
+"""What every hand-written driver does around its step: choose the policy, step, sample, and hand out trajectories."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference.errors import InvalidInput, RunFailed
+from reference.scene.scenario import Scenario
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Event, Trajectory
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Step = Callable[[float], None]
+"""Takes the time at which the step begins, s."""
+
+
+def policy_of(policies: Mapping[str, Step], settings: Settings) -> Step:
+    """Return the step that the settings ask for; refuse one that this driver does not have."""
+    name = str(settings["policy"])
+    if name not in policies:
+        raise InvalidInput(f"policy is {name!r}; here it is one of {', '.join(policies)}")
+    return policies[name]
+
+
+def until(name: str, answered: Array) -> Array:
+    """Return times of impact as a function of that name answered them, s; refuse what lies in the past or is none."""
+    wrong = answered[~(answered >= 0)]
+    if wrong.size:
+        raise RunFailed(
+            f"{name} answered {wrong.flat[0]:.6g} s: a time of impact is 0 or later, infinity where it is none"
+        )
+    return answered
+
+
+def start(scenarios: Sequence[Scenario]) -> Array:
+    """Return the states that the bodies of scenarios with equally many start with, (N, bodies, 13)."""
+    return np.array(
+        [
+            [(*body.position, *body.orientation, *body.velocity, *body.angular_velocity) for body in scenario.bodies]
+            for scenario in scenarios
+        ]
+    )
+
+
+def record(
+    engine: str,
+    scenarios: Sequence[Scenario],
+    settings: Settings,
+    steps: list[int],
+    states: Callable[[], Array],
+    step: Step,
+    events: Sequence[Sequence[Event]],
+) -> list[Trajectory]:
+    """Step, sample, and hand every scenario its own trajectory, cut after its own number of steps.
+
+    states: gives position, orientation, velocity and angular velocity of every body, (N, bodies, 13). events: one list
+    a scenario, to which the step adds.
+    """
+    every, now = settings.sample_every, states()
+    samples = [now]
+    for number in range(max(steps)):
+        before, known = now, sum(map(len, events))
+        step(number * settings.timestep)
+        now = states()
+        if (number + 1) % every == 0:
+            samples.append(now)
+        if np.array_equal(now, before) and sum(map(len, events)) == known:
+            break  # forces hang on the state alone: where a step changes nothing, no later one will
+    samples += [now] * (1 + max(steps) // every - len(samples))
+    times: Array = np.arange(len(samples), dtype=np.float64) * every * settings.timestep
+    all_states = np.array(samples, dtype=np.float64)  # (samples, N, bodies, 13)
+    return [
+        _trajectory(engine, scenario, settings, times[:count], all_states[:count, member], events[member])
+        for member, scenario in enumerate(scenarios)
+        for count in [1 + steps[member] // every]
+    ]
+
+
+def _trajectory(
+    engine: str, scenario: Scenario, settings: Settings, times: Array, states: Array, events: Sequence[Event]
+) -> Trajectory:
+    position, orientation, velocity, spin = np.split(states, (3, 7, 10), axis=-1)
+    kept = tuple(event for event in events if event.time <= times[-1])
+    return Trajectory(scenario, settings, engine, times, position, orientation, velocity, spin, events=kept)

@@ -1,0 +1,94 @@
+"""The hand-written side as an engine: it picks driver and policy, `solutions` (or a student) does the physics."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
+from reference.engines.handwritten import ball_rows, queries, single_body, two_bodies
+from reference.engines.handwritten.supported import Kind, kind
+from reference.errors import InvalidInput, NeedsFunction
+from reference.scene.query import Query
+from reference.scene.scenario import Scenario
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Trajectory
+
+POLICIES = {
+    "exact_root": EXACT,
+    "interpolated": INTERPOLATED,
+    "at_step": AT_STEP,
+}
+
+DRIVERS = {
+    Kind.BOUNCE: single_body.bounce,
+    Kind.SLIDE: single_body.slide,
+    Kind.BALLS: two_bodies.strike_ball,
+    Kind.FACE: two_bodies.strike_face,
+    Kind.ROW: ball_rows.cradle,
+}
+
+
+class Handwritten(Engine):
+    """Newton's laws with the functions of the lecture.
+
+    The option `policy` says when a collision is answered: at the exact root of the parabola, at the slide's T, or at
+    the step that ends behind the plane. A sliding body stops exactly, or (`at_step`) as semi-implicit Euler makes it.
+    """
+
+    name = "handwritten"
+    title = "hand-written"
+    order = 0
+
+    def profiles(self, scenario: Scenario) -> Mapping[str, str]:
+        """Exact root as `tuned`, the plainest policy as `stock`; the slide's T where something falls on a plane."""
+        found = {"tuned": "exact root"}
+        if kind(scenario) is Kind.BOUNCE:
+            found["slide"] = "the slide's T"
+        return found | {"stock": "respond at the step"}
+
+    def settings(self, scenario: Scenario, profile: str) -> Settings:
+        """Timestep 1 ms. A rebound whose flight would be over within `shortest_flight` steps is taken for rest."""
+        self.check_profile(scenario, profile)
+        policy = {"tuned": "exact_root", "slide": "interpolated", "stock": "at_step"}[profile]
+        options: dict[str, float | str] = {"policy": policy}
+        if kind(scenario) is Kind.BOUNCE:
+            # The exact root follows the bounces down to rounding. A flight within one step starts and ends on the
+            # plane: the slide's T cannot see it. At the step, even a flight of two steps is lost in the overlap.
+            options["shortest_flight"] = {"exact_root": 1e-9, "interpolated": 1.0, "at_step": 2.0}[policy]
+        return Settings(1e-3, options=options)
+
+    def method(self, scenario: Scenario, settings: Settings) -> Method:
+        """As the policy says."""
+        steps = settings.number("shortest_flight") if "shortest_flight" in settings.options else 0.0
+        gravity = float(np.linalg.norm(scenario.gravity))
+        return Method(POLICIES[str(settings["policy"])], rest_speed=steps * settings.timestep * gravity / 2)
+
+    def check_settings(self, scenario: Scenario, settings: Settings) -> int:
+        """Refuse also a `shortest_flight` below the one step that the slide's T can see."""
+        if settings["policy"] == "interpolated" and kind(scenario) is Kind.BOUNCE:
+            shortest = settings.number("shortest_flight")
+            if shortest < 1:
+                raise InvalidInput(f"shortest_flight is {shortest:g}; with the policy interpolated it is at least 1")
+        return super().check_settings(scenario, settings)
+
+    def query(self, query: Query) -> float:
+        """Answer with the functions of swept volumes."""
+        return queries.answer(query, self.implementation)
+
+    def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
+        """Run one scenario as a batch of one."""
+        return self.run_many([scenario], settings)[0]
+
+    def run_many(self, scenarios: Sequence[Scenario], settings: Settings) -> list[Trajectory]:
+        """Run a batch of scenarios of one kind side by side, in arrays."""
+        steps = [self.check_settings(scenario, settings) for scenario in scenarios]
+        kinds = {kind(scenario) for scenario in scenarios}
+        for each, driver in DRIVERS.items():
+            if kinds == {each}:
+                return driver(self.name, scenarios, settings, steps, self.implementation)
+        raise NeedsFunction(two_bodies.NEEDS_A_WORLD)
+
+
+ENGINE = Handwritten

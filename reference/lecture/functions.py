@@ -1,0 +1,247 @@
+"""The functions of the hand-written side: which topic and step each belongs to, and who writes it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from reference.errors import UnknownName
+from reference.lecture.topics import topic
+
+Role = Literal["written", "given", "read"]
+"""A function is written by the student, given to them to use, or shown for them to read."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """One function of the hand-written side.
+
+    name: as it is called. topic: the name of the topic whose module holds it. step: of the lab in which it comes, from
+    1; a step may have several. statement: the number of the statement that it puts into code. role: who writes it.
+    """
+
+    name: str
+    topic: str
+    step: int
+    statement: int
+    role: Role
+
+
+_FUNCTIONS = (
+    Function("signed_distance", "detection", 1, 4, "written"),
+    Function("is_colliding", "detection", 2, 4, "written"),
+    Function("side_of_plane", "detection", 2, 4, "written"),
+    Function("time_of_impact_interpolated", "detection", 3, 5, "written"),
+    Function("time_of_impact_exact", "detection", 4, 5, "written"),
+    Function("overlap_interval", "detection", 5, 2, "written"),
+    Function("missing_probability", "detection", 6, 9, "written"),
+    Function("substeps_needed", "detection", 6, 9, "written"),
+    Function("kinematic_response", "response", 1, 7, "written"),
+    Function("moving_plane_response", "response", 2, 7, "written"),
+    Function("respond_at_step", "response", 3, 6, "written"),
+    Function("respond_at_impact", "response", 4, 6, "written"),
+    Function("time_until_rest", "response", 5, 3, "written"),
+    Function("bounce_along_normal", "response", 6, 3, "read"),
+    Function("bounce_through_step", "response", 7, 3, "read"),
+    Function("penalty_force", "response", 8, 8, "written"),
+    Function("penalty_rest_depth", "response", 9, 8, "written"),
+    Function("penalty_contact_time", "response", 10, 8, "read"),
+    Function("penalty_restitution", "response", 11, 8, "read"),
+    Function("penalty_damping", "response", 12, 8, "read"),
+    Function("penalty_step_limit", "response", 13, 8, "written"),
+    Function("apparent_force", "friction", 1, 24, "written"),
+    Function("normal_force", "friction", 2, 24, "written"),
+    Function("along_surface", "friction", 3, 24, "written"),
+    Function("holds", "friction", 4, 24, "written"),
+    Function("friction_angle", "friction", 5, 24, "written"),
+    Function("friction_force", "friction", 6, 24, "written"),
+    Function("sliding_motion", "friction", 7, 24, "written"),
+    Function("clamp_to_circle", "friction", 8, 24, "written"),
+    Function("clamp_to_square", "friction", 9, 24, "written"),
+    Function("break_away_time", "friction", 10, 24, "written"),
+    Function("stick_slip_times", "friction", 11, 24, "read"),
+    Function("sphere_grips", "friction", 12, 24, "written"),
+    Function("point_inverse_mass", "friction", 13, 16, "given"),
+    Function("friction_impulse", "friction", 14, 16, "written"),
+    Function("impact_energy", "friction", 15, 16, "given"),
+    Function("sphere_impact", "friction", 16, 16, "written"),
+    Function("propagate_impacts", "friction", 17, 22, "written"),
+    Function("contact_jacobian", "friction", 18, 22, "given"),
+    Function("inverse_mass_matrix", "friction", 19, 22, "given"),
+    Function("resting_problem", "friction", 20, 22, "written"),
+    Function("complementarity_residual", "friction", 21, 22, "written"),
+    Function("solve_by_sweeps", "friction", 22, 22, "written"),
+    Function("simultaneous_impacts", "friction", 23, 22, "read"),
+    Function("sequential_impulses", "friction", 24, 22, "read"),
+    Function("solve_by_pivots", "friction", 25, 22, "read"),
+    Function("point_velocity", "impulse", 1, 14, "written"),
+    Function("relative_velocity", "impulse", 1, 15, "written"),
+    Function("normal_velocity", "impulse", 1, 19, "written"),
+    Function("rebound_velocity", "impulse", 2, 12, "written"),
+    Function("classify_contact", "impulse", 2, 21, "written"),
+    Function("impulse_of_force", "impulse", 3, 13, "written"),
+    Function("mean_force", "impulse", 3, 13, "written"),
+    Function("point_plane_normal", "impulse", 4, 17, "written"),
+    Function("edge_edge_normal", "impulse", 4, 17, "written"),
+    Function("sphere_inertia", "impulse", 5, 18, "given"),
+    Function("box_inertia", "impulse", 5, 18, "given"),
+    Function("rod_inertia", "impulse", 5, 18, "given"),
+    Function("rotation_matrix", "impulse", 5, 18, "given"),
+    Function("world_inertia", "impulse", 5, 18, "given"),
+    Function("world_inverse_inertia", "impulse", 5, 18, "written"),
+    Function("inverse_effective_mass", "impulse", 6, 20, "written"),
+    Function("impulse_magnitude", "impulse", 6, 20, "written"),
+    Function("contact_impulses", "impulse", 6, 16, "written"),
+    Function("apply_impulse", "impulse", 6, 18, "written"),
+    Function("apply_impulse_to_momenta", "impulse", 7, 21, "written"),
+    Function("velocities_from_momenta", "impulse", 7, 21, "written"),
+    Function("collide", "impulse", 7, 11, "written"),
+    Function("energy_lost", "impulse", 7, 20, "read"),
+    Function("face_planes", "polyhedra", 1, 9, "written"),
+    Function("convex_separation", "polyhedra", 2, 9, "written"),
+    Function("inside_convex", "polyhedra", 3, 9, "written"),
+    Function("is_convex", "polyhedra", 4, 9, "given"),
+    Function("segment_plane", "polyhedra", 5, 9, "written"),
+    Function("segment_triangle", "polyhedra", 6, 9, "written"),
+    Function("segment_meets_triangle", "polyhedra", 7, 9, "given"),
+    Function("orient2d", "polyhedra", 8, 9, "given"),
+    Function("orient3d", "polyhedra", 9, 9, "given"),
+    Function("inside_by_parity", "polyhedra", 10, 9, "written"),
+    Function("winding_number", "polyhedra", 11, 9, "written"),
+    Function("inside_by_winding", "polyhedra", 12, 9, "written"),
+    Function("signed_volume", "polyhedra", 13, 9, "given"),
+    Function("mesh_edges", "polyhedra", 14, 9, "given"),
+    Function("edges_through_faces", "polyhedra", 15, 9, "written"),
+    Function("polyhedra_intersect", "polyhedra", 16, 9, "written"),
+    Function("mesh_report", "polyhedra", 17, 9, "read"),
+    Function("relative_motion", "sweeping", 1, 10, "written"),
+    Function("ray_sphere", "sweeping", 2, 10, "written"),
+    Function("sweep_sphere_sphere", "sweeping", 3, 10, "written"),
+    Function("sweep_sphere_plane", "sweeping", 4, 10, "written"),
+    Function("ray_box", "sweeping", 5, 10, "written"),
+    Function("sweep_boxes", "sweeping", 6, 10, "written"),
+    Function("ray_capsule", "sweeping", 7, 10, "written"),
+    Function("sweep_sphere_triangle", "sweeping", 8, 10, "written"),
+    Function("sweep_oriented_boxes", "sweeping", 9, 10, "written"),
+    Function("rotated", "sweeping", 10, 10, "given"),
+    Function("motion_bound", "sweeping", 11, 10, "written"),
+    Function("nearest_on_triangle", "sweeping", 12, 10, "given"),
+    Function("vertex_face_impact", "sweeping", 13, 10, "read"),
+    Function("edge_edge_impact", "sweeping", 14, 10, "read"),
+    Function("separation_of_hulls", "sweeping", 15, 10, "read"),
+    Function("sweep_convex", "sweeping", 16, 10, "read"),
+    Function("uniform_gravity", "forces", 1, 25, "given"),
+    Function("ballistic_motion", "forces", 2, 25, "given"),
+    Function("semi_implicit_euler", "forces", 3, 30, "given"),
+    Function("explicit_euler", "forces", 4, 30, "written"),
+    Function("surface_gravity", "forces", 5, 25, "written"),
+    Function("universal_gravity", "forces", 6, 25, "written"),
+    Function("universal_gravity_energy", "forces", 7, 25, "given"),
+    Function("mutual_gravity", "forces", 8, 25, "given"),
+    Function("spring_force", "forces", 9, 27, "written"),
+    Function("spring_energy", "forces", 10, 27, "given"),
+    Function("damper_force", "forces", 11, 29, "written"),
+    Function("spring_damper_force", "forces", 12, 29, "written"),
+    Function("natural_frequency", "forces", 13, 27, "given"),
+    Function("damping_ratio", "forces", 14, 29, "given"),
+    Function("sphere_shape_factor", "forces", 15, 26, "written"),
+    Function("stokes_drag", "forces", 16, 26, "written"),
+    Function("buoyancy", "forces", 17, 26, "written"),
+    Function("reynolds_number", "forces", 18, 26, "written"),
+    Function("terminal_velocity", "forces", 19, 26, "written"),
+    Function("relaxation_time", "forces", 20, 26, "given"),
+    Function("drag_motion", "forces", 21, 26, "given"),
+    Function("wind_force", "forces", 22, 30, "written"),
+    Function("check_stokes_regime", "forces", 23, 26, "read"),
+    Function("drag_correction", "forces", 24, 26, "read"),
+    Function("terminal_velocity_corrected", "forces", 25, 26, "read"),
+    Function("spheroid_shape_factors", "forces", 26, 26, "read"),
+    Function("spheroid_drag", "forces", 27, 26, "read"),
+    Function("sample_field", "forces", 28, 30, "read"),
+    Function("velocity_verlet", "forces", 29, 30, "read"),
+    Function("runge_kutta_4", "forces", 30, 30, "read"),
+    Function("implicit_euler", "forces", 31, 30, "read"),
+    Function("stable_step", "forces", 32, 29, "read"),
+    Function("damped_oscillator", "forces", 33, 29, "read"),
+    Function("friction_oscillator", "forces", 34, 23, "read"),
+    Function("evaluate_forces", "forces", 35, 30, "read"),
+    Function("total_force", "forces", 36, 30, "read"),
+    Function("acceleration_of", "forces", 37, 23, "read"),
+    Function("power_by_tag", "forces", 38, 30, "read"),
+    Function("audit_energy", "forces", 39, 30, "read"),
+    Function("cloth", "meshes", 1, 28, "given"),
+    Function("lattice", "meshes", 2, 28, "given"),
+    Function("surface_edges", "meshes", 3, 28, "given"),
+    Function("bend_edges", "meshes", 4, 28, "given"),
+    Function("spring_mesh", "meshes", 5, 28, "given"),
+    Function("pin", "meshes", 6, 28, "given"),
+    Function("edge_directions", "meshes", 7, 28, "written"),
+    Function("edge_strain", "meshes", 8, 28, "given"),
+    Function("mesh_energy", "meshes", 9, 28, "given"),
+    Function("mesh_forces", "meshes", 10, 29, "written"),
+    Function("mesh_step", "meshes", 11, 28, "written"),
+    Function("mesh_plane_contact", "meshes", 12, 28, "written"),
+    Function("mesh_sphere_contact", "meshes", 13, 28, "written"),
+    Function("limit_strain", "meshes", 14, 28, "written"),
+    Function("timestep_bound", "meshes", 15, 28, "written"),
+    Function("edge_stiffness", "meshes", 16, 28, "read"),
+    Function("edge_damping", "meshes", 17, 29, "read"),
+    Function("mesh_product", "meshes", 18, 28, "read"),
+    Function("largest_eigenvalue", "meshes", 19, 28, "read"),
+    Function("static_shape", "meshes", 20, 28, "read"),
+    Function("mesh_matrix", "meshes", 21, 28, "read"),
+    Function("zero_energy_modes", "meshes", 22, 28, "read"),
+    Function("stable_timestep", "meshes", 23, 28, "read"),
+    Function("conjugate_gradient", "meshes", 24, 28, "read"),
+    Function("implicit_mesh_step", "meshes", 25, 28, "read"),
+    Function("amplitude_kept", "meshes", 26, 28, "read"),
+    Function("repelling_force", "avoidance", 1, 1, "written"),
+    Function("sphere_force", "avoidance", 2, 1, "given"),
+    Function("nearest_approach", "avoidance", 3, 1, "written"),
+    Function("time_to_collision", "avoidance", 4, 1, "given"),
+    Function("tangent_point", "avoidance", 5, 1, "written"),
+    Function("is_in_the_way", "avoidance", 6, 1, "given"),
+    Function("steer_around", "avoidance", 7, 1, "read"),
+    Function("limited", "avoidance", 8, 1, "given"),
+    Function("seek", "avoidance", 9, 1, "written"),
+    Function("flee", "avoidance", 10, 1, "written"),
+    Function("steering_force", "avoidance", 11, 1, "given"),
+    Function("arrive", "avoidance", 12, 1, "written"),
+    Function("separation", "avoidance", 13, 1, "written"),
+    Function("alignment", "avoidance", 14, 1, "written"),
+    Function("cohesion", "avoidance", 15, 1, "written"),
+    Function("neighbour_pairs", "avoidance", 16, 1, "given"),
+    Function("flock_step", "avoidance", 17, 1, "read"),
+    Function("orca_half_plane", "avoidance", 18, 1, "read"),
+    Function("permitted_velocity", "avoidance", 19, 1, "read"),
+    Function("crowd_step", "avoidance", 20, 1, "read"),
+)
+
+FUNCTIONS: dict[str, Function] = {entry.name: entry for entry in _FUNCTIONS}
+"""The functions of the hand-written side by name."""
+
+
+def function(name: str) -> Function:
+    """Return the function of that name.
+
+    Raises
+    ------
+    UnknownName
+        If the lecture has no such function.
+    """
+    try:
+        return FUNCTIONS[name]
+    except KeyError:
+        raise UnknownName("function", name, FUNCTIONS) from None
+
+
+def functions_of(topic_name: str) -> tuple[Function, ...]:
+    """Return the functions of a topic in the order of its steps; none where the topic has no functions yet.
+
+    Raises
+    ------
+    UnknownName
+        If the lecture has no such topic.
+    """
+    name = topic(topic_name).name
+    return tuple(sorted((entry for entry in _FUNCTIONS if entry.topic == name), key=lambda entry: entry.step))

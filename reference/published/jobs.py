@@ -1,0 +1,47 @@
+"""Published cases as jobs: one case × engine, run as the lab's own catalogue is."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+
+from reference.engines import load_engine
+from reference.engines.implementation import Implementation
+from reference.errors import CollisionsError
+from reference.published import published, published_cases, recorded
+from reference.published.judging import compare_published, refusal
+from reference.published.results import PublishedJob, PublishedResult
+from reference.running.jobs import Work
+
+
+def plan(names: Sequence[str], engines: Sequence[str], implementation: str = "solutions") -> list[PublishedJob]:
+    """List the jobs that run these cases, all where none is named, in these engines; each once.
+
+    Raises
+    ------
+    UnknownName
+        If there is no such case or engine.
+    """
+    known = published_cases()
+    cases = [published(name.upper() if name.upper() in known else name).name for name in names] or list(known)
+    for engine in engines:
+        load_engine(engine)
+    return list(dict.fromkeys(PublishedJob(case, engine, implementation) for case in cases for engine in engines))
+
+
+def run_job(job: PublishedJob) -> PublishedResult:
+    """Run a job here and now."""
+    start = time.perf_counter()
+    engine = load_engine(job.engine, Implementation(job.implementation))
+    rows, answers = compare_published(published(job.case), engine)
+    version = engine.version() if any(row.measured is not None for row in rows) else ""
+    return PublishedResult(job, engine.title, rows, version, answers, seconds=time.perf_counter() - start)
+
+
+def _refused(job: PublishedJob, error: CollisionsError, seconds: float) -> PublishedResult:
+    row = refusal(published(job.case), load_engine(job.engine).name, error)
+    return PublishedResult(job, load_engine(job.engine).title, (row,), seconds=seconds)
+
+
+PUBLISHED: Work[PublishedJob, PublishedResult] = Work(run_job, recorded.recall, _refused, list)
+"""The jobs of the second catalogue."""

@@ -1,0 +1,288 @@
+"""One job in a worker process with a time limit: a crash or a hang costs that job and nothing else.
+
+`run_isolated` is called from the threads of any `concurrent.futures.Executor`, which only schedules. Each call takes
+an idle worker process, or starts one; a worker that died or went past its limit is replaced by a new one. Jobs and
+results are pickled over the worker's own pipes: this is for code that we trust not to attack us, only not to fail.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import logging
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any, BinaryIO, ParamSpec, TypeVar
+
+from reference import checks
+from reference.errors import CollisionsError, RunFailed, WorkerCrashed, WorkerTimeout, one_line, place_of
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+_THREAD_LIMITS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+_HEADER = 8  # bytes that hold a message's length
+_PARENT_INTERVAL = 1.0  # s between two looks at whether the parent still lives
+_GRACE = 1.0  # s that a worker past its limit has to say where it was, before it is killed
+
+_log = logging.getLogger(__name__)
+_workers: set[_Worker] = set()
+_idle: list[_Worker] = []
+_lock = threading.Lock()
+
+
+def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, **named: P.kwargs) -> T:
+    """Run an importable function in a worker process and return its result.
+
+    Parameters
+    ----------
+    function : a function that pickles, so one at module level
+    timeout : s of wall-clock time, above zero
+
+    Raises
+    ------
+    InvalidInput
+        If the limit is no time.
+    WorkerTimeout
+        If the job went past its limit.
+    WorkerCrashed
+        If the process died, or was stopped by `stop_workers`.
+    CollisionsError
+        As the function raised it; any other exception arrives as `RunFailed` with its last line.
+    """
+    checks.positive("timeout", timeout)
+    worker = _take()
+    result: T
+    try:
+        result = worker.call(function, arguments, named, timeout)
+    except (WorkerCrashed, WorkerTimeout) as error:
+        _log.log(logging.INFO if worker.unwanted else logging.WARNING, "worker %d is lost: %s", worker.pid, error)
+        worker.stop()
+        raise
+    except BaseException:
+        _return(worker)
+        raise
+    _return(worker)
+    return result
+
+
+def stop_workers() -> None:
+    """Stop every worker process, idle or busy, whosever job it runs; that job fails with `WorkerCrashed`."""
+    with _lock:
+        idle, _idle[:] = list(_idle), []
+        for worker in _workers:
+            worker.unwanted = True
+            worker.kill()  # the thread that waits for a busy one's answer sees it end, and does the rest
+    for worker in idle:
+        worker.stop()
+
+
+atexit.register(stop_workers)
+
+
+def _take() -> _Worker:
+    while (worker := _pop_idle()) is not None:
+        if worker.alive:
+            return worker
+        _log.warning("worker %d died while it was idle", worker.pid)
+        worker.stop()
+    worker = _Worker()
+    with _lock:
+        _workers.add(worker)
+    _log.info("worker %d started", worker.pid)
+    return worker
+
+
+def _pop_idle() -> _Worker | None:
+    with _lock:
+        return _idle.pop() if _idle else None
+
+
+def _return(worker: _Worker) -> None:
+    with _lock:
+        usable = worker.between_jobs and not worker.unwanted
+        if usable:
+            _idle.append(worker)
+    if not usable:  # interrupted in the middle of a message, or killed at the end of its job
+        worker.stop()
+
+
+class _Worker:
+    """A child process that answers one job after another."""
+
+    def __init__(self) -> None:
+        environment = os.environ | dict.fromkeys(_THREAD_LIMITS, "1") | {"MPLBACKEND": "Agg"}
+        environment["PYTHONPATH"] = os.pathsep.join(path for path in sys.path if path)
+        self._process = subprocess.Popen(
+            [sys.executable, "-P", "-m", "reference.running.isolate"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env=environment,
+            start_new_session=os.name == "posix",
+        )
+        self.between_jobs = True
+        self.unwanted = False
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
+    @property
+    def alive(self) -> bool:
+        return self._process.poll() is None
+
+    def call(self, function: Callable[..., Any], arguments: Any, named: Any, timeout: float) -> Any:
+        message = pickle.dumps((function, arguments, named, timeout))
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        expired = threading.Event()
+
+        def expire() -> None:
+            expired.set()
+            self.kill()
+
+        timer = threading.Timer(timeout + _GRACE, expire)
+        timer.daemon = True
+        timer.start()
+        self.between_jobs = False
+        try:
+            _write(self._process.stdin, message)
+            answer = _read(self._process.stdout)
+        except (OSError, EOFError):
+            answer = None
+        finally:
+            timer.cancel()
+            timer.join()  # it fires before this line or never: an idle worker must not be killed
+        if expired.is_set():
+            raise WorkerTimeout(_too_long(timeout))
+        if answer is None and self.unwanted:
+            raise WorkerCrashed("its process was stopped before it could answer")
+        if answer is None:
+            raise WorkerCrashed(f"its process died ({_describe_exit(self._process.wait())})")
+        self.between_jobs = True
+        try:
+            succeeded, value = pickle.loads(answer)
+        except Exception as error:
+            raise RunFailed(f"its answer cannot be read here: {error}") from None
+        if succeeded:
+            return value
+        raise value
+
+    def stop(self) -> None:
+        self.kill()
+        with _lock:
+            _workers.discard(self)
+        self._process.wait()
+        for stream in (self._process.stdin, self._process.stdout):
+            if stream is not None:
+                with contextlib.suppress(OSError):
+                    stream.close()
+
+    def kill(self) -> None:
+        with contextlib.suppress(OSError):
+            if os.name == "posix":
+                os.killpg(self._process.pid, signal.SIGKILL)  # and whatever it started
+            else:
+                self._process.kill()
+
+
+def _describe_exit(code: int) -> str:
+    if code < 0:
+        with contextlib.suppress(ValueError):
+            return signal.Signals(-code).name
+    return f"exit code {code}"
+
+
+def _write(stream: BinaryIO | Any, message: bytes) -> None:
+    stream.write(len(message).to_bytes(_HEADER, "big") + message)
+    stream.flush()
+
+
+def _read(stream: BinaryIO | Any) -> bytes:
+    length = int.from_bytes(_read_exactly(stream, _HEADER), "big")
+    return _read_exactly(stream, length)
+
+
+def _read_exactly(stream: BinaryIO | Any, length: int) -> bytes:
+    data: bytes = stream.read(length)
+    if len(data) < length:
+        raise EOFError
+    return data
+
+
+def _too_long(timeout: float) -> str:
+    return f"no answer within {timeout:g} s; its process was stopped"
+
+
+def _portable(error: Exception) -> CollisionsError:
+    """Return an error that can be pickled and raised in the parent."""
+    if isinstance(error, CollisionsError):
+        with contextlib.suppress(Exception):
+            pickle.loads(pickle.dumps(error))
+            return error
+        return RunFailed(str(error))
+    return RunFailed(one_line(error) + place_of(error.__traceback__))
+
+
+class _OutOfTime(BaseException):
+    """Raised in a worker's Python code that has run for too long, wherever it is, past every `except Exception`."""
+
+
+@contextlib.contextmanager
+def _limited(seconds: float) -> Iterator[None]:
+    """Leave the block with `_OutOfTime` when the time is up; where the system has no such timer the parent kills."""
+    if not hasattr(signal, "setitimer"):
+        yield
+        return
+
+    def leave(*_: object) -> None:
+        raise _OutOfTime
+
+    signal.signal(signal.SIGALRM, leave)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+def _serve() -> None:
+    """Answer jobs until the parent closes the pipe."""
+    jobs, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)  # code that asks for input must not read the jobs
+    os.dup2(2, 1)  # an engine that prints must not write into the answers
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides when to stop
+    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
+    while True:
+        try:
+            message = _read(jobs)
+        except EOFError:
+            return
+        try:
+            function, arguments, named, timeout = pickle.loads(message)
+            with _limited(timeout):
+                value = function(*arguments, **named)
+            answer = pickle.dumps((True, value))
+        except _OutOfTime as error:
+            answer = pickle.dumps((False, WorkerTimeout(_too_long(timeout) + place_of(error.__traceback__))))
+        except Exception as error:
+            answer = pickle.dumps((False, _portable(error)))
+        _write(answers, answer)
+
+
+def _end_with(parent: int) -> None:
+    """End this process once its parent is gone, killed in the middle of a job; where the system tells (POSIX)."""
+    while os.getppid() == parent:
+        time.sleep(_PARENT_INTERVAL)
+    os._exit(1)
+
+
+if __name__ == "__main__":
+    _serve()

@@ -1,0 +1,100 @@
+"""Jobs through an executor: each in a worker process of its own, or out of the cache; a failure costs one job."""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable, Generator, Iterable, Sequence
+from concurrent.futures import Executor, Future, as_completed, wait
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
+
+from reference.errors import CannotExpress, CollisionsError, EngineNotInstalled, NeedsFunction, RunFailed
+from reference.running.cache import Cache, key_of
+from reference.running.isolate import run_isolated, stop_workers
+from reference.running.protocol import Job, Result
+
+J = TypeVar("J", bound=Job)
+R = TypeVar("R", bound=Result)
+
+TIME_LIMIT = 300.0
+"""Wall-clock limit of one job, s."""
+_STOP_INTERVAL = 0.05
+"""Time between two rounds of stopping workers, s: enough for a thread to see that its worker is gone."""
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class Work(Generic[J, R]):
+    """How one kind of job is done.
+
+    run: here and now, within a worker. recorded: what was measured elsewhere, None where nothing was. refused: the
+    result that says why there is none; s that it took. in_order: in which order to start jobs.
+    """
+
+    run: Callable[[J], R]
+    recorded: Callable[[J], R | None]
+    refused: Callable[[J, CollisionsError, float], R]
+    in_order: Callable[[Iterable[J]], list[J]]
+
+
+def recall(jobs: Iterable[Job], cache: Cache) -> list[Any]:
+    """The results of those jobs that the cache has."""
+    return [result for job in jobs if (result := cache.get(job)) is not None]
+
+
+def run_all(
+    jobs: Sequence[J], work: Work[J, R], executor: Executor, timeout: float = TIME_LIMIT, cache: Cache | None = None
+) -> Generator[R, None, None]:
+    """Run jobs through an executor and yield their results as they come; what fails comes as a row that says so.
+
+    What a cache has is taken from it, in the executor's threads, without a worker process.
+
+    Whoever leaves early, by closing the generator or by an interrupt, stops every worker process and waits for no job.
+    """
+    waiting: list[Future[R]] = []
+    try:
+        waiting.extend(executor.submit(run_one, job, work, timeout, cache) for job in jobs)
+        for future in as_completed(waiting):
+            yield future.result()
+    finally:
+        _abandon(waiting)
+
+
+def _abandon(futures: Iterable[Future[R]]) -> None:
+    """Cancel the jobs that have not started and stop the workers of those that have, until none is left."""
+    running = {future for future in futures if not (future.cancel() or future.done())}
+    while running:  # again and again: a thread may be just about to start a worker
+        stop_workers()
+        running = wait(running, _STOP_INTERVAL).not_done
+
+
+def run_one(job: J, work: Work[J, R], timeout: float = TIME_LIMIT, cache: Cache | None = None) -> R:
+    """Run a job in a worker process, or take it from a cache; a crash or a hang becomes a row that says so.
+
+    An engine that is not installed answers from its recording, or with a row that says how to get it.
+    """
+    found: R | None = cache.get(job) if cache else None
+    if found is not None:
+        return found
+    start, key, result = time.perf_counter(), None, None
+    _log.info("%s: started", job)
+    try:
+        if cache:
+            key, result = run_isolated(_run_with_key, timeout, work.run, job)
+        else:
+            result = run_isolated(work.run, timeout, job)
+    except EngineNotInstalled as error:
+        result = work.recorded(job) or work.refused(job, error, time.perf_counter() - start)
+    except (NeedsFunction, CannotExpress, RunFailed) as error:
+        result = work.refused(job, error, time.perf_counter() - start)
+    _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)
+    if cache:
+        cache.put(job, key, result)
+    return result
+
+
+def _run_with_key(run: Callable[[J], R], job: J) -> tuple[str | None, R]:
+    """Run a job in a worker, which says what code it runs: it may have imported it before a file was changed."""
+    return key_of(job, once=True), run(job)

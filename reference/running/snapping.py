@@ -1,0 +1,53 @@
+"""Like with like: where an engine answers from recordings, all of a comparison go to the nearest point of them.
+
+An engine that is not installed here knows the points of its grid alone. To set beside it what others make of a value in
+between would compare two questions; so the question is moved, for all, and the jobs say so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from reference import checks
+from reference.catalogue.grid import nearest
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.results import Job
+from reference.engines import load_engine
+from reference.recording.reading import content_of
+from reference.running.availability import absent
+
+
+def snapped(jobs: Sequence[Job]) -> list[Job]:
+    """The same jobs; those of a family moved to a recorded point if an engine that is asked has only its recordings."""
+    missing = {name: absent(name) for name in {job.engine for job in jobs if _movable(job)}}
+    found: list[Job] = []
+    for job in jobs:
+        own = [other for other in jobs if other.family == job.family and _movable(other) and missing[other.engine]]
+        engines = [other.engine for other in own if content_of(other.engine, other.family)]
+        found.append(moved(job, dict.fromkeys(engines)) if engines and _movable(job) else job)
+    return list(dict.fromkeys(found))
+
+
+def moved(job: Job, recorded: Iterable[str]) -> Job:
+    """A job at the nearest point of its family's grid, because these engines answer from recordings."""
+    grid, changes = catalogue()[job.family].grid, dict(job.changes)
+    assert grid is not None
+    timestep = checks.positive("timestep", changes["timestep"]) if "timestep" in changes else None  # type: ignore[arg-type]
+    point = nearest(grid, dict(job.at), timestep)
+    if not point.moved:
+        return job
+    if point.timestep is not None:
+        changes["timestep"] = point.timestep
+    titles = [load_engine(name).title for name in recorded]
+    who = " and ".join(filter(None, [", ".join(titles[:-1]), titles[-1]]))
+    answers = "answer" if len(titles) > 1 else "answers"
+    words = f"{job.family}: {point.moved} for all, since {who} {answers} from recordings"
+    at = tuple(point.at.items()) if job.at else ()
+    return replace(job, at=at, changes=tuple(sorted(changes.items())), snapped=words)
+
+
+def _movable(job: Job) -> bool:
+    """Whether a recording could answer a job if it were moved: nothing but parameters and timestep are asked for."""
+    names = {name for name, _ in job.changes}
+    return catalogue()[job.family].grid is not None and bool(job.at or names) and names <= {"timestep"}

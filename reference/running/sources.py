@@ -1,0 +1,90 @@
+"""What a piece of code is made of: the text of its files, and of what they import of one's own."""
+
+from __future__ import annotations
+
+import ast
+import functools
+import hashlib
+import importlib.util
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import reference
+
+_INSTALLED = {"site-packages", "dist-packages"}
+_HERE = Path(reference.__file__).resolve().parents[1]
+_ONE_AT_A_TIME = threading.Lock()
+"""Two threads that parse at once now and then end in "AST constructor recursion depth mismatch" (CPython 3.11)."""
+
+
+def digest(source: str, once: bool = False) -> str:
+    """A hash of a package, or of a `.py` file, and of all that its files import but for installed packages.
+
+    Nothing is imported: files are found as Python would find them, and read. once: packages only the first time in
+    this process, as Python does, which then goes on with what it has imported; a `.py` file always.
+    """
+    whole, seen, waiting = hashlib.sha256(), set(), [source]
+    while waiting:
+        name = waiting.pop()
+        if name not in seen:
+            seen.add(name)
+            text, imported = _first_part(name) if once and not name.endswith(".py") else _part(name)
+            whole.update(f"{name} {text}\n".encode())
+            waiting += sorted(imported)
+    return whole.hexdigest()
+
+
+def _part(name: str) -> tuple[str, frozenset[str]]:
+    """A hash of the text of a package or a file, and the first names of what it imports of one's own."""
+    whole, names = hashlib.sha256(), frozenset[str]()
+    for place, path in _files(name):
+        text = path.read_bytes()
+        whole.update(f"{path.relative_to(place.parent).as_posix()} {len(text)}\n".encode() + text)
+        names |= _imported(text)
+    return whole.hexdigest(), frozenset(name for name in names if _is_own(name))
+
+
+_first_part = functools.cache(_part)
+
+
+def _files(name: str) -> Iterator[tuple[Path, Path]]:
+    """All files of a package with its folder, or the one of a module; of the package where a part of it is named."""
+    for place in [Path(name).resolve()] if name.endswith(".py") else _places(name):
+        for path in sorted(place.rglob("*.py")) if place.is_dir() else [place]:
+            yield place, path
+
+
+@functools.cache
+def _imported(text: bytes) -> frozenset[str]:
+    """First names of what a text imports, wherever in it."""
+    try:
+        with _ONE_AT_A_TIME:
+            nodes = list(ast.walk(ast.parse(text)))
+    except (SyntaxError, ValueError):
+        return frozenset()
+    names = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
+    names |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.module and not node.level}
+    return frozenset(name.partition(".")[0] for name in names)
+
+
+def _is_own(name: str) -> bool:
+    """Whether a name is neither of the standard library nor of an installed package, but for the lab itself."""
+    if name in sys.stdlib_module_names:
+        return False
+    places = _places(name)
+    return any(place.parent == _HERE or not _INSTALLED & set(place.parts) for place in places)
+
+
+def _places(name: str) -> list[Path]:
+    """The folders of a package or the file of a module; none where there is no such thing or it is no Python."""
+    try:
+        spec = importlib.util.find_spec(name.partition(".")[0])  # of a first name: nothing is imported on the way
+    except (ImportError, ValueError):
+        return []
+    if spec is None:
+        return []
+    if spec.submodule_search_locations is not None:
+        return [Path(place).resolve() for place in spec.submodule_search_locations]
+    return [Path(spec.origin).resolve()] if spec.origin and spec.origin.endswith(".py") else []

@@ -1,0 +1,203 @@
+"""Many runs: jobs of one family × engine × profile, each isolated, scheduled by whatever executor one has."""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from reference.catalogue.case import Case
+from reference.catalogue.family import Family
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import ALL_CASES, Row, Verdict, compare_case, verdict_of
+from reference.comparison.curves import Series
+from reference.comparison.question import Question
+from reference.comparison.results import Errors, Job, JobResult
+from reference.comparison.shares import split
+from reference.engines import load_engine
+from reference.engines.base import Engine
+from reference.engines.implementation import Implementation
+from reference.engines.profiles import TUNED
+from reference.errors import CollisionsError, InvalidInput, UnknownName, one_line
+from reference.recording import reading
+from reference.recording.reading import track_of
+from reference.running.jobs import Work
+from reference.scene.settings import Option
+from reference.viewer.poses import Track
+
+ROUNDING = 1e-9
+"""Errors below this share of the value are rounding: no order can be read off them."""
+
+_log = logging.getLogger(__name__)
+
+
+def plan(
+    families: Iterable[Family],
+    engines: Sequence[str],
+    profiles: Sequence[str] = (),
+    cases: Mapping[str, tuple[str, ...]] | None = None,
+    implementation: str = "solutions",
+    changes: Mapping[str, Option] | None = None,
+    with_studies: bool = False,
+    at: Mapping[str, float] | None = None,
+) -> list[Job]:
+    """List the jobs that compare these families in these engines, each job once.
+
+    Where no profiles are named an engine runs in all that it has, and where no cases are, a family runs all of its own;
+    or, where parameters are given, one case `at` these values.
+
+    Raises
+    ------
+    UnknownName
+        If none of these engines has a profile that is asked for in any of these families, an engine has no setting
+        that is to be changed, or a family has no such case or parameter.
+    InvalidInput
+        If a case cannot be run with the changed settings, or a parameter is out of range.
+    """
+    families, changes = list(families), dict(changes or {})
+    loaded = {name: load_engine(name, Implementation(implementation)) for name in engines}
+    known = [profile for engine in loaded.values() for family in families for profile in family.profiles(engine)]
+    for profile in profiles if known else ():
+        if profile not in known:
+            raise UnknownName("profile", profile, dict.fromkeys(known))
+    jobs = []
+    for family in families:
+        wanted = tuple(dict.fromkeys((cases or {}).get(family.name, ())))
+        place = tuple(_place(family, at, wanted).items()) if at else ()
+        chosen = [family.case(case) for case in wanted] or Job(family.name, "", "", at=place).chosen(family)
+        for name, engine in loaded.items():
+            has = family.profiles(engine)
+            for profile in profiles or has:
+                if profile in has:  # or it is another engine's word, or another family's
+                    _check(engine, profile, chosen, changes)
+                    fixed = tuple(sorted(changes.items()))
+                    jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies, place))
+    return list(dict.fromkeys(jobs))
+
+
+def _place(family: Family, at: Mapping[str, float], cases: Sequence[str]) -> dict[str, float]:
+    """All parameters of a family, with defaults for those that nobody named."""
+    if family.grid is None:
+        others = ", ".join(each.name for each in catalogue().values() if each.grid is not None)
+        raise InvalidInput(f"{family.name} has no parameters that can be moved; these have: {others}")
+    if cases:
+        raise InvalidInput(f"{family.name}/{cases[0]} is one case, and so is what parameters make; name one of the two")
+    for name in at:
+        if name not in family.grid.names:
+            raise UnknownName(f"parameter of {family.name}", name, family.grid.names)
+    return family.grid.full(at)
+
+
+def _check(engine: Engine, profile: str, cases: Iterable[Case], changes: Mapping[str, Option]) -> None:
+    """Refuse settings that are no use before anything runs. What else an engine gets wrong, its own job will show."""
+    for case in cases:
+        try:
+            settings = engine.settings(case.scenarios[0], profile).change(**changes)
+            for scenario in case.scenarios:
+                engine.check_settings(scenario, settings)
+        except UnknownName as error:
+            whose = f"{error.kind} of {engine.title}'s {profile} profile"
+            raise UnknownName(whose, error.value, error.choices) from None
+        except InvalidInput:
+            raise
+        except Exception as error:
+            _log.warning("%s has no settings for %s: %s", engine.title, case.name, one_line(error))
+            return
+
+
+def longest_first(jobs: Iterable[Job]) -> list[Job]:
+    """Jobs in the order in which to start them, so that none is left over at the end while other processors idle."""
+    return sorted(jobs, key=_steps, reverse=True)
+
+
+def _steps(job: Job) -> float:
+    """Steps that a job takes, times what moves in each: what its duration goes with, roughly."""
+    engine, family = load_engine(job.engine), catalogue()[job.family]
+    scenarios = [each for case in job.chosen(family) for each in case.scenarios]
+    moving = sum(each.duration * sum(not body.immovable for body in each.bodies) for each in scenarios)
+    try:
+        return moving / engine.settings(scenarios[0], job.profile).change(**dict(job.changes)).timestep
+    except Exception:
+        return 0.0  # its own run will say what is wrong
+
+
+def _without_answer(job: Job, error: CollisionsError, seconds: float) -> JobResult:
+    """The result of a job that gave none: one row that says why."""
+    engine = load_engine(job.engine)
+    row = Row(job.family, ALL_CASES, engine.name, job.profile, "", "", verdict_of(error), note=str(error))
+    description = catalogue()[job.family].profiles(engine).get(job.profile, job.profile)
+    return JobResult(job, engine.title, description, (row,), seconds=seconds)
+
+
+def run_job(job: Job) -> JobResult:
+    """Run a job here and now: every case, the plotted one, and error against timestep if it is asked for."""
+    start = time.perf_counter()
+    family = catalogue()[job.family]
+    implementation = Implementation(job.implementation)
+    engine = load_engine(job.engine, implementation)
+    version, has = engine.version(), family.profiles(engine)
+    engine.module()  # where it cannot be imported, nothing is asked of it
+    asked, rows = Question.of(family, engine), list[Row]()
+    series, shown, tracks = None, "", list[Track]()
+    for case in job.chosen(family):
+        settings = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
+        found, trajectories = compare_case(family, case, engine, job.profile, settings)
+        rows += found
+        if case.name == family.curve.case or not shown:
+            shown = settings.describe()
+        if trajectories and not job.grid and (job.at or job.with_curve or case.name == family.curve.case):
+            series = Series.of(family, trajectories[0])
+        if trajectories and job.with_poses:
+            tracks.append(track_of(job, engine, case, settings, trajectories[0]))
+        if case == asked.case:
+            asked.remember(settings, trajectories)
+    convergence = _convergence(asked, family.convergence.factors, job) if job.with_studies else None
+    order = convergence.order if convergence else None
+    splits = split(asked, order) if job.with_studies and job.profile == TUNED and not job.changes else None
+    return JobResult(
+        job,
+        engine.title,
+        has[job.profile],
+        tuple(rows),
+        shown,
+        version,
+        series,
+        convergence,
+        splits,
+        poses=tuple(tracks),
+        functions=tuple(sorted(implementation.asked)),
+        seconds=time.perf_counter() - start,
+    )
+
+
+SCENARIOS: Work[Job, JobResult] = Work(run_job, reading.recall, _without_answer, longest_first)
+"""The jobs of the lab's own catalogue."""
+
+
+def _convergence(asked: Question, factors: Sequence[float], job: Job) -> Errors | None:
+    """Root mean square error for several timesteps; one that gives no such number leaves a gap."""
+    base = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
+    found = [base.change(timestep=base.timestep * factor) for factor in factors]
+    errors = {settings.timestep: asked.rms_error(settings) for settings in found}
+    known = {timestep: error for timestep, error in errors.items() if error is not None}
+    if not known:
+        return None
+    value = asked.quantity.expected_value(asked.case)
+    return Errors(tuple(known), tuple(known.values()), order_of(list(known), list(known.values()), value))
+
+
+def order_of(timesteps: Sequence[float], errors: Sequence[float], value: float) -> float | None:
+    """Slope of log error against log timestep, over the errors that stand above rounding; None with fewer than two."""
+    pairs = [(dt, error) for dt, error in zip(timesteps, errors, strict=True) if error > ROUNDING * abs(value)]
+    if len(pairs) < 2:
+        return None
+    steps, sizes = np.log(np.array(pairs)).T
+    return float(np.polyfit(steps, sizes, 1)[0])
+
+
+def verdict_counts(rows: Iterable[Row]) -> dict[Verdict, int]:
+    """How often each verdict occurs, in the order in which they are defined, zeros left out."""
+    found = [row.verdict for row in rows]
+    return {verdict: found.count(verdict) for verdict in Verdict if verdict in found}

@@ -1,0 +1,1 @@
+"""A scene in no engine's words: scenario, settings, queries, trajectory, and the geometry of its shapes."""

@@ -1,0 +1,234 @@
+"""Notebooks are made of lessons and solutions: stubs tell nothing, solved ones hold it all, and a release no more."""
+
+from __future__ import annotations
+
+import ast
+import json
+import sys
+import zipfile
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from program import collisions
+
+from labs.building import lessons, notebooks
+from labs.building.excerpts import Pieces, imports_of, text_of
+from labs.building.narrow import WIDTH
+from labs.building.points import points_of
+from labs.building.release import given, release
+from labs.grading.submission.reading import read
+from reference import lecture
+from reference.errors import CollisionsError, InvalidInput
+
+HEAD = """---
+jupyter:
+  jupytext:
+    text_representation:
+      extension: .md
+      format_name: markdown
+---
+
+# Detecting
+
+```python lab="setup" lends="kinematic_response"
+```
+
+```python given="finite not_negative positive vector"
+```
+"""
+WRITES = "".join(
+    f'\n```python write="{entry.name}"\n```\n' for entry in lecture.functions_of("detection") if entry.role == "written"
+)
+QUESTION = """
+<!-- #region answer="why" points=3 -->
+Why is T early?
+<!-- #endregion -->
+
+<!-- #region model="why" -->
+The chord lies below the parabola.
+<!-- #endregion -->
+
+<!-- #region instructor=true -->
+An hour.
+<!-- #endregion -->
+
+```python broken="bug"
+gap = +1
+```
+
+```python model="bug"
+gap = -1
+```
+"""
+
+
+@pytest.fixture
+def lesson(tmp_path, monkeypatch):
+    """Writes a lesson of detection and returns how to build it."""
+    monkeypatch.setattr(lessons, "FOLDER", tmp_path)
+
+    def write(text: str = HEAD + WRITES + QUESTION) -> None:
+        (tmp_path / "detection.md").write_text(text, encoding="utf-8")
+
+    write()
+    return write
+
+
+def sources(notebook, kind="code"):
+    return ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == kind]
+
+
+def test_a_stub_has_signature_and_description_and_says_whose_turn_it_is(lesson):
+    found = sources(notebooks.student("detection"))
+    (stub,) = (source for source in found if source.startswith("def signed_distance("))
+    function = ast.parse(stub).body[0]
+    assert "n·p + d = 0" in (ast.get_docstring(function) or "")
+    assert stub.endswith('raise NotImplementedError("detection, step 1: signed_distance is yours to write")')
+    assert 'lab.check("signed_distance")' in found
+
+
+def test_the_solved_notebook_holds_solutions_and_model_answers_and_the_students_none_of_them(lesson):
+    solved, student = notebooks.solved("detection"), notebooks.student("detection")
+    for told in ("np.vecdot(normal, point)", "gap = -1"):
+        assert any(told in source for source in sources(solved))
+        assert not any(told in source for source in sources(student))
+    for told in ("The chord lies below", "An hour."):
+        assert any(told in source for source in sources(solved, "markdown"))
+        assert not any(told in source for source in sources(student, "markdown"))
+    assert "gap = +1" in sources(student)
+    assert "gap = +1" not in sources(solved)
+
+
+def test_cells_are_named_for_the_grader_and_carry_its_points(lesson):
+    cells = {cell["metadata"]["nbgrader"]["grade_id"]: cell["metadata"]["nbgrader"]
+             for cell in notebooks.student("detection")["cells"] if "nbgrader" in cell["metadata"]}  # fmt: skip
+    assert cells["signed_distance"]["solution"]
+    assert cells["check-signed_distance"]["points"] == points_of("signed_distance") > 0
+    assert cells["answer-why"]["points"] == 3
+
+
+def test_a_solved_notebook_is_a_submission_with_every_function(lesson, tmp_path):
+    path = tmp_path / "solved.ipynb"
+    path.write_text(notebooks.text(notebooks.solved("detection")), encoding="utf-8")
+    written = [entry.name for entry in lecture.functions_of("detection") if entry.role == "written"]
+    found = read(path, written)
+    assert found.functions == tuple(written)
+    assert found.complaints == ()
+
+
+@pytest.mark.parametrize("topic", ["detection", "impulse", "friction", "response"])
+def test_a_stub_is_narrow_and_says_the_same_in_the_same_words(topic):
+    pieces = Pieces.of(topic)
+    for entry in lecture.functions_of(topic):
+        if entry.role != "written":
+            continue
+        (made,) = ast.parse(stub := notebooks.stub(pieces, entry.name)).body
+        whole = ast.parse(next(piece.text for piece in pieces.every if entry.name in piece.defines))
+        right = next(node for node in whole.body if isinstance(node, ast.FunctionDef))
+        assert max(map(len, stub.split("\n"))) <= WIDTH
+        assert (ast.get_docstring(made) or "").split() == (ast.get_docstring(right) or "").split()
+        assert ast.unparse(made.args) == ast.unparse(right.args)
+        assert ast.unparse(made.returns) == ast.unparse(right.returns)
+
+
+PREDICT = """
+```python guess="0.4 | 'up'"
+lab.predict("high", "How high?", answer=...)
+lab.predict("way", "Which way?", answer=..., choices=("up", "down"))
+```
+"""
+
+
+def test_a_good_guess_takes_the_place_of_the_dots_in_the_solved_notebook_alone(lesson):
+    lesson(HEAD + WRITES + QUESTION + PREDICT)
+    (asked,) = [source for source in sources(notebooks.student("detection")) if "lab.predict" in source]
+    (guessed,) = [source for source in sources(notebooks.solved("detection")) if "lab.predict" in source]
+    assert asked.count("answer=...") == 2
+    assert guessed == asked.replace("answer=...", "answer=0.4", 1).replace("answer=...", "answer='up'")
+
+
+def test_the_same_lesson_makes_the_same_bytes(lesson):
+    assert notebooks.text(notebooks.student("detection")) == notebooks.text(notebooks.student("detection"))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (HEAD + WRITES.replace('write="is_colliding"', 'write="side_of_plane"', 1), "is_colliding"),
+        (HEAD + WRITES + QUESTION.replace('model="why"', 'model="who"'), "no model for answer='why'"),
+        (HEAD + WRITES + '\n```python colour="red"\n```\n', "colour"),
+        (HEAD + WRITES + PREDICT.replace("0.4 | ", ""), "for 2 predictions"),
+        (HEAD + WRITES + PREDICT.replace(""" guess="0.4 | 'up'\"""", ""), "guess='' for 2 predictions"),
+        (HEAD.replace("kinematic_response", "kinematic_respons") + WRITES, "Did you mean"),
+        (HEAD.replace("finite not", "finite side_of_plane not") + WRITES, "gives finite side_of_plane"),
+        (HEAD.replace("finite not", "finit not") + WRITES, "define no 'finit'"),
+        (HEAD + WRITES + "\n```python\nreturn np.asarray((np.vecdot(normal, point) + offset) / length)\n```\n", "line"),
+    ],
+)
+def test_a_lesson_that_does_not_fit_is_refused_by_name(lesson, text, said):
+    lesson(text)
+    with pytest.raises(CollisionsError) as error:
+        notebooks.student("detection")
+    assert said in str(error.value)
+
+
+@pytest.mark.parametrize("topic", [topic.name for topic in lecture.TOPICS if topic.name != "world"])
+def test_every_function_can_be_cut_out_of_the_solutions_and_stands_by_itself(topic, monkeypatch):
+    pieces = Pieces.of(topic)
+    for entry in lecture.functions_of(topic):
+        found = pieces.needed([entry.name])
+        module = ModuleType("cut")
+        monkeypatch.setitem(sys.modules, "cut", module)  # where a dataclass looks for itself
+        exec(f"from __future__ import annotations\n{imports_of(found)}\n{text_of(found)}", module.__dict__)
+        assert callable(getattr(module, entry.name))
+
+
+def test_a_release_has_answers_of_closed_labs_and_of_an_open_one_what_it_lends(lesson):
+    modules = given(["detection"])
+    assert set(modules) == {"response"}
+    assert "def kinematic_response" in modules["response"]
+    assert "def penalty_force" not in modules["response"]
+
+
+def test_a_release_holds_no_solution_hidden_test_or_model_answer(lesson, tmp_path):
+    release(tmp_path / "out", "detection")
+    names = {path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*")}
+    assert "labs/notebooks/detection.ipynb" in names
+    assert "tests/autograder/visible/test_detection.py" in names
+    for hidden in ("solutions", "tests/autograder/hidden", "tests/autograder/misconceptions", "labs/lessons"):
+        assert hidden not in names
+    secret = "np.vecdot(normal, point)"  # of signed_distance
+    for path in (tmp_path / "out").rglob("*"):
+        if path.suffix in (".py", ".ipynb", ".md"):
+            assert secret not in path.read_text(encoding="utf-8"), path
+
+
+def test_an_archive_is_the_same_on_every_day_and_a_full_folder_is_left_alone(lesson, tmp_path):
+    release(tmp_path / "a.zip", "detection")
+    release(tmp_path / "b.zip", "detection")
+    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
+    assert "collisions-lab/README.md" in zipfile.ZipFile(tmp_path / "a.zip").namelist()
+    with pytest.raises(InvalidInput, match="not empty"):
+        release(tmp_path, "detection")
+    with pytest.raises(InvalidInput, match="no lesson yet"):
+        release(tmp_path / "new", "avoidance")
+
+
+def test_build_check_names_what_is_stale_and_writes_nothing(lesson, tmp_path, monkeypatch):
+    monkeypatch.setattr(notebooks, "ROOT", tmp_path)
+    monkeypatch.setattr(notebooks, "STUDENT", tmp_path / "student")
+    monkeypatch.setattr(notebooks, "SOLVED", tmp_path / "solved")
+    stale = collisions("lab", "build", "--check", "detection")
+    assert stale.code == 1
+    assert "student/detection.ipynb, solved/detection.ipynb" in stale.error
+    assert not (tmp_path / "student").exists()
+    assert collisions("lab", "build", "detection").code == 0
+    assert json.loads((tmp_path / "student" / "detection.ipynb").read_text(encoding="utf-8"))["nbformat"] == 4
+    assert collisions("lab", "build", "--check", "detection").code == 0
+
+
+def test_the_notebooks_here_are_what_lessons_and_solutions_make():
+    for topic in lessons.lessons():
+        for folder, made in ((notebooks.STUDENT, notebooks.student), (notebooks.SOLVED, notebooks.solved)):
+            assert Path(folder, f"{topic}.ipynb").read_text(encoding="utf-8") == notebooks.text(made(topic)), topic

@@ -1,0 +1,89 @@
+"""Every run of a lesson is recorded: who has no engine sees the numbers, curves and replays that the text speaks of."""
+
+from __future__ import annotations
+
+import ast
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+from agreeing import same, same_curve
+
+from labs.building import lessons
+from labs.desk import case_runs, sweeps
+from reference.recording.reading import recall
+from reference.running.study import run_job
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(1200)]
+RUNS = ("run", "watch", "sweep")
+TOPICS = lessons.lessons()
+
+
+def calls(topic: str) -> list[tuple[str, tuple, dict]]:
+    """What the cells of a lesson ask for: `lab.run`, `lab.watch` or `lab.sweep`, and the arguments."""
+    found = []
+    caught = SimpleNamespace(
+        **{name: lambda *given, _name=name, **named: found.append((_name, given, named)) for name in RUNS}
+    )
+    code = [cell for cell in lessons.read(topic).cells if cell.code and cell.kind != "given"]
+    cells = [cell for cell in code if _runs(cell.text)]
+    for cell in cells:
+        exec(compile(cell.text, topic, "exec"), {"lab": caught})
+    assert len(found) == sum(_runs(cell.text) for cell in cells) > 0
+    return found
+
+
+def _runs(text: str) -> int:
+    """How many calls there are in a cell."""
+    nodes = [node.func for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Call)]
+    return sum(isinstance(node, ast.Attribute) and node.attr in RUNS for node in nodes)
+
+
+@pytest.fixture
+def asked(lab, monkeypatch):
+    """Asks all that a lesson asks, with the solutions for the student's functions; what came, by the call."""
+    in_hand = lab._hand
+    monkeypatch.setattr(lab, "_hand", lambda: replace(in_hand(), source="solutions"))
+    monkeypatch.setattr(sweeps, "slide", lambda _: None)
+    came, ask = [], case_runs.ask
+    monkeypatch.setattr(case_runs, "ask", lambda *given: came.append(ask(*given)) or came[-1])
+
+    def every(topic):
+        lab.topic, found = topic, {}
+        for name, given, named in calls(topic):
+            came.clear()
+            getattr(lab, name)(*given, **{key: value for key, value in named.items() if key != "predicted"})
+            found[f"lab.{name}({given}, {named})"] = list(came)
+        return found
+
+    return every
+
+
+@pytest.mark.parametrize("topic", TOPICS)
+def test_without_engines_every_run_of_a_lesson_has_the_numbers_of_all_that_it_asks(topic, asked, no_engine):
+    for call, runs in asked(topic).items():
+        assert runs, call
+        for run in runs:
+            assert run.snapped == "", call
+            for result in run.results:
+                assert bool(result.recording) == (result.job.engine != "handwritten"), (call, result.title)
+                missing = {row.quantity: row.note for row in result.rows if row.measured is None}
+                assert not missing, (call, result.title)
+                assert result.series is not None, (call, result.title)
+                assert result.poses, (call, result.title)
+
+
+@pytest.mark.parametrize("engine", case_runs.ENGINES)
+@pytest.mark.parametrize("topic", TOPICS)
+def test_what_is_recorded_of_the_runs_of_a_lesson_is_what_an_engine_that_is_here_measures(
+    topic, engine, asked, installed, monkeypatch
+):
+    installed(engine)
+    monkeypatch.setattr(case_runs, "run_all", lambda jobs, *_: (recall(job) or run_job(job) for job in jobs))
+    for call, runs in asked(topic).items():
+        for then in (result for run in runs for result in run.results if result.job.engine == engine):
+            live = run_job(then.job)
+            assert len(live.rows) == len(then.rows) > 0, call
+            for now, row in zip(live.rows, then.rows, strict=True):
+                same(now, row)
+            same_curve(live.series, then.series)

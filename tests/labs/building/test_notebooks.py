@@ -1,0 +1,75 @@
+"""Every notebook runs from top to bottom: solved, and untouched as a student gets it, with and without engines."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+from labs.building import lessons, notebooks
+from labs.building.release import release
+
+pytestmark = pytest.mark.slow
+
+ROOT = Path(__file__).parents[3]
+CELL_LIMIT = 240  # s; a cell takes a few seconds, and several times that beside other tests
+TOPICS = lessons.lessons()
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory):
+    """What a student gets, in a folder whose name has spaces."""
+    folder = tmp_path_factory.mktemp("release") / "my course, 2. term"
+    release(folder)
+    return folder
+
+
+@pytest.fixture
+def without_engines(tmp_path, monkeypatch):
+    """A kernel that finds no engine."""
+    for name in ("pybullet", "mujoco", "dartpy"):
+        (tmp_path / f"{name}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+
+
+def executed(path: Path, folder: Path):
+    notebook = nbformat.read(path, as_version=4)
+    nbformat.validate(notebook)
+    client = NotebookClient(notebook, timeout=CELL_LIMIT, resources={"metadata": {"path": str(folder)}})
+    client.execute()  # raises where a cell ends in an error
+    return notebook
+
+
+def printed(notebook) -> str:
+    outputs = [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
+    return "\n".join(output.get("text") or output.get("data", {}).get("text/plain", "") for output in outputs)
+
+
+@pytest.mark.parametrize("topic", TOPICS)
+def test_the_solved_notebook_passes_every_check(topic, tmp_path, monkeypatch):
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")]))
+    said = printed(executed(notebooks.SOLVED / f"{topic}.ipynb", tmp_path))
+    assert "✗" not in said.replace("✗ fail", "")
+    assert not re.search(r"· \w+ +to do", said)
+    assert "lab." not in said  # which a refused call begins with
+    assert "yours: needs" in said  # what is asked before it is written
+    assert "functions right. Hidden tests" in said
+    assert "You predict" in said
+    assert "you predicted" in said  # beside what came
+    assert "Put your guess" not in said
+
+
+@pytest.mark.parametrize("topic", TOPICS)
+@pytest.mark.parametrize("engines", ["with engines", "without engines"])
+def test_untouched_stubs_crash_nothing(topic, engines, course, request):
+    if engines == "without engines":
+        request.getfixturevalue("without_engines")
+    said = printed(executed(course / "labs" / "notebooks" / f"{topic}.ipynb", course / "labs" / "notebooks"))
+    assert "to do" in said
+    assert "✓ signed" not in said
+    assert ("it answers from recordings" in said) == (engines == "without engines")
+    assert "lab." not in said

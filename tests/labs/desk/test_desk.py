@@ -1,0 +1,104 @@
+"""The desk of a notebook: what it says, what it keeps, and whose functions it takes."""
+
+from __future__ import annotations
+
+import textwrap
+
+import numpy as np
+import pytest
+from cells import STUB, right_cells, said, write_notebook
+
+import labs
+from labs import notebook
+from labs.desk import student_code, tables
+from labs.desk.predictions import Prediction
+from reference.engines.implementation import Implementation
+
+
+def test_a_lab_begins_by_saying_who_answers(lab, capsys):
+    out = said(capsys, lab.begin, "detection")
+    assert "Detecting a collision" in out
+    assert "PyBullet" in out
+    assert "MuJoCo" in out
+
+
+def test_an_unknown_lab_is_a_line_and_no_traceback(lab, capsys):
+    assert "lab.begin: unknown topic 'detektion'. Did you mean 'detection'?" in said(capsys, lab.begin, "detektion")
+
+
+def test_before_a_lab_has_begun_every_call_says_what_to_do(lab, capsys):
+    lab.topic = ""
+    for call in (lab.check, lambda: lab.run("dropped-ball")):
+        assert "which lab is this? Run the first cell" in said(capsys, call)
+
+
+@pytest.mark.parametrize(
+    ("answer", "named", "words"),
+    [
+        (..., {"unit": "m"}, "Put your guess in place of the dots"),
+        (0.5, {"unit": "m"}, "You predict 0.5 m."),
+        ("up", {"choices": ("up", "down")}, "You predict “up”."),
+        ("left", {"choices": ("up", "down")}, "'left' is none of the choices: 'up', 'down'"),
+        (np.array(0.4), {}, "You predict 0.4"),
+        (float("nan"), {}, "nan is no number"),
+        ("much", {"unit": "m"}, "'much' is no number"),
+        (True, {"unit": "m"}, "True is no number"),
+    ],
+)
+def test_a_prediction_is_kept_or_refused_in_words(lab, capsys, answer, named, words):
+    assert words in said(capsys, lab.predict, "key", "How high?", answer, **named)
+
+
+def test_a_later_lab_uses_what_is_written_in_an_earlier_notebook_and_given_functions_for_the_rest(tmp_path):
+    own = "def is_colliding(separation, tolerance=0.0):\n    return separation < -5"
+    write_notebook(tmp_path / "detection.ipynb", STUB, own)
+    now = write_notebook(tmp_path / "now.ipynb", "pass")
+    found = student_code.in_hand("impulse", now, student_code.earlier_notebooks("impulse", tmp_path))
+    assert found.earlier == (("is_colliding", "detection.ipynb"),)
+    assert not Implementation(found.source).function("is_colliding")(-1.0)
+    assert Implementation(found.source).function("signed_distance")([0, 0, 3], [0, 0, 2], -4) == 1  # given
+
+
+def test_what_the_lab_has_written_is_never_answered_by_given_functions(tmp_path):
+    found = student_code.in_hand("detection", write_notebook(tmp_path / "now.ipynb", "pass"))
+    with pytest.raises(Exception, match="needs signed_distance"):
+        Implementation(found.source).function("signed_distance")([0, 0, 3], [0, 0, 1], 0)
+
+
+def test_plots_and_experiments_of_a_notebook_are_not_run_with_it(tmp_path):
+    text = "raise SystemExit\n\ndef is_colliding(separation, tolerance=0.0):\n    return separation < LIMIT"
+    path = write_notebook(tmp_path / "now.ipynb", "LIMIT = -2", text, "import nothing_there")
+    assert Implementation(student_code.in_hand("detection", path).source).function("is_colliding")(-3.0)
+
+
+def test_a_notebook_stands_for_an_implementation_on_the_command_line(tmp_path):
+    path = write_notebook(tmp_path / "detection.ipynb", *right_cells())
+    assert student_code.with_hand("solutions") == "solutions"
+    assert Implementation(student_code.with_hand(str(path))).function("is_colliding")(-1.0)
+
+
+def test_markup_of_a_table_is_escaped():
+    table = tables.Table("<b>", ("", "<i>"), (("<script>", "1"),), ("<note>",))
+    markup = table._repr_mimebundle_()["text/html"]
+    assert "<script>" not in markup
+    assert "&lt;script&gt;" in markup
+    assert textwrap.dedent(str(table)).startswith("<b>")
+
+
+def test_the_desk_is_loaded_by_name_alone():
+    assert labs.lab is notebook.lab
+    with pytest.raises(AttributeError, match="nothing"):
+        _ = labs.nothing
+
+
+def test_an_earlier_notebook_that_cannot_be_read_is_named(lab, capsys, tmp_path):
+    write_notebook(tmp_path / "detection.ipynb", "def is_colliding(separation:\n    return")
+    assert "detection.ipynb, code cell 1, line 1: Python cannot read" in said(capsys, lab.begin, "response")
+
+
+@pytest.mark.parametrize(
+    ("answer", "theory", "off"),
+    [(-2.0, -1.0, "−100 %"), (0.3, 0.25, "+20 %"), (1e99, 1.0, ">1000 %"), (0.3, 1e-17, ""), (0.3, 0.0, "")],
+)
+def test_a_guess_is_off_by_a_share_of_theory_with_the_sign_of_the_difference(answer, theory, off):
+    assert tables._off(Prediction("key", "?", answer), theory) == off

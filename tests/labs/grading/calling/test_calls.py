@@ -1,0 +1,415 @@
+"""What is made of a process's answers, forged ones too, and how long it is waited for."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from labs.grading.calling import calls
+from labs.grading.calling.calls import Call, Patience
+from labs.grading.calling.processes import Ended, Limits
+from labs.grading.calling.remote import Remote
+from labs.grading.errors import (
+    FunctionMissing,
+    FunctionRaised,
+    GraderFailed,
+    NoAnswer,
+    NotSteady,
+    OutOfTime,
+    ProcessDied,
+    WrongType,
+)
+from labs.grading.submission.cells import CODE_LIMIT
+from labs.grading.submission.reading import Submission
+from labs.grading.worker import messages
+from labs.grading.worker.tier import Tier
+from reference.errors import InvalidInput, NeedsFunction
+
+PATIENT = Limits(printed=50)
+
+
+class Scripted:
+    """In place of a test's process: says what it is told to, whatever it is asked."""
+
+    number = 0
+
+    def __init__(self, *said: object) -> None:
+        self._said = list(said)
+        self.asked: list[object] = []
+        self.sent: list[bytes] = []
+        self.waits: list[float] = []
+        self.over = False
+
+    def start(self, limits: Limits) -> Scripted:
+        return self
+
+    def send(self, message: bytes, seconds: float) -> None:
+        self.sent.append(message)
+
+    def exchange(self, message: bytes, seconds: float) -> bytes:
+        self.asked.append(messages.unpack(message[messages.HEADER :]) if message else None)
+        self.waits.append(seconds)
+        said = self._said.pop(0)
+        if isinstance(said, Exception):
+            raise said
+        return messages.pack(said)[messages.HEADER :]
+
+    gone, ended = False, Ended(3)
+
+    def end(self, process: object = None) -> None:
+        self.over = True
+
+
+SEALED, LOADED = ("sealed", 3, []), ("loaded", ["f"], [])
+PAIR = np.zeros(2)  # compared with anything, it is neither true nor false
+
+
+@pytest.mark.parametrize(
+    "forged",
+    [
+        PAIR, [], (), None, 1.0, "answer", ("answer",), (PAIR,) * 7, (PAIR, 1, "value", 0.0, [], 1.0, ""),
+        ("answer", PAIR, "value", 0.0, [], 1.0, ""), ("answer", 1, PAIR, 0.0, [], 1.0, ""),
+        ("answer", 1, "value", PAIR, [], 1.0, ""), ("answer", 1, "value", 0.0, PAIR, 1.0, ""),
+        ("answer", 1, "value", 0.0, [], 1.0, PAIR), ("answer", 2, "value", 0.0, [], 1.0, ""),
+        ("answer", 1, "raised", PAIR, "", 1, ""), ("answer", 1, "raised", "E", PAIR, 1, ""),
+        ("answer", 1, "refused", PAIR, ""), ("answer", 1, "missing", PAIR, ""), ("answer", 1, "else", ""),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_a_forged_answer_is_no_answer(forged):
+    process = Scripted(SEALED, LOADED, forged)
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    call.begin(process, Tier.NETWORK)
+    with pytest.raises(NoAnswer, match="wrote into the grader's pipe"):
+        call("f", 1.0)
+
+
+def test_odd_parts_of_an_answer_are_left_out():
+    process = Scripted(
+        SEALED,
+        ("loaded", ["f", PAIR, 1], [PAIR, (PAIR, "E", "m", 1), (["g"], "E", "m", -1), (["h"], "E", "m", 10**30)]),
+        ("answer", 1, "value", 0.0, [PAIR, 7, -1, 10**30, 0], 5.0, "said"),
+        ("answer", 2, "raised", "E", "m", 10**1000, ""),
+        ("answer", 3, "raised", "E", "m", PAIR, ""),
+    )
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    call.begin(process, Tier.NETWORK)
+    assert (call("f", 1.0), call.changed, call.printed) == (5.0, (0,), "said")
+    for _ in range(2):
+        with pytest.raises(FunctionRaised, match=r"^f raised E: m$"):
+            call("f", 1.0)
+
+
+@pytest.mark.parametrize("forged", [PAIR, (PAIR, PAIR, PAIR), ("loaded", PAIR, []), ("answer", 1), None])
+def test_a_submission_that_forges_its_own_loading_cannot_be_called(forged):
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    assert isinstance(call.begin(Scripted(SEALED, forged), Tier.NETWORK), NoAnswer)
+    with pytest.raises(NoAnswer, match="on loading"):
+        call("f", 1.0)
+
+
+# In the order of a call's life
+
+
+def begun(*said, limits=PATIENT, patience=10.0, loaded=LOADED, text=""):
+    """A call whose process has loaded, and then says this."""
+    process = Scripted(SEALED, loaded, *said)
+    call = Call(Submission("lab.py", text), limits, Patience(patience), contextlib.nullcontext)
+    assert call.begin(process, Tier.NETWORK) is None
+    return call, process
+
+
+def value(number, found, changed=(), printed=""):
+    return "answer", number, "value", 0.0, list(changed), found, printed
+
+
+def test_the_text_is_sent_once_and_a_call_by_its_number_name_and_arguments():
+    call, process = begun(value(1, 5.0), value(2, 6.0), text="x = 1\n")
+    assert (call("f", 1.0, [2]), call("g", b=3.0)) == (5.0, 6.0)
+    text, printed = messages.unpack(process.sent[0][messages.HEADER :])
+    assert (text.tobytes(), printed, len(process.sent)) == (b"x = 1\n", 50, 1)
+    assert process.asked == [None, None, ("call", 1, "f", (1.0, [2]), []), ("call", 2, "g", (), [("b", 3.0)])]
+    assert (call.defines("f"), call.defines("g"), call.gone) == (True, False, False)
+
+
+def test_what_one_call_printed_and_wrote_to_is_not_said_of_the_next():
+    call, _ = begun(value(1, 5.0, [1, 0, 2], "one\x1b"), value(2, 6.0), ("answer", 3, "missing", ""))
+    call("f", 1.0, named=2.0)
+    assert (call.changed, call.printed) == ((0, 1), "one␛")
+    call("f", 1.0)
+    assert (call.changed, call.printed) == ((), "")
+
+
+def test_a_failure_to_start_is_the_graders():
+    class Broken(Scripted):
+        def send(self, message: bytes, seconds: float) -> None:
+            raise OSError("full")
+
+    def call():
+        return Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+
+    with pytest.raises(GraderFailed, match="a test's process did not start: full"):
+        call().start(Broken())
+    for error, why in ((EOFError(), "it ended itself .exit code 3."), (messages.Refused("no"), "no$")):
+        with pytest.raises(GraderFailed, match=rf"did not start: {why}"):
+            call().begin(Scripted(error), Tier.PROCESS)
+
+
+@pytest.mark.parametrize("tier", [Tier.PROCESS, Tier.LIMITS, Tier.FILES, Tier.NETWORK])
+def test_nothing_is_run_below_the_least_tier(tier):
+    for least in Tier:
+        call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+        process = Scripted(("sealed", int(tier), ["no Landlock", "no seccomp"]), LOADED)
+        if tier >= least:
+            assert call.begin(process, least) is None
+            assert (call.sealing.tier, call.sealing.missing) == (tier, ("no Landlock", "no seccomp"))
+        else:
+            with pytest.raises(GraderFailed, match=f"offers '{tier.title}', below '{least.title}': no Landlock; no se"):
+                call.begin(process, least)
+            assert len(process.asked) == 1, "it was not told to run the text"
+
+
+def test_a_process_that_is_not_shut_in_enough_is_ended_at_once():
+    process = Scripted(("sealed", int(Tier.LIMITS), []))
+    grader = SimpleNamespace(limits=PATIENT, least=Tier.NETWORK, host=process)
+    with pytest.raises(GraderFailed), Remote(Submission("lab.py", ""), grader).fresh():
+        pass
+    assert process.over
+
+
+def test_a_process_that_does_not_say_how_far_it_is_shut_in_is_not_shut_in():
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    with pytest.raises(GraderFailed):
+        call.begin(Scripted(("sealed", 3), LOADED), Tier.LIMITS)
+
+
+def test_a_submission_that_could_not_be_loaded_says_so_whatever_is_asked_or_foreseen():
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    unloadable, process = NoAnswer("as before"), Scripted()
+    assert call.begin(process, Tier.NETWORK, unloadable) is unloadable
+    call.foresee("f", [(1.0,)])
+    with pytest.raises(NoAnswer, match="as before"):
+        call("f", 1.0)
+    assert (process.sent, call.ended, call.gone) == ([], None, True)
+    call.end()
+
+
+# Foreseen
+
+
+def numbers_sent(process):
+    return [messages.unpack(each)[1:3] for each in split(process.sent[-1])]
+
+
+def split(requests):
+    found = []
+    while requests:
+        end = messages.HEADER + messages.length(requests[: messages.HEADER])
+        found.append(requests[messages.HEADER : end])
+        requests = requests[end:]
+    return found
+
+
+def test_foreseen_calls_go_out_together_and_only_their_answers_are_waited_for():
+    several = [(1.0,), (2.0,), (3.0,)]
+    call, process = begun(*(value(number, 10.0 * number) for number in range(1, 5)))
+    call.foresee("f", several)
+    assert numbers_sent(process) == [(1, "f"), (2, "f"), (3, "f")]
+    assert [call("f", *each) for each in several] == [10.0, 20.0, 30.0]
+    assert process.asked[2:] == [None] * 3
+    assert call("f", 4.0) == 40.0
+    assert process.asked[-1] == ("call", 4, "f", (4.0,), [])
+
+
+@pytest.mark.parametrize(
+    "other",
+    [lambda call, x: call("g", x), lambda call, x: call("f", float("1.0")), lambda call, x: call("f", x, e=1.0),
+     lambda call, x: call("f", x, x), lambda call, x: call("f")],
+)  # fmt: skip
+def test_a_call_that_was_not_foreseen_never_gets_the_answer_to_one_that_was(other):
+    """Not even where the arguments are equal: they could have been written to meanwhile."""
+    x = float("1.0")
+    call, process = begun(value(1, 10.0), value(2, 20.0), value(3, 30.0))
+    call.foresee("f", [(x,), (x,)])
+    assert other(call, x) == 30.0
+    assert process.asked[2:4] == [None, None]
+    assert process.asked[4] is not None
+
+
+def test_a_forged_number_is_found_among_foreseen_answers_too():
+    call, _ = begun(value(2, 10.0))
+    several = [(1.0,), (2.0,)]
+    call.foresee("f", several)
+    with pytest.raises(NoAnswer):
+        call("f", *several[0])
+
+
+def test_no_more_is_sent_ahead_than_a_pipe_holds():
+    call, process = begun(*(value(number, 0.0) for number in (1, 2, 3, 5, 6, 7)))  # 4 was too long
+    several = [(np.zeros(1000),) for _ in range(6)]  # some 10 700 bytes each
+    call.foresee("f", several)
+    assert len(split(process.sent[-1])) == 3
+    assert len(process.sent[-1]) <= calls._AHEAD < len(process.sent[-1]) * 4 / 3
+    assert [call("f", *each) for each in several] == [0.0] * 6
+    assert [each is None for each in process.asked[2:]] == [True] * 3 + [False] * 3
+
+
+def test_nothing_is_foreseen_twice_or_once_the_process_is_lost():
+    call, process = begun(value(1, 0.0), value(9, 0.0))
+    call.foresee("f", several := [(1.0,)])
+    call.foresee("f", [(2.0,)])
+    assert len(process.sent) == 2
+    assert call("f", *several[0]) == 0.0
+    with pytest.raises(NoAnswer):
+        call("f", 3.0)
+    assert process.over
+    call.foresee("f", [(4.0,)])
+    assert len(process.sent) == 2
+
+
+def test_a_call_that_cannot_be_sent_is_the_callers_mistake():
+    call, _ = begun()
+    with pytest.raises(InvalidInput, match="f cannot be called with an object of type"):
+        call("f", object())
+
+
+# Time
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """Time that passes when it is told to."""
+    now = SimpleNamespace(time=100.0)
+    monkeypatch.setattr(calls, "time", SimpleNamespace(monotonic=lambda: now.time))
+    return now
+
+
+def slow(process, clock, seconds):
+    """Let each answer take so long."""
+    exchange = process.exchange
+
+    def later(message, allowed):
+        clock.time += seconds
+        return exchange(message, allowed)
+
+    process.exchange = later
+
+
+def test_the_limits_are_those_of_the_page_on_grading():
+    limits, page = Limits(), (Path(__file__).parents[4] / "docs" / "grading.md").read_text(encoding="utf-8")
+    times = f"each call {limits.call:g} s, a test {limits.test:g} s and a submission {limits.submission / 60:g} min"
+    assert times in page
+    assert f"take more than {limits.memory / 2**30:g} GiB" in page
+
+
+def test_a_call_is_waited_for_as_long_as_call_test_and_submission_have_left(clock):
+    call, process = begun(*(value(n, 0.0) for n in range(1, 6)), limits=Limits(call=5.0, test=8.0), patience=12.0)
+    slow(process, clock, 3.0)
+    for _ in range(3):
+        call("f")
+    assert process.waits[1:] == [5.0, 5.0, 5.0, 2.0]
+    call, process = begun(*(value(n, 0.0) for n in range(1, 6)), limits=Limits(call=5.0, test=80.0), patience=7.0)
+    slow(process, clock, 3.0)
+    for _ in range(4):
+        call("f")
+    assert process.waits[1:] == [5.0, 5.0, 4.0, 1.0, 0.0]
+    assert call._patience.left == -5.0
+
+
+@pytest.mark.parametrize(
+    ("limits", "patience", "words"),
+    [
+        (Limits(call=5.0, test=8.0), 50.0, "f gave no answer within 5 s and was stopped"),
+        (Limits(call=5.0, test=4.0), 50.0, r"within 4 s \(the test's time is up\) and was stopped"),
+        (Limits(call=5.0, test=4.0), 2.5, r"within 2\.5 s \(the submission's time is up\) and was stopped"),
+    ],
+)
+def test_whose_time_is_up_is_said(limits, patience, words, clock):
+    call, process = begun(TimeoutError(), limits=limits, patience=patience)
+    with pytest.raises(OutOfTime, match=words):
+        call("f")
+    assert process.over
+    with pytest.raises(OutOfTime, match=words):
+        call("g")
+
+
+# In words
+
+
+@pytest.mark.parametrize(
+    ("said", "error", "words"),
+    [
+        (("raised", "ValueError", "so", 3), FunctionRaised, "f raised ValueError: so (line 3)"),
+        (("raised", "ValueError", "", None), FunctionRaised, "f raised ValueError"),
+        (("raised", "V\x1b" * 200, "s\n\x1bo", None), FunctionRaised,
+         "f raised " + "V␛" * 50 + " … (400 characters in all): s ␛o"),
+        (("raised", "ValueError", "so", 0), FunctionRaised, "f raised ValueError: so"),
+        (("raised", "ValueError", "so", CODE_LIMIT), FunctionRaised, f"f raised ValueError: so (line {CODE_LIMIT})"),
+        (("raised", "ValueError", "so", CODE_LIMIT + 1), FunctionRaised, "f raised ValueError: so"),
+        (("raised", "NameError", "name 'rate' is not", 3), FunctionRaised,
+         "f raised NameError: name 'rate' is not (line 3). On loading: KeyError: 'k' (line 2)"),
+        (("raised", "KeyError", "name 'rate' is not", None), FunctionRaised, "f raised KeyError: name 'rate' is not"),
+        (("raised", "NameError", "name 'other' is not", None), FunctionRaised,
+         "f raised NameError: name 'other' is not"),
+        (("raised", "NotImplementedError", "", 3), FunctionMissing, "needs f: it is not written yet"),
+        (("refused", "an object\nof type X"), WrongType,
+         "f gave an object of type X; an answer is a number, text, an array or a tuple of these"),
+        (("missing",), FunctionMissing, "needs f: it is not in the submission"),
+        (EOFError(), ProcessDied, "f gave no answer: it ended itself (exit code 3), as os._exit does"),
+        (OSError("gone"), ProcessDied, "f gave no answer: it ended itself (exit code 3), as os._exit does"),
+        (messages.Refused("a message\nof 9 bytes"), NoAnswer, "f gave no answer: a message of 9 bytes"),
+    ],
+)  # fmt: skip
+def test_what_goes_wrong_is_said_in_a_line(said, error, words):
+    answer = ("answer", 1, *said, "") if isinstance(said, tuple) else said
+    call, _ = begun(answer, loaded=("loaded", ["f"], [(["rate", "f_2"], "KeyError", "'k'", 2)]))
+    with pytest.raises(error) as raised:
+        call("f", 1.0)
+    assert str(raised.value) == words
+
+
+def test_a_function_whose_definition_failed_says_how_and_where_any_failed_that_may_have_been_it():
+    missing = [("answer", number, "missing", "") for number in (1, 2)]
+    call, _ = begun(*missing, loaded=("loaded", [], [(["g"], "KeyError", "'k'", 2), ([], "OSError", "no", 7)]))
+    with pytest.raises(FunctionRaised) as raised:
+        call("g")
+    assert (str(raised.value), raised.value.kind, raised.value.line) == (
+        "g could not be defined: KeyError: 'k' (line 2)", "KeyError", 2,
+    )  # fmt: skip
+    with pytest.raises(FunctionRaised, match=r"^f could not be defined: OSError: no \(line 7\)$"):
+        call("f")
+
+
+def test_an_error_of_the_function_costs_the_call_alone_and_a_lie_the_process():
+    call, process = begun(("answer", 1, "raised", "E", "m", None, ""), value(2, 5.0), ("answer", 3, "value", ""))
+    with pytest.raises(FunctionRaised):
+        call("f")
+    assert (call("f"), process.over) == (5.0, False)
+    with pytest.raises(NoAnswer):
+        call("f")
+    assert process.over
+
+
+def test_steady_is_what_two_processes_answer_bit_by_bit():
+    for other, steady in ((0.0, True), (-0.0, False), (np.float64(0.0), False)):
+        call, process = begun(value(1, 0.0))
+        again, beside = begun(value(1, other))
+        call._fresh = lambda again=again: contextlib.nullcontext(again)
+        if steady:
+            assert call.steady("f", 1.0, e=2.0) == 0.0
+        else:
+            with pytest.raises(NotSteady, match="f answered the same call otherwise"):
+                call.steady("f", 1.0, e=2.0)
+        assert process.asked[-1] == beside.asked[-1] == ("call", 1, "f", (1.0,), [("e", 2.0)])
+
+
+def test_a_driver_gets_what_is_defined_and_is_told_what_is_not():
+    call, _ = begun(value(1, 5.0))
+    code = call.implementation()
+    assert code.function("f")(1.0, e=2.0) == 5.0
+    with pytest.raises(NeedsFunction, match=r"^needs is_colliding \(detection, step 2\)$"):
+        code.function("is_colliding")

@@ -1,0 +1,471 @@
+"""A submission's functions called from here and run over there: answers, errors, limits, and what is left behind."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import statistics
+import subprocess
+import sys
+import textwrap
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from labs.grading.calling.processes import Limits
+from labs.grading.calling.remote import Call, Grader, Remote
+from labs.grading.errors import (
+    FunctionMissing,
+    FunctionRaised,
+    GraderFailed,
+    NotSteady,
+    OutOfTime,
+    ProcessDied,
+    StudentError,
+    WrongType,
+)
+from labs.grading.submission.reading import Submission, read
+from labs.grading.worker import landlock, seccomp
+from labs.grading.worker.tier import Tier
+from reference.engines import load_engine
+from reference.engines.implementation import Implementation
+from reference.errors import NeedsFunction
+from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
+
+linux = pytest.mark.skipif(sys.platform != "linux", reason="the nursery needs Linux")
+HASTY, PATIENT = Limits(call=0.5, test=1.2, printed=50), Limits(printed=50)
+
+
+@pytest.fixture(scope="module")
+def grader() -> Iterator[Grader]:
+    with Grader(PATIENT) as found:
+        yield found
+
+
+@pytest.fixture
+def hasty(grader) -> Iterator[None]:
+    """Limits that are reached soon."""
+    grader.limits = HASTY
+    yield
+    grader.limits = PATIENT
+
+
+@pytest.fixture
+def of(grader) -> Callable[[str], Remote]:
+    return lambda text: Remote(Submission("lab.py", textwrap.dedent(text)), grader)
+
+
+def calls_until_it_fails(call: Call, name: str) -> None:
+    for _ in range(1000):
+        call(name)
+        time.sleep(0.001)
+
+
+def test_a_call_looks_like_a_call(of):
+    text = """
+    import numpy as np
+    def mixed(array, scale=1.0, *, name):
+        return array * scale, name + "!", [True, None, np.float32(2)]
+    """
+    with of(text).fresh() as call:
+        array, name, rest = call("mixed", np.arange(3.0), 2.0, name="n")
+    np.testing.assert_array_equal(array, [0.0, 2.0, 4.0], strict=True)
+    assert name == "n!"
+    assert rest == [True, None, 2.0]
+    assert type(rest[2]) is np.float32
+
+
+def test_what_it_prints_is_kept_up_to_the_limit_and_what_it_writes_to_is_said(of):
+    text = """
+    import sys
+    def f(a, b, c):
+        print("one\\x1b[2J"); print("two", file=sys.stderr); print("x" * 10**6)
+        b[0] = 7
+        c.append(1)
+        return a
+    """
+    with of(text).fresh() as call:
+        call("f", np.zeros(3), np.zeros(3), [])
+        assert call.changed == (1, 2)
+        assert call.printed.startswith("one␛[2J\ntwo\nxxx")
+        assert len(call.printed) == 50
+
+
+@pytest.mark.parametrize(
+    ("body", "error", "words"),
+    [
+        ("return 1 / v", FunctionRaised, "f raised ZeroDivisionError: division by zero (line 2)"),
+        ("return (lambda: [][0])()", FunctionRaised, "IndexError: list index out of range (line 2)"),
+        ("raise NotImplementedError", FunctionMissing, "needs f: it is not written yet"),
+        ("return plt", FunctionRaised, "ModuleNotFoundError: No module named 'matplotlib' (line 1)"),
+        ("return f", WrongType, "f gave an object of type function"),
+        ("return f(v)", FunctionRaised, "RecursionError"),
+        ("return input()", FunctionRaised, "EOFError"),
+        ("return np.linalg.inv(np.zeros((2, 2)))", FunctionRaised, "LinAlgError: Singular matrix (line 2)"),
+    ],
+)
+def test_an_error_is_told_with_its_line(body, error, words, of):
+    text = f"import numpy as np; import matplotlib.pyplot as plt\ndef f(v): {body}"
+    with of(text).fresh() as call, pytest.raises(error) as raised:
+        call("f", 0)
+    assert words in str(raised.value)
+
+
+def test_a_function_of_the_lecture_that_is_missing_says_where_it_belongs(of):
+    with of("").fresh() as call, pytest.raises(NeedsFunction, match=r"needs rebound_velocity \(impulse, step 2\)"):
+        call("rebound_velocity", -1.0, 0.5)
+
+
+def test_a_statement_that_fails_on_loading_costs_only_what_needs_it(of):
+    text = """
+    ZERO = 0
+    RATE = 1 / ZERO
+    def good(): return 1
+    def bad(): return RATE
+    def worse(x=UNKNOWN): return x
+    """
+    with of(text).fresh() as call:
+        assert call("good") == 1
+        with pytest.raises(FunctionRaised, match=r"'RATE'.*On loading: ZeroDivisionError: division by zero \(line 3\)"):
+            call("bad")
+        with pytest.raises(FunctionRaised, match=r"worse could not be defined: NameError.*\(line 6\)"):
+            call("worse")
+
+
+def test_an_error_in_a_notebook_names_its_cell(tmp_path, grader):
+    path = tmp_path / "lab.ipynb"
+    path.write_text(
+        '{"cells": [{"cell_type": "code", "source": "import math"},'
+        ' {"cell_type": "code", "source": "\\ndef f(v):\\n    return math.sqrt(v)"}]}'
+    )
+    with Remote(read(path, ["f"]), grader).fresh() as call, pytest.raises(FunctionRaised) as raised:
+        call("f", -1.0)
+    assert str(raised.value).endswith("(code cell 2, line 3)")
+    assert raised.value.kind == "ValueError"
+
+
+def test_a_call_that_takes_too_long_ends_its_test_alone(of, hasty):
+    remote = of("def f(forever):\n    while forever: pass\n    return 1")
+    with remote.fresh() as call:
+        began = time.monotonic()
+        with pytest.raises(OutOfTime, match=r"within 0\.5 s"):
+            call("f", True)
+        assert time.monotonic() - began < PATIENT.call
+        with pytest.raises(OutOfTime):  # its process is gone, so the same is said again
+            call("f", False)
+    with remote.fresh() as call:
+        assert call("f", False) == 1
+
+
+def test_a_function_that_ran_out_of_time_is_waited_for_less_long_and_still_heard(of, hasty):
+    remote = of("def f(forever):\n    while forever: pass\n    return 1\ndef g():\n    while True: pass")
+    waited = []
+    for name, *given in (("f", True), ("f", True), ("f", True), ("f", True), ("g",)):
+        with remote.fresh() as call, pytest.raises(OutOfTime) as told:
+            call(name, *given)
+        waited.append(float(re.search(r"within ([\d.]+) s", str(told.value))[1]))
+    assert waited == [0.5, 0.2, 0.2, 0.2, 0.5]
+    assert remote.slow == {"f", "g"}
+    with remote.fresh() as call:
+        assert call("f", False) == 1
+
+
+def test_a_test_whose_time_is_up_is_held_against_no_function(of, hasty):
+    remote = of("import time\ndef f(): time.sleep(0.3)")
+    with remote.fresh() as call, pytest.raises(OutOfTime, match="time is up"):
+        calls_until_it_fails(call, "f")
+    assert not remote.slow
+
+
+def test_calls_that_are_each_in_time_cannot_take_for_ever_together(of, hasty):
+    with of("import time\ndef f(): time.sleep(0.3)").fresh() as call, pytest.raises(OutOfTime, match="time is up"):
+        calls_until_it_fails(call, "f")
+
+
+def test_a_submission_that_always_hangs_cannot_hold_up_a_class():
+    text = "def f():\n    while True: pass\ndef g(): return 1"
+    with Grader(Limits(call=0.2, submission=0.5)) as own:
+        remote, began, told = Remote(Submission("lab.py", text), own), time.monotonic(), []
+        for _ in range(50):
+            with remote.fresh() as call, pytest.raises(OutOfTime) as error:
+                call("f")
+            told.append(str(error.value))
+        assert time.monotonic() - began < 10  # s; fifty waits of 0.2 s, and fifty processes to end
+        assert "submission's time is up" in told[2]
+        assert told[-1] == "the submission has used up the time of all its tests together"
+        with Remote(Submission("lab.py", text), own).fresh() as call:  # the next student has time again
+            assert call("g") == 1
+
+
+def test_each_test_has_a_process_that_knows_nothing_of_the_others(of):
+    remote = of("calls = []\ndef f(x):\n    calls.append(x)\n    return len(calls)")
+    for _ in range(2):
+        with remote.fresh() as call:
+            assert [call("f", 0.0), call("f", 0.0)] == [1, 2]
+
+
+def test_an_answer_that_depends_on_earlier_calls_is_not_steady(of):
+    remote = of(
+        "calls = []\ndef f(x):\n    calls.append(x)\n    return x if len(calls) < 3 else -x\ndef g(x): return x"
+    )
+    with remote.fresh() as call:
+        assert [call.steady("f", 1.0), call.steady("f", 1.0), call.steady("g", np.nan)][:2] == [1.0, 1.0]
+        with pytest.raises(NotSteady, match="only the arguments may count"):
+            call.steady("f", 1.0)
+
+
+def test_an_answer_drawn_at_random_is_not_steady(of):
+    remote = of("import numpy as np, random\ndef f(): return np.random.random()\ndef g(): return random.random()")
+    for name in ("f", "g"):
+        with remote.fresh() as call, pytest.raises(NotSteady):
+            call.steady(name)
+
+
+@linux
+def test_the_process_holds_nothing_of_the_grader(of):
+    text = """
+    import os, sys
+    def modules(): return sorted({name.partition(".")[0] for name in sys.modules})
+    def around(): return [os.getcwd(), dict(os.environ) == {}, sys.path, sys.argv[1:2]]
+    """
+    with of(text).fresh() as call:
+        loaded = set(call("modules"))
+        assert loaded.isdisjoint({"labs", "reference", "solutions", "tests", "pytest", "matplotlib", "site"})
+        folder, bare, path, _ = call("around")
+        assert bare
+        assert not any("site-packages" in each for each in path)
+        assert Path(folder).parent.name.startswith("grading-")
+    assert call.ended is not None
+    assert not Path(folder).exists()
+
+
+@linux
+@pytest.mark.parametrize(
+    ("without", "tier", "words"),
+    [
+        ((), Tier.NETWORK, ""),
+        pytest.param(("landlock",), Tier.NETWORK, "no Landlock", marks=pytest.mark.slow),
+        (("seccomp",), Tier.FILES, "other processes of its user"),
+        (("landlock", "seccomp"), Tier.LIMITS, "what its user may open"),
+        pytest.param(("limits",), Tier.PROCESS, "not limited", marks=pytest.mark.slow),
+        (("nursery",), Tier.PROCESS, "only a time limit"),
+    ],
+)
+def test_a_result_says_how_far_its_process_was_shut_in(without, tier, words):
+    if not (landlock.version() and seccomp.available()):
+        pytest.skip("this kernel has less to begin with")
+    with Grader(PATIENT, without=without) as lesser:
+        with Remote(Submission("lab.py", "def f(): return 1"), lesser).fresh() as call:
+            assert call("f") == 1
+            assert call.sealing.tier == tier
+            assert words in "; ".join(call.sealing.missing)
+        lesser.least = Tier(min(tier + 1, Tier.NETWORK))
+        if tier < Tier.NETWORK:
+            with (
+                pytest.raises(GraderFailed, match=rf"this machine offers '{tier.title}'"),
+                Remote(Submission("lab.py", ""), lesser).fresh(),
+            ):
+                pass
+
+
+def test_without_the_nursery_a_hang_and_a_death_still_cost_one_test_alone():
+    text = "import os\ndef hang():\n    while True: pass\ndef die(): os._exit(3)\ndef f(): return 1"
+    with Grader(Limits(call=0.3), without=("nursery",)) as lesser:
+        remote = Remote(Submission("lab.py", text), lesser)
+        for name, error in (("hang", OutOfTime), ("die", ProcessDied)):
+            with remote.fresh() as call, pytest.raises(error):
+                call(name)
+        with remote.fresh() as call:
+            assert call("f") == 1
+
+
+@linux
+def test_no_process_outlives_its_test_even_where_forks_are_allowed():
+    text = """
+    import os, time
+    def detach():
+        reading, writing = os.pipe()
+        if os.fork() == 0:
+            os.setsid()
+            if os.fork() == 0:
+                os.write(writing, str(os.getpid()).encode())
+                time.sleep(600)
+            os._exit(0)
+        return int(os.read(reading, 20))
+    """
+    with Grader(PATIENT, without=("limits", "seccomp")) as lesser:
+        with Remote(Submission("lab.py", textwrap.dedent(text)), lesser).fresh() as call:
+            stray = call("detach")
+            os.kill(stray, 0)  # it is there
+        assert call.ended is not None  # which waits for the end of all that it started
+        with pytest.raises(ProcessLookupError):
+            os.kill(stray, 0)
+        assert call.ended.strays >= 1
+
+
+@linux
+def test_the_grader_outlives_its_nursery_and_the_nursery_not_the_grader():
+    with Grader(PATIENT) as own:
+        remote = Remote(Submission("lab.py", "import os\ndef parent(): return os.getppid()"), own)
+        with remote.fresh() as call:
+            nursery = call("parent")
+            os.kill(nursery, signal.SIGKILL)
+            with pytest.raises(GraderFailed, match="nursery"):  # no fault of the submission's
+                calls_until_it_fails(call, "parent")
+        with remote.fresh() as call:
+            another = call("parent")
+            time.sleep(0.2)  # the process for the next test has said that it is ready
+            os.kill(another, signal.SIGKILL)
+            with pytest.raises(GraderFailed, match="nursery"):
+                calls_until_it_fails(call, "parent")
+            time.sleep(0.2)  # it has ended as well
+        with remote.fresh() as call:
+            third = call("parent")
+        assert len({nursery, another, third}) == 3
+    with pytest.raises(ProcessLookupError):
+        os.kill(third, 0)
+
+
+@linux
+def test_the_process_for_the_next_test_is_ready_and_has_seen_nothing_of_this_one(of):
+    remote = of("import time\ntime.sleep(0.3)\nseen = []\ndef f(x):\n    seen.append(x)\n    return len(seen)")
+    with remote.fresh() as call:
+        assert call("f", 7) == 1
+        time.sleep(0.5)
+    began = time.perf_counter()
+    with remote.fresh() as call:
+        assert call("f", 8) == 1
+    assert time.perf_counter() - began < 0.3, "it loads while the test before it runs"
+    remote.close()
+
+
+@linux
+def test_tests_leave_no_descriptor_open(of):
+    before = len(os.listdir("/proc/self/fd"))
+    with of("def f(): return 1") as remote:
+        for _ in range(5):
+            with remote.fresh() as call:
+                call("f")
+    assert len(os.listdir("/proc/self/fd")) == before
+
+
+@linux
+def test_when_a_submission_is_closed_nothing_of_its_tests_is_left():
+    text = "import os, time\ndef process(): return os.getpid()\ndef busy(): time.sleep(60)"
+    with Grader(Limits(call=0.2)) as own:
+        processes = []
+        with Remote(Submission("lab.py", text), own) as remote:
+            for _ in range(40):  # more than the host leaves unheard
+                with remote.fresh() as call:
+                    processes.append(call("process"))
+                    if len(processes) > 38:
+                        with pytest.raises(StudentError):
+                            call("busy")
+        for process in processes:
+            with pytest.raises(ProcessLookupError):
+                os.kill(process, 0)
+
+
+def test_calls_that_were_foreseen_are_answered_as_any_other(of):
+    text = """
+    import numpy as np
+    count = 0
+    def double(x):
+        global count
+        count += 1
+        print(count)
+        if np.ndim(x) == 0 and x == 3.0:
+            raise ValueError("three")
+        return 2 * x
+    def counted(): return count
+    """
+    with of(text).fresh() as call:
+        several = [(float(x),) for x in range(6)]
+        call.foresee("double", several)
+        call.foresee("double", several)  # of no use while others are under way, and does no harm
+        assert [call("double", *arguments) for arguments in several[:3]] == [0.0, 2.0, 4.0]
+        assert call.printed == "3\n"
+        with pytest.raises(StudentError, match="three"):
+            call("double", *several[3])
+        assert call("counted") == 6  # another call: what was foreseen and not asked for is passed over
+        assert call("double", 5.0) == 10.0
+        assert call("double", x=1.0) == 2.0
+        call.foresee("double", [(np.zeros(4000),)])  # too long to send ahead
+        assert call("double", np.ones(4000)).sum() == 8000
+
+
+@linux
+def test_a_process_that_ends_while_calls_are_under_way_costs_no_more_than_its_test(of):
+    text = "import os\ndef f(x): return os._exit(3) if x > 1 else x"
+    remote = of(text)
+    with remote.fresh() as call:
+        several = [(float(x),) for x in range(4)]
+        call.foresee("f", several)
+        assert [call("f", *several[0]), call("f", *several[1])] == [0.0, 1.0]
+        for arguments in several[2:]:
+            with pytest.raises(StudentError, match="exit code 3"):
+                call("f", *arguments)
+        call.foresee("f", several)
+    with remote.fresh() as call:
+        assert call("f", 1.0) == 1.0
+
+
+@linux
+def test_a_test_costs_a_fraction_of_an_interpreter_that_loads_numpy(of):
+    remote = of("def f(): return 1")
+    took = []
+    for _ in range(9):
+        began = time.perf_counter()
+        with remote.fresh() as call:
+            call("f")
+        took.append(time.perf_counter() - began)
+    began = time.perf_counter()
+    subprocess.run([sys.executable, "-I", "-c", "import numpy"], check=True)
+    # The fork, the sealing and a call take some 8 ms where the import takes 100; on a busy machine both grow alike.
+    assert statistics.median(took) < (time.perf_counter() - began) / 3
+    assert call.ended is not None
+    assert call.ended.memory < 60e6  # bytes: an interpreter with NumPy, most of it shared with the nursery
+
+
+STUDENT = """
+import numpy as np
+def signed_distance(point, normal, offset): return np.sum(point * normal, axis=-1) + offset
+def is_colliding(distance): return distance < 0
+def time_of_impact_interpolated(before, after, start, end): return start + (end - start) * before / (before - after)
+def time_of_impact_exact(distance, velocity, acceleration): return np.full(np.shape(distance), np.inf)
+def kinematic_response(velocity, normal, restitution):
+    along = np.sum(velocity * normal, axis=-1, keepdims=True)
+    return velocity - (1 + np.asarray(restitution)[..., None]) * along * normal
+def uniform_gravity(mass, gravity): return np.asarray(mass)[..., None] * gravity
+def ballistic_motion(x, v, a, t): t = np.asarray(t)[..., None]; return x + v * t + a * t * t / 2, v + a * t
+def semi_implicit_euler(x, v, a, t): v = v + a * np.asarray(t)[..., None]; return x + v * np.asarray(t)[..., None], v
+"""
+
+
+FLOOR = Body("floor", HalfSpace())
+BALL = Body("ball", Sphere(0.1), mass=1.0, position=(0.0, 0.0, 0.15), velocity=(1.0, 0.0, 0.0))
+BOUNCE = Scenario("bounce", (FLOOR, BALL), (Pair("ball", "floor", restitution=0.5),), 0.2)
+
+
+def test_a_driver_runs_with_the_functions_over_there_as_with_those_here(tmp_path, grader):
+    path = tmp_path / "lab.py"
+    path.write_text(STUDENT)
+    here = load_engine("handwritten", Implementation(str(path)))
+    settings = here.settings(BOUNCE, "stock")
+    with Remote(Submission("lab.py", STUDENT)) as remote, remote.fresh() as call:
+        there = load_engine("handwritten", call.implementation())
+        one, other = here.run(BOUNCE, settings), there.run(BOUNCE, settings)
+    assert len(one.events) > 0
+    np.testing.assert_array_equal(one.positions, other.positions, strict=True)
+    assert one.events == other.events
+
+
+def test_a_driver_says_which_function_it_needs(grader):
+    with Remote(Submission("lab.py", STUDENT.replace("is_colliding", "colliding")), grader).fresh() as call:
+        engine = load_engine("handwritten", call.implementation())
+        with pytest.raises(NeedsFunction, match=r"needs is_colliding \(detection, step 2\)"):
+            engine.run(BOUNCE, engine.settings(BOUNCE, "stock"))

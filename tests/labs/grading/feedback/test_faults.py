@@ -1,0 +1,247 @@
+"""What is said of a wrong function: what to mend first, an example that shows the mistake, and no hint on another."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from labs.grading.calling.processes import Limits
+from labs.grading.calling.remote import Grader
+from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.diagnosis.naming import diagnose
+from labs.grading.diagnosis.probes.making import Draw
+from labs.grading.diagnosis.words import told
+from labs.grading.feedback import report
+from labs.grading.feedback.error_advice import Advice, advice
+from labs.grading.judging import pytest_run
+from labs.grading.judging.examples import Examples
+from labs.grading.judging.sheet import Outcome, Sheet
+
+RELATIVE = "import numpy as np\n\ndef relative_velocity(a, b):\n    return np.asarray(a) - b\n"
+TURNED = RELATIVE.replace("np.asarray(a) - b", "np.asarray(b) - a")
+NORMAL = "\ndef normal_velocity(a, b, n):\n    return np.sum(relative_velocity(a, b) * n, axis=-1)\n"
+
+
+@pytest.fixture(scope="module")
+def grader():
+    with Grader(Limits(call=0.4, test=1.0)) as found:
+        yield found
+
+
+def sheet_of(tmp_path, grader, text, *names, topic="impulse"):
+    (tmp_path / "lab.py").write_text(text)
+    return pytest_run.run(tmp_path / "lab.py", (topic,), (pytest_run.VISIBLE,), grader, names)
+
+
+def checked(tmp_path, grader, text, *names, topic="impulse"):
+    return joined("\n".join(report.report(sheet_of(tmp_path, grader, text, *names, topic=topic), (topic,))))
+
+
+def joined(text):
+    return " ".join(text.split())
+
+
+# Functions that others call
+
+
+def test_what_calls_a_wrong_function_is_not_blamed_for_it(tmp_path, grader):
+    text = checked(tmp_path, grader, TURNED + NORMAL, "normal_velocity")
+    assert (
+        "✗ normal_velocity It calls your relative_velocity, which is not right yet: mend that first. Not yet:" in text
+    )
+    assert "✗ relative_velocity Not yet: both move" in text
+    assert "The order is wrong" not in text  # of normal_velocity
+    assert text.endswith("Next: relative_velocity, marked ✗ above.")
+
+
+def test_what_it_calls_is_not_listed_where_it_is_right_or_nothing_fails(tmp_path, grader):
+    turned = NORMAL.replace("return ", "return -")
+    text = checked(tmp_path, grader, RELATIVE + turned, "normal_velocity")
+    assert "The order is wrong" in text
+    assert "relative_velocity" not in text
+    assert sheet_of(tmp_path, grader, RELATIVE + NORMAL, "normal_velocity").beneath == []
+
+
+def test_what_it_calls_costs_no_points(tmp_path, grader):
+    wrong = TURNED + NORMAL
+    sheet = sheet_of(tmp_path, grader, wrong, "normal_velocity")
+    assert {outcome.function for outcome in sheet.beneath} == {"relative_velocity"}
+    assert sheet.points == sum(outcome.points for outcome in sheet.about("normal_velocity"))
+
+
+def test_of_a_call_that_never_comes_back_the_function_that_hangs_is_named(tmp_path, grader):
+    endless = "def relative_velocity(a, b):\n    while True:\n        pass\n\nimport numpy as np\n" + NORMAL
+    text = checked(tmp_path, grader, endless, "normal_velocity")
+    assert "✗ normal_velocity It calls your relative_velocity, which gave no answer in time: mend that first." in text
+    assert text.count("gave no answer within") == 1
+    assert text.count("Does every loop in it come to an end") == 1
+
+
+def test_a_function_is_blamed_for_its_own_number_where_what_it_calls_is_wrong_only_for_many(tmp_path, grader):
+    one = "import numpy as np\n\ndef relative_velocity(a, b):\n    return np.array([a[i] - b[i] for i in range(3)])\n"
+    text = checked(tmp_path, grader, one + NORMAL.replace("return ", "return -"), "normal_velocity")
+    assert "Right for one case, not yet for several in one call." in text
+    assert "It calls your relative_velocity" in text
+    assert "The order is wrong" in text
+
+
+# Hints
+
+
+def test_an_answer_that_is_none_is_told_once_and_without_a_hint_on_the_physics(tmp_path, grader):
+    text = checked(tmp_path, grader, "def point_velocity(v, w, r):\n    v + w\n", "point_velocity")
+    assert text.count("gives nothing (None): is a return missing?") == 1
+    assert "Hint" not in text
+
+
+def test_too_few_things_get_no_hint_either(tmp_path, grader):
+    text = checked(tmp_path, grader, "def apply_impulse(a, b, j):\n    return a[0], b[0]\n", "apply_impulse")
+    assert text.count("2 things instead of 4") == 1
+    assert "Hint" not in text
+
+
+def test_a_hint_stays_where_a_number_is_wrong_in_an_unknown_way():
+    outcome = Outcome("test_x", 1, False, said="f(1)\ngives   2\nphysics 3", help="Look.", function="collide")
+    for verdict, hinted in (("unknown", True), ("shape", False), ("too slow", False), ("crashes", False)):
+        sheet = Sheet(outcomes=[outcome], diagnoses={"collide": Diagnosis("collide", verdict)})
+        assert ("Hint: Look." in joined("\n".join(report.report(sheet, ["impulse"])))) == hinted
+    limits = Diagnosis("collide", "unknown", limits_alone=True)
+    text = joined("\n".join(report.report(Sheet(outcomes=[outcome], diagnoses={"collide": limits}), ["impulse"])))
+    assert "Right in the usual cases, not yet in limiting ones." in text
+    assert "Hint" not in text
+
+
+def turned_back(inertia, orientation):
+    """Rᵀ I⁻¹ R, with 1/0 for a rod."""
+    w, x, y, z = np.moveaxis(np.asarray(orientation, float), -1, 0)
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    turn = np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+    with np.errstate(all="ignore"):
+        return np.swapaxes(turn, -1, -2) @ ((1 / np.asarray(inertia, float))[..., None] * np.eye(3)) @ turn
+
+
+def test_a_likely_mistake_is_shown_where_it_is_seen_and_what_else_is_wrong_by_itself():
+    found = diagnose("world_inverse_inertia", lambda _, *given: turned_back(*given))
+    assert found.verdict == "likely"
+    assert found.counterexample.probe.note == "a third of a turn about the diagonal"
+    assert found.odd.probe.note == "a thin rod: no inertia about its axis"
+    text = told(found)
+    assert text.index("It is Rᵀ I⁻¹ R") < text.index("Something else is wrong besides:") < text.index("thin rod")
+
+
+def test_of_nan_it_is_said_where_it_comes_from_and_the_mistake_is_shown_at_another_input():
+    said = "world_inverse_inertia(inertia=(2, 2, 0))\ngives   nan\nphysics 0.5"
+    outcome = Outcome("test_x", 1, False, said=said, function="world_inverse_inertia")
+    diagnosis = diagnose("world_inverse_inertia", lambda _, *given: turned_back(*given))
+    sheet = Sheet(outcomes=[outcome], diagnoses={"world_inverse_inertia": diagnosis})
+    text = joined("\n".join(report.report(sheet, ["impulse"])))
+    assert text.index("→ inf comes of a division by zero") < text.index("It is Rᵀ I⁻¹ R")
+    assert "For example world_inverse_inertia(inertia=(1, 2, 4), orientation=(0.5, 0.5, 0.5, 0.5))" in text
+    assert text.count("→ inf") == 1
+
+
+# Errors
+
+
+@pytest.mark.parametrize(
+    ("given", "points_to"),
+    [
+        (lambda m: np.ones((2, 3, 3)) @ m.T, "np.swapaxes(R, -1, -2)"),
+        (lambda m: m.T @ np.ones((2, 3, 3)), "np.swapaxes(matrix, -1, -2)"),
+        (lambda m: list(np.float64(1.0)), "np.where"),
+        (lambda m: len(np.float64(1.0)), "np.where"),
+        (lambda m: np.array(1.0)[0], "np.where"),
+        (lambda m: np.ones((2, 3))[2], "a[..., 0]"),
+        (lambda m: max(m[0, 0, 0], m[0, 0]), "np.maximum"),
+    ],
+)
+def test_numpys_own_message_gets_a_word_on_what_to_do(given, points_to):
+    with pytest.raises((ValueError, TypeError, IndexError)) as caught:
+        given(np.ones((2, 3, 3)))
+    assert points_to in advice(f"raised {type(caught.value).__name__}: {caught.value}")
+
+
+def test_infinity_gets_no_word_where_it_is_right():
+    assert "division by zero" in advice("f(1)\ngives   (1, inf)\nphysics (1, 2)")
+    assert advice("f(1)\ngives   inf\nphysics 2, inf") == ""
+    assert advice("f(1)\ngives   2\nphysics 3") == ""
+
+
+def test_advice_is_given_once():
+    words = Advice()
+    assert words.new("gave no answer within 5 s") != ""
+    assert words.new("gave no answer within 5 s") == ""
+    assert words.known("gave no answer within 5 s")
+
+
+def in_notebook(tmp_path, grader, *sources):
+    cell = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
+    cells = [cell | {"source": source} for source in sources]
+    (tmp_path / "lab.ipynb").write_text(
+        json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells})
+    )
+    sheet = pytest_run.run(tmp_path / "lab.ipynb", ("impulse",), (pytest_run.VISIBLE,), grader, ("point_velocity",))
+    return joined("\n".join(report.report(sheet, ("impulse",))))
+
+
+@pytest.mark.parametrize("name", ["np", "vector", "checked"])
+def test_a_name_of_the_labs_own_cells_is_said_to_come_from_one_that_was_not_run(name, tmp_path, grader):
+    text = in_notebook(tmp_path, grader, f"def point_velocity(v, w, r):\n    return {name}.cross(w, r)")
+    assert f"→ {name} comes from a cell of the lab that was not run, or is gone: Run ▸ Run All Above." in text
+    assert "import" not in text
+
+
+def test_a_misspelt_name_gets_pythons_own_question(tmp_path, grader):
+    text = in_notebook(tmp_path, grader, RELATIVE, "def point_velocity(v, w, r):\n    return relative_velocty(v, w)")
+    assert "name 'relative_velocty' is not defined. Did you mean: 'relative_velocity'?" in text
+    assert "Did you mean: 'cross'?" in in_notebook(
+        tmp_path, grader, "import numpy as np", "def point_velocity(v, w, r):\n    return v + np.croos(w, r)"
+    )
+    assert "Did you mean" not in in_notebook(tmp_path, grader, "def point_velocity(v, w, r):\n    return qqqqqq")
+
+
+def test_a_variable_of_another_cell_is_named_and_constants_are_not(tmp_path, grader):
+    others = "import numpy as np\nspin = np.ones(3)\nHALF = 0.5"
+    text = in_notebook(
+        tmp_path, grader, others, "two = 2\ndef point_velocity(v, w, r):\n    return v + HALF * two * spin"
+    )
+    assert "It takes spin from code cell 1, not from its arguments: is that meant?" in text
+    assert text.count("It takes") == 1
+
+
+# Examples
+
+
+def test_the_smallest_example_is_told_once_and_without_rounding():
+    def holds(vector):
+        raise AssertionError(f"f(vector=({', '.join(f'{x:g}' for x in vector)}))\ngives   nothing")
+
+    with pytest.raises(AssertionError) as caught:
+        Examples(1).every(lambda draw: (draw.unit() + 1e-15,), holds)
+    assert str(caught.value).count("vector=") == 1
+    assert "e-1" not in str(caught.value)
+
+
+def test_a_drawn_inertia_has_few_digits_and_is_symmetric():
+    draw = Draw(np.random.default_rng(3))
+    for _ in range(50):
+        matrix = draw.inverse_inertia()
+        assert np.array_equal(matrix, matrix.T)
+        assert np.allclose(matrix, matrix.round(3), atol=1e-12)
+        assert np.linalg.eigvalsh(matrix)[0] > 0.4
+
+
+def test_an_example_made_by_hand_is_shown_before_a_drawn_one():
+    def rod_alone(inertia, orientation):
+        """Wrong where all moments differ, at drawn inputs as well as at those made by hand."""
+        inertia = np.asarray(inertia, float)
+        return np.full((*inertia.shape, 3), np.nan) if np.ndim(inertia) > 1 else np.full((3, 3), inertia.sum())
+
+    found = diagnose("world_inverse_inertia", lambda _, *given: rod_alone(*given))
+    assert found.counterexample.probe.note == "along the axes"

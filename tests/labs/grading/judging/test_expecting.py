@@ -1,0 +1,296 @@
+"""What tests of a submission are written with: one answer beside the right one, and examples that are drawn."""
+
+from __future__ import annotations
+
+import math
+import re
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from labs.grading.diagnosis.probes.making import Draw
+from labs.grading.errors import FunctionRaised
+from labs.grading.judging.examples import COUNT, MOST_CALLS, Chosen, Examples
+from labs.grading.judging.expectations import each, expect, numbers, plainly, refuse_changes
+
+
+class Function:
+    """A function of a submission, called here; asked and foreseen are kept. changed, printed: by its last call."""
+
+    def __init__(self, formula, name="point_velocity", changed=(), printed=""):
+        self.formula, self.name, self.asked, self.foreseen = formula, name, [], []
+        self.functions = SimpleNamespace(process=lambda: SimpleNamespace(changed=changed, printed=printed))
+
+    def __call__(self, *arguments):
+        self.asked.append(arguments)
+        return self.formula(*arguments)
+
+    def foresee(self, several):
+        self.foreseen += several
+
+
+def fails(said, answer):
+    """What is said where `answer` is right and the function says something else."""
+    with pytest.raises(AssertionError) as raised:
+        expect(Function(lambda *_: said), ([0, 1, 0], [0, 0, 2], [3, 0, 0]), answer)
+    return str(raised.value)
+
+
+# One answer
+
+
+@pytest.mark.parametrize(
+    ("said", "answer"),
+    [
+        ([1000.0, 0.02], [1000.0, 0.0]),  # by the largest number, as single precision has it
+        ([1e-5, 0.0], [0.0, 0.0]),
+        (1e-5, 0.0),
+        ([math.inf, 1.00001], [math.inf, 1.0]),
+        (np.float32(0.1), 0.1),
+        ([(1, 2), 3], ([1.0, 2.0], 3.0)),
+        (True, True),
+    ],
+)
+def test_what_is_right_but_for_rounding_is_right(said, answer):
+    expect(Function(lambda *_: said), (1.0,), answer)
+
+
+@pytest.mark.parametrize(
+    ("said", "answer"),
+    [
+        (1.0001e-3, 1e-3), (4e-5, 0.0),
+        ([1000.0, 0.05], [1000.0, 0.0]), ([1e-4, 0.0], [0.0, 0.0]), (1e-4, 0.0), ([math.inf, 1.0001], [math.inf, 1.0]),
+        ((1000.0, 0.02), (1000.0, 0.0)), ([2.0], 2.0), (2.0, [2.0, 2.0]), (math.nan, 2.0), ("2", 2.0), (None, 2.0),
+        (2.0, (2.0, 2.0)), (1.0, math.inf), (math.inf, -math.inf), (False, True),
+    ],
+)  # fmt: skip
+def test_what_is_not_right_is_told_with_what_physics_says(said, answer):
+    text = fails(said, answer)
+    assert text.startswith("point_velocity(velocity=(0, 1, 0), angular_velocity=(0, 0, 2), arm=(3, 0, 0))\ngives   ")
+    assert "\nphysics " in text
+
+
+def test_a_submission_gets_lists_as_arrays_of_floats_and_all_else_as_it_is():
+    vector, number, flag, inner = plainly([1, 2, 3], 2, True, ([0, 1], 0.5))
+    np.testing.assert_array_equal(vector, [1.0, 2.0, 3.0], strict=True)
+    assert (number, flag, type(inner), inner[1]) == (2, True, tuple, 0.5)
+    np.testing.assert_array_equal(inner[0], [0.0, 1.0], strict=True)
+    function = Function(lambda v: v.sum())
+    expect(function, ([1, 2, 3],), 6.0)
+    assert function.asked[0][0].dtype == float
+
+
+def test_numbers_come_as_arrays_of_floats_and_all_else_is_refused():
+    one = numbers(Function(lambda: [1, 2]), ())
+    np.testing.assert_array_equal(one, [1.0, 2.0], strict=True)
+    first, second = numbers(Function(lambda: (1, [2, 3])), (), count=2)
+    assert (float(first), second.tolist()) == (1.0, [2.0, 3.0])
+    said = r"^point_velocity\(velocity=1\)\ngives   the text 'up' instead of a number or an array$"
+    with pytest.raises(AssertionError, match=said):
+        numbers(Function(lambda v: "up"), (1.0,))
+    with pytest.raises(AssertionError, match=r"gives   1 thing instead of 2$"):
+        numbers(Function(lambda v: [1.0]), (1.0,), count=2)
+
+
+def test_what_only_prints_is_told_so():
+    for printed, why in (("2.0", "it prints, and has to return"), ("", r"is a return missing\?")):
+        with pytest.raises(AssertionError, match=rf"gives   nothing \(None\): {why}\nphysics 2$"):
+            expect(Function(lambda v: None, printed=printed), (1.0,), 2.0)
+        with pytest.raises(AssertionError, match=rf"gives   nothing \(None\): {why}$"):
+            numbers(Function(lambda v: None, printed=printed), (1.0,))
+
+
+def test_writing_into_the_arguments_loses_the_part():
+    refuse_changes(Function(abs))
+    with pytest.raises(AssertionError, match="writes into its arguments"):
+        refuse_changes(Function(abs, changed=(0,)))
+    with pytest.raises(AssertionError, match="writes into its arguments"):
+        Examples(1).together(Function(lambda v: v, changed=(0,)), lambda v: v, lambda draw: (draw.vector(),))
+
+
+# A formula for one contact, for many
+
+
+def test_a_formula_for_one_contact_is_asked_contact_by_contact():
+    many = each(lambda v, body: (v @ body[0], v * body[1]), (np.zeros(3), (np.zeros(3), 1.0)))
+    v, arm, mass = np.arange(6.0).reshape(2, 1, 3), np.arange(9.0).reshape(3, 3), np.array([1.0, 2.0, 3.0])
+    products, scaled = many(v, (arm, mass))
+    np.testing.assert_allclose(products, np.sum(v * arm, axis=-1))
+    np.testing.assert_allclose(scaled, v * mass[:, None])
+    assert each(lambda v: v @ v, (np.zeros(3),))(np.ones(3)).shape == ()
+
+
+def test_what_all_contacts_share_may_be_given_once_and_nothing_else():
+    def draws(draw):
+        return draw.unit(), draw.number(1, 2)
+
+    def right(n, e):
+        return n * e, e
+
+    Examples(1).together(Function(lambda n, e: (n * e, e)), right, draws, single=(1,))
+    Examples(1).together(Function(lambda n, e: e), lambda n, e: e, draws, single=(1,))
+    with pytest.raises(AssertionError):
+        Examples(1).together(Function(lambda n, e: (n[..., :1] * e, e)), right, draws, single=(1,))
+    with pytest.raises(AssertionError):
+        Examples(1).together(Function(lambda n, e: e.flat[0]), lambda n, e: e, draws)
+    with pytest.raises(AssertionError):
+        expect(Function(lambda e: 2.0), (1.0,), [2.0, 2.0])
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ("up", "the text 'up' instead of"), (None, "nothing"),
+        ([1.0] * 7, r"of shape \(7,\)"), ((1.0, 2.0), r"of shape \(2,\)"),
+        ([[1.0], [1.0, 2.0]], "a list that is not a number or an array"), (np.zeros((0, 3)), r"of shape \(0, 3\)"),
+    ],
+)  # fmt: skip
+def test_an_answer_for_several_contacts_that_is_none_fails_like_any_other(said, told):
+    """As an AssertionError: any other error would cost the parts of the test that follow."""
+    with pytest.raises(AssertionError, match=rf"(?s)point_velocity\(velocity=.*\ngives   .*{told}"):
+        Examples(1).together(Function(lambda v: said), lambda v: v, lambda draw: (draw.vector(),))
+
+
+# Examples
+
+
+def pair(draw):
+    return draw.number(1, 9), draw.number(1, 9)
+
+
+def test_examples_are_foreseen_in_the_order_in_which_they_are_asked():
+    for ask in (Examples(1).agree, Examples(1).together):
+        function = Function(np.add)
+        ask(function, np.add, pair)
+        assert len(function.asked) == len(function.foreseen) >= 6
+        assert [id(x) for each in function.asked for x in each] == [id(x) for each in function.foreseen for x in each]
+
+
+def test_a_formula_is_asked_once_for_each_example_that_is_right():
+    """Scales are looked for where an answer is off: they take several calls."""
+    formula = Function(np.add)
+    Examples(1).agree(Function(np.add), formula, pair)
+    assert len(formula.asked) == COUNT
+
+
+def test_other_seeds_draw_other_examples_and_the_same_seed_the_same():
+    drawn = []
+    for seed in (1, 1, 2):
+        function = Function(np.add)
+        Examples(seed).agree(function, np.add, pair)
+        drawn.append(function.asked)
+    assert len(drawn[0]) == len(set(drawn[0])) == COUNT
+    assert drawn[0] == drawn[1] != drawn[2]
+
+
+@pytest.mark.parametrize("ask", ["agree", "every"])
+@pytest.mark.parametrize("told", [True, False])
+def test_only_a_student_who_may_read_the_example_has_it_made_small(ask, told):
+    function, examples = Function(lambda a, b: a - b), Examples(1, told)
+
+    def adds(a, b):
+        assert function(a, b) == a + b, f"{a} and {b}"
+
+    with pytest.raises(AssertionError) as raised:
+        examples.agree(function, np.add, pair) if ask == "agree" else examples.every(pair, adds)
+    smallest = re.search(r"=1, \w+=1\)?$", str(raised.value), re.MULTILINE) is not None
+    assert smallest == told
+    assert (len(function.asked) > 3) == told
+
+
+def test_a_property_that_is_not_so_is_told_in_its_own_words_without_digits_of_rounding():
+    def holds(x, force, flag):
+        raise AssertionError("three\nis four\nassert 3 == 4\n  where 3 is odd")
+
+    def third(draw):
+        return 0.1 + 0.2 - 0.3, np.array([1.0, 0.1 + 0.2 - 0.3]), True
+
+    with pytest.raises(AssertionError, match=r"^three\nis four\nfor x=0, force=\(1, 0\), flag=True$"):
+        Examples(1).every(third, holds)
+
+
+def test_a_property_that_ends_in_an_error_fails_with_it():
+    def raises(a, b):
+        raise FunctionRaised("f raised E: m")
+
+    with pytest.raises(FunctionRaised):
+        Examples(1).every(pair, raises)
+
+
+def test_looking_for_the_smallest_example_ends_after_so_many_calls():
+    tried = []
+
+    def small(*numbers):
+        tried.append(numbers)
+        assert sum(numbers) < 900
+
+    with pytest.raises(AssertionError):
+        Examples(1).every(lambda draw: tuple(draw.number(0, 100) for _ in range(20)), small)
+    # Left alone, hypothesis goes on for some 740 calls. One call finds it, and one tells it.
+    assert MOST_CALLS < len(tried) <= MOST_CALLS + 3
+
+
+def test_an_answer_that_is_wrong_but_once_still_fails():
+    """Nothing smaller is found then: the example that failed is told."""
+    tries = []
+
+    def once(a, b):
+        tries.append(a)
+        assert len(tries) != 3, "the third"
+
+    with pytest.raises(AssertionError, match="the third"):
+        Examples(1).every(pair, once)
+
+
+# Drawing by choices that hypothesis makes small
+
+
+def drawn_by(choices):
+    from labs.grading.judging.examples import _drawing  # noqa: PLC0415 - what is drawn with is no part of the interface
+
+    return _drawing(Chosen(choices))
+
+
+def test_the_simplest_draws_are_simple():
+    draw = drawn_by(())
+    assert [draw.number(0.5, 4), draw.number(-3, 0), draw.number(-5, -2), draw.number(1.5, 3)] == [1, 0, -5, 2]
+    assert draw.number(0.2, 0.7) == 0.45
+    assert draw.sign() == 1
+    assert draw.vector().tolist() == [1, 1, 1]
+
+
+def test_whatever_is_chosen_is_what_could_be_drawn():
+    rng = np.random.default_rng(7)
+    for draw in (drawn_by(rng.integers(0, Chosen.MOST + 1, 60).tolist()) for _ in range(60)):
+        assert draw.sign() in (-1, 1)
+        assert 2 <= draw.number(2, 3) <= 3
+        assert np.all((np.abs(draw.vector(2)) <= 2) & (np.abs(draw.vector(2)) >= 0.1))
+        unit, turn = draw.unit(), draw.turn()
+        np.testing.assert_allclose([unit @ unit, *np.linalg.norm(turn, axis=0)], 1.0)
+        np.testing.assert_allclose(np.linalg.det(turn), 1.0)
+    assert drawn_by([Chosen.MOST]).number(2, 3) == 3
+    assert drawn_by([1]).number(2, 3, digits=3) == 2.001
+
+
+def test_drawn_numbers_stay_within_their_limits():
+    draw = Draw(np.random.default_rng(3))
+    numbers = [draw.number(2, 3) for _ in range(200)]
+    assert 2 <= min(numbers) < 2.1
+    assert 2.9 < max(numbers) <= 3
+    signs = [draw.sign() for _ in range(100)]
+    assert {*signs} == {-1, 1}
+    normal = draw.unit()
+    assert abs(draw.tangent(normal) @ normal) < 1e-12
+    inertia = draw.inverse_inertia()
+    np.testing.assert_allclose(inertia, inertia.T)
+    assert np.all(np.linalg.eigvalsh(inertia) > 0.4)
+
+
+def test_it_is_counted_how_many_choices_were_asked_for():
+    chosen = Chosen([3, 1])
+    chosen.uniform(), chosen.integers(4), chosen.choice([1, 2], 3), chosen.permutation([1, 2])
+    assert chosen.taken == 6
+    assert sorted(Chosen([5]).permutation([1, 2, 3])) == [1, 2, 3]
+    assert Chosen([]).permutation([3, 1, 2]).tolist() == [3, 1, 2]
+    assert [Chosen([n]).integers(4) for n in (0, 3, 4)] == [0, 3, 0]

@@ -1,0 +1,339 @@
+"""What every family of the catalogue owes to whoever runs it or reads its report."""
+
+from __future__ import annotations
+
+import math
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from reference import lecture
+from reference.catalogue import scenarios
+from reference.catalogue.case import Case
+from reference.catalogue.family import Expectation, Family
+from reference.catalogue.scenarios import catalogue, find
+from reference.catalogue.scenarios.response import DROP_HEIGHT, DROPS, SPREAD, drop_height
+from reference.engines import engine_names, load_engine
+from reference.engines.base import AT_STEP, COMPLIANT, EXACT, INTERPOLATED, Method
+from reference.errors import InvalidInput, UnknownName
+from reference.scene.scenario import Scenario
+from reference.scene.settings import Settings
+
+FAMILIES = list(catalogue().values())
+CASES = [(family, case) for family in FAMILIES for case in family.cases]
+COUNTED = {("incline", "moves"), ("box-on-edge", "face"), ("tipping-box", "outcome")}
+"""Quantities that are whole numbers: an outcome is right or wrong."""
+each_family = pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
+each_case = pytest.mark.parametrize(("family", "case"), CASES, ids=lambda entry: entry.name)
+METHODS = [
+    Method(EXACT),
+    Method(INTERPOLATED, rest_speed=5e-3),
+    Method(AT_STEP, rest_speed=0.2),
+    Method(AT_STEP, recovery=0.5, rest_speed=0.03),
+    Method(AT_STEP, speed_recovery=1e-4, inset=0.5),
+    Method(AT_STEP, rest_speed=0.5, inset=1.0, softness=1e-5, weighed=1.0),
+    Method(COMPLIANT, stiffness=1e6, inset=0.5),
+]
+
+
+def expectations(family: Family, case: Case) -> list[tuple[str, Method, Expectation]]:
+    """Every expectation of a case under every way to answer and two timesteps, but for what theory has no figure."""
+    found = [
+        (quantity.name, method, quantity.expect(case, Settings(timestep), method))
+        for quantity in family.quantities
+        if quantity.expect
+        for method in METHODS
+        for timestep in (1e-4, 1e-3)
+    ]
+    return [entry for entry in found if entry[2] is not None]
+
+
+# The catalogue
+
+
+def test_families_come_in_the_order_of_teaching_under_their_own_names():
+    order = [topic.name for topic in lecture.TOPICS]
+    places = [order.index(family.topic) for family in FAMILIES]
+    assert places == sorted(places)
+    assert [family.name for family in FAMILIES] == list(catalogue())
+    assert {"dropped-ball", "ball-to-rest", "sliding-slab", "incline"} <= set(catalogue())
+
+
+def test_no_two_families_share_a_name_or_a_title():
+    entries = [family for module in vars(scenarios).values() for family in getattr(module, "FAMILIES", ())]
+    assert len(entries) == len(FAMILIES), "a family with a name that is taken would hide the other"
+    assert len({family.title for family in FAMILIES}) == len(FAMILIES)
+
+
+def test_a_family_and_its_cases_are_found_by_name():
+    for family in FAMILIES:
+        assert find(family.name) == (family, None)
+        assert scenarios.family(family.name) is family
+        for case in family.cases:
+            assert find(f"{family.name}/{case.name}") == (family, case)
+
+
+@pytest.mark.parametrize(
+    ("name", "hint"), [("droped-ball", "dropped-ball"), ("dropped-ball/e=0.7", "e=0.5"), ("/e=0.5", "incline")]
+)
+def test_a_name_that_is_not_in_the_catalogue_is_refused_with_those_that_are(name, hint):
+    with pytest.raises(UnknownName, match=hint):
+        find(name)
+    with pytest.raises(UnknownName, match="two-balls"):
+        scenarios.family("two-bals")
+
+
+def test_one_family_is_found_without_loading_the_others():
+    code = "import sys; from reference.catalogue.scenarios import family; family('struck-rod'); print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert "reference.catalogue.scenarios.rods" in loaded
+    assert "reference.catalogue.scenarios.boxes" not in loaded
+
+
+# A family
+
+
+@each_family
+def test_a_family_belongs_to_a_topic_and_to_statements_of_the_lecture(family):
+    assert family.topic in [topic.name for topic in lecture.TOPICS]
+    assert family.statements
+    assert len(set(family.statements)) == len(family.statements)
+    for number in family.statements:
+        assert lecture.statement(number).number == number
+
+
+@each_family
+def test_a_family_says_what_it_is_what_is_expected_and_why_implementations_differ(family):
+    texts = (family.title, family.about, family.expected, *family.why)
+    assert family.why
+    for text in texts:
+        assert text
+        assert text == " ".join(text.split()), "a line of the text was joined to the next with a wrong blank"
+    for text in texts[1:]:
+        assert text.endswith(".")
+
+
+@each_family
+def test_the_name_of_a_case_is_its_own_and_its_scenarios_are_named_after_it(family):
+    names = [case.name for case in family.cases]
+    assert names
+    assert len(set(names)) == len(names)
+    for case in family.cases:
+        assert "/" not in case.name
+        assert {scenario.name for scenario in case.scenarios} == {f"{family.name}/{case.name}"}
+
+
+@each_family
+def test_no_two_cases_of_a_family_have_the_same_scenarios(family):
+    assert len({case.scenarios for case in family.cases}) == len(family.cases)
+
+
+@each_family
+def test_the_plotted_and_the_studied_case_and_quantity_exist(family):
+    assert family.case(family.curve.case)
+    assert family.case(family.convergence.case)
+    quantity = family.quantity(family.convergence.quantity)
+    assert quantity.expect is not None, "an error needs a value to be measured from"
+    factors = family.convergence.factors
+    assert list(factors) == sorted(factors, reverse=True)
+    assert 1.0 in factors, "the timestep of the profile itself is on the curve"
+
+
+@each_family
+def test_quantities_have_names_titles_and_their_own_scale(family):
+    names = [quantity.name for quantity in family.quantities]
+    assert len(set(names)) == len(names)
+    for quantity in family.quantities:
+        assert quantity.name.isidentifier()
+        assert quantity.title.strip()
+        if quantity.scale:
+            assert all(quantity.scale(case) >= 0 for case in family.cases)
+    assert any(quantity.expect for quantity in family.quantities)
+
+
+@each_case
+def test_a_case_can_be_pickled_as_a_worker_needs_it(family, case):
+    assert pickle.loads(pickle.dumps(case)) == case
+    assert case.parameters
+    assert all(math.isfinite(value) for value in case.parameters.values())
+
+
+@each_case
+def test_every_engine_derives_the_same_settings_for_all_scenarios_of_a_case(family, case):
+    first, last = case.scenarios[0], case.scenarios[-1]
+    for name in engine_names():
+        engine = load_engine(name)
+        assert list(engine.profiles(first)) == list(engine.profiles(last))
+        assert list(engine.profiles(first)) == list(engine.profiles(family.cases[0].scenarios[0]))
+        for profile in engine.profiles(first):
+            assert engine.settings(first, profile) == engine.settings(last, profile)
+
+
+# Expectations
+
+
+@each_case
+def test_every_tolerance_has_its_reason_and_is_above_zero(family, case):
+    for quantity, _, expectation in expectations(family, case):
+        assert expectation.reason.strip(), quantity
+        if (family.name, quantity) in COUNTED:
+            assert expectation.tolerance == 0, "it holds or it slides: there is nothing in between"
+            assert expectation.value == int(expectation.value)
+        else:
+            assert 0 < expectation.tolerance < math.inf, quantity
+        assert math.isfinite(expectation.value)
+
+
+@each_case
+def test_every_known_deviation_has_its_reason_and_a_band_that_is_narrower_than_itself(family, case):
+    for quantity, method, expectation in expectations(family, case):
+        assert math.isfinite(expectation.shift)
+        if expectation.shift:
+            assert expectation.shift_reason.strip(), quantity
+            assert 0 < expectation.shift_tolerance < math.inf, quantity
+            assert method.kind != EXACT, "an exact method has nothing to explain"
+        if abs(expectation.shift) > expectation.tolerance:  # only then can it be what a row is judged by
+            band = expectation.shift_tolerance
+            assert band < abs(expectation.shift), f"{quantity}: the band reaches back to theory, it explains anything"
+
+
+@each_case
+def test_what_is_expected_of_an_exact_method_does_not_hang_on_the_timestep(family, case):
+    for quantity in family.quantities:
+        if quantity.expect:
+            coarse, fine = (quantity.expect(case, Settings(dt), Method(EXACT)) for dt in (1e-2, 1e-4))
+            assert coarse == fine
+
+
+@each_case
+def test_theory_is_one_number_whatever_the_method_and_the_timestep(family, case):
+    for quantity in family.quantities:
+        values = [expectation.value for name, _, expectation in expectations(family, case) if name == quantity.name]
+        assert len(set(values)) <= 1
+        # Theory has a figure for a case or has none, whoever is asked.
+        assert len(values) in ((0, 2 * len(METHODS)) if quantity.expect else (0,))
+
+
+def test_theory_has_no_figure_for_how_far_a_tipping_box_gets_and_for_impacts_that_come_together():
+    without = [
+        (family.name, quantity.name, case.name)
+        for family, case in CASES
+        for quantity in family.quantities
+        if quantity.expect and quantity.name not in {name for name, _, _ in expectations(family, case)}
+    ]
+    tipping = ("h=0.1,μ=1.5,θ=50°", "h=0.2,μ=0.7,θ=32°", "h=0.3,μ=0.5,θ=24°")
+    touching = [
+        *(("cradle", case) for case in ("3 touching", "5 touching")),
+        *(("parting-ball", case) for case in ("v=0.1", "v=0.3", "v=0.5")),
+    ]
+    open_ = {(family, ball, case) for family, case in touching for ball in ("first", "last")}
+    assert set(without) == open_ | {("tipping-box", "way", case) for case in tipping}
+
+
+def test_a_quantity_without_a_figure_has_no_expected_value_for_whoever_needs_one():
+    family = catalogue()["tipping-box"]
+    case, way = family.case("h=0.2,μ=0.7,θ=32°"), family.quantity("way")
+    with pytest.raises(InvalidInput, match=r"way has no expected value in h=0\.2,μ=0\.7,θ=32°"):
+        way.expected_value(case)
+    slides = family.case("h=0.2,μ=0.3,θ=20°")
+    assert way.expected_value(slides) == way.expect(slides, Settings(1e-3), Method(AT_STEP)).value
+    sink = catalogue()["dropped-ball"].quantity("sink")
+    with pytest.raises(InvalidInput, match="sink has no expected value"):
+        sink.expected_value(catalogue()["dropped-ball"].cases[0])
+
+
+@each_case
+def test_deviations_that_come_of_the_timestep_go_with_it(family, case):
+    for quantity in family.quantities:
+        if quantity.expect:
+            found = [quantity.expect(case, Settings(dt), Method(AT_STEP)) for dt in (1e-3, 1e-4)]
+            if None not in found:
+                coarse, fine = (expectation.shift for expectation in found)
+                assert coarse == pytest.approx(10 * fine, rel=1e-9)  # first order in a product: only rounding
+
+
+# What a method does to an impact
+
+
+@pytest.mark.parametrize("case", catalogue()["dropped-ball"].cases[1:], ids=lambda case: case.name)
+def test_an_impact_that_turns_back_its_steps_own_gain_too_shifts_the_rebound_by_two_e_squared_more(case):
+    expect, e = catalogue()["dropped-ball"].quantity("rebound").expect, case.parameters["restitution"]
+    plain, weighed = (expect(case, Settings(1e-3), Method(AT_STEP, weighed=share)) for share in (0.0, 1.0))
+    half_a_step = expect(catalogue()["dropped-ball"].case("e=0.5"), Settings(1e-3), Method(AT_STEP)).shift / -0.5
+    # −(1 − e) and −(1 + e) (1 − 2e) times v dt/2 ÷ h, the same for all drops; only rounding.
+    assert plain.shift == pytest.approx(-(1 - e) * half_a_step, abs=1e-15)
+    assert weighed.shift == pytest.approx(-(1 + e) * (1 - 2 * e) * half_a_step, abs=1e-15)
+    assert (weighed.value, weighed.tolerance) == (plain.value, plain.tolerance)
+
+
+@pytest.mark.parametrize("case", catalogue()["dropped-ball"].cases[1:], ids=lambda case: case.name)
+def test_what_a_soft_contact_keeps_back_lowers_the_rebound_as_its_square_does(case):
+    expect, e, softness = catalogue()["dropped-ball"].quantity("rebound").expect, case.parameters["restitution"], 1e-5
+    hard, soft = (expect(case, Settings(1e-3), Method(AT_STEP, softness=share)) for share in (0.0, softness))
+    exact = (e - (1 + e) * softness) ** 2 - e**2
+    assert soft.shift - hard.shift == pytest.approx(exact, abs=4.1 * softness**2)  # first order: a square, (1 + e)² s²
+    assert (soft.value, soft.tolerance, soft.shift_tolerance) == (hard.value, hard.tolerance, hard.shift_tolerance)
+
+
+def test_between_two_walls_a_last_impact_that_is_taken_for_rest_leaves_no_speed():
+    family = catalogue()["two-walls"]
+    case, speed = family.case("e=0.5"), family.quantity("speed_left")  # the fifth impact comes at 0.125 m/s
+    rebounds, rests = (speed.expect(case, Settings(1e-3), Method(AT_STEP, rest_speed=at)) for at in (0.124, 0.126))
+    assert rebounds.shift == 0
+    assert rests.value + rests.shift == 0
+    assert rests.shift_tolerance == rests.tolerance == rebounds.tolerance
+
+
+def test_between_two_walls_a_soft_contact_is_late_by_just_what_is_accepted():
+    family, softness, dt = catalogue()["two-walls"], 1e-5, 1e-12  # no steps worth the name
+    for case in family.cases:
+        e = case.parameters["restitution"]
+        kept = e - (1 + e) * softness
+        late = 0.4 * sum(kept**-crossing - e**-crossing for crossing in range(5))
+        found = family.quantity("last_impact").expect(case, Settings(dt), Method(AT_STEP, softness=softness))
+        assert late == pytest.approx(found.tolerance, rel=10 * softness / e)  # of first order
+        assert "not quite hard" in found.reason
+
+
+# The jittered drops
+
+
+TIMESTEPS = (1 / 60, 1 / 120, 1 / 240, 4e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5)
+
+
+def fall_times(scenarios: tuple[Scenario, ...]) -> np.ndarray:
+    heights = np.array([drop_height(scenario) for scenario in scenarios])
+    return np.sqrt(2 * heights / 9.81)
+
+
+@pytest.mark.parametrize("timestep", TIMESTEPS)
+@pytest.mark.parametrize("case", catalogue()["dropped-ball"].cases, ids=lambda case: case.name)
+def test_jittered_drops_meet_the_floor_at_evenly_spread_phases_of_a_step(case, timestep):
+    phases = np.sort(fall_times(case.scenarios) / timestep % 1)
+    gaps = np.diff([*phases, phases[0] + 1])
+    assert len(phases) == DROPS
+    # Rounding: fall times of 0.45 s, known to 1e-16 of that, over a step of 0.1 ms.
+    np.testing.assert_allclose(gaps, 1 / DROPS, atol=1e-11)
+
+
+@pytest.mark.parametrize("timestep", TIMESTEPS)
+def test_the_phase_within_a_step_has_nothing_to_do_with_the_height_of_a_drop(timestep):
+    falls = fall_times(catalogue()["dropped-ball"].cases[0].scenarios)
+    # A sawtooth that sweeps n times over a straight line correlates with it by 1/n, and here it sweeps 6 times or more.
+    assert abs(np.corrcoef(falls, falls / timestep % 1)[0, 1]) < 1 / 6
+
+
+def test_the_first_drop_of_an_ensemble_is_the_one_from_the_nominal_height():
+    for case in catalogue()["dropped-ball"].cases:
+        assert drop_height(case.scenarios[0]) == pytest.approx(DROP_HEIGHT, abs=1e-15)
+        assert np.ptp(fall_times(case.scenarios)) == pytest.approx(SPREAD * (DROPS - 1) / DROPS)
+        assert fall_times(case.scenarios).mean() == pytest.approx(math.sqrt(2 * DROP_HEIGHT / 9.81))
+
+
+def test_every_drop_lasts_until_its_rebound_has_reached_the_apex():
+    for case in catalogue()["dropped-ball"].cases:
+        for scenario, fall in zip(case.scenarios, fall_times(case.scenarios), strict=True):
+            assert scenario.duration > fall * (1 + case.parameters["restitution"]) + 0.02  # and some samples more

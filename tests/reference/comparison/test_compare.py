@@ -1,0 +1,386 @@
+"""Verdicts: how a number stands to what is expected of it, and what a run that gave none is called."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from reference.catalogue.case import Case
+from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
+from reference.catalogue.scenarios.response import falling_ball
+from reference.comparison.compare import (
+    ALL_CASES,
+    Row,
+    Verdict,
+    compare_case,
+    failures,
+    judge,
+    verdict_of,
+    without_answer,
+)
+from reference.engines.base import AT_STEP, Engine, Method
+from reference.errors import (
+    CannotExpress,
+    EngineNotInstalled,
+    InvalidInput,
+    NeedsFunction,
+    RunFailed,
+    Unforeseen,
+    UnknownName,
+    WorkerCrashed,
+    WorkerTimeout,
+)
+from reference.running.study import verdict_counts
+from reference.scene.scenario import Scenario
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Recorder, Trajectory
+
+BIASED = Expectation(10.0, 1.0, "near", shift=-5.0, shift_reason="a known bias", shift_tolerance=0.5)
+NO_TRAJECTORY = {
+    NeedsFunction: Verdict.NEEDS,
+    CannotExpress: Verdict.CANNOT_EXPRESS,
+    EngineNotInstalled: Verdict.NOT_AVAILABLE,
+    RunFailed: Verdict.CRASHED,
+    Unforeseen: Verdict.CRASHED,
+    WorkerCrashed: Verdict.CRASHED,
+    WorkerTimeout: Verdict.CRASHED,
+}
+errors = pytest.mark.parametrize("error", NO_TRAJECTORY, ids=lambda error: error.__name__)
+
+
+class Still(Engine):
+    """An engine whose bodies stay where they are, or which fails with the given error."""
+
+    name = "still"
+    title = "a still life"
+
+    def __init__(self, error: BaseException | None = None) -> None:
+        super().__init__()
+        self.error = error
+
+    def settings(self, scenario: Scenario, profile: str) -> Settings:
+        return Settings(0.1, options={"colour": "grey"})
+
+    def method(self, scenario: Scenario, settings: Settings) -> Method:
+        return Method(AT_STEP, recovery=0.25)
+
+    def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
+        if self.error:
+            raise self.error
+        recorder = Recorder(self.name, scenario, settings)
+        bodies = scenario.bodies
+        state = [n for b in bodies for n in (*b.position, *b.orientation, *b.velocity, *b.angular_velocity)]
+        for _ in range(3):
+            recorder.sample(state)
+        return recorder.trajectory()
+
+
+def height(trajectory: Trajectory) -> float:
+    return float(trajectory.position("ball")[-1, 2])
+
+
+def family(expect=None, measure=height, heights=(1.0,), scale=None) -> Family:
+    """One case of balls at these heights, and one quantity."""
+    scenarios = tuple(falling_ball("still/only", 0.5, value - 0.1, 0.2) for value in heights)
+    return Family(
+        "still",
+        "Still life",
+        "response",
+        (3,),
+        "",
+        "",
+        (),
+        (Case("only", scenarios, {"height": 7.0}),),
+        (Quantity("height", "height", "m", measure, expect, scale),),
+        Curve("only", "", "", lambda trajectory: trajectory.times),
+        Convergence("only", "height"),
+    )
+
+
+def compare(entry: Family, engine: Engine | None = None, profile: str = "tuned") -> list[Row]:
+    engine = engine or Still()
+    return compare_case(entry, entry.cases[0], engine, profile, engine.settings(entry.cases[0].scenarios[0], profile))[
+        0
+    ]
+
+
+# Judging a number
+
+
+@pytest.mark.parametrize(
+    ("measured", "verdict"),
+    [
+        (10.0, Verdict.PASS),
+        (9.0, Verdict.PASS),
+        (11.0, Verdict.PASS),
+        (11.001, Verdict.FAIL),
+        (8.999, Verdict.FAIL),  # between the two bands
+        (5.5, Verdict.KNOWN_DEVIATION),
+        (5.0, Verdict.KNOWN_DEVIATION),
+        (4.5, Verdict.KNOWN_DEVIATION),
+        (5.501, Verdict.FAIL),  # better than the known bias, and still not what is known
+        (4.499, Verdict.FAIL),
+        (15.0, Verdict.FAIL),  # the bias has a sign
+        (math.nan, Verdict.FAIL),
+        (math.inf, Verdict.FAIL),
+        (-math.inf, Verdict.FAIL),
+    ],
+)
+def test_a_number_passes_near_theory_and_deviates_knowingly_near_the_shifted_value(measured, verdict):
+    assert judge(measured, BIASED) is verdict
+
+
+def test_a_number_in_both_bands_passes():
+    overlapping = replace(BIASED, shift=-1.0, shift_tolerance=2.0)
+    assert judge(9.5, overlapping) is Verdict.PASS
+    assert judge(8.5, overlapping) is Verdict.KNOWN_DEVIATION
+
+
+def test_without_a_shift_nothing_is_a_known_deviation():
+    assert judge(10.4, Expectation(10.0, 0.1, "", shift=0.0, shift_tolerance=1.0)) is Verdict.FAIL
+
+
+def test_a_tolerance_of_zero_asks_for_the_very_number():
+    assert judge(1.0, Expectation(1.0, 0.0, "")) is Verdict.PASS
+    assert judge(math.nextafter(1.0, 2.0), Expectation(1.0, 0.0, "")) is Verdict.FAIL
+
+
+NUMBER = st.floats(-1e3, 1e3)
+BAND = st.floats(0, 1e3)
+
+
+@given(NUMBER, NUMBER, BAND, NUMBER, BAND)
+def test_a_verdict_is_the_same_in_the_mirror(measured, value, tolerance, shift, shift_tolerance):
+    here = Expectation(value, tolerance, "", shift, "", shift_tolerance)
+    mirrored = Expectation(-value, tolerance, "", -shift, "", shift_tolerance)
+    assert judge(measured, here) is judge(-measured, mirrored)
+
+
+@given(NUMBER, NUMBER, BAND, NUMBER, BAND)
+def test_wider_tolerances_never_turn_a_pass_into_anything_else(measured, value, tolerance, shift, shift_tolerance):
+    rank = [Verdict.FAIL, Verdict.KNOWN_DEVIATION, Verdict.PASS]
+    narrow = Expectation(value, tolerance, "", shift, "", shift_tolerance)
+    wide = Expectation(value, 2 * tolerance, "", shift, "", 2 * shift_tolerance)
+    assert rank.index(judge(measured, narrow)) <= rank.index(judge(measured, wide))
+
+
+# Rows
+
+
+def test_a_row_says_all_that_its_expectation_says():
+    (row,) = compare(family(lambda case, settings, method: BIASED, scale=lambda case: 4.0))
+    assert (row.family, row.case, row.engine, row.profile) == ("still", "only", "still", "tuned")
+    assert (row.quantity, row.unit, row.measured, row.spread) == ("height", "m", 1.0, None)
+    assert (row.expected, row.tolerance, row.reason, row.shift) == (10.0, 1.0, "near", -5.0)
+    assert (row.error, row.relative_error) == (-9.0, -9.0 / 4.0)
+    assert row.verdict is Verdict.FAIL
+    assert row.note == ""
+    assert "timestep 0.1 s" in row.settings
+    assert "colour grey" in row.settings
+
+
+def test_an_expectation_is_asked_with_the_case_the_settings_and_the_engines_method():
+    seen = []
+
+    def expect(case: Case, settings: Settings, method: Method) -> Expectation:
+        seen.append((case.parameters["height"], settings.timestep, method.recovery))
+        return BIASED
+
+    compare(family(expect))
+    assert seen == [(7.0, 0.1, 0.25)]
+
+
+def test_a_known_deviation_carries_its_reason_and_a_pass_needs_none():
+    (deviating,) = compare(family(lambda *_: BIASED, heights=(5.2,)))
+    (passing,) = compare(family(lambda *_: BIASED, heights=(10.2,)))
+    assert (deviating.verdict, deviating.note) == (Verdict.KNOWN_DEVIATION, "a known bias")
+    assert (passing.verdict, passing.note) == (Verdict.PASS, "")
+
+
+def test_without_an_expectation_a_number_is_shown_and_not_judged():
+    (row,) = compare(family(None))
+    assert (row.verdict, row.measured, row.expected, row.error) == (Verdict.SHOWN, 1.0, None, None)
+
+
+def test_an_ensemble_is_judged_by_its_mean_and_shows_its_spread():
+    (row,) = compare(family(lambda *_: Expectation(2.0, 1e-12, ""), heights=(1.0, 2.0, 3.0)))
+    assert row.measured == pytest.approx(2.0, abs=1e-12)  # rounding of 0.9 + 0.1
+    assert row.spread == pytest.approx(math.sqrt(2 / 3))
+    assert row.verdict is Verdict.PASS
+
+
+ENDLESS = {
+    "never": lambda trajectory: math.inf,
+    "one of them never": lambda trajectory: math.inf if height(trajectory) > 1.5 else 1.0,
+    "never either way": lambda trajectory: math.copysign(math.inf, height(trajectory) - 1.5),  # ∞ − ∞ has no mean
+    "no number": lambda trajectory: math.nan,
+    "a mean that no float holds": lambda trajectory: 1.7e308,
+}
+
+
+@pytest.mark.parametrize("what", ENDLESS)
+def test_what_did_not_happen_has_no_number_and_fails_where_one_is_expected(what):
+    (judged,) = compare(family(lambda *_: BIASED, measure=ENDLESS[what], heights=(1.0, 2.0)))
+    (shown,) = compare(family(None, measure=ENDLESS[what], heights=(1.0, 2.0)))
+    for row, verdict in ((judged, Verdict.FAIL), (shown, Verdict.SHOWN)):
+        assert (row.verdict, row.measured, row.spread, row.error) == (verdict, None, None, None)
+        assert row.note == "no finite number: what is asked for did not happen before the run ended"
+    assert judged.expected == BIASED.value
+
+
+def test_a_spread_that_no_float_holds_is_left_out():
+    (row,) = compare(family(measure=lambda trajectory: 1e200 * height(trajectory), heights=(1.0, 2.0)))
+    assert (row.measured, row.spread) == (1.5e200, None)
+
+
+@pytest.mark.parametrize("name", ["measured", "spread", "expected", "tolerance", "shift", "scale"])
+@pytest.mark.parametrize("value", [math.inf, -math.inf, math.nan])
+def test_a_row_carries_no_number_that_is_not_finite(name, value):
+    with pytest.raises(InvalidInput, match=f"still/only, height: {name} is"):
+        replace(compare(family())[0], **{name: value})
+
+
+def test_a_run_without_such_a_number_fails_and_says_why_and_the_other_quantities_are_judged():
+    def never(trajectory: Trajectory) -> float:
+        raise RunFailed("the ball never stops")
+
+    entry = family(lambda *_: Expectation(1.0, 1e-12, ""))
+    entry = replace(entry, quantities=(replace(entry.quantities[0], name="stop", measure=never), *entry.quantities))
+    stop, found = compare(entry)
+    assert (stop.verdict, stop.note, stop.measured) == (Verdict.FAIL, "the ball never stops", None)
+    assert found.verdict is Verdict.PASS
+    (shown,) = compare(family(None, measure=never))
+    assert (shown.verdict, shown.note, shown.measured) == (Verdict.SHOWN, "the ball never stops", None)
+
+
+def test_a_scale_of_zero_gives_no_percentage():
+    (row,) = compare(family(lambda *_: BIASED, scale=lambda case: 0.0))
+    assert row.error == -9.0
+    assert row.relative_error is None
+
+
+def test_rows_that_differ_in_their_settings_line_alone_are_equal():
+    (row,) = compare(family())
+    assert replace(row, settings="another line") == row
+    assert replace(row, measured=2.0) != row
+
+
+# Runs that gave no trajectory
+
+
+@errors
+def test_each_error_has_its_verdict(error):
+    assert verdict_of(error("why")) is NO_TRAJECTORY[error]
+
+
+@errors
+def test_a_run_that_fails_gives_one_row_that_says_why(error):
+    entry = family(lambda *_: BIASED)
+    engine = Still(error("because of the moon"))
+    rows, trajectories = compare_case(entry, entry.cases[0], engine, "stock", Settings(0.1))
+    assert [(row.verdict, row.note) for row in rows] == [(NO_TRAJECTORY[error], "because of the moon")]
+    assert (rows[0].case, rows[0].profile, rows[0].measured, rows[0].error) == ("only", "stock", None, None)
+    assert trajectories == []
+
+
+@pytest.mark.parametrize(
+    ("error", "note"),
+    [
+        (ZeroDivisionError("by the moon"), "ZeroDivisionError: by the moon"),
+        (ZeroDivisionError(), "ZeroDivisionError"),
+        (KeyError("moon"), "KeyError: 'moon'"),
+        (np.linalg.LinAlgError("two\n lines"), "numpy.linalg.LinAlgError: two lines"),
+    ],
+    ids=str,
+)
+def test_an_error_that_nobody_foresaw_is_a_crash_of_its_case_with_type_message_and_place(error, note):
+    (row,) = compare(family(lambda *_: BIASED), Still(error))
+    assert (row.case, row.verdict, row.measured) == ("only", Verdict.CRASHED, None)
+    assert re.fullmatch(rf"{re.escape(note)}, at line \d+ of test_compare\.py, in \w+", row.note)
+
+
+def test_an_engine_that_cannot_name_its_method_crashed():
+    class Nameless(Still):
+        def method(self, scenario: Scenario, settings: Settings) -> Method:
+            raise AttributeError("kind")
+
+    (row,) = compare(family(lambda *_: BIASED), Nameless())
+    assert row.verdict is Verdict.CRASHED
+    assert re.fullmatch(r"AttributeError: kind, at line \d+ of test_compare\.py, in method", row.note)
+
+
+@pytest.mark.parametrize("expect", [None, lambda *_: Expectation(1.0, 1e-12, "")])
+def test_a_measurement_that_nobody_foresaw_to_fail_is_a_crash_and_the_other_quantities_are_judged(expect):
+    def broken(trajectory: Trajectory) -> float:
+        raise IndexError("out of the sky")
+
+    entry = family(expect)
+    entry = replace(entry, quantities=(replace(entry.quantities[0], name="stop", measure=broken), *entry.quantities))
+    stop, found = compare(entry)
+    assert (stop.quantity, stop.verdict, stop.measured) == ("stop", Verdict.CRASHED, None)
+    assert re.fullmatch(r"IndexError: out of the sky, at line \d+ of test_compare\.py, in broken", stop.note)
+    assert (found.verdict, found.measured) == (Verdict.PASS if expect else Verdict.SHOWN, 1.0)
+
+
+@pytest.mark.parametrize("error", [InvalidInput("no such moon"), UnknownName("moon", "phobos", ())], ids=str)
+def test_a_mistake_of_the_caller_is_no_row(error):
+    with pytest.raises(type(error)) as caught:
+        compare(family(), Still(error))
+    assert caught.value is error
+
+
+def test_an_interrupt_is_no_row():
+    with pytest.raises(KeyboardInterrupt):
+        compare(family(), Still(KeyboardInterrupt()))
+
+
+# Counting
+
+
+def rows_of_every_kind() -> list[Row]:
+    return [
+        Row("family", ALL_CASES, "engine", profile, "quantity", "m", verdict)
+        for profile in ("tuned", "slide", "stock")
+        for verdict in Verdict
+    ]
+
+
+def test_only_tuned_rows_that_failed_count_as_failures():
+    assert [(row.profile, row.verdict) for row in failures(rows_of_every_kind())] == [("tuned", Verdict.FAIL)]
+
+
+def test_runs_that_crashed_are_without_an_answer_in_every_profile():
+    found = without_answer(rows_of_every_kind())
+    assert [row.profile for row in found] == ["tuned", "slide", "stock"]
+    assert {row.verdict for row in found} == {Verdict.CRASHED}
+
+
+def test_verdicts_are_counted_in_the_order_of_their_definition_without_zeros():
+    rows = [row for row in rows_of_every_kind() if row.verdict in (Verdict.CRASHED, Verdict.PASS)][:-1]
+    assert list(verdict_counts(reversed(rows)).items()) == [(Verdict.PASS, 3), (Verdict.CRASHED, 2)]
+
+
+# Looking up
+
+
+def test_a_case_or_a_quantity_that_there_is_not_is_refused_with_those_there_are():
+    entry = family()
+    assert entry.case("only") is entry.cases[0]
+    assert entry.quantity("height") is entry.quantities[0]
+    with pytest.raises(UnknownName, match=r"only") as case:
+        entry.case("lonely")
+    with pytest.raises(UnknownName, match=r"height") as quantity:
+        entry.quantity("hight")
+    assert (case.value.choices, quantity.value.choices) == (("only",), ("height",))
+
+
+def test_means_and_spreads_are_plain_floats_that_any_writer_can_write():
+    (row,) = compare(family(lambda *_: BIASED, heights=(1.0, 2.0)))
+    assert type(row.measured) is float
+    assert type(row.spread) is float

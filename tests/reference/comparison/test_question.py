@@ -1,0 +1,84 @@
+"""A question that is asked again and again: each settings are run once, and every answer is what a run would give."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import compare_case
+from reference.comparison.question import Question
+from reference.engines import load_engine
+
+DROPPED = catalogue()["dropped-ball"]
+
+
+class Counting:
+    """An engine, but for the count of its runs."""
+
+    def __init__(self, name: str) -> None:
+        self.engine, self.runs = load_engine(name), 0
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(self.engine, name)
+
+    def run_many(self, scenarios, settings):
+        self.runs += 1
+        return self.engine.run_many(scenarios, settings)
+
+
+@pytest.fixture
+def asked() -> tuple[Question, Counting]:
+    engine = Counting("handwritten")
+    return Question.of(DROPPED, engine), engine
+
+
+def test_each_settings_are_run_once_whatever_is_made_of_the_errors(asked):
+    question, engine = asked
+    stock = engine.settings(question.case.scenarios[0], "stock")
+    first = question.mean_error(stock), question.rms_error(stock)
+    assert (question.mean_error(stock), question.rms_error(stock), engine.runs) == (*first, 1)
+    question.mean_error(stock.change(timestep=2e-3))
+    assert engine.runs == 2
+
+
+def test_mean_and_root_mean_square_are_those_of_the_rows(asked):
+    question, engine = asked
+    stock = engine.settings(question.case.scenarios[0], "stock")
+    rows, _ = compare_case(DROPPED, question.case, engine, "stock", stock)
+    row = next(row for row in rows if row.quantity == question.quantity.name)
+    assert question.mean_error(stock) == pytest.approx(row.error, rel=1e-9)  # rounding of a sum of 107
+    # The mean square is the square of the mean and the variance.
+    assert question.rms_error(stock) == pytest.approx(math.hypot(row.error, row.spread), rel=1e-9)
+
+
+def test_what_somebody_has_run_is_not_run_again(asked):
+    question, engine = asked
+    stock = engine.settings(question.case.scenarios[0], "stock")
+    _, trajectories = compare_case(DROPPED, question.case, engine, "stock", stock)
+    fresh = Question.of(DROPPED, engine)
+    question.remember(stock, trajectories)
+    runs = engine.runs
+    assert question.rms_error(stock) == fresh.rms_error(stock)
+    assert engine.runs == runs + 1  # of the one that had to ask
+
+
+def test_what_was_sampled_too_rarely_for_the_question_is_run_again():
+    engine = Counting("handwritten")
+    question = Question.of(catalogue()["ball-to-rest"], engine)
+    assert question.every_step
+    settings = engine.settings(question.case.scenarios[0], "stock").change(sample_every=7)
+    question.remember(settings, engine.run_many(question.case.scenarios, settings))
+    question.mean_error(settings)
+    assert engine.runs == 2
+
+
+def test_an_engine_that_breaks_has_no_answer_and_is_not_asked_twice(asked, monkeypatch):
+    question, engine = asked
+    tuned = engine.settings(question.case.scenarios[0], "tuned")
+    calls = []
+    monkeypatch.setattr(engine, "run_many", lambda *_: calls.append(1) or 1 / 0, raising=False)
+    assert question.mean_error(tuned) is None
+    assert question.rms_error(tuned) is None
+    assert calls == [1]

@@ -1,0 +1,198 @@
+"""What every engine promises, whatever it is and whatever it runs: trajectories and settings."""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from engine_grid import (
+    DAMPING,
+    DURATION,
+    KINDS,
+    ROUNDING,
+    SCENARIOS,
+    arrays,
+    cells_of,
+    each_engine,
+    every_cell,
+    flies_exactly,
+    is_damped,
+    same,
+    setup,
+)
+
+from reference.engines import load_engine
+from reference.engines.base import AT_STEP, COMPLIANT, EXACT, INTERPOLATED
+from reference.errors import InvalidInput, UnknownName
+from reference.scene.scenario import GRAVITY
+from reference.scene.settings import Settings
+
+# What a trajectory is
+
+
+@every_cell
+def test_a_trajectory_starts_at_time_zero_with_exactly_the_scenarios_own_state(cell, trajectory):
+    bodies = SCENARIOS[cell.scenario].bodies
+    assert trajectory.times[0] == 0
+    assert np.array_equal(trajectory.positions[0], [body.position for body in bodies])
+    assert np.array_equal(trajectory.velocities[0], [body.velocity for body in bodies])
+    np.testing.assert_allclose(trajectory.orientations[0], [body.orientation for body in bodies], atol=ROUNDING)
+    np.testing.assert_allclose(
+        trajectory.angular_velocities[0], [body.angular_velocity for body in bodies], atol=ROUNDING
+    )
+
+
+@every_cell
+def test_samples_come_every_so_many_steps_and_the_last_one_when_the_scenario_ends(cell, trajectory):
+    _, scenario, settings = setup(cell)
+    interval = settings.timestep * settings.sample_every
+    np.testing.assert_allclose(trajectory.times, interval * np.arange(len(trajectory.times)), rtol=1e-12)
+    tiny = 1e-9 * interval  # 0.6 s are 144 steps of 1/240 s only up to rounding
+    assert scenario.duration - tiny <= trajectory.times[-1] < scenario.duration + interval - tiny
+
+
+@every_cell
+def test_a_trajectory_is_finite_and_its_quaternions_have_unit_length(cell, trajectory):
+    assert all(np.isfinite(values).all() for values in arrays(trajectory))
+    # Engines normalise at every step; the lab's own code never changes an orientation.
+    np.testing.assert_allclose(np.linalg.norm(trajectory.orientations, axis=-1), 1, atol=1e-12)
+
+
+@every_cell
+def test_a_trajectory_says_what_it_came_from(cell, trajectory):
+    engine, scenario, settings = setup(cell)
+    assert (trajectory.engine, trajectory.scenario, trajectory.settings) == (engine.name, scenario, settings)
+
+
+@every_cell
+def test_the_same_run_gives_the_same_numbers_and_leaves_scenario_and_settings_alone(cell, trajectory):
+    engine, scenario, settings = setup(cell)
+    before = pickle.dumps((scenario, settings))
+    again = engine.run(scenario, settings)
+    assert pickle.dumps((scenario, settings)) == before
+    assert same(again, trajectory)
+
+
+@cells_of(*(name for name, scenario in SCENARIOS.items() if any(body.immovable for body in scenario.bodies)))
+def test_what_is_immovable_does_not_move(cell, trajectory):
+    fixed = [place for place, body in enumerate(SCENARIOS[cell.scenario].bodies) if body.immovable]
+    for values in (trajectory.positions, trajectory.orientations):
+        assert np.array_equal(values[:, fixed], np.broadcast_to(values[:1, fixed], values[:, fixed].shape))
+    assert not trajectory.velocities[:, fixed].any()
+    assert not trajectory.angular_velocities[:, fixed].any()
+
+
+@cells_of("thrown-ball")
+def test_many_scenarios_at_once_give_what_each_gives_alone(cell, installed):
+    engine = installed(cell.engine)
+    first = SCENARIOS["dropped-ball"]
+    ball = replace(first.body("ball"), position=(0.0, 0.0, 0.4))
+    lower = replace(first, bodies=tuple(ball if body.name == "ball" else body for body in first.bodies), duration=0.35)
+    settings = engine.settings(first, cell.profile)
+    together = engine.run_many([first, lower, first], settings)
+    assert all(
+        same(one, engine.run(scenario, settings)) for one, scenario in zip(together, (first, lower, first), strict=True)
+    )
+
+
+# Settings
+
+
+@every_cell
+def test_a_changed_timestep_is_what_runs(cell, installed):
+    installed(cell.engine)
+    engine, scenario, settings = setup(cell)
+    changed = settings.change(timestep=2 * settings.timestep)
+    trajectory = engine.run(replace(scenario, duration=0.05), changed)
+    assert trajectory.settings == changed
+    interval = changed.timestep * changed.sample_every
+    np.testing.assert_allclose(np.diff(trajectory.times), interval, rtol=1e-9)
+
+
+@cells_of("thrown-ball")
+def test_the_changed_timestep_shows_in_the_flight_itself(cell, installed):
+    installed(cell.engine)
+    engine, scenario, settings = setup(cell)
+    stretch = 2 * settings.timestep
+    coarse = engine.run(scenario, settings.change(timestep=stretch, sample_every=1))
+    fine = engine.run(scenario, settings.change(sample_every=2))
+    lower = (fine.position("thrown") - coarse.position("thrown"))[:, 2]
+    expected = 0 * fine.times if flies_exactly(cell) else GRAVITY * fine.times * settings.timestep / 2  # g t dt/2 each
+    # Drag is taken in steps too: it adds a first-order term of its own, a share 0.04 (1 + 2 v) t of this one.
+    np.testing.assert_allclose(lower, expected, rtol=DAMPING * 13 * DURATION if is_damped(cell) else 1e-6, atol=1e-10)
+
+
+@pytest.mark.parametrize("cell", KINDS, ids=str)
+def test_tuned_comes_first_and_stock_last_and_each_says_what_it_is(cell):
+    found = load_engine(cell.engine).profiles(SCENARIOS[cell.scenario])
+    assert [*found][:1] == ["tuned"]
+    assert [*found][-1:] == ["stock"]
+    assert all(line.strip() for line in found.values())
+
+
+@every_cell
+def test_every_profile_says_when_it_answers_in_one_of_four_ways(cell):
+    engine, scenario, settings = setup(cell)
+    method = engine.method(scenario, settings)
+    assert method.kind in (EXACT, INTERPOLATED, AT_STEP, COMPLIANT)
+    assert 0 <= method.recovery <= 1
+    assert method.stiffness > 0
+    assert method.rest_speed >= 0
+
+
+@pytest.mark.parametrize("cell", KINDS, ids=str)
+def test_a_profile_that_there_is_not_is_refused_with_those_there_are(cell):
+    engine, scenario = load_engine(cell.engine), SCENARIOS[cell.scenario]
+    with pytest.raises(UnknownName) as refused:
+        engine.settings(scenario, "tunde")
+    assert refused.value.choices == tuple(engine.profiles(scenario))
+    assert "tunde" in str(refused.value)
+
+
+@every_cell
+def test_a_setting_that_there_is_not_is_refused_with_those_there_are(cell):
+    _, _, settings = setup(cell)
+    with pytest.raises(UnknownName) as refused:
+        settings.change(timestpe=0.1)
+    assert refused.value.choices == ("timestep", "sample_every", *settings.options)
+
+
+@every_cell
+def test_a_timestep_longer_than_the_scenario_is_refused(cell, installed):
+    installed(cell.engine)
+    engine, scenario, settings = setup(cell)
+    with pytest.raises(InvalidInput, match="longer than"):
+        engine.run(scenario, settings.change(timestep=1.01 * DURATION))
+    with pytest.raises(InvalidInput, match="1e\\+08 is the most"):  # it would end in some hours
+        engine.run(scenario, settings.change(timestep=1e-9 * DURATION))
+
+
+@each_engine
+def test_a_run_covers_the_scenario_in_as_few_whole_samples_as_do(name):
+    engine = load_engine(name)
+    for duration, settings, steps in (
+        (3.0, Settings(1 / 240), 720),  # 3/(1/240) is 720.0000000000001 in floats
+        (0.3, Settings(0.1), 3),  # and 0.3/0.1 is 2.9999999999999996
+        (1.0, Settings(0.3), 4),
+        (1.0, Settings(1e-4, 10), 10_000),
+        (1.0003, Settings(1e-4, 10), 10_010),
+    ):
+        scenario = replace(SCENARIOS["thrown-ball"], duration=duration)
+        settings = replace(
+            engine.settings(scenario, "tuned"), timestep=settings.timestep, sample_every=settings.sample_every
+        )
+        assert engine.check_settings(scenario, settings) == steps
+
+
+@each_engine
+def test_a_duration_of_no_whole_number_of_samples_is_run_to_its_end(name, installed):
+    engine, scenario = installed(name), replace(SCENARIOS["thrown-ball"], duration=0.1037)
+    settings = engine.settings(scenario, "tuned").change(timestep=1e-3, sample_every=4)
+    assert engine.run(scenario, settings).times[-1] == pytest.approx(0.104)
+
+
+@each_engine
+def test_an_engine_knows_its_version(name, installed):
+    assert installed(name).version().strip()

@@ -1,0 +1,117 @@
+"""What every engine that reports contacts says of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from engine_grid import CELLS, FLOOR, REPORT_CONTACTS, SCENARIOS, Cell, fast_and_slow, is_often
+
+from reference.scene import geometry
+from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.trajectory import Trajectory
+
+with_contacts = fast_and_slow([cell for cell in CELLS if cell.engine in REPORT_CONTACTS], is_often)
+RESTING = ("sliding-slab", "incline", "lying-box", "stack")
+CHECKED = 60
+"""Samples of a trajectory at which the gap between two boxes is worked out; that of a plane is, at all."""
+
+
+def pairs_in_contact(trajectory: Trajectory) -> list[tuple[int, int, np.ndarray]]:
+    """Bodies A and B, by place, that touched at some sample, and which of the contacts are theirs."""
+    contacts = trajectory.contacts
+    found = sorted({(int(a), int(b)) for a, b in zip(contacts.body_a, contacts.body_b, strict=True)})
+    return [(a, b, (contacts.body_a == a) & (contacts.body_b == b)) for a, b in found]
+
+
+def placed(trajectory: Trajectory, place: int, sample: int) -> Body:
+    """A body as it is at a sample."""
+    position, orientation = trajectory.positions[sample, place], trajectory.orientations[sample, place]
+    return replace(
+        trajectory.scenario.bodies[place], position=tuple(position), orientation=tuple(orientation), velocity=(0, 0, 0)
+    )
+
+
+def surface_speed(trajectory: Trajectory, place: int) -> np.ndarray:
+    """More than the speed of any point of a body at each sample: that of its centre, and of its farthest corner."""
+    shape = trajectory.scenario.bodies[place].shape
+    extent = shape.radius if isinstance(shape, Sphere) else np.linalg.norm(getattr(shape, "half_extents", 0.0))
+    speed = np.linalg.norm(trajectory.velocities[:, place], axis=1)
+    return speed + extent * np.linalg.norm(trajectory.angular_velocities[:, place], axis=1)
+
+
+def travel(trajectory: Trajectory, a: int, b: int, sample: int) -> float:
+    """How far two surfaces may have come towards each other in the step before a sample, m."""
+    settings = trajectory.settings
+    speeds = surface_speed(trajectory, a) + surface_speed(trajectory, b)
+    gained = GRAVITY * settings.timestep * settings.sample_every
+    return float(max(speeds[sample - 1], speeds[sample]) + gained) * settings.timestep
+
+
+@with_contacts
+def test_contacts_name_listed_bodies_and_their_unit_normal_points_from_b_to_a(cell, trajectory):
+    scenario, contacts = SCENARIOS[cell.scenario], trajectory.contacts
+    bodies = scenario.bodies
+    listed = {frozenset((pair.body_a, pair.body_b)) for pair in scenario.pairs}
+    if cell.scenario in RESTING:
+        assert len(contacts.sample) >= len(trajectory.times) - 1, "a box on a plane has a contact at every sample"
+    np.testing.assert_allclose(np.linalg.norm(contacts.normal, axis=1), 1, atol=1e-12)
+    for a, b, here in pairs_in_contact(trajectory):
+        assert {bodies[a].name, bodies[b].name} in listed
+        for plane, sense in ((b, 1), (a, -1)):
+            if isinstance(bodies[plane].shape, HalfSpace):  # nothing but rounding
+                expected = np.broadcast_to(sense * np.array(bodies[plane].shape.normal), (here.sum(), 3))
+                np.testing.assert_allclose(contacts.normal[here], expected, atol=1e-12)
+        for sample, normal in zip(contacts.sample[here], contacts.normal[here], strict=True):
+            # Of two convex bodies, one lies on the normal's side of the other; a fast one passes in a step.
+            across = (trajectory.positions[sample, a] - trajectory.positions[sample, b]) @ normal
+            assert across > -travel(trajectory, a, b, sample) or isinstance(bodies[a].shape, HalfSpace)
+
+
+@with_contacts
+def test_the_separation_of_a_contact_is_the_gap_of_the_step_that_it_was_found_in(cell, trajectory):
+    scenario, contacts = SCENARIOS[cell.scenario], trajectory.contacts
+    for a, b, here in pairs_in_contact(trajectory):
+        samples = np.unique(contacts.sample[here])
+        for sample in samples[:: max(1, len(samples) // CHECKED)]:
+            now = here & (contacts.sample == sample)
+            gap = geometry.gap(placed(trajectory, a, sample), placed(trajectory, b, sample))
+            # A contact is found before its step moves the bodies; no point of them is faster than at the samples
+            # around it. 1 µm: a box that rocks, seen at its corners.
+            near = travel(trajectory, a, b, sample) + 1e-6
+            assert contacts.separation[now].min() == pytest.approx(gap, abs=near)
+            for place in (a, b):
+                if isinstance(ball := scenario.bodies[place].shape, Sphere):  # midway: half the gap off its surface
+                    off = np.linalg.norm(contacts.position[now] - trajectory.positions[sample, place], axis=1)
+                    np.testing.assert_allclose(off, ball.radius + contacts.separation[now] / 2, atol=near)
+        for plane in (a, b):
+            if isinstance(scenario.bodies[plane].shape, HalfSpace):
+                normal = np.array(scenario.bodies[plane].shape.normal)
+                height = (contacts.position[here] - scenario.bodies[plane].position) @ normal
+                # Midway between the surfaces: half the gap above the plane. Rounding of some 1e-16 of metres.
+                near = 1e-12 + point_off(cell, trajectory, a, b, here)
+                np.testing.assert_array_less(np.abs(height - contacts.separation[here] / 2), near)
+
+
+def point_off(cell: Cell, trajectory: Trajectory, a: int, b: int, here: np.ndarray) -> float:
+    """How far the points of a box on a plane may be from where their depth is, m: as far as its deepest corner is in.
+
+    Of a box that leans, DART's detectors give the depth of one corner and a point between it and others.
+    """
+    box = any(isinstance(trajectory.scenario.bodies[place].shape, Box) for place in (a, b))
+    return float(1.1 * np.abs(trajectory.contacts.separation[here]).max()) if cell.engine == "dart" and box else 0.0
+
+
+@pytest.mark.parametrize("name", REPORT_CONTACTS)
+@pytest.mark.parametrize("floor_first", [True, False])
+def test_the_point_of_a_contact_lies_midway_between_the_surfaces_whichever_body_is_a(name, floor_first, installed):
+    engine, depth = installed(name), 0.01
+    ball = Body("ball", Sphere(0.1), 1.0, (0.3, -0.2, 0.1 - depth))
+    bodies = (FLOOR, ball) if floor_first else (ball, FLOOR)
+    scenario = Scenario("sunk-in", bodies, (Pair(bodies[0].name, bodies[1].name, restitution=0.5),), 0.01)
+    contacts = engine.run(scenario, engine.settings(scenario, "tuned").change(timestep=1e-3, sample_every=1)).contacts
+    # Found before the first step moves the ball: the overlap is still that of the start.
+    assert contacts.sample[0] == 1
+    assert contacts.separation[0] == pytest.approx(-depth, abs=1e-12)
+    np.testing.assert_allclose(contacts.position[0], (0.3, -0.2, -depth / 2), atol=1e-12)

@@ -1,0 +1,195 @@
+"""What hand-written code, PyBullet and MuJoCo make of a bounce, and the closed forms behind it."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+import pytest
+from catalogue_rows import (
+    BOUNCES,
+    FALL,
+    MEAN_SPEED,
+    SPEED,
+    G,
+    all_three,
+    fast_and_slow,
+    job,
+    near,
+    restitution,
+    row,
+    slow,
+)
+
+from reference.catalogue import measure
+from reference.catalogue.scenarios import catalogue
+from reference.catalogue.scenarios.response import falling_ball
+from reference.comparison.compare import Verdict
+from reference.engines import load_engine
+
+# Hand-written, exact root
+
+
+@functools.cache
+def bounces(profile: str):
+    engine, scenario = load_engine("handwritten"), falling_ball("bounces", 0.9, 1.0, 5.0)
+    return engine.run(scenario, engine.settings(scenario, profile))
+
+
+def test_the_exact_root_rebounds_to_the_powers_of_e_squared():
+    apexes = measure.apex_heights(bounces("tuned"), "ball", "floor")[:5]
+    # 1e-9 m: the parabolas are solved; only rounding, 1e-16 of some metres in each of 5000 steps, is left.
+    np.testing.assert_allclose(apexes, [0.81, 0.6561, 0.531441, 0.43046721, 0.3486784401], atol=1e-9)
+
+
+def test_the_exact_root_meets_the_floor_at_the_times_of_the_geometric_series():
+    times = np.array([event.time for event in bounces("tuned").events if event.kind == "impact"][:6])
+    assert [f"{time:.5f}" for time in times] == ["0.45152", "1.26427", "1.99573", "2.65406", "3.24655", "3.77979"]
+    series = FALL * np.array([1 + 2 * sum(0.9**k for k in range(1, impact + 1)) for impact in range(6)])
+    np.testing.assert_allclose(times, series, atol=1e-9)  # rounding of 1e-15 m at some m/s, a thousand steps long
+    np.testing.assert_allclose(measure.impact_times(bounces("tuned"), "ball", "floor")[:6], series, atol=1e-9)
+
+
+def test_the_exact_root_comes_to_rest_when_the_series_ends():
+    end = row("ball-to-rest", "handwritten", "tuned", "e=0.9", "rest_time").measured
+    assert f"{end:.5f}" == "8.57895"
+    # What is cut off below 1e-12 s of flight is 2 e v/(g (1 − e)) = 1e-11 s; the rest is rounding.
+    assert end == pytest.approx(FALL * 1.9 / 0.1, abs=1e-9)
+
+
+def test_the_exact_root_keeps_the_energy_over_a_hundred_elastic_bounces():
+    engine, scenario = load_engine("handwritten"), falling_ball("elastic", 1.0, 1.0, 199.5 * FALL)
+    trajectory = engine.run(scenario, engine.settings(scenario, "tuned").change(timestep=0.01))
+    assert sum(event.kind == "impact" for event in trajectory.events) == 100
+    energy = measure.energy(trajectory, "ball")
+    # 9000 steps and 100 bounces that each round a speed of some m/s and a height of 1 m, by 1e-16, mostly at random.
+    np.testing.assert_allclose(energy, energy[0], rtol=2e-12)
+
+
+# Hand-written, the other policies
+
+
+@pytest.mark.parametrize(("profile", "order"), [("slide", 2), ("stock", 1)])
+def test_the_slides_t_is_of_second_order_and_an_answer_at_the_step_of_first(profile, order):
+    found = job("dropped-ball", "handwritten", profile, "e=0.5", studies=True).convergence
+    assert found.timesteps == (4e-3, 2e-3, 1e-3, 5e-4)
+    # Two decades of timesteps on a log–log line whose points scatter by 1/101 of the error.
+    assert found.order == pytest.approx(order, abs=0.1)
+
+
+def test_the_exact_root_has_no_error_whose_order_one_could_measure():
+    found = job("dropped-ball", "handwritten", "tuned", "e=0.5", studies=True).convergence
+    assert max(found.errors) < 1e-12
+    assert found.order is None
+
+
+@pytest.mark.parametrize("case", BOUNCES)
+def test_the_slides_t_answers_too_early_and_so_too_high_by_no_more_than_the_chord_allows(case):
+    found = row("dropped-ball", "handwritten", "slide", case, "rebound", timestep=4e-3)
+    if restitution(case) == 0:
+        assert found.measured == 0
+    else:
+        assert 0 < found.error < G * 4e-3**2 / 8  # at most the sagitta of the parabola over one step
+
+
+@fast_and_slow("case", ("e=0.2", "e=0.8"), BOUNCES[1:])
+def test_hand_written_code_that_answers_at_the_step_is_low_by_one_minus_e_times_half_a_step(case):
+    e = restitution(case)
+    found = row("dropped-ball", "handwritten", "stock", case, "rebound")
+    assert found.error == pytest.approx(-(1 - e) * MEAN_SPEED * 1e-3 / 2, abs=near(1e-3))
+
+
+# The first rebound in the two engines
+
+
+@fast_and_slow("case", ("e=0.2", "e=0.5"), BOUNCES[1:])
+def test_pybullet_rebounds_within_a_percent_of_e_squared(case, installed):
+    installed("pybullet")
+    found = row("dropped-ball", "pybullet", "tuned", case, "rebound")
+    e = restitution(case)
+    assert found.error == pytest.approx(0, abs=(0.06 if e == 0.2 else 0.01) * e**2)  # what is promised
+    assert found.error == pytest.approx(0, abs=near(1e-3))  # what theory says: the share 1 − e recovered leaves no bias
+    assert found.verdict is Verdict.PASS
+
+
+def test_at_half_a_millisecond_pybullet_is_within_three_percent_of_a_dull_rebound(installed):
+    installed("pybullet")
+    found = row("dropped-ball", "pybullet", "tuned", "e=0.2", "rebound", timestep=5e-4)
+    assert found.error == pytest.approx(0, abs=0.03 * 0.2**2)  # what is promised
+    assert found.error == pytest.approx(0, abs=near(5e-4))
+
+
+@fast_and_slow("case", ("e=0.2", "e=0.8"), BOUNCES[1:])
+def test_mujoco_rebounds_within_a_percent_of_e_squared(case, installed):
+    installed("mujoco")
+    found = row("dropped-ball", "mujoco", "tuned", case, "rebound")
+    e = restitution(case)
+    assert found.error == pytest.approx(0, abs=(0.03 if e == 0.2 else 0.01) * e**2)  # what is promised
+    assert found.verdict is Verdict.PASS
+
+
+@pytest.mark.parametrize("timestep", [1e-3, 5e-4])
+@fast_and_slow("case", ("e=0.2",), ("e=0.2", "e=0.5", "e=0.8", "e=0.95"))
+def test_a_single_pybullet_drop_scatters_by_e_times_one_minus_e_of_the_overlap(case, timestep, installed):
+    installed("pybullet")
+    e = restitution(case)
+    changes = {} if timestep == 1e-3 else {"timestep": timestep}  # 1 ms is what the profile has
+    found = row("dropped-ball", "pybullet", "tuned", case, "rebound", **changes)
+    # The depth is even between 0 and v dt, which has the deviation v dt/√12. 1 %: N even phases are not a continuum.
+    assert found.spread == pytest.approx(e * (1 - e) * SPEED * timestep / math.sqrt(12), rel=0.01)
+
+
+@pytest.mark.parametrize("timestep", [1e-3, 5e-4])
+@fast_and_slow("case", ("e=0.2", "e=0.8"), BOUNCES[1:])
+def test_pybullet_without_overlap_recovery_is_low_by_one_minus_e_times_half_a_step(case, timestep, installed):
+    installed("pybullet")
+    e = restitution(case)
+    found = row("dropped-ball", "pybullet", "tuned", case, "rebound", contact_erp=0.0, timestep=timestep)
+    assert found.error == pytest.approx(-(1 - e) * MEAN_SPEED * timestep / 2, abs=near(timestep))
+    assert found.shift == pytest.approx(-(1 - e) * MEAN_SPEED * timestep / 2, rel=1e-5)  # of many drops
+    assert found.verdict is (Verdict.KNOWN_DEVIATION if e == 0.2 else Verdict.PASS)
+
+
+@pytest.mark.parametrize("timestep", [1e-3, pytest.param(1e-4, marks=slow)])
+@fast_and_slow("case", ("e=0.2", "e=0.8"), BOUNCES[1:])
+def test_mujoco_is_low_by_one_minus_e_times_half_a_step_but_for_what_its_spring_adds(case, timestep, installed):
+    installed("mujoco")
+    e = restitution(case)
+    found = row("dropped-ball", "mujoco", "tuned", case, "rebound", timestep=timestep)
+    # The spring turns the share r of the overlap d into the speed r d/dt, on the average r v/2. So e v + r v/2 leaves,
+    # which reaches e r v²/(2g) = e r h higher: a share of the drop height that no timestep removes.
+    share = min(1e-4, 0.01 * (1 - e) ** 2)
+    bias = -(1 - e) * MEAN_SPEED * timestep / 2 + e * share
+    assert found.error == pytest.approx(bias, abs=near(timestep))
+    assert found.shift == pytest.approx(bias, abs=1e-5 * MEAN_SPEED * timestep)  # of many drops
+
+
+@pytest.mark.parametrize("timestep", [2.5e-4, pytest.param(3e-4, marks=slow), pytest.param(4e-3, marks=slow)])
+def test_mujocos_known_bias_is_known_at_every_timestep(timestep, installed):
+    installed("mujoco")
+    found = row("dropped-ball", "mujoco", "tuned", "e=0.2", "rebound", timestep=timestep)
+    assert abs(found.error) > found.tolerance  # more than 1 %
+    assert found.verdict is Verdict.KNOWN_DEVIATION
+
+
+def test_pybullets_scatter_and_bias_shrink_with_the_timestep(installed):
+    installed("pybullet")
+    coarse = row("dropped-ball", "pybullet", "tuned", "e=0.2", "rebound", contact_erp=0.0, timestep=1e-3)
+    fine = row("dropped-ball", "pybullet", "tuned", "e=0.2", "rebound", contact_erp=0.0, timestep=5e-4)
+    assert fine.spread == pytest.approx(coarse.spread / 2, rel=0.01)  # both go with v dt, up to the spread of phases
+    assert fine.error == pytest.approx(coarse.error / 2, rel=0.01)
+
+
+# Rest
+
+
+@pytest.mark.parametrize("case", [case.name for case in catalogue()["ball-to-rest"].cases])
+@all_three
+def test_a_ball_at_rest_lies_on_the_floor_and_stays_there(name, case, installed):
+    installed(name)
+    found = {entry.quantity: entry for entry in job("ball-to-rest", name, "tuned", case).rows}
+    assert abs(found["rest_height"].measured) < 1e-3  # m
+    assert found["residual_speed"].measured < 1e-3  # m/s, over 5 s
+    assert found["drift"].measured < 1e-3  # m, over 5 s
+    assert all(entry.verdict is Verdict.PASS for entry in found.values())  # the time of rest among them

@@ -1,0 +1,190 @@
+from __future__ import annotations
+
+import pickle
+import sys
+import textwrap
+
+import pytest
+
+import solutions.detection
+from reference.engines.implementation import Implementation
+from reference.errors import InvalidInput, NeedsFunction, UnknownName
+from reference.running.isolate import run_isolated, stop_workers
+
+HANDED_IN = """
+    def signed_distance(point, normal, offset):
+        return "mine"
+
+    def time_of_impact_exact(separation, normal_velocity, normal_acceleration):
+        raise NotImplementedError
+
+    def kinematic_response(velocity, normal, restitution):
+        raise ZeroDivisionError("my own mistake")
+
+    is_colliding = "not a function"
+"""
+
+
+@pytest.fixture
+def handed_in(tmp_path):
+    """Write a student's file and return its path."""
+
+    def write(text: str = HANDED_IN, name: str = "mine.py") -> str:
+        path = tmp_path / name
+        path.write_text(textwrap.dedent(text), encoding="utf-8")
+        return str(path)
+
+    return write
+
+
+@pytest.fixture
+def package(tmp_path, monkeypatch):
+    """Write a package of one topic and return its name."""
+
+    def write(topic: str, text: str) -> str:
+        name = f"package_{tmp_path.name}".replace("-", "_")
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "__init__.py").touch()
+        (tmp_path / name / f"{topic}.py").write_text(textwrap.dedent(text), encoding="utf-8")
+        monkeypatch.syspath_prepend(tmp_path)
+        return name
+
+    yield write
+    for name in [name for name in sys.modules if name.startswith("package_")]:
+        del sys.modules[name]
+
+
+def test_the_solutions_answer_where_nothing_else_is_said():
+    distance = Implementation().function("signed_distance")
+    assert distance((0.0, 0.0, 3.0), (0.0, 0.0, 2.0), offset=-2.0) == 2.0
+    assert distance((1, 2, 3), (0, 0, 1), 0) == solutions.detection.signed_distance((1, 2, 3), (0, 0, 1), 0)
+
+
+def test_a_package_answers_with_the_module_of_the_topic(package):
+    mine = Implementation(package("response", "def kinematic_response(*arguments): return 'mine', arguments"))
+    assert mine.function("kinematic_response")(1, 2, 3) == ("mine", (1, 2, 3))
+
+
+def test_a_file_answers_for_every_topic_it_has_functions_of(handed_in):
+    mine = Implementation(handed_in())
+    assert mine.function("signed_distance")(None, None, None) == "mine"
+
+
+# What is not written yet
+
+
+def test_a_function_that_is_not_there_is_needed_by_name_topic_and_step(handed_in):
+    mine = Implementation(handed_in("pass"))
+    with pytest.raises(NeedsFunction) as caught:
+        mine.function("time_of_impact_exact")
+    assert str(caught.value) == "needs time_of_impact_exact (detection, step 4)"
+
+
+def test_a_function_that_is_still_a_stub_is_needed_once_it_is_called(handed_in):
+    function = Implementation(handed_in()).function("time_of_impact_exact")
+    with pytest.raises(NeedsFunction) as caught:
+        function(1.0, 0.0, -9.81)
+    assert str(caught.value) == "needs time_of_impact_exact (detection, step 4)"
+
+
+def test_something_else_of_that_name_is_no_function(handed_in):
+    with pytest.raises(NeedsFunction, match=r"needs is_colliding \(detection, step 2\)"):
+        Implementation(handed_in()).function("is_colliding")
+
+
+def test_a_package_without_the_topic_needs_its_functions(package):
+    mine = Implementation(package("response", ""))
+    for name, where in [("holds", "friction, step 4"), ("kinematic_response", "response, step 1")]:
+        with pytest.raises(NeedsFunction) as caught:
+            mine.function(name)
+        assert str(caught.value) == f"needs {name} ({where})"
+
+
+def test_a_mistake_in_a_function_is_its_own_and_no_need(handed_in):
+    with pytest.raises(ZeroDivisionError, match="my own mistake"):
+        Implementation(handed_in()).function("kinematic_response")(1, 2, 3)
+
+
+def test_a_function_that_the_lecture_does_not_have_is_an_unknown_name(handed_in):
+    with pytest.raises(UnknownName, match=r"unknown function 'hold'\. Did you mean 'holds'\?"):
+        Implementation(handed_in()).function("hold")
+
+
+# Bad sources
+
+
+@pytest.mark.parametrize(
+    "source", ["no_such_package", "solutions.nothing", "no.such.package", "", ".", "./mine", "a b"]
+)
+def test_a_source_that_is_no_package_is_refused_with_the_choices(source):
+    with pytest.raises(InvalidInput) as caught:
+        Implementation(source).function("holds")
+    choices = "a package such as 'solutions', or the path of a .py file"
+    assert str(caught.value) == f"no implementation {source!r}; give {choices}"
+
+
+def test_a_file_that_is_not_there_is_refused_with_its_path(tmp_path):
+    missing = tmp_path / "missing.py"
+    with pytest.raises(InvalidInput) as caught:
+        Implementation(str(missing)).function("holds")
+    assert str(caught.value) == f"no implementation {str(missing)!r}: there is no such file"
+    (tmp_path / "folder.py").mkdir()
+    with pytest.raises(InvalidInput, match="there is no such file"):
+        Implementation(str(tmp_path / "folder.py")).function("holds")
+
+
+def test_an_import_that_fails_inside_an_implementation_is_not_taken_for_a_missing_topic(package):
+    mine = Implementation(package("friction", "import no_such_library"))
+    with pytest.raises(ModuleNotFoundError, match="no_such_library"):
+        mine.function("holds")
+
+
+def test_a_file_that_does_not_compile_says_where(handed_in):
+    path = handed_in("def holds(:\n    pass")
+    with pytest.raises(SyntaxError) as caught:
+        Implementation(path).function("holds")
+    assert (caught.value.filename, caught.value.lineno) == (path, 1)
+
+
+# Files are modules like any other
+
+
+def test_a_file_is_run_once_however_many_functions_are_asked_for(handed_in):
+    path = handed_in("runs = []\nruns.append(1)\ndef holds(): return runs\ndef friction_force(): return runs")
+    mine = Implementation(path)
+    assert mine.function("holds")() is mine.function("friction_force")()
+    assert mine.function("holds")() == [1]
+
+
+def test_a_file_may_hold_dataclasses_and_know_its_own_path(handed_in):
+    path = handed_in(
+        """
+        from __future__ import annotations
+        from dataclasses import dataclass
+
+        @dataclass
+        class Contact:
+            depth: float
+
+        def holds():
+            return Contact(2.0).depth, __file__
+        """
+    )
+    assert Implementation(path).function("holds")() == (2.0, path)
+
+
+def test_an_edited_file_answers_anew_even_in_a_worker_that_has_run_it(handed_in):
+    for answer in ("11", "22"):  # of one length and written within a moment: no time stamp tells them apart
+        path = handed_in(f"def holds(): return {answer}")
+        assert Implementation(path).function("holds")() == int(answer)
+        module = "__import__('reference.engines.implementation', fromlist=['here'])"
+        assert run_isolated(eval, 60.0, f"{module}.Implementation({path!r}).function('holds')()") == int(answer)
+    stop_workers()
+
+
+def test_an_implementation_is_plain_data():
+    mine = Implementation("some/where/mine.py")
+    copy = pickle.loads(pickle.dumps(mine))
+    assert copy == mine
+    assert {mine: "found"}[copy] == "found"
+    assert Implementation() == Implementation("solutions")

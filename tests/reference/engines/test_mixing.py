@@ -1,0 +1,78 @@
+"""One coefficient a body, such that an engine that mixes two gives each pair its own."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from reference.engines import mixing
+from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
+
+FLOOR = Body("floor", HalfSpace())
+BALLS = tuple(Body(f"ball {number}", Sphere(0.1), 1.0, (number, 0.0, 1.0)) for number in range(3))
+NAMES = {body.name: place for place, body in enumerate((FLOOR, *BALLS))}
+
+
+def scenario(*pairs: Pair) -> Scenario:
+    return Scenario("mixed", (FLOOR, *BALLS), pairs, 1.0)
+
+
+def restitution(pair: Pair) -> float:
+    return pair.restitution
+
+
+shares = st.floats(0.01, 1.0)
+
+
+@given(st.lists(shares, min_size=3, max_size=3))
+def test_balls_that_meet_the_floor_alone_may_each_have_their_own(values):
+    pairs = [Pair(ball.name, "floor", value) for ball, value in zip(BALLS, values, strict=True)]
+    for choose, mix in ((mixing.factors, lambda a, b: a * b), (mixing.least, min)):
+        chosen = choose(scenario(*pairs), restitution)
+        for pair in pairs:
+            got = mix(chosen[NAMES[pair.body_a]], chosen[NAMES["floor"]])
+            assert got == pytest.approx(pair.restitution, rel=1e-15)  # a root and its square round once each
+
+
+@given(shares)
+def test_where_all_pairs_are_alike_all_bodies_are(value):
+    pairs = [Pair("ball 0", "ball 1", value), Pair("ball 1", "ball 2", value), Pair("ball 0", "floor", value)]
+    assert mixing.factors(scenario(*pairs), restitution) == [pytest.approx(value**0.5, rel=1e-15)] * 4
+    assert mixing.least(scenario(*pairs), restitution) == [value] * 4
+
+
+def test_what_no_choice_gives_is_said():
+    ring = [Pair("ball 0", "ball 1", 0.5), Pair("ball 1", "ball 2", 0.5), Pair("ball 2", "ball 0", 0.2)]
+    assert mixing.least(scenario(*ring), restitution) is None  # whoever makes 0.2 spoils a 0.5
+    assert mixing.factors(scenario(*ring), restitution) is None  # of the two ways that we try
+
+
+def test_the_smaller_of_two_can_say_what_a_product_of_ours_cannot():
+    ring = [Pair("ball 0", "ball 1", 0.5), Pair("ball 1", "ball 2", 0.2), Pair("ball 2", "ball 0", 0.2)]
+    assert mixing.factors(scenario(*ring), restitution) is None
+    assert mixing.least(scenario(*ring), restitution) == [0.0, 0.5, 0.5, 0.2]
+
+
+@given(st.lists(shares, min_size=3, max_size=3))
+def test_a_product_says_each_pair_of_a_row_on_the_floor(values):
+    row = [
+        Pair(upper.name, lower.name, value)
+        for upper, lower, value in zip(BALLS, (FLOOR, *BALLS[:-1]), values, strict=True)
+    ]
+    chosen = mixing.factors(scenario(*row), restitution)
+    for pair in row:
+        got = chosen[NAMES[pair.body_a]] * chosen[NAMES[pair.body_b]]
+        assert got == pytest.approx(pair.restitution, rel=1e-15)  # a quotient and its product round once each
+
+
+def test_where_a_product_is_zero_nothing_beyond_it_can_be_more():
+    row = [Pair("ball 0", "floor", 0.3), Pair("ball 1", "ball 0", 0.0), Pair("ball 2", "ball 1", 0.2)]
+    assert mixing.factors(scenario(*row), restitution) is None
+
+
+def test_a_body_that_touches_nothing_gets_none():
+    assert mixing.factors(scenario(), restitution) == [0.0] * 4
+    two = scenario(Pair("ball 0", "floor", 0.3), Pair("ball 1", "floor", 0.5))
+    assert mixing.factors(two, restitution) == [1.0, 0.3, 0.5, 0.0]
+    assert mixing.least(scenario(Pair("ball 0", "floor", 0.3)), restitution) == [0.3, 0.3, 0.0, 0.0]

@@ -1,0 +1,91 @@
+"""A third engine is one file. The conformance suite runs over it; here it goes the way that any engine goes."""
+
+from __future__ import annotations
+
+import math
+import shutil
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import Row, Verdict, failures
+from reference.engines import engine_names, load_engine
+from reference.errors import InvalidInput
+from reference.running.jobs import run_all
+from reference.running.study import SCENARIOS, plan
+
+TOY = Path(__file__).parents[1] / "toy_engine.py"
+
+
+@pytest.fixture(scope="module")
+def rows(tmp_path_factory) -> list[Row]:
+    """What the toy makes of three families beside the hand-written code, from a file anywhere."""
+    path = shutil.copy(TOY, tmp_path_factory.mktemp("elsewhere") / "my_engine.py")
+    families = [catalogue()[name] for name in ("dropped-ball", "ball-to-rest", "incline")]
+    cases = {"dropped-ball": ("e=0.2", "e=0.5"), "ball-to-rest": ("e=0.5",), "incline": ("μ=0.3,θ=20°",)}
+    jobs = plan(families, ["handwritten", str(path)], ["tuned"], cases)
+    with ThreadPoolExecutor(2) as executor:
+        return [row for result in run_all(jobs, SCENARIOS, executor) for row in result.rows]
+
+
+def of(rows: list[Row], family: str, **wanted: str) -> list[Row]:
+    kept = [row for row in rows if row.family == family and row.engine == "toy"]
+    return [row for row in kept if all(getattr(row, name) == value for name, value in wanted.items())]
+
+
+def test_the_toy_is_one_file_that_nothing_else_knows_of():
+    assert "toy" not in engine_names()
+    assert load_engine(str(TOY)).title == "a toy"
+    for folder in ("reference", "labs", "solutions"):
+        for file in (TOY.parents[2] / folder).rglob("*.py"):
+            assert "toy_engine" not in file.read_text(encoding="utf-8")
+
+
+def test_the_toys_rows_stand_beside_those_of_the_hand_written_code(rows):
+    assert {row.engine for row in rows} == {"handwritten", "toy"}
+    assert all(row.profile == "tuned" for row in rows)
+    assert failures([row for row in rows if row.engine == "handwritten"]) == []
+
+
+@pytest.mark.parametrize("e", [0.2, 0.5])
+def test_the_toy_bounces_as_theory_says_a_method_does_that_answers_at_the_step(rows, e):
+    (found,) = of(rows, "dropped-ball", case=f"e={e}", quantity="rebound")
+    overlap = math.sqrt(2 * 9.81) * 1e-3  # v dt
+    # The mean over 101 even phases knows a sawtooth of height v dt to a 101st of it; then come terms of second order.
+    assert found.error == pytest.approx(-(1 - e) * overlap / 2, abs=overlap / 101 + 2 * 9.81 * 1e-6)
+    assert found.verdict is (Verdict.KNOWN_DEVIATION if e == 0.2 else Verdict.PASS)  # 4 % and 0.4 % of e²
+
+
+def test_the_toy_which_has_no_threshold_for_rest_is_told_that_it_never_rests(rows):
+    (found,) = of(rows, "ball-to-rest", quantity="rest_time")
+    assert (found.verdict, found.measured) == (Verdict.FAIL, None)
+    assert "did not happen" in found.note
+    assert found in failures(rows)
+
+
+def test_what_the_toy_has_no_words_for_is_a_row_that_says_so(rows):
+    (found,) = of(rows, "incline")
+    assert found.verdict is Verdict.CANNOT_EXPRESS
+    assert found.note == "a toy cannot express incline/μ=0.3,θ=20°: it knows one ball over one plane, " + (
+        "without friction and without spin"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "complaint"),
+    [
+        ("", "does not define ENGINE"),
+        ("ENGINE = int\n", "does not define ENGINE"),
+        ("ENGINE = 'toy'\n", "does not define ENGINE"),
+        (None, "no engine file"),
+    ],
+)
+def test_a_file_that_holds_no_engine_is_refused_and_named(text, complaint, tmp_path):
+    path = tmp_path / "no_engine.py"
+    if text is not None:
+        path.write_text(text)
+    with pytest.raises(InvalidInput, match=complaint) as refused:
+        load_engine(str(path))
+    assert "no_engine.py" in str(refused.value)

@@ -1,0 +1,37 @@
+"""The table of symbols speaks of functions that are there, with parameters of these names."""
+
+from __future__ import annotations
+
+import importlib.util
+import inspect
+from pathlib import Path
+
+import pytest
+
+from reference import lecture
+from reference.engines.implementation import Implementation
+from reference.lecture.symbols import SYMBOLS
+
+DOCS = Path(__file__).parents[3] / "docs"
+
+
+@pytest.mark.parametrize("symbol", SYMBOLS, ids=lambda symbol: symbol.slide)
+def test_a_symbol_is_a_parameter_of_the_function_that_it_names(symbol):
+    taken = inspect.signature(inspect.unwrap(Implementation().function(symbol.of))).parameters
+    assert set(symbol.name.split(", ")) <= set(taken)
+
+
+@pytest.mark.parametrize("symbol", SYMBOLS, ids=lambda symbol: symbol.slide)
+def test_its_statements_are_the_lectures(symbol):
+    assert [lecture.statement(number).number for number in symbol.statements] == list(symbol.statements)
+
+
+def test_no_symbol_of_the_slides_comes_twice():
+    assert len({symbol.slide for symbol in SYMBOLS}) == len(SYMBOLS)
+
+
+def test_the_page_is_what_the_table_makes():
+    spec = importlib.util.spec_from_file_location("symbol_table", DOCS / "symbol_table.py")
+    table = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(table)
+    assert table.PAGE.read_text(encoding="utf-8") == table.page()

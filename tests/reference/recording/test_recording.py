@@ -1,0 +1,340 @@
+"""Recordings: what was measured comes back as it was, judged anew, or not at all where it is stale."""
+
+from __future__ import annotations
+
+import datetime
+import json
+from dataclasses import replace
+
+import pytest
+
+from reference.catalogue.grid import Parameter
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import Verdict
+from reference.comparison.results import Job
+from reference.engines import load_engine
+from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
+from reference.recording import reading
+from reference.recording.fingerprint import fingerprint
+from reference.recording.making import jobs_of, why_stale, write
+from reference.recording.reading import recall, replay
+from reference.running import jobs
+from reference.running.cache import Cache
+from reference.running.jobs import run_one
+from reference.running.study import SCENARIOS, run_job
+from reference.viewer.poses import poses_of
+
+DAY = datetime.date(2026, 11, 21)
+JOBS = [Job("incline", "handwritten", profile, with_studies=True, with_poses=True) for profile in ("tuned", "stock")]
+CASE = "μ=0.1,θ=10°"
+
+
+@pytest.fixture(scope="module")
+def results():
+    return [run_job(job) for job in JOBS]
+
+
+@pytest.fixture
+def folder(tmp_path, results):
+    files = [tmp_path / "handwritten" / f"incline.{kind}" for kind in ("json", "npz")]
+    assert write(results, tmp_path, DAY) == files
+    return tmp_path
+
+
+def edited(folder, change) -> None:
+    """Change what the file holds."""
+    path = folder / "handwritten" / "incline.json"
+    content = json.loads(path.read_text(encoding="utf-8"))
+    change(content)
+    path.write_text(json.dumps(content), encoding="utf-8")
+    reading.forget()
+
+
+def test_what_was_measured_comes_back_with_the_same_rows_studies_and_curve(folder, results):
+    for job, result in zip(JOBS, results, strict=True):
+        found = recall(job, folder)
+        assert found.rows == result.rows
+        assert (found.convergence, found.split) == (result.convergence, result.split)
+        assert found.series.times == result.series.times
+        assert found.series.values == pytest.approx(result.series.values, rel=1e-6)  # seven digits are kept
+        assert (found.settings, found.description, found.version) == (
+            result.settings,
+            result.description,
+            result.version,
+        )
+
+
+def test_it_says_that_it_is_a_recording_when_and_where_it_was_made(folder):
+    found = recall(JOBS[0], folder)
+    assert found.title == "hand-written*"
+    assert found.recording.startswith("* hand-written ")
+    assert "was recorded on 2026-11-21 (Python" in found.recording
+    assert found.recording.endswith("; it is not run here")
+
+
+def test_some_cases_of_a_recording_are_those_cases(folder, results):
+    some = replace(JOBS[0], cases=(CASE,))
+    rows = recall(some, folder).rows
+    assert rows == tuple(row for row in results[0].rows if row.case == CASE)
+    assert rows
+
+
+def test_without_studies_none_are_given(folder):
+    found = recall(replace(JOBS[0], with_studies=False), folder)
+    assert found.convergence is found.split is None
+    assert found.series is not None
+
+
+def test_what_was_never_recorded_has_no_recording(folder):
+    assert recall(replace(JOBS[0], profile="slide"), folder) is None
+    assert recall(Job("stack", "handwritten", "tuned"), folder) is None
+
+
+def test_a_stale_case_says_so_and_gives_no_number_while_the_others_answer(folder):
+    def other_scenario(content):
+        content["profiles"]["tuned"]["entries"][CASE][0] = "0" * 16
+
+    edited(folder, other_scenario)
+    stale = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
+    assert [row.case for row in stale] == [CASE]
+    assert stale[0].measured is None
+    assert "its recording is stale: scenario or settings have changed" in stale[0].note
+    assert "collisions record" in stale[0].note
+
+
+def test_a_curve_and_studies_of_a_case_that_is_stale_are_not_shown_either(folder, monkeypatch):
+    family = catalogue()["incline"]
+
+    def other_scenario(name):
+        cases = [replace(case, scenarios=other(case.scenarios)) if case.name == name else case for case in family.cases]
+        monkeypatch.setattr(reading, "catalogue", lambda: {"incline": replace(family, cases=tuple(cases))})
+        return recall(JOBS[0], folder)
+
+    def other(scenarios):
+        return tuple(replace(scenario, duration=9.0) for scenario in scenarios)
+
+    found = other_scenario(family.convergence.case)
+    assert found.convergence is found.split is None
+    assert other_scenario(family.curve.case).series is None
+
+
+def test_a_quantity_that_is_measured_only_since_makes_a_case_stale(folder):
+    def without_the_way(content):
+        content["profiles"]["tuned"]["quantities"].remove("way")
+        for entry in content["profiles"]["tuned"]["entries"].values():
+            entry[1].pop()
+
+    edited(folder, without_the_way)
+    rows = recall(JOBS[0], folder).rows
+    assert {row.verdict for row in rows} == {Verdict.NOT_AVAILABLE}
+    assert "stale: it has no way" in rows[0].note
+
+
+def test_a_case_that_was_never_recorded_says_so(folder):
+    edited(folder, lambda content: content["profiles"]["tuned"]["entries"].pop(CASE))
+    (missing,) = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
+    assert missing.note == "hand-written is not installed here, and this case was never recorded"
+
+
+def test_other_settings_than_the_recorded_ones_have_no_number(folder):
+    found = recall(replace(JOBS[0], changes=(("policy", "at_step"),)), folder)
+    assert {row.verdict for row in found.rows} == {Verdict.NOT_AVAILABLE}
+    assert found.rows[0].note == "hand-written is not installed here, and with policy=at_step nothing was recorded"
+    assert found.series is found.convergence is found.split is None
+
+
+def test_a_tolerance_that_has_changed_since_judges_the_old_number_anew(folder, monkeypatch):
+    family = catalogue()["incline"]
+
+    def far(case, settings, method):
+        return replace(way.expect(case, settings, method), value=1e3)
+
+    way = family.quantity("way")
+    other = replace(family, quantities=tuple(replace(q, expect=far) if q is way else q for q in family.quantities))
+    monkeypatch.setattr(reading, "catalogue", lambda: {"incline": other})
+    verdicts = {row.verdict for row in recall(JOBS[0], folder).rows if row.quantity == "way"}
+    assert verdicts == {Verdict.FAIL}
+
+
+def test_only_a_whole_run_of_its_own_is_recorded(results, tmp_path):
+    whole = results[0]
+    for part in (
+        replace(whole, job=replace(whole.job, cases=(CASE,))),
+        replace(whole, job=replace(whole.job, changes=(("timestep", 2e-3),))),
+        replace(whole, version=""),
+        replace(whole, recording="* elsewhere"),
+    ):
+        with pytest.raises(InvalidInput, match="only what an engine measured here is recorded"):
+            write([part], tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    "content", ["{", "[]", '{"schema": "other", "version": 1}', '{"schema": "collisions-lab/recording", "version": 99}']
+)
+def test_a_file_that_is_no_recording_is_refused_by_name(content, tmp_path):
+    path = tmp_path / "handwritten" / "incline.json"
+    path.parent.mkdir()
+    path.write_text(content, encoding="utf-8")
+    reading.forget()
+    with pytest.raises(InvalidInput, match=r"incline\.json' is no recording"):
+        recall(JOBS[0], tmp_path)
+
+
+def test_a_fingerprint_changes_with_all_that_a_number_hangs_on_and_with_nothing_else():
+    engine, case = load_engine("handwritten"), catalogue()["incline"].case(CASE)
+    scenario = case.scenarios[0]
+    settings = engine.settings(scenario, "tuned")
+    body = next(body for body in scenario.bodies if not body.immovable)
+    others = [
+        replace(scenario, duration=scenario.duration + 1e-9),
+        replace(scenario, gravity=(0.0, 0.0, -9.8)),
+        replace(scenario, bodies=tuple(replace(b, mass=2.0) if b is body else b for b in scenario.bodies)),
+        replace(scenario, pairs=tuple(replace(pair, restitution=0.1) for pair in scenario.pairs)),
+    ]
+    prints = [fingerprint(replace(case, scenarios=(other,)), settings) for other in (scenario, *others)]
+    prints += [fingerprint(case, settings.change(timestep=2e-3)), fingerprint(case, settings.change(policy="at_step"))]
+    assert len(set(prints)) == len(prints)
+    rounded = replace(scenario, duration=scenario.duration * (1 + 1e-15), gravity=(1e-17, -0.0, scenario.gravity[2]))
+    assert fingerprint(replace(case, scenarios=(rounded,)), settings) == prints[0]  # on another machine, say
+    assert fingerprint(replace(case, name="other"), settings) == prints[0]
+
+
+def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
+    def missing(*_):
+        raise EngineNotInstalled("it is not here")
+
+    monkeypatch.setattr(jobs, "run_isolated", missing)
+    monkeypatch.setattr(reading, "FOLDER", folder)
+    cache = Cache(tmp_path / "cache")
+    found = run_one(JOBS[0], SCENARIOS, cache=cache)
+    assert found.recording
+    assert found.rows[0].measured is not None
+    assert cache.get(JOBS[0]) is None
+    without = run_one(Job("stack", "handwritten", "tuned"), SCENARIOS)
+    assert [row.verdict for row in without.rows] == [Verdict.NOT_AVAILABLE]
+
+
+# Points of a grid
+
+
+@pytest.fixture(scope="module")
+def cradle(tmp_path_factory):
+    """The whole recording, cases, grid and poses, of a family that is made small."""
+    folder, whole = tmp_path_factory.mktemp("cradle"), catalogue()["cradle"]
+    moved = Parameter("balls", "", (4.0, 5.0), 5.0), Parameter("gap", "m", (0.0, 1e-4, 1e-3), 0.0)
+    grid = replace(whole.grid, parameters=moved, timesteps=(1e-3, 2e-3))
+    small = replace(
+        whole, cases=whole.cases[:1] + whole.cases[-2:], grid=grid
+    )  # the first and last are no points of it
+    catalogue()["cradle"] = small
+    jobs = [replace(job, with_studies=False) for job in jobs_of(small, "handwritten")]
+    results = [run_job(job) for job in jobs]
+    write(results, folder, DAY)
+    yield folder, results
+    catalogue()["cradle"] = whole
+
+
+def test_every_case_and_point_of_a_grid_comes_back_at_every_timestep_with_the_same_rows(cradle):
+    folder, results = cradle
+    for result in results:
+        found = recall(result.job, folder)
+        for then, now in zip(result.rows, found.rows, strict=True):
+            assert (then.case, then.quantity, then.verdict) == (now.case, now.quantity, now.verdict)
+            assert now.measured == pytest.approx(then.measured, rel=1e-10, abs=0)  # eleven digits are kept of a grid
+    for grid in (True, False):
+        steps = {dict(result.job.changes).get("timestep") for result in results if result.job.grid == grid}
+        assert steps >= {None, 2e-3}
+
+
+def test_parameters_at_a_point_of_the_grid_find_it_and_between_two_nothing(cradle):
+    folder, _ = cradle
+    job = Job("cradle", "handwritten", "stock", changes=(("timestep", 2e-3),), at=(("balls", 4.0), ("gap", 1e-4)))
+    live, found = run_job(job), recall(job, folder)
+    assert [row.measured for row in found.rows] == pytest.approx([row.measured for row in live.rows], rel=1e-10)
+    assert {row.case for row in found.rows} == {"4, 100 µm apart"}
+    assert found.series.times == live.series.times
+    assert found.series.values == pytest.approx(live.series.values, rel=1e-6)  # seven digits are kept
+    (row,) = recall(replace(job, at=(("balls", 4.0), ("gap", 2e-4))), folder).rows
+    assert "with balls=4.0, gap=0.0002, timestep=0.002 nothing was recorded" in row.note
+
+
+def test_a_familys_own_case_is_found_at_a_timestep_of_the_grid_point_of_it_or_not_with_its_curve_and_poses(cradle):
+    folder, _ = cradle
+    rows = recall(Job("cradle", "handwritten", "tuned", changes=(("timestep", 2e-3),)), folder).rows
+    assert {row.case for row in rows} == {"3 touching", "5, 1 mm apart", "5, 1 mm apart, two struck"}
+    assert {row.verdict for row in rows} & {Verdict.NOT_AVAILABLE, Verdict.CRASHED} == set()
+    job = Job("cradle", "handwritten", "stock", ("3 touching",), changes=(("timestep", 2e-3),), with_poses=True)
+    job = replace(job, with_curve=True)
+    live, found = run_job(job), recall(job, folder)
+    assert found.series.times == live.series.times
+    assert [track.packed for track in found.poses] == [track.packed for track in live.poses]
+
+
+def test_at_another_timestep_the_recorded_ones_are_named(cradle):
+    folder, _ = cradle
+    job = Job("cradle", "handwritten", "tuned", ("3 touching",), changes=(("timestep", 3e-3),))
+    (row,) = {row.note for row in recall(job, folder).rows}
+    absent = "hand-written is not installed here"
+    assert row == f"{absent}; it was recorded with timesteps of 1 and 2 ms, not of 3 ms"
+    (row,) = {row.note for row in recall(replace(job, at=(("gap", 1e-4),), cases=()), folder).rows}
+    assert row == f"{absent}; it was recorded with timesteps of 1 and 2 ms, not of 3 ms"
+    (row,) = {row.note for row in recall(replace(job, changes=(("policy", "x"), *job.changes)), folder).rows}
+    assert row == f"{absent}, and with policy=x, timestep=0.003 nothing was recorded"
+
+
+def test_what_is_of_todays_scenarios_is_not_stale_and_what_is_not_says_why(cradle, monkeypatch):
+    folder, _ = cradle
+    family = catalogue()["cradle"]
+    assert why_stale(family, "handwritten", folder) == ""
+    first, *others = family.cases
+    other = replace(first, scenarios=(replace(first.scenarios[0], duration=9.0),))
+    changed = replace(family, cases=(other, *others))
+    assert why_stale(changed, "handwritten", folder) == "tuned, 3 touching has changed since it was recorded"
+    assert why_stale(replace(family, quantities=family.quantities[1:]), "handwritten", folder)
+    assert why_stale(family, "mujoco", folder) == "never recorded"
+    monkeypatch.setattr(type(load_engine("handwritten")), "version", lambda self: "0.0")
+    assert why_stale(family, "handwritten", folder).endswith("here is 0.0")
+
+
+def test_the_same_results_make_the_same_files(cradle, tmp_path):
+    folder, results = cradle
+    write(results, tmp_path, DAY)
+    for name in ("cradle.json", "cradle.npz"):
+        assert (tmp_path / "handwritten" / name).read_bytes() == (folder / "handwritten" / name).read_bytes()
+
+
+# Poses
+
+
+def test_a_recorded_replay_is_that_of_the_run_itself(cradle):
+    folder, _ = cradle
+    engine, case = load_engine("handwritten"), catalogue()["cradle"].case("5, 1 mm apart")
+    for changes in ((), (("timestep", 1e-3),)):
+        found = replay(Job("cradle", "handwritten", "stock", changes=changes), case.name, folder)
+        settings = engine.settings(case.scenarios[0], "stock").change(**dict(changes))
+        live = poses_of(engine.run(case.scenarios[0], settings))
+        assert found.bodies == live.bodies == tuple(f"ball {number}" for number in range(1, 6))
+        assert abs(found.positions - live.positions).max() <= 0.5e-5 + 1e-12  # half of 0.01 mm
+        assert (found.title, found.recording[:15]) == ("hand-written*", "* hand-written ")
+
+
+def test_a_result_has_the_same_poses_whether_it_ran_here_or_was_recorded(cradle):
+    folder, results = cradle
+    for result in results[:2]:  # the cases, then the grid
+        assert [track.packed for track in recall(result.job, folder).poses] == [track.packed for track in result.poses]
+        assert result.poses
+        assert recall(replace(result.job, with_poses=False), folder).poses == ()
+
+
+def test_a_replay_that_was_not_recorded_or_is_stale_is_refused(cradle, monkeypatch):
+    folder, _ = cradle
+    job = Job("cradle", "handwritten", "tuned")
+    with pytest.raises(NotRecorded, match="no poses of 3 touching were recorded with these settings"):
+        replay(replace(job, changes=(("timestep", 3e-3),)), "3 touching", folder)
+    first, *others = catalogue()["cradle"].cases
+    other = replace(first, scenarios=(replace(first.scenarios[0], duration=9.0),))
+    changed = replace(catalogue()["cradle"], cases=(other, *others))
+    monkeypatch.setattr(reading, "catalogue", lambda: {"cradle": changed})
+    with pytest.raises(NotRecorded, match="poses of 3 touching are stale; collisions record makes new ones"):
+        replay(job, "3 touching", folder)

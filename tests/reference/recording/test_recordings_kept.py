@@ -1,0 +1,155 @@
+"""The recordings that the lab comes with: whole, of what is asked today, and what a live engine measures again."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from agreeing import same, same_curve
+
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import Verdict
+from reference.comparison.results import Job
+from reference.engines import engine_names, load_engine
+from reference.published import recorded
+from reference.published.jobs import plan
+from reference.published.jobs import run_job as published_now
+from reference.recording.making import OTHER_VERSION, jobs_of, why_stale
+from reference.recording.reading import FOLDER, recall, replay
+from reference.running.study import run_job
+from reference.viewer.poses import LENGTH, TURN, unpack
+
+ENGINES = tuple(name for name in engine_names() if load_engine(name).package is not None)
+JOBS = [
+    Job(family.name, name, profile, with_studies=True)
+    for name in ENGINES
+    for family in catalogue().values()
+    for profile in family.profiles(load_engine(name))
+]
+PUBLISHED = {f"{name}/{recorded.FILE}" for name in ENGINES}
+MOST_BYTES = 10_000_000
+POINTS = 40
+"""Points of the grids that are run again, of each engine."""
+STRAIGHT = (
+    "ball-to-rest",
+    "corner",
+    "dropped-ball",
+    "incline",
+    "rolling-ball",
+    "sliding-ball",
+    "sliding-slab",
+    "spinning-ball",
+    "thin-wall",
+    "two-balls",
+    "two-walls",
+)
+"""Families whose motion does not magnify what rounding does: one moving body, or one impact of two smooth balls.
+
+A cradle that touches or a rod whose end is met at a step's edge may go the other way for the last bit of a number.
+"""
+
+
+@pytest.mark.parametrize("job", JOBS, ids=str)
+def test_every_run_is_recorded_and_none_of_it_is_stale(job):
+    found = recall(job)
+    assert found is not None, "not recorded; collisions record does it"
+    stale = {row.case: row.note for row in found.rows if row.verdict is Verdict.NOT_AVAILABLE}
+    assert not stale, "collisions record makes a new one"
+    assert {row.case for row in found.rows} == {case.name for case in catalogue()[job.family].cases}
+    assert found.series is not None or Verdict.CANNOT_EXPRESS in {row.verdict for row in found.rows}
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_every_point_of_every_grid_and_every_replay_is_recorded_and_none_is_stale(engine):
+    stale = {family.name: why_stale(family, engine) for family in catalogue().values()}
+    # An engine may be newer here than the one that was recorded.
+    assert {name: why for name, why in stale.items() if why and not why.startswith(OTHER_VERSION)} == {}
+
+
+def test_the_recordings_are_small_and_hold_no_run_that_there_is_not():
+    files = {path.relative_to(FOLDER) for path in FOLDER.rglob("*") if path.is_file()}
+    kept = {f"{job.engine}/{job.family}.{kind}" for job in JOBS for kind in ("json", "npz")}
+    assert {str(path) for path in files} == kept | PUBLISHED
+    assert sum((FOLDER / path).stat().st_size for path in files) < MOST_BYTES
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_every_published_case_is_recorded_and_none_is_stale_or_fails(name):
+    results = [recorded.recall(job) for job in plan((), (name,))]
+    verdicts = {row.case: (row.verdict, row.note) for result in results for row in result.rows}
+    wrong = (Verdict.NOT_AVAILABLE, Verdict.FAIL, Verdict.CRASHED)
+    assert not {case: note for case, (verdict, note) in verdicts.items() if verdict in wrong}
+
+
+def test_recorded_tuned_numbers_agree_with_theory_as_live_ones_do():
+    rows = [row for job in JOBS if job.profile == "tuned" for row in recall(job).rows]
+    assert not [row for row in rows if row.verdict in (Verdict.FAIL, Verdict.CRASHED)]
+
+
+def test_a_replay_starts_where_its_scenario_does_and_lasts_as_long():
+    """One of each family: first positions are the scenario's, to rounding; the last sample is in its last 1/60 s."""
+    for family in catalogue().values():
+        case = family.cases[0]
+        scenario = case.scenarios[0]
+        poses = replay(Job(family.name, ENGINES[0], "tuned"), case.name)
+        starts = [scenario.body(name).position for name in poses.bodies]
+        np.testing.assert_allclose(poses.positions[0], starts, atol=LENGTH, rtol=0)
+        assert 0 <= scenario.duration - poses.times[-1] < 1 / 60 + 1e-9
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("job", [job for job in JOBS if job.profile == "tuned"], ids=str)
+def test_a_live_engine_measures_what_was_recorded(job, installed):
+    installed(job.engine)
+    live, recorded = run_job(job), recall(job)
+    for now, then in zip(live.rows, recorded.rows, strict=True):
+        same(now, then)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_live_engine_says_of_published_cases_what_was_recorded_and_allows_as_much(engine, installed):
+    installed(engine)
+    for job in plan((), (engine,)):
+        live, kept = published_now(job), recorded.recall(job)
+        assert [row.verdict for row in live.rows] == [row.verdict for row in kept.rows], job.case
+        for now, then in zip(live.rows, kept.rows, strict=True):
+            # As above, rounding that adds up: 1e-6 of a number, or a hundredth of what is judged by.
+            if then.measured is not None:
+                found, wanted = ((row.measured, row.tolerance, row.shift) for row in (now, then))
+                near = pytest.approx(wanted, rel=1e-6, abs=0.01 * then.tolerance)
+                assert found == near, (job.case, now.figure, now.place)
+
+
+def points(engine: str, count: int) -> list[Job]:
+    """Points of the grids of an engine, and cases at their timesteps, drawn by lot, the same in every run."""
+    drawn = random.Random(engine)
+    jobs = [job for name in STRAIGHT for job in jobs_of(catalogue()[name], engine) if job.grid or job.changes]
+    return [_point(job, drawn) for job in drawn.choices(jobs, k=count)]
+
+
+def _point(job: Job, drawn: random.Random) -> Job:
+    """One point of a grid, or one case, of a job that runs all of them."""
+    if not job.grid:
+        return replace(job, cases=(drawn.choice(job.cases),), with_curve=True)
+    parameters = catalogue()[job.family].grid.parameters
+    return replace(job, grid=False, at=tuple((each.name, drawn.choice(each.values)) for each in parameters))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_live_engine_measures_what_was_recorded_at_points_of_the_grids_and_goes_the_same_way(engine, installed):
+    installed(engine)
+    for job in points(engine, POINTS):
+        live, recorded = run_job(job), recall(job)
+        for now, then in zip(live.rows, recorded.rows, strict=True):
+            same(now, then)
+        if live.series is not None:
+            same_curve(live.series, recorded.series)
+        for track in live.poses:
+            now, then = unpack(track, ""), replay(job, live.rows[0].case)
+            # Both are rounded to whole steps: where the two runs differ by a rounding error, by one step at most.
+            np.testing.assert_allclose(now.positions, then.positions, atol=1.01 * LENGTH, rtol=0, err_msg=str(job))
+            np.testing.assert_allclose(now.orientations, then.orientations, atol=2.5 * TURN, rtol=0, err_msg=str(job))

@@ -1,0 +1,257 @@
+"""The report's figures: the same bytes for the same numbers, ids of their own, and nothing told by colour alone."""
+
+from __future__ import annotations
+
+import functools
+import math
+import re
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from xml.etree import ElementTree
+
+import pytest
+
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import Row, Verdict
+from reference.comparison.curves import Series
+from reference.comparison.results import Errors, Job, JobResult
+from reference.engines import engine_names, load_engine
+from reference.report import figures
+from reference.report.summary import Section, sections
+
+SVG, XLINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}"
+STEPS = (4e-3, 2e-3, 1e-3, 5e-4)
+both = pytest.mark.parametrize("draw", [figures.trajectories, figures.convergence])
+DRAWN = ("dropped-ball", "ball-to-rest", "thin-wall", "incline", "cradle", "stack")
+"""Families whose figures the fast run draws; a figure takes half a second, and those of the others are like these."""
+every_family = pytest.mark.parametrize(
+    "family", [name if name in DRAWN else pytest.param(name, marks=pytest.mark.slow) for name in catalogue()]
+)
+
+
+def results(family: str) -> list[JobResult]:
+    """What every engine and profile of a family might give: a curve each, and errors of first order."""
+    found = []
+    for name in engine_names():
+        engine = load_engine(name)
+        for profile in engine.profiles(catalogue()[family].cases[0].scenarios[0]):
+            shift = 0.01 * len(found)
+            times = tuple(0.01 * step for step in range(200))
+            curve = Series(times, tuple(math.exp(-time) + shift for time in times))
+            errors = Errors(STEPS, tuple((1 + shift) * dt for dt in STEPS), 1.0)
+            row = Row(family, "all", name, profile, "", "", Verdict.SHOWN)
+            job = Job(family, name, profile)
+            found.append(JobResult(job, engine.title, "", (row,), series=curve, convergence=errors))
+    return found
+
+
+def section(family: str = "ball-to-rest", change: Callable[[JobResult], JobResult] = lambda it: it) -> Section:
+    (found,) = sections([change(result) for result in results(family)])
+    return found
+
+
+@functools.cache
+def drawn(family: str, draw: Callable[[Section], str]) -> str:
+    return draw(section(family))
+
+
+def alone(**changes: object) -> Section:
+    (found,) = sections([replace(results("ball-to-rest")[0], **changes)])
+    return found
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One line of a legend, as it is drawn."""
+
+    label: str
+    colour: str
+    dashes: str
+    marker: str
+    face: str
+
+
+def style(element: ElementTree.Element) -> dict[str, str]:
+    return dict(re.findall(r"([\w-]+): ([^;]+)", element.get("style", "")))
+
+
+def legend(svg: str) -> list[Entry]:
+    """What the legend shows: each handle, a piece of the line with its marker, is followed by its text."""
+    root = ElementTree.fromstring(svg)
+    marks = {path.get("id"): path.get("d") for path in root.iter(f"{SVG}path") if path.get("id")}
+    (box,) = (group for group in root.iter(f"{SVG}g") if group.get("id", "").endswith("-legend_1"))
+    handles, entries = [group for group in box if "line2d" in group.get("id", "")], []
+    texts = [text.text for text in box.iter(f"{SVG}text")]
+    for handle, label in zip(handles, texts, strict=True):
+        stroke, mark = style(handle.find(f"{SVG}path")), handle.find(f".//{SVG}use")
+        shape = " ".join(marks[mark.get(f"{XLINK}href")[1:]].split())
+        dashes = stroke.get("stroke-dasharray", "")
+        entries.append(Entry(label, stroke["stroke"], dashes, shape, style(mark)["fill"]))
+    return entries
+
+
+@both
+@pytest.mark.parametrize("family", ["dropped-ball", "incline"])
+def test_the_same_numbers_give_the_same_bytes(family, draw):
+    assert draw(section(family)) == drawn(family, draw)
+
+
+@both
+@every_family
+def test_a_figure_is_one_well_formed_svg_element_that_needs_nothing_else(family, draw):
+    svg = drawn(family, draw)
+    assert ElementTree.fromstring(svg).tag == f"{SVG}svg"
+    assert svg.startswith("<svg")
+    addresses = re.findall(r"\w+://[^\s\"'<>]*", re.sub(r'xmlns(:\w+)?="[^"]*"', "", svg))
+    assert addresses == []
+    assert "<image" not in svg
+    assert not re.search(r"\b(19|20)\d\d-\d\d-\d\d", svg), "a date would change the bytes from day to day"
+
+
+@both
+@every_family
+def test_a_figures_ids_bear_its_name_and_every_reference_has_a_target(family, draw):
+    svg = drawn(family, draw)
+    ids = re.findall(r'\bid="([^"]+)"', svg)
+    references = re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', svg)
+    assert max(Counter(ids).values()) == 1
+    assert all(name.startswith(f"{family}-{draw.__name__}-") for name in ids)
+    assert references
+    assert {here or there for here, there in references} <= set(ids)
+    assert len(re.findall(r"href=|url\(", svg)) == len(references), "nothing refers to anything outside"
+
+
+def test_all_figures_of_a_report_stand_in_one_page_without_sharing_an_id():
+    svgs = [drawn(family, draw) for family in catalogue() for draw in (figures.trajectories, figures.convergence)]
+    ids = [name for svg in svgs for name in re.findall(r'\bid="([^"]+)"', svg)]
+    assert max(Counter(ids).values()) == 1
+
+
+@both
+@every_family
+def test_the_legend_names_every_line_in_the_order_of_the_tables(family, draw):
+    found = section(family)
+    names = [entry.label.partition(": ")[0] for entry in legend(drawn(family, draw))]
+    assert names == [line.title for line in found.lines]
+
+
+@both
+@every_family
+def test_engines_differ_by_marker_and_profiles_by_dashes_so_that_nothing_hangs_on_colour_alone(family, draw):
+    found = section(family)
+    entries = list(zip(found.lines, legend(drawn(family, draw)), strict=True))
+    for one, left in entries:
+        for other, right in entries:
+            same_engine = one.result.job.engine == other.result.job.engine
+            assert (left.marker == right.marker) == same_engine, (left.label, right.label)
+            assert (left.colour == right.colour) == same_engine, (left.label, right.label)
+            if same_engine and one is not other:
+                assert left.dashes != right.dashes, (left.label, right.label)
+    assert {line.result.job.profile for line, entry in entries if not entry.dashes} == {"tuned"}
+    assert {line.tuned for line, entry in entries if entry.face == entry.colour} == {True}
+
+
+@both
+def test_the_curves_bear_the_markers_that_the_legend_shows(draw):
+    root = ElementTree.fromstring(drawn("ball-to-rest", draw))
+    (axes,) = (group for group in root.iter(f"{SVG}g") if group.get("id", "").endswith("-axes_1"))
+    used = Counter(style(use).get("fill") for use in axes.iter(f"{SVG}use") if "fill" in style(use))
+    for colour in ("#1b1b1b", "#0072b2", "#d55e00"):  # the tuned ones, whose markers are filled
+        assert used[colour] >= 2
+
+
+@both
+def test_tuned_curves_lie_on_top_of_all_others(draw):
+    root = ElementTree.fromstring(drawn("ball-to-rest", draw))
+    (axes,) = (group for group in root.iter(f"{SVG}g") if group.get("id", "").endswith("-axes_1"))
+    curves = [group.find(f"{SVG}path") for group in axes if "line2d" in group.get("id", "")]
+    dashed = ["stroke-dasharray" in style(curve) for curve in curves if curve is not None]
+    assert dashed == [True] * 6 + [False] * 4  # tuned is whole
+
+
+def test_an_engine_from_a_file_is_drawn_in_a_style_of_its_own():
+    shown = results("ball-to-rest")
+    (found,) = sections([*shown, replace(shown[0], job=Job("ball-to-rest", "toy.py", "tuned"), title="a toy")])
+    *known, toy = legend(figures.trajectories(found))
+    assert toy.label == "a toy, tuned"
+    assert toy.marker not in {entry.marker for entry in known}
+    assert toy.colour not in {entry.colour for entry in known}
+
+
+def test_titles_and_units_stand_in_the_figures_as_text():
+    family = catalogue()["ball-to-rest"]
+    curve, study = (
+        "".join(ElementTree.fromstring(drawn(family.name, draw)).itertext())
+        for draw in (figures.trajectories, figures.convergence)
+    )
+    for text in (family.curve.title, family.curve.y_label, "time, s"):
+        assert text in curve
+    for text in ("time of rest", "e=0.5", "timestep, s", "root mean square error, s", "order 1.00"):
+        assert text in study
+
+
+def test_what_a_title_holds_cannot_break_the_figure():
+    svg = figures.trajectories(alone(title='<b>ours</b> & "theirs"'))
+    assert legend(svg)[0].label == '<b>ours</b> & "theirs", tuned'
+
+
+# Lines that are missing, short or all rounding
+
+
+def test_where_no_curve_is_known_there_is_no_figure():
+    assert figures.trajectories(section(change=lambda it: replace(it, series=None))) == ""
+    assert figures.convergence(section(change=lambda it: replace(it, convergence=None))) == ""
+
+
+@both
+def test_lines_without_numbers_are_left_out_of_the_figure(draw):
+    def only_mujoco(result: JobResult) -> JobResult:
+        return result if result.job.engine == "mujoco" else replace(result, series=None, convergence=None)
+
+    names = [entry.label.partition(": ")[0] for entry in legend(draw(section(change=only_mujoco)))]
+    assert names == ["MuJoCo, tuned", "MuJoCo, spring", "MuJoCo, stock"]
+
+
+@pytest.mark.parametrize("series", [Series((), ()), Series((0.0,), (1.0,)), Series((0.0, 1.0), (2.0, 2.0))])
+def test_a_curve_of_few_points_or_none_is_drawn_all_the_same(series):
+    assert [entry.label for entry in legend(figures.trajectories(alone(series=series)))] == ["hand-written, tuned"]
+
+
+@pytest.mark.parametrize(
+    ("study", "said"),
+    [
+        (Errors((1e-3,), (0.1,), None), "too few timesteps"),
+        (Errors(STEPS, (0.0, 0.0, 0.0, 0.0), None), "rounding, 0 s"),
+        (Errors(STEPS, (1e-16, 2e-16, 0.0, 3e-16), None), "rounding, <1 ns"),
+        (Errors(STEPS, (0.4, 0.2, 0.1, 0.0), 1.0), "order 1.00"),
+    ],
+)
+def test_errors_that_a_logarithm_cannot_show_are_drawn_all_the_same(study, said):
+    assert [entry.label for entry in legend(figures.convergence(alone(convergence=study)))] == [
+        f"hand-written, tuned: {said}"
+    ]
+
+
+def test_errors_that_are_rounding_lie_on_the_lower_edge_and_flatten_no_other():
+    rounding = Errors(STEPS, (1e-16, 2e-16, 1e-16, 3e-16), None)
+    exact, *others = results("ball-to-rest")
+    (found,) = sections([replace(exact, convergence=rounding), *others])
+    root = ElementTree.fromstring(figures.convergence(found))
+    (axes,) = (group for group in root.iter(f"{SVG}g") if group.get("id", "").endswith("-axes_1"))
+    heights: dict[str, list[float]] = {}
+    for use in axes.iter(f"{SVG}use"):
+        if "fill" in style(use):  # a marker; ticks have none
+            heights.setdefault(style(use)["stroke"], []).append(float(use.get("y")))
+    flat, *sloped = sorted(heights["#1b1b1b"], reverse=True)[:4], heights["#0072b2"], heights["#d55e00"]
+    assert max(flat) == min(flat), "four points in a line, downmost in the picture"
+    assert all(max(line) < min(flat) for line in sloped)
+    assert all(max(line) - min(line) > 50 for line in sloped)  # points of 281: three octaves fill a good part of it
+
+
+def test_logarithmic_axes_are_labelled_with_powers_of_ten_as_plain_text():
+    root = ElementTree.fromstring(drawn("ball-to-rest", figures.convergence))
+    texts = {text.text for text in root.iter(f"{SVG}text") if text.text}
+    assert "10⁻³" in texts
+    assert not any("$" in text or "mathdefault" in text for text in texts)
+    assert all(re.fullmatch(r"([2-9]·)?10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", text) for text in texts if text[0].isdigit())

@@ -1,0 +1,342 @@
+"""What stands for many rows in a table: the worst verdict, how many agree, and in which order all of it is told."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import pytest
+
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import ALL_CASES, Row, Verdict
+from reference.comparison.results import Errors, Job, JobResult
+from reference.report import summary
+from reference.report.summary import LEGEND, MARKS, Cell, Line, Section, columns, sections, verdict_line
+
+REST = catalogue()["ball-to-rest"]
+WORST_FIRST = (
+    Verdict.CRASHED,
+    Verdict.FAIL,
+    Verdict.NEEDS,
+    Verdict.CANNOT_EXPRESS,
+    Verdict.NOT_AVAILABLE,
+    Verdict.KNOWN_DEVIATION,
+    Verdict.PASS,
+    Verdict.SHOWN,
+)
+
+
+def row(verdict: Verdict = Verdict.PASS, measured: float | None = 1.1, case: str = "e=0.5", **more) -> Row:
+    """A row of ball-to-rest; expects 1 s unless it is only shown or has no number."""
+    given = {"quantity": "rest_time", "unit": "s", "profile": "tuned", "engine": "handwritten"} | more
+    if verdict is not Verdict.SHOWN and measured is not None:
+        given = {"expected": 1.0, "tolerance": 0.2, "scale": 1.0} | given
+    return Row("ball-to-rest", case, verdict=verdict, measured=measured, **given)
+
+
+def without_number(verdict: Verdict, note: str = "why", case: str = ALL_CASES) -> Row:
+    return row(verdict, None, case, quantity="", unit="", note=note)
+
+
+def result(*rows: Row, engine: str = "handwritten", profile: str = "tuned", title: str = "", **more) -> JobResult:
+    titles = {"handwritten": "hand-written", "pybullet": "PyBullet", "mujoco": "MuJoCo"}
+    job = Job(more.pop("family", "ball-to-rest"), engine, profile)
+    return JobResult(job, title or titles.get(engine, engine), "what it is", rows or (row(),), **more)
+
+
+def line(*rows: Row, **more) -> Line:
+    return Line(result(*rows, **more), REST)
+
+
+def section(*results: JobResult) -> Section:
+    (found,) = sections(results)
+    return found
+
+
+# Verdicts
+
+
+@pytest.mark.parametrize(("worse", "better"), list(itertools.pairwise(WORST_FIRST)))
+def test_the_worst_verdict_stands_for_a_cell(worse, better):
+    for rows in ((row(worse), row(better)), (row(better), row(worse), row(better))):
+        assert Cell(rows).verdict is worse
+        assert Cell(rows).mark == MARKS[worse]
+
+
+def test_every_verdict_has_its_own_mark_of_one_character_and_a_legend():
+    assert set(MARKS) == set(LEGEND) == set(Verdict) == set(WORST_FIRST)
+    assert len(set(MARKS.values())) == len(Verdict)
+    assert all(len(mark) == 1 for mark in MARKS.values())
+    assert all(LEGEND.values())
+
+
+def test_a_cell_counts_the_rows_that_agree_known_deviations_included_of_those_that_are_judged():
+    verdicts = (Verdict.PASS, Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.SHOWN)
+    assert Cell(tuple(map(row, verdicts))).count == "3/4"
+
+
+@pytest.mark.parametrize(
+    "verdict", [Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.CRASHED, Verdict.SHOWN]
+)
+def test_a_cell_without_any_number_says_why_instead_of_counting(verdict):
+    cell = Cell((row(verdict, None), row(verdict, None)))
+    assert (cell.count, cell.worst) == (str(verdict), "")
+
+
+def test_a_failure_without_a_number_counts_as_one_that_was_judged():
+    cell = Cell((row(Verdict.FAIL, None, expected=1.0),))
+    assert (cell.count, cell.worst) == ("0/1", "")
+
+
+def test_a_cell_that_is_only_shown_counts_nothing_and_shows_its_largest_value():
+    cell = Cell(tuple(row(Verdict.SHOWN, measured, unit="m") for measured in (0.002, -0.0031, 0.001)))
+    assert (cell.count, cell.worst) == ("", "3.1 mm")
+
+
+# The worst error
+
+
+def test_a_cell_names_the_largest_error_whatever_its_sign():
+    assert Cell((row(measured=1.1), row(measured=0.85), row(measured=1.12))).worst == "−15 %"
+
+
+def test_the_worst_error_is_that_of_the_worst_verdict():
+    known = row(Verdict.KNOWN_DEVIATION, 1.5, shift=0.45)
+    assert Cell((row(Verdict.FAIL, 1.3), known, row(measured=1.1))).worst == "+30 %"
+
+
+def test_a_yes_or_no_has_no_error():
+    right, wrong = row(measured=1.0, tolerance=0.0), row(Verdict.FAIL, 0.0, tolerance=0.0)
+    cell = Cell((right, wrong))
+    assert (cell.count, cell.worst) == ("1/2", "")
+
+
+def test_an_error_is_in_percent_where_there_is_a_scale_that_is_not_zero_and_in_its_unit_elsewhere():
+    assert summary.error_of(row(measured=1.02)) == "+2 %"
+    assert summary.error_of(row(measured=1.02, scale=4.0)) == "+0.5 %"
+    assert summary.error_of(row(measured=1.02, scale=None)) == "+20 ms"
+    assert summary.error_of(row(measured=1e-3, expected=0.0, scale=0.0)) == "+1 ms"
+    assert summary.error_of(row(Verdict.SHOWN, -0.02)) == "20 ms"
+    assert summary.error_of(row(Verdict.FAIL, None)) == ""
+
+
+def test_what_is_left_of_a_known_deviation_is_the_error_without_the_shift_and_without_a_sign():
+    known = row(Verdict.KNOWN_DEVIATION, 1.29, shift=0.3)
+    assert summary.left_of(known) == "1 %"
+    assert Cell((row(), known)).left == "left 1 %"
+    in_its_unit = row(Verdict.KNOWN_DEVIATION, 1.31, shift=0.3, scale=None)
+    assert Cell((in_its_unit,)).left == "left 10 ms"
+    assert summary.left_of(row(Verdict.CRASHED, None)) == ""
+
+
+def test_what_is_left_is_that_of_the_largest_known_deviation():
+    small, large = (row(Verdict.KNOWN_DEVIATION, 1 + 1.1 * shift, shift=shift) for shift in (0.3, 0.6))
+    assert Cell((large, small, row(Verdict.FAIL, 3.0))).left == "left 6 %"
+
+
+def test_nothing_is_left_where_no_deviation_is_known():
+    assert Cell((row(), row(Verdict.FAIL))).left == ""
+
+
+# Lines
+
+
+def test_a_whole_run_that_crashed_counts_in_every_quantity_and_says_why():
+    found = line(without_number(Verdict.CRASHED, "SIGSEGV"))
+    assert len(found.cells) == len(REST.quantities)
+    assert all(cell.verdict is Verdict.CRASHED and cell.count == "crashed" for cell in found.cells)
+    assert found.note == "crashed: SIGSEGV"
+    assert found.whole.verdict is Verdict.CRASHED
+
+
+def test_a_case_that_crashed_counts_in_every_quantity_beside_the_others():
+    fine = [row(quantity=quantity.name, case="e=0.8") for quantity in REST.quantities]
+    found = line(without_number(Verdict.CRASHED, case="e=0.5"), *fine)
+    assert [(cell.verdict, cell.count) for cell in found.cells] == [(Verdict.CRASHED, "1/2")] * 4
+    assert (found.whole.verdict, found.whole.count) == (Verdict.CRASHED, "4/5")
+    assert found.note == ""
+
+
+def test_a_line_whose_cases_all_have_the_same_trouble_says_it_once():
+    same = [without_number(Verdict.NEEDS, "needs a", case.name) for case in REST.cases]
+    assert line(*same).note == "needs a"
+    assert line(*same, without_number(Verdict.CRASHED, "hung")).note == "needs a; crashed: hung"
+
+
+def test_a_quantity_has_the_rows_of_its_own_name():
+    time, drift = row(), row(Verdict.FAIL, quantity="drift")
+    cells = dict(zip((quantity.name for quantity in REST.quantities), line(time, drift).cells, strict=True))
+    assert (cells["rest_time"].rows, cells["drift"].rows) == ((time,), (drift,))
+
+
+def test_a_line_finds_the_row_of_a_case_or_the_one_that_says_why_there_is_none():
+    own, crashed = row(), without_number(Verdict.CRASHED, case="e=0.8")
+    found = line(own, crashed)
+    assert found.row("e=0.5", "rest_time") is own
+    assert found.row("e=0.5", "drift") is None
+    assert found.row("e=0.8", "drift") is crashed
+    assert found.row("e=0.9", "rest_time") is None
+    whole = without_number(Verdict.NOT_AVAILABLE)
+    assert line(whole).row("e=0.9", "drift") is whole
+
+
+def test_only_tuned_lines_count():
+    assert line().tuned
+    assert not line(profile="stock").tuned
+    assert not line(profile="spring").tuned
+
+
+@pytest.mark.parametrize(
+    ("study", "text"),
+    [
+        (None, "too few timesteps"),
+        (Errors((1e-3,), (0.1,), None), "too few timesteps"),
+        (Errors((2e-3, 1e-3), (0.2, 0.1), 1.0), "order 1.00"),
+        (Errors((2e-3, 1e-3), (0.1, 0.2), -1.0), "order −1.00"),
+        (Errors((2e-3, 1e-3), (0.1, 0.1), -0.001), "order 0.00"),
+        (Errors((2e-3, 1e-3), (2e-15, 3e-15), None), "rounding, <1 ns"),
+        (Errors((2e-3, 1e-3, 5e-4), (0.43, 0.0, 1e-16), None), "one timestep alone, 0.43 s"),
+    ],
+)
+def test_the_order_is_told_or_why_there_is_none(study, text):
+    assert line(convergence=study).order == text
+
+
+def test_the_studied_errors_are_told_with_their_timesteps():
+    study = Errors((4e-3, 5e-4), (0.25, 3.1e-5), 1.0)
+    assert line(convergence=study).errors == [("4 ms", "0.25 s"), ("500 µs", "31 µs")]
+    assert line().errors == []
+
+
+# Sections and their order
+
+
+def test_families_come_in_the_order_of_teaching_and_only_those_that_ran():
+    ran = [result(family=name) for name in ("incline", "dropped-ball", "ball-to-rest")]
+    assert [found.family.name for found in sections(ran)] == ["dropped-ball", "ball-to-rest", "incline"]
+    assert sections([]) == []
+
+
+def test_lines_come_by_engine_in_the_order_of_the_tables_tuned_first_and_stock_last():
+    asked = [
+        ("z.py", "tuned"),
+        ("mujoco", "stock"),
+        ("a.py", "tuned"),
+        ("mujoco", "spring"),
+        ("pybullet", "stock"),
+        ("mujoco", "tuned"),
+        ("handwritten", "stock"),
+        ("pybullet", "tuned"),
+        ("handwritten", "tuned"),
+    ]
+    found = section(*(result(engine=engine, profile=profile) for engine, profile in asked))
+    assert [line.title for line in found.lines] == [
+        "hand-written, tuned",
+        "hand-written, stock",
+        "PyBullet, tuned",
+        "PyBullet, stock",
+        "MuJoCo, tuned",
+        "MuJoCo, spring",
+        "MuJoCo, stock",
+        "a.py, tuned",
+        "z.py, tuned",
+    ]
+
+
+def test_columns_are_all_lines_that_occur_each_once_in_the_order_of_the_fullest_section():
+    two = [result(engine=engine) for engine in ("handwritten", "mujoco")]
+    three = [result(engine=engine, family="incline") for engine in ("pybullet", "mujoco", "toy.py")]
+    assert columns(sections(two + three)) == [
+        "PyBullet, tuned",
+        "MuJoCo, tuned",
+        "toy.py, tuned",
+        "hand-written, tuned",
+    ]
+    assert columns([]) == []
+
+
+def test_a_section_finds_a_line_by_its_title():
+    found = section(result(), result(profile="stock"))
+    assert found.line("hand-written, stock") is found.lines[1]
+    assert found.line("PyBullet, tuned") is None
+
+
+def test_a_section_shows_the_cases_that_ran_in_the_familys_order_and_all_where_none_has_a_number():
+    assert section(result(row(case="e=0.9"), row(case="e=0.5"))).cases == ("e=0.5", "e=0.9")
+    assert section(result(without_number(Verdict.CRASHED))).cases == tuple(case.name for case in REST.cases)
+    mixed = section(result(row(case="e=0.8")), result(without_number(Verdict.CRASHED), engine="mujoco"))
+    assert mixed.cases == ("e=0.8",)
+
+
+def test_the_expected_value_is_that_of_any_line_that_has_one_or_else_what_theory_says_without_a_run():
+    time = REST.quantity("rest_time")
+    crashed, fine = result(without_number(Verdict.CRASHED)), result(row(), engine="mujoco")
+    assert section(crashed, fine).expected("e=0.5", time) == "1 s"
+    rests = math.sqrt(2 / 9.81) * (1 + 0.5) / (1 - 0.5)  # fallen 1 m, e = 0.5
+    assert section(crashed).expected("e=0.5", time) == f"{rests:.5g} s"
+    assert section(crashed).expected("e=0.5", REST.quantity("drift")) == "0 m"
+
+
+def test_a_remark_is_made_once_with_the_lines_and_the_number_of_cases_that_it_speaks_of():
+    late = [row(Verdict.KNOWN_DEVIATION, case=case, note="half a step late") for case in ("e=0.5", "e=0.8")]
+    found = section(
+        result(*late),
+        result(late[0], profile="stock"),
+        result(without_number(Verdict.CRASHED, "SIGSEGV"), engine="mujoco"),
+    )
+    assert found.remarks() == [
+        ("known deviation: half a step late", ["hand-written, tuned (2×)", "hand-written, stock"]),
+        ("crashed: SIGSEGV", ["MuJoCo, tuned"]),
+    ]
+
+
+def test_a_reason_for_a_tolerance_is_given_once_with_the_lines_that_it_holds_for():
+    rounding, step = row(reason="rounding only"), row(reason="a step late")
+    found = section(
+        result(rounding, rounding),
+        result(step, row(quantity="drift", reason="1 mm"), profile="stock"),
+        result(step, engine="mujoco"),
+    )
+    assert found.tolerances("rest_time") == [
+        ("rounding only", ["hand-written, tuned"]),
+        ("a step late", ["hand-written, stock", "MuJoCo, tuned"]),
+    ]
+    assert found.tolerances("drift") == [("1 mm", ["hand-written, stock"])]
+    assert found.tolerances("rest_height") == []
+
+
+# The one sentence
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "sentence"),
+    [
+        ([], "0 of 0 checks of tuned settings agree with theory, 0 fail."),
+        ([Verdict.PASS] * 3, "3 of 3 checks of tuned settings agree with theory, 0 fail."),
+        ([Verdict.PASS, Verdict.FAIL], "1 of 2 checks of tuned settings agree with theory, 1 fails."),
+        (
+            [Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.FAIL],
+            "2 of 4 checks of tuned settings agree with theory, 1 of them off by what the method is known to do,"
+            " 2 fail.",
+        ),
+        (
+            [Verdict.PASS, Verdict.CRASHED, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE],
+            "1 of 4 checks of tuned settings agree with theory, 0 fail, 3 gave no answer,"
+            " 1 case waits for hand-written functions.",
+        ),
+        ([Verdict.PASS, Verdict.SHOWN], "1 of 1 checks of tuned settings agree with theory, 0 fail."),
+    ],
+)
+def test_one_sentence_says_how_the_tuned_settings_stand(verdicts, sentence):
+    stock = [row(verdict, profile="stock") for verdict in Verdict]
+    assert verdict_line([*map(row, verdicts), *stock]) == sentence
+
+
+def test_engines_of_two_files_that_share_a_title_have_a_column_each():
+    def titles(*engines: str) -> list[str]:
+        found = [result(row(), engine=engine, title="an odd one") for engine in engines]
+        return columns(sections([*found, result(row(), title="hand-written")]))
+
+    assert titles("a/one.py") == ["hand-written, tuned", "an odd one, tuned"]
+    assert titles("a/one.py", "a/two.py")[1:] == ["an odd one (one.py), tuned", "an odd one (two.py), tuned"]
+    assert titles("a/one.py", "b/one.py")[1:] == ["an odd one (a/one.py), tuned", "an odd one (b/one.py), tuned"]

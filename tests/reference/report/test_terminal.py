@@ -1,0 +1,255 @@
+"""The comparison in a terminal of 80 columns: nothing is cut off, and everything is said."""
+
+from __future__ import annotations
+
+import io
+import itertools
+from collections.abc import Iterable
+from dataclasses import replace
+
+import pytest
+from rich.cells import cell_len
+from rich.console import Console
+
+from reference import lecture
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.compare import ALL_CASES, Row, Verdict
+from reference.comparison.results import Job, JobResult
+from reference.engines import engine_names, load_engine
+from reference.report.summary import LEGEND, MARKS, sections
+from reference.report.terminal import print_comparison
+from reference.running.study import run_job
+
+WIDTH = 80
+CUT = "…"  # what the table printer puts where it cuts something off, and our mark for a function that is not written
+NUMBERS = (0.0, -0.12345, 1.35457, -5.5e-6, 5.5e-4)
+"""Measured values that print as short and as long as values near the expected ones do."""
+WILD = (*NUMBERS, -12345.6, -1.23456e7)
+"""What a failure may come to."""
+WITHOUT_QUANTITIES = (Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE)
+MEASURED = {
+    Verdict.PASS: NUMBERS,
+    Verdict.KNOWN_DEVIATION: NUMBERS,
+    Verdict.FAIL: WILD,
+    Verdict.SHOWN: WILD,
+}
+with_and_without_cases = pytest.mark.parametrize("with_cases", [False, True])
+
+
+def printed(results: Iterable[JobResult], with_cases: bool = False) -> str:
+    text = io.StringIO()
+    print_comparison(Console(file=text, width=WIDTH, highlight=False), sections(results), with_cases)
+    return text.getvalue()
+
+
+def words(text: str) -> str:
+    return " ".join(text.split())
+
+
+def grid(verdict: Verdict) -> list[JobResult]:
+    """Every family, engine, profile, case and quantity with one verdict, and in turn the numbers that it may have."""
+    values, found = itertools.cycle(MEASURED.get(verdict, (None,))), []
+    for family in catalogue().values():
+        for name in engine_names():
+            engine = load_engine(name)
+            for profile, described in engine.profiles(family.cases[0].scenarios[0]).items():
+                rows = []
+                if verdict in WITHOUT_QUANTITIES:
+                    rows = [Row(family.name, case.name, name, profile, "", "", verdict) for case in family.cases]
+                for case, quantity in itertools.product(family.cases, () if rows else family.quantities):
+                    row = Row(family.name, case.name, name, profile, quantity.name, quantity.unit, verdict)
+                    row = replace(row, measured=next(values), scale=12.345 if quantity.scale else None)
+                    if quantity.expect:
+                        row = replace(row, expected=-1.23456, tolerance=1.0, shift=0.001)
+                    rows.append(row)
+                found.append(JobResult(Job(family.name, name, profile), engine.title, described, tuple(rows)))
+    return found
+
+
+def without_answer(verdict: Verdict, note: str, engine: str = "mujoco", title: str = "MuJoCo") -> JobResult:
+    row = Row("ball-to-rest", ALL_CASES, engine, "tuned", "", "", verdict, note=note)
+    return JobResult(Job("ball-to-rest", engine, "tuned"), title, "", (row,))
+
+
+@pytest.fixture(scope="module")
+def real() -> list[JobResult]:
+    """Real results of the hand-written code, quick ones."""
+    return [run_job(Job("ball-to-rest", "handwritten", profile, ("e=0.5",))) for profile in ("tuned", "slide", "stock")]
+
+
+# Width
+
+
+@pytest.mark.parametrize("verdict", Verdict)
+@pytest.mark.parametrize("with_cases", [False, pytest.param(True, marks=pytest.mark.slow)])
+def test_nothing_of_the_catalogue_is_too_wide_for_80_columns_or_cut_off(verdict, with_cases):
+    text = printed(grid(verdict), with_cases)
+    assert max(map(cell_len, text.splitlines())) <= WIDTH
+    assert text.count(CUT) == text.count(f"{CUT} needs")
+    assert (CUT in text) == (verdict is Verdict.NEEDS)
+
+
+@with_and_without_cases
+def test_every_name_of_the_catalogue_is_printed_whole(with_cases):
+    text = printed(grid(Verdict.PASS), with_cases)
+    for family in catalogue().values():
+        assert family.title in text
+        assert words(family.expected) in words(text)
+        for number in family.statements:
+            assert words(f"{number} {lecture.statement(number).title}") in words(text)
+        for case in family.cases:
+            assert not with_cases or f"\n{case.name} " in text
+        for word in words(" ".join(quantity.title for quantity in family.quantities)).split():
+            assert word in text
+    for name in engine_names():
+        assert f"{load_engine(name).title}, tuned" in text
+
+
+@with_and_without_cases
+def test_long_notes_are_broken_into_lines(with_cases):
+    note = "it has one coefficient of friction, not static 0.5 and kinetic 0.4 " * 5
+    text = printed([without_answer(Verdict.CANNOT_EXPRESS, note.strip())], with_cases)
+    assert max(map(cell_len, text.splitlines())) <= WIDTH
+    assert words(f"MuJoCo, tuned: cannot express: {note}") in words(text)
+
+
+# What is said
+
+
+def test_the_overview_has_a_line_for_every_implementation_with_counts_and_worst_errors(real):
+    text = printed(real)
+    for title in ("hand-written, tuned", "hand-written, slide", "hand-written, stock"):
+        (line,) = (line for line in text.splitlines() if line.startswith(title))
+        assert line.count("✓ 1/1") == 4
+    assert "Ball coming to rest" in text
+    assert "−0.13 %" in text  # of the slide's T, which cannot see the last bounces
+    assert text.rstrip().endswith("4 of 4 checks of tuned settings agree with theory, 0 fail.")
+
+
+def test_with_cases_every_quantity_has_a_table_with_what_each_implementation_measured(real):
+    lines = printed(real, with_cases=True).splitlines()
+    headings = [line.partition("  ")[0] for line in lines if line.rstrip().endswith("verdict")]
+    assert headings == [quantity.title for quantity in catalogue()["ball-to-rest"].quantities]
+    assert next(line.split() for line in lines if line.startswith("e=0.5")) == ["e=0.5", "1.3546", "s", "expected"]
+    (first, *_) = (line.split() for line in lines if line.startswith("  hand-written, tuned"))
+    assert first == ["hand-written,", "tuned", "1.3546", "s", *first[4:-2], "✓", "pass"]
+    assert sum(line.startswith("  hand-written, ") for line in lines) == 3 * 4
+
+
+def test_a_known_deviation_shows_what_is_left_and_with_the_cases_also_why(real):
+    tuned, *others = real
+    first, *rest = tuned.rows
+    known = replace(first, verdict=Verdict.KNOWN_DEVIATION, measured=1.5, shift=0.14, note="half a step late")
+    changed = [replace(tuned, rows=(known, *rest)), *others]
+    assert "left 0.4 %" in printed(changed)
+    assert "half a step late" not in printed(changed)
+    detailed = printed(changed, with_cases=True)
+    (line,) = (line for line in detailed.splitlines() if "≈" in line and "hand-written, tuned" in line)
+    assert words(line) == "hand-written, tuned 1.5 s +11 % 0.4 % ≈ known deviation"
+    assert "hand-written, tuned: known deviation: half a step late" in detailed
+
+
+@with_and_without_cases
+@pytest.mark.parametrize(
+    ("verdict", "note", "said"),
+    [
+        (Verdict.NOT_AVAILABLE, "get it by pip", "not available: get it by pip"),
+        (Verdict.CRASHED, "its process died (SIGSEGV)", "crashed: its process died (SIGSEGV)"),
+        (Verdict.CRASHED, "[bold]IndexError: [/red] of [0]", "crashed: [bold]IndexError: [/red] of [0]"),
+        (Verdict.NEEDS, "needs kinematic_response (step 1)", "needs kinematic_response (step 1)"),
+    ],
+)
+def test_an_engine_without_an_answer_says_why_in_its_own_words(verdict, note, said, with_cases, real):
+    text = printed([*real, without_answer(verdict, note)], with_cases)
+    assert words(f"MuJoCo, tuned: {said}") in words(text)
+    assert f"{MARKS[verdict]} {verdict}: {LEGEND[verdict]}" in words(text)
+
+
+@pytest.mark.parametrize(("with_cases", "lines"), [(False, 1), (True, 3 * 4)])  # a line a case and quantity
+def test_a_title_in_brackets_is_printed_as_it_is(with_cases, lines):
+    text = printed([without_answer(Verdict.CRASHED, "hung", "toy.py", "toy [b] [/]")], with_cases)
+    assert text.count("toy [b] [/], tuned") == lines + 1  # and a remark
+
+
+def test_the_legend_explains_the_verdicts_that_occur_and_no_other(real):
+    text = words(printed([*real, without_answer(Verdict.CRASHED, "hung")]))
+    for verdict in Verdict:
+        explained = f"{MARKS[verdict]} {verdict}: {LEGEND[verdict]}" in text
+        assert explained == (verdict in (Verdict.PASS, Verdict.CRASHED)), verdict
+
+
+def test_of_nothing_there_is_only_the_sentence_that_says_so():
+    assert printed([]).strip() == "0 of 0 checks of tuned settings agree with theory, 0 fail."
+
+
+def test_families_come_in_the_order_of_teaching():
+    text = printed(reversed(grid(Verdict.PASS)))
+    places = [text.index(family.title) for family in catalogue().values()]
+    assert places == sorted(places)
+
+
+# All families in one screen
+
+
+def test_several_families_end_in_one_screen_of_marks_with_a_line_each(real):
+    other = JobResult(Job("stack", "handwritten", "tuned"), "hand-written", "", (Row("stack", ALL_CASES, "handwritten",
+        "tuned", "", "", Verdict.NEEDS, note="needs a world"),))  # fmt: skip
+    lines = printed([*real, other]).splitlines()
+    start = next(place for place, text in enumerate(lines) if text.startswith("at a glance"))
+    assert words(lines[start - 1]) == "by hand by hand by hand"
+    assert words(lines[start]) == "at a glance tuned slide stock"
+    assert words(lines[start + 1]) == "ball-to-rest ✓ 4/4 ✓ 4/4 ✓ 4/4"
+    assert words(lines[start + 2]) == "stack … needs"
+
+
+def test_the_catalogue_fits_one_screen_of_marks():
+    lines = printed(grid(Verdict.PASS)).splitlines()
+    start = next(place for place, text in enumerate(lines) if text.startswith("at a glance"))
+    for place, name in enumerate(catalogue(), start + 1):
+        assert lines[place].startswith(name)
+
+
+def test_where_the_screen_is_too_narrow_the_tuned_settings_come_first_in_a_table_of_their_own():
+    lines = printed(grid(Verdict.PASS)).splitlines()
+    starts = [place for place, text in enumerate(lines) if text.startswith("at a glance")]
+    tuned, others = (words(lines[start]).split()[3:] for start in starts)
+    assert set(tuned) == {"tuned"}
+    assert len(tuned) == len(engine_names())
+    assert others
+    assert "tuned" not in others
+    for start in starts:
+        assert not any("…" in line for line in lines[start - 1 : start + 1 + len(catalogue())])  # nothing is cut
+        assert max(map(len, lines[start - 1 : start + 1 + len(catalogue())])) <= WIDTH
+
+
+def test_one_family_needs_no_summary(real):
+    assert "at a glance" not in printed(real)
+
+
+def test_the_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
+    one = run_job(Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",)))
+    half = replace(one.rows[0], measured=2.0, expected=1.0, tolerance=2.0, scale=None)
+    stack = [replace(half, family="stack", quantity=name, measured=1.0) for name in ("drift", "speed")]
+    three_quarters = replace(half, family="stack", quantity="height", measured=2.5)
+    other = JobResult(Job("stack", "handwritten", "tuned"), "hand-written", "", (three_quarters, *stack))
+    text = printed([replace(one, rows=(half, *one.rows[1:])), other])
+    listed = text[text.index("worst first") :].splitlines()[1:3]
+    assert [line.split()[0] for line in listed] == ["75", "50"]
+    assert "stack, e=0.5: height of the top: error" in listed[0]
+
+
+# What waits for a rigid-body world
+
+
+def test_a_scenario_that_needs_a_world_shows_so_in_its_table_below_it_at_a_glance_and_in_the_last_line():
+    both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
+    jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
+    text = printed([run_job(job) for job in jobs])
+    lines = [words(line) for line in text.splitlines()]
+    assert "hand-written, tuned … 1/2 … 1/2" in lines  # one of two cases answered, in both quantities
+    assert "hand-written, tuned needs" in lines  # the whole stack
+    assert "hand-written, tuned: needs a rigid-body world (world)" in lines
+    assert "hand-written, tuned (2×): needs a rigid-body world (world)" in lines
+    assert "stack … needs" in lines
+    assert "tipping-box … 2/3" in lines  # outcome and way, and one case without either
+    assert "3 cases wait for hand-written functions" in words(text)

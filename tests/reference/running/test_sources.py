@@ -1,0 +1,96 @@
+"""What a piece of code is made of: any change that may change a result is seen, and nothing else is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from reference.running import sources
+from reference.running.sources import digest
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch) -> Path:
+    """A folder that Python imports from: a file, a module and a package that it imports, and one that it does not."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    for name, text in {
+        "mine.py": "import numpy\nimport helper_of_mine\ndef f():\n    from kit_of_mine.part import g\n    return g\n",
+        "helper_of_mine.py": "import helper_of_helper\nX = 1\n",
+        "helper_of_helper.py": "import mine\n",  # in a circle
+        "kit_of_mine/__init__.py": "",
+        "kit_of_mine/part.py": "def g(): return 1\n",
+        "kit_of_mine/deep/other.py": "Y = 2\n",
+        "stranger.py": "Z = 3\n",
+    }.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["mine.py", "helper_of_mine.py", "helper_of_helper.py", "kit_of_mine/part.py", "kit_of_mine/deep/other.py"],
+)
+def test_a_change_of_anything_that_a_file_imports_is_seen(name, folder):
+    before = digest(str(folder / "mine.py"))
+    with (folder / name).open("a", encoding="utf-8") as file:
+        file.write("# a change\n")
+    assert digest(str(folder / "mine.py")) != before
+
+
+def test_a_new_file_in_a_package_is_seen(folder):
+    before = digest("kit_of_mine")
+    (folder / "kit_of_mine" / "more.py").write_text("", encoding="utf-8")
+    assert digest("kit_of_mine") != before
+
+
+@pytest.mark.parametrize(("old", "new"), [("part.py", "piece.py"), ("deep", "deeper")])
+def test_a_file_under_another_name_or_in_another_folder_is_another_package(old, new, folder):
+    before = digest("kit_of_mine")
+    (folder / "kit_of_mine" / old).rename(folder / "kit_of_mine" / new)
+    assert digest("kit_of_mine") != before
+
+
+def test_what_is_not_imported_is_not_seen(folder):
+    before = digest(str(folder / "mine.py"))
+    (folder / "stranger.py").write_text("Z = 4\n", encoding="utf-8")
+    assert digest(str(folder / "mine.py")) == before
+
+
+def test_nothing_is_imported_or_run(folder):
+    (folder / "mine.py").write_text("raise SystemExit('it ran')\n", encoding="utf-8")
+    assert len(digest(str(folder / "mine.py"))) == 64
+
+
+def test_a_text_that_is_no_python_has_a_hash_all_the_same(folder):
+    path = folder / "mine.py"
+    path.write_text("def (:\n", encoding="utf-8")
+    before = digest(str(path))
+    path.write_text("def ):\n", encoding="utf-8")
+    assert digest(str(path)) != before
+
+
+def test_packages_are_read_once_where_a_process_has_imported_them_and_files_always(folder):
+    package, file = digest("kit_of_mine", once=True), digest(str(folder / "mine.py"), once=True)
+    for name in ("kit_of_mine/part.py", "mine.py"):
+        with (folder / name).open("a", encoding="utf-8") as text:
+            text.write("# a change\n")
+    assert digest("kit_of_mine", once=True) == package
+    assert digest("kit_of_mine") != package
+    assert digest(str(folder / "mine.py"), once=True) != file
+    sources._first_part.cache_clear()
+
+
+def test_the_lab_itself_is_seen_and_what_is_installed_is_not():
+    assert sources._is_own("solutions")
+    assert sources._is_own("reference")
+    assert not sources._is_own("numpy")
+    assert not sources._is_own("json")
+    assert not sources._is_own("no_such_module_anywhere")
+
+
+def test_a_file_that_is_not_there_is_an_error_of_the_system(tmp_path):
+    with pytest.raises(FileNotFoundError):
+        digest(str(tmp_path / "none.py"))

@@ -1,0 +1,280 @@
+"""Clips: what a replay keeps of poses, and what it makes of broken ones."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from clips import BALL, EVIL, RATE, bouncing, chain, flying, three_engines, unpacked
+from numpy.testing import assert_allclose
+
+from reference.errors import InvalidInput, UnknownName
+from reference.scene.scenario import Box, HalfSpace, Sphere
+from reference.viewer.assembly import clip, mesh_clip
+from reference.viewer.camera import OBLIQUE, basis
+from reference.viewer.clip import DASHES, FINENESS, LOOKS, STEP, TURN, Clip, Run, Solid
+from reference.viewer.framing import framed
+from reference.viewer.packing import packed
+from reference.viewer.page import html
+from reference.viewer.poses import Poses
+from reference.viewer.shapes import Capsule, Convex, faces_of, vertices_of, written
+
+TETRAHEDRON = Convex(
+    ((0.3, 0.3, 0.3), (-0.3, -0.3, 0.3), (-0.3, 0.3, -0.3), (0.3, -0.3, -0.3)),
+    ((0, 1, 3), (0, 3, 2), (0, 2, 1), (1, 2, 3)),
+)
+
+
+def read(made: Clip) -> dict:
+    return json.loads(made.json())
+
+
+def replaced(poses: Poses, **changes: object) -> Poses:
+    names = ("title", "bodies", "times", "positions", "orientations", "recording")
+    return Poses(**{name: getattr(poses, name) for name in names} | changes)
+
+
+# What is kept
+
+
+def test_poses_come_back_within_half_a_step_of_rounding():
+    poses, found = bouncing(), read(three_engines())
+    (run, *_) = found["runs"]
+    positions = unpacked(run["positions"], run["count"], 3) * found["step"]
+    turns = unpacked(run["turns"], run["count"], 4) * found["turn"]
+    assert_allclose(positions, poses.positions[:, 0], atol=found["step"] / 2 * (1 + 1e-6), rtol=0)
+    assert_allclose(turns, poses.orientations[:, 0], atol=TURN / 2 * (1 + 1e-6), rtol=0)
+    assert found["step"] <= STEP
+
+
+def test_points_of_a_mesh_come_back_within_half_a_step_of_rounding():
+    made = chain()
+    found = read(made)
+    for run, kept in zip(found["runs"], made.runs, strict=True):
+        points = unpacked(run["points"], run["count"], 3 * run["mesh"]) * found["step"]
+        assert_allclose(points.reshape(-1, 4, 3), kept.points, atol=found["step"] / 2 * (1 + 1e-6), rtol=0)
+    assert found["springs"] == [[0, 1], [1, 2], [2, 3]]
+
+
+@pytest.mark.parametrize(
+    "values", [[0, 0, 0, 0], [5, 5, 5, 5, 5], [-1, 200, -40000, 3, 0, 0, 0, 0, 1], [2**29, -(2**29)], [7], [1, 2, 3, 4]]
+)
+def test_any_whole_numbers_can_be_packed(values):
+    table = np.array([values, values[::-1]], dtype=float).T
+    assert unpacked(packed(table, 1.0), len(values), 2).tolist() == table.tolist()
+
+
+def test_what_is_small_is_kept_more_finely():
+    small = mesh_clip("ant", [(0, 1)], {"it": np.array([[[0.0, 0.0, 0.0], [0.001, 0.0, 0.0]]])})
+    assert read(small)["step"] <= 1.001e-3 / FINENESS
+
+
+def test_what_flies_off_is_kept_at_the_far_end_and_does_not_make_all_else_small():
+    poses = bouncing("MuJoCo")
+    away = poses.positions.copy()
+    away[30:, 0, 0] = 1e300
+    made = clip(BALL, {"handwritten": bouncing(), "mujoco": replaced(poses, positions=away)})
+    assert np.max(made.high - made.low) < 2.5  # the ball's own way is 1.2 m
+    assert read(made)["runs"][1]["count"] == 61
+
+
+def test_the_same_poses_make_the_same_bytes():
+    assert three_engines().json() == three_engines().json()
+    assert html([three_engines()]) == html([three_engines()])
+
+
+def test_five_seconds_of_three_implementations_and_four_bodies_fit_the_budget():
+    rng, count = np.random.default_rng(1), 301
+    names = tuple(f"ball {i}" for i in range(4))
+    scenario, _ = flying(Sphere(0.1), (0.0, 0.0, 0.0))
+    body = scenario.bodies[1]
+    bodies = tuple(replace(body, name=name, position=(0.0, 0.0, 1.0 + i)) for i, name in enumerate(names))
+    scenario = replace(scenario, bodies=(scenario.bodies[0], *bodies))
+    times = np.arange(count) / RATE
+    runs = {}
+    for engine in ("handwritten", "pybullet", "mujoco"):
+        jitter = np.cumsum(rng.normal(0, 2e-3, (count, 4, 3)), axis=0)  # m: no engine's contacts are as restless
+        turns = np.array([1.0, 0.0, 0.0, 0.0]) + rng.normal(0, 0.01, (count, 4, 4))
+        turns /= np.linalg.norm(turns, axis=-1, keepdims=True)
+        runs[engine] = Poses(engine, names, times, jitter, turns)
+    assert len(html([clip(scenario, runs)]).encode()) < 110_000
+
+
+# Names are text of somebody else's
+
+
+def test_hostile_names_stay_text_in_the_json_of_a_page():
+    text = clip(replace(BALL, name=EVIL), {"handwritten": bouncing(EVIL)}).json()
+    assert not set("<>&\u2028\u2029") & set(text)
+    found = json.loads(text)
+    assert (found["title"], found["runs"][0]["title"]) == (EVIL, EVIL)
+
+
+def test_line_separators_that_old_scripts_trip_over_are_escaped():
+    assert "\u2028" not in mesh_clip("a\u2028b", [], {"it": np.zeros((1, 1, 3))}).json()
+
+
+# Broken runs
+
+
+def test_a_run_that_is_not_finite_any_more_ends_there():
+    poses = bouncing("PyBullet")
+    broken = poses.positions.copy()
+    broken[25:40] = np.nan
+    made = clip(BALL, {"handwritten": bouncing(), "pybullet": replaced(poses, positions=broken)})
+    assert [run.count for run in made.runs] == [61, 25]
+    assert "NaN" not in made.json()
+
+
+def test_a_turn_that_is_not_finite_ends_a_run_too():
+    poses = bouncing()
+    broken = poses.orientations.copy()
+    broken[10, 0, 2] = np.inf
+    assert clip(BALL, {"handwritten": replaced(poses, orientations=broken)}).runs[0].count == 10
+
+
+def test_runs_of_unequal_length_stand_in_one_clip_which_is_as_long_as_the_longest():
+    made = clip(BALL, {"handwritten": bouncing(count=20), "pybullet": bouncing("PyBullet", count=61)})
+    assert (made.count, [run["count"] for run in read(made)["runs"]]) == (61, [20, 61])
+
+
+@pytest.mark.parametrize("count", [0, 1, 2])
+def test_hardly_any_poses_make_a_clip_too(count):
+    whole = bouncing()
+    few = Poses("none", whole.bodies, whole.times[:count], whole.positions[:count], whole.orientations[:count])
+    for runs in ({"handwritten": few}, {"handwritten": few, "pybullet": whole}, {}):
+        made = clip(BALL, runs)
+        assert made.count == max([run.count for run in made.runs] + [1])
+        assert np.all(np.isfinite([*made.low, *made.high]))
+        assert html([made])
+
+
+def test_runs_that_are_sampled_differently_are_refused_with_their_rates():
+    poses = bouncing()
+    with pytest.raises(InvalidInput, match="samples a second here: handwritten 60, pybullet 120"):
+        clip(BALL, {"handwritten": poses, "pybullet": replaced(poses, times=poses.times / 2)})
+
+
+def test_a_body_that_the_scenario_has_not_is_refused_with_those_that_it_has():
+    with pytest.raises(UnknownName, match=r"unknown body 'bal'.*Choices: floor, ball"):
+        clip(BALL, {"handwritten": replaced(bouncing(), bodies=("bal",))})
+
+
+def test_springs_and_faces_that_join_nothing_are_refused():
+    with pytest.raises(InvalidInput, match=r"spring \(0, 4\) is none of the 2 points"):
+        mesh_clip("net", [(0, 4)], {"it": np.zeros((3, 2, 3))})
+    with pytest.raises(InvalidInput, match=r"have shape \(3, 2\); expected \(n, p, 3\)"):
+        mesh_clip("net", [], {"it": np.zeros((3, 2))})
+    with pytest.raises(InvalidInput, match=r"face \(0, 1, 9\) is none of 4 vertices"):
+        Convex(TETRAHEDRON.vertices, ((0, 1, 9),))
+
+
+# How runs are told apart
+
+
+def test_an_engine_has_the_same_line_in_every_replay_and_no_two_share_one():
+    alone = clip(BALL, {"mujoco": bouncing("MuJoCo"), "mine.py": bouncing("mine")})
+    assert alone.runs[0].look == LOOKS["mujoco"] == three_engines().runs[2].look
+    many = clip(BALL, {name: bouncing(name) for name in ("theory", "pybullet", "pybullet stock", "mujoco", "mine.py")})
+    looks = [run.look for run in many.runs]
+    assert looks[0] == 0
+    assert len(set(looks)) == len(looks)
+    assert len(set(DASHES)) == len(DASHES)
+
+
+def test_every_run_has_a_letter_of_its_own():
+    names = {"a": "PyBullet", "b": "PyBullet, stock", "c": "* odd", "d": "…", "e": "pymunk"}
+    tags = clip(BALL, {name: bouncing(title) for name, title in names.items()}).tags()
+    assert tags == ["P", "P2", "O", "?", "P3"]
+
+
+def test_a_run_can_wait_to_be_switched_on():
+    made = clip(BALL, {"handwritten": bouncing(), "stock": bouncing("stock")}, hidden={"stock"})
+    assert [run["shown"] for run in read(made)["runs"]] == [True, False]
+
+
+def test_the_body_that_is_marked_is_the_one_that_differs_most():
+    assert read(chain())["runs"][1]["marked"] == 3  # the free end, 5 % further out
+    points = chain().runs[0].points
+    other = points.copy()
+    other[:, 2] += 0.1
+    assert read(mesh_clip("", [], {"it": points, "other": other}))["runs"][1]["marked"] == 2
+
+
+# The view
+
+
+def test_a_motion_in_a_plane_is_seen_from_its_side():
+    assert three_engines().view == (-90.0, 0.0)
+    assert chain().view == (-90.0, 0.0)
+
+
+def test_a_motion_along_a_slanting_line_is_seen_from_its_side_with_the_vertical_upright():
+    scenario, poses = flying(Sphere(0.1), (0.0, 0.0, 0.0))
+    azimuth, pitch = clip(scenario, {"it": poses}).view
+    right, up, towards = basis((azimuth, pitch))
+    assert_allclose(abs(right @ [1, 1, 0]), np.sqrt(2), atol=1e-4)
+    assert_allclose(up, [0, 0, 1], atol=1e-12)
+    assert abs(towards @ [1, 1, 0]) < 1e-3
+
+
+@pytest.mark.parametrize(("turn", "flat"), [((2.0, -2.0, 0.0), True), ((0.0, 0.0, 2.0), False), ((2.0, 0, 0), False)])
+def test_a_body_that_turns_out_of_the_plane_is_seen_obliquely(turn, flat):
+    scenario, poses = flying(Box((0.1, 0.2, 0.3)), turn)
+    assert (clip(scenario, {"it": poses}).view != OBLIQUE) is flat
+
+
+def test_a_motion_on_a_table_without_a_table_is_seen_from_above():
+    times = np.arange(31) / RATE
+    points = np.stack([np.cos(times), np.sin(times), 0 * times], axis=-1)[:, None]
+    assert mesh_clip("round", [], {"it": points}).view == (-90.0, 90.0)
+
+
+def test_the_bounds_hold_all_that_the_first_run_shows():
+    scenario, poses = flying(Box((0.1, 0.2, 0.3)), (0.0, 0.0, 2.0))
+    made = clip(scenario, {"it": poses})
+    corners, _ = vertices_of(Box((0.1, 0.2, 0.3)))
+    far = float(np.linalg.norm(corners[0, :2]))
+    assert_allclose(made.high[2], 1.3, atol=1e-9)
+    assert_allclose(made.low[2], 0.0, atol=0.4)  # the floor, as far as it is near
+    assert made.low[0] == pytest.approx(-0.1, abs=0.15)
+    assert made.high[0] <= 0.5 + far
+
+
+# Shapes
+
+
+@pytest.mark.parametrize("shape", [Box((0.1, 0.2, 0.3)), TETRAHEDRON])
+def test_faces_are_flat_and_look_outwards(shape):
+    points, _ = vertices_of(shape)
+    for face in faces_of(shape):
+        corners = points[list(face)]
+        normal = np.cross(corners[1] - corners[0], corners[2] - corners[1])
+        assert_allclose((corners - corners[0]) @ normal, 0.0, atol=1e-12)
+        assert np.all((points - corners[0]) @ normal <= 1e-12)
+
+
+def test_every_shape_is_written_in_the_script_s_words():
+    assert written(Sphere(0.5)) == {"sphere": 0.5}
+    assert written(Capsule(0.1, 0.4)) == {"capsule": [0.1, 0.4]}
+    assert written(HalfSpace()) == {"plane": [0.0, 0.0, 1.0]}
+    assert set(written(TETRAHEDRON)) == set(written(Box((1.0, 1.0, 1.0)))) == {"points", "faces"}
+
+
+def test_a_clip_of_any_shapes_can_be_made_without_a_scenario():
+    poses = np.zeros((5, 2, 7))
+    poses[..., 3] = 1
+    poses[:, 1, 0] = np.arange(5)
+    solids = (Solid("it", TETRAHEDRON), Solid("pill", Capsule(0.1, 0.2)), Solid("wall", Box((0.1, 1, 1)), (6.0, 0, 0)))
+    made = framed(Clip("odd", 60, solids, (Run("theory", 0, ("it", "pill"), poses, np.zeros((5, 0, 3))),)))
+    assert made.high[0] == pytest.approx(6.1, abs=1.0)
+    assert [solid["name"] for solid in read(made)["solids"]] == ["it", "pill", "wall"]
+
+
+def test_a_short_run_is_offered_in_slow_motion_and_says_how_slow():
+    poses = bouncing()
+    fast = clip(BALL, {"it": replaced(poses, times=poses.times / 20)})
+    assert [label for _, label in read(three_engines())["speeds"]] == ["×¼", "×½", "×1", "×2"]
+    assert [label for _, label in read(fast)["speeds"]] == ["×1/80", "×1/40", "×1/20", "×1/10"]
