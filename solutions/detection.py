@@ -287,6 +287,8 @@ def missing_probability(
 ) -> Array:
     """Share of the balls that a test at each step misses: temporal aliasing (slide 9).
 
+    Every phase of the tests is equally likely.
+
     Parameters
     ----------
     speed : (...), v, along the normal of the wall, m/s
@@ -307,7 +309,7 @@ def missing_probability(
     Notes
     -----
     A ball overlaps the wall while its centre travels a distance of w + 2r, and it moves
-    v Δt between two tests. If every phase of the tests is equally likely, a test falls
+    v Δt between two tests. As every phase of the tests is equally likely, a test falls
     within the overlap with the probability (w + 2r)/(v Δt), and certainly where this
     ratio exceeds
     1. The share that is missed is
@@ -339,6 +341,8 @@ def substeps_needed(
     Returns
     -------
     (...), at least 1
+        Each substep is shorter than w + 2r; a test at the end of a substep of exactly
+        this length might find a mere touch.
 
     Raises
     ------

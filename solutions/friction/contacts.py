@@ -24,6 +24,8 @@ def contact_jacobian(
 ) -> Array:
     """Rows that turn the velocities of the bodies into u·d at each contact.
 
+    Here u is the velocity of A's point of contact minus that of B's.
+
     Parameters
     ----------
     body_a, body_b : (m,), numbers of the bodies from 0, −1 for the immovable ground
@@ -113,7 +115,9 @@ def resting_problem(
     Returns
     -------
     matrix : (..., m, m), A, 1/kg
+        The accelerations along the normals that unit contact forces give.
     offset : (..., m), b, m/s²
+        The accelerations along the normals that all other forces give.
 
     Notes
     -----

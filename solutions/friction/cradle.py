@@ -22,7 +22,8 @@ def propagate_impacts(
 ) -> Array:
     """Velocities of a row of touching balls after impacts of two balls at a time.
 
-    The impacts continue until no two balls approach.
+    The pairs are resolved one after another from the left, and again from the left,
+    until no two balls approach.
 
     Parameters
     ----------
@@ -44,9 +45,8 @@ def propagate_impacts(
 
     Notes
     -----
-    The function resolves pair after pair from the left, and then again. Five equal
-    elastic balls of which the first moves at speed 1 end with (0, 0, 0, 0, 1). This is
-    what a cradle does whose balls barely touch.
+    Five equal elastic balls of which the first moves at speed 1 end with (0, 0, 0, 0,
+    1). This is what a cradle does whose balls barely touch.
     """
     v, share, e = _row(velocity, mass, restitution)
     v = v.copy()
@@ -68,6 +68,8 @@ def simultaneous_impacts(
 ) -> Array:
     """Velocities of a row of touching balls after one impact of all pairs at once.
 
+    Newton's rule of restitution holds for every pair of neighbours together.
+
     Parameters
     ----------
     velocity : (..., n), to the right, m/s
@@ -86,8 +88,8 @@ def simultaneous_impacts(
 
     Notes
     -----
-    Newton's rule holds for every contact together. With the velocity u at which a pair
-    parts, positive when it moves apart, and the impulse j of the pair:
+    With the velocity u at which a pair parts, positive when it moves apart, and the
+    impulse j of the pair, Newton's rule is
 
         u⁺ ≥ −e min(u, 0),    j ≥ 0,    and one of them with equality
 

@@ -68,6 +68,9 @@ def friction_impulse(
 ) -> Array:
     """Impulse on body A at a contact with friction; −J acts on body B.
 
+    Along the normal the points rebound by Newton's rule. The contact grips if friction
+    can stop the slip; otherwise it slips.
+
     Parameters
     ----------
     velocity : (..., 3), u = ṗ_A − ṗ_B, of the two points before the impact, m/s

@@ -62,6 +62,8 @@ def relative_velocity(
 ) -> Array:
     """Velocity of A's point of contact as seen from B's (slide 15).
 
+    The velocity of B's point is subtracted from that of A's point.
+
     Parameters
     ----------
     point_velocity_a, point_velocity_b : (..., 3), ṗ_A and ṗ_B, m/s
@@ -163,6 +165,8 @@ def classify_contact(
     Returns
     -------
     (...), COLLIDING −1, RESTING 0 or SEPARATING 1
+        Colliding where u_n < −threshold, resting where |u_n| ≤ threshold, and
+        separating where u_n > threshold.
 
     Raises
     ------
@@ -172,10 +176,6 @@ def classify_contact(
 
     Notes
     -----
-        u_n < −threshold      colliding
-        |u_n| ≤ threshold     resting
-        u_n > threshold       separating
-
     The slide tests V_rel > threshold for colliding, then V_rel < −threshold for
     resting. Its first test takes n from A to B. In its second test `<` should be `>`:
     as printed, it calls bodies that move away resting, and bodies that rest moving

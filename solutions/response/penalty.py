@@ -24,8 +24,7 @@ def penalty_force(
 ) -> Array:
     """Force of a contact made of a spring and a dashpot side by side (slide 8).
 
-    The spring has the rest length zero. The force acts along the normal, and there is
-    none where the body does not touch the plane.
+    The spring has the rest length zero, and the force acts along the normal.
 
     Parameters
     ----------
@@ -40,6 +39,8 @@ def penalty_force(
     Returns
     -------
     (..., 3), N
+        0 where s ≥ 0. Never towards the plane, unless the contact is adhesive: a
+        damping force that exceeds that of the spring then pulls.
 
     Raises
     ------
@@ -115,6 +116,7 @@ def penalty_contact_time(
     Returns
     -------
     (...), s
+        Until the force is zero, or with adhesion until the body is back at the surface.
         Infinity with adhesion and ζ ≥ 1, where the body creeps out for ever.
 
     Raises

@@ -195,8 +195,8 @@ def bounce_along_normal(
     Each round goes to the next impact and turns the arrival speed w into e w, until the
     step has no further impact. A body that comes to rest within the step makes
     infinitely many impacts (Zeno's paradox), and no number of rounds would reach their
-    end. Where `time_until_rest` says that this end lies within the step, the body is
-    put on the plane, at rest, without a round.
+    end. Where `time_until_rest` says that this end lies within the step, the function
+    puts the body on the plane, at rest, without a round.
     """
     state = finite("separation", separation), finite("normal_velocity", normal_velocity)
     a, e = finite("normal_acceleration", normal_acceleration), in_unit_interval("restitution", restitution)
