@@ -12,14 +12,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array, Mask
 from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import HalfSpace
 from reference.scene.trajectory import Trajectory
-
-Array = NDArray[np.float64]
 
 FLIGHT_TOLERANCE = 0.1
 """How far, as a share of gravity, the acceleration between two samples may differ from gravity for these to count as
@@ -216,7 +214,7 @@ def _into_body(orientation: Array, vector: Array) -> Array:
     return geometry.rotate(geometry.opposite(orientation), vector)
 
 
-def _last(trajectory: Trajectory, window: float) -> NDArray[np.bool_]:
+def _last(trajectory: Trajectory, window: float) -> Mask:
     return np.asarray(trajectory.times >= trajectory.times[-1] - window * (1 + 1e-9))
 
 

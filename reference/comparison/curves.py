@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from reference.scene.trajectory import Array, Trajectory
+from reference.arrays import Array
+from reference.scene.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from reference.catalogue.family import Family
@@ -80,6 +80,6 @@ def pack(series: Series) -> bytes:
 
 def unpack(packed: bytes) -> Series:
     """The curve in some bytes, as it was but for the eighth digit."""
-    found: NDArray[np.float64] = np.frombuffer(packed, dtype="<f4").astype(np.float64).reshape(2, -1)
+    found: Array = np.frombuffer(packed, dtype="<f4").astype(np.float64).reshape(2, -1)
     times, values = np.round(found[0], 6), found[1]
     return Series(tuple(times.tolist()), tuple(float(f"{value:.7g}") for value in values))

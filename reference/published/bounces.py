@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array, Mask
 from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 from reference.published.in_engines import bouncing
-
-Array = NDArray[np.float64]
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -54,10 +52,10 @@ def _flight(
     return places, speeds - pull * dt / 2
 
 
-def _touches(case: Published, code: Implementation, places: Array, slop: float = 0.0) -> NDArray[np.bool_]:
+def _touches(case: Published, code: Implementation, places: Array, slop: float = 0.0) -> Mask:
     """Whether a ball reaches the floor, for positions of its centre."""
     gaps = code.function("signed_distance")(places, UP, -case.value("radius"))
-    found: NDArray[np.bool_] = code.function("side_of_plane")(gaps, slop) <= 0
+    found: Mask = code.function("side_of_plane")(gaps, slop) <= 0
     return found
 
 

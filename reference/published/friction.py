@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 from reference.published.in_engines import rolling, striking
 from reference.published.rigid_law import against_rigid_law
-
-Array = NDArray[np.float64]
 
 X, Y, UP = np.eye(3)
 STILL = np.zeros(3)

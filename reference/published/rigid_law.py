@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array, Mask
 from reference.published import Answer, Answers, Published
-
-Array = NDArray[np.float64]
 
 YIELDS = (
     "a real contact yields sideways and swings back, which no rigid impulse does: where the sphere grips, it is off by"
@@ -32,14 +30,14 @@ def against_rigid_law(
     return answers
 
 
-def rigid_law(case: Published) -> dict[str, tuple[Array, NDArray[np.bool_]]]:
+def rigid_law(case: Published) -> dict[str, tuple[Array, Mask]]:
     """What a rigid sphere does at the measured angles of P11, and at which of them it grips, by figure."""
     kept, _, grips = rigid_sphere(case, np.array(case.values("angle")))
     _, spin, turns = rigid_sphere(case, np.array(case.values("angle_of_spin")))
     return {"tangent_restitution": (kept, grips), "spin": (spin, turns)}
 
 
-def rigid_sphere(case: Published, angle: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+def rigid_sphere(case: Published, angle: Array) -> tuple[Array, Array, Mask]:
     """Share of the tangential speed that is left, spin, rad/s, and whether it grips, at angles from the normal, °."""
     radius, speed, e, mu = case.values("radius", "speed", "restitution", "friction")
     turned = np.radians(angle)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 from reference.published.in_engines import plate, sliding
@@ -41,12 +41,12 @@ def box_under_balls(case: Published, code: Implementation) -> Answers:
     )
 
 
-def _push(case: Published) -> NDArray[np.float64]:
+def _push(case: Published) -> Array:
     angle = math.radians(case.value("push_angle"))
     return case.value("push") * (math.cos(angle) * X + math.sin(angle) * Y)
 
 
-def _contacts(case: Published, code: Implementation, masses: NDArray[np.float64]) -> tuple[object, object]:
+def _contacts(case: Published, code: Implementation, masses: Array) -> tuple[object, object]:
     """The plate on the ground, each ball on the plate, which is pushed and loaded evenly: it is kept from turning."""
     bodies, radius = len(masses), case.value("ball_radius")
     below = np.array([-1] + (bodies - 1) * [0])
@@ -59,7 +59,7 @@ def _contacts(case: Published, code: Implementation, masses: NDArray[np.float64]
     return np.stack(rows, axis=1), weights
 
 
-def _square_cone(case: Published, code: Implementation, push: NDArray[np.float64], mass: float) -> float:
+def _square_cone(case: Published, code: Implementation, push: Array, mass: float) -> float:
     """Mean of the squared errors of both speeds, before each step, if friction is clamped to a square along x and y."""
     press = code.function("normal_force")(-mass * case.value("gravity") * UP, UP)
     friction = code.function("clamp_to_square")(-push, case.value("ground_friction") * press, X, Y)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.published import Answers, Published, said
 from reference.published.in_engines import springs
@@ -24,7 +24,7 @@ def spring_and_dashpot(case: Published, code: Implementation) -> Answers:
     return said(position=tuple(found[:, 0].tolist()), velocity=tuple(found[1:, 1].tolist()))
 
 
-def granular(case: Published, code: Implementation, adhesive: bool) -> NDArray[np.float64]:
+def granular(case: Published, code: Implementation, adhesive: bool) -> Array:
     """Position and velocity at each of the published steps; adhesive: the dashpot may pull."""
     stiffness, dt, gravity = case.values("stiffness", "timestep", "gravity")
     radius = case.value("diameter") / 2
@@ -59,8 +59,8 @@ def undamped_spring(case: Published, code: Implementation) -> Answers:
     mass, stiffness, contact, gravity = case.values("mass", "stiffness", "contact", "gravity")
     penalty, verlet = code.function("penalty_force"), code.function("velocity_verlet")
 
-    def acceleration(position: NDArray[np.float64], velocity: NDArray[np.float64]) -> NDArray[np.float64]:
-        force: NDArray[np.float64] = penalty(position[2] - contact, velocity[2], UP, stiffness)
+    def acceleration(position: Array, velocity: Array) -> Array:
+        force: Array = penalty(position[2] - contact, velocity[2], UP, stiffness)
         return force / mass - gravity * UP
 
     dt, position, velocity, lowest, fastest = 2e-4, case.value("height") * UP, 0 * UP, math.inf, 0.0

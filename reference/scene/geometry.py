@@ -5,12 +5,10 @@ from __future__ import annotations
 import itertools
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.errors import InvalidInput
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Shape, Sphere
-
-Array = NDArray[np.float64]
 
 
 def rotate(orientation: Array, vector: Array) -> Array:

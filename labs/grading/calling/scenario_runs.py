@@ -17,9 +17,9 @@ import pytest
 from labs import answers
 from labs.grading.calling.calls import Call
 from reference import lecture
-from reference.catalogue import scenarios
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
+from reference.catalogue.scenarios import find
 from reference.comparison.compare import Row, Verdict, compare_case
 from reference.comparison.results import Job
 from reference.engines import engine_names, load_engine
@@ -98,7 +98,7 @@ def compared_with_theory(
 
     It says what came, what theory says and what the engines gave, as recorded.
     """
-    found = scenarios.family(family)
+    found, _ = find(family)
     for name in cases:
         case = found.case(name)
         for row in _rows(code, found, replace(case, scenarios=case.scenarios[:1])):

@@ -13,12 +13,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from reference import lecture
+from reference.arrays import Array
 from reference.errors import InvalidInput
 
-Array = NDArray[np.float64]
 FOLDER = Path(__file__).resolve().parents[3] / "tests" / "autograder" / "misconceptions"
 
 

@@ -18,9 +18,10 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 import pytest
 
-from labs.grading.diagnosis.marks import Answer, Array, Right, mark, outputs
+from labs.grading.diagnosis.marks import Answer, Right, mark, outputs
 from labs.grading.diagnosis.probes.making import usual
 from labs.grading.diagnosis.words import called, compared, no_answer, shown
+from reference.arrays import Array
 from reference.errors import UnknownName
 
 Test = TypeVar("Test", bound=Callable[..., None])

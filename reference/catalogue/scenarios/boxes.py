@@ -8,15 +8,16 @@ from itertools import pairwise
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure, turning
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
-from reference.catalogue.scenarios.response import REBOUND, dropped
+from reference.catalogue.scenarios.response import FLOOR, REBOUND, dropped
 from reference.engines.base import EXACT, Method
 from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 HALF = 0.1
 """Half the edge of a cube, m."""
@@ -52,7 +53,7 @@ def _upright(case: Case, settings: Settings, method: Method) -> Expectation:
 def _falling_cube(name: str, restitution: float, drop_height: float, duration: float) -> Scenario:
     cube = Body("cube", CUBE, 1.0, (0.0, 0.0, HALF + drop_height))
     pair = Pair("cube", "floor", restitution, FRICTION)
-    return Scenario(name, (Body("floor", HalfSpace()), cube), (pair,), duration)
+    return Scenario(name, (FLOOR, cube), (pair,), duration)
 
 
 def _lean(trajectory: Trajectory) -> float:
@@ -107,7 +108,7 @@ def _on_edge(degrees: float) -> Case:
     cube = Body("cube", CUBE, 1.0, (0.0, 0.0, lowest + EDGE_GAP), orientation)
     pair = Pair("cube", "floor", kinetic_friction=FRICTION)
     name = f"tilt={degrees:g}°"
-    scenario = Scenario(f"box-on-edge/{name}", (Body("floor", HalfSpace()), cube), (pair,), 3.0)
+    scenario = Scenario(f"box-on-edge/{name}", (FLOOR, cube), (pair,), 3.0)
     return Case(name, (scenario,), {"tilt": tilt})
 
 
@@ -286,7 +287,7 @@ def _stack(count: int) -> Case:
     names = ["floor", *(cube.name for cube in cubes)]
     pairs = tuple(Pair(upper, lower, kinetic_friction=FRICTION) for lower, upper in pairwise(names))
     name = f"boxes={count}"
-    scenario = Scenario(f"stack/{name}", (Body("floor", HalfSpace()), *cubes), pairs, STANDING)
+    scenario = Scenario(f"stack/{name}", (FLOOR, *cubes), pairs, STANDING)
     return Case(name, (scenario,), {"count": float(count)})
 
 

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
@@ -16,7 +17,7 @@ from reference.engines.base import EXACT, Method
 from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 HALF_EXTENTS = (0.2, 0.2, 0.02)
 """A slab, not a cube: friction acts below the centre of mass, and a tall box would tip or hop."""

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
@@ -14,7 +15,7 @@ from reference.engines.base import COMPLIANT, EXACT, INTERPOLATED, Method
 from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RADIUS = 0.1
 """Radius of the ball, m."""
@@ -29,6 +30,7 @@ SPREAD = 0.1
 WINDOW = 5.0
 """How long a ball at rest is watched, s."""
 MILLIMETRE = 1e-3
+FLOOR = Body("floor", HalfSpace())
 Falling = Callable[[str, float, float, float], Scenario]
 """Name, restitution, drop height in m, duration in s → the scenario of one drop."""
 
@@ -38,8 +40,7 @@ def falling_ball(
 ) -> Scenario:
     """A ball let go above the floor; drop_height is the gap, m."""
     ball = Body("ball", Sphere(radius), mass, position=(0.0, 0.0, radius + drop_height))
-    floor = Body("floor", HalfSpace())
-    return Scenario(name, (floor, ball), (Pair("ball", "floor", restitution=restitution),), duration)
+    return Scenario(name, (FLOOR, ball), (Pair("ball", "floor", restitution=restitution),), duration)
 
 
 def falling_body(scenario: Scenario) -> Body:

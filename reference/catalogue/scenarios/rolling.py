@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import turning
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
@@ -15,7 +16,7 @@ from reference.catalogue.grid import TENTHS, Grid, Parameter
 from reference.engines.base import EXACT, Method
 from reference.scene.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RADIUS = 0.1
 """Radius of the ball, m."""

@@ -12,13 +12,13 @@ import math
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure
 from reference.engines.base import Engine
 from reference.published import Answer, Answers, Published
 from reference.published.in_engines.scenes import ball_over_floor, gravity_of
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array
 
 LEAST_IMPEDANCE = 1e-4
 ABOVE = 1e-3

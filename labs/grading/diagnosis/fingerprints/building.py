@@ -17,8 +17,9 @@ import numpy as np
 from labs.grading.diagnosis.bank import Misconception, read_bank
 from labs.grading.diagnosis.fingerprints.inheriting import inherited
 from labs.grading.diagnosis.fingerprints.reading import BETWEEN, FOLDER, SCHEMA, VERSION, known, read
-from labs.grading.diagnosis.marks import Array, Mark, Right, ask, mark, outputs
+from labs.grading.diagnosis.marks import Mark, Right, ask, mark, outputs
 from labs.grading.diagnosis.probes import Probe, probed, probes
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput
 
