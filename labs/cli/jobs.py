@@ -20,8 +20,8 @@ from reference.comparison.compare import Verdict, failures
 from reference.comparison.results import Job, JobResult
 from reference.engines import engine_names
 from reference.errors import InvalidInput
-from reference.published import published_cases
 from reference.published.results import PublishedResult
+from reference.published.theirs import published_cases
 from reference.running.cache import Cache
 from reference.running.jobs import TIME_LIMIT, J, R, Work, recall, run_all
 from reference.running.snapping import snapped
