@@ -16,8 +16,8 @@ from labs.desk.student_code import with_hand
 from reference import checks
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue, find
-from reference.comparison.compare import Verdict, failures
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Verdict, failures
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.published.results import PublishedResult

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from reference.catalogue.family import Expectation
-from reference.comparison.compare import NOTHING_FINITE, Verdict, judge, verdict_of
+from reference.comparison.verdicts import NOTHING_FINITE, Verdict, judge, verdict_of
 from reference.engines.base import Engine
 from reference.errors import CannotExpress, CollisionsError, NeedsFunction, RunFailed, as_failed_run
 from reference.published.answers import Answer, Answers

@@ -14,7 +14,7 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
 from reference.published.answers import Answer

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.published.answers import Answer
 
 

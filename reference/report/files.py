@@ -22,8 +22,8 @@ from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import load_engine
 from reference.errors import InvalidInput
 from reference.published.results import PublishedResult, PublishedRow

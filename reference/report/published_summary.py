@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from reference.comparison.compare import Verdict, why
+from reference.comparison.verdicts import Verdict, why
 from reference.engines import engine_names, load_engine
 from reference.published.case import Kind, Published
 from reference.published.judging import passes

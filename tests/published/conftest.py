@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.published.case import Figure
 from reference.published.judging import compare_published

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.published.rigid_law import rigid_law, rigid_sphere
 from reference.published.theirs import published
 from solutions.friction import sphere_grips, sphere_impact

@@ -11,7 +11,7 @@ import pytest
 
 from reference import truth
 from reference.catalogue import measure
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
 from reference.published.case import Published

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from reference.comparison.compare import NOTHING_FINITE, Verdict
+from reference.comparison.verdicts import NOTHING_FINITE, Verdict
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import EngineNotInstalled, NeedsFunction

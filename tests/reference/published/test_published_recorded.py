@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import pytest
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.errors import EngineNotInstalled, InvalidInput, UnknownName
 from reference.published import recorded
 from reference.published.jobs import PUBLISHED, plan, run_job

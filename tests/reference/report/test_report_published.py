@@ -11,7 +11,7 @@ from html.parser import HTMLParser
 import pytest
 from rich.console import Console
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.errors import InvalidInput
 from reference.published.jobs import run_job
 from reference.published.results import PublishedJob
