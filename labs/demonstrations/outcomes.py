@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from labs.demonstrations.questions import Demonstration
-from reference.comparison.compare import Row
 from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Row
 from reference.report import numbers
 from reference.report.summary import Line, Section, error_of, sections
 from reference.report.terminal import Points

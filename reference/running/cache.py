@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 import platformdirs
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import CollisionsError

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Protocol, Self
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 
 
 class Job(Protocol):

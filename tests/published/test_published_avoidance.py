@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from reference.published import published
+from reference.published.theirs import published
 
 
 @pytest.mark.statement(1, oracle="RVO2, and navground which runs it")

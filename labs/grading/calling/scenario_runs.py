@@ -20,8 +20,9 @@ from reference import lecture
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import find
-from reference.comparison.compare import Row, Verdict, compare_case
+from reference.comparison.compare import compare_case
 from reference.comparison.results import Job
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, NeedsFunction, RunFailed

@@ -80,9 +80,7 @@ class _Pairs(ABC):
             if not struck.any():
                 return
             self.respond(struck, time + self.dt - remaining)
-        raise RunFailed(
-            f"{_MOST_IMPACTS} impacts within one step of {self.dt:g} s: the response does not part the two"
-        )
+        raise RunFailed(f"{_MOST_IMPACTS} impacts within one step of {self.dt:g} s: the response does not part the two")
 
     def respond_then_step(self, time: float) -> None:
         """Resolve the impact of every pair that overlaps and approaches, then take a step of semi-implicit Euler."""

@@ -19,9 +19,9 @@ from labs.cli import jobs, show
 from labs.demonstrations.outcomes import Seen, filled
 from labs.demonstrations.questions import DEMONSTRATIONS, Demonstration, find
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.curves import Series
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.base import EXACT
 from reference.recording import reading

@@ -1,4 +1,4 @@
-"""One number asked of an engine again and again, each time with other settings."""
+"""The error of one quantity in one engine for any settings; each settings are run once, and the errors remembered."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from reference.scene.trajectory import Trajectory
 
 @dataclass(frozen=True)
 class Question:
-    """What a family studies, in one engine. It is run once with each settings, and the answer is remembered.
+    """The quantity that a family studies, in one engine. It is run once with each settings, and the errors are kept.
 
     every_step: as in `Convergence`.
     """
@@ -29,7 +29,7 @@ class Question:
     case: Case
     quantity: Quantity
     every_step: bool
-    _answers: dict[Settings, Array | None] = field(default_factory=dict, repr=False, compare=False)
+    _kept: dict[Settings, Array | None] = field(default_factory=dict, repr=False, compare=False)
 
     @classmethod
     def of(cls, family: Family, engine: Engine) -> Question:
@@ -46,27 +46,27 @@ class Question:
         return self._finite(settings, lambda errors: np.sqrt(np.mean(errors**2)))
 
     def remember(self, settings: Settings, trajectories: Sequence[Trajectory]) -> None:
-        """Take the answer from trajectories of the case that somebody has run with these settings already."""
+        """Take the errors from trajectories of the case that have been run with these settings already."""
         if trajectories and settings == self._sampled(settings):
-            self._answers[settings] = self._measured(trajectories)
+            self._kept[settings] = self._measured(trajectories)
 
     def _finite(self, settings: Settings, summary: Callable[[Array], Any]) -> float | None:
         errors = self._errors(self._sampled(settings))
         if errors is None:
             return None
-        with np.errstate(over="ignore", invalid="ignore"):  # of numbers whose squares are none
+        with np.errstate(over="ignore", invalid="ignore"):  # numbers whose squares are too large
             error = float(summary(errors))
         return error if math.isfinite(error) else None
 
     def _errors(self, settings: Settings) -> Array | None:
-        if settings not in self._answers:
+        if settings not in self._kept:
             try:
                 with as_failed_run():
                     trajectories = self.engine.run_many(self.case.scenarios, settings)
             except CollisionsError:
                 trajectories = []
-            self._answers[settings] = self._measured(trajectories) if trajectories else None
-        return self._answers[settings]
+            self._kept[settings] = self._measured(trajectories) if trajectories else None
+        return self._kept[settings]
 
     def _measured(self, trajectories: Sequence[Trajectory]) -> Array | None:
         try:

@@ -1,23 +1,8 @@
-"""Signs that decide what is inside, by others."""
+"""Published cases of signs that decide what lies inside."""
 
 from __future__ import annotations
 
-import numpy as np
-
-from reference.engines.implementation import Implementation
-from reference.published import Answers, Published, said
-
-
-def neighbouring_points(case: Published, code: Implementation) -> Answers:
-    """P24: how often the plain test in doubles, which is on trial, and the exact sign differ."""
-    i, j = np.meshgrid(*2 * [np.arange(int(case.value("count")))], indexing="ij")
-    p = np.array(case.values("first")) + np.stack([i, j], axis=-1) * case.value("unit")
-    q, r = np.array(case.values("q")), np.array(case.values("r"))
-    u, v = q - p, r - p
-    plain = np.sign(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
-    exact = code.function("orient2d")(p, q, r)
-    return said(points=float(plain.size), wrong_signs=float(np.sum(plain != exact)))
-
+from reference.published.case import Published
 
 CASES = (
     Published(
@@ -34,7 +19,5 @@ CASES = (
         note="The points are p = first + (i, j) unit, neighbouring doubles, and the plain test is the sign of "
         "(q - p)×(r - p) in doubles. In exact arithmetic it is the sign of j - i. Written with q or r in place of p as "
         "the corner that is subtracted, the same test has another count of wrong signs.",
-        by_hand=neighbouring_points,
-        why_not={"engines": "no engine says on which side of a line a point lies"},
     ),
 )

@@ -1,7 +1,8 @@
-"""Where a difference from theory comes from: one setting is moved at a time, and the error measured again.
+"""Where a difference from theory comes from: one setting is moved at a time, and the error is measured again.
 
-The error of the stock settings is what the defaults cost plus the error of the tuned ones. That in turn is split into
-what goes away with the timestep, with a stiffer or firmer contact, with more work of the solver, and what remains.
+The error of the stock settings is the error of the tuned ones plus what the defaults cost. The tuned error is split
+into the shares that vanish with a shorter timestep, with a stiffer or firmer contact and with more work of the solver,
+and a remainder.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from reference.comparison.question import Question
+from reference.comparison.errors_by_settings import Question
 from reference.engines.base import Engine
 from reference.engines.profiles import STOCK, TUNED
 from reference.errors import InvalidInput, RunFailed
@@ -30,9 +31,9 @@ DISCRETISATION, CONTACT_MODEL, SOLVER, DEFAULTS, REMAINDER = (
 class Share:
     """What one move did to the mean error of a quantity, in its unit.
 
-    kind: the share. moved: the setting, from what to what. before, after: the errors. size: how much of the error
-    before is due to it, None where the run before had no number. Halving the timestep takes away half of an error of
-    first order, so that twice the change is due to it.
+    kind: the cause that the move shows, one of the five above. moved: the setting, with its values before and after.
+    before, after: the errors. size: how much of the error before is due to the cause, None where the run before had no
+    number. Halving the timestep takes away half of an error of first order, so that twice the change is due to it.
     """
 
     kind: str
@@ -52,22 +53,23 @@ class Split:
 
 
 def split(asked: Question, order: float | None = None) -> Split | None:
-    """Split the error of what is asked; None where nothing can be run.
+    """Split the error of the studied quantity; None where the tuned run gives no number.
 
-    order: the measured order of convergence. It counts where it is clearly 2; all else is taken for first order.
+    order: the measured order of convergence. The timestep's share is worked out for second order where it is clearly 2,
+    and for first order otherwise.
     """
     engine, scenario = asked.engine, asked.case.scenarios[0]
     tuned = engine.settings(scenario, TUNED)
     error = asked.mean_error(tuned)
     if error is None:
         return None
-    halving = 2 if order is not None and abs(order - 2) < ORDER_TOLERANCE else 1
+    power = 2 if order is not None and abs(order - 2) < ORDER_TOLERANCE else 1
     shares = _from_stock(asked, tuned)
     for move in (Move(DISCRETISATION, "timestep", tuned.timestep / 2), *engine.moves(scenario, tuned)):
         after = asked.mean_error(_moved(engine, tuned, move))
         if after is not None:
-            # An error of order p keeps 2⁻ᵖ of itself with half the timestep.
-            weight = 1 / (1 - 0.5**halving) if move.kind == DISCRETISATION else 1.0
+            # With half the timestep, 2⁻ᵖ of an error of order p is left.
+            weight = 1 / (1 - 0.5**power) if move.kind == DISCRETISATION else 1.0
             before = tuned.timestep if move.option == "timestep" else tuned[move.option]
             shares.append(
                 Share(move.kind, _words(move.option, before, move.value), error, after, weight * (error - after))
@@ -87,7 +89,7 @@ def _moved(engine: Engine, tuned: Settings, move: Move) -> Settings:
 def _from_stock(asked: Question, tuned: Settings) -> list[Share]:
     """From the stock settings to the tuned ones, one option after another and the timestep last.
 
-    Options that make sense only together are moved together.
+    A share covers several options where only all of them together give a number.
     """
     settings = asked.engine.settings(asked.case.scenarios[0], STOCK)
     before, waiting, shares = asked.mean_error(settings), [], []

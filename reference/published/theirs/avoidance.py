@@ -1,16 +1,8 @@
-"""Reciprocal avoidance by others."""
+"""Published cases of reciprocal avoidance."""
 
 from __future__ import annotations
 
-from reference.engines.implementation import Implementation
-from reference.published import Answers, Published, said
-
-
-def half_plane(case: Published, code: Implementation) -> Answers:
-    """P23: the border of what is permitted; they do not overlap, so that the step does not count."""
-    point, normal = code.function("orca_half_plane")(**case.setup, dt=0.1)
-    return said(point=tuple(point.tolist()), direction=(float(normal[1]), -float(normal[0])))
-
+from reference.published.case import Published
 
 CASES = (
     Published(
@@ -35,7 +27,5 @@ CASES = (
         note="The line's left side is permitted: its normal is the direction turned by a quarter to the left.",
         units={"point": "m/s"},
         labels=dict.fromkeys(("point", "direction"), ("x", "y")),
-        by_hand=half_plane,
-        why_not={"engines": "no engine steers; it moves what is steered"},
     ),
 )
