@@ -153,7 +153,7 @@ def test_no_modules_import_one_another_in_a_circle(package):
         ("reference", "comparison/results.py", "def f():\n    from reference.published import judging"),
         ("reference", "truth.py", "from reference import lecture"),
         ("reference", "lecture/topics.py", "if TYPE_CHECKING:\n    from reference.catalogue.family import Family"),
-        ("labs/grading", "diagnosis/marks.py", "from labs.grading.judging.sheet import Sheet"),
+        ("labs/grading", "diagnosis/deviations.py", "from labs.grading.judging.score_sheet import Sheet"),
         ("labs/grading", "worker/serving.py", "from ..submission import cells"),
         ("labs", "demonstrations/questions.py", "import labs.desk.tables"),
     ],

@@ -11,7 +11,6 @@ import json
 import textwrap
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 from labs.building.excerpts import Piece, Pieces, imports_of, text_of
@@ -21,8 +20,6 @@ from labs.building.points import points_of
 from reference import lecture
 from reference.errors import InvalidInput
 
-ROOT = Path(__file__).resolve().parents[2]
-STUDENT, SOLVED = ROOT / "labs" / "notebooks", ROOT / "solutions" / "notebooks"
 _LEAST = 24
 """Characters from which a line of a solution gives something away; shorter ones are found in any text."""
 _SETUP = """\
