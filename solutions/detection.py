@@ -1,4 +1,7 @@
-"""Detecting a collision: where a point stands, when it meets a plane, and what a step may miss (slides 2, 4, 5, 9)."""
+"""Detecting a collision with a plane (slides 2, 4, 5 and 9).
+
+These functions say where a point is, when it meets a plane, and what a step may miss.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,8 @@ Array = NDArray[np.float64]
 def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> Array:
     """Distance of a point from the plane n·p + d = 0, negative behind it (slide 4).
 
-    The slide's a x + b y + c z + d is this distance only when ‖n‖ = 1; dividing by ‖n‖ makes it one for any n.
+    The normal points to the front of the plane. It may have any length: the result is a
+    distance in metres in any case.
 
     Parameters
     ----------
@@ -28,7 +32,22 @@ def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> A
     Raises
     ------
     ValueError
-        If a normal is zero: a plane without a direction has no sides. If a point or a normal has not three components.
+        If a normal is zero: a plane without a direction has no sides. If a point or a
+        normal does not have three components.
+
+    Notes
+    -----
+    From the point, go the distance s against the unit normal n/‖n‖. You arrive on the
+    plane if the new point satisfies the plane's equation:
+
+        n·(p − s n/‖n‖) + d = 0
+
+    Because n·n = ‖n‖², this is n·p − s ‖n‖ + d = 0, and so
+
+        s = (n·p + d)/‖n‖
+
+    The slide's a x + b y + c z + d is the numerator. It is the distance only when
+    ‖n‖ = 1; the division by ‖n‖ makes it one for every n.
     """
     point, normal = vector("point", point), vector("normal", normal)
     length = np.linalg.norm(normal, axis=-1)
@@ -37,13 +56,17 @@ def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> A
     return np.asarray((np.vecdot(normal, point) + offset) / length)
 
 
-def is_colliding(separation: ArrayLike, tolerance: ArrayLike = 0.0) -> NDArray[np.bool_]:
-    """Whether a point is on the wrong side of the plane by more than a tolerance (slide 4).
+def is_colliding(
+    separation: ArrayLike,
+    tolerance: ArrayLike = 0.0,
+) -> NDArray[np.bool_]:
+    """Whether a point is behind the plane by more than a tolerance (slide 4).
 
     Parameters
     ----------
     separation : (...), signed distance, m
-    tolerance : (...), m, not negative; with 0 a point exactly on the plane is not colliding, as on the slide
+    tolerance : (...), m, not negative
+        With 0 a point exactly on the plane is not colliding, as on the slide.
 
     Returns
     -------
@@ -52,37 +75,54 @@ def is_colliding(separation: ArrayLike, tolerance: ArrayLike = 0.0) -> NDArray[n
     Raises
     ------
     ValueError
-        If a separation is not finite (a NaN would pass for free), or a tolerance is negative.
+        If a separation is not finite (a NaN would never collide), or a tolerance is
+        negative.
     """
     return np.asarray(finite("separation", separation) < -not_negative("tolerance", tolerance))
 
 
-def time_of_impact_interpolated(separation_0: ArrayLike, separation_1: ArrayLike, t: ArrayLike, dt: ArrayLike) -> Array:
-    """Time at which the separation reaches zero if it changes at a steady rate over the step (slide 5).
-
-    The slide writes T = t + Δt d1/(d1 + d2) with magnitudes d1, d2. With signed distances d1 = s0 and d2 = −s1:
-
-        T = t + Δt s0/(s0 − s1)
-
-    Under gravity the true path is curved and T is early, by up to g Δt²/(8 v).
+def time_of_impact_interpolated(
+    separation_0: ArrayLike,
+    separation_1: ArrayLike,
+    t: ArrayLike,
+    dt: ArrayLike,
+) -> Array:
+    """Time at which a separation that changes at a steady rate is zero (slide 5).
 
     Parameters
     ----------
-    separation_0 : (...), m, at the start of the step, not negative; for a body left on the plane that rounding put
-        just behind it, pass 0
-    separation_1 : (...), m, at its end
+    separation_0 : (...), m, at the start of the step, not negative
+        For a body that was left on the plane and that rounding put just behind it, pass
+        0.
+    separation_1 : (...), m, at the end of the step
     t : (...), s, start of the step
-    dt : (...), s, its length
+    dt : (...), s, length of the step
 
     Returns
     -------
-    (...), s; infinity where the step does not end behind the plane. A point that starts on the plane and goes
-    through has T = t. One that starts behind it met it in an earlier step: infinity.
+    (...), s
+        Infinity where the step does not end behind the plane. A point that starts on
+        the plane and goes through it has T = t. A point that starts behind the plane
+        met it in an earlier step and gets infinity.
 
     Raises
     ------
     ValueError
         If a separation or t is not finite, or dt is negative.
+
+    Notes
+    -----
+    At a steady rate, the separation at a time τ after the start of the step is
+    s0 + (s1 − s0) τ/Δt. It is zero at τ = Δt s0/(s0 − s1), so that
+
+        T = t + Δt s0/(s0 − s1)
+
+    The slide writes T = t + Δt d1/(d1 + d2) with the magnitudes d1 and d2. With signed
+    distances, d1 = s0 and d2 = −s1, which gives the same formula.
+
+    Under gravity the true path is a parabola, and the straight line between its two
+    ends lies below it by up to g Δt²/8. The line therefore meets the plane too early: T
+    is early by up to g Δt²/(8 v), where v is the speed at which the body arrives.
     """
     s0, s1 = finite("separation_0", separation_0), finite("separation_1", separation_1)
     t, dt = finite("t", t), not_negative("dt", dt)
@@ -91,30 +131,54 @@ def time_of_impact_interpolated(separation_0: ArrayLike, separation_1: ArrayLike
     return np.where(crosses, t + dt * fraction, np.inf)
 
 
-def time_of_impact_exact(separation: ArrayLike, normal_velocity: ArrayLike, normal_acceleration: ArrayLike) -> Array:
-    """Time until the separation s + u t + a t²/2 next falls through zero, with a constant acceleration.
+def time_of_impact_exact(
+    separation: ArrayLike,
+    normal_velocity: ArrayLike,
+    normal_acceleration: ArrayLike,
+) -> Array:
+    """Time until a separation with constant acceleration next falls through zero.
 
-    The root is written so that no two nearly equal numbers are subtracted:
-
-        t = (u + √(u² − 2 a s))/(−a)   when u ≥ 0 (a < 0: it rises, then falls)
-        t = 2 s/(√(u² − 2 a s) − u)    when u < 0
+    The separation is s + u t + a t²/2, with t counted from now.
 
     Parameters
     ----------
-    separation : (...), s, m; a body on the plane or by rounding just behind it counts as on it
+    separation : (...), s, m
+        A body on the plane, or by rounding just behind it, counts as on it.
     normal_velocity : (...), u, m/s, positive when moving away
     normal_acceleration : (...), a, m/s², negative towards the plane
 
     Returns
     -------
-    (...), s from now; infinity where the body never comes down to the plane. A body on the plane that moves away
-    gets the time of its return, one that moves in gets 0, and so does one that lies there and is pressed on. One that
-    turns round just on the plane touches it; within rounding of that, rounding decides.
+    (...), s from now
+        Infinity where the body never comes down to the plane. A body on the plane that
+        moves away gets the time of its return. A body on the plane that moves in gets
+        0, and so does one that lies there and is pressed on. A body that turns round
+        exactly on the plane touches it; within rounding of this case, rounding decides.
 
     Raises
     ------
     ValueError
         If an argument is not finite.
+
+    Notes
+    -----
+    At each root of s + u t + a t²/2 = 0 the velocity u + a t is +√(u² − 2 a s) or
+    −√(u² − 2 a s). A body that falls through zero moves in, so that the minus sign
+    holds:
+
+        u + a t = −√(u² − 2 a s)
+
+    When u ≥ 0 the body rises first, and only a < 0 brings it back. Solving for t gives
+
+        t = (u + √(u² − 2 a s))/(−a)
+
+    When u < 0, u and the root have opposite signs, and their sum would lose digits
+    where they are nearly equal. Multiply the numerator and the denominator by
+    √(u² − 2 a s) − u; the numerator becomes −2 a s, and
+
+        t = 2 s/(√(u² − 2 a s) − u)
+
+    In both forms no two nearly equal numbers are subtracted outside the root.
     """
     s = np.maximum(finite("separation", separation), 0.0)
     u, a = finite("normal_velocity", normal_velocity), finite("normal_acceleration", normal_acceleration)
@@ -126,15 +190,17 @@ def time_of_impact_exact(separation: ArrayLike, normal_velocity: ArrayLike, norm
     return np.where(arrives, np.where(rising, u + root, 2 * s) / np.where(arrives, denominator, 1.0), np.inf)
 
 
-def side_of_plane(separation: ArrayLike, tolerance: ArrayLike = 0.0) -> NDArray[np.int64]:
-    """On which side of the plane a point stands: +1 in front, 0 on it, −1 behind it (slide 4).
-
-    The slide knows two sides, and its strict < puts a point that touches among those in front.
+def side_of_plane(
+    separation: ArrayLike,
+    tolerance: ArrayLike = 0.0,
+) -> NDArray[np.int64]:
+    """Side of a plane on which a point is: 1 in front, 0 on it, −1 behind (slide 4).
 
     Parameters
     ----------
     separation : (...), signed distance, m
-    tolerance : (...), m, not negative; up to and with this distance, on either side, a point is on the plane
+    tolerance : (...), m, not negative
+        A point is on the plane up to and including this distance, on either side.
 
     Returns
     -------
@@ -144,45 +210,66 @@ def side_of_plane(separation: ArrayLike, tolerance: ArrayLike = 0.0) -> NDArray[
     ------
     ValueError
         If a separation is not finite, or a tolerance is negative.
+
+    Notes
+    -----
+    The slide knows two sides, and its strict < puts a point that touches the plane
+    among those in front.
     """
     s, tolerance = finite("separation", separation), not_negative("tolerance", tolerance)
     return np.asarray((s > tolerance).astype(np.int64) - (s < -tolerance))
 
 
 def overlap_interval(
-    distance: ArrayLike, normal_velocity: ArrayLike, radius: ArrayLike, thickness: ArrayLike, dt: ArrayLike
+    distance: ArrayLike,
+    normal_velocity: ArrayLike,
+    radius: ArrayLike,
+    thickness: ArrayLike,
+    dt: ArrayLike,
 ) -> tuple[Array, Array]:
-    """When within a step a ball overlaps a slab: the continuous test of slide 2, at constant velocity.
+    """When within a step a ball overlaps a slab: the continuous test (slide 2).
 
-    The centre x + u t of the ball meets the slab while it is between r before its front face and r behind its back:
-
-        −(w + r) ≤ x + u t ≤ r,  0 ≤ t ≤ Δt
-
-    A test at the ends of the step sees two instants of this interval, or none. Touching counts: the interval is closed.
+    The ball moves at constant velocity. Touching counts as overlapping, so that the
+    interval includes both of its ends.
 
     Parameters
     ----------
     distance : (...), x, of the centre from the slab's front face, m, positive before it
-    normal_velocity : (...), u, of the ball relative to the slab, m/s, along the normal of the front face
+    normal_velocity : (...), u, m/s
+        Velocity of the ball relative to the slab, along the normal of the front face.
     radius : (...), r, m; 0 for a point
-    thickness : (...), w, m; infinity for the half-space behind a plane, 0 for a sheet
+    thickness : (...), w, m
+        Infinity for the half-space behind a plane, 0 for a sheet.
     dt : (...), s, length of the step
 
     Returns
     -------
-    start, end : (...), s from now, 0 ≤ start ≤ end ≤ Δt; infinity and −infinity, an empty interval, where they do not
-    meet. A ball that overlaps already starts at 0. At equal velocities, or along the slab, it is all of the step or
-    nothing. One that only touches, at the step's first or last instant, has start = end.
+    start, end : (...), s from now, 0 ≤ start ≤ end ≤ Δt
+        Infinity and −infinity, an empty interval, where the ball and the slab do not
+        meet. A ball that overlaps already starts at 0. A ball that moves with the slab
+        or along it overlaps for the whole step or not at all. A ball that only touches,
+        at the first or the last instant of the step, has start = end.
 
     Raises
     ------
     ValueError
-        If distance or normal_velocity is not finite, or radius, thickness or dt is negative.
+        If distance or normal_velocity is not finite, or radius, thickness or dt is
+        negative.
+
+    Notes
+    -----
+    At time t the centre is at x + u t. The ball overlaps the slab while the centre is
+    at most r before the front face and at most r behind the back face, which is at −w:
+
+        −(w + r) ≤ x + u t ≤ r,  0 ≤ t ≤ Δt
+
+    A test at the ends of the step sees two instants of this interval, or none of it.
     """
     x, u = finite("distance", distance), finite("normal_velocity", normal_velocity)
     r, w, dt = not_negative("radius", radius), not_negative("thickness", thickness), not_negative("dt", dt)
     moves = u != 0
-    with np.errstate(over="ignore"):  # at a crawl it gets there after any number of seconds: infinity will do
+    # A ball that crawls needs more seconds than a float holds: infinity is right.
+    with np.errstate(over="ignore"):
         at_front, at_back = (r - x) / np.where(moves, u, 1.0), (-(w + r) - x) / np.where(moves, u, 1.0)
     inside = (-(w + r) <= x) & (x <= r)
     first = np.where(moves, np.minimum(at_front, at_back), 0.0)
@@ -192,14 +279,15 @@ def overlap_interval(
     return np.where(meets, start, np.inf), np.where(meets, end, -np.inf)
 
 
-def missing_probability(speed: ArrayLike, thickness: ArrayLike, radius: ArrayLike, dt: ArrayLike) -> Array:
+def missing_probability(
+    speed: ArrayLike,
+    thickness: ArrayLike,
+    radius: ArrayLike,
+    dt: ArrayLike,
+) -> Array:
     """Share of the balls that a test at each step misses: temporal aliasing (slide 9).
 
-    A ball overlaps the wall on a way of w + 2r and moves v Δt between two tests. With the phase left to chance
-
-        P = max(0, 1 − (w + 2r)/(v Δt))
-
-    This is what a test for overlap does not notice. How much of what it notices an engine turns back is another matter.
+    Every phase of the tests is equally likely.
 
     Parameters
     ----------
@@ -209,22 +297,40 @@ def missing_probability(speed: ArrayLike, thickness: ArrayLike, radius: ArrayLik
 
     Returns
     -------
-    (...), 0 to 1; 0 for a ball that does not move: it cannot pass. 1 for a moving point against a sheet.
+    (...), 0 to 1
+        0 for a ball that does not move, because it cannot pass the wall. 1 for a moving
+        point against a sheet.
 
     Raises
     ------
     ValueError
         If an argument is negative, or speed or dt is not finite.
+
+    Notes
+    -----
+    A ball overlaps the wall while its centre travels a distance of w + 2r, and it moves
+    v Δt between two tests. As every phase of the tests is equally likely, a test falls
+    within the overlap with the probability (w + 2r)/(v Δt), and certainly where this
+    ratio exceeds
+    1. The share that is missed is
+
+        P = max(0, 1 − (w + 2r)/(v Δt))
+
+    These are the balls whose overlap no test notices. How many of the noticed balls an
+    engine then turns back is a different question.
     """
     way = finite("speed", not_negative("speed", speed)) * finite("dt", not_negative("dt", dt))
     caught = not_negative("thickness", thickness) + 2 * not_negative("radius", radius)
     return np.asarray(np.where(way > caught, 1 - caught / np.where(way > 0, way, 1.0), 0.0))
 
 
-def substeps_needed(speed: ArrayLike, thickness: ArrayLike, radius: ArrayLike, dt: ArrayLike) -> NDArray[np.int64]:
-    """Into how many equal parts to cut a step so that no part can carry a ball past a wall unnoticed (slide 9).
-
-    The smallest n with v Δt/n < w + 2r: so some part ends while they overlap, and by more than a touch.
+def substeps_needed(
+    speed: ArrayLike,
+    thickness: ArrayLike,
+    radius: ArrayLike,
+    dt: ArrayLike,
+) -> NDArray[np.int64]:
+    """Smallest number of equal substeps that lets no ball pass unseen (slide 9).
 
     Parameters
     ----------
@@ -235,12 +341,23 @@ def substeps_needed(speed: ArrayLike, thickness: ArrayLike, radius: ArrayLike, d
     Returns
     -------
     (...), at least 1
+        Each substep is shorter than w + 2r; a test at the end of a substep of exactly
+        this length might find a mere touch.
 
     Raises
     ------
     ValueError
-        If an argument is negative, speed or dt is not finite, or w + 2r is zero: no number of tests catches a point on
-        a sheet.
+        If an argument is negative, speed or dt is not finite, or w + 2r is zero: no
+        number of tests catches a point on a sheet.
+
+    Notes
+    -----
+    The result is the smallest whole number n with
+
+        v Δt/n < w + 2r
+
+    Each substep is then shorter than the distance over which ball and wall overlap. At
+    least one substep therefore ends while they overlap, and by more than a touch.
     """
     way = finite("speed", not_negative("speed", speed)) * finite("dt", not_negative("dt", dt))
     caught = not_negative("thickness", thickness) + 2 * not_negative("radius", radius)

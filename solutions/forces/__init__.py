@@ -1,7 +1,9 @@
-"""Gravity, viscosity, springs, and the integrators that turn their sum into motion (slides 23, 25 to 27, 29, 30).
+"""Gravity, viscosity, springs, and their integrators (slides 23, 25 to 27, 29, 30).
 
-What has no physical meaning, such as a negative mass or a viscosity that is no number, is refused with a `ValueError`
-that names the argument and its value.
+The integrators turn the sum of all forces into motion.
+
+An argument without physical meaning is refused, such as a negative mass or a viscosity
+that is not a number. The `ValueError` names the argument and its value.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Friction, sticking and sliding (slides 16, 22 and 24): dry friction, in an impact, and contacts that rest."""
+"""Friction, sticking and sliding (slides 16, 22 and 24).
+
+The package covers dry friction, friction in an impact, and contacts that rest.
+"""
 
 from solutions.friction.complementarity import complementarity_residual, solve_by_pivots, solve_by_sweeps
 from solutions.friction.cone import clamp_to_circle, clamp_to_square

@@ -1,4 +1,8 @@
-"""Points, edges and polyhedra: what is inside, what goes through what, and what a mesh must be for that (slide 9)."""
+"""Points, edges and polyhedra (slide 9).
+
+These functions say whether a point is inside a polyhedron and which edges go through
+which faces. They also find what is wrong with a mesh that has no clear inside.
+"""
 
 from solutions.polyhedra.convex import convex_separation, inside_convex, is_convex
 from solutions.polyhedra.inside import inside_by_parity, inside_by_winding, winding_number

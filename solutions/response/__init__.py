@@ -1,4 +1,8 @@
-"""Responding to a collision with a plane (slides 3, 6, 7 and 8): by a new velocity, within a step, or by a spring."""
+"""Responding to a collision with a plane (slides 3, 6, 7 and 8).
+
+The response is a new velocity, at its instant or within a step, or the force of a
+spring.
+"""
 
 from solutions.response.kinematic import kinematic_response, moving_plane_response
 from solutions.response.penalty import (

@@ -1,4 +1,8 @@
-"""A collision within a step: back up to it, answer it at the step, or follow all of them to rest (slides 3 and 6)."""
+"""A collision within a step (slides 3 and 6).
+
+A program can back up to the collision, respond at the end of the step, or follow every
+collision until the body is at rest.
+"""
 
 from __future__ import annotations
 
@@ -22,27 +26,35 @@ def respond_at_impact(
     time_of_impact: ArrayLike,
     dt: ArrayLike,
 ) -> tuple[Array, Array]:
-    """State after a step with one collision in it, by backing up: to T, respond, and on to the end (slide 6).
+    """State after a step with one collision, reached by backing up to it (slide 6).
 
-    The slide stops at the response. The rest of the step, Δt − T, must be integrated with the new velocity: left out,
-    every bounce would lose on average half a step of time.
+    The body moves freely to T, responds there, and moves freely to the end of the step.
 
     Parameters
     ----------
-    position, velocity, acceleration : (..., 3), at the start of the step, m, m/s, m/s²
+    position, velocity, acceleration : (..., 3), m, m/s, m/s²
+        At the start of the step.
     normal : (..., 3), unit, out of the plane
     restitution : (...), e, 0 to 1
-    time_of_impact : (...), T, s from the start of the step, exact or the slide's; later than dt means no collision
+    time_of_impact : (...), T, s from the start of the step
+        Exact or the slide's. A T later than dt means no collision.
     dt : (...), s, length of the step
 
     Returns
     -------
-    position, velocity : (..., 3) each, at the end of the step; a second collision in the same step is not seen here
+    position, velocity : (..., 3) each, at the end of the step
+        A second collision in the same step is not seen here.
 
     Raises
     ------
     ValueError
         If T or dt is negative or not a number, or as kinematic_response.
+
+    Notes
+    -----
+    The slide stops at the response. The rest of the step, Δt − T, must be integrated
+    with the new velocity. If a program left it out, every bounce would lose half a step
+    of time on average.
     """
     time, dt = not_negative("time_of_impact", time_of_impact), not_negative("dt", dt)
     struck, before = time <= dt, np.minimum(time, dt)
@@ -61,14 +73,15 @@ def respond_at_step(
     restitution: ArrayLike,
     dt: ArrayLike,
 ) -> tuple[Array, Array]:
-    """State after a step whose end alone is looked at: after the fact (slide 6).
+    """State after a step that looks for a collision only at its end (slide 6).
 
-    Free motion over the whole step; a body that ends behind the plane n·p + d = 0 and still moves in gets its new
-    velocity there. It stays where it is, up to v Δt too deep, and has the speed of that place.
+    This is the slide's response after the fact. A body that ends behind the plane
+    n·p + d = 0 and still moves in gets its new velocity there.
 
     Parameters
     ----------
-    position, velocity, acceleration : (..., 3), at the start of the step, m, m/s, m/s²
+    position, velocity, acceleration : (..., 3), m, m/s, m/s²
+        At the start of the step.
     normal : (..., 3), unit, out of the plane
     offset : (...), d, m
     restitution : (...), e, 0 to 1
@@ -77,6 +90,8 @@ def respond_at_step(
     Returns
     -------
     position, velocity : (..., 3) each, at the end of the step
+        The body stays where the free motion over the whole step has taken it, up to v
+        Δt too deep, and it responds with the speed that it has at that place.
 
     Raises
     ------
@@ -90,15 +105,14 @@ def respond_at_step(
 
 
 def time_until_rest(
-    separation: ArrayLike, normal_velocity: ArrayLike, normal_acceleration: ArrayLike, restitution: ArrayLike
+    separation: ArrayLike,
+    normal_velocity: ArrayLike,
+    normal_acceleration: ArrayLike,
+    restitution: ArrayLike,
 ) -> Array:
-    """Time until a bouncing body lies on the plane for good: infinitely many impacts in a finite time.
+    """Time until a bouncing body lies on the plane for good.
 
-    It arrives at t1 with the speed w = √(u² − 2 a s). The flight after impact n lasts 2 w eⁿ/|a|; all of them together
-
-        t1 + (2 w/|a|) (e + e² + …) = t1 + (2 w/|a|) e/(1 − e)
-
-    Let fall from rest, t1 = w/|a|, that is t1 (1 + e)/(1 − e).
+    The body makes infinitely many impacts in a finite time.
 
     Parameters
     ----------
@@ -109,18 +123,34 @@ def time_until_rest(
 
     Returns
     -------
-    (...), s from now. Infinity where e = 1 and it moves, where it never arrives, and where no acceleration brings a
-    body back that bounced; a > 0 pulls it off in the end. 0 where it lies on the plane already; t1 where e = 0.
+    (...), s from now
+        Infinity where e = 1 and the body moves, where it never arrives, and where no
+        acceleration brings it back after a bounce; an a > 0 pulls it off in the end. 0
+        where the body lies on the plane already. The time t1 of the first impact where
+        e = 0.
 
     Raises
     ------
     ValueError
         If a motion is not finite, or e is not from 0 to 1.
+
+    Notes
+    -----
+    The body arrives for the first time at t1, with the speed w = √(u² − 2 a s). Each
+    impact multiplies the speed by e, so that the body leaves impact n with the speed w
+    eⁿ. It takes the time w eⁿ/|a| to turn round and the same time to come back, and so
+    the flight after impact n lasts 2 w eⁿ/|a|. All flights together are a geometric
+    series:
+
+        t1 + (2 w/|a|) (e + e² + …) = t1 + (2 w/|a|) e/(1 − e)
+
+    For a body that falls from rest t1 = w/|a|, and the sum is t1 (1 + e)/(1 − e).
     """
     s, u = np.maximum(finite("separation", separation), 0.0), finite("normal_velocity", normal_velocity)
     a, e = finite("normal_acceleration", normal_acceleration), in_unit_interval("restitution", restitution)
     rebound = e * _arrival_speed(s, u, a)
-    slowing = -a * (1 - e)  # a rebound w' ends in a flight of 2 w'/|a|, and all that follow add up to 1/(1 − e) of it
+    # A rebound at w' starts a flight of 2 w'/|a|; all flights, 1/(1 − e) times that.
+    slowing = -a * (1 - e)
     flights = np.where(slowing > 0, 2 * rebound / np.where(slowing > 0, slowing, 1.0), np.inf)
     until = time_of_impact_exact(s, u, a) + np.where(rebound > 0, flights, 0.0)
     return np.where((s == 0) & (u == 0) & (a <= 0), 0.0, np.where(a > 0, np.inf, until))
@@ -134,11 +164,7 @@ def bounce_along_normal(
     dt: ArrayLike,
     most_impacts: int = 1000,
 ) -> tuple[Array, Array, Array, Array]:
-    """Motion along the normal over a step with any number of impacts in it, exactly.
-
-    Each round goes to the next impact and turns the arrival speed w into e w, until no impact is left in the step. A
-    body that comes to rest within the step has infinitely many (Zeno): `time_until_rest` solves for their end, and the
-    body is put on the plane, at rest, without a round.
+    """Motion along the normal over a step with any number of impacts, exactly.
 
     Parameters
     ----------
@@ -151,15 +177,26 @@ def bounce_along_normal(
 
     Returns
     -------
-    separation, normal_velocity : (...), at the end of the step
-    impacts : (...), how many; infinity where it came to rest by bouncing, 0 where it lay on the plane from the start
-    time_left : (...), s, 0 where the step is done; where the rounds did not suffice, what is left of it after the last
-        impact, so that the caller may go on from there
+    separation, normal_velocity : (...), m and m/s, at the end of the step
+    impacts : (...), how many
+        Infinity where the body came to rest by bouncing, 0 where it lay on the plane
+        from the start.
+    time_left : (...), s
+        0 where the step is done. Where the rounds did not suffice, the part of the step
+        that remains after the last impact, so that the caller may continue from there.
 
     Raises
     ------
     ValueError
         If a motion is not finite, dt is negative, or e is not from 0 to 1.
+
+    Notes
+    -----
+    Each round goes to the next impact and turns the arrival speed w into e w, until the
+    step has no further impact. A body that comes to rest within the step makes
+    infinitely many impacts (Zeno's paradox), and no number of rounds would reach their
+    end. Where `time_until_rest` says that this end lies within the step, the function
+    puts the body on the plane, at rest, without a round.
     """
     state = finite("separation", separation), finite("normal_velocity", normal_velocity)
     a, e = finite("normal_acceleration", normal_acceleration), in_unit_interval("restitution", restitution)
@@ -192,13 +229,14 @@ def bounce_through_step(
     dt: ArrayLike,
     most_impacts: int = 1000,
 ) -> tuple[Array, Array, Array, Array]:
-    """State after a step, all its collisions with the plane n·p + d = 0 answered at their instants.
+    """State after a step in which every collision is resolved at its instant.
 
-    Along the normal it is `bounce_along_normal`; without friction the motion along the plane does not notice.
+    The collisions are those with the plane n·p + d = 0.
 
     Parameters
     ----------
-    position, velocity, acceleration : (..., 3), at the start of the step, m, m/s, m/s²
+    position, velocity, acceleration : (..., 3), m, m/s, m/s²
+        At the start of the step.
     normal : (..., 3), unit, out of the plane
     offset : (...), d, m
     restitution : (...), e, 0 to 1
@@ -207,13 +245,20 @@ def bounce_through_step(
 
     Returns
     -------
-    position, velocity : (..., 3) each; a body that came to rest lies on the plane and slides on along it
+    position, velocity : (..., 3) each
+        A body that came to rest lies on the plane and continues to slide along it.
     impacts, time_left : (...), as in bounce_along_normal
 
     Raises
     ------
     ValueError
-        As bounce_along_normal and signed_distance, or if a normal has not length 1.
+        As bounce_along_normal and signed_distance, or if a normal does not have length
+        1.
+
+    Notes
+    -----
+    The motion along the normal is that of `bounce_along_normal`. Without friction an
+    impact does not change the motion along the plane, which is the free one throughout.
     """
     n, v, a = unit("normal", normal), vector("velocity", velocity), np.asarray(acceleration, dtype=float)
     before, u, a_n = signed_distance(position, n, offset), np.vecdot(v, n), np.vecdot(a, n)
@@ -224,6 +269,6 @@ def bounce_through_step(
 
 
 def _arrival_speed(separation: Array, normal_velocity: Array, normal_acceleration: Array) -> Array:
-    """Speed at which it meets the plane, √(u² − 2 a s), m/s; 0 where it does not."""
+    """Speed √(u² − 2 a s) at which a body meets the plane, m/s; 0 where it does not."""
     squared = normal_velocity**2 - 2 * normal_acceleration * separation
     return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
