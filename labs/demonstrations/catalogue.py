@@ -1,20 +1,15 @@
-"""Demonstrations for a lecture: a question, a few runs that answer it, and what they teach. Plain data.
-
-`labs.demonstrations.outcomes` says what stands in a lesson's `{}` and `[]`.
-"""
+"""The demonstrations for a lecture, as plain data; `demonstration.py` says what each field means."""
 
 from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 
+from labs.demonstrations.demonstration import Demonstration, Profiles
+from labs.demonstrations.lesson import Error, IfKnown, Line, Listed, Magnitude, Measured, Predicted, Theory
 from reference.catalogue.scenarios import boxes, response, tunnelling
 from reference.errors import UnknownName
 
-Profiles = Mapping[str, Mapping[str, str]]
-"""Engine → its profiles → what a class reads for each, where the name says too little."""
 ENGINES: Profiles = {engine: {"tuned": "", "stock": ""} for engine in ("pybullet", "mujoco")}
 STEPPED: Profiles = {"handwritten": {"tuned": "exact", "stock": "at the step"}, **ENGINES}
 WORLD: Profiles = {"handwritten": {"tuned": ""}, **ENGINES}
@@ -23,45 +18,17 @@ _KEPT = 0.8
 _SPEED = 20.0
 """Speed of the balls that are shot at the wall, m/s."""
 _HALF_HEIGHT = 0.2
-"""Of the box on the slope, m."""
-
-
-@dataclass(frozen=True)
-class Demonstration:
-    """One question, asked in one case of a family, or in several cases or timesteps side by side.
-
-    family, cases: which runs; a case by what it is called here, the one that is plotted among them. profiles: of each
-    engine. timesteps: in s by what they are called, instead of the profiles' own. quantity: what is compared with
-    theory. heading: its name in the table. beside: further quantities, with their headings, of which the value is
-    shown. percent: whether it is a share of a hundred. words: what its values are called. predicted: timestep in s →
-    the value that is known to come of it.
-    """
-
-    name: str
-    title: str
-    question: str
-    look: str
-    lesson: tuple[str, ...]
-    family: str
-    cases: Mapping[str, str]
-    profiles: Profiles
-    quantity: str
-    heading: str
-    beside: Mapping[str, str] = field(default_factory=dict)
-    timesteps: Mapping[str, float] = field(default_factory=dict)
-    percent: bool = False
-    words: Mapping[float, str] = field(default_factory=dict)
-    predicted: Callable[[float], float] | None = None
-
-    @property
-    def labels(self) -> tuple[str, ...]:
-        """What the rows of the table are called where they are cases or timesteps; empty where implementations are."""
-        several = self.timesteps or (self.cases if len(self.cases) > 1 else {})
-        return tuple(several)
+"""Half the height of the box on the slope, m."""
 
 
 def find(name: str) -> Demonstration:
-    """Return the demonstration of that name."""
+    """Return the demonstration of that name.
+
+    Raises
+    ------
+    UnknownName
+        If there is none.
+    """
     known = {demonstration.name: demonstration for demonstration in DEMONSTRATIONS}
     if name not in known:
         raise UnknownName("demonstration", name, known)
@@ -75,10 +42,20 @@ BOUNCE = Demonstration(
     " happen: does it bounce for ever, or does it come to rest? When?",
     look="Look at who stops first, and at who never leaves the floor.",
     lesson=(
-        "Infinitely many bounces, each shorter than the last, end after {theory rest_time}.",
-        "A step method misses the last ones: hand-written, at the step, {handwritten stock rest_time error}.",
-        "Stock: [PyBullet rests at {pybullet stock rest_time measured} (contact too early)]"
-        "[, MuJoCo {mujoco stock rest_time measured} (no e)].",
+        Line("Infinitely many bounces, each shorter than the last, end after ", Theory("rest_time"), "."),
+        Line(
+            "A step method misses the last ones: hand-written, at the step, ",
+            Error("handwritten", "stock", "rest_time"),
+            ".",
+        ),
+        Line(
+            "Stock: ",
+            Listed(
+                IfKnown("PyBullet rests at ", Measured("pybullet", "stock", "rest_time"), " (contact too early)"),
+                IfKnown("MuJoCo ", Measured("mujoco", "stock", "rest_time"), " (no e)"),
+            ),
+            ".",
+        ),
     ),
     family="ball-to-rest",
     cases={f"e = {_KEPT:g}": f"e={_KEPT:g}"},
@@ -94,11 +71,23 @@ STOP = Demonstration(
     " it go, and does its direction matter?",
     look="Look at where each curve becomes level, and at how far aside the slab has gone.",
     lesson=(
-        "v²/(2 μ g) = {theory stopping_distance}, whatever the mass and the direction.",
-        "A step method stops v dt/2 short: [{handwritten stock stopping_distance error} at the step]"
-        "[, {pybullet tuned stopping_distance error} in PyBullet].",
-        "Stock: [PyBullet {pybullet stock stopping_distance error} (damping)]"
-        "[, MuJoCo {mujoco stock stopping_distance error} (pyramid for friction cone)].",
+        Line("v²/(2 μ g) = ", Theory("stopping_distance"), ", whatever the mass and the direction."),
+        Line(
+            "A step method stops v dt/2 short: ",
+            Listed(
+                IfKnown(Error("handwritten", "stock", "stopping_distance"), " at the step"),
+                IfKnown(Error("pybullet", "tuned", "stopping_distance"), " in PyBullet"),
+            ),
+            ".",
+        ),
+        Line(
+            "Stock: ",
+            Listed(
+                IfKnown("PyBullet ", Error("pybullet", "stock", "stopping_distance"), " (damping)"),
+                IfKnown("MuJoCo ", Error("mujoco", "stock", "stopping_distance"), " (pyramid for friction cone)"),
+            ),
+            ".",
+        ),
     ),
     family="sliding-slab",
     cases={"μ = 0.4, 2 m/s, 30°": "μ=0.4,v=2,heading=30°"},
@@ -114,10 +103,24 @@ STACK = Demonstration(
     question=f"Ten boxes stand on each other and nobody touches them. What will happen in {boxes.STANDING:g} seconds?",
     look="Look at the top box: how far does it sink, and does it stay there?",
     lesson=(
-        "Nothing should move. Tuned, the top does: [{pybullet tuned height size} in PyBullet]"
-        "[, {mujoco tuned height size} in MuJoCo].",
-        "[Stock PyBullet gives its solver too few passes: a box drifts by {pybullet stock drift size}.]",
-        "[Stock MuJoCo has soft contacts: the top sinks by {mujoco stock height size}, at once.]",
+        Line(
+            "Nothing should move. Tuned, the top does: ",
+            Listed(
+                IfKnown(Magnitude("pybullet", "tuned", "height"), " in PyBullet"),
+                IfKnown(Magnitude("mujoco", "tuned", "height"), " in MuJoCo"),
+            ),
+            ".",
+        ),
+        Line(
+            "Stock PyBullet gives its solver too few passes: a box drifts by ",
+            Magnitude("pybullet", "stock", "drift"),
+            ".",
+        ),
+        Line(
+            "Stock MuJoCo has soft contacts: the top sinks by ",
+            Magnitude("mujoco", "stock", "height"),
+            ", at once.",
+        ),
     ),
     family="stack",
     cases={"ten": "boxes=10"},
@@ -134,11 +137,28 @@ TUNNELLING = Demonstration(
     f" {1000 * tunnelling.THICKNESS:g} mm thick. What will happen: does the wall stop it – every time?",
     look="Look at the share of balls that pass the wall as the step grows; the line is the prediction.",
     lesson=(
-        f"A step moves the ball v dt; only on d/2 + r = {1000 * tunnelling.CAUGHT:g} mm can the wall stop it.",
-        "So 1 − (d/2 + r)/(v dt) pass: {predicted 1/240 s} at 1/240 s[; PyBullet {pybullet tuned passed measured at"
-        " 1/240 s}][, MuJoCo {mujoco tuned passed measured at 1/240 s}].",
-        "At 1 ms: [PyBullet {pybullet tuned passed measured at 1 ms}][, MuJoCo {mujoco tuned passed measured at 1 ms}]."
-        " Cure: small steps, or[ a swept test: {handwritten tuned passed measured at 1/60 s}].",
+        Line(f"A step moves the ball v dt; only on d/2 + r = {1000 * tunnelling.CAUGHT:g} mm can the wall stop it."),
+        Line(
+            "So 1 − (d/2 + r)/(v dt) pass: ",
+            Predicted("1/240 s"),
+            " at 1/240 s",
+            IfKnown("; PyBullet ", Measured("pybullet", "tuned", "passed", at="1/240 s")),
+            IfKnown(", MuJoCo ", Measured("mujoco", "tuned", "passed", at="1/240 s")),
+            ".",
+        ),
+        Line(
+            IfKnown(
+                "At 1 ms: ",
+                Listed(
+                    IfKnown("PyBullet ", Measured("pybullet", "tuned", "passed", at="1 ms")),
+                    IfKnown("MuJoCo ", Measured("mujoco", "tuned", "passed", at="1 ms")),
+                ),
+                ". ",
+            ),
+            "Cure: small steps",
+            IfKnown(", or a swept test: ", Measured("handwritten", "tuned", "passed", at="1/60 s")),
+            ".",
+        ),
     ),
     family="thin-wall",
     cases={f"{_SPEED:g} m/s": f"v={_SPEED:g}"},
@@ -157,9 +177,13 @@ ROLL = Demonstration(
     " and would it be slower with more friction?",
     look="Look at the kink, where sliding becomes rolling, and at what comes after it.",
     lesson=(
-        "5/7 of the speed is left, {theory rolling_speed}: about the floor friction has no moment.",
-        "So μ decides only when it rolls: from 2 v/(7 μ g) = {theory rolling_start} on.",
-        "[Stock PyBullet: {pybullet stock rolling_speed error}, for its damping goes on when friction is done.]",
+        Line("5/7 of the speed is left, ", Theory("rolling_speed"), ": about the floor friction has no moment."),
+        Line("So μ decides only when it rolls: from 2 v/(7 μ g) = ", Theory("rolling_start"), " on."),
+        Line(
+            "Stock PyBullet: ",
+            Error("pybullet", "stock", "rolling_speed"),
+            ", for its damping goes on when friction is done.",
+        ),
     ),
     family="sliding-ball",
     cases={"μ = 0.1, 2 m/s": "μ=0.1,v=2"},
@@ -176,10 +200,20 @@ TIP = Demonstration(
     " little, and at 32° with much. What will happen each time: does it hold, slide or tip?",
     look="Look at the lean of the box at 32°, and in the table at who disagrees.",
     lesson=(
-        f"Where tan θ > b/h ({math.degrees(math.atan(boxes.HALF / _HALF_HEIGHT)):.0f}°) the weight misses the base:"
-        " it tips, if μ holds it.",
-        "Below that it slides where tan θ > μ: {theory way at 20°, μ = 0.3} in 1 s at 20° with μ = 0.3.",
-        "[Soft friction creeps: stock MuJoCo moves {mujoco stock way size at 20°, μ = 0.7} where the box should hold.]",
+        Line(
+            f"Where tan θ > b/h ({math.degrees(math.atan(boxes.HALF / _HALF_HEIGHT)):.0f}°) the weight misses the base:"
+            " it tips, if μ holds it."
+        ),
+        Line(
+            "Below that it slides where tan θ > μ: ",
+            Theory("way", at="20°, μ = 0.3"),
+            " in 1 s at 20° with μ = 0.3.",
+        ),
+        Line(
+            "Soft friction creeps: stock MuJoCo moves ",
+            Magnitude("mujoco", "stock", "way", at="20°, μ = 0.7"),
+            " where the box should hold.",
+        ),
     ),
     family="tipping-box",
     cases={
@@ -200,11 +234,24 @@ CRADLE = Demonstration(
     " move off, and how fast?",
     look="Look at the last ball, and at who agrees with whom.",
     lesson=(
-        "Newton's rule is for one impact. Two at a time, the last ball gets {handwritten tuned last measured}.",
-        "All at once, it gets {handwritten stock last measured}, and the first one"
-        " {handwritten stock first measured}. Both ways keep energy.",
-        "Engines take a step's contacts together[: PyBullet {pybullet tuned last measured}]"
-        "[, MuJoCo {mujoco tuned last measured}].",
+        Line(
+            "Newton's rule is for one impact. Two at a time, the last ball gets ",
+            Measured("handwritten", "tuned", "last"),
+            ".",
+        ),
+        Line(
+            "All at once, it gets ",
+            Measured("handwritten", "stock", "last"),
+            ", and the first one ",
+            Measured("handwritten", "stock", "first"),
+            ". Both ways keep energy.",
+        ),
+        Line(
+            "Engines take a step's contacts together",
+            IfKnown(": PyBullet ", Measured("pybullet", "tuned", "last")),
+            IfKnown(", MuJoCo ", Measured("mujoco", "tuned", "last")),
+            ".",
+        ),
     ),
     family="cradle",
     cases={"five, touching": "5 touching"},
