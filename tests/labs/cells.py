@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
-MODULES = ("checks", "detection/sampling")
+MODULES = ("arrays", "checks", "detection/planes", "detection/time_of_impact", "detection/sampling")
 OURS = re.compile(r"^from (solutions|__future__)[\w.]* import .*\n", re.MULTILINE)
 STUB = """
 def signed_distance(point, normal, offset):
