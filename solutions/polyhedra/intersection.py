@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from solutions.arrays import Array, Integers
 from solutions.polyhedra.inside import inside_by_parity
 from solutions.polyhedra.segments import segment_meets_triangle
-from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, mesh_edges
+from solutions.polyhedra.surface import blocks, checked_mesh, mesh_edges
 
 
 def edges_through_faces(

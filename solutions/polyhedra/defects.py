@@ -7,10 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array, Integers
+from solutions.polyhedra.intersection import boxes_that_meet
 from solutions.polyhedra.orientation import LOOKS, orient2d, orient3d
 from solutions.polyhedra.segments import segment_meets_triangle
-from solutions.polyhedra.solids import boxes_that_meet
-from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, directed_edges, same_places
+from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, same_places
 
 
 @dataclass(frozen=True, eq=False)
