@@ -22,7 +22,7 @@ def impact_speed(drop_height: float, gravity: float) -> float:
     return math.sqrt(2 * gravity * drop_height)
 
 
-def apex_ratio(restitution: float, bounces: int = 1) -> float:
+def rebound_ratio(restitution: float, bounces: int = 1) -> float:
     """Height of the n-th rebound over the drop height: each impact scales the speed by e, so the height by e²."""
     return restitution ** (2 * bounces)
 
@@ -44,7 +44,7 @@ def bounce_end(drop_height: float, restitution: float, gravity: float) -> float:
     return fall_time(drop_height, gravity) * (1 + restitution) / (1 - restitution)
 
 
-def at_step_apex_shift(
+def rebound_shift_at_step(
     drop_height: float, restitution: float, gravity: float, timestep: float, recovery: float = 0.0
 ) -> float:
     """Mean shift of the first apex, m, when a step method responds at the first step that begins in overlap.
@@ -57,7 +57,7 @@ def at_step_apex_shift(
     return -(1 - restitution - recovery) * impact_speed(drop_height, gravity) * timestep / 2
 
 
-def weighed_apex_shift(drop_height: float, restitution: float, gravity: float, timestep: float) -> float:
+def rebound_shift_of_weighed_step(drop_height: float, restitution: float, gravity: float, timestep: float) -> float:
     """Shift of the first apex, m, where an impact also turns back the g dt that its own step has added to the speed.
 
     The rebound has e g dt more, and (e v)²/(2g) grows by e v · e g dt/g = e² v dt.

@@ -175,6 +175,14 @@ def displacement(trajectory: Trajectory, body: str) -> float:
     return float(np.linalg.norm(positions[-1] - positions[0]))
 
 
+def way_from_rest(trajectory: Trajectory, body: str, duration: float) -> float:
+    """Way of a body that set out from rest, m, after so many seconds.
+
+    The last sample may lie a little later. The way grows as the time squared, so that much is taken off.
+    """
+    return displacement(trajectory, body) * (duration / float(trajectory.times[-1])) ** 2
+
+
 def stopping_distance(trajectory: Trajectory, body: str, plane: str) -> float:
     """Distance along the plane from the start to the final position, m; an error if the body still moves."""
     if rest_time(trajectory, body) == float("inf"):

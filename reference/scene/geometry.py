@@ -47,6 +47,11 @@ def quaternion_between(start: Array, end: Array) -> Array:
     return np.asarray(quaternion / np.linalg.norm(quaternion))
 
 
+def upright_on(normal: Array) -> Array:
+    """Orientation, w x y z, of a body whose own z axis points along the unit normal (3,) of what it stands on."""
+    return quaternion_between(np.array([0.0, 0.0, 1.0]), normal)
+
+
 def separation(scenario: Scenario, body: str, plane: str, positions: Array, orientations: Array) -> Array:
     """Signed gap (n,) in m between a body and a half-space; negative when they overlap.
 

@@ -1,22 +1,38 @@
-"""The catalogue: one module a subject, each with its `FAMILIES`. A new family is an entry there and nothing else."""
+"""The catalogue: one module a subject, each with its `FAMILIES`. A new module is one more name in `MODULES`."""
 
 from __future__ import annotations
 
 import functools
 import importlib
-import pkgutil
 
 from reference import lecture
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
 from reference.errors import UnknownName
 
+MODULES = (
+    "tunnelling",
+    "bouncing_ball",
+    "walls",
+    "friction",
+    "rolling",
+    "two_balls",
+    "dropped_box",
+    "cradle",
+    "rods",
+    "spinning_ball",
+    "tipping_box",
+    "stacks",
+)
+"""In the order of the report within each topic. They are loaded together, and only once somebody needs the catalogue:
+a thousand scenarios take 50 ms to build."""
+
 
 @functools.cache
 def catalogue() -> dict[str, Family]:
     """All families by name, in the order of teaching."""
     order = {topic.name: place for place, topic in enumerate(lecture.TOPICS)}
-    modules = [importlib.import_module(f"{__name__}.{info.name}") for info in pkgutil.iter_modules(__path__)]
+    modules = [importlib.import_module(f"{__name__}.{name}") for name in MODULES]
     families = [family for module in modules for family in module.FAMILIES]
     return {family.name: family for family in sorted(families, key=lambda family: order[family.topic])}
 

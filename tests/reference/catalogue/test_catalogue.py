@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 import pickle
+import pkgutil
 
 import numpy as np
 import pytest
@@ -13,7 +15,7 @@ from reference.catalogue import scenarios
 from reference.catalogue.case import Case
 from reference.catalogue.family import Expectation, Family
 from reference.catalogue.scenarios import catalogue, find
-from reference.catalogue.scenarios.response import DROP_HEIGHT, DROPS, SPREAD, drop_height
+from reference.catalogue.scenarios.bouncing_ball import DROP_HEIGHT, DROPS, SPREAD, drop_height
 from reference.engines import engine_names, load_engine
 from reference.engines.base import AT_STEP, COMPLIANT, EXACT, INTERPOLATED, Method
 from reference.errors import InvalidInput, UnknownName
@@ -64,6 +66,12 @@ def test_no_two_families_share_a_name_or_a_title():
     entries = [family for module in vars(scenarios).values() for family in getattr(module, "FAMILIES", ())]
     assert len(entries) == len(FAMILIES), "a family with a name that is taken would hide the other"
     assert len({family.title for family in FAMILIES}) == len(FAMILIES)
+
+
+def test_every_module_with_families_is_in_the_catalogue():
+    modules = [info.name for info in pkgutil.iter_modules(scenarios.__path__)]
+    having = [name for name in modules if hasattr(importlib.import_module(f"{scenarios.__name__}.{name}"), "FAMILIES")]
+    assert sorted(scenarios.MODULES) == having
 
 
 def test_a_family_and_its_cases_are_found_by_name():
