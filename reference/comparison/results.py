@@ -43,8 +43,8 @@ class Job:
         at = "".join(f", {name} {value:g}" for name, value in self.at)
         return f"{self.family}{at}{' on its grid' if self.grid else ''} in {self.engine}, {self.profile}"
 
-    def shared(self) -> Job:
-        """The job without what its result does not depend on."""
+    def without_remarks(self) -> Job:
+        """The job without remarks on it, which its result does not depend on."""
         return replace(self, snapped="")
 
     def chosen(self, family: Family) -> tuple[Case, ...]:

@@ -20,8 +20,8 @@ class PublishedJob:
     def __str__(self) -> str:
         return f"{self.case} in {self.engine}"
 
-    def shared(self) -> PublishedJob:
-        """The job without what its result does not depend on: all of it counts."""
+    def without_remarks(self) -> PublishedJob:
+        """The job itself: nobody remarks on it."""
         return self
 
 

@@ -29,7 +29,7 @@ from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
-from reference.errors import CollisionsError, InvalidInput, NotRecorded
+from reference.errors import CollisionsError, InvalidInput, NotRecorded, listed
 from reference.recording.fingerprint import fingerprint
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
@@ -185,9 +185,8 @@ def _why_not(
     own, asked = settings
     steps = sorted({f"{1e3 * step:.3g}" for step in _timesteps(case.name, own, taken["entries"])}, key=float)
     if steps and changes.keys() == {"timestep"}:
-        listed = " and ".join(filter(None, [", ".join(steps[:-1]), steps[-1]]))
         many = "timesteps" if len(steps) > 1 else "a timestep"
-        return f"{absent}; it was recorded with {many} of {listed} ms, not of {1e3 * asked.timestep:.3g} ms"
+        return f"{absent}; it was recorded with {many} of {listed(steps)} ms, not of {1e3 * asked.timestep:.3g} ms"
     wish = ", ".join(f"{name}={value}" for name, value in (*job.at, *job.changes))
     return f"{absent}, and {f'with {wish} nothing was recorded' if wish else 'this case was never recorded'}"
 
