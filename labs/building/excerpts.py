@@ -12,10 +12,11 @@ from functools import cached_property
 from pathlib import Path
 
 from labs.grading.submission.slicing import Group, groups
+from labs.project_folders import ROOT
 from reference.errors import InvalidInput
 
 SOLUTIONS = "solutions"
-FOLDER = Path(__file__).resolve().parents[2] / SOLUTIONS
+FOLDER = ROOT / SOLUTIONS
 CHECKS = "checks"
 """The module of solutions that every topic may use."""
 

@@ -11,7 +11,6 @@ import json
 import textwrap
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 from labs.building.excerpts import Piece, Pieces, imports_of, text_of
@@ -20,8 +19,6 @@ from labs.building.points import points_of
 from reference import lecture
 from reference.errors import InvalidInput
 
-ROOT = Path(__file__).resolve().parents[2]
-STUDENT, SOLVED = ROOT / "labs" / "notebooks", ROOT / "solutions" / "notebooks"
 WIDTH = 88
 """Characters of a line of a stub, as in most notebooks' own style; the linter holds the solutions' docstrings to it."""
 _LEAST = 24

@@ -16,7 +16,9 @@ from labs.building import lessons, notebooks
 from labs.building.excerpts import Pieces, imports_of, text_of
 from labs.building.points import points_of
 from labs.building.release import given, release
+from labs.cli import lab
 from labs.grading.submission.reading import read
+from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference import lecture
 from reference.errors import CollisionsError, InvalidInput
 
@@ -65,7 +67,7 @@ gap = -1
 @pytest.fixture
 def lesson(tmp_path, monkeypatch):
     """Writes a lesson of detection and returns how to build it."""
-    monkeypatch.setattr(lessons, "FOLDER", tmp_path)
+    monkeypatch.setattr(lessons, "LESSONS", tmp_path)
 
     def write(text: str = HEAD + WRITES + QUESTION) -> None:
         (tmp_path / "detection.md").write_text(text, encoding="utf-8")
@@ -216,9 +218,9 @@ def test_an_archive_is_the_same_on_every_day_and_a_full_folder_is_left_alone(les
 
 
 def test_build_check_names_what_is_stale_and_writes_nothing(lesson, tmp_path, monkeypatch):
-    monkeypatch.setattr(notebooks, "ROOT", tmp_path)
-    monkeypatch.setattr(notebooks, "STUDENT", tmp_path / "student")
-    monkeypatch.setattr(notebooks, "SOLVED", tmp_path / "solved")
+    monkeypatch.setattr(lab, "ROOT", tmp_path)
+    monkeypatch.setattr(lab, "STUDENT_NOTEBOOKS", tmp_path / "student")
+    monkeypatch.setattr(lab, "SOLVED_NOTEBOOKS", tmp_path / "solved")
     stale = collisions("lab", "build", "--check", "detection")
     assert stale.code == 1
     assert "student/detection.ipynb, solved/detection.ipynb" in stale.error
@@ -230,5 +232,5 @@ def test_build_check_names_what_is_stale_and_writes_nothing(lesson, tmp_path, mo
 
 def test_the_notebooks_here_are_what_lessons_and_solutions_make():
     for topic in lessons.lessons():
-        for folder, made in ((notebooks.STUDENT, notebooks.student), (notebooks.SOLVED, notebooks.solved)):
+        for folder, made in ((STUDENT_NOTEBOOKS, notebooks.student), (SOLVED_NOTEBOOKS, notebooks.solved)):
             assert Path(folder, f"{topic}.ipynb").read_text(encoding="utf-8") == notebooks.text(made(topic)), topic
