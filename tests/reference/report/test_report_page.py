@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from html.parser import HTMLParser
 
@@ -114,14 +115,15 @@ def result(family: Family, name: str, profile: str) -> JobResult:
     return JobResult(job, engine.title, described, rows, settings, "1.2.3", convergence=STUDY)
 
 
-def everything() -> list[JobResult]:
+@functools.cache
+def everything() -> tuple[JobResult, ...]:
     """Every family in every engine and profile."""
-    return [
+    return tuple(
         result(family, name, profile)
         for family in catalogue().values()
         for name in engine_names()
         for profile in load_engine(name).profiles(family.cases[0].scenarios[0])
-    ]
+    )
 
 
 def without_answer(given: JobResult, verdict: Verdict, note: str) -> JobResult:
@@ -130,7 +132,7 @@ def without_answer(given: JobResult, verdict: Verdict, note: str) -> JobResult:
     return replace(given, rows=rows, settings="", version="", convergence=None)
 
 
-def written(results: list[JobResult], with_figures: bool = True) -> str:
+def written(results: Iterable[JobResult], with_figures: bool = True) -> str:
     found = sections(results)
     names = [f"{it.family.name}-{kind}" for it in found for kind in ("trajectories", "convergence")]
     pictures = {
