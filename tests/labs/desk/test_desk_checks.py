@@ -135,4 +135,4 @@ def test_a_check_says_where_to_see_what_a_function_prints(lab, cells, capsys):
     assert "What is_colliding prints is not shown here" in said(capsys, lab.check)
     assert "What is_colliding prints" not in said(capsys, lab.check, "signed_distance")
     cells += [printing.replace("print(separation)", "pass")]
-    assert "prints" not in said(capsys, lab.check)
+    assert "prints" not in said(capsys, lab.check, "is_colliding")
