@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.predictions import Prediction
 from reference.catalogue.family import Quantity
-from reference.comparison.compare import Row, Verdict
+from reference.comparison.verdicts import Row, Verdict
 from reference.report import numbers
 from reference.report.summary import MARKS, Line, error_of, tolerance_of
 

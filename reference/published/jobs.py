@@ -8,9 +8,10 @@ from collections.abc import Sequence
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import CollisionsError
-from reference.published import published, published_cases, recorded
+from reference.published import recorded
 from reference.published.judging import compare_published, refusal
 from reference.published.results import PublishedJob, PublishedResult
+from reference.published.theirs import published, published_cases
 from reference.running.jobs import Work
 
 

@@ -14,12 +14,14 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
-from reference.published import Answer, Figure, Published, published, published_cases
-from reference.published.judging import PublishedRow, judged
-from reference.published.results import PublishedJob, PublishedResult
+from reference.published.answers import Answer
+from reference.published.case import Figure, Published
+from reference.published.judging import judged
+from reference.published.results import PublishedJob, PublishedResult, PublishedRow
+from reference.published.theirs import published, published_cases
 from reference.recording.fingerprint import hashed
 from reference.recording.making import lines, machine, version_here
 from reference.recording.reading import FOLDER, MARK, Made, read, tuples

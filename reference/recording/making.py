@@ -14,8 +14,8 @@ from typing import Any
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Row
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row
 from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
 from reference.errors import EngineNotInstalled, InvalidInput

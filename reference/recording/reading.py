@@ -21,13 +21,15 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue
 from reference.comparison import curves
-from reference.comparison.compare import Number, Row, Verdict, judged
+from reference.comparison.compare import Number, judged
+from reference.comparison.convergence import Errors
 from reference.comparison.curves import Series
-from reference.comparison.results import Errors, Job, JobResult
-from reference.comparison.shares import Share, Split
+from reference.comparison.error_split import Share, Split
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
-from reference.errors import CollisionsError, InvalidInput, NotRecorded
+from reference.errors import CollisionsError, InvalidInput, NotRecorded, listed
 from reference.recording.fingerprint import fingerprint
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
@@ -99,10 +101,9 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
 
 
 def _series(family: Family, job: Job, folder: Path | None) -> Series | None:
-    """The curve of a job's own case, or of the family's plotted one; None where that was not asked for or recorded."""
-    own = job.at or job.with_curve
-    plotted = [case for case in job.chosen(family) if own or case.name == family.curve.case]
-    if not plotted or job.grid:
+    """The curve of the case that the job plots; None where it plots none, or nothing of today's was recorded."""
+    plotted = [case for case in job.chosen(family) if job.plots(family, case)]
+    if not plotted:
         return None
     with contextlib.suppress(CollisionsError):  # the row says why
         return curves.unpack(_track(job, plotted[0], tracks_of(job.engine, job.family, folder)[0]).curve)
@@ -184,9 +185,8 @@ def _why_not(
     own, asked = settings
     steps = sorted({f"{1e3 * step:.3g}" for step in _timesteps(case.name, own, taken["entries"])}, key=float)
     if steps and changes.keys() == {"timestep"}:
-        listed = " and ".join(filter(None, [", ".join(steps[:-1]), steps[-1]]))
         many = "timesteps" if len(steps) > 1 else "a timestep"
-        return f"{absent}; it was recorded with {many} of {listed} ms, not of {1e3 * asked.timestep:.3g} ms"
+        return f"{absent}; it was recorded with {many} of {listed(steps)} ms, not of {1e3 * asked.timestep:.3g} ms"
     wish = ", ".join(f"{name}={value}" for name, value in (*job.at, *job.changes))
     return f"{absent}, and {f'with {wish} nothing was recorded' if wish else 'this case was never recorded'}"
 

@@ -22,12 +22,11 @@ from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import load_engine
 from reference.errors import InvalidInput
-from reference.published.judging import PublishedRow
-from reference.published.results import PublishedResult
+from reference.published.results import PublishedResult, PublishedRow
 from reference.report import figures, page, published_page
 from reference.report.published_figures import oblique_impacts
 from reference.report.published_summary import PublishedTables

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from reference.comparison.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Split
+from reference.comparison.convergence import ROUNDING
+from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Split
 from reference.report import numbers
 from reference.report.summary import Section
-from reference.running.study import ROUNDING
 
 _KINDS = (DISCRETISATION, CONTACT_MODEL, SOLVER, REMAINDER)
 VISIBLE = 0.01

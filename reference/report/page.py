@@ -8,7 +8,7 @@ import jinja2
 from markupsafe import Markup
 
 from reference import lecture
-from reference.comparison.compare import Row
+from reference.comparison.verdicts import Row
 from reference.lecture import Statement
 from reference.report import numbers
 from reference.report.origins import origins

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from reference.published.judging import PublishedRow
+from reference.published.results import PublishedRow
 from reference.published.rigid_law import rigid_sphere
 from reference.report.figures import COLOURS, HEIGHT, MARKERS, STYLE, WIDTH, as_svg
 from reference.report.published_summary import PublishedLine
@@ -56,12 +56,12 @@ def _draw(axes: Axes, line: PublishedLine, figure: str, angles: str, place: int)
     every = np.linspace(1.0, 89.0, 441)
     axes.plot(every, rigid_sphere(case, every)[place], color="#999999", linewidth=1.6, label="rigid sphere")
     for size, (name, cell) in zip((13, 10, 7, 4), line.cells.items(), strict=False):
-        found = [(case.values(angles)[row.place - 1], value) for row, value in _measured(cell.rows, figure)]
+        found = [(case.numbers(angles)[row.place - 1], value) for row, value in _measured(cell.rows, figure)]
         if found:
             colour = COLOURS.get(name, "#cc79a7")
             look: dict[str, Any] = {"marker": MARKERS.get(name, "v"), "color": colour, "linestyle": "none"}
             axes.plot(*zip(*found, strict=True), markersize=size, fillstyle="none", label=line.title(name), **look)
-    axes.plot(case.values(angles), case.expected[figure], "x", color="#b3261e", markersize=8, label="measured")
+    axes.plot(case.numbers(angles), case.expected[figure], "x", color="#b3261e", markersize=8, label="measured")
 
 
 def _measured(rows: tuple[PublishedRow, ...], figure: str) -> list[tuple[PublishedRow, float]]:

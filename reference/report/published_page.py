@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from markupsafe import Markup
 
 from reference import lecture
-from reference.published import Figure, Kind, Published
-from reference.published.judging import PublishedRow
+from reference.published.case import Figure, Kind, Published
+from reference.published.results import PublishedRow
 from reference.report import numbers
 from reference.report.page import environment
 from reference.report.published_summary import (

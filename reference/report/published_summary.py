@@ -6,11 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from reference.comparison.compare import Verdict, why
+from reference.comparison.verdicts import Verdict, why
 from reference.engines import engine_names, load_engine
-from reference.published import Kind, Published, published_cases
-from reference.published.judging import PublishedRow, passes
-from reference.published.results import PublishedResult
+from reference.published.case import Kind, Published
+from reference.published.judging import passes
+from reference.published.results import PublishedResult, PublishedRow
+from reference.published.theirs import published_cases
 from reference.recording.reading import MARK
 from reference.report import numbers
 from reference.report.summary import AGREES, MARKS, SEVERITY

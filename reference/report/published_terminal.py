@@ -7,8 +7,8 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from reference.comparison.compare import Verdict
-from reference.published.judging import PublishedRow
+from reference.comparison.verdicts import Verdict
+from reference.published.results import PublishedRow
 from reference.report import numbers
 from reference.report.published_summary import (
     LEGEND,

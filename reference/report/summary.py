@@ -14,12 +14,12 @@ from pathlib import Path
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family, Quantity
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Row, Verdict
+from reference.comparison.convergence import ROUNDING
 from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names
 from reference.engines.profiles import STOCK, TUNED
 from reference.report import numbers
-from reference.running.study import ROUNDING
 
 MARKS = {
     Verdict.PASS: "✓",

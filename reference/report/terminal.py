@@ -12,7 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from reference import lecture
-from reference.comparison.compare import Row, Verdict
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines.profiles import TUNED
 from reference.report import numbers
 from reference.report.summary import (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from reference.comparison.compare import Row, Verdict
+from reference.comparison.verdicts import Row, Verdict
 from reference.report.summary import Line, Section
 
 

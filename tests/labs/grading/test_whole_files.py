@@ -12,7 +12,7 @@ from submissions import solved, stubs
 from labs.grading.calling.processes import Limits
 from labs.grading.feedback import report
 from labs.grading.judging.grade import Grade, grade
-from labs.grading.judging.sheet import Sheet
+from labs.grading.judging.score_sheet import Sheet
 from reference import lecture
 
 TOPICS = ("detection", "response", "friction", "impulse")

@@ -9,7 +9,7 @@ import pytest
 from catalogue_rows import ROLLING, SLIDES, G, engines, job, row
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 
 # Stock settings fail where they must

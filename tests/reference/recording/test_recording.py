@@ -10,8 +10,8 @@ import pytest
 
 from reference.catalogue.grid import Parameter
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
 from reference.comparison.results import Job
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
 from reference.recording import reading

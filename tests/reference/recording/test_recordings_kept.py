@@ -10,8 +10,8 @@ import pytest
 from agreeing import same, same_curve
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
 from reference.comparison.results import Job
+from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
 from reference.published import recorded
 from reference.published.jobs import plan

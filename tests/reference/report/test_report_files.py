@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from reference.comparison.compare import ALL_CASES, Row, Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.errors import InvalidInput
 from reference.report import files
 from reference.report.files import read_rows, rows_csv, rows_json, staged, write

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
 from reference.comparison.results import Job, JobResult
-from reference.comparison.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
 from reference.report.origins import origins
 from reference.report.summary import sections
 

@@ -11,11 +11,11 @@ from html.parser import HTMLParser
 import pytest
 from rich.console import Console
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.errors import InvalidInput
-from reference.published import published
 from reference.published.jobs import run_job
 from reference.published.results import PublishedJob
+from reference.published.theirs import published
 from reference.report import files
 from reference.report.published_figures import oblique_impacts
 from reference.report.published_page import set_up

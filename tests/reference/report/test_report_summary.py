@@ -8,8 +8,9 @@ import math
 import pytest
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Row, Verdict
-from reference.comparison.results import Errors, Job, JobResult
+from reference.comparison.convergence import Errors
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.report import summary
 from reference.report.summary import LEGEND, MARKS, Cell, Line, Section, columns, sections, verdict_line
 

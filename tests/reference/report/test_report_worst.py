@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row, Verdict
 from reference.report.summary import sections
 from reference.report.worst import furthest_from_theory, nearest_to_fail
 

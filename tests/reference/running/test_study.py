@@ -21,16 +21,17 @@ import numpy as np
 import pytest
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Verdict
+from reference.comparison.convergence import order_of
 from reference.comparison.curves import Series
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
 from reference.recording import reading
 from reference.running import isolate
 from reference.running.isolate import stop_workers
 from reference.running.jobs import run_all, run_one
-from reference.running.study import SCENARIOS, longest_first, order_of, plan, run_job
+from reference.running.study import SCENARIOS, longest_first, plan, run_job
 
 DROPPED, SLIDING = catalogue()["dropped-ball"], catalogue()["sliding-slab"]
 GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))

@@ -254,20 +254,20 @@ def test_the_process_holds_nothing_of_the_grader(of):
 
 @linux
 @pytest.mark.parametrize(
-    ("without", "tier", "words"),
+    ("options", "tier", "words"),
     [
-        ((), Tier.NETWORK, ""),
-        pytest.param(("landlock",), Tier.NETWORK, "no Landlock", marks=pytest.mark.slow),
-        (("seccomp",), Tier.FILES, "other processes of its user"),
-        (("landlock", "seccomp"), Tier.LIMITS, "what its user may open"),
-        pytest.param(("limits",), Tier.PROCESS, "not limited", marks=pytest.mark.slow),
-        (("nursery",), Tier.PROCESS, "only a time limit"),
+        ({}, Tier.NETWORK, ""),
+        pytest.param({"without": ["landlock"]}, Tier.NETWORK, "no Landlock", marks=pytest.mark.slow),
+        ({"without": ["seccomp"]}, Tier.FILES, "other processes of its user"),
+        ({"without": ["landlock", "seccomp"]}, Tier.LIMITS, "what its user may open"),
+        pytest.param({"without": ["limits"]}, Tier.PROCESS, "not limited", marks=pytest.mark.slow),
+        ({"sandboxed": False}, Tier.PROCESS, "only a time limit"),
     ],
 )
-def test_a_result_says_how_far_its_process_was_shut_in(without, tier, words):
+def test_a_result_says_how_far_its_process_was_shut_in(options, tier, words):
     if not (landlock.version() and seccomp.available()):
         pytest.skip("this kernel has less to begin with")
-    with Grader(PATIENT, without=without) as lesser:
+    with Grader(PATIENT, **options) as lesser:
         with Remote(Submission("lab.py", "def f(): return 1"), lesser).fresh() as call:
             assert call("f") == 1
             assert call.sealing.tier == tier
@@ -283,7 +283,7 @@ def test_a_result_says_how_far_its_process_was_shut_in(without, tier, words):
 
 def test_without_the_nursery_a_hang_and_a_death_still_cost_one_test_alone():
     text = "import os, time\ndef hang(): time.sleep(600)\ndef die(): os._exit(3)\ndef f(): return 1"
-    with Grader(Limits(call=0.3), without=("nursery",)) as lesser:
+    with Grader(Limits(call=0.3), sandboxed=False) as lesser:
         remote = Remote(Submission("lab.py", text), lesser)
         for name, error in (("hang", OutOfTime), ("die", ProcessDied)):
             with remote.fresh() as call, pytest.raises(error):

@@ -10,7 +10,8 @@ import pytest
 
 from labs.grading.calling import scenario_runs
 from labs.grading.calling.scenario_runs import MOST_CALLS, SINGLE, Mixed, compared_with_theory, with_solutions
-from reference.comparison.compare import Verdict, compare_case
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import Verdict
 from reference.engines.implementation import Implementation
 from reference.errors import NeedsFunction, RunFailed
 from solutions.response import kinematic_response
