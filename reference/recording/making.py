@@ -31,7 +31,7 @@ from reference.recording.reading import (
     tracks_of,
 )
 from reference.scene.settings import Settings
-from reference.viewer.poses import Track, write_tracks
+from reference.viewer.tracks import Track, write_tracks
 
 OTHER_VERSION = "recorded in version"
 """How the reason begins where nothing but the engine is another one."""

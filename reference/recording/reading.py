@@ -33,7 +33,8 @@ from reference.errors import CollisionsError, InvalidInput, NotRecorded, listed
 from reference.recording.fingerprint import fingerprint
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
-from reference.viewer.poses import Poses, Track, pack, poses_of, read_tracks, unpack
+from reference.viewer.poses import Poses, poses_of
+from reference.viewer.tracks import Track, pack, read_tracks, unpack
 
 SCHEMA, VERSION = "collisions-lab/recording", 3
 FOLDER = Path(__file__).parent / "recordings"

@@ -7,9 +7,10 @@ from collections.abc import Iterable, Mapping
 from reference.catalogue.case import Case
 from reference.comparison.results import JobResult
 from reference.report.summary import Line, Section
-from reference.viewer.assembly import clip
 from reference.viewer.clip import Clip
-from reference.viewer.poses import Poses, Track, unpack
+from reference.viewer.clip_making import clip
+from reference.viewer.poses import Poses
+from reference.viewer.tracks import Track, unpack
 
 
 def replay_of(section: Section) -> Clip | None:
