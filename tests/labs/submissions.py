@@ -4,29 +4,17 @@ from __future__ import annotations
 
 import importlib
 import inspect
-import re
 from pathlib import Path
 
+from labs.building.excerpts import TopicExcerpts, imports_of, text_of
 from reference import lecture
 
-MODULES = {
-    "detection": ("detection",),
-    "response": ("detection", "forces.integrators", "response.kinematic", "response.stepping", "response.penalty"),
-    "friction": tuple(
-        f"friction.{name}" for name in ("complementarity", "cone", "contacts", "dry", "support", "cradle", "impact")
-    ),
-    "impulse": tuple(f"impulse.{name}" for name in ("body", "points", "normals", "momentum", "inertia", "impact")),
-}
-"""The modules of the solutions that hold a topic and what it needs, in an order in which they may stand in one file."""
 
-
-def solved(folder: Path, *topics: str) -> Path:
-    """The solutions of some topics as one file, as a student hands them in."""
-    names = dict.fromkeys(name for topic in topics for name in MODULES[topic])
-    texts = [inspect.getsource(importlib.import_module(f"solutions.{name}")) for name in ("checks", *names)]
-    ours = r"^from (solutions|__future__)[^\n(]*(\([^)]*\))?[^\n]*\n"
+def solved(folder: Path, topic: str) -> Path:
+    """The solutions of a topic as one file, which imports nothing of ours."""
+    found = TopicExcerpts.of(topic).needed([entry.name for entry in lecture.functions_of(topic)])
     path = folder / "solved.py"
-    path.write_text("from __future__ import annotations\n" + re.sub(ours, "", "\n".join(texts), flags=re.MULTILINE))
+    path.write_text(f"from __future__ import annotations\n{imports_of(found)}\n{text_of(found)}\n")
     return path
 
 

@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 from odd_engine import CRASH, NAN, NO_WORDS, RAISE
-from program import EVERYTHING, QUICK, SLIDE, TUNED, collisions
+from program import QUICK, SLIDE, TUNED, collisions
 
 from labs.cli import jobs
 
 TOY = str(Path(__file__).parents[2] / "reference" / "toy_engine.py")
-WRONG = EVERYTHING + "right = kinematic_response\ndef kinematic_response(v, n, e):\n    return right(v, n, 0.9 * e)\n"
-MISSING = EVERYTHING + "del kinematic_response\n"
+WRONG = "right = kinematic_response\ndef kinematic_response(v, n, e):\n    return right(v, n, 0.9 * e)\n"
+MISSING = "del kinematic_response\n"
 
 pytestmark = pytest.mark.usefixtures("one_worker")
 
@@ -138,9 +138,8 @@ def test_a_comparison_takes_what_the_cache_has_and_runs_the_rest():
 
 
 def test_changed_homework_is_run_and_not_taken_from_the_cache(homework):
-    text = "from solutions import *\nfrom solutions.detection import *\nfrom solutions.response import *\n"
-    command = ("compare", *TUNED, "--implementation", homework(text))
+    command = ("compare", *TUNED, "--implementation", homework("# a thought\n"))
     collisions(*command)
     assert "1 of them from the cache" in collisions(*command).errors
-    homework(text + "# a second thought\n")
+    homework("# a second thought\n")
     assert "from the cache" not in collisions(*command).errors
