@@ -12,7 +12,7 @@ from reference.published.case import Kind, Published
 from reference.published.judging import passes
 from reference.published.results import PublishedResult, PublishedRow
 from reference.published.theirs import published_cases
-from reference.recording.reading import MARK
+from reference.recording.files import MARK
 from reference.report import numbers
 from reference.report.summary import AGREES, MARKS, SEVERITY
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from reference.catalogue.case import Case
 from reference.comparison.results import JobResult
+from reference.recording.entries import case_of
 from reference.report.summary import Line, Section
 from reference.viewer.assembly import clip
 from reference.viewer.clip import Clip
@@ -41,5 +42,5 @@ def case_clip(
 
 
 def _track(result: JobResult, case: Case) -> Track | None:
-    """A result's poses of a case, whatever settings its key names."""
-    return next((track for track in result.poses if track.key.partition(" @ ")[0] == case.name), None)
+    """A result's poses of a case, with any settings."""
+    return next((track for track in result.poses if case_of(track.key) == case.name), None)

@@ -24,7 +24,7 @@ from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.base import EXACT
-from reference.recording import reading
+from reference.recording import files
 from reference.report import terminal
 from reference.report.terminal import Points
 from reference.running.isolate import stop_workers
@@ -302,7 +302,7 @@ def test_engines_that_cannot_be_imported_are_shown_as_recorded_or_named(tmp_path
         assert said.code == 0, said.errors
         assert len(re.findall(r"(PyBullet|MuJoCo)\* +(tuned|stock) +0\.\d+ m", said.output)) == 4
         assert re.search(r"\* PyBullet \S+ was recorded on \S+ \(.*?\); it is not run here", said.text)
-        monkeypatch.setattr(reading, "FOLDER", tmp_path)  # nothing of the kind
+        monkeypatch.setattr(files, "FOLDER", tmp_path)  # nothing of the kind
         said = collisions("show", "stop", "--fresh")
         lines = "\n".join(said.lines)
         assert len(re.findall(r"(PyBullet|MuJoCo) +(tuned|stock) +not available$", lines, re.M)) == 4
