@@ -24,7 +24,7 @@ from types import EllipsisType
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 from labs.desk.predictions import Prediction, predicted
-from labs.desk.progress import Progress
+from labs.desk.progress_line import Progress
 from reference import lecture
 from reference.errors import CollisionsError, InvalidInput, UnknownName
 

@@ -10,7 +10,7 @@ import pytest
 from reference.engines import Engine, load_engine
 from reference.errors import EngineNotInstalled
 
-pytest_plugins = ["processor_time"]
+pytest_plugins = ["oracles", "processor_time", "watchdog"]
 AUTOGRADER = Path(__file__).parent / "autograder"
 
 

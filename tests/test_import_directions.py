@@ -157,9 +157,9 @@ def test_no_modules_import_one_another_in_a_circle(package):
         ("reference", "truth.py", "from reference import lecture"),
         ("reference/published", "theirs/bounces.py", "from reference.published.by_hand import bounces"),
         ("reference", "lecture/topics.py", "if TYPE_CHECKING:\n    from reference.catalogue.family import Family"),
-        ("labs/grading", "diagnosis/marks.py", "from labs.grading.judging.sheet import Sheet"),
+        ("labs/grading", "diagnosis/deviations.py", "from labs.grading.judging.score_sheet import Sheet"),
         ("labs/grading", "worker/serving.py", "from ..submission import cells"),
-        ("labs", "demonstrations/questions.py", "import labs.desk.tables"),
+        ("labs", "demonstrations/catalogue.py", "import labs.desk.tables"),
     ],
 )
 def test_an_import_turned_round_is_found(building, file, line, tmp_path):

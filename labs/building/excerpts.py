@@ -12,10 +12,11 @@ from functools import cached_property
 from pathlib import Path
 
 from labs.grading.submission.slicing import Group, groups
+from labs.project_folders import ROOT
 from reference.errors import InvalidInput
 
 SOLUTIONS = "solutions"
-FOLDER = Path(__file__).resolve().parents[2] / SOLUTIONS
+FOLDER = ROOT / SOLUTIONS
 CHECKS = "checks"
 """The module of solutions that every topic may use."""
 
@@ -102,14 +103,18 @@ def text_of(pieces: Collection[Piece]) -> str:
 
 
 def imports_of(pieces: Collection[Piece]) -> str:
-    """What these pieces import of others than solutions, each line once."""
+    """The imports that these pieces need of other packages than solutions: one line for each module."""
     wanted = {name for piece in pieces for name in piece.uses}
-    found: dict[str, None] = {}
-    for module in sorted({piece.module for piece in pieces}):
-        for line, bound in _imports(module):
-            if bound & wanted:
-                found[line] = None
-    return "\n".join(sorted(found, key=lambda line: (line.startswith("from numpy") or "numpy" in line, line)))
+    lines: set[str] = set()
+    taken: dict[str, set[str]] = {}
+    for node in (node for module in {piece.module for piece in pieces} for node in _imports(module)):
+        names = {ast.unparse(each) for each in node.names if (each.asname or each.name.partition(".")[0]) in wanted}
+        if isinstance(node, ast.ImportFrom):
+            taken.setdefault(node.module or "", set()).update(names)
+        else:
+            lines |= {f"import {name}" for name in names}
+    lines |= {f"from {module} import {', '.join(sorted(names))}" for module, names in taken.items() if names}
+    return "\n".join(sorted(lines, key=lambda line: ("numpy" in line, line)))
 
 
 def _visit(module: str, order: list[str]) -> None:
@@ -194,13 +199,12 @@ def _annotations(statements: Iterable[ast.stmt]) -> frozenset[str]:
     return frozenset(node.id for node in nodes if isinstance(node, ast.Name))
 
 
-def _imports(module: str) -> Iterator[tuple[str, frozenset[str]]]:
-    """The lines by which a module imports what is not of the solutions, each with the names that it binds."""
-    source = _files(module)[0].read_text(encoding="utf-8")
-    for group in groups(source):
-        text = ast.unparse(ast.Module(list(group.statements), []))
-        if _is_import(group) and SOLUTIONS not in text and "__future__" not in text:
-            yield text, group.defines
+def _imports(module: str) -> Iterator[ast.Import | ast.ImportFrom]:
+    """The statements by which a module imports what is not of the solutions."""
+    for node in ast.parse(_files(module)[0].read_text(encoding="utf-8")).body:
+        text = ast.unparse(node)
+        if isinstance(node, ast.Import | ast.ImportFrom) and SOLUTIONS not in text and "__future__" not in text:
+            yield node
 
 
 def _is_import(group: Group) -> bool:

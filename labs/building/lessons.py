@@ -11,12 +11,11 @@ takes the place of the dots of its predictions, one after the other, in the solv
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from pathlib import Path
 
+from labs.project_folders import LESSONS
 from reference import lecture
 from reference.errors import InvalidInput
 
-FOLDER = Path(__file__).resolve().parents[1] / "lessons"
 OPEN = "answer=..."
 """Where a student puts a prediction."""
 _KINDS = ("lab", "given", "write", "broken", "answer", "model", "instructor")
@@ -76,7 +75,7 @@ class Lesson:
 
 def lessons() -> tuple[str, ...]:
     """The topics that have a lesson, in the order of teaching."""
-    return tuple(topic.name for topic in lecture.TOPICS if (FOLDER / f"{topic.name}.md").is_file())
+    return tuple(topic.name for topic in lecture.TOPICS if (LESSONS / f"{topic.name}.md").is_file())
 
 
 def read(topic: str) -> Lesson:
@@ -94,7 +93,7 @@ def read(topic: str) -> Lesson:
         raise InvalidInput('lessons are read with jupytext: pip install -e ".[dev]"') from None
 
     name = lecture.topic(topic).name
-    path = FOLDER / f"{name}.md"
+    path = LESSONS / f"{name}.md"
     if not path.is_file():
         raise InvalidInput(f"{name} has no lesson yet; there are lessons of {', '.join(lessons())}")
     lesson = Lesson(name, tuple(_cell(cell) for cell in jupytext.read(path).cells))

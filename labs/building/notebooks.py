@@ -11,18 +11,16 @@ import json
 import textwrap
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 from labs.building.excerpts import Piece, Pieces, imports_of, text_of
 from labs.building.lessons import Cell, Lesson, read
-from labs.building.narrow import WIDTH, narrow
 from labs.building.points import points_of
 from reference import lecture
 from reference.errors import InvalidInput
 
-ROOT = Path(__file__).resolve().parents[2]
-STUDENT, SOLVED = ROOT / "labs" / "notebooks", ROOT / "solutions" / "notebooks"
+WIDTH = 88
+"""Characters of a line of a stub, as in most notebooks' own style; the linter holds the solutions' docstrings to it."""
 _LEAST = 24
 """Characters from which a line of a solution gives something away; shorter ones are found in any text."""
 _SETUP = """\
@@ -138,17 +136,16 @@ def text(notebook: dict[str, Any]) -> str:
 
 
 def stub(pieces: Pieces, name: str) -> str:
-    """A function as a student finds it: its signature and description, and an error that says whose turn it is."""
+    """A function as a student finds it: its own header and docstring, and an error that says whose turn it is."""
     (piece,) = (each for each in pieces.every if name in each.defines)
     function = next(node for node in ast.parse(piece.text).body if isinstance(node, ast.FunctionDef))
-    description = function.body[0].end_lineno
+    end = function.body[0].end_lineno
     entry = lecture.function(name)
     said = f'"{entry.topic}, step {entry.step}: {name} is yours to write"'
     unwritten = f"    raise NotImplementedError({said})"
     if len(unwritten) > WIDTH:
         unwritten = f"    raise NotImplementedError(\n        {said}\n    )"
-    header = "\n".join(piece.text.split("\n")[:description])
-    return f"{narrow(header).rstrip()}\n{unwritten}"
+    return "\n".join([*piece.text.split("\n")[:end], unwritten])
 
 
 def _common(desk: _Desk, cell: Cell) -> None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import ast
 from functools import cache
 
-from labs.grading.judging.pytest_run import HIDDEN, TESTS, VISIBLE
+from labs.grading.judging.pytest_run import HIDDEN, VISIBLE
+from labs.project_folders import AUTOGRADER
 from reference import lecture
 
 _MARKER = "asks"
@@ -20,7 +21,7 @@ def points_of(function: str) -> int:
 def _points(topic: str) -> dict[str, int]:
     found: dict[str, int] = {}
     for folder in (VISIBLE, HIDDEN):
-        path = TESTS / folder / f"test_{topic}.py"
+        path = AUTOGRADER / folder / f"test_{topic}.py"
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if path.is_file() else ():
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == _MARKER:
                 name, points = (ast.literal_eval(argument) for argument in node.args[:2])

@@ -14,10 +14,10 @@ from pathlib import Path
 
 from labs.building import lessons, notebooks
 from labs.building.excerpts import Pieces, imports_of, text_of
+from labs.project_folders import ROOT
 from reference import lecture
 from reference.errors import InvalidInput
 
-ROOT = Path(__file__).resolve().parents[2]
 NAME = "collisions-lab"
 _FOLDERS = ("labs", "reference", "tests/autograder/visible")
 _FILES = ("pyproject.toml", "constraints.txt", "LICENSE")

@@ -14,7 +14,7 @@ from labs.grading.calling.remote import Grader
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.feedback import report
 from labs.grading.judging import pytest_run
-from labs.grading.judging.sheet import Sheet
+from labs.grading.judging.score_sheet import Sheet
 from reference import lecture
 from reference.errors import InvalidInput
 

@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from labs import answers
+from labs.correct_functions import package_of_correct_functions
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.reading import Submission, read
@@ -159,7 +159,7 @@ def in_hand(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> Hand:
         if found is not None:
             files[_file(path.stem, found.text)] = (path.name, found)
             earlier += [(name, path.name) for name in found.functions]
-    given = answers.place()
+    given = package_of_correct_functions()
     own = tuple(name for name in names if name in submission.functions and name not in unwritten)
     return Hand(
         topic,

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.grid import Grid
 from reference.engines.base import EXACT, Engine, Method
 from reference.errors import InvalidInput, UnknownName
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 _ANY_TIMESTEP = 1e-3
 """s. What theory says hangs on no timestep; what a method adds to it does."""

@@ -12,14 +12,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array, Mask
 from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import HalfSpace
 from reference.scene.trajectory import Trajectory
-
-Array = NDArray[np.float64]
 
 FLIGHT_TOLERANCE = 0.1
 """How far, as a share of gravity, the acceleration between two samples may differ from gravity for these to count as
@@ -177,6 +175,14 @@ def displacement(trajectory: Trajectory, body: str) -> float:
     return float(np.linalg.norm(positions[-1] - positions[0]))
 
 
+def way_from_rest(trajectory: Trajectory, body: str, duration: float) -> float:
+    """Way of a body that set out from rest, m, after so many seconds.
+
+    The last sample may lie a little later. The way grows as the time squared, so that much is taken off.
+    """
+    return displacement(trajectory, body) * (duration / float(trajectory.times[-1])) ** 2
+
+
 def stopping_distance(trajectory: Trajectory, body: str, plane: str) -> float:
     """Distance along the plane from the start to the final position, m; an error if the body still moves."""
     if rest_time(trajectory, body) == float("inf"):
@@ -216,7 +222,7 @@ def _into_body(orientation: Array, vector: Array) -> Array:
     return geometry.rotate(geometry.opposite(orientation), vector)
 
 
-def _last(trajectory: Trajectory, window: float) -> NDArray[np.bool_]:
+def _last(trajectory: Trajectory, window: float) -> Mask:
     return np.asarray(trajectory.times >= trajectory.times[-1] - window * (1 + 1e-9))
 
 

@@ -6,10 +6,10 @@ import heapq
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.catalogue.family import Family
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 NEAR = 1e-3
 """How far thinning may move a curve, as a share of its range: a third of a dot in a figure of 300 dots."""
@@ -82,6 +82,6 @@ def pack(series: Series) -> bytes:
 
 def unpack(packed: bytes) -> Series:
     """The curve in some bytes, with seven digits of each value."""
-    found: NDArray[np.float64] = np.frombuffer(packed, dtype="<f4").astype(np.float64).reshape(2, -1)
+    found: Array = np.frombuffer(packed, dtype="<f4").astype(np.float64).reshape(2, -1)
     times, values = np.round(found[0], TIME_DECIMALS), found[1]
     return Series(tuple(times.tolist()), tuple(float(f"{value:.7g}") for value in values))

@@ -9,12 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family, Quantity
 from reference.engines.base import Engine
 from reference.errors import CollisionsError, as_failed_run
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 
 @dataclass(frozen=True)

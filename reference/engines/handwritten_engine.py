@@ -8,7 +8,7 @@ import numpy as np
 
 from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
 from reference.engines.handwritten import ball_rows, queries, single_body, two_bodies
-from reference.engines.handwritten.supported import Kind, kind
+from reference.engines.handwritten.scenario_kind import Kind, kind
 from reference.errors import InvalidInput, NeedsFunction
 from reference.scene.query import Query
 from reference.scene.scenario import Scenario

@@ -64,7 +64,7 @@ class PyBullet(Engine):
             **damping,
             # Rebounds slower than this many steps of gravity are taken for rest. Without it micro-bounces go on and on.
             "rest_threshold_steps": 3.0,
-            # The share of the overlap that makes the mean error of a rebound vanish; see truth.at_step_apex_shift.
+            # The share of the overlap that makes the mean error of a rebound vanish; see truth.rebound_shift_at_step.
             "contact_erp": 1.0 - restitution,
             "split_impulse": True,
             # The gap at which a contact counts, in falls of one step from rest, g dt². A gap of several falls

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array, Mask
 from reference.published.answers import Answer, Answers
 from reference.published.case import Published
-
-Array = NDArray[np.float64]
 
 YIELDS = (
     "a real contact yields sideways and swings back, which no rigid impulse does: where the sphere grips, it is off by"
@@ -33,14 +31,14 @@ def against_rigid_law(
     return answers
 
 
-def rigid_law(case: Published) -> dict[str, tuple[Array, NDArray[np.bool_]]]:
+def rigid_law(case: Published) -> dict[str, tuple[Array, Mask]]:
     """By figure, what a rigid sphere does at the measured angles of P11, and at which of them it grips."""
     kept, _, grips = rigid_sphere(case, np.array(case.numbers("angle")))
     _, spin, turns = rigid_sphere(case, np.array(case.numbers("angle_of_spin")))
     return {"tangent_restitution": (kept, grips), "spin": (spin, turns)}
 
 
-def rigid_sphere(case: Published, angle: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+def rigid_sphere(case: Published, angle: Array) -> tuple[Array, Array, Mask]:
     """Share of the tangential speed that is left, spin, rad/s, and whether it grips, at angles from the normal, °.
 
     A sphere that grips leaves rolling. Its angular momentum about the contact, m v r, becomes (1 + 2/5) m v' r, so that

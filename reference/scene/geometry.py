@@ -5,12 +5,10 @@ from __future__ import annotations
 import itertools
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.errors import InvalidInput
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Shape, Sphere
-
-Array = NDArray[np.float64]
 
 
 def rotate(orientation: Array, vector: Array) -> Array:
@@ -47,6 +45,11 @@ def quaternion_between(start: Array, end: Array) -> Array:
         axis = np.cross(start, end)
     quaternion = np.array([w, *axis])
     return np.asarray(quaternion / np.linalg.norm(quaternion))
+
+
+def upright_on(normal: Array) -> Array:
+    """Orientation, w x y z, of a body whose own z axis points along the unit normal (3,) of what it stands on."""
+    return quaternion_between(np.array([0.0, 0.0, 1.0]), normal)
 
 
 def separation(scenario: Scenario, body: str, plane: str, positions: Array, orientations: Array) -> Array:

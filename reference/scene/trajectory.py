@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
-
-Array = NDArray[np.float64]
 
 
 def _read_only(values: NDArray[Any]) -> NDArray[Any]:

@@ -7,13 +7,13 @@ from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.errors import InvalidInput
 from reference.scene.scenario import Scenario
 from reference.viewer.clip import DASHES, LOOKS, Clip, Run, Solid
 from reference.viewer.contacts import touches
 from reference.viewer.framing import framed
 from reference.viewer.poses import FARTHEST, Poses
-from reference.viewer.shapes import Array
 
 
 def clip(scenario: Scenario, runs: Mapping[str, Poses], title: str = "", hidden: Collection[str] = ()) -> Clip:

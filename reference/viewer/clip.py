@@ -12,10 +12,11 @@ from typing import Any
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.viewer import camera
 from reference.viewer.contacts import Touch
 from reference.viewer.packing import packed
-from reference.viewer.shapes import Array, Shape, written
+from reference.viewer.shapes import Shape, written
 
 SCHEMA, VERSION = "collisions-lab/replay", 1
 STEP, TURN = 1e-4, 5e-4

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.scene.scenario import Body, Scenario
 from reference.viewer.pair_gaps import Meeting, Places, meeting_of
 from reference.viewer.poses import Poses
-from reference.viewer.shapes import Array
 
 SUDDEN = 2.0, 0.02
 """An impact changes a velocity by more than that many times what weight does in a sample, and by more than this share

@@ -7,11 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.scene import geometry
 from reference.scene.scenario import HalfSpace
 from reference.viewer import camera
 from reference.viewer.clip import Clip, Run, Solid
-from reference.viewer.shapes import Array, vertices_of
+from reference.viewer.shapes import vertices_of
 
 GROWN = 0.5
 """What else there is may enlarge the picture by this share on each side: an engine that throws its ball away may not

@@ -10,9 +10,9 @@ import base64
 from collections.abc import Iterable
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from reference.arrays import Array
+
 FARTHEST = 1e9
 """In steps: what lies beyond is kept as being there, so that sums of differences stay exact in any language."""
 

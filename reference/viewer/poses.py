@@ -19,9 +19,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.errors import InvalidInput
 from reference.scene.scenario import Scenario
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 SCHEMA, VERSION = "collisions-lab/poses", 2
 RATE = 60

@@ -12,11 +12,12 @@ from html import escape
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.scene import geometry
 from reference.scene.scenario import HalfSpace
 from reference.viewer.camera import Picture, basis
 from reference.viewer.clip import DASHES, WIDTHS, Clip, Run, Solid
-from reference.viewer.shapes import Array, Capsule, faces_of, vertices_of
+from reference.viewer.shapes import Capsule, faces_of, vertices_of
 
 WIDTH, MARGIN, LINE = 640, 16, 20
 POINTS = 90

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
-CHECKS = (ROOT / "solutions" / "checks.py").read_text(encoding="utf-8")
-DETECTION = (ROOT / "solutions" / "detection.py").read_text(encoding="utf-8")
+SOLUTIONS = Path(__file__).parents[2] / "solutions"
+MODULES = ("arrays", "checks", "detection/planes", "detection/time_of_impact", "detection/sampling")
+OURS = re.compile(r"^from (solutions|__future__)[\w.]* import .*\n", re.MULTILINE)
 STUB = """
 def signed_distance(point, normal, offset):
     \"\"\"Distance.\"\"\"
@@ -17,8 +18,7 @@ def signed_distance(point, normal, offset):
 
 def right_cells():
     """The solutions as the cells of a notebook that imports nothing of ours."""
-    imports = "from solutions.checks import finite, not_negative, positive, vector"
-    return [text.replace(imports, "").replace("from __future__ import annotations", "") for text in (CHECKS, DETECTION)]
+    return [OURS.sub("", (SOLUTIONS / f"{name}.py").read_text(encoding="utf-8")) for name in MODULES]
 
 
 def said(capsys, call, *arguments, **named):

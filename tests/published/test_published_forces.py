@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from oracles import oracle
 
 from reference.published.theirs import published
 from solutions import as_printed
@@ -96,7 +97,7 @@ def test_a_sand_grain_sinks_a_little_slower_than_stokes_says(as_published):
 
 @pytest.mark.statement(26, oracle="P25: the documentation of fluids, with its own drag correlation")
 def test_with_the_correlation_of_barati_the_grain_sinks_as_fluids_says_to_its_last_digit():
-    drag = pytest.importorskip("fluids.drag")
+    drag = oracle("fluids.drag")
     case = published("P25")
     names = ("radius", "density", "fluid_density", "viscosity")
     arguments = [*(case.setup[name] for name in names), (0.0, 0.0, -case.setup["gravity"])]

@@ -8,7 +8,7 @@ import math
 import pytest
 
 from reference.catalogue.scenarios import catalogue
-from reference.catalogue.scenarios.response import DROPS, SPREAD
+from reference.catalogue.scenarios.bouncing_ball import DROPS, SPREAD
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row
 from reference.running.study import run_job

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions.avoidance import crowd_step, orca_half_plane, permitted_velocity, time_to_collision
 
@@ -57,7 +58,7 @@ def test_half_of_the_change_is_half_the_way_to_the_nearest_velocity_without_a_co
 
 @pytest.mark.statement(1, oracle="navground 0.7, which runs RVO2, in single precision")
 def test_the_half_planes_are_those_of_navground():
-    core = pytest.importorskip("navground.core")
+    core = oracle("navground.core")
     rng = np.random.default_rng(RNG_SEED)
     checked = 0
     for pa, va, vb, offset in rng.normal(size=(300, 4, 2)):
@@ -250,7 +251,7 @@ def test_the_permitted_velocity_is_the_nearest_of_all_candidates():
 
 @pytest.mark.statement(1, oracle="scipy's SLSQP")
 def test_the_permitted_velocity_is_the_one_that_slsqp_finds():
-    minimise = pytest.importorskip("scipy.optimize").minimize
+    minimise = oracle("scipy.optimize").minimize
     rng = np.random.default_rng(RNG_SEED)
     for _ in range(60):
         point, normal = scene(rng, 5, 0.3)
@@ -269,7 +270,7 @@ def test_the_permitted_velocity_is_the_one_that_slsqp_finds():
 
 @pytest.mark.statement(1, oracle="scipy's linear programme, with the speed limit as a polygon around the disc")
 def test_where_nothing_is_permitted_the_worst_violation_is_the_least_possible():
-    linprog = pytest.importorskip("scipy.optimize").linprog
+    linprog = oracle("scipy.optimize").linprog
     rng = np.random.default_rng(RNG_SEED)
     corner = np.linspace(0, 2 * np.pi, 2000, endpoint=False)
     rim = np.c_[np.cos(corner), np.sin(corner)]
@@ -294,7 +295,7 @@ def test_where_nothing_is_permitted_the_worst_violation_is_the_least_possible():
 
 @pytest.mark.statement(1, oracle="navground 0.7, which runs RVO2's programme, in single precision")
 def test_among_many_neighbours_the_chosen_velocity_is_that_of_navground():
-    core = pytest.importorskip("navground.core")
+    core = oracle("navground.core")
     rng = np.random.default_rng(RNG_SEED)
     feasible = blocked = 0
     for _ in range(200):

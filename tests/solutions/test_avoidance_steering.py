@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.avoidance import arrive, flee, limited, seek, steering_force
@@ -20,7 +21,7 @@ RNG_SEED = 1
 
 def flight(wanted, start, velocity, duration, mass=1.0, response_time=0.2, max_force=math.inf):
     """Steer a body by a wish (position → wanted velocity) with an integrator that is not ours; (2 d, times)."""
-    integrate = pytest.importorskip("scipy.integrate")
+    integrate = oracle("scipy.integrate")
     d = len(start)
 
     def rate(_, state):

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.forces import (
@@ -170,7 +171,7 @@ def test_a_single_body_does_not_pull_itself():
 
 @pytest.mark.statement(25, oracle="scipy solve_ivp DOP853, and Kepler's third law")
 def test_an_ellipse_closes_after_keplers_period_and_keeps_its_energy():
-    integrate = pytest.importorskip("scipy.integrate")
+    integrate = oracle("scipy.integrate")
     mass = 1 / GRAVITATIONAL_CONSTANT  # G M = 1
     position, velocity = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.2, 0.0])
     axis = 1 / (2 - 1.2**2)  # vis-viva: v² = 2/r − 1/a

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.friction import point_inverse_mass
@@ -531,7 +532,7 @@ def test_a_thin_rod_turned_and_turned_back_is_not_refused_for_its_rounding():
 @pytest.mark.erratum(20)
 def test_dropping_the_time_dependence_leaves_out_the_weight_times_the_length_of_the_contact():
     # A ball on a spring: its force over the contact, weight and all, leaves more than j by m g Δt; nothing for Δt → 0.
-    solve = pytest.importorskip("scipy.integrate").solve_ivp
+    solve = oracle("scipy.integrate").solve_ivp
     mass, gravity, speed = 0.05, 9.81, 2.0
     j = impulse_magnitude(ball(-speed * UP, mass, -0.02 * UP), GROUND, UP, 1.0)
     missing = []

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import forces
 from solutions.forces import (
@@ -123,7 +124,7 @@ def bent(p, v):
 @pytest.mark.statement(30, oracle="scipy solve_ivp DOP853")
 @pytest.mark.parametrize("integrator", ALL)
 def test_halving_the_step_divides_the_error_by_two_to_the_order(integrator):
-    integrate = pytest.importorskip("scipy.integrate")
+    integrate = oracle("scipy.integrate")
 
     def rate(_, state):
         return np.concatenate([state[3:], bent(state[:3], state[3:])])

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions.polyhedra import (
     edges_through_faces,
@@ -418,7 +419,7 @@ def test_pairs_found_do_not_depend_on_how_many_are_looked_at_at_once(monkeypatch
 @pytest.mark.statement(9, oracle="trimesh's watertight and winding checks")
 @pytest.mark.parametrize("lost", [0, 1])
 def test_trimesh_agrees_what_is_watertight_and_oriented(lost):
-    trimesh = pytest.importorskip("trimesh")
+    trimesh = oracle("trimesh")
     mesh = trimesh.creation.torus(2.0, 0.7, major_sections=8, minor_sections=6)
     vertices, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces)[lost:]
     theirs = trimesh.Trimesh(vertices, faces, process=False)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions.sweeping import (
     ray_box,
@@ -177,7 +178,7 @@ def test_a_ball_meets_a_plane_when_its_nearest_point_does(x, u, r, offset):
 
 @pytest.mark.statement(10, oracle="many looks and scipy's brentq")
 def test_a_ball_touches_a_triangle_on_its_face_an_edge_or_a_corner_when_the_distance_is_its_radius():
-    pytest.importorskip("scipy")
+    oracle("scipy")
     rng = np.random.default_rng(2)
     found = []
     for _ in range(60):
@@ -258,7 +259,7 @@ def test_nothing_slips_through_the_seam_of_two_triangles_not_even_a_point(scale)
 
 @pytest.mark.statement(10, oracle="pymunk's segment queries")
 def test_pymunk_finds_the_same_first_points_of_circles_boxes_and_capsules():
-    pymunk = pytest.importorskip("pymunk")
+    pymunk = oracle("pymunk")
     rng = np.random.default_rng(4)
     body, hits = pymunk.Space().static_body, 0
     for _ in range(300):
@@ -285,7 +286,7 @@ def test_pymunk_finds_the_same_first_points_of_circles_boxes_and_capsules():
 
 @pytest.mark.statement(10, oracle="many looks and scipy's brentq")
 def test_a_ray_enters_a_capsule_where_the_distance_from_its_segment_is_the_radius():
-    pytest.importorskip("scipy")
+    oracle("scipy")
     rng = np.random.default_rng(5)
     for _ in range(40):
         x, a, b = 3 * rng.uniform(-1, 1, 3), *rng.uniform(-1, 1, (2, 3))
@@ -345,10 +346,8 @@ def test_turned_boxes_that_are_not_turned_overlap_as_boxes_along_the_axes(x, u, 
 
 @pytest.mark.statement(10, oracle="scipy's linear programs: have the two boxes a point in common?")
 def test_within_its_interval_two_turned_boxes_have_a_point_in_common_and_outside_none():
-    linprog = pytest.importorskip("scipy.optimize").linprog
-    rotations = (
-        pytest.importorskip("scipy.spatial.transform").Rotation.random(2 * 40, 6).as_matrix().reshape(40, 2, 3, 3)
-    )
+    linprog = oracle("scipy.optimize").linprog
+    rotations = oracle("scipy.spatial.transform").Rotation.random(2 * 40, 6).as_matrix().reshape(40, 2, 3, 3)
     rng = np.random.default_rng(6)
     hits = 0
     for axes_a, axes_b in rotations:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions.sweeping import (
     edge_edge_impact,
@@ -93,7 +94,7 @@ def test_no_meeting_is_missed_and_none_is_late(kind):
 @pytest.mark.statement(10, oracle="ipctk's tight inclusion, and scipy's non-negative least squares")
 @pytest.mark.parametrize("count", [1_500, pytest.param(50_000, marks=pytest.mark.slow)])
 def test_whatever_ipctk_hits_is_hit_here_unless_the_features_stay_apart(kind, count):
-    ipctk = pytest.importorskip("ipctk")
+    ipctk = oracle("ipctk")
     query = queries(kind, count, 2)
     found = IMPACT[kind](*query)
     ccd = ipctk.TightInclusionCCD()
@@ -147,7 +148,7 @@ def test_no_exact_meeting_at_a_corner_an_edge_or_within_is_missed_or_late(kind, 
 @KINDS
 @pytest.mark.statement(10, oracle="ipctk's tight inclusion")
 def test_what_ipctk_hits_in_exact_steps_is_hit_here_and_not_later_but_by_what_it_keeps(kind):
-    ipctk = pytest.importorskip("ipctk")
+    ipctk = oracle("ipctk")
     ccd = ipctk.TightInclusionCCD(TOLERANCE, 1000)
     ask = ccd.point_triangle_ccd if kind == "vertex-face" else ccd.edge_edge_ccd
     query = exact_meeting(kind, 1_000, 6, False)  # in one plane, where features touch all along, it refines for minutes
@@ -228,7 +229,7 @@ def test_degenerate_steps_have_their_answer(kind, first, second, way, expected):
     assert found <= expected
     if expected < math.inf:
         assert found == pytest.approx(expected, abs=TOLERANCE)  # ways of 1 m and more a step
-    ipctk = pytest.importorskip("ipctk")
+    ipctk = oracle("ipctk")
     ccd = ipctk.TightInclusionCCD(TOLERANCE, 1000)  # where features touch all along, it would refine for seconds
     ask = ccd.point_triangle_ccd if kind == "vertex-face" else ccd.edge_edge_ccd
     hit, _ = ask(*[p for f in (first, second, first + way, second) for p in np.atleast_2d(f)])
@@ -258,7 +259,7 @@ def test_coarse_steps_are_never_called_free_while_the_features_touch(kind, data)
 
 @pytest.mark.statement(10, oracle="scipy's non-negative least squares")
 def test_the_nearest_point_of_a_triangle_is_the_one_that_least_squares_find():
-    nnls = pytest.importorskip("scipy.optimize").nnls
+    nnls = oracle("scipy.optimize").nnls
     rng = np.random.default_rng(4)
     points, triangles = rng.uniform(-1, 1, (300, 3)), rng.uniform(-1, 1, (300, 3, 3))
     triangles[:50, 2] = triangles[:50, :2].mean(axis=1)  # no area
@@ -315,7 +316,7 @@ def test_a_narrow_gap_is_never_overrated_and_underrated_by_rounding_alone(scale)
 
 @pytest.mark.statement(10, oracle="scipy's linear programs and quadratic minimum over the weights")
 def test_two_hulls_are_apart_by_the_distance_of_their_nearest_points():
-    optimize = pytest.importorskip("scipy.optimize")
+    optimize = oracle("scipy.optimize")
     rng = np.random.default_rng(5)
     apart = 0
     for _ in range(60):
@@ -353,7 +354,7 @@ def test_the_hulls_of_single_points_and_of_bodies_that_touch_or_coincide():
 
 @pytest.mark.statement(10, oracle="scipy's rotations")
 def test_turning_a_vector_is_what_scipy_calls_a_rotation():
-    rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    rotation = oracle("scipy.spatial.transform").Rotation
     rng = np.random.default_rng(6)
     points, turns = rng.normal(size=(2, 100, 3))
     turns[:4] *= [[0.0], [1e-9], [1e-200], [10.0]]
@@ -415,8 +416,8 @@ def test_a_spinning_cube_meets_a_slab_with_its_corner():
 
 @pytest.mark.statement(10, oracle="many looks by scipy's least squares at bodies turned by scipy")
 def test_turning_boxes_are_apart_until_the_time_given_and_touch_then():
-    optimize = pytest.importorskip("scipy.optimize")
-    rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    optimize = oracle("scipy.optimize")
+    rotation = oracle("scipy.spatial.transform").Rotation
     rng = np.random.default_rng(7)
     count = 30
     a = CUBE * rng.uniform(0.3, 1.2, (count, 1, 3))

@@ -27,13 +27,14 @@ import numpy as np
 
 from labs.grading.calling.processes import LOST, Ended, Limits, Process
 from labs.grading.errors import GraderFailed
-from labs.grading.worker import system
+from labs.grading.worker import system_calls
 from labs.grading.worker.sandbox import Plan
+from labs.project_folders import ROOT
 
 MEASURES = ("limits", "user", "death", "privileges", "landlock", "seccomp", "namespace")
 """What can be left out, to see what the others are worth."""
 
-_FOLDERS = (str(Path(__file__).parents[3]), str(Path(np.__file__).parents[1]))  # ours and NumPy's
+_FOLDERS = (str(ROOT), str(Path(np.__file__).parents[1]))
 _INTERPRETER = (sys.executable, "-I", "-S", "-B", "-X", "utf8", "-c")
 _START = "import sys; sys.path[:0] = sys.argv[1:3]; from labs.grading.worker import {0}; {0}.main()"
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
@@ -168,7 +169,7 @@ class LoneHost:
 
     def start(self, limits: Limits) -> Process:
         """Start an interpreter."""
-        command = [*_INTERPRETER, _START.format("lone"), *_FOLDERS, self._folder]
+        command = [*_INTERPRETER, _START.format("lone_process"), *_FOLDERS, self._folder]
         kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}  # Windows needs it
         running = subprocess.Popen(
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=self._folder,
@@ -215,8 +216,8 @@ _hiding: weakref.WeakSet[NurseryHost] = weakref.WeakSet()
 def _hide(host: NurseryHost) -> None:
     """Keep others of this user from looking into this process, until the last host is closed."""
     with contextlib.suppress(OSError):
-        if _hiding or system.prctl(system.GET_DUMPABLE) == 1:
-            system.prctl(system.SET_DUMPABLE, 0)
+        if _hiding or system_calls.prctl(system_calls.GET_DUMPABLE) == 1:
+            system_calls.prctl(system_calls.SET_DUMPABLE, 0)
             _hiding.add(host)
 
 
@@ -224,4 +225,4 @@ def _show(host: NurseryHost) -> None:
     if host in _hiding:
         _hiding.remove(host)
         if not _hiding:
-            system.prctl(system.SET_DUMPABLE, 1)
+            system_calls.prctl(system_calls.SET_DUMPABLE, 1)

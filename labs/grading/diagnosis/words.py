@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from labs.grading.diagnosis.deviations import Answer, Right, outputs
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
-from labs.grading.diagnosis.marks import Answer, Right, outputs
 from labs.grading.safe_text import one_line
 from labs.grading.wrapping import WIDTH
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
 from labs.grading.diagnosis.words import ODD, besides, example_of, verdict
 from labs.grading.feedback.error_advice import Advice
-from labs.grading.judging.sheet import Sheet
+from labs.grading.judging.score_sheet import Sheet
 from labs.grading.wrapping import folded
 
 MOST_PARTS = 2

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from labs.grading.feedback.error_advice import Advice
 from labs.grading.feedback.faults import listed, share, wrong
-from labs.grading.judging.sheet import Sheet
+from labs.grading.judging.score_sheet import Sheet
 from labs.grading.wrapping import folded
 from reference import lecture
 from reference.lecture import Function

@@ -18,7 +18,7 @@ from typing import Any
 from labs.grading.calling.remote import Grader
 from labs.grading.diagnosis.words import told
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE, run, topics_of
-from labs.grading.judging.sheet import Outcome, Sheet
+from labs.grading.judging.score_sheet import Outcome, Sheet
 from reference import lecture
 from reference.errors import InvalidInput
 

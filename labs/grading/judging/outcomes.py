@@ -10,10 +10,10 @@ import pytest
 
 from labs.grading.calling.remote import Remote
 from labs.grading.diagnosis.findings import Diagnosis
-from labs.grading.diagnosis.naming import diagnose
+from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.errors import FunctionMissing, GraderFailed, StudentError, UnreadableSubmission
-from labs.grading.judging.sheet import Outcome, Part, Sheet
+from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from labs.grading.safe_text import plain
 from labs.grading.submission.reading import Submission
 from reference import lecture

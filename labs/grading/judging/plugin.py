@@ -25,7 +25,7 @@ from labs.grading.errors import GraderFailed, StudentError
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.given_names import given_names
 from labs.grading.judging.outcomes import explain, is_hidden, marker, outcome_of, said, summary
-from labs.grading.judging.sheet import Part, Sheet
+from labs.grading.judging.score_sheet import Part, Sheet
 from labs.grading.judging.submitted_functions import Functions
 from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import FILE_LIMIT

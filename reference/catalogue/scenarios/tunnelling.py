@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
 from reference.engines.base import AT_STEP, Method
 from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RADIUS = 0.02
 """Radius of the ball, m: that of table tennis."""

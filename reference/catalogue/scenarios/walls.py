@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import TENTHS, Grid, Parameter
@@ -12,7 +13,7 @@ from reference.engines.base import EXACT, Method
 from reference.errors import RunFailed
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RADIUS = 0.1
 """Radius of the ball, m."""

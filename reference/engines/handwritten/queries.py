@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from reference.engines.handwritten.stepping import Array
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.errors import CannotExpress
 from reference.scene import geometry

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array, Mask
 from reference.engines.implementation import Implementation
 from reference.published.answers import Answers, as_answers
 from reference.published.by_hand.axes import UP
 from reference.published.case import Published
-
-Array = NDArray[np.float64]
 
 FIRST_REBOUND = 0.9
 """How long the drops of P6 are watched, s: they fall for 0.44 s, and rise again for 0.35 s at most."""
@@ -55,10 +53,10 @@ def _flight(code: Implementation, z: Array, v: Array, pull: Array, dt: float, st
     return places, speeds - pull * dt / 2
 
 
-def _touches(case: Published, code: Implementation, places: Array, slop: float = 0.0) -> NDArray[np.bool_]:
+def _touches(case: Published, code: Implementation, places: Array, slop: float = 0.0) -> Mask:
     """Whether a ball with its centre at these places is within `slop` of the floor, m."""
     gaps = code.function("signed_distance")(places, UP, -case.value("radius"))
-    found: NDArray[np.bool_] = code.function("side_of_plane")(gaps, slop) <= 0
+    found: Mask = code.function("side_of_plane")(gaps, slop) <= 0
     return found
 
 

@@ -5,16 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.published.answers import Answers, as_answers
 from reference.published.by_hand.axes import STILL, UP, X, Y
 from reference.published.case import Published
 from reference.published.rigid_law import against_rigid_law
 from reference.published.solid_sphere import inertia_of, mass_of
-
-Array = NDArray[np.float64]
 
 ROLLING_STEP = 0.01
 """Timestep of P13, s. All forces are constant, so that the speed at the end is the same with any."""

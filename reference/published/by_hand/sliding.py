@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.published.answers import Answers, as_answers
 from reference.published.by_hand.axes import STILL, UP, X, Y
 from reference.published.case import Published
 from reference.published.solid_sphere import inertia_of
-
-Array = NDArray[np.float64]
 
 LONG = 100.0
 """How long a box slides at most, s; every box here has stopped by then."""

@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.published.answers import Answers, as_answers
 from reference.published.by_hand.axes import UP
 from reference.published.case import Published
 from reference.published.solid_sphere import mass_of
-
-Array = NDArray[np.float64]
 
 SPRING_STEP, SPRING_TIME = 2e-4, 0.7
 """Timestep and duration of P18, s: the ball falls for 0.43 s and turns after a good quarter of its period of 0.63 s."""

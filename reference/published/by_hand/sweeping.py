@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.published.answers import Answers, as_answers
 from reference.published.by_hand.axes import STILL, X, Y
@@ -19,7 +19,7 @@ def box2d(case: Published, code: Implementation) -> Answers:
     return {**hulls, **_rays(case, code)}
 
 
-def _in_space(*points: NDArray[np.float64] | tuple[float, ...]) -> NDArray[np.float64]:
+def _in_space(*points: Array | tuple[float, ...]) -> Array:
     """Points of the plane, with z = 0."""
     return np.array([(*point, 0.0) for point in points])
 

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.engines.base import EXACT, Method
-from reference.scene.trajectory import Array
 
 
 def why_late(timestep: float) -> str:

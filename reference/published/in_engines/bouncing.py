@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure
 from reference.engines.base import Engine
 from reference.published.answers import Answer, Answers, answer_within
@@ -13,7 +14,6 @@ from reference.published.in_engines.at_step import Bounce, apexes_off, end_off, 
 from reference.published.in_engines.scenes import AFTER_APEX, FINE, ball_over_floor, gravity_of, tuned
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Option, Settings
-from reference.scene.trajectory import Array
 
 DART_LIFT = 1e-3
 """How fast DART takes back overlap, m/s; a constant of its source code."""

@@ -8,13 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.engines.base import Engine
 from reference.published.answers import Answer, Answers, answer_within
 from reference.published.case import Published
 from reference.published.in_engines.scenes import gravity_of
 from reference.scene.scenario import Body, Box, Force, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Option, Settings
-from reference.scene.trajectory import Array
 
 APART = 3.0
 """Between the centres of neighbouring balls, m."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from reference.catalogue.scenarios.response import falling_ball
+from reference.catalogue.scenarios.bouncing_ball import falling_ball
 from reference.engines.base import Engine
 from reference.published.case import Published
 from reference.scene.scenario import GRAVITY, Scenario

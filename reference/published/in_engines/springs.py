@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure
 from reference.engines.base import Engine
 from reference.published.answers import Answer, Answers
@@ -20,7 +21,6 @@ from reference.published.in_engines.scenes import ball_over_floor, gravity_of
 from reference.published.solid_sphere import mass_of
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array
 
 LEAST_IMPEDANCE = 1e-4
 """The least impedance that MuJoCo takes."""

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from labs.grading.judging.expectations import asks, expect
+from labs.grading.judging.comparison import asks, expect
 
 UP = [0.0, 0.0, 1.0]
 INFINITY = math.inf

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from labs.grading.judging.expectations import asks, expect, numbers
+from labs.grading.judging.comparison import asks, expect, numbers
 
 UP, LEANS, REST = [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 FALL = [0.0, 0.0, -8.0]

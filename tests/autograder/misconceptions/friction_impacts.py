@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import along, col, direction, dot, flat, over, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import along, col, direction, dot, flat, over, size
 
 
 def times(matrix, vector):

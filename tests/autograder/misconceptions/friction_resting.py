@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
+from labs.grading.diagnosis.misconceptions import Misconception as M
 
 
 def resting(g, w, f):

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import direction, dot, flat, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import direction, dot, flat, size
 
 
 def towards(normal, a, b, flip=np.less):

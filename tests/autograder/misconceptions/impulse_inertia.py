@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import over
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import over
 
 
 def rotation(q):

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import col, direction, dot, over, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import col, direction, dot, over, size
 
 
 def trapezoids(f, t, weight=None):

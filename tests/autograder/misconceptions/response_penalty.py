@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import col, over
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import col, over
 
 
 def pushing(push, clamp=True, inside=lambda s: np.asarray(s) < 0):

@@ -16,14 +16,17 @@ from rich.cells import cell_len
 from rich.console import Console
 
 from labs.cli import jobs, show
-from labs.demonstrations.outcomes import Seen, filled
-from labs.demonstrations.questions import DEMONSTRATIONS, Demonstration, find
+from labs.demonstrations.catalogue import DEMONSTRATIONS, find
+from labs.demonstrations.demonstration import Demonstration
+from labs.demonstrations.lesson import Error, IfKnown, Line, Listed, Magnitude, Measured, Predicted, Theory
+from labs.demonstrations.outcomes import Outcome
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.curves import Series
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.base import EXACT
+from reference.errors import UnknownName
 from reference.recording import files
 from reference.report import terminal
 from reference.report.terminal import Points
@@ -31,7 +34,6 @@ from reference.running.isolate import stop_workers
 from reference.running.study import run_job
 
 ALL = pytest.mark.parametrize("demonstration", DEMONSTRATIONS, ids=[one.name for one in DEMONSTRATIONS])
-PLACEHOLDER = re.compile(r"\{([^}]*)\}")
 MISSING = "is not there; to get it: pip install it"
 LIMIT = 30.0  # s: what a demonstration may take on two cores with an empty cache
 MAGIC = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF"}
@@ -83,10 +85,10 @@ def without_runs(monkeypatch):
     return use
 
 
-def seen_of(demonstration: Demonstration, *missing: str) -> Seen:
+def seen_of(demonstration: Demonstration, *missing: str) -> Outcome:
     planned = show._planned(demonstration, None, "solutions")
     results = [absent(job) if job.engine in missing else made(job, 0.5) for job in planned]
-    return Seen(demonstration, tuple(results))
+    return Outcome(demonstration, tuple(results))
 
 
 # The list
@@ -156,12 +158,28 @@ def test_the_numbers_of_the_question_are_those_of_the_scenario(demonstration):
 @ALL
 def test_every_number_that_a_lesson_asks_for_can_be_had(demonstration):
     seen = seen_of(demonstration)
+    family = catalogue()[demonstration.family]
     for line in demonstration.lesson:
-        for words in PLACEHOLDER.findall(line):
-            assert seen._figure(words), words
-    lines = seen.lesson()
-    assert len(lines) == len(demonstration.lesson)
-    assert not re.search(r"[{}\[\]]", " ".join(lines))
+        for number in line.numbers:
+            assert seen.written(number), number
+            if not isinstance(number, Predicted):
+                assert family.quantity(number.quantity), number
+    assert len(seen.lesson()) == len(demonstration.lesson)
+
+
+@pytest.mark.parametrize(
+    ("number", "said"),
+    [
+        (Measured("bullet", "stock", "rest_time"), "unknown engine in the lesson of 'bounce' 'bullet'"),
+        (Error("pybullet", "stack", "rest_time"), "unknown profile of pybullet in the lesson of 'bounce' 'stack'"),
+        (Theory("rest_time", at="e = 0.8"), "unknown case or timestep in the lesson of 'bounce' 'e = 0.8'"),
+        (Predicted("1 ms"), "unknown timestep in the lesson of 'bounce' '1 ms'"),
+    ],
+    ids=["engine", "profile", "case", "timestep"],
+)
+def test_a_lesson_that_asks_for_a_number_of_no_run_is_refused(number, said):
+    with pytest.raises(UnknownName, match=re.escape(said)):
+        dataclasses.replace(find("bounce"), lesson=(Line("It is ", IfKnown(number), "."),))
 
 
 @ALL
@@ -208,7 +226,7 @@ def test_a_number_in_a_lesson_is_the_number_of_the_run():
             else result
             for result in seen.results
         ]
-        lesson = " ".join(Seen(seen.demonstration, tuple(results)).lesson())
+        lesson = " ".join(Outcome(seen.demonstration, tuple(results)).lesson())
         assert f"PyBullet rests at {value:g} s" in lesson
         assert "MuJoCo 0.5 s" in lesson
 
@@ -216,32 +234,56 @@ def test_a_number_in_a_lesson_is_the_number_of_the_run():
 def test_a_number_of_one_timestep_or_case_is_not_that_of_another():
     demonstration = find("tunnelling")
     planned = show._planned(demonstration, None, "solutions")
-    seen = Seen(demonstration, tuple(made(job, 50 * dict(job.changes)["timestep"]) for job in planned))
-    assert seen._figure("pybullet tuned passed measured at 1 ms") == "5 %"
-    assert seen._figure("pybullet tuned passed measured at 1/60 s") == "83 %"
+    seen = Outcome(demonstration, tuple(made(job, 50 * dict(job.changes)["timestep"]) for job in planned))
+    assert seen.written(Measured("pybullet", "tuned", "passed", at="1 ms")) == "5 %"
+    assert seen.written(Measured("pybullet", "tuned", "passed", at="1/60 s")) == "83 %"
     tip = seen_of(find("tip"))
     (other,) = [row for row in tip.results[-1].rows if (row.quantity, row.case) == ("way", "h=0.2,μ=0.7,θ=20°")]
     rows = tuple(dataclasses.replace(row, measured=0.9) if row is other else row for row in tip.results[-1].rows)
-    tip = Seen(tip.demonstration, (*tip.results[:-1], dataclasses.replace(tip.results[-1], rows=rows)))
-    assert tip._figure("mujoco stock way measured at 20°, μ = 0.7") == "0.9 m"
-    assert tip._figure("mujoco stock way measured at 20°, μ = 0.3") == "0.5 m"
+    tip = Outcome(tip.demonstration, (*tip.results[:-1], dataclasses.replace(tip.results[-1], rows=rows)))
+    assert tip.written(Measured("mujoco", "stock", "way", at="20°, μ = 0.7")) == "0.9 m"
+    assert tip.written(Measured("mujoco", "stock", "way", at="20°, μ = 0.3")) == "0.5 m"
+
+
+A, B, GONE = Theory("a"), Theory("b"), Theory("gone")
+
+
+def list_of(first, second):
+    return Listed(IfKnown(first, " here"), IfKnown(second, " there"))
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("parts", "said"),
     [
-        ("plain", "plain"),
-        ("{a} and {b}", "1 and 2"),
-        ("{a} and {gone}", ""),
-        ("so: [{a} here][, {b} there].", "so: 1 here, 2 there."),
-        ("so: [{gone} here][, {b} there].", "so: 2 there."),
-        ("so: [{a} here][, {gone} there].", "so: 1 here."),
-        ("so: [{gone} here][, {gone} there].", ""),
-        ("{a}[; {gone}].", "1."),
+        (["plain"], "plain"),
+        ([A, " and ", B], "1 and 2"),
+        ([A, " and ", GONE], ""),
+        (["so: ", list_of(A, B), "."], "so: 1 here, 2 there."),
+        (["so: ", list_of(GONE, B), "."], "so: 2 there."),
+        (["so: ", list_of(A, GONE), "."], "so: 1 here."),
+        (["so: ", list_of(GONE, GONE), "."], ""),
+        ([A, IfKnown("; ", GONE), "."], "1."),
+        (["so", IfKnown(": ", GONE), IfKnown(", ", GONE), "."], ""),
+        ([A, IfKnown("; so: ", list_of(GONE, GONE)), "."], "1."),
     ],
 )
-def test_what_has_no_number_is_left_out_of_a_lesson(line, said):
-    assert filled(line, lambda words: {"a": "1", "b": "2"}.get(words, "")) == said
+def test_what_has_no_number_is_left_out_of_a_lesson(parts, said):
+    assert Line(*parts).text(lambda number: {A: "1", B: "2"}.get(number, "")) == said
+
+
+@pytest.mark.parametrize(
+    ("number", "said"),
+    [
+        (Measured("mujoco", "stock", "height"), "−0.25 m"),
+        (Magnitude("mujoco", "stock", "height"), "0.25 m"),
+        (Error("mujoco", "stock", "height"), "−1.2 m"),
+        (Theory("height"), "0 m"),
+    ],
+)
+def test_a_lesson_gives_a_number_its_magnitude_its_error_or_theory(number, said):
+    demonstration = find("stack")
+    planned = show._planned(demonstration, None, "solutions")
+    assert Outcome(demonstration, tuple(made(job, -0.25) for job in planned)).written(number) == said
 
 
 # The whole of it
@@ -481,7 +523,7 @@ def test_every_demonstration_is_over_in_half_a_minute_and_teaches_all_it_has_to(
 
 def test_a_hand_written_run_is_drawn_as_the_report_draws_it():
     (job, *_) = show._planned(find("stop"), ["handwritten"], "solutions")
-    seen = Seen(find("stop"), (run_job(job),))
+    seen = Outcome(find("stop"), (run_job(job),))
     (curve,) = seen.curves
     assert (curve.xs, curve.ys) == (seen.results[0].series.times, seen.results[0].series.values)
     assert seen.axes == ("time, s", "way, m")

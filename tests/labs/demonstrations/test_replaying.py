@@ -9,7 +9,7 @@ import pytest
 from program import collisions
 
 from labs.cli import jobs
-from labs.demonstrations.questions import find
+from labs.demonstrations.catalogue import find
 from reference.comparison.results import Job
 from reference.errors import InvalidInput
 

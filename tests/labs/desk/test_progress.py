@@ -7,8 +7,8 @@ import time
 
 import pytest
 
-from labs.desk import progress
-from labs.desk.progress import Progress
+from labs.desk import progress_line
+from labs.desk.progress_line import Progress
 from labs.grading.judging import pytest_run
 
 RIGHT = """import numpy as np
@@ -34,12 +34,12 @@ class Lines:
 @pytest.fixture
 def line(monkeypatch):
     """Put a line where a terminal's would be, and speak soon."""
-    monkeypatch.setattr(progress, "_AFTER", 0.02)
-    monkeypatch.setattr(progress, "_EVERY", 0.02)
+    monkeypatch.setattr(progress_line, "_AFTER", 0.02)
+    monkeypatch.setattr(progress_line, "_EVERY", 0.02)
 
     def put(broken: bool = False) -> Lines:
         lines = Lines(broken)
-        monkeypatch.setattr(progress, "_TerminalLine", lambda: lines)
+        monkeypatch.setattr(progress_line, "_TerminalLine", lambda: lines)
         return lines
 
     return put

@@ -22,7 +22,7 @@ from labs.grading.feedback import report
 from labs.grading.judging import grade as grading
 from labs.grading.judging import pytest_run
 from labs.grading.judging.grade import Grade, grade, read_grade
-from labs.grading.judging.sheet import Outcome, Part, Sheet
+from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from labs.grading.wrapping import folded
 from reference import lecture
 from reference.errors import InvalidInput

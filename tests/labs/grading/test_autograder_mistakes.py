@@ -18,12 +18,12 @@ import pytest
 
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader, Remote
-from labs.grading.diagnosis.bank import read_bank
-from labs.grading.diagnosis.naming import diagnose
+from labs.grading.diagnosis.misconceptions import read_bank
+from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.feedback.report import report
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.plugin import Functions
-from labs.grading.judging.sheet import Outcome, Sheet
+from labs.grading.judging.score_sheet import Outcome, Sheet
 from labs.grading.submission.reading import Submission
 from reference import lecture
 from reference.errors import CollisionsError

@@ -17,7 +17,7 @@ from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import GraderFailed, StudentError
 from labs.grading.judging.grade import grade
 from labs.grading.submission.reading import Submission
-from labs.grading.worker import system
+from labs.grading.worker import system_calls
 from labs.grading.worker.tier import Tier
 
 ROOT = Path(__file__).parents[3]
@@ -91,13 +91,13 @@ def _is_there(process: int) -> bool:
 
 
 def test_two_graders_hide_their_process_until_both_are_closed():
-    before = system.prctl(system.GET_DUMPABLE)
+    before = system_calls.prctl(system_calls.GET_DUMPABLE)
     first, second = Grader(), Grader()
     first.close()
     first.close()
-    assert system.prctl(system.GET_DUMPABLE) == 0
+    assert system_calls.prctl(system_calls.GET_DUMPABLE) == 0
     second.close()
-    assert system.prctl(system.GET_DUMPABLE) == before
+    assert system_calls.prctl(system_calls.GET_DUMPABLE) == before
 
 
 def test_nothing_of_one_submission_is_there_for_the_next():

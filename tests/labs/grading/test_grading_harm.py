@@ -14,7 +14,7 @@ from labs.grading.calling.calls import Call, Patience
 from labs.grading.calling.load_failures import Failures
 from labs.grading.calling.processes import Ended, Limits
 from labs.grading.calling.remote import Grader, Remote
-from labs.grading.diagnosis.marks import AGAINST_INFINITY, Answer, Right, mark, outputs
+from labs.grading.diagnosis.deviations import AGAINST_INFINITY, Answer, Right, deviation_of, outputs
 from labs.grading.errors import FunctionRaised, UnreadableSubmission
 from labs.grading.judging.grade import grade
 from labs.grading.judging.plugin import _seed
@@ -98,16 +98,16 @@ def test_thousands_of_statements_that_failed_cost_nothing_at_an_error():
 @pytest.mark.parametrize("off", [0.0, 1e-5, -2e-5])
 def test_no_number_stands_for_infinity(off):
     never = Right((np.array([1.0, np.inf]),), (1.0,))
-    assert not mark(Answer(np.array([1.0, off - AGAINST_INFINITY])), never).right
-    assert mark(Answer([1.0, np.inf]), never).right
+    assert not deviation_of(Answer(np.array([1.0, off - AGAINST_INFINITY])), never).right
+    assert deviation_of(Answer([1.0, np.inf]), never).right
 
 
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("value", [1e308, -1e308, np.longdouble("1e4000"), np.float16(6e4), 5e-324])
 def test_the_largest_numbers_are_wrong_like_any_other(value):
-    found = mark(Answer(np.array([value, 1.0])), Right((np.array([2.0, 1.0]),), (1e-3,)))
+    found = deviation_of(Answer(np.array([value, 1.0])), Right((np.array([2.0, 1.0]),), (1e-3,)))
     assert not found.right
-    assert np.isfinite(found.deviation)
+    assert np.isfinite(found.total)
 
 
 @pytest.mark.parametrize("value", [np.zeros((20_000, 1)), (np.zeros(3), [[0.0]] * 100), np.zeros((1, 1, 1, 3))])

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
-from reference.catalogue.scenarios.response import falling_ball
+from reference.catalogue.scenarios.bouncing_ball import falling_ball
 from reference.comparison.compare import compare_case
 from reference.comparison.verdicts import ALL_CASES, Row, Verdict, failures, judge, verdict_of
 from reference.engines.base import AT_STEP, Engine, Method

@@ -24,7 +24,7 @@ from catalogue_rows import (
 
 from reference.catalogue import measure
 from reference.catalogue.scenarios import catalogue
-from reference.catalogue.scenarios.response import falling_ball
+from reference.catalogue.scenarios.bouncing_ball import falling_ball
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 

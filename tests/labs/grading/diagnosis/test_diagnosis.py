@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 from labs.grading.diagnosis import fingerprints
-from labs.grading.diagnosis.bank import Misconception, read_bank
 from labs.grading.diagnosis.fingerprints import __main__ as command
 from labs.grading.diagnosis.fingerprints import building
 from labs.grading.diagnosis.fingerprints.__main__ import main
-from labs.grading.diagnosis.naming import diagnose
+from labs.grading.diagnosis.misconceptions import Misconception, read_bank
 from labs.grading.diagnosis.probes import probed, probes
+from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import called, no_answer, told
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
@@ -68,7 +68,7 @@ def test_the_fingerprints_of_what_is_inherited_are_fresh():
 
 def test_a_fingerprint_that_is_stale_is_found(tmp_path, monkeypatch):
     numbers = {"is_colliding": {"right": [1.0, 2.0]}}
-    content = {"schema": "collisions-lab/fingerprints", "version": 1, "functions": numbers}
+    content = {"schema": "collisions-lab/fingerprints", "version": 2, "functions": numbers}
     monkeypatch.setattr(building, "build", lambda *_, **__: {"detection": content})
     assert fingerprints.stale(tmp_path) == ["detection.json: there is none"]
     assert building.write(tmp_path) == [tmp_path / "detection.json"]

@@ -12,8 +12,8 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from labs.grading.diagnosis.naming import diagnose
 from labs.grading.diagnosis.probes import probed
+from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from solutions import checks
 

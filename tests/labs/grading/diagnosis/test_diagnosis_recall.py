@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from labs.grading.diagnosis import naming
-from labs.grading.diagnosis.bank import read_bank
+from labs.grading.diagnosis import recognition
 from labs.grading.diagnosis.fingerprints import known
+from labs.grading.diagnosis.misconceptions import read_bank
 
 STUDENTS = Path(__file__).parents[3] / "autograder" / "students"
 pytestmark = pytest.mark.slow
@@ -157,7 +157,7 @@ def written(lot):
 
 
 def diagnosed(name, function):
-    return naming.diagnose(name, lambda _, *arguments: function(*arguments))
+    return recognition.diagnose(name, lambda _, *arguments: function(*arguments))
 
 
 def test_wrong_answers_by_others_are_named_as_a_person_would_or_not_at_all():
@@ -182,7 +182,7 @@ def test_a_mistake_that_is_not_in_the_bank_is_not_taken_for_another(monkeypatch)
         rest = known(entry.function)
         others = tuple(other for other in rest.mistakes if other.id != entry.id)
         lessened = type(rest)(rest.function, rest.parameters, rest.right, others)
-        monkeypatch.setattr(naming, "known", lambda _, lessened=lessened: lessened)
+        monkeypatch.setattr(recognition, "known", lambda _, lessened=lessened: lessened)
         found = diagnosed(entry.function, entry.formula)
         if found.verdict == "named":
             certain.append((entry.id, found.mistakes[0].id))

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from labs.grading.diagnosis import naming, words
+from labs.grading.diagnosis import recognition, words
+from labs.grading.diagnosis.deviations import Answer, Right, deviation_of
 from labs.grading.diagnosis.findings import Diagnosis
 from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known
-from labs.grading.diagnosis.marks import Answer, Right, mark
-from labs.grading.diagnosis.naming import DIFFERENT, LEAST, diagnose
 from labs.grading.diagnosis.probes import Probe
+from labs.grading.diagnosis.recognition import DIFFERENT, LEAST, diagnose
 from labs.grading.diagnosis.words import example_of
 
 SINGLE = [*(Probe((float(x),), "usual", f"case {x}") for x in range(1, 7)), Probe((0.0,), "edge", "nothing"),
@@ -60,9 +60,9 @@ MISTAKES = {
 }
 
 
-def marks(formula, right):
+def deviations(formula, right):
     answers = zip(PROBES, right, strict=True)
-    return tuple(mark(Answer(formula(*probe.arguments)), own) for probe, own in answers if own)
+    return tuple(deviation_of(Answer(formula(*probe.arguments)), own) for probe, own in answers if own)
 
 
 def origins(name):
@@ -72,10 +72,10 @@ def origins(name):
 @pytest.fixture(autouse=True)
 def made_up(monkeypatch):
     right = (*(Right((np.asarray(probe.arguments[0]),), (1.0,)) for probe in (*SINGLE, *MANY)), None, None)
-    known = tuple(Known(f"f/{name}", f"It is {name}.", "Why?", marks(formula, right), origins(name))
+    known = tuple(Known(f"f/{name}", f"It is {name}.", "Why?", deviations(formula, right), origins(name))
                   for name, formula in MISTAKES.items())  # fmt: skip
-    monkeypatch.setattr(naming, "known", lambda _: Knowledge("f", ("x",), right, known))
-    monkeypatch.setattr(naming, "probes", lambda _: PROBES)
+    monkeypatch.setattr(recognition, "known", lambda _: Knowledge("f", ("x",), right, known))
+    monkeypatch.setattr(recognition, "probes", lambda _: PROBES)
 
 
 def told(function):

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from labs.grading.diagnosis.marks import TOLERANCE, Answer, Mark, Right, ask, mark, outputs
-from labs.grading.diagnosis.probes.making import edge, usual
+from labs.grading.diagnosis.deviations import TOLERANCE, Answer, Deviation, Right, ask, deviation_of, outputs
+from labs.grading.diagnosis.probes.probe import edge, usual
 from labs.grading.errors import FunctionMissing, FunctionRaised, GraderFailed
 from reference.errors import NeedsFunction
 
@@ -19,7 +19,7 @@ def right(*arrays, scales=()):
 
 
 def off(answer, *arrays, scales=()):
-    return mark(Answer(answer), right(*arrays, scales=scales))
+    return deviation_of(Answer(answer), right(*arrays, scales=scales))
 
 
 # What is right
@@ -34,7 +34,7 @@ def test_an_answer_within_the_tolerance_of_its_scale_is_right_and_beyond_it_wron
 
 
 def test_rounding_in_single_precision_is_right_and_half_a_part_in_ten_thousand_is_wrong():
-    assert off(1.0 + 2e-5, 1.0) == Mark(0.0, 0.0)
+    assert off(1.0 + 2e-5, 1.0) == Deviation(0.0, 0.0)
     assert not off(1.0 + 5e-5, 1.0).right
 
 
@@ -45,52 +45,52 @@ def test_each_output_is_compared_on_its_own_scale():
 
 def test_the_same_infinity_and_nan_are_right_and_no_other():
     values = (math.inf, -math.inf, math.nan, 0.0, -5.0)
-    marks = {(mine, theirs): off(mine, theirs) for mine in values for theirs in values}
+    deviations = {(mine, theirs): off(mine, theirs) for mine in values for theirs in values}
     for i, mine in enumerate(values):
         for j, theirs in enumerate(values):
-            assert marks[mine, theirs].right == (i == j), (mine, theirs)
-            assert marks[mine, theirs].spread == 0 or marks[mine, theirs].spread > 4
+            assert deviations[mine, theirs].right == (i == j), (mine, theirs)
+            assert deviations[mine, theirs].spread == 0 or deviations[mine, theirs].spread > 4
 
 
 def test_each_way_of_missing_a_number_has_a_mark_of_its_own():
-    finite = [off(mine, 1.0).deviation for mine in (math.inf, -math.inf, math.nan, 2.0)]
-    infinite = [off(mine, math.inf).deviation for mine in (-math.inf, math.nan, 1.0, 2.0)]
+    finite = [off(mine, 1.0).total for mine in (math.inf, -math.inf, math.nan, 2.0)]
+    infinite = [off(mine, math.inf).total for mine in (-math.inf, math.nan, 1.0, 2.0)]
     assert len({round(number, 6) for number in finite}) == len({round(number, 6) for number in infinite}) == 4
     assert finite[0] == -finite[1] > 0
 
 
 def test_wrong_places_swapped_give_another_mark():
-    assert off([1.0, 0.0, 0.0], np.zeros(3)).deviation != off([0.0, 1.0, 0.0], np.zeros(3)).deviation
+    assert off([1.0, 0.0, 0.0], np.zeros(3)).total != off([0.0, 1.0, 0.0], np.zeros(3)).total
     mixed = off([1.0, -1.0], np.zeros(2))
-    assert abs(mixed.deviation) < mixed.spread
+    assert abs(mixed.total) < mixed.spread
 
 
 # What is the same mistake
 
 
 def test_marks_agree_up_to_the_tolerance_of_what_was_summed_up():
-    known = Mark(10.0, 10.0)
-    assert Mark(10.0 + 10.9 * TOLERANCE, 10.0).agrees(known)
-    assert not Mark(10.0 + 11.1 * TOLERANCE, 10.0).agrees(known)
-    assert Mark(10.0 + 90 * TOLERANCE, 100.0).agrees(known)
-    assert Mark(-10.0, 10.0).agrees(Mark(-10.0, 10.0))
-    assert not Mark(-10.0, 10.0).agrees(known)
+    known = Deviation(10.0, 10.0)
+    assert Deviation(10.0 + 10.9 * TOLERANCE, 10.0).agrees(known)
+    assert not Deviation(10.0 + 11.1 * TOLERANCE, 10.0).agrees(known)
+    assert Deviation(10.0 + 90 * TOLERANCE, 100.0).agrees(known)
+    assert Deviation(-10.0, 10.0).agrees(Deviation(-10.0, 10.0))
+    assert not Deviation(-10.0, 10.0).agrees(known)
 
 
 def test_what_is_right_agrees_with_nothing_that_is_wrong():
-    cancels = Mark(0.0, 3.0)  # two errors of the same size
+    cancels = Deviation(0.0, 3.0)  # two errors of the same size
     assert not cancels.right
-    assert not Mark().agrees(cancels)
-    assert not cancels.agrees(Mark())
-    assert Mark().agrees(Mark())
+    assert not Deviation().agrees(cancels)
+    assert not cancels.agrees(Deviation())
+    assert Deviation().agrees(Deviation())
 
 
 def test_a_failure_agrees_with_the_same_failure_alone():
-    for other in (Mark(), Mark(0.0, 3.0), Mark(failure="shape")):
-        assert not Mark(failure="error").agrees(other)
-        assert not other.agrees(Mark(failure="error"))
-    assert Mark(failure="error").agrees(Mark(failure="error"))
-    assert not Mark(failure="error").right
+    for other in (Deviation(), Deviation(0.0, 3.0), Deviation(failure="shape")):
+        assert not Deviation(failure="error").agrees(other)
+        assert not other.agrees(Deviation(failure="error"))
+    assert Deviation(failure="error").agrees(Deviation(failure="error"))
+    assert not Deviation(failure="error").right
 
 
 # What is no answer
@@ -102,7 +102,7 @@ def test_a_failure_agrees_with_the_same_failure_alone():
 )  # fmt: skip
 def test_what_is_not_so_many_things_of_numbers_is_no_answer(value, count):
     assert outputs(value, count) is None
-    assert mark(Answer(value), right(*(0.0,) * count)).failure == "kind"
+    assert deviation_of(Answer(value), right(*(0.0,) * count)).failure == "kind"
 
 
 @pytest.mark.parametrize("value", [[1, 2], (1, 2), np.array([1, 2], np.float32), [True, 2]])
@@ -120,8 +120,8 @@ def test_the_wrong_shape_is_wrong_even_where_numpy_would_spread_it():
 
 
 def test_an_error_is_told_from_what_is_not_written():
-    assert mark(Answer(error="no"), right(1.0)).failure == "error"
-    assert mark(Answer(error="no", unwritten=True), right(1.0)).failure == "unwritten"
+    assert deviation_of(Answer(error="no"), right(1.0)).failure == "error"
+    assert deviation_of(Answer(error="no", unwritten=True), right(1.0)).failure == "unwritten"
 
 
 # Asking

@@ -10,14 +10,14 @@ import pytest
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader
 from labs.grading.diagnosis.findings import Diagnosis
-from labs.grading.diagnosis.naming import diagnose
-from labs.grading.diagnosis.probes.making import Draw
+from labs.grading.diagnosis.probes.probe import Draw
+from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.feedback import report
 from labs.grading.feedback.error_advice import Advice, advice
 from labs.grading.judging import pytest_run
 from labs.grading.judging.examples import Examples
-from labs.grading.judging.sheet import Outcome, Sheet
+from labs.grading.judging.score_sheet import Outcome, Sheet
 
 RELATIVE = "import numpy as np\n\ndef relative_velocity(a, b):\n    return np.asarray(a) - b\n"
 TURNED = RELATIVE.replace("np.asarray(a) - b", "np.asarray(b) - a")

@@ -7,13 +7,13 @@ import math
 import numpy as np
 import pytest
 
+from labs.grading.diagnosis.deviations import Answer, Right
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
 from labs.grading.diagnosis.fingerprints import known
-from labs.grading.diagnosis.marks import Answer, Right
-from labs.grading.diagnosis.probes.making import usual
+from labs.grading.diagnosis.probes.probe import usual
 from labs.grading.diagnosis.words import MOST, called, compared, shown, told
 from labs.grading.feedback.report import RIGHT, TO_DO, WRONG, all_right, report, state
-from labs.grading.judging.sheet import Outcome, Part, Sheet
+from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from reference import lecture
 
 FIRST, SECOND = known("rebound_velocity").mistakes[:2]

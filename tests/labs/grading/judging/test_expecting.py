@@ -9,10 +9,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from labs.grading.diagnosis.probes.making import Draw
+from labs.grading.diagnosis.probes.probe import Draw
 from labs.grading.errors import FunctionRaised
+from labs.grading.judging.comparison import each, expect, numbers, plainly, refuse_changes
 from labs.grading.judging.examples import COUNT, MOST_CALLS, Chosen, Examples
-from labs.grading.judging.expectations import each, expect, numbers, plainly, refuse_changes
 
 
 class Function:

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from labs.grading.judging.plugin import SHEET, Functions
-from labs.grading.judging.sheet import Sheet
+from labs.grading.judging.score_sheet import Sheet
 
 pytest_plugins = "pytester"
 

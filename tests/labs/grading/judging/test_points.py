@@ -11,7 +11,7 @@ from labs.grading.diagnosis.fingerprints import known
 from labs.grading.diagnosis.words import told
 from labs.grading.judging import grade as grading
 from labs.grading.judging.grade import Grade, grade, read_grade
-from labs.grading.judging.sheet import Outcome, Part, Sheet
+from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from reference.errors import InvalidInput
 
 KEPT, LOST = Part(2, "at rest"), Part(3, "the sign", "gives 1")

@@ -18,9 +18,10 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 import pytest
 
-from labs.grading.diagnosis.marks import Answer, Array, Right, mark, outputs
-from labs.grading.diagnosis.probes.making import usual
+from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, outputs
+from labs.grading.diagnosis.probes.probe import usual
 from labs.grading.diagnosis.words import called, compared, no_answer, shown
+from reference.arrays import Array
 from reference.errors import UnknownName
 
 Test = TypeVar("Test", bound=Callable[..., None])
@@ -87,7 +88,7 @@ def check(
     """
     value = function(*arguments)
     found = Answer(_repeated(value, wanted) if repeated else value)
-    if not mark(found, _sized(wanted)).right and not mark(found, known := right()).right:
+    if not deviation_of(found, _sized(wanted)).right and not deviation_of(found, known := right()).right:
         found = replace(found, printed=_printed(function))
         raise AssertionError(f"{_tried(function, arguments)}\n{compared(found, known)}")
 

@@ -1,34 +1,41 @@
-"""Do two polyhedra intersect? An edge of one goes through a face of the other, or one is inside (slide 9)."""
+"""Whether two polyhedra intersect, and which edges go through which faces (slide 9)."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from solutions.arrays import Array, Integers
 from solutions.polyhedra.inside import inside_by_parity
 from solutions.polyhedra.segments import segment_meets_triangle
-from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, mesh_edges
+from solutions.polyhedra.surface import blocks, checked_mesh, mesh_edges
 
 
 def edges_through_faces(
     vertices_a: ArrayLike, faces_a: ArrayLike, vertices_b: ArrayLike, faces_b: ArrayLike
 ) -> tuple[Integers, Integers]:
-    """All edges of A that meet a face of B, touching included, exactly (slide 9).
+    """All edges of A that meet a face of B (slide 9).
+
+    The function decides exactly, and touching counts. An edge is listed once for each
+    face that it meets.
 
     Parameters
     ----------
-    vertices_a, faces_a : (v, 3), m, and (f, 3)
+    vertices_a : (v, 3), m
+    faces_a : (f, 3), indices of the corners
     vertices_b, faces_b : the same of B
 
     Returns
     -------
-    edge : (k, 2), vertices of A at the ends
-    face : (k,), faces of B; where the edge comes in is `segment_triangle`
+    edge : (k, 2), vertices of A at the ends of the edge
+    face : (k,), index of the face of B that it meets
+        `segment_triangle` gives the place where they meet. Both arrays are empty if
+        nothing meets.
 
     Raises
     ------
     ValueError
-        If a mesh does not fit together.
+        If the vertices of a mesh are not finite or do not fit its faces.
     """
     a, _ = checked_mesh(vertices_a, faces_a)
     b, f = checked_mesh(vertices_b, faces_b)
@@ -43,23 +50,40 @@ def edges_through_faces(
     return edges[edge], face
 
 
-def polyhedra_intersect(vertices_a: ArrayLike, faces_a: ArrayLike, vertices_b: ArrayLike, faces_b: ArrayLike) -> bool:
-    """Whether two solids, convex or not, have a point in common (slide 9).
-
-    Either an edge of one meets a face of the other, or a part of one is inside the other: then so are its vertices.
+def polyhedra_intersect(
+    vertices_a: ArrayLike,
+    faces_a: ArrayLike,
+    vertices_b: ArrayLike,
+    faces_b: ArrayLike,
+) -> bool:
+    """Whether two solids have a point in common, convex or not (slide 9).
 
     Parameters
     ----------
-    vertices_a, faces_a, vertices_b, faces_b : of two closed surfaces, as for `edges_through_faces`
+    vertices_a : (v, 3), m
+    faces_a : (f, 3), indices of the corners
+        The surface must be closed.
+    vertices_b, faces_b : the same of B
 
     Returns
     -------
-    True also where they only touch. A solid in the hollow of another is not in it.
+    bool
+        True also where the solids only touch. A solid that lies in the hollow of the
+        other is not in it: False.
 
     Raises
     ------
     ValueError
-        If a surface is open, or a mesh does not fit together.
+        If a surface is open, or the vertices of a mesh are not finite or do not fit its
+        faces.
+
+    Notes
+    -----
+    Suppose that the two solids have a point in common. Either their surfaces meet as
+    well. Then two faces meet, and an edge of one meets a face of the other
+    (`edges_through_faces`). Or the surfaces do not meet. Then a whole part of one solid
+    is inside the other, and so are its vertices (`inside_by_parity`). The function
+    looks for both, in A and in B.
     """
     a, b = checked_mesh(vertices_a, faces_a), checked_mesh(vertices_b, faces_b)
     inside = [np.any(inside_by_parity(one[0][np.unique(one[1])], *other)) for one, other in ((a, b), (b, a))]
@@ -67,7 +91,10 @@ def polyhedra_intersect(vertices_a: ArrayLike, faces_a: ArrayLike, vertices_b: A
 
 
 def boxes_that_meet(first: Array, second: Array) -> tuple[Integers, Integers]:
-    """Pairs of corner sets, (m, corners, 3) and (n, corners, 3), whose boxes touch or overlap."""
+    """Pairs of corner sets whose boxes touch or overlap.
+
+    The sets have the shapes (m, corners, 3) and (n, corners, 3).
+    """
     low_1, high_1 = np.min(first, axis=1), np.max(first, axis=1)
     low_2, high_2 = np.min(second, axis=1), np.max(second, axis=1)
     touch = np.ones((len(first), len(second)), dtype=bool)

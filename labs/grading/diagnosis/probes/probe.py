@@ -1,4 +1,7 @@
-"""How probes are made: by hand, or drawn with a seed that is the function's name, so that they are always the same."""
+"""What a probe is, and how probes are made: by hand, or drawn with the function's name as the seed.
+
+The seed makes the drawn probes the same every time.
+"""
 
 from __future__ import annotations
 
@@ -8,29 +11,32 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from reference.arrays import Array
+
 Group = Literal["usual", "edge", "many", "refused"]
 GROUPS: tuple[Group, ...] = get_args(Group)
 Arguments = tuple[Any, ...]
 YES_OR_NO = 40
-"""So many are drawn where an answer is one of two or three: it tells little of the formula."""
+"""So many are drawn if an answer is one of two or three values, since each then reveals little of the formula."""
 _LENGTHS = ((1, 2, 2, 3), (2, 3, 6, 7), (1, 4, 8, 9), (4, 4, 7, 9), (2, 6, 9, 11), (6, 6, 7, 11), (0, 3, 4, 5))
-"""Whole numbers with a² + b² + c² = d²: unit vectors that point anywhere and are of length 1 to the last digit."""
+"""Whole numbers with a² + b² + c² = d²: they give unit vectors in many directions, exactly of length 1."""
 _TURNS = (
     np.array([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3,
     np.array([[2, 3, 6], [3, -6, 2], [6, 2, -3]]) / 7,
     np.array([[1, 8, 4], [8, 1, -4], [4, -4, 7]]) @ np.diag([1, 1, -1]) / 9,
 )
+"""Rotation matrices whose columns are such unit vectors."""
+_SIDE_BY_SIDE = 12
+"""So many are drawn for the probes with several contacts; `_several` divides them up."""
 
 
 @dataclass(frozen=True)
 class Probe:
     """One input. arguments: plain data, by position. group: what kind of case. note: the case in words, or nothing.
 
-    usual: what happens every day. edge: a limit, such as touching exactly or no velocity. many: several contacts in
-    one call. refused: bad input, for which the function's description promises an error.
+    usual: what happens every day. edge: a limit, such as touching exactly or no velocity. many: several contacts
+    in one call. refused: bad input, for which the function's description promises an error.
     """
 
     arguments: Arguments
@@ -72,7 +78,7 @@ class Draw:
         return np.asarray(free - (free @ normal) * normal)
 
     def inverse_inertia(self) -> Array:
-        """Of a body that does not stand along the axes, in the world frame, 1/(kg m²)."""
+        """The inverse inertia of a body that is not aligned with the axes, in the world frame, 1/(kg m²)."""
         turn = self.turn()
         matrix = turn @ np.diag([self.number(0.5, 4) for _ in range(3)]) @ turn.T
         return np.asarray((matrix + matrix.T).round(2) / 2)  # symmetric to the last digit
@@ -108,7 +114,7 @@ def made(name: str, by_hand: Sequence[Probe], maker: Maker, count: int = 20, sin
     draw = Draw(np.random.default_rng(zlib.crc32(name.encode())))
     drawn = [Probe(_plain(maker(draw))) for _ in range(count)]
     good = [probe for probe in by_hand if probe.group != "refused"]
-    many = _several([_plain(maker(draw)) for _ in range(12)], frozenset(single))
+    many = _several([_plain(maker(draw)) for _ in range(_SIDE_BY_SIDE)], frozenset(single))
     return [
         *(probe for probe in good if probe.group == "usual"),
         *drawn,
@@ -120,7 +126,7 @@ def made(name: str, by_hand: Sequence[Probe], maker: Maker, count: int = 20, sin
 
 
 def _several(draws: list[Arguments], single: frozenset[int]) -> list[Probe]:
-    """Drawn arguments side by side in every way in which they may stand."""
+    """Drawn arguments side by side, in every way in which a call may combine them."""
     every = range(len(draws[0]))
     first = next(place for place in every if place not in single)
     last = next(place for place in reversed(every) if place not in single)

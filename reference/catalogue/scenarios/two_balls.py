@@ -8,13 +8,14 @@ from collections.abc import Callable
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import TENTHS, Grid, Parameter
 from reference.engines.base import COMPLIANT, EXACT, Method
 from reference.scene.scenario import Body, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RADIUS = 0.125
 """Radius of every ball, m: a sum of such numbers has no rounding, so that balls touch which are meant to."""

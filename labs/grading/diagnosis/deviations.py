@@ -1,8 +1,8 @@
-"""What a function says to its probes, and how far that is from right: one number a probe, by which answers are known.
+"""How far a function's answer to a probe deviates from the right answer, as one number per probe.
 
-The deviations of all numbers of an answer from the right ones, in units of the probe's scale, are weighed and added up.
-Zero is right. Two answers with the same sum at every probe come from the same formula, however it is written; and a sum
-does not tell the formula.
+The deviations of all numbers of an answer from the right ones, in units of the probe's scale, are weighted and added
+up. Zero is right. Two functions whose sums agree at every probe compute the same formula, however each is written. The
+sums do not reveal the formula.
 """
 
 from __future__ import annotations
@@ -12,29 +12,31 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from labs.grading.diagnosis.probes import Probe
 from labs.grading.errors import GraderFailed
+from reference.arrays import Array
 from reference.errors import CollisionsError, NeedsFunction, one_line
 
-Array = NDArray[np.float64]
 Failure = Literal["", "error", "shape", "kind", "unwritten"]
 TOLERANCE = 3e-5
 """In units of the scale: what some hundred roundings in single precision, 6e-8 each, may add up to."""
 AGAINST_INFINITY, INFINITE, NO_NUMBER = 11.0, 17.0, 29.0
-"""Stand-ins for a deviation where one of two numbers is not finite: unlike one another, and far beyond the scale."""
+"""These stand in for a deviation if one of the two numbers is not finite. They differ from each other, and all are far
+beyond the scale."""
 FARTHEST = 1e100
-"""The largest deviation that is told from others, so that sums of them stay numbers."""
+"""Larger deviations count as this one, so that their sums stay finite."""
 _GOLDEN = (5**0.5 - 1) / 2
+"""The weights step by it: no two of them are equal, so that swapped numbers have another sum."""
 
 
 @dataclass(frozen=True)
 class Answer:
     """What came back from one probe.
 
-    value: what was returned. error: the exception instead, in words. unwritten: whether that says that it is still the
-    stub. changed: whether the call has changed its input. printed: what the call printed.
+    value: what was returned. error: the exception that was raised instead, in words. unwritten: whether that exception
+    says that the function is still the stub. changed: whether the call has changed its input. printed: what the call
+    printed.
     """
 
     value: Any = None
@@ -57,14 +59,14 @@ class Right:
 
 
 @dataclass(frozen=True)
-class Mark:
-    """One answer beside the right one.
+class Deviation:
+    """How far one answer is from the right one.
 
-    deviation: the weighted sum, zero where right. spread: the same of absolute values, which says how sure the sum is.
-    failure: why there is none.
+    total: the weighted sum of the deviations of all its numbers, zero if all are right. spread: the same sum of
+    absolute values, which limits how well rounding lets the total be known. failure: why there is no number to compare.
     """
 
-    deviation: float = 0.0
+    total: float = 0.0
     spread: float = 0.0
     failure: Failure = ""
 
@@ -73,13 +75,13 @@ class Mark:
         """Whether nothing deviates."""
         return not self.failure and self.spread == 0
 
-    def agrees(self, known: Mark) -> bool:
-        """Whether it is as far off as a known one, but for rounding."""
+    def agrees(self, known: Deviation) -> bool:
+        """Whether it equals a known deviation, except for rounding."""
         if self.failure or known.failure:
             return self.failure == known.failure
         if self.right or known.right:
             return self.right and known.right
-        return abs(self.deviation - known.deviation) <= TOLERANCE * (1 + max(self.spread, abs(known.deviation)))
+        return abs(self.total - known.total) <= TOLERANCE * (1 + max(self.spread, abs(known.total)))
 
 
 def ask(call: Callable[..., Any], function: str, probes: Sequence[Probe]) -> list[Answer]:
@@ -117,11 +119,11 @@ def _same(left: Any, right: Any) -> bool:
 
 
 def outputs(value: Any, count: int) -> tuple[Array, ...] | None:
-    """What was returned as `count` float arrays; None where it is not numbers, or not so many things."""
+    """What was returned as `count` float arrays; None if it is not numbers, or not so many things."""
     if count > 1 and not isinstance(value, list | tuple | np.ndarray):
         return None
     try:
-        if count > 1 and len(value) != count:  # before it is taken apart: it may have millions of rows
+        if count > 1 and len(value) != count:  # asked first, as it may have millions of rows
             return None
         return tuple(_numbers(part) for part in ([value] if count == 1 else value))
     except (TypeError, ValueError):  # a ragged list, a 0-dimensional array for several things
@@ -136,21 +138,21 @@ def _numbers(value: Any) -> Array:
         return array.astype(float)
 
 
-def mark(answer: Answer, right: Right) -> Mark:
-    """How far an answer is from right."""
+def deviation_of(answer: Answer, right: Right) -> Deviation:
+    """Compare an answer with the right one."""
     if answer.error:
-        return Mark(failure="unwritten" if answer.unwritten else "error")
+        return Deviation(failure="unwritten" if answer.unwritten else "error")
     found = outputs(answer.value, len(right.outputs))
     if found is None:
-        return Mark(failure="kind")
+        return Deviation(failure="kind")
     if any(mine.shape != theirs.shape for mine, theirs in zip(found, right.outputs, strict=True)):
-        return Mark(failure="shape")
+        return Deviation(failure="shape")
     parts = [_deviations(*entry) for entry in zip(found, right.outputs, right.scales, strict=True)]
     off = np.concatenate([part.ravel() for part in parts])
     if not np.any(np.abs(off) > TOLERANCE):
-        return Mark()
+        return Deviation()
     weights = 0.5 + (np.arange(1, len(off) + 1) * _GOLDEN) % 1
-    return Mark(float(weights @ off), float(weights @ np.abs(off)))
+    return Deviation(float(weights @ off), float(weights @ np.abs(off)))
 
 
 def _against_infinity(off: Array) -> Array:

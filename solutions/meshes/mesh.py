@@ -5,39 +5,14 @@ Every edge has a spring, and a damper beside it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import not_negative, positive
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Booleans = NDArray[np.bool_]
-Offset = tuple[int, ...]
-
-CLOTH_SPRINGS: Mapping[str, tuple[Offset, ...]] = {
-    "structural": ((0, 1), (1, 0)),
-    "shear": ((1, 1), (1, -1)),
-    "bend": ((0, 2), (2, 0)),
-}
-"""Which nodes of a cloth each kind of spring joins.
-
-An offset is (rows, columns) from the first end to the second.
-"""
-
-LATTICE_SPRINGS: Mapping[str, tuple[Offset, ...]] = {
-    "structural": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
-    "face": ((1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1)),
-    "space": ((1, 1, 1), (1, 1, -1), (1, -1, 1), (1, -1, -1)),
-}
-"""Which nodes of a solid lattice each kind of spring joins.
-
-"structural" springs are the edges of the cubes. The others are the internal springs
-along the diagonals of their faces and of space.
-"""
+from solutions.arrays import Array, Booleans, Integers
+from solutions.checks import finite, not_negative, positive
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +52,8 @@ class SpringMesh:
         pinned = np.broadcast_to(np.asarray(self.pinned, dtype=bool), mass.shape) | np.isinf(mass)
         found: dict[str, NDArray[np.generic]] = {"edges": edges, "mass": mass.copy(), "pinned": pinned}
         for name in ("rest_length", "stiffness", "damping"):
-            found[name] = np.array(np.broadcast_to(_finite(name, getattr(self, name)), edges.shape[:1]))
+            number = finite(name, not_negative(name, getattr(self, name)))
+            found[name] = np.array(np.broadcast_to(number, edges.shape[:1]))
         for name, array in found.items():
             array.flags.writeable = False
             object.__setattr__(self, name, array)
@@ -86,13 +62,6 @@ class SpringMesh:
     def inverse_mass(self) -> Array:
         """Inverse mass of every node, (n,), 1/kg: zero where the node is pinned."""
         return np.where(self.pinned, 0.0, 1 / self.mass)
-
-
-def _finite(name: str, value: ArrayLike) -> Array:
-    array = not_negative(name, value)
-    if np.any(np.isinf(array)):
-        raise ValueError(f"{name} must be finite, not inf")
-    return array
 
 
 def lengths(vector: Array) -> Array:
@@ -194,107 +163,3 @@ def pin(mesh: SpringMesh, nodes: Sequence[int]) -> SpringMesh:
         if not 0 <= node < len(mesh.mass):
             raise ValueError(f"pinned nodes are numbered from 0 to {len(mesh.mass) - 1}, not {node}")
     return replace(mesh, pinned=mesh.pinned | np.isin(np.arange(len(mesh.mass)), nodes))
-
-
-def cloth(
-    rows: int,
-    columns: int,
-    spacing: float,
-    kinds: Collection[str] = tuple(CLOTH_SPRINGS),
-) -> tuple[Array, Integers]:
-    """Nodes and edges of a flat cloth in the plane z = 0.
-
-    Columns run along x and rows along y. Node (row, column) has the number
-    row · columns + column.
-
-    Parameters
-    ----------
-    rows, columns : numbers of nodes along y and x, at least 1
-    spacing : distance of neighbours, m, positive
-    kinds : any of "structural", "shear" and "bend"; by default all
-
-    Returns
-    -------
-    position : (rows · columns, 3), m
-    edges : (m, 2), of the wanted kinds
-
-    Raises
-    ------
-    ValueError
-        If a count or the spacing is not positive, or a kind is not known.
-
-    Notes
-    -----
-    Structural springs join neighbours and keep their distance. Shear springs are the
-    diagonals: without them a square becomes a rhombus at no cost of energy. Bend
-    springs join every second node: without them the cloth folds at no cost of energy.
-    """
-    node = _node_numbers({"rows": rows, "columns": columns})
-    row, column = np.divmod(np.arange(node.size), columns)
-    position = positive("spacing", spacing) * np.stack([column, row, np.zeros(node.size)], axis=-1)
-    return position, _grid_edges(node, CLOTH_SPRINGS, kinds)
-
-
-def lattice(
-    nx: int,
-    ny: int,
-    nz: int,
-    spacing: float,
-    kinds: Collection[str] = tuple(LATTICE_SPRINGS),
-) -> tuple[Array, Integers]:
-    """Nodes and edges of a solid of nx × ny × nz nodes.
-
-    Node (i, j, k), counted along x, y and z, has the number (i · ny + j) · nz + k.
-
-    Parameters
-    ----------
-    nx, ny, nz : numbers of nodes along x, y and z, at least 1
-    spacing : distance of neighbours, m, positive
-    kinds : any of "structural", "face" and "space"; by default all
-
-    Returns
-    -------
-    position : (nx · ny · nz, 3), m
-    edges : (m, 2), of the wanted kinds
-
-    Raises
-    ------
-    ValueError
-        If a count or the spacing is not positive, or a kind is not known.
-
-    Notes
-    -----
-    The structural springs are the edges of the cubes. On their own they let every cube
-    shear and collapse. The internal springs along the diagonals of the faces and of
-    space stabilise the shape (slide 28).
-    """
-    node = _node_numbers({"nx": nx, "ny": ny, "nz": nz})
-    position = positive("spacing", spacing) * np.stack(np.unravel_index(np.arange(node.size), node.shape), axis=-1)
-    return position, _grid_edges(node, LATTICE_SPRINGS, kinds)
-
-
-def _node_numbers(counts: Mapping[str, int]) -> Integers:
-    for name, count in counts.items():
-        if count < 1:
-            raise ValueError(f"{name} must be at least 1, not {count}")
-    shape = tuple(counts.values())
-    return np.arange(np.prod(shape)).reshape(shape)
-
-
-def _grid_edges(node: Integers, springs: Mapping[str, tuple[Offset, ...]], kinds: Collection[str]) -> Integers:
-    """All pairs of nodes of a grid whose offset belongs to one of the wanted kinds."""
-    for kind in kinds:
-        if kind not in springs:
-            raise ValueError(f"kinds are {', '.join(springs)}, not {kind!r}")
-    offsets = [offset for kind, group in springs.items() if kind in kinds for offset in group]
-    pairs = [np.zeros((0, 2), dtype=np.int64)]
-    for offset in offsets:
-        first = tuple(_within(size, step) for size, step in zip(node.shape, offset, strict=True))
-        second = tuple(_within(size, -step) for size, step in zip(node.shape, offset, strict=True))
-        pairs.append(np.stack([node[first].ravel(), node[second].ravel()], axis=-1))
-    return np.concatenate(pairs)
-
-
-def _within(size: int, step: int) -> slice:
-    """Places along an axis from which one step stays on the grid."""
-    return slice(max(0, -step), max(0, size - max(0, step)))

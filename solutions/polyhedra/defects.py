@@ -1,4 +1,4 @@
-"""What is wrong with a mesh: why it may have no plain inside (slide 9)."""
+"""What is wrong with a mesh that may have no clear inside (slide 9)."""
 
 from __future__ import annotations
 
@@ -7,20 +7,32 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array, Integers
+from solutions.polyhedra.intersection import boxes_that_meet
 from solutions.polyhedra.orientation import LOOKS, orient2d, orient3d
 from solutions.polyhedra.segments import segment_meets_triangle
-from solutions.polyhedra.solids import boxes_that_meet
-from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, directed_edges, same_places
+from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, same_places
 
 
 @dataclass(frozen=True, eq=False)
 class MeshReport:
-    """The faults of a mesh, each as indices; all empty for the surface of a solid.
+    """The faults of a mesh, each as indices; all are empty for the surface of a solid.
 
-    open_edges : (k, 2), vertices of edges with an odd number of faces, as at the rim of a hole.
-    crowded_edges : (k, 2), with more than two faces. twisted_edges : (k, 2), whose faces run through them more often
-    one way than the other: one of them is turned over. degenerate_faces : (k,), without area. duplicate_faces : (k,),
-    with the corners of an earlier face. crossing_faces : (k, 2), pairs that have more in common than corners and sides.
+    Attributes
+    ----------
+    open_edges : (k, 2), vertices at the ends of an edge
+        Edges with an odd number of faces, as at the rim of a hole.
+    crowded_edges : (k, 2), vertices
+        Edges with more than two faces.
+    twisted_edges : (k, 2), vertices
+        Edges with an even number of faces that run through the edge more often one way
+        than the other. One of these faces is turned over.
+    degenerate_faces : (k,), faces
+        Faces without area.
+    duplicate_faces : (k,), faces
+        Faces with the same corners as an earlier face.
+    crossing_faces : (k, 2), pairs of faces
+        Pairs of faces that have more in common than corners and sides.
     """
 
     open_edges: Integers
@@ -37,32 +49,41 @@ class MeshReport:
 
     @property
     def is_oriented(self) -> bool:
-        """Whether all faces are turned alike: enough for the winding number, if it is watertight too."""
+        """Whether all faces are turned alike.
+
+        For a watertight mesh this is enough for the winding number.
+        """
         return not len(self.twisted_edges)
 
     @property
     def bounds_a_solid(self) -> bool:
-        """Whether nothing is wrong; then parity and winding number agree everywhere off the surface."""
+        """Whether nothing is wrong.
+
+        If so, parity and winding number agree everywhere off the surface.
+        """
         return not any(len(fault) for fault in vars(self).values())
 
 
 def mesh_report(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
-    """Look for all that keeps a mesh from having a plain inside (slide 9); vertices at one place count as one.
+    """Look for everything that keeps a mesh from having a clear inside (slide 9).
 
-    Areas and intersections are exact.
+    Vertices at the same place count as one vertex. Areas and intersections are judged
+    exactly.
 
     Parameters
     ----------
-    vertices, faces : (v, 3), m, and (f, 3)
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners
 
     Returns
     -------
-    MeshReport; a mesh without faces has no faults
+    MeshReport
+        A mesh without faces has no faults.
 
     Raises
     ------
     ValueError
-        If the mesh does not fit together.
+        If vertices are not finite or do not fit the faces.
     """
     v, f = checked_mesh(vertices, faces)
     places = same_places(v, f)
@@ -85,7 +106,11 @@ def _without_area(corners: Array) -> NDArray[np.bool_]:
 
 
 def _edges_at(places: Integers, faces: Integers) -> tuple[Integers, Integers, Integers]:
-    """Of every edge: how many faces it has, how many more run through it up than down, and the vertices at its ends."""
+    """Number of faces at every edge, their excess one way, and the edge's ends.
+
+    The excess is how many more faces run through the edge up than down. The ends are
+    vertices.
+    """
     directed, ends = directed_edges(places), directed_edges(faces)
     proper = directed[:, 0] != directed[:, 1]
     directed, ends = directed[proper], ends[proper]
@@ -116,10 +141,10 @@ def _crossing(vertices: Array, faces: Integers, places: Integers, has_area: NDAr
 
 
 def _cross(vertices: Array, faces: Integers, places: Integers, pairs: Integers) -> NDArray[np.bool_]:
-    """Whether faces cross: by how many corners they share, there are other ways to."""
+    """Whether faces cross. The ways to do so depend on how many corners they share."""
     same = places[pairs[:, 0]][:, :, None] == places[pairs[:, 1]][:, None, :]
     shared = np.sum(same, axis=(1, 2))
-    crosses = np.asarray(shared == 3)  # twice the same face
+    crosses = np.asarray(shared == 3)  # the same face twice
     apart = shared < 2
     crosses[apart] = _edge_meets_face(vertices, faces, pairs[apart], same[apart])
     folded = shared == 2
@@ -128,7 +153,10 @@ def _cross(vertices: Array, faces: Integers, places: Integers, pairs: Integers) 
 
 
 def _edge_meets_face(vertices: Array, faces: Integers, pairs: Integers, same: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Whether a side of one face, that does not begin or end at a shared corner, meets the other face."""
+    """Whether a side of one face meets the other face.
+
+    Sides that begin or end at a shared corner are left out.
+    """
     meets = np.zeros(len(pairs), dtype=bool)
     for one, other, axis in ((0, 1, 2), (1, 0, 1)):
         mine, taken = vertices[faces[pairs[:, one]]], np.any(same, axis=axis)
@@ -141,7 +169,10 @@ def _edge_meets_face(vertices: Array, faces: Integers, pairs: Integers, same: ND
 
 
 def _folded(vertices: Array, faces: Integers, pairs: Integers, same: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Whether two faces at one edge lie on each other: in one plane, on the same side of the edge."""
+    """Whether two faces at one edge lie on each other.
+
+    They do if they are in one plane and on the same side of the edge.
+    """
     alone_1, alone_2 = np.argmin(np.any(same, axis=2), axis=1), np.argmin(np.any(same, axis=1), axis=1)
     row = np.arange(len(pairs))
     first, second = faces[pairs[:, 0]], faces[pairs[:, 1]]

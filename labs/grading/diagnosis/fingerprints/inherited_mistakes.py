@@ -1,4 +1,4 @@
-"""Mistakes that come from another function: what is right itself goes wrong with a wrong one that it uses."""
+"""Mistakes that a function inherits: it is right itself, but goes wrong because a function that it uses is wrong."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from labs.grading.diagnosis.bank import Misconception
-from labs.grading.diagnosis.marks import Mark, Right
+from labs.grading.diagnosis.deviations import Deviation, Right
+from labs.grading.diagnosis.misconceptions import Misconception
 from labs.grading.diagnosis.probes import Probe
 
 Function = Callable[..., Any]
-Marked = Callable[[Function, str, Sequence[Probe], Sequence[Right | None]], list[Mark]]
+Measure = Callable[[Function, str, Sequence[Probe], Sequence[Right | None]], list[Deviation]]
 
 
 @contextlib.contextmanager
 def replaced(function: Function, other: Function) -> Iterator[None]:
-    """Let every loaded module of a function's package find another one in its place."""
+    """Put another function in its place, in every loaded module of its package."""
     package = function.__module__.partition(".")[0]
     places = [
         (module, name)
@@ -57,30 +57,31 @@ def inherited(
     earlier: Mapping[str, tuple[Function, Sequence[Misconception]]],
     cases: Sequence[Probe],
     answers: Sequence[Right | None],
-    own: Sequence[Sequence[Mark]],
-    marked: Marked,
-) -> list[tuple[list[str], list[Mark]]]:
-    """Marks of a function with each known mistake of those that it uses; the same marks stand once, with all origins.
+    own: Sequence[Sequence[Deviation]],
+    measure: Measure,
+) -> list[tuple[list[str], list[Deviation]]]:
+    """Deviations of a function with each known mistake of the functions that it uses.
 
-    What its own known mistakes give as well is left to them.
+    Equal deviations are listed once, with all their origins. Those that a known mistake of its own gives as well are
+    left to that mistake.
     """
-    found: list[tuple[list[str], list[Mark]]] = []
+    found: list[tuple[list[str], list[Deviation]]] = []
     for other, bank in earlier.values():
         if other is right or not uses(right, other, cases):
             continue
         for entry in bank:
             with replaced(other, entry.formula):
-                marks = marked(right, name, cases, answers)
-            told = any(_same(marks, known) for known in own)
-            if told or all(mark.right for mark in marks) or all(mark.failure for mark in marks):
+                deviations = measure(right, name, cases, answers)
+            told = any(_same(deviations, known) for known in own)
+            if told or all(each.right for each in deviations) or all(each.failure for each in deviations):
                 continue
-            twin = next((ids for ids, known in found if _same(marks, known)), None)
+            twin = next((ids for ids, known in found if _same(deviations, known)), None)
             if twin is None:
-                found.append(([entry.id], marks))
+                found.append(([entry.id], deviations))
             else:
                 twin.append(entry.id)
     return found
 
 
-def _same(left: Sequence[Mark], right: Sequence[Mark]) -> bool:
+def _same(left: Sequence[Deviation], right: Sequence[Deviation]) -> bool:
     return all(a.agrees(b) for a, b in zip(left, right, strict=True))

@@ -6,15 +6,17 @@ import math
 from collections.abc import Callable
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import TENTHS, Grid, Parameter
+from reference.catalogue.scenarios.tolerances import at_rest, within_a_millimetre
 from reference.engines.base import COMPLIANT, EXACT, INTERPOLATED, Method
 from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RADIUS = 0.1
 """Radius of the ball, m."""
@@ -28,7 +30,13 @@ SPREAD = 0.1
 """The fall times of an ensemble span this, s: whole steps of 1/60 s and 4 ms, and of whatever divides these."""
 WINDOW = 5.0
 """How long a ball at rest is watched, s."""
-MILLIMETRE = 1e-3
+LATEST = 0.25
+"""How long after the end of the bounces, in theory, that watch begins, s."""
+PAST_APEX = 0.05
+"""How long after its first apex a drop ends, s."""
+ROUNDING = 1e-9
+READ_OFF, READ_OFF_REASON = 0.01, "1 %: what can be read off a plot"
+FLOOR = Body("floor", HalfSpace())
 Falling = Callable[[str, float, float, float], Scenario]
 """Name, restitution, drop height in m, duration in s → the scenario of one drop."""
 
@@ -38,8 +46,7 @@ def falling_ball(
 ) -> Scenario:
     """A ball let go above the floor; drop_height is the gap, m."""
     ball = Body("ball", Sphere(radius), mass, position=(0.0, 0.0, radius + drop_height))
-    floor = Body("floor", HalfSpace())
-    return Scenario(name, (floor, ball), (Pair("ball", "floor", restitution=restitution),), duration)
+    return Scenario(name, (FLOOR, ball), (Pair("ball", "floor", restitution=restitution),), duration)
 
 
 def falling_body(scenario: Scenario) -> Body:
@@ -53,9 +60,9 @@ def drop_height(scenario: Scenario) -> float:
 
 
 def dropped(family: str, restitution: float, falling: Falling, count: int = DROPS) -> Case:
-    """Drops with fall times spread evenly over `SPREAD`, so that no result hangs on the phase within a step.
+    """Drops with fall times spread evenly over `SPREAD`, so that no result depends on the phase within a step.
 
-    Their number, a prime, makes the phases come out evenly spread as well.
+    Their number, a prime, spreads these phases evenly as well. A point of a grid has its number of drops in its name.
     """
     fall = truth.fall_time(DROP_HEIGHT, GRAVITY)
     name = f"e={restitution:g}" + (f",drops={count}" if count == GRID_DROPS else "")
@@ -65,7 +72,7 @@ def dropped(family: str, restitution: float, falling: Falling, count: int = DROP
             f"{family}/{name}",
             restitution,
             GRAVITY * time**2 / 2,
-            time * (1 + restitution) + 0.05,  # just past the first apex
+            time * (1 + restitution) + PAST_APEX,
         )
         for time in sorted(falls, key=lambda time: abs(time - fall))
     )
@@ -79,41 +86,49 @@ def _rebound(trajectory: Trajectory) -> float:
 
 
 def _expect_rebound(case: Case, settings: Settings, method: Method) -> Expectation:
-    """The mean first rebound over an ensemble of drops, as a share of the drop height."""
-    restitution, dt = case.parameters["restitution"], settings.timestep
-    exact = truth.apex_ratio(restitution)
+    """The mean first rebound over an ensemble of drops, as a share of the drop height: e², and what a method adds."""
+    exact = truth.rebound_ratio(case.parameters["restitution"])
     if method.kind == EXACT:
-        return Expectation(exact, 1e-9, "rounding only: the parabola is solved, not stepped")
+        return Expectation(exact, ROUNDING, "rounding only: the parabola is solved, not stepped")
     if method.kind == INTERPOLATED:
-        early = max(GRAVITY * dt**2 / 8 / drop_height(drop) for drop in case.scenarios)
-        reason = "the slide's T is early by g dt²/(8v): the ball answers up to g dt²/8 too high"
-        return Expectation(exact, early + 1e-12, reason)
-    if restitution == 0:
-        overlap = max(
-            truth.impact_speed(drop_height(drop), GRAVITY) * dt / drop_height(drop) for drop in case.scenarios
-        )
-        return Expectation(0.0, overlap, "an overlap of up to v dt is taken back")
-    reason = "1 %: what can be read off a plot"
+        early = max(GRAVITY * settings.timestep**2 / 8 / height for height in _heights(case))
+        reason = "the slide's T is early by g dt²/(8v): the ball bounces up to g dt²/8 too high"
+        return Expectation(exact, early + 1e-12, reason)  # and rounding
+    if exact == 0:
+        overlaps = [truth.impact_speed(height, GRAVITY) * settings.timestep / height for height in _heights(case)]
+        return Expectation(0.0, max(overlaps), "an overlap of up to v dt is taken back")
     if method.kind == COMPLIANT:
-        ratio = truth.damping_ratio(restitution)
+        return _expect_rebound_of_a_spring(case, exact, method)
+    return _expect_rebound_at_the_step(case, exact, settings.timestep, method)
 
-        def exit_depth(height: float) -> float:
-            return truth.spring_dashpot_exit_depth(ratio, truth.impact_speed(height, GRAVITY), method.stiffness)
 
-        shift = -_mean_share(case, exit_depth)
-        why = "a contact that cannot pull lets go before the spring is back at its rest length"
-        return Expectation(exact, 0.01 * exact, reason, shift, why, abs(shift) / 4 + 0.001 * exact)
+def _expect_rebound_of_a_spring(case: Case, exact: float, method: Method) -> Expectation:
+    ratio = truth.damping_ratio(case.parameters["restitution"])
+
+    def exit_depth(height: float) -> float:
+        return truth.spring_dashpot_exit_depth(ratio, truth.impact_speed(height, GRAVITY), method.stiffness)
+
+    shift = -_mean_share(case, exit_depth)
+    why = "a contact that cannot pull lets go before the spring is back at its rest length"
+    # The closed form leaves out the weight during the contact: integrated, that is a fifth of the shift at e = 0.2.
+    # Above e = 0.4, 1 % of the rebound is more than the whole shift.
+    near = abs(shift) / 4 + 0.001 * exact
+    return Expectation(exact, READ_OFF * exact, READ_OFF_REASON, shift, why, near)
+
+
+def _expect_rebound_at_the_step(case: Case, exact: float, dt: float, method: Method) -> Expectation:
+    restitution = case.parameters["restitution"]
     shift = _mean_share(
-        case, lambda height: truth.at_step_apex_shift(height, restitution, GRAVITY, dt, method.recovery)
+        case, lambda height: truth.rebound_shift_at_step(height, restitution, GRAVITY, dt, method.recovery)
     )
-    # A share r of the depth d that comes back as speed adds r d/dt, r v/2 on the average: e v · r v/2 ÷ g = e r h.
+    # A share r of the depth d that comes back as speed adds r d/dt, r v/2 on average: e v · r v/2 ÷ g = e r h.
     shift += restitution * method.speed_recovery
     why = "−(1 − e − c) v dt/2 + e r h: half a step late, shares c and r of the overlap taken back, r as speed"
     # A share s of the change, (1 + e) v, that is missing takes 2 e (1 + e) s from (e v)²/(2g h) = e².
     shift -= 2 * restitution * (1 + restitution) * method.softness
     if method.weighed:
         shift += method.weighed * _mean_share(
-            case, lambda height: truth.weighed_apex_shift(height, restitution, GRAVITY, dt)
+            case, lambda height: truth.rebound_shift_of_weighed_step(height, restitution, GRAVITY, dt)
         )
         why = "−(1 − e) v dt/2 + e² v dt − 2e(1 + e) s h: half a step late, with the speed that it added, and softly"
     # The mean of a sawtooth as high as the overlap over N even phases is out by less than 1/N of it; then second order.
@@ -121,12 +136,16 @@ def _expect_rebound(case: Case, settings: Settings, method: Method) -> Expectati
         truth.impact_speed(DROP_HEIGHT, GRAVITY) * dt / DROP_HEIGHT / len(case.scenarios)
         + 2 * GRAVITY * dt**2 / DROP_HEIGHT
     )
-    return Expectation(exact, 0.01 * exact, reason, shift, why, near)
+    return Expectation(exact, READ_OFF * exact, READ_OFF_REASON, shift, why, near)
+
+
+def _heights(case: Case) -> list[float]:
+    return [drop_height(scenario) for scenario in case.scenarios]
 
 
 def _mean_share(case: Case, length: Callable[[float], float]) -> float:
     """The mean, over the drops, of a length that depends on the drop height, divided by that height."""
-    heights = [drop_height(scenario) for scenario in case.scenarios]
+    heights = _heights(case)
     return sum(length(height) / height for height in heights) / len(heights)
 
 
@@ -197,7 +216,7 @@ DROPPED_BALL = Family(
 def _to_rest(restitution: float) -> Case:
     name = f"e={restitution:g}"
     end = truth.bounce_end(DROP_HEIGHT, restitution, GRAVITY)
-    scenario = falling_ball(f"ball-to-rest/{name}", restitution, DROP_HEIGHT, end + WINDOW + 0.25)
+    scenario = falling_ball(f"ball-to-rest/{name}", restitution, DROP_HEIGHT, end + LATEST + WINDOW)
     return Case(name, (scenario,), {"restitution": restitution})
 
 
@@ -205,7 +224,7 @@ def _expect_rest_time(case: Case, settings: Settings, method: Method) -> Expecta
     restitution, dt = case.parameters["restitution"], settings.timestep
     end = truth.bounce_end(DROP_HEIGHT, restitution, GRAVITY)
     if method.kind == EXACT:
-        return Expectation(end, 1e-9, "rounding only: the bounces are followed down to nothing")
+        return Expectation(end, ROUNDING, "rounding only: the bounces are followed down to nothing")
     slowest = max(method.rest_speed, GRAVITY * dt, measure.REST_SPEED)
     bounces = math.log(truth.impact_speed(DROP_HEIGHT, GRAVITY) / slowest) / math.log(1 / restitution)
     early = 2 * restitution * slowest / (GRAVITY * (1 - restitution))
@@ -214,18 +233,10 @@ def _expect_rest_time(case: Case, settings: Settings, method: Method) -> Expecta
     return Expectation(end, early + late, reason)
 
 
-def _expect_zero(tolerance: float, reason: str) -> Expectation:
-    return Expectation(0.0, tolerance, reason)
-
-
 def _expect_rest(case: Case, settings: Settings, method: Method) -> Expectation:
     if method.kind == EXACT:
-        return _expect_zero(1e-9, "rounding only")
-    return _expect_zero(MILLIMETRE, "1 mm: nobody sees it in a scene of metres")
-
-
-def _expect_still(case: Case, settings: Settings, method: Method) -> Expectation:
-    return _expect_zero(measure.REST_SPEED, "1 mm/s: what counts as rest")
+        return Expectation(0.0, ROUNDING, "rounding only")
+    return within_a_millimetre(case, settings, method)
 
 
 BALL_TO_REST = Family(
@@ -273,7 +284,7 @@ BALL_TO_REST = Family(
             f"speed in the last {WINDOW:g} s",
             "m/s",
             lambda trajectory: measure.residual_speed(trajectory, "ball", WINDOW),
-            _expect_still,
+            at_rest,
         ),
         Quantity(
             "drift",

@@ -1,7 +1,8 @@
-"""The bank of known mistakes: a wrong version of a function, what who writes it seems to believe, and a hint.
+"""The bank of known mistakes: each is a wrong version of a function, what its author seems to believe, and a hint.
 
-The formulas lie with what grades a submission and are loaded by path; a student's tree lacks them and has the numbers
-that they give (`fingerprints`). A new mistake is an entry in a table, a new topic a file with one.
+The entries are written down in `tests/autograder/misconceptions/`, one file per topic or part of a topic, and loaded by
+path. A student's tree lacks these formulas and has only the numbers that they give (`fingerprints`). A new mistake is
+an entry in a table; a new topic is a file with such a table.
 """
 
 from __future__ import annotations
@@ -13,22 +14,23 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from labs.project_folders import AUTOGRADER
 from reference import lecture
+from reference.arrays import Array
 from reference.errors import InvalidInput
 
-Array = NDArray[np.float64]
-FOLDER = Path(__file__).resolve().parents[3] / "tests" / "autograder" / "misconceptions"
+FOLDER = AUTOGRADER / "misconceptions"
 
 
 @dataclass(frozen=True)
 class Misconception:
     """One mistake in one function.
 
-    function: which one. name: the mistake in a word or two, unique within the function. formula: the wrong version, of
-    arrays as the function itself takes them. rationale: what its author seems to believe, told to them. help: a hint
-    that does not hand out the answer.
+    function: which one. name: the mistake in a word or two, unique within the function. formula: the wrong version; it
+    takes arrays as the function itself does. rationale: what its author seems to believe, addressed to them. help: a
+    hint that does not give away the answer.
     """
 
     function: str
@@ -73,7 +75,7 @@ def _table(path: Path) -> Iterable[Misconception]:
     return table
 
 
-# What formulas are written with
+# The vocabulary of the formulas
 
 
 def dot(a: ArrayLike, b: ArrayLike) -> Array:
@@ -103,7 +105,7 @@ def direction(a: ArrayLike) -> Array:
 
 
 def along(a: ArrayLike, normal: ArrayLike) -> Array:
-    """What of a is at right angles to a normal of unit length."""
+    """The part of a that is at right angles to a normal of unit length."""
     return np.asarray(np.asarray(a) - dot(a, normal) * np.asarray(normal))
 
 

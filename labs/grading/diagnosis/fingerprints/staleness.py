@@ -1,4 +1,4 @@
-"""Whether the files of fingerprints still say what they would if they were made now."""
+"""Finds out whether the files of fingerprints still say what they would if they were made now."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from labs.grading.diagnosis.fingerprints import building
 from labs.grading.diagnosis.fingerprints.reading import FOLDER, read
 
 AGREES = 1e-6
-"""How near two machines' numbers are: they differ in the last of 16 digits, and those that cancel somewhat more."""
+"""How closely two machines' numbers agree: they differ in the last of 16 digits, or somewhat more if terms cancel."""
 
 
 def stale(folder: Path | None = None, inheriting: bool = True) -> list[str]:
-    """What the files say otherwise than they would, a line each; on request without what is inherited."""
+    """How the files differ from what they would say now, one line each; on request without what is inherited."""
     found = []
     for topic, content in building.build(inheriting=inheriting).items():
         path = (folder or FOLDER) / f"{topic}.json"

@@ -5,17 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import positive
 from solutions.forces import semi_implicit_euler
-from solutions.meshes.springs import (
-    edge_damping,
-    edge_stiffness,
-    finite_vectors,
-    mesh_forces,
-    mesh_product,
-    node_vectors,
-)
-from solutions.meshes.topology import Array, SpringMesh
+from solutions.meshes.matrices import dot, edge_damping, edge_stiffness, mesh_product
+from solutions.meshes.mesh import SpringMesh
+from solutions.meshes.springs import finite_vectors, mesh_forces, node_vectors
 
 
 def mesh_step(
@@ -108,17 +103,17 @@ def conjugate_gradient(
     """
     mass = np.where(mesh.pinned, 1.0, mesh.mass)[:, None]
     residual = finite_vectors(mesh, "right", _held(mesh, node_vectors(mesh, "right", right)))
-    x, direction, square = np.zeros_like(residual), residual, _dot(residual, residual)
+    x, direction, square = np.zeros_like(residual), residual, dot(residual, residual)
     enough = tolerance**2 * square
     for _ in range(30 * len(mass) if iterations is None else iterations):
         going = square > enough
         if not np.any(going):
             return x
         onto = _held(mesh, mass * direction + mesh_product(mesh, blocks, direction))
-        curvature = _dot(direction, onto)
+        curvature = dot(direction, onto)
         length = np.where(going, square / np.where(going, curvature, 1.0), 0.0)
         x, residual = x + length * direction, residual - length * onto
-        before, square = square, np.where(going, _dot(residual, residual), square)
+        before, square = square, np.where(going, dot(residual, residual), square)
         direction = residual + square / np.where(going, before, np.inf) * direction
     if np.any(square > enough):
         share = np.sqrt(np.max(square[square > enough] / enough[square > enough])) * tolerance
@@ -219,8 +214,3 @@ def amplitude_kept(frequency: ArrayLike, dt: ArrayLike) -> Array:
 def _held(mesh: SpringMesh, vector: Array) -> Array:
     """The vectors, with those of pinned nodes set to zero."""
     return np.where(mesh.pinned[:, None], 0.0, vector)
-
-
-def _dot(a: Array, b: Array) -> Array:
-    """Scalar product over all nodes, (..., 1, 1)."""
-    return np.asarray(np.sum(a * b, axis=(-2, -1), keepdims=True))

@@ -6,12 +6,11 @@ from enum import Enum
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.scene import geometry
 from reference.scene.scenario import Body, HalfSpace, Scenario, Sphere
 
-Array = NDArray[np.float64]
 _ROUNDING = 1e-9  # lengths, speeds and sines below this are zero
 
 
