@@ -21,7 +21,7 @@ from labs.cli import jobs, main
 from reference.catalogue.scenarios import catalogue
 from reference.engines import engine_names
 from reference.errors import InvalidInput
-from reference.report.files import read_published, read_rows
+from reference.report.row_files import read_published, read_rows
 from reference.running.availability import absent
 from reference.running.isolate import stop_workers
 

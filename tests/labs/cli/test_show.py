@@ -28,8 +28,8 @@ from reference.engines import engine_names, load_engine
 from reference.engines.base import EXACT
 from reference.errors import UnknownName
 from reference.recording import files
-from reference.report import terminal
-from reference.report.terminal import Points
+from reference.report import terminal_plot
+from reference.report.terminal_plot import Points
 from reference.running.isolate import stop_workers
 from reference.running.study import run_job
 
@@ -184,7 +184,7 @@ def test_a_lesson_that_asks_for_a_number_of_no_run_is_refused(number, said):
 
 @ALL
 def test_the_marks_of_a_demonstration_differ_without_any_colour(demonstration):
-    marks = [terminal.marked(line).plain for line in seen_of(demonstration).implementations.values()]
+    marks = [terminal_plot.marked(line).plain for line in seen_of(demonstration).implementations.values()]
     assert len(set(marks)) == len(marks)
 
 
@@ -405,7 +405,9 @@ def lines_of(demonstration: str) -> list:
 def test_a_plot_has_its_size_its_labels_and_round_numbers_on_its_axes():
     pytest.importorskip("plotext")
     xs = [place / 100 for place in range(498)]
-    lines = terminal.plot([Points(None, xs, [0.73 * x for x in xs])], "time, s", "way, m", 80, 14).plain.split("\n")
+    lines = terminal_plot.plot([Points(None, xs, [0.73 * x for x in xs])], "time, s", "way, m", 80, 14).plain.split(
+        "\n"
+    )
     assert len(lines) == 14
     assert max(map(cell_len, lines)) == 80
     assert lines[0] == "way, m"
@@ -417,16 +419,16 @@ def test_where_curves_coincide_the_marks_of_all_are_seen():
     pytest.importorskip("plotext")
     xs = [place / 100 for place in range(500)]
     curves = [Points(line, xs, [math.sin(x) for x in xs]) for line in lines_of("bounce")]
-    plain = terminal.plot(curves, "time, s", "", 80, 14).plain
+    plain = terminal_plot.plot(curves, "time, s", "", 80, 14).plain
     for curve in curves:
-        assert plain.count(terminal.marked(curve.line).plain) >= 2
+        assert plain.count(terminal_plot.marked(curve.line).plain) >= 2
 
 
 @pytest.mark.parametrize(("xs", "ys"), [([], []), ([1.0], [2.0]), ([0.0, 1.0], [3.0, 3.0]), ([0, 1e-9], [-1e9, 1e9])])
 def test_hardly_any_curve_can_be_plotted_too(xs, ys):
     pytest.importorskip("plotext")
     for joined in (True, False):
-        text = terminal.plot([Points(lines_of("bounce")[0], xs, ys, joined)], "time, s", "way, m", 80, 11)
+        text = terminal_plot.plot([Points(lines_of("bounce")[0], xs, ys, joined)], "time, s", "way, m", 80, 11)
         assert len(text.plain.split("\n")) == 11
 
 

@@ -11,7 +11,7 @@ from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.engines import engine_names, load_engine
 from reference.recording.reading import recall, replay
-from reference.report.files import read_published, read_rows
+from reference.report.row_files import read_published, read_rows
 
 pytestmark = pytest.mark.usefixtures("no_engine")
 
