@@ -1,4 +1,7 @@
-"""What a function is worth: the points of all its tests, read off their text."""
+"""What a function is worth: the points of all its tests, read from their source.
+
+The tests are parsed, not imported: `labs` runs tests by path and imports none of them.
+"""
 
 from __future__ import annotations
 
@@ -10,10 +13,11 @@ from labs.project_folders import AUTOGRADER
 from reference import lecture
 
 _MARKER = "asks"
+"""The decorator that says which function a test is about and what it is worth (`labs.grading.judging.comparison`)."""
 
 
 def points_of(function: str) -> int:
-    """The points of a function's visible and hidden tests; 0 where it has none yet."""
+    """The points of a function's visible and hidden tests; 0 if it has none yet."""
     return _points(lecture.function(function).topic).get(function, 0)
 
 

@@ -21,7 +21,8 @@ from reference.running.jobs import run_all
 from reference.running.snapping import snapped
 from reference.running.study import SCENARIOS, plan
 from reference.scene.settings import Option
-from reference.viewer.poses import Poses, unpack
+from reference.viewer.poses import Poses
+from reference.viewer.tracks import unpack
 
 ENGINES = ("pybullet", "mujoco")
 OPTIONS = ("engines", "profile", "timestep")

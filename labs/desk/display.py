@@ -119,7 +119,7 @@ def replay(asked: Asked) -> Replay | None:
     poses = asked.poses
     if not poses:
         return None
-    from reference.viewer import assembly, page  # noqa: PLC0415 - a check needs none of it
+    from reference.viewer import clip_making, page  # noqa: PLC0415 - a check needs none of it
 
-    clip = assembly.clip(asked.case.scenarios[0], poses, asked.title)
+    clip = clip_making.clip(asked.case.scenarios[0], poses, asked.title)
     return Replay(page.frame(clip), f"[replay: {', '.join(each.title for each in poses.values())}]")

@@ -12,7 +12,7 @@ from reference.comparison.error_split import Split
 from reference.comparison.verdicts import Row
 from reference.errors import InvalidInput
 from reference.scene.settings import Option
-from reference.viewer.poses import Track
+from reference.viewer.tracks import Track
 
 
 @dataclass(frozen=True)

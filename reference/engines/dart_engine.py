@@ -30,7 +30,7 @@ SOFTNESS = 1e-5
 """Share of the change of speed by which an impact falls short; a constant of DART's source too."""
 LEAST_COEFFICIENT = 1e-3
 """A coefficient up to this counts as zero in DART."""
-FARTHEST = 1e6
+MOST_DEPTH = 1e6
 """Depth that no two bodies reach, m; unless it is told of one, DART gives none below zero."""
 DETECTORS: Mapping[str, Callable[[Any], Any]] = {
     "dart": lambda dart: dart.collision.DARTCollisionDetector(),
@@ -101,7 +101,7 @@ class Dart(Engine):
         self.check_friction(scenario)
         steps = self.check_settings(scenario, settings)
         _check_words(settings)
-        coefficients = self._coefficients(scenario)
+        coefficients = self._restitution_and_friction(scenario)
         world = _world(dart, scenario, settings)
         shapes, bodies = [], []
         for body, pair in zip(scenario.bodies, coefficients, strict=True):
@@ -112,17 +112,14 @@ class Dart(Engine):
         for first, second in scenario.unlisted_pairs():
             apart.addBodyNodePairToBlackList(bodies[scenario.index(first)], bodies[scenario.index(second)])
         recorder = Recorder(self.name, scenario, settings)
-        fixed = [
-            [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies
-        ]
-        recorder.sample([number for state in fixed for number in state])
+        recorder.sample([number for body in scenario.bodies for number in body.state()])
         pushes = [(bodies[scenario.index(force.body)], force.force) for force in scenario.forces]
         for number in range(1, steps + 1):
             for node, force in pushes:
                 node.addExtForce(force, [0.0, 0.0, 0.0])  # at the centre; forgotten after the step
             world.step()
             if number % settings.sample_every == 0:
-                recorder.sample(_state(scenario, bodies, fixed))
+                recorder.sample(_state(scenario, bodies))
                 for contact in world.getLastCollisionResult().getContacts():
                     _keep_contact(recorder, scenario, shapes, contact, settings.options.get("detector") == "dart")
         return recorder.trajectory()
@@ -141,12 +138,12 @@ class Dart(Engine):
             group.raycast(query.start, np.add(query.start, query.way), dart.collision.RaycastOption(), hits)
             return min((float(hit.mFraction) for hit in hits.mRayHits), default=math.inf)
         found = dart.collision.DistanceResult()
-        group.distance(dart.collision.DistanceOption(False, -FARTHEST), found)
+        group.distance(dart.collision.DistanceOption(False, -MOST_DEPTH), found)
         if not found.found():
             raise CannotExpress("DART's own detector knows no distance of two half-spaces")
         return float(found.minDistance)
 
-    def _coefficients(self, scenario: Scenario) -> list[tuple[float, float]]:
+    def _restitution_and_friction(self, scenario: Scenario) -> list[tuple[float, float]]:
         """One restitution and friction per body such that every pair gets what the scenario asks for."""
         for pair in scenario.pairs:
             for name, value in (("restitution", pair.restitution), ("friction", pair.kinetic_friction)):
@@ -199,12 +196,12 @@ def _friction_solver(dart: Any, settings: Settings) -> Any:
     return solver
 
 
-def _state(scenario: Scenario, bodies: list[Any], fixed: list[list[float]]) -> list[float]:
+def _state(scenario: Scenario, bodies: list[Any]) -> list[float]:
     """The 13 numbers of every body. What cannot move is where the scenario has it."""
     state: list[float] = []
-    for body, node, start in zip(scenario.bodies, bodies, fixed, strict=True):
+    for body, node in zip(scenario.bodies, bodies, strict=True):
         if body.immovable:
-            state += start
+            state += body.state()
             continue
         pose = node.getWorldTransform()
         turn = pose.quaternion()

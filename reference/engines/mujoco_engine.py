@@ -126,9 +126,7 @@ class MuJoCo(Engine):
         for force in scenario.forces:
             state.xfrc_applied[1 + scenario.index(force.body), :3] += force.force  # body 0 is the world
         recorder = Recorder(self.name, scenario, settings)
-        fixed = [
-            [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies
-        ]
+        fixed = [list(body.state()) for body in scenario.bodies]
         recorder.sample(_state(state, movable, fixed))
         for _ in range(steps // settings.sample_every):
             mujoco.mj_step(model, state, nstep=settings.sample_every)
@@ -167,7 +165,7 @@ class MuJoCo(Engine):
             self._add_body(mujoco, spec, scenario, body, stock)
         if not stock:
             for pair in scenario.pairs:
-                _add_pair(spec, pair, settings)
+                _set_restitution_and_friction(spec, pair, settings)
         else:
             for first, second in scenario.unlisted_pairs():
                 spec.add_exclude(bodyname1=first, bodyname2=second)
@@ -176,7 +174,7 @@ class MuJoCo(Engine):
     def _add_body(self, mujoco: Any, spec: Any, scenario: Scenario, body: Body, stock: bool) -> None:
         orientation: Any = body.orientation
         if isinstance(body.shape, HalfSpace):
-            orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), np.array(body.shape.normal))
+            orientation = geometry.upright_on(np.array(body.shape.normal))
         frame = spec.worldbody.add_body(name=body.name, pos=body.position, quat=orientation)
         kind, size = _geom(mujoco, body.shape)
         options: dict[str, Any] = {"contype": 0, "conaffinity": 0}  # only the pairs that are listed collide
@@ -191,8 +189,8 @@ class MuJoCo(Engine):
         frame.add_geom(name=body.name, type=kind, size=size, **options)
 
 
-def _add_pair(spec: Any, pair: Pair, settings: Settings) -> None:
-    """Say a pair's restitution and friction as an explicit contact pair."""
+def _set_restitution_and_friction(spec: Any, pair: Pair, settings: Settings) -> None:
+    """Add an explicit contact pair: its `solref` makes the restitution."""
     dt, restitution, friction = settings.timestep, pair.restitution, pair.kinetic_friction
     impedance = settings.number("impedance")
     options: dict[str, Any] = {"solimp": [impedance, impedance, 0.001, 0.5, 2]}

@@ -18,7 +18,7 @@ from typing import Any
 
 from reference.engines import engine_names
 from reference.errors import InvalidInput
-from reference.viewer.poses import Track, read_tracks
+from reference.viewer.tracks import Track, read_tracks
 
 SCHEMA, VERSION = "collisions-lab/recording", 3
 FOLDER = Path(__file__).parent / "recordings"

@@ -21,7 +21,7 @@ from reference.recording.entries import Entry, name_as_own_case, name_of, names_
 from reference.recording.files import FOLDER, SCHEMA, VERSION, Made, content_of, forget, tracks_of, write_json
 from reference.recording.fingerprint import fingerprint
 from reference.scene.settings import Settings
-from reference.viewer.poses import Track, write_tracks
+from reference.viewer.tracks import Track, write_tracks
 
 OTHER_VERSION = "recorded in version"
 """How the reason begins where only the engine's version differs."""

@@ -31,7 +31,8 @@ from reference.recording.files import MARK, Made, content_of, tracks_of, with_tu
 from reference.recording.fingerprint import fingerprint
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
-from reference.viewer.poses import Poses, Track, pack, poses_of, unpack
+from reference.viewer.poses import Poses, poses_of
+from reference.viewer.tracks import Track, pack, unpack
 
 
 def track_of(job: Job, engine: Engine, case: Case, settings: Settings, trajectory: Trajectory) -> Track:

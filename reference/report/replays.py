@@ -8,9 +8,10 @@ from reference.catalogue.case import Case
 from reference.comparison.results import JobResult
 from reference.recording.entries import case_of
 from reference.report.sections import Line, Section
-from reference.viewer.assembly import clip
 from reference.viewer.clip import Clip
-from reference.viewer.poses import Poses, Track, unpack
+from reference.viewer.clip_making import clip
+from reference.viewer.poses import Poses
+from reference.viewer.tracks import Track, unpack
 
 
 def replay_of(section: Section) -> Clip | None:

@@ -25,7 +25,7 @@ from reference.recording import reading
 from reference.recording.reading import track_of
 from reference.running.jobs import Work
 from reference.scene.settings import Option
-from reference.viewer.poses import Track
+from reference.viewer.tracks import Track
 
 _log = logging.getLogger(__name__)
 

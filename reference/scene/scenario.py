@@ -107,6 +107,10 @@ class Body:
         """1/mass, 1/kg; zero for an immovable body."""
         return 0.0 if self.immovable else 1 / self.mass
 
+    def state(self) -> tuple[float, ...]:
+        """The 13 numbers that a sample of a trajectory has: position, orientation, velocity, angular velocity."""
+        return (*self.position, *self.orientation, *self.velocity, *self.angular_velocity)
+
 
 @dataclass(frozen=True)
 class Pair:

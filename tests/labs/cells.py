@@ -7,7 +7,8 @@ import re
 from pathlib import Path
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
-MODULES = ("arrays", "checks", "detection/planes", "detection/time_of_impact", "detection/sampling")
+CELLS = (("arrays", "checks"), ("detection/planes", "detection/time_of_impact", "detection/sampling"))
+"""The modules of each cell: what is given, and what is written."""
 OURS = re.compile(r"^from (solutions|__future__)[\w.]* import .*\n", re.MULTILINE)
 STUB = """
 def signed_distance(point, normal, offset):
@@ -18,7 +19,8 @@ def signed_distance(point, normal, offset):
 
 def right_cells():
     """The solutions as the cells of a notebook that imports nothing of ours."""
-    return [OURS.sub("", (SOLUTIONS / f"{name}.py").read_text(encoding="utf-8")) for name in MODULES]
+    texts = [[(SOLUTIONS / f"{name}.py").read_text(encoding="utf-8") for name in modules] for modules in CELLS]
+    return [OURS.sub("", "\n".join(text)) for text in texts]
 
 
 def said(capsys, call, *arguments, **named):

@@ -54,9 +54,8 @@ class _Watchdog:
         if self._finished.wait(limit):
             return
         self._over = True
-        if hasattr(
-            signal, "SIGUSR1"
-        ):  # unlike `interrupt_main`, it ends a system call, also in a run in the background
+        if hasattr(signal, "SIGUSR1"):
+            # Unlike `interrupt_main`, a signal ends a system call. A shell makes SIGINT ineffective in the background.
             signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGUSR1)
         else:
             _thread.interrupt_main()
@@ -87,7 +86,7 @@ class _Watchdog:
 
     @pytest.hookimpl(trylast=True)
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        if self._lost:  # the first report after that is of the test in which it died, unless it died between tests
+        if self._lost:  # the next report is that of the test in which it died, unless it died between two tests
             self._give_up(f"in {report.nodeid}" if report.when == _CRASHED else "between two tests")
 
     def _give_up(self, when: str) -> None:

@@ -37,12 +37,7 @@ def checked_impact_times(name: str, times: Array) -> Array:
 
 def start(scenarios: Sequence[Scenario]) -> Array:
     """Return the states in which all bodies start, (N, bodies, 13); the scenarios have equally many bodies."""
-    return np.array(
-        [
-            [(*body.position, *body.orientation, *body.velocity, *body.angular_velocity) for body in scenario.bodies]
-            for scenario in scenarios
-        ]
-    )
+    return np.array([[body.state() for body in scenario.bodies] for scenario in scenarios])
 
 
 def record(

@@ -13,7 +13,7 @@ import pytest
 from program import collisions
 
 from labs.building import lessons, notebooks
-from labs.building.excerpts import Pieces, imports_of, text_of
+from labs.building.excerpts import TopicExcerpts, imports_of, text_of
 from labs.building.points import points_of
 from labs.building.release import given, release
 from labs.cli import lab
@@ -120,12 +120,12 @@ def test_a_solved_notebook_is_a_submission_with_every_function(lesson, tmp_path)
 
 @pytest.mark.parametrize("topic", [topic.name for topic in lecture.TOPICS if topic.name != "world"])
 def test_stub_is_the_solutions_own_header_and_docstring(topic):
-    pieces = Pieces.of(topic)
+    excerpts = TopicExcerpts.of(topic)
     for entry in lecture.functions_of(topic):
         if entry.role != "written":
             continue
-        stub = notebooks.stub(pieces, entry.name).split("\n")
-        (whole,) = (piece.text.split("\n") for piece in pieces.every if entry.name in piece.defines)
+        stub = notebooks.stub(excerpts, entry.name).split("\n")
+        (whole,) = (each.text.split("\n") for each in excerpts.every if entry.name in each.defines)
         (function,) = (node for node in ast.parse("\n".join(whole)).body if isinstance(node, ast.FunctionDef))
         end = function.body[0].end_lineno
         assert ast.get_docstring(function)
@@ -177,9 +177,9 @@ def test_a_lesson_that_does_not_fit_is_refused_by_name(lesson, text, said):
 
 @pytest.mark.parametrize("topic", [topic.name for topic in lecture.TOPICS if topic.name != "world"])
 def test_every_function_can_be_cut_out_of_the_solutions_and_stands_by_itself(topic, monkeypatch):
-    pieces = Pieces.of(topic)
+    excerpts = TopicExcerpts.of(topic)
     for entry in lecture.functions_of(topic):
-        found = pieces.needed([entry.name])
+        found = excerpts.needed([entry.name])
         module = ModuleType("cut")
         monkeypatch.setitem(sys.modules, "cut", module)  # where a dataclass looks for itself
         exec(f"from __future__ import annotations\n{imports_of(found)}\n{text_of(found)}", module.__dict__)

@@ -27,14 +27,13 @@ from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.base import EXACT
 from reference.errors import UnknownName
-from reference.recording import files
 from reference.report import terminal_plot
 from reference.report.terminal_plot import Points
-from reference.running.isolate import stop_workers
 from reference.running.study import run_job
 
 ALL = pytest.mark.parametrize("demonstration", DEMONSTRATIONS, ids=[one.name for one in DEMONSTRATIONS])
 MISSING = "is not there; to get it: pip install it"
+pytestmark = pytest.mark.usefixtures("one_worker")
 LIMIT = 30.0  # s: what a demonstration may take on two cores with an empty cache
 MAGIC = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF"}
 
@@ -290,7 +289,16 @@ def test_a_lesson_gives_a_number_its_magnitude_its_error_or_theory(number, said)
 
 
 @ALL
-@pytest.mark.parametrize("missing", [(), ("pybullet",), ("mujoco",), ("pybullet", "mujoco")])
+@pytest.mark.parametrize(
+    "missing",
+    [
+        (),
+        pytest.param(("pybullet",), marks=pytest.mark.slow),
+        pytest.param(("mujoco",), marks=pytest.mark.slow),
+        ("pybullet", "mujoco"),
+    ],
+    ids=lambda missing: " and ".join(missing) or "none",
+)
 def test_it_fits_eighty_columns_with_and_without_engines(demonstration, missing, without_runs):
     without_runs(*missing)
     said = collisions("show", demonstration.name)
@@ -332,28 +340,6 @@ def test_shown_a_second_time_nothing_is_run():
     assert first.output == second.output
     assert ("from the cache" in first.errors, "2 of them from the cache" in second.errors) == (False, True)
     assert "from the cache" not in collisions(*arguments, "--fresh").errors
-
-
-def test_engines_that_cannot_be_imported_are_shown_as_recorded_or_named(tmp_path, monkeypatch):
-    for package in ("pybullet", "mujoco"):
-        (tmp_path / f"{package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
-    monkeypatch.syspath_prepend(str(tmp_path))
-    stop_workers()  # those that have imported them already
-    try:
-        said = collisions("show", "stop")
-        assert said.code == 0, said.errors
-        assert len(re.findall(r"(PyBullet|MuJoCo)\* +(tuned|stock) +0\.\d+ m", said.output)) == 4
-        assert re.search(r"\* PyBullet \S+ was recorded on \S+ \(.*?\); it is not run here", said.text)
-        monkeypatch.setattr(files, "FOLDER", tmp_path)  # nothing of the kind
-        said = collisions("show", "stop", "--fresh")
-        lines = "\n".join(said.lines)
-        assert len(re.findall(r"(PyBullet|MuJoCo) +(tuned|stock) +not available$", lines, re.M)) == 4
-        assert "PyBullet, tuned; PyBullet, stock: not available: PyBullet is not installed here" in said.text
-        assert re.search(r"●  hand-written +exact +0\.50968 m", said.output)
-        nothing = collisions("show", "roll")
-        assert nothing.code == 3
-    finally:
-        stop_workers()
 
 
 def test_students_own_code_can_be_shown(tmp_path):
@@ -405,9 +391,7 @@ def lines_of(demonstration: str) -> list:
 def test_a_plot_has_its_size_its_labels_and_round_numbers_on_its_axes():
     pytest.importorskip("plotext")
     xs = [place / 100 for place in range(498)]
-    lines = terminal_plot.plot([Points(None, xs, [0.73 * x for x in xs])], "time, s", "way, m", 80, 14).plain.split(
-        "\n"
-    )
+    lines = terminal_plot.plot([Points(None, xs, [0.73 * x for x in xs])], "time, s", "way, m", 80, 14).plain.split("\n")
     assert len(lines) == 14
     assert max(map(cell_len, lines)) == 80
     assert lines[0] == "way, m"
@@ -449,8 +433,16 @@ def test_colour_only_helps(without_runs, monkeypatch):
 # The plot in a file
 
 
-@pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf", ".PNG"])
-@pytest.mark.parametrize("name", ["bounce", "tunnelling"])
+@pytest.mark.parametrize(
+    ("name", "suffix"),
+    [
+        *(("bounce", ".svg"), ("bounce", ".PNG"), ("tunnelling", ".svg"), ("tunnelling", ".pdf")),
+        *(
+            pytest.param(name, suffix, marks=pytest.mark.slow)
+            for name, suffix in (("bounce", ".png"), ("bounce", ".pdf"), ("tunnelling", ".png"), ("tunnelling", ".PNG"))
+        ),
+    ],
+)
 def test_the_plot_is_written_to_a_file_and_nothing_else_is(name, suffix, tmp_path, without_runs):
     without_runs()
     file = tmp_path / f"plot{suffix}"

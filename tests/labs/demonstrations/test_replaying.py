@@ -13,6 +13,8 @@ from labs.demonstrations.catalogue import find
 from reference.comparison.results import Job
 from reference.errors import InvalidInput
 
+pytestmark = pytest.mark.usefixtures("one_worker")
+
 
 def clips(text: str) -> list[dict]:
     """The clips in a page."""

@@ -6,10 +6,25 @@ import pytest
 from cells import STUB, right_cells, said
 
 from labs.building.points import points_of
+from labs.grading.calling.processes import Limits
 from reference.errors import UnknownName
 
 
-def test_what_is_not_written_is_to_do_and_what_is_written_is_checked_as_it_stands_now(lab, cells, capsys):
+@pytest.fixture
+def lab(lab, grader):
+    """The desk, with the grader of all tests of this file in the place of its own."""
+    lab._grader = grader
+    yield lab
+    lab._grader = None
+
+
+def test_the_desk_starts_its_grader_once_and_keeps_it(lab):
+    lab._grader = None
+    with lab._tests() as own:
+        assert lab._tests() is own
+
+
+def test_a_check_takes_each_function_as_its_last_cell_defines_it(lab, cells, capsys):
     assert "· signed_distance  to do" in said(capsys, lab.check, "signed_distance")
     cells += ["import numpy as np", STUB]
     assert "· signed_distance  to do" in said(capsys, lab.check, "signed_distance")
@@ -23,23 +38,24 @@ def test_what_is_not_written_is_to_do_and_what_is_written_is_checked_as_it_stand
     assert "is_colliding" not in said(capsys, lab.check, "signed_distance")
 
 
-def test_an_endless_loop_costs_a_line(lab, cells, capsys):
+def test_an_endless_loop_in_a_check_prints_one_line(lab, cells, capsys, grader, monkeypatch):
+    monkeypatch.setattr(grader, "limits", Limits(call=0.4, test=1.0))
     cells.append("def is_colliding(separation, tolerance=0.0):\n    while True:\n        pass")
     assert "gave no answer within" in said(capsys, lab.check, "is_colliding")
 
 
-def test_given_functions_are_not_checked_and_unknown_ones_are_named(lab, capsys):
+def test_given_functions_are_not_checked_and_unknown_ones_are_refused(lab, capsys):
     assert "there is nothing of it to check" in said(capsys, lab.check, "sphere_inertia")
     assert "Did you mean 'is_colliding'?" in said(capsys, lab.check, "is_coliding")
 
 
-def test_a_misspelt_function_is_set_against_those_of_this_lab(lab, capsys):
+def test_a_misspelt_function_is_compared_with_those_of_this_lab_alone(lab, capsys):
     told = said(capsys, lab.check, "is_coliding")
     assert "Did you mean 'is_colliding'?" in told
     assert "orca_half_plane" not in told
 
 
-def test_a_mistake_that_was_mended_is_not_told_again(lab, cells, capsys):
+def test_a_corrected_mistake_is_not_reported_again(lab, cells, capsys):
     cells += [*right_cells(), "def is_colliding(separation, tolerance=0.0)\n    return separation < -tolerance"]
     assert "expected ':'" in said(capsys, lab.check, "is_colliding")
     cells.append("def is_colliding(separation, tolerance=0.0):\n    return separation < -tolerance")
@@ -49,7 +65,7 @@ def test_a_mistake_that_was_mended_is_not_told_again(lab, cells, capsys):
     assert "cannot read" not in said(capsys, lab.check, "is_colliding")
 
 
-def test_a_function_whose_cell_was_not_run_since_the_start_is_said_to_be_so(lab, cells, capsys):
+def test_a_check_says_which_function_no_executed_cell_defines(lab, cells, capsys):
     assert "No cell that defines is_colliding has been run" in said(capsys, lab.check, "is_colliding")
     assert "No cell that defines a function of this lab has been run" in said(capsys, lab.check)
     cells += right_cells()
@@ -64,7 +80,7 @@ def test_a_function_may_be_named_without_quotes(lab, cells, capsys):
     assert "✓ is_colliding is right" in said(capsys, lab.check, is_colliding)
 
 
-def test_a_cell_is_called_as_the_kernel_numbers_it(lab, cells, capsys):
+def test_a_cell_is_named_by_the_number_the_kernel_gave_it(lab, cells, capsys):
     cells += [*right_cells(), "1", "def is_colliding(separation, tolerance=0.0):\n    return 1 / 0"]
     assert "cell [4], line 2" in (told := said(capsys, lab.check, "is_colliding"))
     assert "code cell" not in told
@@ -73,7 +89,7 @@ def test_a_cell_is_called_as_the_kernel_numbers_it(lab, cells, capsys):
 HALF_RIGHT = "def side_of_plane(separation, tolerance=0.0):\n    return np.sign(separation)"
 
 
-def test_nbgrader_gets_the_points_of_a_checked_function_as_the_value_of_its_cell(lab, cells, monkeypatch):
+def test_nbgrader_gets_the_points_of_a_checked_function_as_a_value(lab, cells, monkeypatch):
     cells += right_cells()
     assert lab.check("side_of_plane") is None  # for a person the words are all
     monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
@@ -84,7 +100,7 @@ def test_nbgrader_gets_the_points_of_a_checked_function_as_the_value_of_its_cell
     assert lab.check("side_of_plane") == 0
 
 
-def test_what_cannot_be_checked_ends_the_cell_for_nbgrader_in_an_error_which_is_no_points(lab, monkeypatch):
+def test_a_failed_check_raises_for_nbgrader_which_gives_no_points(lab, monkeypatch):
     monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
     with pytest.raises(UnknownName, match="no_such"):
         lab.check("no_such")
@@ -105,7 +121,7 @@ class Shell:
         self.user_ns = user_ns
 
 
-def test_a_function_that_is_not_there_any_more_is_named(lab, cells, capsys, monkeypatch):
+def test_a_function_that_the_kernel_lost_is_named(lab, cells, capsys, monkeypatch):
     cells += right_cells()
     monkeypatch.setattr("IPython.get_ipython", lambda: Shell(signed_distance=1))
     told = said(capsys, lab.check, "is_colliding")
@@ -113,10 +129,10 @@ def test_a_function_that_is_not_there_any_more_is_named(lab, cells, capsys, monk
     assert "not there any more" not in said(capsys, lab.check, "signed_distance")
 
 
-def test_of_a_function_that_prints_it_is_said_where_to_see_it(lab, cells, capsys):
+def test_a_check_says_where_to_see_what_a_function_prints(lab, cells, capsys):
     printing = "def is_colliding(separation, tolerance=0.0):\n    print(separation)\n    return separation < -tolerance"
     cells += [*right_cells(), printing]
     assert "What is_colliding prints is not shown here" in said(capsys, lab.check)
     assert "What is_colliding prints" not in said(capsys, lab.check, "signed_distance")
     cells += [printing.replace("print(separation)", "pass")]
-    assert "prints" not in said(capsys, lab.check)
+    assert "prints" not in said(capsys, lab.check, "is_colliding")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import pytest
 from cells import right_cells, said, write_notebook
 
@@ -9,7 +11,25 @@ from labs.desk import case_runs, sweeps
 from reference.errors import InvalidInput, UnknownName
 
 
-def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, capsys):
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory):
+    """Where the runs of this file are kept: what an engine has run once comes from the cache."""
+    return tmp_path_factory.mktemp("kept")
+
+
+@pytest.fixture(autouse=True)
+def one_worker_and_cache(kept, monkeypatch):
+    """One worker for all runs, in which each engine is imported once."""
+    monkeypatch.setenv("COLLISIONS_CACHE", str(kept))
+    monkeypatch.setattr(case_runs, "ThreadPoolExecutor", lambda _: ThreadPoolExecutor(1))
+
+
+def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, monkeypatch):
+    def last_first(*asked):
+        yield from reversed(list(run_all(*asked)))
+
+    run_all = case_runs.run_all
+    monkeypatch.setattr(case_runs, "run_all", last_first)  # several workers finish in any order
     cells += right_cells()
     lab.predict("high", "How high?", 0.3)
     lab.run("dropped-ball/e=0.5", predicted="high", quantity="rebound")
@@ -25,42 +45,43 @@ def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, capsy
     assert "[gap below the ball, m over time: yours, PyBullet, MuJoCo]" in shown["text/plain"]
 
 
-def test_a_run_before_anything_is_written_says_what_it_needs(lab):
+def test_a_run_before_anything_is_written_names_the_missing_function(lab):
     lab.run("dropped-ball/e=0.5", quantity="rebound")
     assert "yours: needs signed_distance (detection, step 1)" in str(lab.shown[-1])
 
 
-def test_a_crash_in_a_function_is_a_line_that_names_error_cell_and_function(lab, cells):
+def test_a_crash_is_a_line_with_its_error_its_cell_and_its_function(lab, cells):
     cells += [*right_cells(), "def signed_distance(point, normal, offset):\n    return 1 / 0"]
     lab.run("dropped-ball/e=0.5", quantity="rebound")
     where = "at cell [3], line 2, in signed_distance"
     assert f"yours: crashed: ZeroDivisionError: division by zero, {where}" in str(lab.shown[-1])
 
 
-def test_a_crash_in_an_earlier_notebook_names_that(lab, cells, tmp_path):
+def test_a_crash_in_an_earlier_notebook_names_the_notebook(lab, cells, tmp_path):
     write_notebook(tmp_path / "detection.ipynb", "1", "def signed_distance(point, normal, offset):\n    return 1 / 0")
     lab.topic = "response"
     lab.run("dropped-ball/e=0.5", quantity="rebound", engines=())
     assert "division by zero, at detection.ipynb, code cell 2, line 2, in signed_distance" in str(lab.shown[-1])
 
 
-def test_an_endless_loop_in_a_run_is_stopped_and_its_place_said(lab, cells, monkeypatch):
-    monkeypatch.setattr(case_runs, "TIME_LIMIT", 10.0)
-    cells += [*right_cells(), "def signed_distance(point, normal, offset):\n    while True:\n        point = point"]
+def test_an_endless_loop_in_a_run_is_stopped_and_its_place_named(lab, cells, monkeypatch):
+    monkeypatch.setattr(case_runs, "TIME_LIMIT", 3.0)  # a worker that has just started takes a second to begin
+    loop = "def signed_distance(point, normal, offset):\n    while True:\n        time.sleep(0.01)"
+    cells += [*right_cells(), "import time", loop]
     lab.run("dropped-ball/e=0.5", quantity="rebound", engines=())
-    told = "no answer within 10 s; its process was stopped, at cell [3], line "
+    told = "no answer within 3 s; its process was stopped, at cell [4], line "
     assert told in str(lab.shown[-1])
     assert "in signed_distance" in str(lab.shown[-1])
 
 
-def test_every_implementation_has_the_same_colours_in_replay_and_curve_whoever_is_missing(lab):
+def test_replay_and_curve_give_an_implementation_the_same_colour(lab):
     lab.run("dropped-ball/e=0.5", quantity="rebound")
     page = lab.shown[0]._repr_mimebundle_()["text/html"]
     assert "&quot;title&quot;:&quot;PyBullet&quot;,&quot;tag&quot;:&quot;P&quot;,&quot;look&quot;:1," in page
     assert "&quot;title&quot;:&quot;MuJoCo&quot;,&quot;tag&quot;:&quot;M&quot;,&quot;look&quot;:2," in page
 
 
-def test_what_is_rounding_is_zero_and_a_column_without_content_is_left_out(lab, cells):
+def test_a_table_shows_rounding_as_zero_and_leaves_out_empty_columns(lab, cells):
     lab.topic = "impulse"
     lab.run("two-balls/e=1,m=1,b=0.5", quantity="corner", engines=("pybullet",))
     table = lab.shown[-1]
@@ -71,7 +92,7 @@ def test_what_is_rounding_is_zero_and_a_column_without_content_is_left_out(lab, 
     assert "· theory has no number" in str(lab.shown[-1])
 
 
-def test_parameters_that_stand_for_a_case_are_what_the_result_is_called(lab):
+def test_a_run_at_parameters_is_named_after_them(lab):
     lab.run("dropped-ball", restitution=0.37, quantity="rebound", engines=("pybullet",))
     assert lab.shown[-1].title == "First rebound ÷ drop height (Dropped ball: bounce heights, restitution=0.37)"
 
@@ -90,11 +111,11 @@ def test_parameters_that_stand_for_a_case_are_what_the_result_is_called(lab):
         ("dropped-ball/e=0.5", {"predicted": "nothing", "engines": ()}, "There is no prediction 'nothing' yet"),
     ],
 )
-def test_what_cannot_be_run_is_a_line(lab, capsys, scenario, named, words):
+def test_a_run_that_is_refused_prints_one_line(lab, capsys, scenario, named, words):
     assert words in said(capsys, lab.run, scenario, **named)
 
 
-def test_a_sweep_shows_every_value_small_and_a_table_of_all(lab, cells, monkeypatch):
+def test_a_sweep_shows_a_picture_and_a_table_of_every_value(lab, cells, monkeypatch):
     slid = []
     monkeypatch.setattr(sweeps, "slide", slid.append)
     cells += right_cells()
@@ -128,7 +149,7 @@ def test_a_timestep_is_swept_in_milliseconds(lab, monkeypatch):
     assert [slid[0].value(value) for value in slid[0].values] == ["timestep 2.08 ms", "timestep 10 ms"]
 
 
-@pytest.mark.parametrize("count", [1, 2, 5, 8])
+@pytest.mark.parametrize("count", [1, 8, *(pytest.param(count, marks=pytest.mark.slow) for count in (2, 5))])
 def test_a_sweep_of_any_length_has_its_picture(lab, count):
     values = tuple(0.1 * place for place in range(1, count + 1))
     lab.sweep("dropped-ball", "restitution", values, engines=("pybullet",))
@@ -136,7 +157,7 @@ def test_a_sweep_of_any_length_has_its_picture(lab, count):
     assert len(lab.shown[1].rows) == count
 
 
-def test_an_interrupt_is_a_line(lab, monkeypatch, capsys):
+def test_an_interrupt_prints_one_line(lab, monkeypatch, capsys):
     def interrupted(*_, **__):
         raise KeyboardInterrupt
 
@@ -149,7 +170,7 @@ def test_a_wrong_quantity_is_named_before_anything_runs(lab, monkeypatch, capsys
     assert "unknown quantity of dropped-ball 'hight'" in said(capsys, lab.run, "dropped-ball/e=0.5", quantity="hight")
 
 
-def test_guesses_in_words_stand_below_and_numbers_beside_theory(lab, capsys):
+def test_guesses_in_words_are_notes_and_guesses_in_numbers_are_rows(lab, capsys):
     lab.predict("high", "How high?", 0.3)
     lab.predict("way", "Which way?", "up", choices=("up", "down"))
     lab.run("dropped-ball/e=0.5", predicted=("high", "way"), quantity="rebound", engines=("pybullet",))
@@ -159,7 +180,7 @@ def test_guesses_in_words_stand_below_and_numbers_beside_theory(lab, capsys):
 
 
 @pytest.mark.parametrize("made", [(), ("other",)])
-def test_a_run_before_its_guess_says_so_and_runs(lab, capsys, made):
+def test_a_run_before_its_guess_asks_for_the_guess_and_runs(lab, capsys, made):
     for key in made:
         lab.predict(key, "?", 1.0)
     lab.predict("high", "How high?", ...)
@@ -168,7 +189,7 @@ def test_a_run_before_its_guess_says_so_and_runs(lab, capsys, made):
     assert lab.shown
 
 
-def test_a_run_that_asks_for_no_function_of_the_student_is_called_given(lab, cells):
+def test_a_run_that_uses_no_function_of_the_student_is_called_given(lab, cells):
     lab.topic = "impulse"
     lab.run("cradle/5 touching", quantity="first", engines=())
     assert [row[0] for row in lab.shown[-1].rows] == ["given"]
@@ -178,7 +199,7 @@ def test_a_run_that_asks_for_no_function_of_the_student_is_called_given(lab, cel
     assert lab.shown[-1].rows[0][0] == "yours"
 
 
-def test_a_function_that_returns_nothing_is_named_by_a_run_and_where_to_learn_more(lab, cells):
+def test_a_run_names_a_function_that_returns_nothing(lab, cells):
     cells += [*right_cells(), "def signed_distance(point, normal, offset):\n    point.sum()"]
     lab.run("dropped-ball/e=0.5", quantity="rebound", engines=())
     assert "yours: crashed: signed_distance returned nothing: is a return missing?" in str(lab.shown[-1])
@@ -186,7 +207,7 @@ def test_a_function_that_returns_nothing_is_named_by_a_run_and_where_to_learn_mo
     assert "value" not in str(lab.shown[-1])  # of a table without rows
 
 
-def test_a_time_of_impact_in_the_past_is_named_at_once(lab, cells):
+def test_a_time_of_impact_in_the_past_is_reported_at_once(lab, cells):
     cells += [
         *right_cells(),
         "def time_of_impact_exact(separation, *motion):\n    return np.full(len(separation), -0.45)",
@@ -195,7 +216,7 @@ def test_a_time_of_impact_in_the_past_is_named_at_once(lab, cells):
     assert "time_of_impact_exact answered -0.45 s: a time of impact is 0 or later" in str(lab.shown[-1])
 
 
-def test_of_a_function_that_prints_in_a_run_it_is_said_where_to_see_it(lab, cells, capsys):
+def test_a_run_says_where_to_see_what_a_function_prints(lab, cells, capsys):
     printing = "def is_colliding(separation, tolerance=0.0):\n    print(1)\n    return separation < -tolerance"
     cells += [*right_cells(), printing]
     stock = {"quantity": "rebound", "engines": (), "profile": "stock"}
@@ -203,7 +224,7 @@ def test_of_a_function_that_prints_in_a_run_it_is_said_where_to_see_it(lab, cell
     assert "prints" not in said(capsys, lab.run, "dropped-ball/e=0.5", quantity="rebound", engines=())
 
 
-def test_what_is_asked_of_a_call_that_has_no_such_option_is_a_line(lab, capsys):
+def test_an_unknown_option_of_a_call_prints_one_line(lab, capsys):
     assert "lab.run: missing a required argument: 'scenario'" in said(capsys, lab.run)
     told = said(capsys, lab.watch, "dropped-ball/e=0.5", quantity="rebound")
     assert "unknown option, or parameter of dropped-ball, 'quantity'. Choices: engines, profile, timestep" in told

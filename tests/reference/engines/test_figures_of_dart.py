@@ -105,7 +105,7 @@ def test_an_impact_falls_short_by_a_hundred_thousandth_of_the_change_of_speed(re
     assert kept == pytest.approx(restitution - (1 + restitution) * SOFTNESS, abs=1e-9)
 
 
-@pytest.mark.parametrize("restitution", [0.2, 0.5, 0.8, 1.0])
+@pytest.mark.parametrize("restitution", [0.2, *(pytest.param(e, marks=pytest.mark.slow) for e in (0.5, 0.8, 1.0))])
 def test_the_mean_rebound_is_out_by_half_a_step_and_by_what_gravity_adds_in_it(restitution):
     dt, drops, apexes = 1e-3, 10, []
     for phase in range(drops):

@@ -20,7 +20,7 @@ from reference.recording.files import FOLDER
 from reference.recording.making import OTHER_VERSION, jobs_of, why_stale
 from reference.recording.reading import recall, replay
 from reference.running.study import run_job
-from reference.viewer.poses import LENGTH, TURN, unpack
+from reference.viewer.tracks import LENGTH, TURN, unpack
 
 ENGINES = tuple(name for name in engine_names() if load_engine(name).package is not None)
 JOBS = [

@@ -24,9 +24,9 @@ from reference.report.sections import sections
 from reference.running.study import run_job
 from reference.scene.scenario import Box
 from reference.viewer import page
-from reference.viewer.assembly import clip
 from reference.viewer.clip import DASHES, Clip, Run, Solid
-from reference.viewer.framing import framed
+from reference.viewer.clip_making import clip
+from reference.viewer.picture_bounds import framed
 from reference.viewer.shapes import Capsule
 from reference.viewer.still import still
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import importlib
 import inspect
 import sys
@@ -15,6 +16,7 @@ import pytest
 from labs.grading.diagnosis.probes import probed
 from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
+from reference import lecture
 from solutions import checks
 
 ALTERNATIVES = Path(__file__).parents[3] / "autograder" / "alternatives"
@@ -84,6 +86,7 @@ KINDS = (
 )
 
 
+@functools.cache
 def rewritten(module, kinds):
     """A module of the solutions in other words."""
     tree = ast.parse(inspect.getsource(module))
@@ -105,32 +108,36 @@ def said_otherwise(name, kinds):
 @pytest.fixture
 def single_precision(monkeypatch):
     """The checks of what enters keep single precision too."""
-    narrow = rewritten(checks, ["single precision"])
+    narrow = rewritten(checks, ("single precision",))
     for name in ("positive", "not_negative", "in_unit_interval", "finite", "vector", "matrix", "unit"):
         for module in [module for key, module in sys.modules.items() if key.startswith("solutions")]:
             if hasattr(module, name):
                 monkeypatch.setattr(module, name, getattr(narrow, name))
 
 
-def faults(kinds):
-    found = (diagnose(name, said_otherwise(name, kinds)) for name in NAMES)
-    return [told(diagnosis) for diagnosis in found if not diagnosis.right]
+def is_right(name, kinds):
+    diagnosis = diagnose(name, said_otherwise(name, kinds))
+    assert diagnosis.right, told(diagnosis)
 
 
-def test_the_same_in_other_words_is_right():
-    assert faults([kind for kind in KINDS if kind not in ("sums", "single precision")]) == []
+@pytest.mark.parametrize("name", NAMES[::4])
+def test_a_solution_in_other_words_is_right(name):
+    is_right(name, tuple(kind for kind in KINDS if kind not in ("sums", "single precision")))
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "single precision"])
-def test_each_way_of_saying_the_same_is_right(kind):
-    assert faults([kind]) == []
+@pytest.mark.parametrize("name", NAMES)
+def test_a_solution_in_each_other_wording_is_right(name):
+    for kind in KINDS:
+        if kind != "single precision":
+            is_right(name, (kind,))
 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("single_precision")
-def test_single_precision_is_right():
-    assert faults(["single precision"]) == []
+@pytest.mark.parametrize("name", NAMES)
+def test_a_solution_in_single_precision_is_right(name):
+    is_right(name, ("single precision",))
 
 
 # Written by hand
@@ -146,15 +153,27 @@ def handed_in(path):
     return space
 
 
-@pytest.mark.parametrize("path", alternatives(), ids=lambda path: path.stem)
-def test_other_answers_by_hand_are_right(path):
-    space = handed_in(path)
-    written = [name for name in NAMES if name in space]
-    assert len(written) >= 10
-    found = [diagnose(name, lambda name, *arguments: space[name](*arguments)) for name in written]
-    expected = "one at a time" if path.stem == "single" else "right"
-    assert [told(diagnosis) for diagnosis in found if diagnosis.verdict not in ("right", expected)] == []
-    assert [diagnosis for diagnosis in found if diagnosis.mistakes or diagnosis.changes_input] == []
+WRITTEN = {path.stem: handed_in(path) for path in alternatives()}
+BY_HAND = [(file, name) for name in NAMES for file, space in WRITTEN.items() if name in space]
+
+
+@pytest.mark.parametrize(
+    ("file", "name"),
+    [
+        pytest.param(file, name, id=f"{name}/{file}", marks=() if place % 4 == 1 else pytest.mark.slow)
+        for place, (file, name) in enumerate(BY_HAND)
+    ],
+)
+def test_another_answer_by_hand_is_right(file, name):
+    diagnosis = diagnose(name, lambda name, *arguments: WRITTEN[file][name](*arguments))
+    assert diagnosis.verdict in ("right", "one at a time" if file == "single" else "right"), told(diagnosis)
+    assert not diagnosis.mistakes
+    assert not diagnosis.changes_input
+
+
+def test_each_file_by_hand_answers_ten_functions_or_more():
+    assert WRITTEN.keys() == {"algebra", "loops", "single"}
+    assert all(sum(name in space for name in NAMES) >= 10 for space in WRITTEN.values())
 
 
 def nested(value):
@@ -165,8 +184,11 @@ def narrow(value):
     return tuple(narrow(part) for part in value) if isinstance(value, tuple) else np.asarray(value, dtype=np.float32)
 
 
-@pytest.mark.parametrize("shape", [nested, narrow])
-def test_lists_and_single_precision_come_back_as_right(shape):
-    topics = {entry.name: importlib.import_module(f"solutions.{entry.topic}") for entry in probed()}
-    found = [diagnose(name, lambda name, *given: shape(getattr(topics[name], name)(*given))) for name in NAMES]
-    assert [told(diagnosis) for diagnosis in found if not diagnosis.right] == []
+@pytest.mark.parametrize("form", [nested, narrow])
+@pytest.mark.parametrize(
+    "name", [*NAMES[::8], *(pytest.param(name, marks=pytest.mark.slow) for name in NAMES if name not in NAMES[::8])]
+)
+def test_answers_in_lists_or_single_precision_are_right(name, form):
+    right = getattr(importlib.import_module(f"solutions.{lecture.function(name).topic}"), name)
+    diagnosis = diagnose(name, lambda _, *given: form(right(*given)))
+    assert diagnosis.right, told(diagnosis)

@@ -206,3 +206,8 @@ def test_a_test_without_parts_is_told_by_its_title_and_an_example_is_shown_where
     found = lines(outcome("collide", False), collide=diagnosis)
     unknown = "    Its numbers are wrong, in a way that the lab does not know."
     assert found[3:-2] == [unknown, *example, "    Not yet: they bounce"]
+
+
+def test_a_need_that_several_parts_repeat_is_printed_once():
+    parts = [Part(1, reason, "needs collide") for reason in ("one", "two")]
+    assert "\n".join(lines(outcome("collide", False, *parts))).count("needs collide") == 1

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import stat
 
 import pytest
 
@@ -29,6 +31,7 @@ SHEET = Sheet(
     ],
     diagnoses={"rebound_velocity": Diagnosis("rebound_velocity", "named", (SIGN,))},
 )
+GRADE = Grade(("impulse", "detection"), SHEET)
 
 
 @pytest.mark.parametrize(
@@ -59,7 +62,7 @@ def test_what_was_lost_is_told_part_by_part_and_nothing_of_what_passed():
 
 
 def test_a_grade_says_each_point_by_test_part_function_and_topic():
-    content = Grade(("impulse", "detection"), SHEET).content()
+    content = GRADE.content()
     assert {name: content[name] for name in ("schema", "version", "submission", "tier", "complaints")} == {
         "schema": "collisions-lab/grade", "version": 1, "submission": "lab.py", "tier": "limits",
         "complaints": ["collide is missing"],
@@ -103,6 +106,26 @@ def test_a_grade_is_written_as_it_is_read(tmp_path):
     assert read_grade(str(tmp_path / "grade.json")) == json.loads(text) == made.content()
     assert '\n "submission": "größe.py",\n' in text
     assert text.endswith("}\n")
+
+
+def test_only_its_owner_can_read_a_grade(tmp_path):
+    GRADE.write(tmp_path / "grade.json")
+    content = read_grade(tmp_path / "grade.json")
+    assert content == json.loads(json.dumps(GRADE.content()))
+    assert (content["schema"], content["version"]) == ("collisions-lab/grade", 1)
+    assert content["got"] == sum(test["got"] for test in content["tests"]) == sum(t["got"] for t in content["topics"])
+    assert all(type(test[key]) is int for test in content["tests"] for key in ("got", "possible"))
+    assert stat.S_IMODE(os.stat(tmp_path / "grade.json").st_mode) == 0o600
+    assert [path.name for path in tmp_path.iterdir()] == ["grade.json"]
+
+
+def test_a_grade_that_cannot_be_written_leaves_the_old_one(tmp_path, monkeypatch):
+    (tmp_path / "grade.json").write_text("old")
+    monkeypatch.setattr(grading.os, "replace", lambda *_: (_ for _ in ()).throw(OSError("no space")))
+    with pytest.raises(OSError, match="no space"):
+        GRADE.write(tmp_path / "grade.json")
+    assert [path.name for path in tmp_path.iterdir()] == ["grade.json"]
+    assert (tmp_path / "grade.json").read_text() == "old"
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from reference.errors import InvalidInput
 from reference.scene.scenario import Scenario
 from reference.viewer.clip import DASHES, LOOKS, Clip, Run, Solid
 from reference.viewer.contacts import touches
-from reference.viewer.framing import framed
+from reference.viewer.picture_bounds import framed
 from reference.viewer.poses import FARTHEST, Poses
 
 
