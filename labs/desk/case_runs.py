@@ -15,7 +15,7 @@ from reference.comparison.results import Job, JobResult
 from reference.engines.profiles import TUNED
 from reference.errors import UnknownName
 from reference.recording.reading import recall
-from reference.report.summary import Line, Section, sections
+from reference.report.sections import Line, Section, sections
 from reference.running.cache import Cache
 from reference.running.jobs import run_all
 from reference.running.snapping import snapped

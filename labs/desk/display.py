@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.tables import who
 from reference.report import figures
-from reference.report.summary import Line
+from reference.report.sections import Line
 
 if TYPE_CHECKING:
     from labs.desk.case_runs import Asked

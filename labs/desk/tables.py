@@ -12,7 +12,9 @@ from labs.desk.predictions import Prediction
 from reference.catalogue.family import Quantity
 from reference.comparison.verdicts import Row, Verdict
 from reference.report import numbers
-from reference.report.summary import MARKS, Line, error_of, tolerance_of
+from reference.report.marks import MARKS
+from reference.report.row_text import error_of, tolerance_of
+from reference.report.sections import Line
 
 if TYPE_CHECKING:
     from labs.desk.case_runs import Asked

@@ -15,7 +15,7 @@ from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.engines import load_engine
 from reference.errors import listed
-from reference.recording.reading import content_of
+from reference.recording.files import content_of
 from reference.running.availability import absent
 
 

@@ -14,7 +14,7 @@ from program import QUICK, SLIDE, Said, collisions, files_in
 
 from reference.catalogue.scenarios import catalogue
 from reference.engines import engine_names
-from reference.report.files import read_published, read_rows
+from reference.report.row_files import read_published, read_rows
 
 WRONG = """
 right = sliding_motion

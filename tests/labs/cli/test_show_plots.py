@@ -15,8 +15,8 @@ from rich.console import Console
 
 from labs.cli import show
 from labs.demonstrations.catalogue import find
-from reference.report import terminal
-from reference.report.terminal import Points
+from reference.report import terminal_plot
+from reference.report.terminal_plot import Points
 
 MAGIC = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF"}
 pytestmark = pytest.mark.usefixtures("screen")
@@ -63,7 +63,9 @@ def test_a_wider_and_higher_terminal_is_used(without_runs, screen):
 def test_a_plot_has_its_size_its_labels_and_round_numbers_on_its_axes():
     pytest.importorskip("plotext")
     xs = [place / 100 for place in range(498)]
-    lines = terminal.plot([Points(None, xs, [0.73 * x for x in xs])], "time, s", "way, m", 80, 14).plain.split("\n")
+    lines = terminal_plot.plot([Points(None, xs, [0.73 * x for x in xs])], "time, s", "way, m", 80, 14).plain.split(
+        "\n"
+    )
     assert len(lines) == 14
     assert max(map(cell_len, lines)) == 80
     assert lines[0] == "way, m"
@@ -75,16 +77,16 @@ def test_where_curves_coincide_the_marks_of_all_are_seen():
     pytest.importorskip("plotext")
     xs = [place / 100 for place in range(500)]
     curves = [Points(line, xs, [math.sin(x) for x in xs]) for line in lines_of("bounce")]
-    plain = terminal.plot(curves, "time, s", "", 80, 14).plain
+    plain = terminal_plot.plot(curves, "time, s", "", 80, 14).plain
     for curve in curves:
-        assert plain.count(terminal.marked(curve.line).plain) >= 2
+        assert plain.count(terminal_plot.marked(curve.line).plain) >= 2
 
 
 @pytest.mark.parametrize(("xs", "ys"), [([], []), ([1.0], [2.0]), ([0.0, 1.0], [3.0, 3.0]), ([0, 1e-9], [-1e9, 1e9])])
 def test_hardly_any_curve_can_be_plotted_too(xs, ys):
     pytest.importorskip("plotext")
     for joined in (True, False):
-        text = terminal.plot([Points(lines_of("bounce")[0], xs, ys, joined)], "time, s", "way, m", 80, 11)
+        text = terminal_plot.plot([Points(lines_of("bounce")[0], xs, ys, joined)], "time, s", "way, m", 80, 11)
         assert len(text.plain.split("\n")) == 11
 
 

@@ -10,9 +10,9 @@ from program import collisions
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.engines import engine_names, load_engine
-from reference.recording import reading
+from reference.recording import files
 from reference.recording.reading import recall, replay
-from reference.report.files import read_published, read_rows
+from reference.report.row_files import read_published, read_rows
 
 pytestmark = pytest.mark.usefixtures("no_engine_here", "one_worker")
 
@@ -66,7 +66,7 @@ def test_a_demonstration_shows_recorded_engines_or_names_the_missing(tmp_path, m
     assert said.code == 0, said.errors
     assert len(re.findall(r"(PyBullet|MuJoCo)\* +(tuned|stock) +0\.\d+ m", said.output)) == 4
     assert re.search(r"\* PyBullet \S+ was recorded on \S+ \(.*?\); it is not run here", said.text)
-    monkeypatch.setattr(reading, "FOLDER", tmp_path)  # no recording there
+    monkeypatch.setattr(files, "FOLDER", tmp_path)  # no recording there
     said = collisions("show", "stop", "--fresh")
     lines = "\n".join(said.lines)
     assert len(re.findall(r"(PyBullet|MuJoCo) +(tuned|stock) +not available$", lines, re.MULTILINE)) == 4

@@ -13,7 +13,7 @@ from labs.demonstrations.catalogue import DEMONSTRATIONS, find
 from reference.catalogue.scenarios import catalogue
 from reference.engines import engine_names, load_engine
 from reference.engines.base import EXACT
-from reference.report import terminal
+from reference.report import terminal_plot
 
 
 def test_the_seven_of_the_lecture_are_there():
@@ -54,7 +54,7 @@ def test_the_numbers_of_the_question_are_those_of_the_scenario(demonstration):
 
 @EVERY
 def test_the_marks_of_a_demonstration_differ_without_any_colour(demonstration):
-    marks = [terminal.marked(line).plain for line in seen_of(demonstration).implementations.values()]
+    marks = [terminal_plot.marked(line).plain for line in seen_of(demonstration).implementations.values()]
     assert len(set(marks)) == len(marks)
 
 

@@ -17,8 +17,9 @@ from reference.engines import engine_names, load_engine
 from reference.published import recorded
 from reference.published.jobs import plan
 from reference.published.jobs import run_job as published_now
+from reference.recording.files import FOLDER
 from reference.recording.making import OTHER_VERSION, jobs_of, why_stale
-from reference.recording.reading import FOLDER, recall, replay
+from reference.recording.reading import recall, replay
 from reference.running.study import run_job
 from reference.viewer.tracks import LENGTH, TURN, unpack
 

@@ -21,7 +21,8 @@ from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.report import figures, page
-from reference.report.summary import LEGEND, MARKS, sections
+from reference.report.marks import LEGEND, MARKS
+from reference.report.sections import sections
 from reference.running.study import run_job
 
 VOID = {"meta", "br", "link", "img", "hr", "input", "col", "wbr", "source", "base", "area", "embed", "track"}

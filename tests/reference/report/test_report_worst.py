@@ -6,8 +6,8 @@ import pytest
 
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
-from reference.report.summary import sections
-from reference.report.worst import furthest_from_theory, nearest_to_fail
+from reference.report.sections import sections
+from reference.report.worst_first import furthest_from_theory, nearest_to_fail
 
 
 def row(measured: float, verdict: Verdict = Verdict.PASS, profile: str = "tuned", **more) -> Row:

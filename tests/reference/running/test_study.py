@@ -27,7 +27,7 @@ from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import ALL_CASES, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
-from reference.recording import reading
+from reference.recording import files
 from reference.running import isolate
 from reference.running.isolate import stop_workers
 from reference.running.jobs import run_all, run_one
@@ -396,10 +396,13 @@ def test_a_worker_that_was_given_up_leaves_no_trace_in_the_next_job(tmp_path):
 
 
 def test_results_come_as_they_are_ready(tmp_path):
-    slow = Job("dropped-ball", engine_file(tmp_path, "slow", "time.sleep(2); os._exit(0)"), "tuned", ("e=0.5",))
-    run_one(GOOD, SCENARIOS)  # so that a worker is there already
+    first, order = tmp_path / "first", []
+    body = f"while not os.path.exists({str(first)!r}): time.sleep(0.01)\nos._exit(0)"
+    slow = Job("dropped-ball", engine_file(tmp_path, "slow", body), "tuned", ("e=0.5",))
     with ThreadPoolExecutor(2) as executor:
-        order = [result.job for result in run_all([slow, GOOD], SCENARIOS, executor, ENOUGH)]
+        for result in run_all([slow, GOOD], SCENARIOS, executor, ENOUGH):
+            order.append(result.job)
+            first.touch()  # the slow job ends only once another result has come
     assert order == [GOOD, slow]
 
 
@@ -597,7 +600,7 @@ def test_an_engine_that_cannot_be_imported_answers_from_its_recording_or_says_ho
     job = Job("dropped-ball", name, "tuned", ("e=0.5",))
     try:
         recorded = run_one(job, SCENARIOS, ENOUGH)
-        monkeypatch.setattr(reading, "FOLDER", tmp_path)  # nothing of the kind
+        monkeypatch.setattr(files, "FOLDER", tmp_path)  # nothing of the kind
         (without,) = run_one(job, SCENARIOS, ENOUGH).rows
     finally:
         stop_workers()

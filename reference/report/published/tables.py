@@ -1,8 +1,8 @@
-"""What the tables of published cases say, on the page and in the terminal: cells, reasons and the sum of it all."""
+"""The rows of published cases gathered for the tables on the page and in the terminal: cells, reasons, a summary."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -12,9 +12,9 @@ from reference.published.case import Kind, Published
 from reference.published.judging import passes
 from reference.published.results import PublishedResult, PublishedRow
 from reference.published.theirs import published_cases
-from reference.recording.reading import MARK
+from reference.recording.files import MARK
 from reference.report import numbers
-from reference.report.summary import AGREES, MARKS, SEVERITY
+from reference.report.marks import AGREES, MARKS, SEVERITY
 
 PRINTED = 9
 """Digits of a number in the tables."""
@@ -37,18 +37,18 @@ LEGEND = {
 
 @dataclass(frozen=True)
 class PublishedCell:
-    """What stands for all numbers of one case in one implementation."""
+    """One cell of a table, for all numbers of one case in one implementation."""
 
     result: PublishedResult
 
     @property
     def rows(self) -> tuple[PublishedRow, ...]:
-        """A row a number."""
+        """A row for each number."""
         return self.result.rows
 
     @cached_property
     def verdict(self) -> Verdict:
-        """The worst verdict among the numbers that there are; where there is none, why there is none."""
+        """The worst verdict among the numbers that were found; without any, that on the whole case."""
         judged = [row for row in self.rows if row.verdict is not Verdict.CANNOT_EXPRESS] or self.rows
         return min((row.verdict for row in judged), key=SEVERITY.index)
 
@@ -69,23 +69,23 @@ class PublishedCell:
 
 @dataclass(frozen=True)
 class PublishedLine:
-    """One case and what the implementations said, by engine."""
+    """One case and the results of the implementations, by engine."""
 
     case: Published
     cells: dict[str, PublishedCell]
 
     @property
     def reasons(self) -> list[tuple[str, list[str]]]:
-        """Why a number deviates or is missing, each reason once, with the titles of those for whom it holds."""
+        """Why a number deviates or is missing, each reason once, with the titles of the engines that it applies to."""
         return _gathered((reason, name) for name, cell in self.cells.items() for reason in cell.reasons)
 
     @property
     def tolerances(self) -> list[tuple[str, list[str]]]:
-        """Why so near is near enough, in the same way."""
+        """The reasons of the tolerances, in the same way."""
         return _gathered((row.reason, name) for name, cell in self.cells.items() for row in cell.rows if row.reason)
 
     def figures(self) -> list[dict[str, PublishedRow]]:
-        """For each published number the row of every engine that was asked for it."""
+        """For each published number, the rows of the engines that have one."""
         found: dict[tuple[str, int], dict[str, PublishedRow]] = {}
         for name, cell in self.cells.items():
             for row in cell.rows:
@@ -95,7 +95,7 @@ class PublishedLine:
 
     @staticmethod
     def theirs(found: Mapping[str, PublishedRow]) -> float | None:
-        """What was published, of the rows of one number."""
+        """The published number, from the rows of one number."""
         return next((row.expected for row in found.values() if row.expected is not None), None)
 
     @property
@@ -109,7 +109,7 @@ class PublishedLine:
 
     @property
     def found_by(self) -> list[str]:
-        """The engines that found every number as published, but for the one whose own the numbers are."""
+        """The engines that found every number as published, except the one that the numbers come from."""
         return [name for name, cell in self.cells.items() if name != self.case.origin and passes(cell.rows)]
 
 
@@ -145,37 +145,37 @@ class PublishedTables:
 
     @property
     def recordings(self) -> list[str]:
-        """What was not run here but recorded elsewhere: each recording once."""
+        """The recordings of what was not run here, each once."""
         found = [cell.result.recording for line in self.lines for cell in line.cells.values()]
         return list(dict.fromkeys(filter(None, found)))
 
     @property
     def sentence(self) -> str:
-        """How many cases are found as published by an implementation whose own they are not."""
+        """How many cases an implementation finds as published that they do not come from."""
         found = sum(bool(line.found_by) for line in self.lines)
         of = f"{found} of {len(self.lines)} published cases"
         return f"{of} come out as published, to every number, in an implementation that is not their own."
 
     @property
     def exceptions(self) -> list[str]:
-        """Each other case with what kept it from that."""
+        """Each other case, with the reasons."""
         return [f"{line.case.name}: {_why(line)}" for line in self.lines if not line.found_by]
 
 
 def engine_title(name: str) -> str:
-    """As in the head of a column."""
+    """An engine's title, as in the head of a column."""
     return load_engine(name).title
 
 
 def label(case: Published, row: PublishedRow) -> str:
-    """A figure's name as a reader would say it, with what this number of it belongs to and its unit."""
+    """A figure's name in a reader's words, with the label of this number and its unit."""
     labels, unit = case.labels.get(row.figure), case.units.get(row.figure)
     which = f" {labels[row.place - 1]}," if labels and row.place else f" {row.place}," if row.place else ","
     return f"{row.figure.replace('_', ' ')}{which} {unit or ''}".rstrip(" ,")
 
 
 def figure(value: float | None) -> str:
-    """A number with the digits that others print."""
+    """A number with as many digits as are published."""
     return "" if value is None else numbers.digits(value, PRINTED)
 
 
@@ -188,8 +188,3 @@ def _gathered(found: Iterable[tuple[str, str]]) -> list[tuple[str, list[str]]]:
 
 def _why(line: PublishedLine) -> str:
     return "; ".join(f"{', '.join(names)}: {reason}" for reason, names in line.reasons)
-
-
-def seen_verdicts(rows: Sequence[PublishedRow]) -> list[Verdict]:
-    """The verdicts that occur, in the order in which they are defined."""
-    return [verdict for verdict in Verdict if any(row.verdict is verdict for row in rows)]

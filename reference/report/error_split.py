@@ -1,4 +1,4 @@
-"""Where an error comes from, in words and figures: the shares of a split, as the page prints them."""
+"""The split of an error in words: where it comes from, as the page prints it."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from reference.comparison.convergence import ROUNDING
 from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Split
 from reference.report import numbers
-from reference.report.summary import Section
+from reference.report.sections import Section
 
 _KINDS = (DISCRETISATION, CONTACT_MODEL, SOLVER, REMAINDER)
 VISIBLE = 0.01
-"""A move that changes less than this share of the largest change, or of the error itself, has no visible effect."""
+"""A move has no visible effect if it changes less than this share of the largest change, or of the error itself."""
 
 
 @dataclass(frozen=True)
@@ -29,8 +29,8 @@ class Step:
 class Origin:
     """The split of one engine's error.
 
-    title: the engine. quantity, case: of what. steps: the moves with an effect. idle: those without. sentence: the sum
-    of it.
+    title: the engine. quantity, case: whose error it is. steps: the moves with an effect. idle: those without one.
+    sentence: all shares together.
     """
 
     title: str

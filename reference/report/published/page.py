@@ -4,26 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from markupsafe import Markup
-
 from reference import lecture
 from reference.published.case import Figure, Kind, Published
 from reference.published.results import PublishedRow
 from reference.report import numbers
-from reference.report.page import environment
-from reference.report.published_summary import (
-    LEGEND,
-    TITLES,
-    PublishedTables,
-    engine_title,
-    figure,
-    label,
-    seen_verdicts,
-)
-from reference.report.summary import MARKS
+from reference.report.marks import MARKS, occurring
+from reference.report.page import as_markup, environment
+from reference.report.published.tables import LEGEND, TITLES, PublishedTables, engine_title, figure, label
 
 FEW = 5
 """A case with no more numbers than this shows them without a click."""
+SET_UP_DIGITS = 7
+"""Digits of a number of the set-up."""
+MANY_EQUAL = 4
+"""If more numbers of one entry than this are repetitions, each value is shown once."""
 ABOUT: dict[Kind, str] = {
     "verification": "The number is a closed form, or that of a method which can be repeated digit by digit. What"
     " differs is a mistake, or the method's own error, whose size is known beforehand.",
@@ -42,7 +36,6 @@ def render(
     report: str,
 ) -> str:
     """Return the page. figures: by case, SVG texts with their captions. report: the address of the other page."""
-    drawn = {name: [(Markup(svg), caption) for svg, caption in pairs] for name, pairs in figures.items()}  # our own SVG
     return (
         environment()
         .get_template("published.html.j2")
@@ -50,11 +43,11 @@ def render(
             tables=tables,
             kinds=TITLES,
             about=ABOUT,
-            figures=drawn,
+            figures=as_markup(figures),
             versions=versions,
             provenance=provenance,
             report=report,
-            legend={verdict: LEGEND[verdict] for verdict in seen_verdicts(tables.rows)},
+            legend={verdict: LEGEND[verdict] for verdict in occurring(tables.rows)},
             marks=MARKS,
             few=FEW,
             engine_title=engine_title,
@@ -74,11 +67,11 @@ def set_up(case: Published) -> str:
 
 
 def _said(value: Figure) -> str:
-    """One number, or several, each run of equal ones once."""
+    """One number, or several; where many of them are equal, each value once."""
     if not isinstance(value, tuple):
-        return numbers.digits(value, 7)
-    different = list(dict.fromkeys(value)) if len(value) > len(set(value)) + 4 else list(value)
-    return f"({', '.join(numbers.digits(each, 7) for each in different)})"
+        return numbers.digits(value, SET_UP_DIGITS)
+    different = list(dict.fromkeys(value)) if len(value) > len(set(value)) + MANY_EQUAL else list(value)
+    return f"({', '.join(numbers.digits(each, SET_UP_DIGITS) for each in different)})"
 
 
 def _difference(row: PublishedRow) -> str:

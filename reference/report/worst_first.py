@@ -1,18 +1,18 @@
-"""The worst first: what comes nearest to its limit, and what misses theory by most."""
+"""The worst rows first: those nearest to their limits, and those furthest from theory."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 from reference.comparison.verdicts import Row, Verdict
-from reference.report.summary import Line, Section
+from reference.report.sections import Line, Section
 
 
 def nearest_to_fail(found: Iterable[Section], count: int) -> list[tuple[Section, Line, Row, float]]:
     """The tuned rows that come closest to their limits, worst first, each with the share of the limit that it uses.
 
-    What a method is known to do to a number is not held against it: the smaller distance counts, from theory or from
-    what is predicted.
+    A known shift of the method does not count against a number: the distance is the smaller one of those from theory
+    and from theory + shift.
     """
     rows = [
         (section, line, row, used)

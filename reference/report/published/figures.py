@@ -1,4 +1,4 @@
-"""The figure of the published cases: measured oblique impacts, the rigid law, and what the implementations do."""
+"""The figures of the published cases: measured oblique impacts, the rigid law, and what the implementations do."""
 
 from __future__ import annotations
 
@@ -8,13 +8,15 @@ import numpy as np
 
 from reference.published.results import PublishedRow
 from reference.published.rigid_law import rigid_sphere
-from reference.report.figures import COLOURS, HEIGHT, MARKERS, STYLE, WIDTH, as_svg
-from reference.report.published_summary import PublishedLine
+from reference.report.figures import HEIGHT, STYLE, WIDTH, as_svg, colour_of, marker_of
+from reference.report.published.tables import PublishedLine
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _MEASURED = "Crosses are measured (Kharaz); the line is the law of a rigid sphere, with a kink where it stops gripping."
+_SIZES = (13, 10, 7, 4)
+"""Sizes of the implementations' markers, so that each shows around the next where their numbers coincide."""
 _PANELS = (
     (
         "tangent_restitution",
@@ -34,8 +36,8 @@ _PANELS = (
 
 
 def oblique_impacts(line: PublishedLine) -> list[tuple[str, str, str]]:
-    """P11 against the angle, tangential restitution and spin: name, SVG and caption of each."""
-    import matplotlib  # late: half a second that a table need not wait for
+    """Tangential restitution and spin of P11 against the angle: name, SVG and caption of each figure."""
+    import matplotlib  # late: its import takes half a second, and a table needs none of it
     from matplotlib.figure import Figure
 
     pictures = []
@@ -55,11 +57,10 @@ def _draw(axes: Axes, line: PublishedLine, figure: str, angles: str, place: int)
     case = line.case
     every = np.linspace(1.0, 89.0, 441)
     axes.plot(every, rigid_sphere(case, every)[place], color="#999999", linewidth=1.6, label="rigid sphere")
-    for size, (name, cell) in zip((13, 10, 7, 4), line.cells.items(), strict=False):
+    for size, (name, cell) in zip(_SIZES, line.cells.items(), strict=False):
         found = [(case.numbers(angles)[row.place - 1], value) for row, value in _measured(cell.rows, figure)]
         if found:
-            colour = COLOURS.get(name, "#cc79a7")
-            look: dict[str, Any] = {"marker": MARKERS.get(name, "v"), "color": colour, "linestyle": "none"}
+            look: dict[str, Any] = {"marker": marker_of(name), "color": colour_of(name), "linestyle": "none"}
             axes.plot(*zip(*found, strict=True), markersize=size, fillstyle="none", label=line.title(name), **look)
     axes.plot(case.numbers(angles), case.expected[figure], "x", color="#b3261e", markersize=8, label="measured")
 

@@ -1,4 +1,4 @@
-"""Published cases as three tables in the terminal, one line a case, or every number."""
+"""Published cases as three tables in the terminal: a line for each case, or every number."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from rich.text import Text
 from reference.comparison.verdicts import Verdict
 from reference.published.results import PublishedRow
 from reference.report import numbers
-from reference.report.published_summary import (
+from reference.report.marks import MARKS, occurring
+from reference.report.published.tables import (
     LEGEND,
     TITLES,
     PublishedLine,
@@ -18,17 +19,15 @@ from reference.report.published_summary import (
     engine_title,
     figure,
     label,
-    seen_verdicts,
 )
-from reference.report.summary import MARKS
-from reference.report.terminal import style_of
+from reference.report.terminal import print_legend, short_title, style_of
 
 _ALWAYS = tuple(map(str, (Verdict.FAIL, Verdict.CRASHED, Verdict.NEEDS, Verdict.NOT_AVAILABLE)))
-"""What the overview explains, too; all else is left to the cases."""
+"""The verdicts whose reasons the overview prints as well; all other reasons come with the cases."""
 
 
 def print_published(console: Console, tables: PublishedTables, with_cases: bool = False) -> None:
-    """Print three tables, what the marks mean, and which cases nobody else found as published."""
+    """Print three tables, what the marks mean, and which cases no other implementation found as published."""
     for kind, title in TITLES.items():
         lines = tables.of_kind(kind)
         if lines:
@@ -50,8 +49,8 @@ def _table(*headings: str, wrapped: int | None = None) -> Table:
 
 
 def _overview(tables: PublishedTables, lines: list[PublishedLine]) -> Table:
-    """One line a case; in each cell how many of its numbers agree."""
-    titles = (engine_title(name).replace("hand-written", "by hand") for name in tables.engines)
+    """A line for each case; in each cell how many of its numbers agree."""
+    titles = (short_title(engine_title(name)) for name in tables.engines)
     table = _table("", "case", *titles, wrapped=1)
     for line in lines:
         cells = [line.cells.get(name) for name in tables.engines]
@@ -61,7 +60,7 @@ def _overview(tables: PublishedTables, lines: list[PublishedLine]) -> Table:
 
 
 def _print_case(console: Console, line: PublishedLine) -> None:
-    """Every number of one case: theirs, and below it what each implementation says."""
+    """Print every number of one case: the published one, and below it that of each implementation."""
     case = line.case
     console.print()
     console.print(Text(f"{case.name} {case.title}", style="bold"))
@@ -99,8 +98,7 @@ def _print_end(console: Console, tables: PublishedTables, with_cases: bool) -> N
         for reason, titles in line.reasons:
             if reason.startswith(_ALWAYS):
                 console.print(Text(f"{line.case.name}, {', '.join(titles)}: {reason}", style="dim"))
-    for verdict in seen_verdicts(tables.rows):
-        console.print(Text.assemble((f"{MARKS[verdict]} {verdict}", style_of(verdict)), f": {LEGEND[verdict]}"))
+    print_legend(console, occurring(tables.rows), LEGEND)
     for recorded in tables.recordings:
         console.print(Text(recorded))
     console.print(Text(tables.sentence, style="bold"))

@@ -1,6 +1,6 @@
-"""What the tables say: the rows of a comparison gathered by family, implementation and quantity.
+"""The rows of a comparison gathered for the tables: a section for each family, a line for each implementation, cells.
 
-The page and the terminal print the same cells; only here is it decided what stands for many rows.
+The page and the terminal print the same cells; only this module decides which error and which mark represent many rows.
 """
 
 from __future__ import annotations
@@ -20,44 +20,13 @@ from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names
 from reference.engines.profiles import STOCK, TUNED
 from reference.report import numbers
-
-MARKS = {
-    Verdict.PASS: "✓",
-    Verdict.KNOWN_DEVIATION: "≈",
-    Verdict.FAIL: "✗",
-    Verdict.CANNOT_EXPRESS: "∅",
-    Verdict.NEEDS: "…",
-    Verdict.NOT_AVAILABLE: "–",
-    Verdict.CRASHED: "!",
-    Verdict.SHOWN: "·",
-}
-LEGEND = {
-    Verdict.PASS: "within the tolerance of theory",
-    Verdict.KNOWN_DEVIATION: "off by what the method is known to do, for a tested reason; “left” is what remains then",
-    Verdict.FAIL: "neither; counted for tuned settings, only shown for all others",
-    Verdict.CANNOT_EXPRESS: "the engine has no words for it",
-    Verdict.NEEDS: "a function that is not written yet",
-    Verdict.NOT_AVAILABLE: "the engine is not installed here",
-    Verdict.CRASHED: "the run died, hung or gave no usable state",
-    Verdict.SHOWN: "theory has no figure; the largest value is shown",
-}
-SEVERITY = (
-    Verdict.CRASHED,
-    Verdict.FAIL,
-    Verdict.NEEDS,
-    Verdict.CANNOT_EXPRESS,
-    Verdict.NOT_AVAILABLE,
-    Verdict.KNOWN_DEVIATION,
-    Verdict.PASS,
-    Verdict.SHOWN,
-)
-"""The worst first: what stands for many verdicts."""
-AGREES = (Verdict.PASS, Verdict.KNOWN_DEVIATION)
+from reference.report.marks import AGREES, MARKS, SEVERITY
+from reference.report.row_text import error_of, left_of
 
 
 @dataclass(frozen=True)
 class Cell:
-    """What stands for the rows of one quantity in one implementation, or for several quantities."""
+    """One cell of a table, for the rows of one quantity in one implementation, or of all quantities."""
 
     rows: tuple[Row, ...]
 
@@ -96,7 +65,7 @@ class Cell:
 
     @cached_property
     def left(self) -> str:
-        """What is left of the largest known deviation, once what the method does to the number is taken off."""
+        """What is left of the largest known deviation without the shift that the method makes."""
         known = [row for row in self.rows if row.verdict is Verdict.KNOWN_DEVIATION]
         return f"left {left_of(max(known, key=_badness))}" if known else ""
 
@@ -110,8 +79,8 @@ class Line:
 
     @property
     def title(self) -> str:
-        """Engine and profile, as in every table."""
-        return title_of(self.result)
+        """Engine and profile, as in every table: `PyBullet, tuned`."""
+        return f"{self.result.title}, {self.result.job.profile}"
 
     @property
     def tuned(self) -> bool:
@@ -120,14 +89,14 @@ class Line:
 
     @property
     def note(self) -> str:
-        """Why there is no number at all; empty where there are some."""
+        """Why there is no number at all; empty where there are numbers."""
         if any(row.quantity for row in self.result.rows):
             return ""
         return "; ".join(dict.fromkeys(row.why for row in self.result.rows))
 
     @cached_property
     def cells(self) -> tuple[Cell, ...]:
-        """One cell a quantity. A case without any number counts in each of them."""
+        """One cell for each quantity. A case without any number counts in each of them."""
         return tuple(
             Cell(tuple(row for row in self.result.rows if row.quantity in (quantity.name, "")))
             for quantity in self.family.quantities
@@ -180,7 +149,7 @@ class Section:
 
     @cached_property
     def _asked(self) -> dict[str, Case]:
-        """The cases that were asked for, by name; the family's own too."""
+        """The cases that were requested, by name, and the family's own."""
         moved = (case for line in self.lines if line.result.job.at for case in line.result.job.chosen(self.family))
         return {case.name: case for case in (*self.family.cases, *moved)}
 
@@ -208,7 +177,7 @@ class Section:
         return "" if value is None else numbers.quantity(value, quantity.unit)
 
     def remarks(self) -> list[tuple[str, list[str]]]:
-        """Each note on a row, once, with the lines and the number of cases that it speaks of."""
+        """Each note on a row, once, with the lines that it belongs to and the number of cases in each."""
         found: dict[str, dict[str, int]] = {}
         for line in self.lines:
             for row in line.result.rows:
@@ -218,7 +187,7 @@ class Section:
         return [(note, [_times(title, count) for title, count in cases.items()]) for note, cases in found.items()]
 
     def tolerances(self, quantity: str) -> list[tuple[str, list[str]]]:
-        """Each reason for a tolerance of a quantity, once, with the lines that it holds for."""
+        """Each reason for a tolerance of a quantity, once, with the lines to which it applies."""
         found: dict[str, dict[str, None]] = {}
         for line in self.lines:
             for row in line.result.rows:
@@ -229,7 +198,7 @@ class Section:
 
 def sections(results: Iterable[JobResult]) -> list[Section]:
     """Gather results by family, in the catalogue's order; engines in the order of the tables, tuned first."""
-    results, families = _told_apart(list(results)), catalogue()
+    results, families = _with_own_titles(list(results)), catalogue()
     engines = engine_names()
 
     def place(result: JobResult) -> tuple[object, ...]:
@@ -248,8 +217,8 @@ def sections(results: Iterable[JobResult]) -> list[Section]:
     return found
 
 
-def _told_apart(results: Sequence[JobResult]) -> list[JobResult]:
-    """The results; where engines of two files share a title, each with its file behind it, or the way to it."""
+def _with_own_titles(results: Sequence[JobResult]) -> list[JobResult]:
+    """The results; where engines of two files share a title, each title has its file's name behind it, or its path."""
     engines: dict[str, dict[str, None]] = {}
     for result in results:
         engines.setdefault(result.title, {})[result.job.engine] = None
@@ -257,15 +226,10 @@ def _told_apart(results: Sequence[JobResult]) -> list[JobResult]:
     def title(result: JobResult) -> str:
         alike = engines[result.title]
         files = {Path(engine).name for engine in alike}
-        told = Path(result.job.engine).name if len(files) == len(alike) else result.job.engine
-        return f"{result.title} ({told})" if len(alike) > 1 else result.title
+        own = Path(result.job.engine).name if len(files) == len(alike) else result.job.engine
+        return f"{result.title} ({own})" if len(alike) > 1 else result.title
 
     return [replace(result, title=title(result)) for result in results]
-
-
-def title_of(result: JobResult) -> str:
-    """`PyBullet, tuned`."""
-    return f"{result.title}, {result.job.profile}"
 
 
 def recordings(results: Iterable[JobResult]) -> list[str]:
@@ -273,55 +237,6 @@ def recordings(results: Iterable[JobResult]) -> list[str]:
     results = list(results)
     notes = [result.recording for result in results] + [result.job.snapped for result in results]
     return list(dict.fromkeys(note for note in notes if note))
-
-
-def columns(found: Sequence[Section]) -> list[str]:
-    """Titles of all implementations that occur, in the order of the tables."""
-    fullest_first = sorted(found, key=lambda section: -len(section.lines))
-    return list(dict.fromkeys(line.title for section in fullest_first for line in section.lines))
-
-
-def error_of(row: Row) -> str:
-    """A row's error: in percent where there is a scale, else in the unit; the value where nothing is expected."""
-    if row.measured is None:
-        return ""
-    if row.error is None:
-        return numbers.size(abs(row.measured), row.unit)
-    return _as_share(row, row.error)
-
-
-def left_of(row: Row) -> str:
-    """Size of a row's error without the known shift, in percent where there is a scale, else in the unit."""
-    return "" if row.error is None else _as_share(row, row.error - row.shift).lstrip("+−")
-
-
-def tolerance_of(row: Row) -> str:
-    """How far a row may be off, in percent where there is a scale, else in the unit; empty where none is given."""
-    return "" if row.tolerance is None else _as_share(row, row.tolerance).lstrip("+")
-
-
-def _as_share(row: Row, error: float) -> str:
-    return numbers.percent(error / row.scale) if row.scale else numbers.deviation(error, row.unit)
-
-
-def verdict_line(rows: Sequence[Row]) -> str:
-    """One sentence on how the tuned settings stand."""
-    tuned = [row for row in rows if row.profile == TUNED and row.verdict is not Verdict.SHOWN]
-    agreeing = sum(row.verdict in AGREES for row in tuned)
-    known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in tuned)
-    failed = sum(row.verdict is Verdict.FAIL for row in tuned)
-    waiting = sum(row.verdict is Verdict.NEEDS for row in tuned)
-    without = len(tuned) - agreeing - failed - waiting
-    judged = len(tuned) - waiting
-    parts = [f"{agreeing} of {judged} checks of tuned settings agree with theory"]
-    if known:
-        parts.append(f"{known} of them off by what the method is known to do")
-    parts.append(f"{failed} fail{'s' if failed == 1 else ''}")
-    if without:
-        parts.append(f"{without} gave no answer")
-    if waiting:
-        parts.append(f"{waiting} {'case waits' if waiting == 1 else 'cases wait'} for hand-written functions")
-    return ", ".join(parts) + "."
 
 
 def _badness(row: Row) -> tuple[int, float]:
