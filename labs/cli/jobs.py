@@ -12,7 +12,7 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors
-from labs.desk.student_code import with_hand
+from labs.desk.student_code import named_implementation
 from reference import checks
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue, find
@@ -46,7 +46,10 @@ Profiles = Annotated[
     typer.Option("--profile", help="tuned, stock, …; repeat for several; all if none is named.", show_default=False),
 ]
 Implementations = Annotated[
-    str, typer.Option(callback=with_hand, help="The hand-written code: a package, or a .py file's or notebook's path.")
+    str,
+    typer.Option(
+        callback=named_implementation, help="The hand-written code: a package, or a .py file's or notebook's path."
+    ),
 ]
 Workers = Annotated[
     int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; one a processor if not given.")

@@ -1,4 +1,4 @@
-"""One line that says what is being done, for anything that takes longer than a moment; it goes when it is done."""
+"""One line that says what is being done, for anything that takes longer than a moment. It disappears at the end."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import Any, Self
 _AFTER = 1.0
 """s before anything is said."""
 _EVERY = 0.5
+"""s between two updates of the line."""
 
 
 class Progress:
@@ -24,13 +25,13 @@ class Progress:
         self._thread = threading.Thread(target=self._speak, daemon=True)
 
     def done(self, count: int, of: int, label: str) -> None:
-        """So many of all are done; the last of them was this."""
+        """Note that so many are done, and which one was the last."""
         self._said = f"{self._doing}: {count} of {of}, {label}"
 
     def _speak(self) -> None:
         began, waits = time.monotonic(), _AFTER
         while not self._over.wait(waits):
-            with contextlib.suppress(Exception):  # a line that cannot be shown must not stop what it tells of
+            with contextlib.suppress(Exception):  # a line that cannot be shown must not stop the work that it reports
                 self._line.write(f"{self._said}, {time.monotonic() - began:.0f} s")
             waits = _EVERY
 
@@ -45,7 +46,7 @@ class Progress:
 
 
 class _TerminalLine:
-    """A line that is written over; nothing where nobody looks."""
+    """A line that is overwritten in a terminal; nothing if the output goes to a file."""
 
     def __init__(self) -> None:
         self._width = 0
@@ -58,7 +59,7 @@ class _TerminalLine:
 
 
 class _NotebookLine:
-    """An output that is changed in its place, and empty in the end."""
+    """An output that is updated in place, and empty at the end."""
 
     def __init__(self) -> None:
         self._handle: Any = None

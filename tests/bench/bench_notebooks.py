@@ -19,7 +19,7 @@ def check() -> Callable[[], object]:
     cells = ["".join(cell["source"]) for cell in notebooks.solved("impulse")["cells"] if cell["cell_type"] == "code"]
     grader = Grader()
     atexit.register(grader.close)
-    return lambda: checks.check(student_code.written_down(cells), "impulse", ["impulse_magnitude"], grader)
+    return lambda: checks.check(student_code.write_notebook(cells), "impulse", ["impulse_magnitude"], grader)
 
 
 def solved(topic: str) -> Callable[[], object]:

@@ -27,7 +27,7 @@ def cells():
 @pytest.fixture
 def lab(cells, monkeypatch, tmp_path):
     """A desk of the detection lab; `lab.shown` is what it has displayed."""
-    monkeypatch.setattr(student_code, "executed_cells", lambda: student_code.without_mended(cells))
+    monkeypatch.setattr(student_code, "executed_cells", lambda: student_code.without_corrected(cells))
     monkeypatch.chdir(tmp_path)
     desk = notebook.Lab()
     desk.topic = "detection"

@@ -53,14 +53,14 @@ def test_a_later_lab_uses_earlier_notebooks_and_given_functions(tmp_path):
     own = "def is_colliding(separation, tolerance=0.0):\n    return separation < -5"
     write_notebook(tmp_path / "detection.ipynb", STUB, own)
     now = write_notebook(tmp_path / "now.ipynb", "pass")
-    found = student_code.in_hand("impulse", now, student_code.earlier_notebooks("impulse", tmp_path))
+    found = student_code.collect("impulse", now, student_code.earlier_notebooks("impulse", tmp_path))
     assert found.earlier == (("is_colliding", "detection.ipynb"),)
     assert not Implementation(found.source).function("is_colliding")(-1.0)
     assert Implementation(found.source).function("signed_distance")([0, 0, 3], [0, 0, 2], -4) == 1  # given
 
 
 def test_given_functions_never_replace_those_of_the_lab_itself(tmp_path):
-    found = student_code.in_hand("detection", write_notebook(tmp_path / "now.ipynb", "pass"))
+    found = student_code.collect("detection", write_notebook(tmp_path / "now.ipynb", "pass"))
     with pytest.raises(Exception, match="needs signed_distance"):
         Implementation(found.source).function("signed_distance")([0, 0, 3], [0, 0, 1], 0)
 
@@ -68,13 +68,13 @@ def test_given_functions_never_replace_those_of_the_lab_itself(tmp_path):
 def test_plots_and_experiments_of_a_notebook_are_not_run(tmp_path):
     text = "raise SystemExit\n\ndef is_colliding(separation, tolerance=0.0):\n    return separation < LIMIT"
     path = write_notebook(tmp_path / "now.ipynb", "LIMIT = -2", text, "import nothing_there")
-    assert Implementation(student_code.in_hand("detection", path).source).function("is_colliding")(-3.0)
+    assert Implementation(student_code.collect("detection", path).source).function("is_colliding")(-3.0)
 
 
 def test_a_notebook_is_an_implementation_on_the_command_line(tmp_path):
     path = write_notebook(tmp_path / "detection.ipynb", *right_cells())
-    assert student_code.with_hand("solutions") == "solutions"
-    assert Implementation(student_code.with_hand(str(path))).function("is_colliding")(-1.0)
+    assert student_code.named_implementation("solutions") == "solutions"
+    assert Implementation(student_code.named_implementation(str(path))).function("is_colliding")(-1.0)
 
 
 def test_markup_of_a_table_is_escaped():

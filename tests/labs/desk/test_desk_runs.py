@@ -161,12 +161,12 @@ def test_an_interrupt_prints_one_line(lab, monkeypatch, capsys):
     def interrupted(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(case_runs, "ask", interrupted)
+    monkeypatch.setattr(case_runs, "run_case", interrupted)
     assert said(capsys, lab.run, "dropped-ball/e=0.5") == "lab.run: interrupted\n"
 
 
 def test_a_wrong_quantity_is_named_before_anything_runs(lab, monkeypatch, capsys):
-    monkeypatch.setattr(case_runs, "ask", None)
+    monkeypatch.setattr(case_runs, "run_case", None)
     assert "unknown quantity of dropped-ball 'hight'" in said(capsys, lab.run, "dropped-ball/e=0.5", quantity="hight")
 
 
