@@ -101,7 +101,8 @@ def grading(tmp_path):
     return timing._load(Path(timing.BENCHES) / "bench_grading.py")
 
 
-def test_what_is_graded_in_the_bench_has_full_marks_and_its_memory_is_counted(grading, tmp_path):
+@pytest.mark.slow
+def test_the_submission_of_the_bench_gets_full_marks_and_its_memory_is_counted(grading, tmp_path):
     run = grading.graded(grading.written(tmp_path))
     if sys.platform == "linux":
         assert run.memory > 30e6, "the interpreter with NumPy and pytest alone takes more"

@@ -184,7 +184,7 @@ def test_the_solution_loses_no_point_whatever_the_examples(entry):
         assert lost(entry.name, Here(), seed) == (0, []), seed
 
 
-EQUIVALENTS = loaded("equivalents", Path(__file__).parent / "diagnosis" / "test_diagnosis_equivalents.py")
+EQUIVALENTS = loaded("equivalents", Path(__file__).parent / "diagnosis" / "test_equivalents.py")
 """The tests of the diagnosis, which know how to say the solutions in other words."""
 ALTERNATIVES = {path.stem: EQUIVALENTS.handed_in(path) for path in EQUIVALENTS.alternatives()}
 """What other people wrote by hand: the functions of each file."""

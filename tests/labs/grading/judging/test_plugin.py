@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import contextlib
+import functools
+from collections.abc import Callable
 from types import SimpleNamespace
 
 import pytest
 
-from labs.grading.judging.plugin import SHEET, Functions
+from labs.grading.calling.remote import Grader
+from labs.grading.judging.plugin import GRADER, SHEET, Functions
 from labs.grading.judging.score_sheet import Sheet
 
 pytest_plugins = "pytester"
@@ -67,7 +70,15 @@ def normal_velocity(u): raise Told(f"asked for {u}")
 """
 
 
-def graded(pytester: pytest.Pytester, text: str | None, *options: str) -> tuple[pytest.RunResult, Sheet]:
+@pytest.fixture
+def graded(pytester: pytest.Pytester, grader: Grader) -> Callable[..., tuple[pytest.RunResult, Sheet]]:
+    """Grade a text, with the grader of this file in the place of the plugin's own."""
+    return functools.partial(grade_with, pytester, grader)
+
+
+def grade_with(
+    pytester: pytest.Pytester, grader: Grader | None, text: str | None, *options: str
+) -> tuple[pytest.RunResult, Sheet]:
     for folder, tests in (("visible", VISIBLE), ("hidden", HIDDEN)):
         (pytester.path / folder).mkdir(exist_ok=True)
         (pytester.path / folder / "test_impulse.py").write_text(tests)
@@ -75,6 +86,11 @@ def graded(pytester: pytest.Pytester, text: str | None, *options: str) -> tuple[
     sheets: list[Sheet] = []
 
     class Keep:
+        @pytest.hookimpl(tryfirst=True)
+        def pytest_configure(self, config: pytest.Config) -> None:
+            if grader is not None:
+                config.stash[GRADER] = grader
+
         def pytest_unconfigure(self, config: pytest.Config) -> None:
             sheets.append(config.stash[SHEET])
 
@@ -92,7 +108,7 @@ def graded(pytester: pytest.Pytester, text: str | None, *options: str) -> tuple[
 
 
 def test_a_right_submission_earns_every_point(pytester):
-    result, sheet = graded(pytester, RIGHT)
+    result, sheet = grade_with(pytester, None, RIGHT)
     result.assert_outcomes(passed=7)
     assert (sheet.earned, sheet.points) == (16, 3 + 4 + 1 + 5 + 1 + 2)
     assert sheet.submission == "lab.py"
@@ -105,8 +121,8 @@ def test_a_right_submission_earns_every_point(pytester):
     assert sheet.tier
 
 
-def test_a_wrong_one_is_told_why_and_gets_the_points_of_its_parts(pytester):
-    result, sheet = graded(pytester, WRONG)
+def test_a_wrong_one_is_told_why_and_gets_the_points_of_its_parts(graded):
+    result, sheet = graded(WRONG)
     result.assert_outcomes(passed=2, failed=5)
     outcomes = {outcome.test: outcome for outcome in sheet.outcomes}
     assert outcomes["test_in_parts"].earned == 1
@@ -121,8 +137,8 @@ def test_a_wrong_one_is_told_why_and_gets_the_points_of_its_parts(pytester):
     result.stdout.fnmatch_lines(["_* test_rebound _*", "*", "E*assert -1.0 == 1.0*"])
 
 
-def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_them(pytester):
-    result, sheet = graded(pytester, WRONG)
+def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_them(graded):
+    result, sheet = graded(WRONG)
     hidden = [line for outcome in sheet.outcomes if outcome.hidden for line in outcome.lines()]
     assert hidden == [
         "secret: 0 of 5", "the answer is wrong", "Nothing is gained by a bounce.",
@@ -137,15 +153,15 @@ def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_th
     assert "7.125" not in result.stdout.str().partition(" lab.py ")[2].partition("short test summary")[0]
 
 
-def test_a_property_that_fails_tells_its_smallest_example(pytester):
-    _, sheet = graded(pytester, "def rebound_velocity(v, e): return 99.0 if v < -3 else 0.0", "-k", "property")
+def test_a_property_that_fails_tells_its_smallest_example(graded):
+    _, sheet = graded("def rebound_velocity(v, e): return 99.0 if v < -3 else 0.0", "-k", "property")
     (outcome,) = sheet.outcomes
     assert outcome.said.splitlines()[0] == "assert 99.0 < 50"
     assert outcome.said.splitlines()[-1] == "for speed=4.0"
 
 
-def test_what_is_not_written_yet_is_a_list_of_things_to_do(pytester):
-    _, sheet = graded(pytester, "def rebound_velocity(v, e):\n    raise NotImplementedError\n")
+def test_what_is_not_written_yet_is_a_list_of_things_to_do(graded):
+    _, sheet = graded("def rebound_velocity(v, e):\n    raise NotImplementedError\n")
     assert sheet.earned == 0
     assert "normal_velocity" in sheet.complaints[0]
     told = {outcome.test: outcome.said for outcome in sheet.outcomes}
@@ -153,8 +169,8 @@ def test_what_is_not_written_yet_is_a_list_of_things_to_do(pytester):
     assert told["test_property"] == told["test_rebound"]
 
 
-def test_a_file_that_cannot_be_read_earns_nothing_and_says_why_once_a_test(pytester):
-    _, sheet = graded(pytester, "\n")
+def test_a_file_that_cannot_be_read_earns_nothing_and_says_why_once_a_test(graded):
+    _, sheet = graded("\n")
     assert (sheet.earned, sheet.points) == (0, 16)
     assert {outcome.said for outcome in sheet.outcomes} == {"lab.py: it is empty"}
 
@@ -178,8 +194,8 @@ def test_each_test_has_a_process_of_its_own_that_ends_with_it():
     assert functions.process() is began[1]
 
 
-def test_without_a_submission_the_tests_are_skipped(pytester):
-    result, sheet = graded(pytester, None)
+def test_without_a_submission_the_tests_are_skipped(graded):
+    result, sheet = graded(None)
     result.assert_outcomes(passed=1, skipped=6)
     assert sheet.outcomes == []
 
@@ -215,10 +231,9 @@ def test_in_vain(submission, part):
 """
 
 
-def test_a_test_meets_no_trace_of_the_one_before_and_each_counts_once_unless_it_is_skipped(pytester):
+def test_a_test_meets_no_trace_of_the_one_before_and_each_counts_once_unless_it_is_skipped(pytester, graded):
     pytester.makepyfile(test_impulse=ALONE)
     result, sheet = graded(
-        pytester,
         "calls = []\ndef rebound_velocity(v, e):\n    calls.append(v)\n    return len(calls)",
         "test_impulse.py",
     )
@@ -231,9 +246,9 @@ def test_a_test_meets_no_trace_of_the_one_before_and_each_counts_once_unless_it_
     result.stdout.no_fnmatch_line("*plugin.py*")
 
 
-def test_grading_the_same_file_again_draws_the_same_examples(pytester):
+def test_grading_the_same_file_again_draws_the_same_examples(graded):
     def drawn(text: str) -> list[str]:
-        result, _ = graded(pytester, text, "-k", "property", "-s")
+        result, _ = graded(text, "-k", "property", "-s")
         return [line for line in result.outlines if line.startswith(("drawn", ".drawn"))]
 
     first = drawn(RIGHT)
