@@ -391,7 +391,9 @@ def lines_of(demonstration: str) -> list:
 def test_a_plot_has_its_size_its_labels_and_round_numbers_on_its_axes():
     pytest.importorskip("plotext")
     xs = [place / 100 for place in range(498)]
-    lines = terminal_plot.plot([Points(None, xs, [0.73 * x for x in xs])], "time, s", "way, m", 80, 14).plain.split("\n")
+    lines = terminal_plot.plot([Points(None, xs, [0.73 * x for x in xs])], "time, s", "way, m", 80, 14).plain.split(
+        "\n"
+    )
     assert len(lines) == 14
     assert max(map(cell_len, lines)) == 80
     assert lines[0] == "way, m"
