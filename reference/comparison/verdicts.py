@@ -1,4 +1,4 @@
-"""Verdicts: how a number stands to what is expected of it, and the row that says so."""
+"""Verdicts: whether a measured number agrees with what is expected of it, and the row that says so."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NOTHING_FINITE = "no finite number: what is asked for did not happen before the 
 
 
 class Verdict(StrEnum):
-    """How a measured number stands to what is expected of it."""
+    """Whether a measured number agrees with what is expected of it, or why there is no number."""
 
     PASS = "pass"
     KNOWN_DEVIATION = "known deviation"

@@ -15,8 +15,8 @@ class Answer:
     """What one implementation gives for one published figure.
 
     value: None where the implementation has none, and `reason` says why. tolerance: absolute, with its reason, where
-    the method at hand allows less than the printed digits do; None for the case's own. shift: what this implementation
-    is known to do to the figure, with its reason and its own tolerance.
+    the method at hand allows less than the printed digits do; None for the case's own. shift: how much this
+    implementation's method changes the figure, with its reason and its own tolerance.
     """
 
     value: Figure | None

@@ -1,4 +1,4 @@
-"""Published cases as jobs: one case × engine, run as the lab's own catalogue is."""
+"""Published cases as jobs, one case × engine each, which run as those of the lab's own catalogue do."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from reference.running.jobs import Work
 
 
 def plan(names: Sequence[str], engines: Sequence[str], implementation: str = "solutions") -> list[PublishedJob]:
-    """List the jobs that run these cases, all where none is named, in these engines; each once.
+    """List the jobs that run these cases, or all if no case is named, in these engines; each job once.
 
     Raises
     ------

@@ -30,8 +30,8 @@ class PublishedRow:
     """One published number and what one implementation gives for it.
 
     figure: its name; empty in a row that speaks of the whole case. place: in a figure with several numbers, from 1;
-    else 0. expected: as published. tolerance, reason: how near is near enough, and why. shift: what the implementation
-    is known to do to the number. note: why it deviates, or why there is no number.
+    else 0. expected: as published. tolerance, reason: how near is near enough, and why. shift: how much the
+    implementation's method changes the number. note: why it deviates, or why there is no number.
     """
 
     case: str

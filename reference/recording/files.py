@@ -49,7 +49,7 @@ class Made:
 
 
 def content_of(engine: str, family: str, folder: Path | None = None) -> dict[str, Any] | None:
-    """What the file of recorded numbers holds; None where there is none, as for an engine that is not the lab's own.
+    """What the file of recorded numbers holds; None where no such file exists, as for an engine file of one's own.
 
     Raises
     ------

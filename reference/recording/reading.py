@@ -105,7 +105,7 @@ def replay(job: Job, case: str, folder: Path | None = None) -> Poses:
 
 
 def _track(job: Job, case: Case, known: Mapping[tuple[str, str], Track]) -> Track:
-    """The recorded track of a case; `NotRecorded` where there is none of today's scenario and settings."""
+    """The recorded track of a case; `NotRecorded` where no track is of today's scenario and settings."""
     own = load_engine(job.engine).settings(case.scenarios[0], job.profile)
     settings = own.change(**dict(job.changes))
     tracks = [known[job.profile, key] for key in names_of(case.name, own, settings) if (job.profile, key) in known]

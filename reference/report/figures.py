@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 WIDTH, HEIGHT = 5.8, 3.9
-"""Size of a figure, inches: two stand side by side on a desk, one fills a phone."""
+"""Size of a figure, inches: two fit side by side on a desktop screen, one fills a phone."""
 COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00", "dart": "#009e73"}
 _STROKES = {"handwritten": (5.0, 0.35), "pybullet": (3.2, 1.0), "mujoco": (1.9, 1.0), "dart": (0.8, 1.0)}
 """Width in points and opacity of tuned curves: where they coincide, each still shows on both sides of the next."""

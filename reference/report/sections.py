@@ -52,7 +52,7 @@ class Cell:
 
     @property
     def count(self) -> str:
-        """`5/6` of the rows agree; nothing where none is judged, the verdict where none has a number."""
+        """`5/6` of the rows agree; "" where no row is judged, the verdict where no row has a number."""
         if all(row.measured is None and row.verdict is not Verdict.FAIL for row in self.rows):
             return str(self.verdict)
         return f"{self.agreeing}/{self.judged}" if self.judged else ""

@@ -40,7 +40,7 @@ def staged(out: Path) -> Iterator[Path]:
         shutil.rmtree(stage, ignore_errors=True)
         with contextlib.suppress(OSError):
             for folder in new:
-                folder.rmdir()  # goes only when it is empty
+                folder.rmdir()  # succeeds only where it is empty
 
 
 @contextlib.contextmanager

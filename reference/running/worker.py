@@ -108,7 +108,7 @@ def _portable(error: Exception) -> CollisionsError:
 
 
 def _end_with(parent: int) -> None:
-    """End this process once its parent is gone, killed in the middle of a job; where the system tells (POSIX)."""
+    """End this process once its parent is gone, killed in the middle of a job, on a system that shows it (POSIX)."""
     while os.getppid() == parent:
         time.sleep(_PARENT_INTERVAL)
     os._exit(1)

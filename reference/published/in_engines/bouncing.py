@@ -72,7 +72,7 @@ def _by_three_lines(
     """Gap and velocity before each step and after the last, (steps + 1, 2), as the engine's impacts would make them.
 
     The velocity before an impact may have the step's gravity in it (`weighed`), and its change falls short by a share
-    (`softness`). With an impedance d the contact carries the share d of the weight, and the share 1 − d goes on acting.
+    (`softness`). With an impedance d the contact carries the share d of the weight, and the share 1 − d still acts.
     """
     method, fall = engine.method(scenario, settings), bounce.gravity * bounce.timestep
     leak = 1 - settings.number("impedance") if "impedance" in settings.options else 0.0

@@ -37,7 +37,7 @@ SUBSTEPS = 20
 LAST_TOUCH = 0.6
 """Share of a full swing within which a contact has let go, as `_let_go` says."""
 HALVINGS = 100
-"""How often the instant of letting go is bracketed anew, half as widely each time: to rounding."""
+"""How often the bracket of the instant of letting go is halved: down to rounding."""
 
 
 def spring(engine: Engine, scenario: Scenario, timestep: float, stiffness: float, impedance: float) -> Settings:
