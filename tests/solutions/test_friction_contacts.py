@@ -100,7 +100,7 @@ def test_one_of_the_choices_of_pressed_contacts_is_what_pivoting_finds(seed):
 
 
 @pytest.mark.statement(22, oracle="scipy's lsq_linear with bounds")
-@settings(max_examples=12)
+@settings(max_examples=settings.default.max_examples // 10)
 @given(seed=SMALL)
 def test_sweeping_comes_to_the_same_forces(seed):
     optimize = oracle("scipy.optimize")
@@ -304,7 +304,7 @@ def test_sequential_impulses_hold_a_slab_up_to_the_angle_of_friction_and_let_it_
 
 
 @pytest.mark.statement(22, oracle="scipy's nnls")
-@settings(max_examples=10)
+@settings(max_examples=settings.default.max_examples // 10)
 @given(seed=SMALL)
 def test_sequential_impulses_without_friction_leave_the_velocities_of_least_change(seed):
     optimize = oracle("scipy.optimize")
