@@ -10,7 +10,6 @@ import pytest
 from engine_grid import (
     CELLS,
     DAMPING,
-    DURATION,
     ROUNDING,
     SCENARIOS,
     arrays,
@@ -68,7 +67,7 @@ def test_a_trajectory_says_what_it_came_from(cell, trajectory):
     assert (trajectory.engine, trajectory.scenario, trajectory.settings) == (engine.name, scenario, settings)
 
 
-@fast_and_slow(CELLS, lambda cell: cell.profile == "tuned" and is_often(cell))
+@every_cell
 def test_the_same_run_gives_the_same_numbers_and_leaves_scenario_and_settings_alone(cell, trajectory):
     engine, scenario, settings = setup(cell)
     before = pickle.dumps((scenario, settings))
@@ -86,7 +85,7 @@ def test_what_is_immovable_does_not_move(cell, trajectory):
     assert not trajectory.angular_velocities[:, fixed].any()
 
 
-@cells_of("thrown-ball")
+@fast_and_slow([cell for cell in CELLS if cell.scenario == "thrown-ball"], is_often)
 def test_many_scenarios_at_once_give_what_each_gives_alone(cell, installed):
     engine = installed(cell.engine)
     first = SCENARIOS["dropped-ball"]
@@ -123,7 +122,9 @@ def test_the_changed_timestep_shows_in_the_flight_itself(cell, installed):
     lower = (fine.position("thrown") - coarse.position("thrown"))[:, 2]
     expected = 0 * fine.times if flies_exactly(cell) else GRAVITY * fine.times * settings.timestep / 2  # g t dt/2 each
     # Drag is taken in steps too: it adds a first-order term of its own, a share 0.04 (1 + 2 v) t of this one.
-    np.testing.assert_allclose(lower, expected, rtol=DAMPING * 13 * DURATION if is_damped(cell) else 1e-6, atol=1e-10)
+    np.testing.assert_allclose(
+        lower, expected, rtol=DAMPING * 13 * scenario.duration if is_damped(cell) else 1e-6, atol=1e-10
+    )
 
 
 @each_engine
@@ -168,9 +169,9 @@ def test_a_timestep_longer_than_the_scenario_is_refused(cell, installed):
     installed(cell.engine)
     engine, scenario, settings = setup(cell)
     with pytest.raises(InvalidInput, match="longer than"):
-        engine.run(scenario, settings.change(timestep=1.01 * DURATION))
+        engine.run(scenario, settings.change(timestep=1.01 * scenario.duration))
     with pytest.raises(InvalidInput, match="1e\\+08 is the most"):  # it would end in some hours
-        engine.run(scenario, settings.change(timestep=1e-9 * DURATION))
+        engine.run(scenario, settings.change(timestep=1e-9 * scenario.duration))
 
 
 @each_engine

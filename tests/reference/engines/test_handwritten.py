@@ -156,7 +156,7 @@ NEEDS_A_WORLD = {
 @pytest.mark.parametrize("what", NEEDS_A_WORLD)
 def test_what_turns_or_leaves_its_line_needs_a_rigid_body_world(what):
     with pytest.raises(NeedsFunction, match="needs a rigid-body world"):
-        run(NEEDS_A_WORLD[what])
+        run(NEEDS_A_WORLD[what], timestep=0.01)
 
 
 ALONE = {

@@ -58,7 +58,9 @@ def recalled(job: Job) -> JobResult | None:
     return recall(job)
 
 
-@pytest.mark.parametrize("job", JOBS, ids=str)
+@pytest.mark.parametrize(
+    "job", [job if job.profile == "tuned" else pytest.param(job, marks=pytest.mark.slow) for job in JOBS], ids=str
+)
 def test_every_run_is_recorded_and_none_of_it_is_stale(job):
     found = recalled(job)
     assert found is not None, "not recorded; collisions record does it"
