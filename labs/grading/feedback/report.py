@@ -20,8 +20,8 @@ _NEEDS = re.compile(r"\bneeds (\w+) \(")  # as it is said of a function that is 
 def report(sheet: Sheet, topics: Sequence[str]) -> Iterator[str]:
     """All lines, those of the file first, then topic by topic, and in the end what to do next."""
     for complaint in sheet.complaints:
-        if not complaint.endswith("missing"):  # what is missing is on the list below
-            yield from folded(complaint, 0)
+        if complaint.kind != "missing":  # missing functions are on the list below
+            yield from folded(str(complaint), 0)
     advice = Advice(sheet.given)
     for name in topics:
         yield ""
