@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import re
-from typing import Any
 
 import pytest
 
@@ -13,6 +12,7 @@ from labs.grading.diagnosis.findings import Diagnosis
 from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.errors import FunctionMissing, GraderFailed, StudentError, UnreadableSubmission
+from labs.grading.judging.markers import is_hidden, marker
 from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from labs.grading.safe_text import plain
 from labs.grading.submission.reading import Submission
@@ -94,14 +94,3 @@ def summary(terminal: pytest.TerminalReporter, sheet: Sheet) -> None:
     for reason, count in sheet.left_out.items():
         write(f"{count} test{'s' * (count != 1)} left out: {reason}")
     write(f"{sheet.earned} of {sheet.points} points ({sheet.tier or 'not run'})")
-
-
-def is_hidden(item: pytest.Item) -> bool:
-    """Whether a test is in a folder named hidden."""
-    return "hidden" in item.path.parts
-
-
-def marker(item: pytest.Item, name: str, otherwise: Any) -> Any:
-    """The value of a test's marker."""
-    found = item.get_closest_marker(name)
-    return found.args[0] if found and found.args else otherwise

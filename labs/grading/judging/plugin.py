@@ -24,7 +24,8 @@ from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import GraderFailed, StudentError
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.given_names import given_names
-from labs.grading.judging.outcomes import explain, is_hidden, marker, outcome_of, said, summary
+from labs.grading.judging.markers import MEANINGS, is_hidden, marker
+from labs.grading.judging.outcomes import explain, outcome_of, said, summary
 from labs.grading.judging.score_sheet import Part, Sheet
 from labs.grading.judging.submitted_functions import Functions
 from labs.grading.safe_text import one_line
@@ -37,12 +38,6 @@ SHEET = pytest.StashKey[Sheet]()
 GRADER = pytest.StashKey[Grader]()
 """What was earned, and what runs the tests. The caller of pytest may provide a grader, and closes it afterwards."""
 _PARTS = pytest.StashKey[list[Part]]()
-_MARKERS = {
-    "points(n)": "what the test is worth, a whole number",
-    "function(name)": "which function it is about; where a test of it fails, the feedback says what is wrong with it",
-    "rationale(text)": "why a submission has to pass it",
-    "help(text)": "what a student should look at",
-}
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -57,7 +52,7 @@ def pytest_configure(config: pytest.Config) -> None:
     if config.getoption("--submission") and GRADER not in config.stash:
         config.stash[GRADER] = Grader()
         config.add_cleanup(config.stash[GRADER].close)
-    for usage, meaning in _MARKERS.items():
+    for usage, meaning in MEANINGS.items():
         config.addinivalue_line("markers", f"{usage}: {meaning}")
 
 

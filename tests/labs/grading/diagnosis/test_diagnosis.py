@@ -16,7 +16,8 @@ from labs.grading.diagnosis.fingerprints.__main__ import main
 from labs.grading.diagnosis.misconceptions import Misconception, read_bank
 from labs.grading.diagnosis.probes import probed, probes
 from labs.grading.diagnosis.recognition import diagnose
-from labs.grading.diagnosis.words import called, no_answer, told
+from labs.grading.diagnosis.words import called, told
+from labs.grading.phrases import no_answer
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 from solutions import as_printed
