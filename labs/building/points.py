@@ -13,7 +13,7 @@ from labs.project_folders import AUTOGRADER
 from reference import lecture
 
 _MARKER = "asks"
-"""The decorator that says which function a test is about and what it is worth (`labs.grading.judging.comparison`)."""
+"""The decorator that says which function a test is about and what it is worth (`labs.grading.judging.markers`)."""
 
 
 def points_of(function: str) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,9 +16,6 @@ from labs.grading.judging import pytest_run
 from labs.grading.judging.score_sheet import Sheet
 from reference import lecture
 from reference.errors import InvalidInput
-
-_REWRITTEN = re.compile(r"defined \d+ times")
-"""In a kernel that is what writing a function is: the cell is run again."""
 
 
 @dataclass(frozen=True)
@@ -46,10 +42,11 @@ def check(notebook: Path, topic: str, names: Sequence[str], grader: Grader) -> C
         sheet = pytest_run.run(notebook, topics, (pytest_run.VISIBLE,), grader, names)
     except UnreadableSubmission as error:
         raise InvalidInput(f"nothing can be checked yet: {error}") from None
-    sheet.complaints = [each for each in sheet.complaints if not _REWRITTEN.search(each)]
-    silent = all(each.endswith("missing") for each in sheet.complaints)
+    # In a kernel a function is written by running its cell again and again, so a repeated definition is no mistake.
+    sheet.complaints = [complaint for complaint in sheet.complaints if complaint.kind != "repeated"]
+    nothing_odd = all(complaint.kind == "missing" for complaint in sheet.complaints)
     said = "\n".join(report.report(sheet, topics)).strip("\n")
-    if len(names) == 1 and silent and report.all_right(sheet):
+    if len(names) == 1 and nothing_odd and report.all_right(sheet):
         said = textwrap.fill(f"{report.RIGHT} {names[0]} is right, as far as this tries it: {report.HIDDEN}.", 80)
     return Checked(student_code.with_kernel_numbers(said), _credit(notebook, topics, names, grader, sheet))
 

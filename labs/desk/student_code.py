@@ -183,7 +183,7 @@ def _read_earlier(path: Path, topic: str) -> tuple[Submission | None, list[str]]
     """The functions written in an earlier notebook, None if there are none; and complaints of what cannot be read."""
     wanted = [name for name, entry in lecture.FUNCTIONS.items() if entry.topic != topic and entry.role == "written"]
     everything = read(path, wanted)
-    unread = [str(each) for each in everything.complaints if "cannot read" in each.text or "merge" in each.text]
+    unread = [str(complaint) for complaint in everything.complaints if complaint.kind == "unreadable"]
     kept = [name for name in everything.functions if name not in _unwritten(everything)]
     return read(path, kept) if kept else None, unread
 

@@ -190,7 +190,8 @@ def test_a_ball_touches_a_triangle_on_its_face_an_edge_or_a_corner_when_the_dist
         corners, x, r = rng.uniform(-1, 1, (3, 3)), rng.uniform(-3, 3, 3), rng.uniform(0.05, 0.5)
         u = rng.uniform(-0.6, 0.6, 3) - x
         time = float(sweep_sphere_triangle(x, u, r, corners, 2.0))
-        true = first_root(lambda t, at=places(x, u), r=r, c=corners: triangle_distance(at(t), c) - r, 2.0, 401)
+        path = places(x, u)
+        true = first_root(lambda t, at=path, r=r, c=corners: triangle_distance(at(t), c) - r, 2.0, 401)
         found.append(true)
         # brentq's own tolerance, and the slope of the distance near a graze: some ten thousand roundings
         assert time == pytest.approx(true, abs=1e-11)
@@ -296,7 +297,8 @@ def test_a_ray_enters_a_capsule_where_the_distance_from_its_segment_is_the_radiu
     for _ in range(40):
         x, a, b = 3 * rng.uniform(-1, 1, 3), *rng.uniform(-1, 1, (2, 3))
         u, r = rng.uniform(-1, 1, 3) - x, rng.uniform(0.05, 0.5)
-        true = first_root(lambda t, at=places(x, u), a=a, b=b, r=r: segment_distance(at(t), a, b) - r, 2.0, 401)
+        path = places(x, u)
+        true = first_root(lambda t, at=path, a=a, b=b, r=r: segment_distance(at(t), a, b) - r, 2.0, 401)
         time = float(ray_capsule(x, u, a, b, r))
         assert (time if time <= 2 else INFINITE) == pytest.approx(true, abs=1e-11)  # brentq's tolerance, near a graze
 

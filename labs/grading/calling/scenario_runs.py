@@ -16,6 +16,7 @@ import pytest
 
 from labs.correct_functions import package_of_correct_functions
 from labs.grading.calling.calls import Call
+from labs.grading.phrases import gives_beside_physics
 from reference import lecture
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
@@ -127,7 +128,7 @@ def _told(family: Family, row: Row) -> str:
     quantity = family.quantity(row.quantity)
     physics = "says nothing" if row.expected is None else f"{row.expected:.6g} {row.unit}".rstrip()
     came = row.note if row.measured is None else f"{row.measured:.6g} {row.unit}".rstrip()
-    lines = [f"{family.title}, {row.case}: {quantity.title}", f"gives   {came}", f"physics {physics}"]
+    lines = [f"{family.title}, {row.case}: {quantity.title}", gives_beside_physics(came, physics)]
     engines = [f"{title} {value:.6g}" for title, value in _engines(row)]
     return "\n".join([*lines, *([f"engines {', '.join(engines)} (recorded)"] if engines else [])])
 

@@ -1,30 +1,28 @@
-"""What the tests of a submission are written with: a call and its right answer, and what a test is worth.
+"""Compares what a submission's function returns with the right answer, in a test.
 
-    @asks("rebound_velocity", 2, "A ball leaves with e times the speed it came with.", "Statement 12.")
     def test_a_ball_leaves_with_e_times_its_speed(submission, part):
         with part(1, "the direction and the speed"):
             expect(submission.rebound_velocity, (-2.0, 0.5), 1.0)
 
-Vectors may be written as lists: the submission gets arrays, as in the lab. Any answer with the right numbers will do: a
-list, single precision. `marks` says how near is near enough.
+Vectors may be written as lists: the submission gets arrays, as in the lab. Any answer with the right numbers is
+accepted, such as a list or single precision. `diagnosis.deviations` says how close is close enough.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import Any, Protocol, TypeVar
+from typing import Any, Protocol
 
 import numpy as np
-import pytest
 
 from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, outputs
 from labs.grading.diagnosis.probes.probe import usual
-from labs.grading.diagnosis.words import called, compared, no_answer, shown
+from labs.grading.diagnosis.words import called, compared, shown
+from labs.grading.phrases import gives, no_answer
 from reference.arrays import Array
 from reference.errors import UnknownName
 
-Test = TypeVar("Test", bound=Callable[..., None])
 Formula = Callable[..., Any]
 
 
@@ -40,36 +38,20 @@ class Called(Protocol):
         """Say which calls of it come next, so that its process can work ahead."""
 
 
-def asks(function: str, points: int, rationale: str, help: str = "") -> Callable[[Test], Test]:
-    """Mark a test: which function it is about, what it is worth, why it asks, and what to look at."""
-
-    def marked(test: Test) -> Test:
-        for each in (
-            pytest.mark.function(function),
-            pytest.mark.points(points),
-            pytest.mark.rationale(rationale),
-            pytest.mark.help(help),
-        ):
-            test = each(test)
-        return test
-
-    return marked
-
-
 def expect(function: Called, arguments: tuple[Any, ...], answer: Any) -> None:
-    """Call a function and compare: `answer` is a number, a list, or a tuple of these where it gives several things.
+    """Call a function and compare: `answer` is a number, a list, or a tuple of these if it returns several things.
 
     Raises
     ------
     AssertionError
-        If the answer is another, with the call, what came and what physics says.
+        If the answer is another. The message has the call, its answer, and what physics says.
     """
     wanted = outputs_of(answer)
     check(function, plainly(*arguments), lambda: _sized(wanted), wanted)
 
 
 def outputs_of(answer: Any) -> tuple[Array, ...]:
-    """What is right as arrays of floats, one for each thing returned."""
+    """The right answer as arrays of floats, one for each thing returned."""
     return tuple(np.asarray(part, dtype=float) for part in (answer if isinstance(answer, tuple) else (answer,)))
 
 
@@ -80,11 +62,11 @@ def check(
     wanted: tuple[Array, ...],
     repeated: bool = False,
 ) -> None:
-    """The same with what is right as marks know it.
+    """Call a function and compare, with scales that may be larger than the right numbers themselves.
 
-    wanted: the right numbers. right: gives them with the scales by which they are compared; asked only where they are
-    not met within their own size, as scales take time to find. repeated: whether what is the same for all contacts of a
-    call, as it hangs on no argument that differs, may be given once.
+    wanted: the right numbers. right: gives them with the scales by which they are compared; it is called only if they
+    are not met within their own size, because finding scales takes time. repeated: whether an output may be given once
+    if it is the same for all contacts of a call, because it depends on no argument that differs.
     """
     value = function(*arguments)
     found = Answer(_repeated(value, wanted) if repeated else value)
@@ -94,7 +76,7 @@ def check(
 
 
 def _sized(outputs: tuple[Array, ...]) -> Right:
-    """Compared by the largest number of each."""
+    """The right answer with the largest number of each output as its scale."""
     return Right(outputs, tuple(_size(array) for array in outputs))
 
 
@@ -108,17 +90,17 @@ def _repeated(value: Any, right: tuple[Array, ...]) -> Any:
 
 
 def numbers(function: Called, arguments: tuple[Any, ...], count: int = 1) -> Any:
-    """What a function gives, as an array of floats, or so many of them; an AssertionError where it is no such thing.
+    """Call a function for an array of floats, or for several; raises an AssertionError if it returns anything else.
 
-    NaN and infinity are none: two of them can be as good as equal.
+    NaN and infinity are refused, because a comparison can take two of them for equal.
     """
     value = function(*arguments)
     found = outputs(value, count)
     if found is None:
-        raise AssertionError(f"{_tried(function, arguments)}\ngives   {no_answer(value, count, _printed(function))}")
+        raise AssertionError(f"{_tried(function, arguments)}\n{gives(no_answer(value, count, _printed(function)))}")
     if not all(np.isfinite(array).all() for array in (found if count > 1 else found[:1])):
         came = ", ".join(map(shown, found))
-        raise AssertionError(f"{_tried(function, arguments)}\ngives   {came}, where finite numbers should be")
+        raise AssertionError(f"{_tried(function, arguments)}\n{gives(came)}, where finite numbers should be")
     return found if count > 1 else found[0]
 
 
@@ -127,7 +109,7 @@ def _tried(function: Called, arguments: tuple[Any, ...]) -> str:
 
 
 def _printed(function: Any) -> str:
-    """What its last call printed."""
+    """What the function's last call printed."""
     return str(function.functions.process().printed)
 
 
@@ -140,12 +122,12 @@ def refuse_changes(function: Any) -> None:
 
 
 def plainly(*arguments: Any) -> tuple[Any, ...]:
-    """Arguments as a submission gets them: lists as arrays of floats, also in tuples; numbers and flags as they are."""
+    """Arguments as a submission gets them: lists become arrays of floats, also in tuples; the rest stays as it is."""
     return usual("", *arguments).arguments
 
 
 def each(formula: Formula, sample: tuple[Any, ...]) -> Formula:
-    """A formula for one contact as one for many; `sample` holds arguments of one, whose shapes say what one is."""
+    """Make a formula for one contact work for many; the shapes of the `sample` of arguments say what one contact is."""
     depths = [np.ndim(part) for part in _leaves(sample)]
 
     def for_many(*arguments: Any) -> Any:

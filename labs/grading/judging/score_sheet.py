@@ -1,4 +1,4 @@
-"""What a submission earned, test by test: whole points, and words that a student may read."""
+"""The score sheet of a submission: what it earned test by test, in whole points, and words that a student may read."""
 
 from __future__ import annotations
 
@@ -7,28 +7,29 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.submission.cells import Complaint
 
 
 @dataclass(frozen=True)
 class Part:
-    """A part of a test that has points of its own. said: why it failed, empty where it passed."""
+    """A part of a test that has points of its own. said: why it failed; None if it passed."""
 
     points: int
     reason: str
-    said: str = ""
+    said: str | None = None
 
     @property
     def passed(self) -> bool:
         """Whether its points are earned."""
-        return not self.said
+        return self.said is None
 
 
 @dataclass(frozen=True)
 class Outcome:
     """One test. said: what happened, fit to be shown; for a hidden test without inputs or expected values.
 
-    rationale: why the test is right to ask. help: what to look at. parts: what has points of its own in it. function:
-    which one it is about, empty where it is about several.
+    rationale: why the test is right to ask. help: what to look at. parts: those that have points of their own.
+    function: which one it is about; empty if it is about several.
     """
 
     test: str
@@ -48,11 +49,11 @@ class Outcome:
 
     @property
     def earned(self) -> int:
-        """All points where it passed, else those of the parts that did."""
+        """All points if it passed, otherwise those of the parts that did."""
         return self.points if self.passed else min(self.points, sum(part.points for part in self.parts if part.passed))
 
     def lines(self) -> Iterator[str]:
-        """For a student: what is missing and why, nothing where it passed; the parts where some are right."""
+        """For a student: what is missing and why, with the parts if some are right; nothing if it passed."""
         if self.passed:
             return
         yield f"{self.title}: {self.earned} of {self.points}"
@@ -63,9 +64,9 @@ class Outcome:
     @property
     def failures(self) -> tuple[tuple[str, str], ...]:
         """Each part that was lost, and what was said of it, equal words once; of a test without parts, the test."""
-        lost = [part for part in self.parts if not part.passed]
-        said = [part.said for part in lost]
-        found = tuple((part.reason, "" if part.said in said[:at] else part.said) for at, part in enumerate(lost))
+        lost = [(part.reason, part.said) for part in self.parts if part.said is not None]
+        said = [words for _, words in lost]
+        found = tuple((reason, "" if words in said[:at] else words) for at, (reason, words) in enumerate(lost))
         return found or (() if self.passed else ((self.title, self.said),))
 
 
@@ -73,15 +74,15 @@ class Outcome:
 class Sheet:
     """All outcomes of one submission.
 
-    complaints: about the file. unread: functions that stand where Python cannot read. tier: how far its processes were
-    shut in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the
-    submission's functions each of these calls. beneath: outcomes, without points, of functions that wrong ones call and
-    nobody asked for. given: names that the lab's own cells define, where it is a notebook. borrows: variables of other
+    complaints: about the file. unread: functions in text that Python cannot read. tier: how far its processes were shut
+    in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the submission's
+    functions each of these calls. beneath: outcomes, without points, of functions that were not asked for but that
+    wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of other
     cells that a wrong function reads, with the cell.
     """
 
     submission: str = ""
-    complaints: list[str] = field(default_factory=list)
+    complaints: list[Complaint] = field(default_factory=list)
     unread: tuple[str, ...] = ()
     tier: str = ""
     outcomes: list[Outcome] = field(default_factory=list)
@@ -93,11 +94,11 @@ class Sheet:
     borrows: dict[str, dict[str, str]] = field(default_factory=dict)
 
     def about(self, function: str) -> list[Outcome]:
-        """What came of a function's tests, asked for or beneath."""
+        """The outcomes of a function's tests, asked for or beneath."""
         return [outcome for outcome in (*self.outcomes, *self.beneath) if outcome.function == function]
 
     def add_beneath(self, other: Sheet) -> None:
-        """Take over what was found of functions that wrong ones call."""
+        """Add the sheet of functions that wrong ones call."""
         self.beneath += other.outcomes
         self.diagnoses |= other.diagnoses
         self.uses |= other.uses
@@ -105,7 +106,7 @@ class Sheet:
 
     @property
     def lost(self) -> list[str]:
-        """The functions that a test of failed, in the order of the tests."""
+        """The functions that failed a test, in the order of the tests."""
         return list(
             dict.fromkeys(outcome.function for outcome in self.outcomes if outcome.function and not outcome.passed)
         )

@@ -12,7 +12,8 @@ from labs.grading.diagnosis import fingerprints
 from labs.grading.diagnosis.misconceptions import read_bank
 from labs.grading.diagnosis.probes import probed
 from labs.grading.diagnosis.recognition import diagnose
-from labs.grading.diagnosis.words import called, no_answer, told
+from labs.grading.diagnosis.words import called, told
+from labs.grading.phrases import no_answer
 from reference import lecture
 from reference.errors import UnknownName
 from solutions import as_printed

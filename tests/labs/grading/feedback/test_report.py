@@ -10,6 +10,7 @@ from labs.grading.diagnosis.fingerprints import known
 from labs.grading.diagnosis.probes.probe import usual
 from labs.grading.feedback.report import RIGHT, TO_DO, WRONG, all_right, report, state
 from labs.grading.judging.score_sheet import Outcome, Part, Sheet
+from labs.grading.submission.cells import Complaint
 from reference import lecture
 
 FIRST, SECOND = known("rebound_velocity").mistakes[:2]
@@ -71,7 +72,8 @@ def test_of_a_file_without_a_function_that_was_asked_for_no_function_is_next():
 
 
 def test_complaints_come_first_but_for_what_is_on_the_list_anyway():
-    assert lines(complaints=("line 3: odd", "collide is missing"))[:2] == ["line 3: odd", ""]
+    complaints = Complaint("odd", line=3), Complaint("collide is missing", kind="missing")
+    assert lines(complaints=complaints)[:2] == ["line 3: odd", ""]
 
 
 def test_what_failed_is_told_part_by_part_with_what_was_tried_for_the_first_two():

@@ -14,13 +14,14 @@ from labs.grading.diagnosis.words import told
 from labs.grading.judging import grade as grading
 from labs.grading.judging.grade import Grade, grade, read_grade
 from labs.grading.judging.score_sheet import Outcome, Part, Sheet
+from labs.grading.submission.cells import Complaint
 from reference.errors import InvalidInput
 
 KEPT, LOST = Part(2, "at rest"), Part(3, "the sign", "gives 1")
 SIGN = known("rebound_velocity").mistakes[0]
 SHEET = Sheet(
     "lab.py",
-    ["collide is missing"],
+    [Complaint("collide is missing", kind="missing")],
     tier="limits",
     outcomes=[
         Outcome("test_a_ball_bounces", 6, False, parts=(KEPT, LOST), function="rebound_velocity"),
