@@ -1,4 +1,4 @@
-"""Checks of single values that enter the lab; each error names the value and what would do."""
+"""Checks of single values that enter the lab; each error names the value and says what it must be."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Closed forms: what theory says, and what a known method must do to it, each with its derivation.
+"""Closed forms, each with its derivation: what theory says, and by how much a known method must differ from it.
 
 Symbols: h drop height of the gap, e restitution, g gravity, v speed, μ friction, θ slope, dt timestep; SI throughout.
 """
@@ -37,7 +37,7 @@ def bounce_times(drop_height: float, restitution: float, gravity: float, count: 
 def bounce_end(drop_height: float, restitution: float, gravity: float) -> float:
     """When a bouncing ball comes to rest, s: the geometric series t1 (1 + 2e/(1 − e)) = t1 (1 + e)/(1 − e).
 
-    An elastic ball, e = 1, bounces for ever: infinity.
+    An elastic ball, e = 1, never stops: infinity.
     """
     if restitution >= 1:
         return math.inf
@@ -66,12 +66,12 @@ def rebound_shift_of_weighed_step(drop_height: float, restitution: float, gravit
 
 
 def interpolated_earliness(gravity: float, timestep: float, speed: float) -> float:
-    """By how much the slide's T is early at most, s: the chord of a parabola cuts the plane g dt²/(8 v) too soon."""
+    """By how much the slide's T is early at most, s: the chord of a parabola is up to g dt²/(8 v) too soon."""
     return gravity * timestep**2 / (8 * speed)
 
 
 def stopping_distance(speed: float, friction: float, gravity: float) -> float:
-    """Way that a sliding block goes on the level, m: m v²/2 = μ m g d."""
+    """Way that a block slides on the level until it stops, m: m v²/2 = μ m g d."""
     return speed**2 / (2 * friction * gravity)
 
 
@@ -150,7 +150,7 @@ def coarse_contact(restitution: float, stiffness: float, timestep: float) -> flo
 
     A method notices up to a step late that the bodies touch. The dashpot's deceleration leaps there from 0 to 2 ζ √k v:
     2 ζ √k dt of v. The spring's grows with the depth v t: ∫ k v t dt, (√k dt)²/2 of v. stiffness: k, per unit mass,
-    1/s²; infinite for a contact of one step, which is none of this.
+    1/s²; infinite for a contact of one step, to which this does not apply.
     """
     if math.isinf(stiffness):
         return 0.0
@@ -254,11 +254,11 @@ def rod_softness(mass: float, arm: float, half_length: float, half_thickness: fl
 
 
 def balls_after(speed: float, offset: float, restitution: float, mass: float, other_mass: float) -> tuple[Array, Array]:
-    """Velocities, (2,) each, m/s, of a smooth ball that flew along +x and of the one at rest that it has struck.
+    """Velocities, (2,) each, m/s, of a smooth ball that flew along +x and of the ball at rest that it has struck.
 
     offset: distance of the second centre from the first one's line of flight, as a share of the sum of the radii, which
-    is the sine of the angle α between that line and the line of centres. Only along the line of centres does anything
-    happen: there the closing speed is v cos α, and the normal from the struck ball to the striker (−cos α, sin α).
+    is the sine of the angle α between that line and the line of centres. Velocities change along the line of centres
+    alone: there the closing speed is v cos α, and the normal from the struck ball to the striker is (−cos α, sin α).
     """
     cosine = math.sqrt((1 - offset) * (1 + offset))
     impulse = impact_impulse(speed * cosine, restitution, 1 / mass + 1 / other_mass) * np.array([-cosine, offset])
@@ -268,8 +268,8 @@ def balls_after(speed: float, offset: float, restitution: float, mass: float, ot
 def cradle_in_turn(velocities: Array) -> Array:
     """Velocities, (n,), of a row of equal elastic balls after impacts of two at a time, from left to right.
 
-    Two equal elastic balls swap their velocities, and go on doing so until no ball is faster than the next: they end up
-    in order.
+    Two equal elastic balls swap their velocities, again and again, until no ball is faster than the next. So the
+    velocities end up in increasing order.
     """
     return np.sort(velocities)
 
@@ -287,7 +287,7 @@ def cradle_at_once(velocities: Array, struck: int) -> Array:
 
 
 def cradle_turned_back(velocities: Array) -> Array:
-    """Velocities, (3,), of equal elastic balls that touch, where a rule turns back all contacts, also one that parts.
+    """Velocities, (3,), of equal elastic balls that touch, if a rule reverses every contact, also one that separates.
 
     The first two close at c, the other two part at p. After u⁺ = −u⁻ at both contacts, b − a = c and z − b = −p, the
     last two approach, and swap their velocities in an impact of their own. Energy stays, as in every such reversal.

@@ -1,4 +1,4 @@
-"""Numbers taken from a trajectory, in the same way whoever produced it.
+"""Numbers taken from a trajectory, in the same way for every engine.
 
 Bounces are read from flight parabolas, not from samples: two neighbouring samples in free flight and the known
 gravity fix the parabola s(t) = s_i + w (t − t_i) − g_n (t − t_i)(t − t_{i+1})/2, w = (s_{i+1} − s_i)/(t_{i+1} − t_i).
@@ -25,7 +25,7 @@ free flight. Wide enough for an engine's built-in drag (PyBullet's default takes
 impact does to it: a rebound at speed v changes the mean acceleration of a 1 ms sample by v/(0.001 s), which is below
 a tenth of gravity only for v < 1 mm/s."""
 ROUNDING = 1e-9
-"""A gap smaller than this, m, is rounding."""
+"""A gap smaller than this is rounding, m."""
 REST_SPEED = 1e-3
 """A body slower than this, m/s, counts as at rest."""
 
@@ -92,12 +92,12 @@ def _parabola_height(times: Array, gap: Array, slopes: Array, gravity: float, at
 
 
 def apex_heights(trajectory: Trajectory, body: str, plane: str) -> Array:
-    """Highest gap of each flight after the first impact, m. Empty where the body never left the plane again."""
+    """Highest gap of each flight after the first impact, m; empty if the body never left the plane again."""
     return np.array([flight.apex_height for flight in flights(trajectory, body, plane)[1:]])
 
 
 def first_apex(trajectory: Trajectory, body: str, plane: str) -> float:
-    """Height of the first rebound, m; 0 where there was none. A body that never came down is an error."""
+    """Height of the first rebound, m; 0 if the body did not rebound. A body that never came down is an error."""
     apexes = apex_heights(trajectory, body, plane)
     if len(apexes):
         return float(apexes[0])
@@ -139,7 +139,7 @@ def restitution_coefficients(trajectory: Trajectory, body: str, plane: str) -> A
 def rest_time(trajectory: Trajectory, body: str, speed: float = REST_SPEED) -> float:
     """When the body comes to rest for good, s; infinity if it has not by the end.
 
-    An event-driven implementation solves for this instant and reports it; what moves on afterwards, down a slope or
+    An event-driven implementation solves for this instant and reports it; a body that moves afterwards, down a slope or
     along a floor, does not rest. For all others it is the first sample of the final stretch in which the body stays
     slower than `speed`, m/s.
     """

@@ -11,7 +11,7 @@ from reference.scene.scenario import HalfSpace, Sphere
 from reference.scene.trajectory import Trajectory
 
 ROLLING_SLIP = 1e-3
-"""A contact point slower than this, m/s, does not slip."""
+"""A contact point slower than this does not slip, m/s."""
 
 
 def slip(trajectory: Trajectory, body: str, plane: str) -> Array:

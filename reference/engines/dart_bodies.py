@@ -13,7 +13,7 @@ from reference.scene.settings import Settings
 def add_body(
     dart: Any, world: Any, body: Body, settings: Settings, restitution: float, friction: float
 ) -> tuple[Any, Any]:
-    """Add a skeleton of one body; return its shape, by which contacts are told apart, and the body."""
+    """Add a skeleton of one body; return its shape, by which a contact names its bodies, and the body."""
     skeleton = dart.dynamics.Skeleton(body.name)
     placed = _placed(body, settings)
     if body.immovable:

@@ -1,4 +1,4 @@
-"""MuJoCo as an engine: units, frames and how a pair's coefficients are said in its contact model.
+"""MuJoCo as an engine: units, frames and how its contact model is told a pair's restitution and friction.
 
 MuJoCo has no coefficient of restitution. A contact is a spring and a dashpot, `solref = (−stiffness, −damping)`, that
 sets the acceleration along the normal to −stiffness·r − damping·ṙ (with an impedance d near 1) and never pulls.
@@ -6,7 +6,7 @@ sets the acceleration along the normal to −stiffness·r − damping·ṙ (with
 `contact = "one step"` (tuned): under Euler a damping of (1 + e)/dt turns the normal velocity v into −e v in exactly
 one step, which is Newton's restitution; a small stiffness brings back what overlap is left.
 `contact = "spring"`: the textbook reading, an elastic contact resolved over many steps; ζ follows from e.
-`contact = "default"` (stock): what a user gets who only sets the friction of the geoms. Restitution goes unsaid.
+`contact = "default"` (stock): what a user gets who sets nothing but the friction of the geoms. It has no restitution.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from reference.scene.trajectory import Recorder, Trajectory
 SPRING_STIFFNESS = 1e6
 """Stiffness per unit mass of the `spring` profile, 1/s²: a contact lasts about π ms and a 1 m drop sinks in 4.4 mm."""
 FARTHEST = 1e6
-"""Distance beyond which two geoms need not be told apart, m."""
+"""Distance beyond which no two geoms lie, m: MuJoCo searches for closest points up to it."""
 
 
 class MuJoCo(Engine):
@@ -83,14 +83,14 @@ class MuJoCo(Engine):
             "noslip_iterations": 5,
         }
         if geometry.leaning(scenario):
-            # In a stack the normal forces must know of friction. Nothing slides there, so the main solver may have it.
-            # A contact at a gap of exactly zero is seen or not by rounding; the margin lets all be seen from the start.
+            # In a stack the normal forces depend on friction. Nothing slides, so the main solver may have it. At a
+            # gap of exactly zero rounding decides whether MuJoCo sees a contact; with the margin it sees all of them.
             options |= {"impratio": 1.0, "noslip_iterations": 0, "margin": 1e-9}
             return Settings(1e-3, options=options)
         return Settings(1e-4, steps_per_sample(1e-4), options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
-        """A resolved spring is compliant; all else answers at the step. Overlap returns as speed; forces act in it."""
+        """A resolved spring is compliant; the others respond at the step. Overlap returns as speed."""
         if settings["contact"] == "spring":
             return Method(COMPLIANT, stiffness=settings.number("stiffness"), inset=0.5)
         share = settings.number("overlap_recovery") if "overlap_recovery" in settings.options else 0.0

@@ -1,6 +1,6 @@
 """Bodies as PyBullet has them: a collision shape, a mass, and coefficients that belong to one body.
 
-`here` names the client, in every call of PyBullet.
+Every call of PyBullet takes `here`, which names the client.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from reference.scene.scenario import Body, Box, HalfSpace, Sphere
 from reference.scene.settings import Settings
 
 NO_SPEED_LIMIT = 1e9
-"""Bullet cuts speeds at 100, in m/s or rad/s, unless it is told of a larger one."""
+"""Bullet cuts speeds at 100, m/s or rad/s, unless we set a larger limit."""
 DAMPING = {"linear_damping": "linearDamping", "angular_damping": "angularDamping"}
 """Our options for a body, and what Bullet calls them."""
 
@@ -42,7 +42,7 @@ def add_body(
 
 def stand(bullet: Any, body: Body, here: dict[str, int], **options: bool) -> int:
     """Add a body at rest where the scenario has it, and return its number."""
-    mass = 0.0 if body.immovable else body.mass  # 0 is Bullet's word for what nothing moves
+    mass = 0.0 if body.immovable else body.mass  # Bullet writes 0 for a body that nothing moves
     shape = _collision_shape(bullet, body, here)
     orientation = (*body.orientation[1:], body.orientation[0])  # x y z w
     placed = {"basePosition": body.position, "baseOrientation": orientation}

@@ -1,7 +1,7 @@
-"""PyBullet as an engine: units, quaternion order and how a pair's coefficients are said in Bullet.
+"""PyBullet as an engine: units, order of quaternions, and how Bullet is told a pair's restitution and friction.
 
-Bullet multiplies the two bodies' coefficients, keeps its contact parameters for the whole world and cannot give them
-back: what a run used is what its settings say.
+Bullet multiplies the coefficients of the two bodies; `pybullet_bodies.set_restitution_and_friction` sets them. It has
+one set of contact parameters for the whole world and cannot give them back: what a run used is what its settings say.
 
 Tuned, where something falls: rigid bodies in maximal coordinates, so that restitution acts on the speed before the
 step, and split impulses, which take back a share `contact_erp` of the overlap without adding speed. Tuned, where bodies
@@ -39,7 +39,7 @@ WORLD = {
 }
 """Our options for the whole world, and what Bullet calls them."""
 FARTHEST = 1e6
-"""Distance beyond which two bodies need not be told apart, m."""
+"""Distance beyond which no two bodies lie, m: Bullet searches for closest points up to it."""
 
 
 class PyBullet(Engine):
@@ -61,22 +61,22 @@ class PyBullet(Engine):
         restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
         movable = [body for body in scenario.bodies if not body.immovable]
         boxes = any(isinstance(body.shape, Box) for body in movable)
-        damping: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
+        undamped: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
         # On a plane Bullet finds one more contact point of a box in each step; on a large box all four at once.
         ground: dict[str, Option] = {"ground": "box"} if boxes else {}
         firm: dict[str, Option] = {"solver_iterations": 200 if len(movable) == 1 else 100, "solver_residual": 0.0}
         if restitution == 0 and geometry.starts_in_contact(scenario):
-            return Settings(1e-3, options={"coordinates": "multibody", **damping, **ground, **firm})
+            return Settings(1e-3, options={"coordinates": "multibody", **undamped, **ground, **firm})
         options: dict[str, Option] = {
             "coordinates": "maximal",
-            **damping,
-            # Rebounds slower than this many steps of gravity are taken for rest. Without it micro-bounces go on and on.
+            **undamped,
+            # A rebound slower than this many steps of gravity is taken for rest. Without it micro-bounces never end.
             "rest_threshold_steps": 3.0,
             # The share of the overlap that makes the mean error of a rebound vanish; see truth.rebound_shift_at_step.
             "contact_erp": 1.0 - restitution,
             "split_impulse": True,
             # The gap at which a contact counts, in falls of one step from rest, g dt². A gap of several falls
-            # spoils a ball's rebound; with none, a box that has landed askew rocks from corner to corner for ever.
+            # spoils a ball's rebound; with none, a box that has landed askew rocks from corner to corner without end.
             "contact_gap_falls": 1.0 if boxes else 0.0,
             **ground,
             **(firm if boxes or len(movable) > 1 else {"solver_iterations": 50}),
@@ -84,7 +84,7 @@ class PyBullet(Engine):
         return Settings(1e-3, options=options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
-        """Bullet answers at the step; split impulses take overlap back without adding speed."""
+        """Bullet resolves an impact at the step; split impulses take overlap back without adding speed."""
         recovery = settings.number("contact_erp") if settings.options.get("split_impulse") is True else 0.0
         return Method(AT_STEP, recovery, rest_speed=_rest_speed(scenario, settings))
 

@@ -1,4 +1,4 @@
-"""Gaps between shapes, computed from the poses alone: the referee's own ruler, whatever an engine reports."""
+"""Gaps between shapes, computed from the poses alone: the referee's own ruler, which trusts no engine's report."""
 
 from __future__ import annotations
 

@@ -1,9 +1,8 @@
-"""Where bodies touch in a replay, and what their impacts came to, from the poses alone.
+"""Where bodies touch in a replay, and the impulses of their impacts, from the poses alone.
 
-Whoever ran it, engines and hand-written code are asked in the same way: a pair touches where its gap is next to
-nothing; and the momentum that weight and forces do not account for came through the pairs that could just then touch.
-Sums of impulses along a chain or a tree of bodies follow from that. Where bodies lean on each other in a ring, as on
-two grounds at once, the smallest that will do is taken.
+Engines and hand-written code are treated alike. A pair touches where its gap is next to nothing. Momentum that weight
+and forces do not account for came through the pairs that could touch just then. In a chain or a tree of bodies the
+impulses follow from that. In a ring, as on two grounds at once, they do not, and the smallest impulses are taken.
 """
 
 from __future__ import annotations

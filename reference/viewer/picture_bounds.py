@@ -15,8 +15,8 @@ from reference.viewer.clip import Clip, Run, Solid
 from reference.viewer.shapes import vertices_of
 
 GROWN = 0.5
-"""What else there is may enlarge the picture by this share on each side: an engine that throws its ball away may not
-make everything small."""
+"""All the rest may enlarge the picture by this share on each side: an engine that throws its ball away must not make
+everything small."""
 
 
 def framed(clip: Clip) -> Clip:

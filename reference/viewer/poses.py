@@ -1,6 +1,6 @@
 """Poses for a replay: where the moving bodies are, sampled for a viewer.
 
-A viewer takes `Poses`, whoever they come from: `poses_of` a trajectory that has just been run, or
+A viewer takes `Poses`: `poses_of` makes them of a trajectory that has just been run,
 `reference.recording.reading.replay` of one that was recorded elsewhere.
 """
 
@@ -20,12 +20,12 @@ RATE = 60
 LEAST_SAMPLES = 60
 """A run of less than a second has a whole multiple of `RATE`, so that it can be watched in slow motion."""
 FARTHEST = 2e3
-"""What flies farther than this, m, is kept as being there."""
+"""A body that flies farther than this, m, is kept at this distance."""
 
 
 @dataclass(frozen=True, eq=False)
 class Poses:
-    """Where the moving bodies of a scenario are. What cannot move stands in the scenario itself.
+    """Where the moving bodies of a scenario are. The scenario itself says where the others are.
 
     title: whose run it is. bodies: their b names. times: (n,), s, evenly spaced from 0. positions: (n, b, 3), centres
     of mass, m. orientations: (n, b, 4), w x y z, without jumps of sign. recording: where and when it ran, if not here.
@@ -54,7 +54,7 @@ def rate_of(scenario: Scenario) -> int:
 def poses_of(trajectory: Trajectory, title: str = "") -> Poses:
     """Sample a trajectory for a replay, in straight lines between its own samples, which are a few milliseconds apart.
 
-    What a step method did between two of its samples, an impact say, it did not say either.
+    A trajectory does not say what happened between two of its samples, such as an impact.
     """
     scenario = trajectory.scenario
     moving = [place for place, body in enumerate(scenario.bodies) if not body.immovable]

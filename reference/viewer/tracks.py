@@ -34,9 +34,9 @@ _NO_DATE = (1980, 1, 1, 0, 0, 0)
 class Track:
     """Packed poses of one run; plain data.
 
-    profile, key: whose run it is, and of what. fingerprint: of the scenario and settings. rate: samples a second, of
+    profile, key: of which profile and which case. fingerprint: of the scenario and settings. rate: samples a second, of
     which there are `count`. packed: `LENGTH` and `TURN` as steps, second differences, compressed. curve: what is
-    plotted of the run, as `reference.comparison.curves` packs it; empty where nobody asked.
+    plotted of the run, as `reference.comparison.curves` packs it; empty if none was wanted.
     """
 
     profile: str
@@ -52,7 +52,7 @@ class Track:
 def pack(poses: Poses, profile: str, key: str, fingerprint: str) -> Track:
     """Pack poses into plain data, which is small and can be pickled."""
     rate = round(1 / poses.times[1])
-    packed = zlib.compress(_whole_steps(poses).tobytes(), level=1)  # once more and better when they are written
+    packed = zlib.compress(_whole_steps(poses).tobytes(), level=1)  # again and better when they are written
     return Track(profile, key, fingerprint, poses.bodies, rate, len(poses.times), packed)
 
 
@@ -144,6 +144,6 @@ def read_tracks(path: Path) -> tuple[dict[tuple[str, str], Track], dict[str, str
 
 
 def _entry(track: Track) -> dict[str, Any]:
-    """What stands in the index: of the poses nothing, and of the curve how many bytes it has."""
+    """The entry of a track in the index: everything except its poses, and of its curve the number of bytes."""
     own = {field.name: getattr(track, field.name) for field in fields(track) if field.name != "packed"}
     return own | {"curve": len(track.curve)}

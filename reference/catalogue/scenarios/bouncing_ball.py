@@ -23,11 +23,11 @@ RADIUS = 0.1
 DROP_HEIGHT = 1.0
 """Gap below the ball at the start, m; the mean one where drops are jittered."""
 DROPS = 107
-"""Drops in an ensemble, a prime: whatever the timestep, their phases within a step come out evenly spread."""
+"""Drops in an ensemble, a prime: their phases within a step are evenly spread for any timestep."""
 GRID_DROPS = 7
-"""The same for a point of the grid: there are many of them, and the rest is one more step of a drop in seven."""
+"""The same for a point of the grid. There are many points, so each has fewer drops."""
 SPREAD = 0.1
-"""The fall times of an ensemble span this, s: whole steps of 1/60 s and 4 ms, and of whatever divides these."""
+"""The fall times of an ensemble span this, s: whole steps of 1/60 s, of 4 ms and of timesteps that divide these."""
 WINDOW = 5.0
 """How long a ball at rest is watched, s."""
 LATEST = 0.25
@@ -131,7 +131,7 @@ def _expect_rebound_at_the_step(case: Case, exact: float, dt: float, method: Met
             case, lambda height: truth.rebound_shift_of_weighed_step(height, restitution, GRAVITY, dt)
         )
         why = "−(1 − e) v dt/2 + e² v dt − 2e(1 + e) s h: half a step late, with the speed that it added, and softly"
-    # The mean of a sawtooth as high as the overlap over N even phases is out by less than 1/N of it; then second order.
+    # The mean of a sawtooth over N even phases differs by less than 1/N of its height, the overlap; then second order.
     near = (
         truth.impact_speed(DROP_HEIGHT, GRAVITY) * dt / DROP_HEIGHT / len(case.scenarios)
         + 2 * GRAVITY * dt**2 / DROP_HEIGHT
@@ -165,7 +165,7 @@ REBOUND = Quantity(
     _expect_rebound,
     lambda case: case.parameters["restitution"] ** 2,
 )
-"""What becomes of a fall, the same for whatever falls: the mean over an ensemble of `dropped`."""
+"""The mean rebound over an ensemble of `dropped`, for any falling body."""
 
 
 DROPPED_BALL = Family(
@@ -175,28 +175,28 @@ DROPPED_BALL = Family(
     statements=(3, 5, 6, 7, 12),
     about=f"A ball falls freely from a gap of about {DROP_HEIGHT:g} m onto the floor and rebounds. Every figure is the"
     f" mean over {DROPS} drops whose fall times spread evenly over {SPREAD:g} s, because a single drop's error"
-    " hangs on where in a step the ball meets the floor.",
+    " depends on where in a step the ball meets the floor.",
     expected="The first rebound reaches e² of the drop height: the impact scales the speed by e, and the height goes"
     " with the speed squared.",
     why=(
         "A step method notices the floor only when the ball is already inside it: at a depth d between 0 and v dt,"
-        " half of v dt on the average. It then sends the ball back with the right speed from the wrong place, and the"
-        " mean apex is out by −(1 − e) v dt/2. Hand-written code that responds at the step shows exactly this, and so"
-        " does PyBullet without overlap recovery. So does MuJoCo's one-step contact, but for its weak spring: the share"
-        " r of the overlap that it takes back in a step comes back as speed and adds e r of the drop height, which no"
-        " timestep removes.",
+        " half of v dt on average. It then sends the ball back with the right speed from the wrong place, and the"
+        " mean apex is shifted by −(1 − e) v dt/2. Hand-written code that responds at the step shows exactly this, and"
+        " so does PyBullet without overlap recovery. MuJoCo's one-step contact adds the effect of its weak spring: the"
+        " share r of the overlap that the spring takes back in a step becomes speed and adds e r of the drop height,"
+        " which no timestep removes.",
         "PyBullet, tuned, takes a share c = 1 − e of the overlap back through split impulses, which move the ball"
         " without adding speed. Its mean error vanishes; the single drop still scatters by e (1 − e) v dt/√12.",
         "PyBullet, stock, makes contacts while the ball is still above the floor, within 0.02 √3 of its radius, and"
         " subtracts gap/dt from the rebound. The smaller the step, the larger that loss: it gets worse where every"
         " other method gets better, until nothing bounces at all.",
-        "DART, too, answers from where the ball is, with a speed to which the step has already added g dt: the mean"
-        " apex is out by −(1 − e) v dt/2 + e² v dt, which happens to vanish at e = 0.5. Stock, at 1 ms, that is 4 % of"
-        " the rebound at e = 0.2; tuned, at a tenth of the timestep, a tenth of it.",
-        "MuJoCo has no coefficient of restitution, so its stock contact does not bounce, whatever e was meant. Its"
-        " tuned contact has a damping of (1 + e)/dt, which turns v into −e v in one step. The spring–dashpot contact"
-        " of the textbooks gives e through its damping ratio, but lets go of the ball at a depth of order v/√k, since"
-        " a contact cannot pull: that part of the error does not go away with the timestep, only with the stiffness.",
+        "DART, too, sends the ball back from where it is, with a speed to which the step has already added g dt: the"
+        " mean apex is shifted by −(1 − e) v dt/2 + e² v dt, which happens to vanish at e = 0.5. Stock, at 1 ms, that"
+        " is 4 % of the rebound at e = 0.2; tuned, at a tenth of the timestep, it is a tenth of that.",
+        "MuJoCo has no coefficient of restitution, so its stock contact does not bounce for any e. Its tuned contact"
+        " has a damping of (1 + e)/dt, which turns v into −e v in one step. The spring–dashpot contact of the"
+        " textbooks gives e through its damping ratio, but lets go of the ball at a depth of order v/√k, since a"
+        " contact cannot pull: that part of the error does not go away with the timestep, only with the stiffness.",
     ),
     cases=tuple(dropped("dropped-ball", restitution, falling_ball) for restitution in (0.0, 0.2, 0.5, 0.8, 0.95, 1.0)),
     quantities=(
@@ -250,15 +250,15 @@ BALL_TO_REST = Family(
     why=(
         "No step method can follow infinitely many bounces. Each engine has a speed below which it lets a contact"
         " rest; the bounces that are left out would have taken 2 e v/(g (1 − e)) more, and each impact before that was"
-        " noticed up to a step late. Tuned PyBullet rests below 3 g dt. Its stock threshold of 0.2 m/s ends the"
-        " bounces early.",
+        " noticed up to a step late. In tuned PyBullet that speed is 3 g dt. Its stock threshold of 0.2 m/s ends"
+        " the bounces early.",
         "A resolved spring–dashpot contact lasts some π/√k, where the rigid one takes no time, so MuJoCo's spring"
         " profile comes to rest late. Nor is it ever quite still: its contact chatters with about g dt/2, at 0.2 ms"
         " just the 1 mm/s that counts as motion here. Half the timestep halves the chatter.",
         "DART lets a ball rest whose rebound would be below 0.1 m/s, a constant of its own. What a step adds to each"
-        " rebound, e g dt, delays a lively ball: stock, at e = 0.9, by 10 %. At e = 0.95 it would bounce for ever.",
-        "With small timesteps the errors stop falling: whoever is slower than 1 mm/s counts as resting, and that too"
-        " cuts off the last bounces, by up to 2 e v/(g (1 − e)).",
+        " rebound, e g dt, delays a lively ball: stock, at e = 0.9, by 10 %. At e = 0.95 it would never stop.",
+        "With small timesteps the errors stop falling: a ball slower than 1 mm/s counts as resting, and that too cuts"
+        " off the last bounces, by up to 2 e v/(g (1 − e)).",
         "The hand-written code that uses the slide's T cannot see a flight that starts and ends within one step, as"
         " both ends lie on the plane. It takes such a flight for rest.",
     ),

@@ -148,8 +148,8 @@ BOX_ON_EDGE = Family(
         " weight of a step, so that the cube turns 0.4 % too fast in PyBullet at 1 ms; small things grow as it rocks."
         " The face and the energy at the end do not depend on that, and all agree.",
         "PyBullet, tuned, keeps contacts up to the fall of one step, g dt², apart: with none at all a cube that has"
-        " landed askew rocks from corner to corner for ever. Stock MuJoCo sinks in by 17 mm on landing, and all end on"
-        " the right face too.",
+        " landed askew rocks from corner to corner without end. Stock MuJoCo sinks in by 17 mm on landing, and all end"
+        " on the right face too.",
     ),
     cases=tuple(_on_edge(degrees) for degrees in (10.0, 20.0, 30.0, 40.0)),
     quantities=(

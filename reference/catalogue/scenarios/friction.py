@@ -125,7 +125,7 @@ SLIDING_SLAB = Family(
         " tuned settings take friction out of the main solver (impratio near 0) and leave it to the noslip passes.",
         "DART's default solver has a pyramid too, which brakes each axis by itself: at 30° the way is 21 % short."
         " Tuned, it has a solver with a cone. Stock, a box has but one contact point on DART's half-space and rocks on"
-        " it for ever, a little faster than what counts as rest.",
+        " it without end, a little faster than what counts as rest.",
     ),
     cases=(
         *(_sliding(friction, speed) for friction in (0.1, 0.2, 0.4, 0.7) for speed in (1.0, 2.0, 5.0)),

@@ -97,9 +97,9 @@ def _expect(
 ) -> Callable[[Case, Settings, Method], Expectation]:
     """Expect what theory says, within 0.1 % of a scale and, where the rod falls, what weight adds to an impact.
 
-    The speed is off by up to g dt/2, and the impulse carries the weight of the step, or of the time π/√k of a contact
-    that is resolved; a step that turns back what it has just added carries 1 + e times as much. All three figures are
-    off by the share of the impulse, the restitution by that of 1 + e.
+    The speed differs by up to g dt/2, and the impulse carries the weight of the step, or of the time π/√k of a contact
+    that is resolved; a step that turns back what it has just added carries 1 + e times as much. All three figures
+    differ by the share of the impulse, the restitution by that of 1 + e.
     """
 
     def expect(case: Case, settings: Settings, method: Method) -> Expectation:
@@ -125,7 +125,7 @@ def _impulse_on_the_ball(trajectory: Trajectory) -> float:
 
 
 def _impulse_of_the_peg(trajectory: Trajectory) -> float:
-    """What the rod's momentum has changed by, but for what its weight has done to it."""
+    """Change of the rod's momentum ÷ (m v), less the part that its weight has made."""
     velocity, time = trajectory.velocity("rod")[:, 2], trajectory.times[-1]
     return float(velocity[-1] - velocity[0] + GRAVITY * time) / truth.impact_speed(DROP_HEIGHT, GRAVITY)
 
@@ -183,12 +183,12 @@ STRUCK_ROD = Family(
     " at rest, and strikes it at its centre, half-way out, or a millimetre from its end.",
     expected="A unit impulse moves the point of the rod that it meets by k = 1/M + x²/I, an arm x from the centre: at"
     " the end four times as easily as at the centre. With the ball's own 1/m, j = (1 + e) v/(1/m + k): (1 + e) m v/2"
-    " at the centre, nearly (1 + e) m v/5 at the end. Whatever the arm, the two points part with e of the speed at"
+    " at the centre, nearly (1 + e) m v/5 at the end. For every arm, the two points separate with e of the speed at"
     " which they met.",
     why=(
         "The ball meets a flat face, straight on: no overlap changes the normal or the arm, and there is no weight. So"
-        " all engines are right to what their contact does to any speed: PyBullet to rounding, DART to 0.003 % and"
-        " MuJoCo to 0.04 %.",
+        " an engine's only error is what its contact does to any speed: rounding in PyBullet, 0.003 % in DART and 0.04"
+        " % in MuJoCo.",
         "At the very end it would be otherwise. PyBullet's boxes are round within 1 mm of their edges: a ball of"
         " radius r that meets the edge itself gets a normal that leans by 1 mm/r, 0.02 rad here, and is pushed aside."
         " Hence the millimetre.",
@@ -205,7 +205,7 @@ STRUCK_ROD = Family(
         lambda trajectory: trajectory.angular_velocity("rod")[:, 1],
     ),
     convergence=Convergence("e=0.5,x=0.499", "spin"),
-    # Not at e = 0: the two stay together, and the ball goes on pushing the rod that turns.
+    # Not at e = 0: the two stay together, and the ball keeps pushing the rod as it turns.
     grid=Grid((Parameter("restitution", "", TENTHS[1:], 0.5), ARM), (1e-3, 2e-3, 5e-3), _struck),
 )
 
@@ -218,10 +218,10 @@ ROD_ON_PEG = Family(
     " half-way out, or a millimetre from its end.",
     expected="The peg stands for a body of infinite mass: j = (1 + e) v/(1/M + x²/I). Under the centre that is (1 +"
     " e) m v, and the rod rebounds level. Under the end of a thin rod, where I = M L²/12 and x = L/2, it is (1 + e) m"
-    " v/4: the rod's centre goes on falling, and the rod turns. This one, 4 cm thick and met 1 mm from its end, gets"
+    " v/4: the rod's centre keeps falling, and the rod turns. This one, 4 cm thick and met 1 mm from its end, gets"
     " 0.251 (1 + e) m v.",
     why=(
-        "The impulse of a step carries the weight of that step, and the speed of an impact is off by up to g dt/2:"
+        "The impulse of a step carries the weight of that step, and the speed of an impact differs by up to g dt/2:"
         " 0.1 to 0.4 % at 1 ms, and nothing else. A hundred times the drop height would make it a tenth of that.",
         "Stock, PyBullet rebounds too high, as it takes overlap back as speed: it keeps up to 10 % too much of the"
         " closing speed. MuJoCo, stock, has no restitution.",

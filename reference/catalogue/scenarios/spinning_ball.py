@@ -73,7 +73,7 @@ def _expect(
         inside = ", and a lever arm that is short by what the contact point lies inside the ball" if arm < 1 else ""
         if _grips(case):
             return Expectation(exact, near, f"0.1 %: the strength of the impact does not matter{inside}")
-        # What slips through gets μ times the normal impulse per mass, (1 + e) v. A step's v is off by up to g dt/2,
+        # What slips through gets μ times the normal impulse per mass, (1 + e) v. A step's v differs by up to g dt/2,
         # and its impulse carries the weight of the step as well.
         near += changed(case) * GRAVITY * settings.timestep * (1 + kept / 2) / (kept * speed)
         reason = "0.1 %, and friction of what a step adds to the impact: its weight, and g dt/2 of speed"
@@ -92,9 +92,9 @@ SPINNING_BALL = Family(
     " ends the slip, the ball leaves with 2/7 of its surface speed r ω along the floor, and spins with 2/7 of its"
     " spin. If not, it slips through the whole impact and leaves with μ (1 + e) v.",
     why=(
-        "A ball that grips takes 2/7 of its surface speed, whatever the impact's strength; all engines have it in the"
-        " very step of the impact. One that slips through is pushed by μ times the normal impulse, and a step method's"
-        " impulse also carries the weight of one step: g dt/((1 + e) v) too much, 0.15 % at 1 ms.",
+        "A ball that grips takes 2/7 of its surface speed in an impact of any strength; in all engines it does so in"
+        " the very step of the impact. One that slips through is pushed by μ times the normal impulse, and a step"
+        " method's impulse also carries the weight of one step: g dt/((1 + e) v) too much, 0.15 % at 1 ms.",
         "In MuJoCo the contact point lies half the overlap inside the ball, in DART the whole of it, which"
         " shortens the lever arm: depending on where in a step it strikes, a gripping ball leaves up to 0.1 % too fast"
         " and with 0.3 % too much spin. This goes away with the timestep.",

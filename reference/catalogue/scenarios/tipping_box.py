@@ -89,10 +89,10 @@ TIPPING_BOX = Family(
     " tan θ ≤ b/h. If it does not, it tips, provided that friction holds its lower edge, μ > b/h. With less friction"
     " it slides before it tips; with tan θ ≤ μ and tan θ ≤ b/h nothing moves.",
     why=(
-        "All three outcomes come out right in every engine, tuned. A box that slides is a t dt/2 ahead, as on the"
+        "Every engine, tuned, gets all three outcomes right. A box that slides is a t dt/2 ahead, as on the"
         " incline. In MuJoCo a cube that holds creeps by 0.4 mm in a second: its friction makes it rock on two corners"
         " and four in turns, and on two they carry too little to hold. The higher boxes do not.",
-        "The hand-written code for sliding boxes treats a box as a point and so answers only where the box cannot tip;"
+        "The hand-written code for sliding boxes treats a box as a point and so runs only where the box cannot tip;"
         " the rest needs a rigid-body world.",
         "Stock MuJoCo creeps by millimetres where the box should hold. On stock PyBullet's plane a box rocks from one"
         " contact point to the next and slides up to 5 % too far, damping or not. Stock DART has but one contact point"

@@ -24,7 +24,7 @@ REACH = 2 * RADIUS
 SPEED = 2.0
 """First speed of the ball that strikes another, m/s."""
 STARTS = 11
-"""Scenarios in an ensemble, a prime: whatever the timestep, their phases within a step come out evenly spread."""
+"""Scenarios in an ensemble, a prime: their phases within a step are evenly spread for any timestep."""
 GRID_STARTS = 3
 """The same for a point of the grid, of which there are many."""
 FLIGHT, SPREAD = 0.15, 0.1
@@ -139,14 +139,14 @@ TWO_BALLS = Family(
     " struck ball moves off along that line. Equal elastic balls swap what they have along it: head-on the striker"
     " stops, and off-axis the two part at a right angle, v·w = 0, however little they touch.",
     why=(
-        "Head-on, every engine is right to its contact's last digit. Off-axis, a step method sees the impact up to a"
+        "Head-on, an engine's only error is that of its contact. Off-axis, a step method sees the impact up to a"
         " step late: the balls overlap, by up to v cos α dt, and their line of centres has turned, for sin α ="
         " b/(1 − d/D) at a depth d. The struck ball goes off up to 3 mrad too far aside at 1 ms, in PyBullet and in"
-        " hand-written code that answers at the step alike; the error goes with the timestep.",
+        " hand-written code that responds at the step alike; the error is proportional to the timestep.",
         "A heavy target, 10⁶ times the striker, is no trouble for any engine: with two bodies, one contact and no"
         " weight, their solvers have nothing to iterate.",
         "In MuJoCo's spring profile the contact takes 3 ms, in which the balls slide around each other: the struck one"
-        " goes off by 10 mrad more. Stock, PyBullet damps the flight, and answers ahead of the contact; MuJoCo has no"
+        " goes off by 10 mrad more. Stock, PyBullet damps the flight, and responds ahead of the contact; MuJoCo has no"
         " restitution, and lets the two part with what its soft contact gives back.",
     ),
     cases=(

@@ -1,4 +1,4 @@
-"""Which scenarios a simple driver can run: points over a plane, impacts of two bodies, rows of balls."""
+"""What kind a scenario is, which says the driver that can run it: a point over a plane, two bodies, a row of balls."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from reference.arrays import Array
 from reference.scene import geometry
 from reference.scene.scenario import Body, HalfSpace, Scenario, Sphere
 
-_ROUNDING = 1e-9  # lengths, speeds and sines below this are zero
+_ROUNDING = 1e-9  # a length (m), speed (m/s) or sine below this is zero
 
 
 class Kind(Enum):
-    """What a scenario asks of a driver.
+    """The kinds of scenario, one for each driver.
 
     BOUNCE: a ball over a plane that nothing makes spin. SLIDE: a box that slides as a point does. BALLS: two balls that
     strike each other. FACE: a ball that strikes a plane, or straight on a face of a box. Both may spin and rub. ROW:
@@ -30,7 +30,7 @@ class Kind(Enum):
 
 
 def kind(scenario: Scenario) -> Kind | None:
-    """Return the driver's kind, or None for what needs a rigid-body world."""
+    """Return the kind of a scenario, or None if it needs a rigid-body world."""
     if not scenario.pairs:
         return None
     if _is_row(scenario):
@@ -59,7 +59,7 @@ def _over_a_plane(scenario: Scenario) -> Kind | None:
 
 
 def _is_row(scenario: Scenario) -> bool:
-    """Whether all are smooth balls on one line, along which alone they move, and each meets its neighbours."""
+    """Whether all bodies are smooth balls on one line, move along it alone, and collide with their neighbours."""
     balls = scenario.bodies
     if not all(isinstance(ball.shape, Sphere) and not ball.immovable for ball in balls):
         return False
@@ -81,7 +81,7 @@ def _strikes(scenario: Scenario) -> Kind | None:
         return None
     if isinstance(other.shape, Sphere):
         one_falls = any(scenario.gravity) and ball.immovable != other.immovable
-        return None if one_falls else Kind.BALLS  # as seen from the one, the other flies straight
+        return None if one_falls else Kind.BALLS  # seen from either ball, the other flies straight
     straight = isinstance(other.shape, HalfSpace) or _straight_at_a_face(scenario, ball, other)
     return Kind.FACE if straight else None
 
@@ -100,7 +100,7 @@ def face_towards(ball: Body, box: Body) -> Array:
 
 
 def _straight_at_a_face(scenario: Scenario, ball: Body, box: Body) -> bool:
-    """Whether what happens stays in a plane of symmetry of the box: then its spin, once struck, is a steady one."""
+    """Whether the motion stays in a plane of symmetry of the box: then its spin after the impact stays constant."""
     normal = face_towards(ball, box)
     pull = np.array(scenario.gravity) if ball.immovable != box.immovable else np.zeros(3)
     across = [np.cross(vector, normal) for vector in (np.subtract(ball.velocity, box.velocity), pull)]
@@ -142,7 +142,7 @@ def in_own_axes(body: Body, vector: Array) -> Array:
 
 
 def _slides_straight(scenario: Scenario, body: Body, normal: Array) -> bool:
-    """Whether the body is pressed on, not thrown off, and its weight pulls along its way if at all."""
+    """Whether its weight presses the body onto the plane and pulls, if at all, along the way that it slides."""
     velocity, gravity = np.array(body.velocity), np.array(scenario.gravity)
     pull = gravity - (gravity @ normal) * normal
     leaves = abs(velocity @ normal) > _ROUNDING or gravity @ normal > 0
