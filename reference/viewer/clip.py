@@ -31,7 +31,7 @@ SPEEDS = (0.25, 0.5, 1.0, 2.0)
 """Offered, as multiples of real time, or of the slow motion in which a short run is watched."""
 SHOWN_RATE = 60
 """Samples a second that a screen shows."""
-LEAST, MOST = 0.36, 0.75
+LEAST_RATIO, MOST_RATIO = 0.36, 0.75
 """Height over width of a picture."""
 LOOKS = {"handwritten": 0, "pybullet": 1, "mujoco": 2, "dart": 3}
 """The look that an engine has in every replay; other runs take a free one."""
@@ -96,7 +96,7 @@ class Clip:
     def ratio(self) -> float:
         """Height over width of its picture."""
         wide, high = camera.Picture(self.view, self.low, self.high, 1.0, 1.0, 0.0).extent
-        return min(MOST, max(LEAST, high / max(wide, 1e-9)))
+        return min(MOST_RATIO, max(LEAST_RATIO, high / max(wide, 1e-9)))
 
     def tags(self) -> list[str]:
         """A letter or two for each run, no two alike."""

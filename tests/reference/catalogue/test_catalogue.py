@@ -24,6 +24,7 @@ from reference.catalogue.scenarios.bouncing_ball import DROP_HEIGHT, DROPS, SPRE
 from reference.engines import engine_names, load_engine
 from reference.engines.base import AT_STEP, COMPLIANT, EXACT, INTERPOLATED, Method
 from reference.errors import InvalidInput, UnknownName
+from reference.scene import geometry
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 
@@ -182,6 +183,15 @@ def test_a_case_can_be_pickled_as_a_worker_needs_it(family):
         assert pickle.loads(pickle.dumps(case)) == case
         assert case.parameters
         assert all(math.isfinite(value) for value in case.parameters.values())
+
+
+@each_family
+def test_no_gap_at_the_start_is_near_the_one_that_counts_as_touching(family):
+    for case in (*family.cases, *(family.grid.cases if family.grid else ())):
+        scenario = case.scenarios[0]
+        pairs = [(scenario.body(pair.body_a), scenario.body(pair.body_b)) for pair in scenario.pairs]
+        gaps = [abs(geometry.gap(a, b)) for a, b in pairs]
+        assert not [gap for gap in gaps if geometry.TOUCHING / 1.9 < gap < geometry.TOUCHING * 4]
 
 
 @each_family
