@@ -6,7 +6,7 @@ import contextlib
 import difflib
 import sysconfig
 import traceback
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from types import TracebackType
@@ -79,6 +79,11 @@ def as_failed_run() -> Iterator[None]:
         raise
     except Exception as error:
         raise Unforeseen(one_line(error) + place_of(error.__traceback__)) from error
+
+
+def listed(words: Sequence[str]) -> str:
+    """Words in a sentence: `PyBullet, MuJoCo and DART`."""
+    return " and ".join(filter(None, [", ".join(words[:-1]), *words[-1:]]))
 
 
 def one_line(error: Exception) -> str:

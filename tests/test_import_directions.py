@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import sys
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,15 +16,31 @@ LATE = {"mujoco", "pybullet", "dartpy", "matplotlib", "plotext"}
 OURS = {"solutions", "reference", "labs", "tests"}
 MAY_IMPORT = {"solutions": {"solutions"}, "reference": {"reference"}, "labs": {"labs", "reference"}}
 """Which of our own packages each package may import."""
+FLOORS = {
+    "reference": (
+        "report", "published", "running", "recording", "comparison", "catalogue", "viewer", "engines", "scene",
+        "lecture",
+    ),
+    "reference/published": (
+        "jobs", "recorded", "judging", "drivers", "in_engines", "by_hand", "results", "theirs",
+    ),
+    "labs": ("notebook", "cli", "desk", "building", "demonstrations", "grading", "benching"),
+    "labs/grading": ("feedback", "judging", "diagnosis", "calling", "submission", "worker"),
+}  # fmt: skip
+"""The folders and modules of a package from the top floor down. Each imports only from those below it; modules that
+are not named are the ground floor, on which everything may stand."""
+ABOVE_ALL = {"labs.__init__", "labs.__main__"}
+"""Modules beside the folders that are no ground floor: entrances."""
 
 
 @dataclass(frozen=True)
 class Import:
-    """One import: what, in which line, and whether it happens as soon as the module is loaded."""
+    """One import: what, in which line, whether it happens as soon as the module is loaded, and which names of it."""
 
     module: str
     line: int
     at_module_level: bool
+    names: tuple[str, ...] = ()
 
     @property
     def top(self) -> str:
@@ -39,7 +55,8 @@ def imports(text: str, package: str) -> Iterator[Import]:
             yield from (Import(alias.name, node.lineno, outside) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             above = package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
-            yield Import(".".join([*above, node.module] if node.module else above), node.lineno, outside)
+            names = tuple(alias.name for alias in node.names)
+            yield Import(".".join([*above, node.module] if node.module else above), node.lineno, outside, names)
         elif isinstance(node, ast.Call) and _name(node.func) in ("import_module", "__import__", "run_module"):
             yield from (
                 Import(argument.value, node.lineno, outside)
@@ -78,6 +95,88 @@ def violations(root: Path, package: str) -> list[str]:
                 continue
             found.append(f"{file.relative_to(root).as_posix()}:{entry.line}: {entry.module}: {why}")
     return found
+
+
+def climbs(root: Path, building: str) -> list[str]:
+    """The imports of a package that run up from one of its floors to a higher one, one line each."""
+    floors, dotted = FLOORS[building], building.replace("/", ".")
+
+    def floor(module: str) -> int:
+        """How far down a module lies: 0 is the top, and the ground has the largest number."""
+        first = module.removeprefix(f"{dotted}.").partition(".")[0]
+        return floors.index(first) if first in floors else len(floors)
+
+    found = []
+    for file in sorted((root / building).rglob("*.py")):
+        own = ".".join(file.relative_to(root).with_suffix("").parts)
+        if own in ABOVE_ALL:
+            continue
+        for entry in imports(file.read_text(encoding="utf-8"), own.rpartition(".")[0]):
+            modules = [f"{dotted}.{name}" for name in entry.names] if entry.module == dotted else [entry.module]
+            for module in modules:
+                if module.startswith(f"{dotted}.") and floor(module) < floor(own):
+                    found.append(f"{file.relative_to(root).as_posix()}:{entry.line}: {module} lies on a higher floor")
+    return found
+
+
+def circles(root: Path, package: str) -> list[set[str]]:
+    """The sets of modules of a package that import one another in a circle."""
+    files = {".".join(file.relative_to(root).with_suffix("").parts): file for file in (root / package).rglob("*.py")}
+    files = {name.removesuffix(".__init__"): file for name, file in files.items()}
+    uses = {name: set(_used(name, file, files)) for name, file in files.items()}
+    while ends := {name for name, used in uses.items() if not used}:  # what imports nothing is in no circle
+        uses = {name: used - ends for name, used in uses.items() if name not in ends}
+    return [{name, *used} for name, used in uses.items()]
+
+
+def _used(name: str, file: Path, files: Collection[str]) -> Iterator[str]:
+    inside = name if file.name == "__init__.py" else name.rpartition(".")[0]
+    for entry in imports(file.read_text(encoding="utf-8"), inside):
+        members = [f"{entry.module}.{member}" for member in entry.names]
+        whole = [entry.module] if not members or any(member not in files for member in members) else []
+        yield from (used for used in (*members, *whole) if used in files and used != name)
+
+
+@pytest.mark.parametrize("building", [name for name in FLOORS if (ROOT / name).is_dir()])
+def test_no_import_runs_up_a_floor(building):
+    there = {path.name for path in (ROOT / building).iterdir() if (path / "__init__.py").is_file()}
+    assert there <= set(FLOORS[building]), "every folder has its floor"
+    assert climbs(ROOT, building) == []
+
+
+@pytest.mark.parametrize("package", [name for name in MAY_IMPORT if (ROOT / name).is_dir()])
+def test_no_modules_import_one_another_in_a_circle(package):
+    assert circles(ROOT, package) == []
+
+
+@pytest.mark.parametrize(
+    ("building", "file", "line"),
+    [
+        ("reference", "scene/scenario.py", "from reference.engines.base import Engine"),
+        ("reference", "comparison/results.py", "def f():\n    from reference.published import judging"),
+        ("reference", "truth.py", "from reference import lecture"),
+        ("reference/published", "theirs/bounces.py", "from reference.published.by_hand import bounces"),
+        ("reference", "lecture/topics.py", "if TYPE_CHECKING:\n    from reference.catalogue.family import Family"),
+        ("labs/grading", "diagnosis/deviations.py", "from labs.grading.judging.score_sheet import Sheet"),
+        ("labs/grading", "worker/serving.py", "from ..submission import cells"),
+        ("labs", "demonstrations/catalogue.py", "import labs.desk.tables"),
+    ],
+)
+def test_an_import_turned_round_is_found(building, file, line, tmp_path):
+    planted = tmp_path / building / file
+    planted.parent.mkdir(parents=True)
+    planted.write_text(f"import math\n{line}\n")
+    (found,) = climbs(tmp_path, building)
+    assert found.startswith(f"{building}/{file}:")
+
+
+def test_modules_in_a_circle_are_found(tmp_path):
+    for name, other in (("a", "b"), ("b", "c"), ("c", "a"), ("d", "a")):
+        (tmp_path / "labs").mkdir(exist_ok=True)
+        (tmp_path / f"labs/{name}.py").write_text(f"def f():\n    from labs import {other}\n")
+    assert set.union(*circles(tmp_path, "labs")) >= {"labs.a", "labs.b", "labs.c"}
+    (tmp_path / "labs/c.py").write_text("")
+    assert circles(tmp_path, "labs") == []
 
 
 @pytest.mark.parametrize("package", [name for name in MAY_IMPORT if (ROOT / name).is_dir()])  # a release lacks some

@@ -7,10 +7,12 @@ from dataclasses import replace
 
 import pytest
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
-from reference.published import Figure, published
-from reference.published.judging import PublishedRow, compare_published
+from reference.published.case import Figure
+from reference.published.judging import compare_published
+from reference.published.results import PublishedRow
+from reference.published.theirs import published
 
 
 @pytest.fixture

@@ -11,13 +11,16 @@ import pytest
 
 from reference import truth
 from reference.catalogue import measure
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
-from reference.published import Published, published, published_cases
+from reference.published.case import Published
+from reference.published.drivers import DRIVERS
 from reference.published.in_engines import bouncing, scenes, springs
 from reference.published.in_engines.at_step import Bounce, apexes_off, stepped, times_off
-from reference.published.judging import PublishedRow, compare_published
+from reference.published.judging import compare_published
+from reference.published.results import PublishedRow
+from reference.published.theirs import published, published_cases
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 
@@ -60,8 +63,8 @@ def run_by(engine: str) -> list[Published]:
     """The cases that an engine runs, but for those that take long."""
     return [
         case
-        for case in published_cases().values()
-        if case.in_engine and engine not in case.why_not and case.name not in SLOW
+        for name, case in published_cases().items()
+        if DRIVERS[name].in_engines and engine not in DRIVERS[name].why_not_in and name not in SLOW
     ]
 
 

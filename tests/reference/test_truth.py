@@ -34,7 +34,7 @@ def bounced(height, restitution, count, gravity=G, dt=FINE):
     return impacts[:count], apexes
 
 
-@pytest.mark.parametrize(("height", "gravity"), [(1.0, G), (3.0, 1.62)])
+@pytest.mark.parametrize(("height", "gravity"), [(1.0, G), (0.5, 1.62)])
 def test_the_fall_takes_as_long_and_ends_as_fast_as_in_small_steps(height, gravity):
     (fall,), _ = bounced(height, 0.5, 1, gravity)
     assert truth.fall_time(height, gravity) == pytest.approx(fall, abs=2 * FINE)  # the step of the impact, and rounding
@@ -181,26 +181,27 @@ def test_a_step_method_that_starts_from_rest_gains_half_a_step_of_its_last_speed
 def let_go(ratio, speed=1.0, stiffness=1.0):
     """Depth and speed at which the force of m x″ = −k x − c x′ reaches zero, by Runge and Kutta's steps; m = 1 kg."""
     frequency = math.sqrt(stiffness)
-    system = np.array([[0.0, 1.0], [-stiffness, -2 * ratio * frequency]])
-    dt = 1e-3 / (frequency * (1 + ratio))
+    damping, dt = 2 * ratio * frequency, 1e-3 / (frequency * (1 + ratio))
 
-    def step(state, dt):
-        slopes = [system @ state]
-        for part in (dt / 2, dt / 2, dt):
-            slopes.append(system @ (state + part * slopes[-1]))
-        return state + dt / 6 * (slopes[0] + 2 * slopes[1] + 2 * slopes[2] + slopes[3])
+    def force(x, v):
+        return -stiffness * x - damping * v
 
-    def force(state):
-        return float(system[1] @ state)
+    def step(x, v, dt):
+        one = v, force(x, v)
+        two = v + dt / 2 * one[1], force(x + dt / 2 * one[0], v + dt / 2 * one[1])
+        three = v + dt / 2 * two[1], force(x + dt / 2 * two[0], v + dt / 2 * two[1])
+        four = v + dt * three[1], force(x + dt * three[0], v + dt * three[1])
+        dx, dv = (a + 2 * b + 2 * c + d for a, b, c, d in zip(one, two, three, four, strict=True))
+        return x + dt / 6 * dx, v + dt / 6 * dv
 
-    state = np.array([0.0, -speed])  # the surface lies at x = 0, the body comes in from above
-    while force(ahead := step(state, dt)) > 0:
+    state = 0.0, -speed  # the surface lies at x = 0, the body comes in from above
+    while force(*(ahead := step(*state, dt))) > 0:
         state = ahead
     early, late = 0.0, dt
     for _ in range(60):
         middle = (early + late) / 2
-        early, late = (middle, late) if force(step(state, middle)) > 0 else (early, middle)
-    depth, velocity = step(state, late)
+        early, late = (middle, late) if force(*step(*state, middle)) > 0 else (early, middle)
+    depth, velocity = step(*state, late)
     return -depth, velocity
 
 
@@ -356,7 +357,7 @@ def test_a_ball_rolls_up_to_the_slope_whose_tangent_is_seven_halves_of_mu_and_no
 
 
 def struck(velocity, spin, restitution, friction, radius=0.1, mass=1.3, steps=1000, arm=1.0):
-    """Velocity and spin after an impact of a solid ball on the floor, its impulse added in small parts.
+    """Velocities and spins (…, 3) after impacts of a solid ball on the floor, their impulses added in small parts.
 
     As Routh and Stronge do: the normal impulse grows by dp, friction adds up to μ dp against the slip, and never more
     than what ends it; compression ends where the approach does, and restitution adds e times as much impulse. arm: how
@@ -365,31 +366,36 @@ def struck(velocity, spin, restitution, friction, radius=0.1, mass=1.3, steps=10
     arm = np.array([0.0, 0.0, -arm * radius])
     inverse = 1 / (0.4 * mass * radius**2)
     velocity, spin = np.array(velocity, dtype=float), np.array(spin, dtype=float)
-    whole = -mass * velocity[2] * (1 + restitution)  # the ball's own, since the normal passes through its centre
+    # The ball's own, since the normal passes through its centre.
+    whole = np.asarray(-mass * velocity[..., 2] * (1 + restitution))[..., None]
+    up, limit = whole * [0.0, 0.0, 1.0], np.asarray(friction)[..., None] * whole
     # What the slip changes by for one unit of impulse, straight from Newton's and Euler's laws.
     unit = np.array([1.0, 0.0, 0.0])
     yields = (unit / mass + np.cross(inverse * np.cross(arm, unit), arm))[0]
     for _ in range(steps):
         slip = (velocity + np.cross(spin, arm)) * [1, 1, 0]
-        size = np.linalg.norm(slip)
-        part = min(friction * whole / steps, size / yields)
-        impulse = np.array([0.0, 0.0, whole / steps]) - (part * slip / size if size > 0 else 0)
+        size = np.linalg.norm(slip, axis=-1, keepdims=True)
+        part = np.minimum(limit / steps, size / yields)
+        impulse = up / steps - part * slip / np.where(size > 0, size, 1.0)
         velocity = velocity + impulse / mass
         spin = spin + inverse * np.cross(arm, impulse)
     return velocity, spin
 
 
-@pytest.mark.parametrize("restitution", [0.0, 0.5, 0.8])
-@pytest.mark.parametrize("friction", [0.0, 0.1, 0.3, 1.0])
-@pytest.mark.parametrize("spin", [-60.0, 0.0, 5.0, 20.0, 60.0])
-def test_a_spinning_ball_leaves_the_floor_as_an_impulse_added_in_small_parts_says(spin, friction, restitution):
+def test_a_spinning_ball_leaves_the_floor_as_an_impulse_added_in_small_parts_says():
     speed, radius = 4.4, 0.1
-    velocity, left = struck((0.0, 0.0, -speed), (0.0, spin, 0.0), restitution, friction, radius)
-    along, surface = truth.spinning_impact(speed, radius * spin, restitution, friction)
-    # The last part that grips is less than a whole one, and is so to rounding: 1000 sums of numbers of order one.
-    assert along == pytest.approx(velocity[0], abs=1e-11)
-    assert surface == pytest.approx(radius * left[1], abs=1e-11)
-    assert velocity[2] == pytest.approx(restitution * speed, abs=1e-11)
+    spins, frictions, restitutions = (-60.0, 0.0, 5.0, 20.0, 60.0), (0.0, 0.1, 0.3, 1.0), (0.0, 0.5, 0.8)
+    cases = np.array([*itertools.product(spins, frictions, restitutions)])
+    still = np.zeros(len(cases))
+    velocities, left = struck(
+        np.stack([still, still, still - speed], axis=-1), np.outer(cases[:, 0], [0, 1, 0]), cases[:, 2], cases[:, 1]
+    )
+    for (spin, friction, restitution), velocity, rest in zip(cases, velocities, left, strict=True):
+        along, surface = truth.spinning_impact(speed, radius * spin, restitution, friction)
+        # The last part that grips is less than a whole one, and is so to rounding: 1000 sums of numbers of order one.
+        assert along == pytest.approx(velocity[0], abs=1e-11)
+        assert surface == pytest.approx(radius * rest[1], abs=1e-11)
+        assert velocity[2] == pytest.approx(restitution * speed, abs=1e-11)
 
 
 @pytest.mark.parametrize("friction", [0.1, 0.5])

@@ -10,8 +10,9 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
-from labs.building import lessons, notebooks
+from labs.building import lessons
 from labs.building.release import release
+from labs.project_folders import SOLVED_NOTEBOOKS
 
 pytestmark = pytest.mark.slow
 
@@ -52,7 +53,7 @@ def printed(notebook) -> str:
 @pytest.mark.parametrize("topic", TOPICS)
 def test_the_solved_notebook_passes_every_check(topic, tmp_path, monkeypatch):
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")]))
-    said = printed(executed(notebooks.SOLVED / f"{topic}.ipynb", tmp_path))
+    said = printed(executed(SOLVED_NOTEBOOKS / f"{topic}.ipynb", tmp_path))
     assert "✗" not in said.replace("✗ fail", "")
     assert not re.search(r"· \w+ +to do", said)
     assert "lab." not in said  # which a refused call begins with

@@ -7,7 +7,8 @@ import pytest
 
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.tunnelling import CAUGHT, SHOTS, passing_share
-from reference.comparison.compare import Verdict, compare_case
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, EXACT, Method
 from reference.scene.settings import Settings
@@ -48,8 +49,12 @@ def test_an_exact_method_lets_nothing_pass_and_a_step_method_what_is_derived():
     assert (at_step.value, at_step.shift) == (0.0, pytest.approx(1 - 0.025 / 0.04))
 
 
+SLOWER = ((10, 4e-3), (20, 2e-3), (5, 4e-3))
+SHOWN = [(20, 4e-3), (20, 1e-3), *(pytest.param(*each, marks=pytest.mark.slow) for each in SLOWER)]
+
+
 @pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
-@pytest.mark.parametrize(("speed", "timestep"), [(10, 4e-3), (20, 4e-3), (20, 2e-3), (5, 4e-3), (20, 1e-3)])
+@pytest.mark.parametrize(("speed", "timestep"), SHOWN)
 def test_with_a_coarse_timestep_an_engine_lets_pass_the_share_that_is_derived(name, speed, timestep, installed):
     engine, case = installed(name), FAMILY.case(f"v={speed}")
     settings = engine.settings(case.scenarios[0], "tuned").change(timestep=timestep)

@@ -11,10 +11,10 @@ import pytest
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.scenarios import catalogue
-from reference.comparison import shares
-from reference.comparison.question import Question
+from reference.comparison import error_split
+from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
+from reference.comparison.errors_by_settings import Question
 from reference.comparison.results import Job
-from reference.comparison.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import CannotExpress, NeedsFunction, RunFailed
@@ -23,6 +23,7 @@ from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Move, Option, Settings
 from reference.scene.trajectory import Trajectory
 
+slow = pytest.mark.slow
 TRUE = 10.0
 TUNED = Settings(0.01, 2, {"stiffness": 4.0, "iterations": 8, "drag": 0.0, "idle": 1.0})
 STOCK = Settings(0.04, 1, {"stiffness": 1.0, "drag": 0.5})
@@ -31,7 +32,7 @@ Error = Callable[[Settings], float]
 
 
 def split(family: Family, engine: Engine, order: float | None = None) -> Split | None:
-    return shares.split(Question.of(family, engine), order)
+    return error_split.split(Question.of(family, engine), order)
 
 
 def off(settings: Settings, order: int = 1) -> float:
@@ -310,11 +311,11 @@ def split_of(
 
 
 def test_only_the_tuned_profile_as_it_stands_is_split():
-    assert split_of("sliding-slab", "handwritten", "stock") is None
-    assert split_of("sliding-slab", "handwritten", changes={"timestep": 2e-3}) is None
-    assert split_of("sliding-slab", "handwritten") is not None
-    case = catalogue()["sliding-slab"].convergence.case
-    assert run_job(Job("sliding-slab", "handwritten", "tuned", (case,))).split is None, "no studies were asked for"
+    assert split_of("parting-ball", "handwritten", "stock") is None
+    assert split_of("parting-ball", "handwritten", changes={"timestep": 2e-3}) is None
+    assert split_of("parting-ball", "handwritten") is not None
+    case = catalogue()["parting-ball"].convergence.case
+    assert run_job(Job("parting-ball", "handwritten", "tuned", (case,))).split is None, "no studies were asked for"
 
 
 def test_what_needs_a_function_that_is_not_there_is_not_split():
@@ -332,7 +333,7 @@ def test_the_hand_written_slabs_stock_error_is_that_of_its_policy_and_tuned_ther
     assert all(abs(size) < 1e-9 for size in sizes(found).values())  # of a stop that is solved for
 
 
-@pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
+@pytest.mark.parametrize("name", ["pybullet", *(pytest.param(name, marks=slow) for name in ("mujoco", "dart"))])
 def test_the_error_of_a_rolling_balls_way_is_discretisation_to_within_a_hundredth(name, installed):
     engine = installed(name)
     found = sizes(split(catalogue()["rolling-ball"], engine))

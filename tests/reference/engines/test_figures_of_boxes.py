@@ -6,18 +6,21 @@ import math
 from dataclasses import replace
 
 import pytest
-from catalogue_rows import SPEED, TIMESTEP, G, engines, fast_and_slow, job, restitution, slow
+from catalogue_rows import CORNERS, SOME_CORNERS, SPEED, TIMESTEP, G, engines, fast_and_slow, job, restitution, slow
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict, compare_case
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
 from reference.scene.settings import Settings
 
+SOME_ON_SLOPES = ("h=0.2,μ=0.7,θ=20°", "h=0.2,μ=0.3,θ=20°", "h=0.2,μ=0.7,θ=32°")  # holds, slides, tips
+
 # Walls
 
 
-@pytest.mark.parametrize("case", [case.name for case in catalogue()["corner"].cases])
+@fast_and_slow("case", SOME_CORNERS, CORNERS)
 @engines
 def test_a_ball_leaves_a_corner_with_minus_e_times_its_velocity_however_the_impacts_fall(name, case, installed):
     installed(name)
@@ -30,7 +33,7 @@ def test_a_ball_leaves_a_corner_with_minus_e_times_its_velocity_however_the_impa
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
-@pytest.mark.parametrize("case", [case.name for case in catalogue()["two-walls"].cases])
+@fast_and_slow("case", ("e=0.8",), tuple(case.name for case in catalogue()["two-walls"].cases))
 @engines
 def test_a_ball_between_walls_keeps_e_to_the_fifth_and_is_late_by_no_more_than_its_steps(name, case, installed):
     installed(name)
@@ -50,7 +53,7 @@ def test_a_ball_between_walls_keeps_e_to_the_fifth_and_is_late_by_no_more_than_i
 # Boxes
 
 
-@pytest.mark.parametrize("case", ["e=0", "e=0.5"])
+@fast_and_slow("case", ("e=0.5",), ("e=0", "e=0.5"))
 @engines
 def test_a_box_dropped_flat_stays_level_and_rebounds_as_a_ball_does(name, case, installed):
     installed(name)
@@ -75,7 +78,11 @@ def test_a_box_dropped_on_an_edge_ends_on_the_face_that_was_lowest_and_at_rest(n
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
-@pytest.mark.parametrize("case", [case.name for case in catalogue()["tipping-box"].cases])
+@fast_and_slow(
+    "case",
+    ("h=0.2,μ=0.7,θ=20°", "h=0.2,μ=0.3,θ=20°", "h=0.2,μ=0.7,θ=32°"),
+    tuple(case.name for case in catalogue()["tipping-box"].cases),
+)
 @engines
 def test_a_box_on_a_slope_holds_slides_or_tips_in_both_engines_as_theory_says(name, case, installed):
     installed(name)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from html.parser import HTMLParser
 
@@ -13,13 +14,15 @@ import pytest
 from reference import lecture
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Row, Verdict
+from reference.comparison.convergence import Errors
 from reference.comparison.curves import Series
-from reference.comparison.results import Errors, Job, JobResult
-from reference.comparison.shares import Share, Split
+from reference.comparison.error_split import Share, Split
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.report import figures, page
-from reference.report.summary import LEGEND, MARKS, sections
+from reference.report.marks import LEGEND, MARKS
+from reference.report.sections import sections
 from reference.running.study import run_job
 
 VOID = {"meta", "br", "link", "img", "hr", "input", "col", "wbr", "source", "base", "area", "embed", "track"}
@@ -29,7 +32,7 @@ STUDY = Errors((2e-3, 1e-3), (0.02, 0.01), 1.0)
 EVIL = "<script>alert('moon')</script> & \"quotes\""
 
 
-@dataclass
+@dataclass(eq=False)
 class Element:
     """An element of the page, with all the text inside it."""
 
@@ -114,14 +117,15 @@ def result(family: Family, name: str, profile: str) -> JobResult:
     return JobResult(job, engine.title, described, rows, settings, "1.2.3", convergence=STUDY)
 
 
-def everything() -> list[JobResult]:
+@functools.cache
+def everything() -> tuple[JobResult, ...]:
     """Every family in every engine and profile."""
-    return [
+    return tuple(
         result(family, name, profile)
         for family in catalogue().values()
         for name in engine_names()
         for profile in load_engine(name).profiles(family.cases[0].scenarios[0])
-    ]
+    )
 
 
 def without_answer(given: JobResult, verdict: Verdict, note: str) -> JobResult:
@@ -130,7 +134,7 @@ def without_answer(given: JobResult, verdict: Verdict, note: str) -> JobResult:
     return replace(given, rows=rows, settings="", version="", convergence=None)
 
 
-def written(results: list[JobResult], with_figures: bool = True) -> str:
+def written(results: Iterable[JobResult], with_figures: bool = True) -> str:
     found = sections(results)
     names = [f"{it.family.name}-{kind}" for it in found for kind in ("trajectories", "convergence")]
     pictures = {
@@ -151,9 +155,13 @@ def tree(whole) -> Element:
     return read(whole)
 
 
+@functools.cache
+def by_id(tree: Element) -> dict[str | None, Element]:
+    return {it.attributes["id"]: it for it in tree.walk() if "id" in it.attributes}
+
+
 def with_id(tree: Element, name: str) -> Element:
-    (found,) = (it for it in tree.walk() if it.attributes.get("id") == name)
-    return found
+    return by_id(tree)[name]
 
 
 def came_out(section: Element) -> Element:
@@ -253,7 +261,7 @@ def test_a_family_is_told_whole(family, tree):
 
 @every_family
 def test_a_familys_statements_are_told_the_first_time_and_linked_to_after_that(family, tree):
-    section, links = with_id(tree, family.name), {it.attributes["href"] for it in tree.all("a")}
+    section = with_id(tree, family.name)
     told = {number for before in catalogue().values() if before is not family for number in before.statements}
     for number in family.statements:
         entry, target = lecture.statement(number), f"#statement-{number}"
@@ -264,7 +272,8 @@ def test_a_familys_statements_are_told_the_first_time_and_linked_to_after_that(f
                 assert " ".join(text.split()) in own[0].text
         else:
             assert number in told
-            assert target in links
+            assert target[1:] in by_id(tree)
+            assert target in {it.attributes["href"] for it in section.all("a")}
 
 
 @every_family

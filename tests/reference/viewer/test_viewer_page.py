@@ -20,7 +20,7 @@ from reference.recording.reading import recall
 from reference.report import files
 from reference.report import page as report_page
 from reference.report.replays import replay_of
-from reference.report.summary import sections
+from reference.report.sections import sections
 from reference.running.study import run_job
 from reference.scene.scenario import Box
 from reference.viewer import page
