@@ -26,14 +26,14 @@ def add_body(
     shape = _shape(dart, placed.shape)
     shape_node = node.createShapeNode(shape)
     shape_node.createCollisionAspect()
-    _set_restitution_and_friction(shape_node, restitution, friction)
+    set_restitution_and_friction(shape_node, restitution, friction)
     if not body.immovable:
         node.setInertia(dart.dynamics.Inertia(body.mass, [0.0, 0.0, 0.0], shape.computeInertia(body.mass)))
     world.addSkeleton(skeleton)
     return shape, node
 
 
-def _set_restitution_and_friction(shape_node: Any, restitution: float, friction: float) -> None:
+def set_restitution_and_friction(shape_node: Any, restitution: float, friction: float) -> None:
     """Give one shape its coefficients; of two that touch, DART multiplies the first and takes the smaller second."""
     surface = shape_node.createDynamicsAspect()
     surface.setRestitutionCoeff(restitution)

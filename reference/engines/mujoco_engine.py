@@ -165,7 +165,7 @@ class MuJoCo(Engine):
             self._add_body(mujoco, spec, scenario, body, stock)
         if not stock:
             for pair in scenario.pairs:
-                _set_restitution_and_friction(spec, pair, settings)
+                set_restitution_and_friction(spec, pair, settings)
         else:
             for first, second in scenario.unlisted_pairs():
                 spec.add_exclude(bodyname1=first, bodyname2=second)
@@ -189,7 +189,7 @@ class MuJoCo(Engine):
         frame.add_geom(name=body.name, type=kind, size=size, **options)
 
 
-def _set_restitution_and_friction(spec: Any, pair: Pair, settings: Settings) -> None:
+def set_restitution_and_friction(spec: Any, pair: Pair, settings: Settings) -> None:
     """Add an explicit contact pair: its `solref` makes the restitution."""
     dt, restitution, friction = settings.timestep, pair.restitution, pair.kinetic_friction
     impedance = settings.number("impedance")
