@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -19,12 +20,14 @@ from reference.published.theirs import published
 def judged() -> Callable[..., tuple[PublishedRow, ...]]:
     """Answer a case by hand, with parts of its set-up changed, and return its rows."""
 
-    def found(name: str, **changed: Figure) -> tuple[PublishedRow, ...]:
-        case = published(name)
-        rows, _ = compare_published(replace(case, setup={**case.setup, **changed}), load_engine("handwritten"))
-        return rows
+    return _by_hand
 
-    return found
+
+@functools.cache
+def _by_hand(name: str, **changed: Figure) -> tuple[PublishedRow, ...]:
+    case = published(name)
+    rows, _ = compare_published(replace(case, setup={**case.setup, **changed}), load_engine("handwritten"))
+    return rows
 
 
 @pytest.fixture

@@ -31,9 +31,12 @@ SIZES = st.tuples(COARSE_POSITIVE, COARSE_POSITIVE, COARSE_POSITIVE)
 TRIANGLE = np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0]])
 
 
-def first_root(distance, dt, looks):
-    """Time at which a continuous distance first falls to zero: many looks at once, and a root between two of them."""
+def first_root(gap, x, u, dt, looks):
+    """Time at which the gap of a point x + u t first falls to zero: many looks at once, and a root between two."""
     from scipy.optimize import brentq, minimize_scalar  # noqa: PLC0415
+
+    def distance(time):  # at one time or at many
+        return gap(x + np.multiply.outer(time, u))
 
     times = np.linspace(0, dt, looks)
     values = distance(times)
@@ -50,11 +53,6 @@ def first_root(distance, dt, looks):
             return brentq(distance, times[end - 1], dip.x, xtol=1e-15)
         return brentq(distance, times[bottom - 1], times[bottom], xtol=1e-15)
     return INFINITE
-
-
-def places(x, u):
-    """Where a point is at one time, (3,), or at many, (n, 3)."""
-    return lambda time: x + np.multiply.outer(time, u)
 
 
 def segment_distance(points, start, end):
@@ -190,8 +188,7 @@ def test_a_ball_touches_a_triangle_on_its_face_an_edge_or_a_corner_when_the_dist
         corners, x, r = rng.uniform(-1, 1, (3, 3)), rng.uniform(-3, 3, 3), rng.uniform(0.05, 0.5)
         u = rng.uniform(-0.6, 0.6, 3) - x
         time = float(sweep_sphere_triangle(x, u, r, corners, 2.0))
-        path = places(x, u)
-        true = first_root(lambda t, at=path, r=r, c=corners: triangle_distance(at(t), c) - r, 2.0, 401)
+        true = first_root(lambda points, c=corners, r=r: triangle_distance(points, c) - r, x, u, 2.0, 401)
         found.append(true)
         # brentq's own tolerance, and the slope of the distance near a graze: some ten thousand roundings
         assert time == pytest.approx(true, abs=1e-11)
@@ -297,8 +294,7 @@ def test_a_ray_enters_a_capsule_where_the_distance_from_its_segment_is_the_radiu
     for _ in range(40):
         x, a, b = 3 * rng.uniform(-1, 1, 3), *rng.uniform(-1, 1, (2, 3))
         u, r = rng.uniform(-1, 1, 3) - x, rng.uniform(0.05, 0.5)
-        path = places(x, u)
-        true = first_root(lambda t, at=path, a=a, b=b, r=r: segment_distance(at(t), a, b) - r, 2.0, 401)
+        true = first_root(lambda points, a=a, b=b, r=r: segment_distance(points, a, b) - r, x, u, 2.0, 401)
         time = float(ray_capsule(x, u, a, b, r))
         assert (time if time <= 2 else INFINITE) == pytest.approx(true, abs=1e-11)  # brentq's tolerance, near a graze
 
