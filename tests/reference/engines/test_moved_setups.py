@@ -201,7 +201,7 @@ def test_in_a_row_that_touches_each_pair_has_its_own_restitution():
 
 
 @pytest.mark.parametrize("profile", ["tuned", "stock"])
-def test_a_ball_strikes_a_leaning_plane_away_from_the_origin_when_its_gap_is_gone(profile):
+def test_a_ball_strikes_a_leaning_plane_when_its_gap_is_gone(profile):
     made = run(moved(ball_over_floor(0.0)), profile)
     speed = math.sqrt(1.0 + 2 * G * 0.3)
     late = made.events[0].time - (speed - 1.0) / G
@@ -219,7 +219,7 @@ def test_bodies_that_fall_together_meet_as_if_nothing_pulled(scenario):
 
 
 @pytest.mark.parametrize(("spin", "grips"), [(9.0, True), (60.0, False)])
-def test_a_spinning_ball_takes_two_sevenths_of_its_surface_speed_or_what_friction_gives(spin, grips):
+def test_a_spinning_ball_grips_or_slips_as_its_friction_says(spin, grips):
     ball = Body("ball", Sphere(0.1), 2.0, (0.0, 0.0, 0.4), velocity=(0.0, 0.0, -1.0), angular_velocity=(0.0, spin, 0.0))
     scenario = replace(ball_over_floor(0.25), bodies=(Body("floor", HalfSpace()), ball))
     made, speed = run(moved(scenario), "tuned"), math.sqrt(1.0 + 2 * G * 0.3)
@@ -280,7 +280,7 @@ NEEDS_A_WORLD = {
 
 
 @pytest.mark.parametrize("what", NEEDS_A_WORLD)
-def test_what_turns_in_space_or_leaves_its_line_needs_a_world_wherever_it_lies(what):
+def test_what_needs_a_world_needs_one_wherever_it_lies(what):
     for scenario in (NEEDS_A_WORLD[what], moved(NEEDS_A_WORLD[what])):
         assert kind(scenario) is None
         with pytest.raises(NeedsFunction, match="needs a rigid-body world"):
