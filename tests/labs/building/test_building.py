@@ -41,6 +41,16 @@ jupyter:
 WRITES = "".join(
     f'\n```python write="{entry.name}"\n```\n' for entry in lecture.functions_of("detection") if entry.role == "written"
 )
+GRADED = ("detection", "response", "friction", "impulse")
+EVERY_TOPIC = pytest.mark.parametrize(
+    "topic",
+    [
+        pytest.param(topic.name, marks=() if topic.name in GRADED else pytest.mark.slow)
+        for topic in lecture.TOPICS
+        if topic.name != "world"
+    ],
+)
+"""Among the slow tests those of which nothing is graded yet."""
 QUESTION = """
 <!-- #region answer="why" points=3 -->
 Why is T early?
@@ -118,7 +128,7 @@ def test_a_solved_notebook_is_a_submission_with_every_function(lesson, tmp_path)
     assert found.complaints == ()
 
 
-@pytest.mark.parametrize("topic", [topic.name for topic in lecture.TOPICS if topic.name != "world"])
+@EVERY_TOPIC
 def test_stub_is_the_solutions_own_header_and_docstring(topic):
     excerpts = TopicExcerpts.of(topic)
     for entry in lecture.functions_of(topic):
@@ -175,7 +185,7 @@ def test_a_lesson_that_does_not_fit_is_refused_by_name(lesson, text, said):
     assert said in str(error.value)
 
 
-@pytest.mark.parametrize("topic", [topic.name for topic in lecture.TOPICS if topic.name != "world"])
+@EVERY_TOPIC
 def test_every_function_can_be_cut_out_of_the_solutions_and_stands_by_itself(topic, monkeypatch):
     excerpts = TopicExcerpts.of(topic)
     for entry in lecture.functions_of(topic):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.metadata
+import io
 import os
 import re
 import signal
@@ -44,21 +45,18 @@ def test_the_program_prints_its_version():
 
 
 @pytest.mark.usefixtures("one_worker")
-def test_an_ascii_console_gets_utf_8_and_progress_goes_to_stderr(tmp_path):
-    collisions("compare", *TUNED)  # into the cache, so that the program below needs no worker
-    environment = os.environ | {"PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0"}
-    ended = subprocess.run(
-        [sys.executable, "-c", START, "compare", *TUNED],
-        env=environment,
-        cwd=tmp_path,
-        capture_output=True,
-        check=False,
-        timeout=ENOUGH,
-    )
-    assert ended.returncode == 0, ended.stderr
-    assert "2 eⁿ t₁ with t₁ = √(2h/g)" in ended.stdout.decode("utf-8")
-    assert "1 run, " in ended.stderr.decode("utf-8"), "progress goes where errors go"
-    assert "run, " not in ended.stdout.decode("utf-8")
+def test_an_ascii_console_gets_utf_8_and_progress_goes_to_stderr(monkeypatch):
+    written = {name: io.BytesIO() for name in ("stdout", "stderr")}
+    for name, stream in written.items():
+        monkeypatch.setattr(sys, name, io.TextIOWrapper(stream, encoding="ascii", write_through=True))
+    monkeypatch.setattr(sys, "argv", ["collisions", "compare", *TUNED])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 0
+    out, errors = (stream.getvalue().decode("utf-8") for stream in written.values())
+    assert "2 eⁿ t₁ with t₁ = √(2h/g)" in out
+    assert "1 run, " in errors, "progress goes where errors go"
+    assert "run, " not in out
 
 
 @pytest.mark.usefixtures("one_worker")

@@ -7,6 +7,7 @@ import re
 
 from program import collisions
 
+from labs.cli import engines
 from reference.engines import engine_names
 from reference.running.isolate import stop_workers
 
@@ -23,6 +24,7 @@ def test_the_list_says_how_to_get_a_missing_engine_and_why_one_is_broken(tmp_pat
     (tmp_path / "pybullet.py").write_text("raise ImportError('a library of it is missing')\n")
     (tmp_path / "mujoco.py").write_text("import os\nos._exit(3)\n")
     monkeypatch.syspath_prepend(tmp_path)  # workers get this path too
+    monkeypatch.setattr(engines, "engine_names", lambda: ("pybullet", "mujoco"))
     stop_workers()  # those that are idle have the old one
     try:
         said = collisions("engines")

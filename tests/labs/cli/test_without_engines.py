@@ -21,10 +21,10 @@ TITLES = [load_engine(name).title for name in ENGINES]
 
 
 def test_a_comparison_marks_the_numbers_of_every_engine_as_recorded():
-    said = collisions("compare", "dropped-ball", "--profile", "tuned")
+    said = collisions("compare", "parting-ball", "--profile", "tuned")
     assert said.code == 0, said.errors
     for title in TITLES:
-        assert re.search(rf"^{title}\*, tuned +✓ 6/6", said.output, re.MULTILINE)
+        assert re.search(rf"^{title}\*, tuned .*✓ 3/3", said.output, re.MULTILINE)
         assert re.search(rf"\* {title} \S+ was recorded on \S+ \(.*?\); it is not run here", said.text)
 
 
@@ -88,7 +88,7 @@ def test_names_with_a_star_leave_room_for_every_column(monkeypatch):
     assert "…" not in said.output
 
 
-@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("name", [ENGINES[0], *(pytest.param(name, marks=pytest.mark.slow) for name in ENGINES[1:])])
 def test_every_recorded_case_has_a_replay(name):
     for family in catalogue().values():
         job = Job(family.name, name, "tuned")

@@ -10,6 +10,7 @@ from stand_ins import Function
 
 from labs.grading.diagnosis.probes.probe import Draw
 from labs.grading.errors import FunctionRaised
+from labs.grading.judging import examples
 from labs.grading.judging.examples import COUNT, MOST_CALLS, Chosen, Examples
 
 
@@ -48,13 +49,13 @@ def test_other_seeds_draw_other_examples_and_the_same_seed_the_same():
 @pytest.mark.parametrize("ask", ["agree", "every"])
 @pytest.mark.parametrize("told", [True, False])
 def test_only_a_student_who_may_read_the_example_has_it_made_small(ask, told):
-    function, examples = Function(lambda a, b: a - b), Examples(1, told)
+    function, drawn = Function(lambda a, b: a - b), Examples(1, told)
 
     def adds(a, b):
         assert function(a, b) == a + b, f"{a} and {b}"
 
     with pytest.raises(AssertionError) as raised:
-        examples.agree(function, np.add, pair) if ask == "agree" else examples.every(pair, adds)
+        drawn.agree(function, np.add, pair) if ask == "agree" else drawn.every(pair, adds)
     smallest = re.search(r"=1, \w+=1\)?$", str(raised.value), re.MULTILINE) is not None
     assert smallest == told
     assert (len(function.asked) > 3) == told
@@ -79,8 +80,10 @@ def test_a_property_that_ends_in_an_error_fails_with_it():
         Examples(1).every(pair, raises)
 
 
-def test_looking_for_the_smallest_example_ends_after_so_many_calls():
-    tried = []
+def test_looking_for_the_smallest_example_ends_after_so_many_calls(monkeypatch):
+    tried, most = [], 40
+    assert MOST_CALLS == 200
+    monkeypatch.setattr(examples, "MOST_CALLS", most)
 
     def small(*numbers):
         tried.append(numbers)
@@ -89,7 +92,7 @@ def test_looking_for_the_smallest_example_ends_after_so_many_calls():
     with pytest.raises(AssertionError):
         Examples(1).every(lambda draw: tuple(draw.number(0, 100) for _ in range(20)), small)
     # Left alone, hypothesis goes on for some 740 calls. One call finds it, and one tells it.
-    assert MOST_CALLS < len(tried) <= MOST_CALLS + 3
+    assert most < len(tried) <= most + 3
 
 
 def test_an_answer_that_is_wrong_but_once_still_fails():
