@@ -6,9 +6,7 @@ import os
 import re
 from pathlib import Path
 
-import nbformat
 import pytest
-from nbclient import NotebookClient
 
 from labs.building import lessons
 from labs.building.release import release
@@ -38,6 +36,9 @@ def without_engines(tmp_path, monkeypatch):
 
 
 def executed(path: Path, folder: Path):
+    import nbformat  # noqa: PLC0415 - with all of Jupyter behind it, which only these slow tests need
+    from nbclient import NotebookClient  # noqa: PLC0415
+
     notebook = nbformat.read(path, as_version=4)
     nbformat.validate(notebook)
     client = NotebookClient(notebook, timeout=CELL_LIMIT, resources={"metadata": {"path": str(folder)}})
