@@ -67,7 +67,7 @@ def test_the_solved_notebook_passes_every_check(topic, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("topic", TOPICS)
 @pytest.mark.parametrize("engines", ["with engines", "without engines"])
-def test_untouched_stubs_crash_nothing(topic, engines, course, request):
+def test_a_notebook_of_untouched_stubs_runs_to_its_end(topic, engines, course, request):
     if engines == "without engines":
         request.getfixturevalue("without_engines")
     said = printed(executed(course / "labs" / "notebooks" / f"{topic}.ipynb", course / "labs" / "notebooks"))

@@ -20,7 +20,7 @@ def test_named_cases_are_run_in_three_tables_and_end_with_0():
     assert "3 runs" in said.errors
 
 
-def test_a_second_run_is_taken_from_the_cache_and_prints_the_same():
+def test_a_second_run_comes_from_the_cache_and_prints_the_same():
     arguments = ("compare", "--published", "P22", *BY_HAND)
     first, second, anew = collisions(*arguments), collisions(*arguments), collisions(*arguments, "--fresh")
     assert first.text == second.text == anew.text
@@ -41,7 +41,7 @@ def test_a_wrong_function_fails_and_a_missing_one_is_named(homework):
     assert said.code == 3  # of P24's functions there is none either
 
 
-def test_a_driver_that_raises_ends_with_3_and_says_why(homework):
+def test_a_function_that_raises_ends_the_command_with_3_and_its_error(homework):
     broken = homework("def kinematic_response(v, n, e):\n    raise ZeroDivisionError('by the moon')\n")
     said = collisions("compare", "--published", "P5", "P22", *BY_HAND, "--implementation", broken)
     assert said.code == 3
@@ -60,7 +60,7 @@ def test_a_driver_that_raises_ends_with_3_and_says_why(homework):
         (("P5", "--engine", "havok"), "unknown engine 'havok'"),
     ],
 )
-def test_what_there_is_not_and_what_makes_no_sense_is_refused_with_2(arguments, complaint):
+def test_unknown_cases_and_options_of_scenarios_are_refused_with_2(arguments, complaint):
     refused = collisions("compare", "--published", *arguments)
     assert refused.code == 2
     assert complaint in refused.error
@@ -79,7 +79,7 @@ def test_an_engine_runs_a_published_case_and_its_answers_are_recorded(installed,
     assert content["cases"]["P24"]["refused"][0] == "cannot express"
 
 
-def test_recording_scenarios_and_published_cases_alone_at_once_is_refused_and_writes_nothing(tmp_path):
+def test_recording_scenarios_with_published_is_refused_and_writes_nothing(tmp_path):
     refused = collisions("record", "incline", "--published", "--out", tmp_path)
     assert refused.code == 2
     assert "--published takes no scenarios, and 'incline' is one" in refused.error
@@ -95,7 +95,7 @@ def test_an_engine_that_is_not_installed_keeps_its_recordings(monkeypatch, tmp_p
 
 
 @pytest.mark.slow
-def test_by_hand_every_published_case_but_one_comes_out_to_every_number():
+def test_by_hand_every_published_case_but_one_has_every_number_right():
     said = collisions("compare", "--published", *BY_HAND)
     assert said.code == 0
     assert "26 of 27 published cases come out as published" in said.text

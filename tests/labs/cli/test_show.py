@@ -18,7 +18,7 @@ pytestmark = pytest.mark.usefixtures("screen", "one_worker")
 LIMIT = 30.0  # s: what a demonstration may take on two cores with an empty cache
 
 
-def test_it_is_a_command_and_without_a_name_lists_every_demonstration():
+def test_show_without_a_name_lists_every_demonstration():
     assert "show" in collisions("--help").output
     said = collisions("show")
     assert said.code == 0
@@ -27,14 +27,14 @@ def test_it_is_a_command_and_without_a_name_lists_every_demonstration():
     assert max(map(cell_len, said.lines)) <= 80
 
 
-def test_an_unknown_name_is_refused_with_the_nearest_one():
+def test_an_unknown_demonstration_is_refused_with_the_nearest_name():
     said = collisions("show", "bonce")
     choices = ", ".join(one.name for one in DEMONSTRATIONS)
     assert said.code == 2
     assert f"unknown demonstration 'bonce'. Did you mean 'bounce'? Choices: {choices}." in said.error
 
 
-def test_an_unknown_engine_is_refused_before_anything_is_asked():
+def test_an_unknown_engine_is_refused_before_the_question_is_printed():
     said = collisions("show", "bounce", "--engine", "pybulet")
     assert (said.code, said.output) == (2, "")
     assert "unknown engine 'pybulet'. Did you mean 'pybullet'?" in said.error
@@ -61,7 +61,7 @@ def test_every_timestep_is_run_once_in_every_engine(without_runs):
     ],
     ids=lambda missing: " and ".join(missing) or "none",
 )
-def test_it_fits_eighty_columns_with_and_without_engines(demonstration, missing, without_runs):
+def test_a_demonstration_fits_80_columns_with_and_without_engines(demonstration, missing, without_runs):
     without_runs(*missing)
     said = collisions("show", demonstration.name)
     assert max(map(cell_len, said.lines)) <= 80
@@ -73,7 +73,7 @@ def test_it_fits_eighty_columns_with_and_without_engines(demonstration, missing,
 
 
 @EVERY
-def test_plot_table_and_lesson_stand_on_a_screen_of_24_lines(demonstration, without_runs):
+def test_plot_table_and_lesson_fit_on_a_screen_of_24_lines(demonstration, without_runs):
     without_runs()
     lines = collisions("show", demonstration.name).lines
     assert lines[0] == demonstration.title
@@ -81,7 +81,7 @@ def test_plot_table_and_lesson_stand_on_a_screen_of_24_lines(demonstration, with
     assert lines[-1].startswith("→ ")
 
 
-def test_question_plot_table_and_lesson_come_in_this_order_from_hand_written_code_alone():
+def test_question_plot_table_and_lesson_come_in_this_order():
     pytest.importorskip("plotext")
     said = collisions("show", "bounce", "--engine", "handwritten")
     assert said.code == 0, said.errors
@@ -96,7 +96,7 @@ def test_question_plot_table_and_lesson_come_in_this_order_from_hand_written_cod
     assert "run" not in said.lines[-1]
 
 
-def test_shown_a_second_time_nothing_is_run():
+def test_a_demonstration_shown_again_runs_nothing():
     arguments = ("show", "stop", "--engine", "handwritten", "--no-plot")
     first, second = collisions(*arguments), collisions(*arguments)
     assert first.output == second.output
@@ -104,7 +104,7 @@ def test_shown_a_second_time_nothing_is_run():
     assert "from the cache" not in collisions(*arguments, "--fresh").errors
 
 
-def test_students_own_code_can_be_shown(tmp_path):
+def test_a_demonstration_can_show_a_students_own_code(tmp_path):
     mine = tmp_path / "homework.py"
     mine.write_text("", encoding="utf-8")
     said = collisions("show", "stop", "--engine", "handwritten", "--implementation", mine)
@@ -114,7 +114,7 @@ def test_students_own_code_can_be_shown(tmp_path):
 
 @pytest.mark.slow
 @EVERY
-def test_every_demonstration_is_over_in_half_a_minute_and_teaches_all_it_has_to(demonstration, installed, tmp_path):
+def test_every_demonstration_takes_less_than_half_a_minute(demonstration, installed, tmp_path):
     for engine in demonstration.profiles:
         installed(engine)
     start = time.monotonic()

@@ -29,14 +29,14 @@ def lines_of(demonstration: str) -> list:
     return list(seen_of(find(demonstration)).implementations.values())
 
 
-def test_without_a_plot_there_is_none(without_runs):
+def test_no_plot_is_drawn_with_the_option_no_plot(without_runs):
     without_runs()
     said = collisions("show", "bounce", "--no-plot")
     assert "time, s" not in said.output
     assert "time of rest" in said.output
 
 
-def test_without_plotext_it_says_how_to_get_it_and_goes_on(without_runs, monkeypatch):
+def test_without_plotext_the_rest_is_shown_with_how_to_install_it(without_runs, monkeypatch):
     without_runs()
     monkeypatch.setitem(sys.modules, "plotext", None)
     said = collisions("show", "bounce")
@@ -60,7 +60,7 @@ def test_a_wider_and_higher_terminal_is_used(without_runs, screen):
     assert sizes[120, 45][1] > sizes[120, 24][1] + 10
 
 
-def test_a_plot_has_its_size_its_labels_and_round_numbers_on_its_axes():
+def test_a_plot_has_its_size_its_labels_and_round_numbers():
     pytest.importorskip("plotext")
     xs = [place / 100 for place in range(498)]
     lines = terminal_plot.plot([Points(None, xs, [0.73 * x for x in xs])], "time, s", "way, m", 80, 14).plain.split(
@@ -73,7 +73,7 @@ def test_a_plot_has_its_size_its_labels_and_round_numbers_on_its_axes():
     assert [number for line in lines[1:-2] for number in re.findall(r"^ *([−\d.]+)┤", line)] == ["3", "2", "1", "0"]
 
 
-def test_where_curves_coincide_the_marks_of_all_are_seen():
+def test_coinciding_curves_all_show_their_marks():
     pytest.importorskip("plotext")
     xs = [place / 100 for place in range(500)]
     curves = [Points(line, xs, [math.sin(x) for x in xs]) for line in lines_of("bounce")]
@@ -83,14 +83,14 @@ def test_where_curves_coincide_the_marks_of_all_are_seen():
 
 
 @pytest.mark.parametrize(("xs", "ys"), [([], []), ([1.0], [2.0]), ([0.0, 1.0], [3.0, 3.0]), ([0, 1e-9], [-1e9, 1e9])])
-def test_hardly_any_curve_can_be_plotted_too(xs, ys):
+def test_empty_and_degenerate_curves_can_be_plotted(xs, ys):
     pytest.importorskip("plotext")
     for joined in (True, False):
         text = terminal_plot.plot([Points(lines_of("bounce")[0], xs, ys, joined)], "time, s", "way, m", 80, 11)
         assert len(text.plain.split("\n")) == 11
 
 
-def test_colour_only_helps(without_runs, monkeypatch):
+def test_a_plot_reads_the_same_with_and_without_colour(without_runs, monkeypatch):
     pytest.importorskip("plotext")
     without_runs()
     plain = collisions("show", "bounce").output
@@ -117,7 +117,7 @@ def test_colour_only_helps(without_runs, monkeypatch):
         ),
     ],
 )
-def test_the_plot_is_written_to_a_file_and_nothing_else_is(name, suffix, tmp_path, without_runs):
+def test_the_plot_is_written_to_one_file(name, suffix, tmp_path, without_runs):
     without_runs()
     file = tmp_path / f"plot{suffix}"
     said = collisions("show", name, "--no-plot", "--plot", file)
@@ -148,7 +148,7 @@ def test_the_same_numbers_make_the_same_bytes(tmp_path, without_runs):
         ("folder.png", "Is a directory; choose another --plot"),
     ],
 )
-def test_a_file_that_cannot_be_is_refused_before_anything_runs(file, said, tmp_path, without_runs):
+def test_an_impossible_file_is_refused_before_any_run(file, said, tmp_path, without_runs):
     calls = without_runs()
     (tmp_path / "folder.png").mkdir()
     ended = collisions("show", "bounce", "--plot", tmp_path / file)
@@ -157,7 +157,7 @@ def test_a_file_that_cannot_be_is_refused_before_anything_runs(file, said, tmp_p
     assert [path.name for path in tmp_path.iterdir()] == ["folder.png"]
 
 
-def test_a_disk_that_is_full_leaves_the_old_file_and_no_half_of_a_new_one(tmp_path, without_runs, monkeypatch):
+def test_a_full_disk_leaves_the_old_file_and_no_half_of_a_new_one(tmp_path, without_runs, monkeypatch):
     without_runs()
     file = tmp_path / "plot.svg"
     file.write_text("old", encoding="utf-8")

@@ -16,12 +16,12 @@ from reference.engines.base import EXACT
 from reference.report import terminal_plot
 
 
-def test_the_seven_of_the_lecture_are_there():
+def test_there_are_seven_demonstrations():
     assert [one.name for one in DEMONSTRATIONS] == ["bounce", "stop", "stack", "tunnelling", "roll", "tip", "cradle"]
 
 
 @EVERY
-def test_a_demonstration_names_what_there_is(demonstration):
+def test_a_demonstration_names_existing_cases_quantities_and_profiles(demonstration):
     family = catalogue()[demonstration.family]
     cases = [family.case(case) for case in demonstration.cases.values()]
     for quantity in (demonstration.quantity, *demonstration.beside):
@@ -34,14 +34,14 @@ def test_a_demonstration_names_what_there_is(demonstration):
 
 
 @EVERY
-def test_a_demonstration_asks_first_and_teaches_in_three_lines_at_most(demonstration):
+def test_a_demonstration_asks_a_question_and_teaches_in_three_lines(demonstration):
     assert "What will happen" in demonstration.question
     assert demonstration.question.endswith("?")
     assert 1 <= len(demonstration.lesson) <= 3
 
 
 @EVERY
-def test_the_numbers_of_the_question_are_those_of_the_scenario(demonstration):
+def test_the_question_has_the_numbers_of_the_scenario(demonstration):
     family, (label, name) = catalogue()[demonstration.family], next(iter(demonstration.cases.items()))
     told = demonstration.question + label
     parameters = family.case(name).parameters
@@ -53,12 +53,12 @@ def test_the_numbers_of_the_question_are_those_of_the_scenario(demonstration):
 
 
 @EVERY
-def test_the_marks_of_a_demonstration_differ_without_any_colour(demonstration):
+def test_the_marks_of_a_demonstration_differ_without_colour(demonstration):
     marks = [terminal_plot.marked(line).plain for line in seen_of(demonstration).implementations.values()]
     assert len(set(marks)) == len(marks)
 
 
-def test_what_is_predicted_for_a_timestep_is_what_the_family_expects_of_a_step_method():
+def test_the_prediction_for_a_timestep_is_the_expectation_of_the_family():
     demonstration = find("tunnelling")
     family = catalogue()[demonstration.family]
     case, quantity = family.case(*demonstration.cases.values()), family.quantity(demonstration.quantity)

@@ -21,7 +21,7 @@ def list_of(first, second):
 
 
 @EVERY
-def test_every_number_that_a_lesson_asks_for_can_be_had(demonstration):
+def test_every_number_that_a_lesson_names_is_available(demonstration):
     seen = seen_of(demonstration)
     family = catalogue()[demonstration.family]
     for line in demonstration.lesson:
@@ -42,7 +42,7 @@ def test_every_number_that_a_lesson_asks_for_can_be_had(demonstration):
     ],
     ids=["engine", "profile", "case", "timestep"],
 )
-def test_a_lesson_that_asks_for_a_number_of_no_run_is_refused(number, said):
+def test_a_lesson_that_names_a_number_of_no_run_is_refused(number, said):
     with pytest.raises(UnknownName, match=re.escape(said)):
         dataclasses.replace(find("bounce"), lesson=(Line("It is ", IfKnown(number), "."),))
 
@@ -62,5 +62,5 @@ def test_a_lesson_that_asks_for_a_number_of_no_run_is_refused(number, said):
         ([A, IfKnown("; so: ", list_of(GONE, GONE)), "."], "1."),
     ],
 )
-def test_what_has_no_number_is_left_out_of_a_lesson(parts, said):
+def test_parts_of_a_lesson_without_a_number_are_left_out(parts, said):
     assert Line(*parts).text(lambda number: {A: "1", B: "2"}.get(number, "")) == said

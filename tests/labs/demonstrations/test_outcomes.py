@@ -52,7 +52,7 @@ def test_a_number_of_one_timestep_or_case_is_not_that_of_another():
         (Theory("height"), "0 m"),
     ],
 )
-def test_a_lesson_gives_a_number_its_magnitude_its_error_or_theory(number, said):
+def test_a_lesson_shows_a_number_its_magnitude_its_error_or_theory(number, said):
     demonstration = find("stack")
     assert Outcome(demonstration, tuple(made(job, -0.25) for job in planned(demonstration))).written(number) == said
 

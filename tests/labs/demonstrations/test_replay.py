@@ -46,7 +46,7 @@ def test_each_timestep_of_a_demonstration_has_a_replay_of_its_own(tmp_path):
     assert titles == [f"A fast ball and a thin wall, {label}" for label in find("tunnelling").timesteps]
 
 
-def test_poses_are_asked_for_where_a_page_is_and_nowhere_else(tmp_path, monkeypatch):
+def test_poses_are_requested_only_for_a_page(tmp_path, monkeypatch):
     asked = []
 
     def run(planned: list[Job], *_: object) -> None:
@@ -59,7 +59,7 @@ def test_poses_are_asked_for_where_a_page_is_and_nowhere_else(tmp_path, monkeypa
     assert asked == [{False}, {True}]
 
 
-def test_where_nobody_gives_poses_there_is_no_page(tmp_path):
+def test_without_poses_there_is_no_page(tmp_path):
     mine = tmp_path / "homework.py"
     mine.write_text("", encoding="utf-8")
     file = tmp_path / "page.html"
@@ -77,7 +77,7 @@ def test_where_nobody_gives_poses_there_is_no_page(tmp_path):
         ("folder.html", "Is a directory; choose another --html"),
     ],
 )
-def test_a_page_that_cannot_be_written_is_refused_before_anything_runs(file, said, tmp_path, monkeypatch):
+def test_a_page_that_cannot_be_written_is_refused_before_any_run(file, said, tmp_path, monkeypatch):
     monkeypatch.setattr(jobs, "run", lambda *_: pytest.fail("something ran"))
     (tmp_path / "folder.html").mkdir()
     ended = collisions("show", "bounce", "--html", tmp_path / file)

@@ -26,7 +26,7 @@ def test_an_unknown_lab_prints_one_line_without_a_traceback(lab, capsys):
     assert "lab.begin: unknown topic 'detektion'. Did you mean 'detection'?" in said(capsys, lab.begin, "detektion")
 
 
-def test_before_a_lab_has_begun_every_call_says_what_to_do(lab, capsys):
+def test_every_call_before_the_first_cell_says_to_run_it(lab, capsys):
     lab.topic = ""
     for call in (lab.check, lambda: lab.run("dropped-ball")):
         assert "which lab is this? Run the first cell" in said(capsys, call)

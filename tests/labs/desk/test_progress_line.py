@@ -52,7 +52,7 @@ def spoken(lines: Lines, count: int) -> None:
         time.sleep(0.01)
 
 
-def test_it_says_how_far_it_is_and_goes_in_the_end(line):
+def test_the_progress_line_counts_runs_and_disappears_at_the_end(line):
     lines = line()
     with Progress("running", 3) as told:
         spoken(lines, 1)
@@ -63,7 +63,7 @@ def test_it_says_how_far_it_is_and_goes_in_the_end(line):
     assert lines.said[-1] == ""
 
 
-def test_a_line_that_cannot_be_shown_stops_nothing(line, monkeypatch):
+def test_a_progress_line_that_cannot_be_shown_stops_nothing(line, monkeypatch):
     lost = []
     monkeypatch.setattr(threading, "excepthook", lost.append)
     lines = line(broken=True)
@@ -72,7 +72,7 @@ def test_a_line_that_cannot_be_shown_stops_nothing(line, monkeypatch):
     assert lost == []
 
 
-def test_a_thread_of_the_kernel_that_stumbles_during_a_check_costs_no_mark(monkeypatch, tmp_path):
+def test_a_failing_thread_of_the_kernel_costs_no_mark(monkeypatch, tmp_path):
     monkeypatch.setattr(threading, "excepthook", lambda _: None)
     (tmp_path / "lab.py").write_text(RIGHT, encoding="utf-8")
     over = threading.Event()

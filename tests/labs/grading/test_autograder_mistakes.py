@@ -149,7 +149,7 @@ def run_test(test, points, submission, seed=1):
 
 
 @pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
-def test_a_function_has_visible_and_hidden_tests_and_the_solution_passes_them(entry):
+def test_a_solution_passes_the_visible_and_hidden_tests_it_has(entry):
     assert {folder for folder, *_ in TESTS[entry.name]} == {"visible", "hidden"}
     assert lost(entry.name, Here()) == (0, [])
 

@@ -66,12 +66,12 @@ def begun(process: Said, patience: float = 10.0) -> Call:
 
 
 @pytest.mark.parametrize("rows", [np.zeros((2**40, 0)), np.zeros(6_000_000, np.int8), [0] * 150_000])
-def test_an_answer_is_counted_before_it_is_taken_apart(rows):
+def test_a_huge_answer_is_refused_before_it_is_unpacked(rows):
     with within(LONG):
         assert outputs(rows, 2) is None
 
 
-def test_numbers_of_one_hash_are_not_gathered():
+def test_numbers_with_one_hash_take_no_time():
     places = [place * (2**61 - 1) for place in range(60_000)]
     call = begun(Said(("loaded", ["f"], []), ("answer", 1, "value", 0.0, [*places, 0], 5.0, "")))
     with within(LONG):
@@ -79,7 +79,7 @@ def test_numbers_of_one_hash_are_not_gathered():
     assert call.changed == (0,)  # the first is 0 times the prime
 
 
-def test_thousands_of_statements_that_failed_cost_nothing_at_an_error():
+def test_thousands_of_failed_statements_take_no_time_at_an_error():
     failed = [([f"a{number}"], "E", "m" * 50, 1) for number in range(10_000)]
     same = [(["x"], "E", f"{number}", 1) for number in range(10_000)]
     text = "name 'x' is not defined" + "'a'" * 500_000
@@ -104,14 +104,14 @@ def test_no_number_stands_for_infinity(off):
 
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("value", [1e308, -1e308, np.longdouble("1e4000"), np.float16(6e4), 5e-324])
-def test_the_largest_numbers_are_wrong_like_any_other(value):
+def test_the_largest_numbers_are_wrong_like_any_other_number(value):
     found = deviation_of(Answer(np.array([value, 1.0])), Right((np.array([2.0, 1.0]),), (1e-3,)))
     assert not found.right
     assert np.isfinite(found.total)
 
 
 @pytest.mark.parametrize("value", [np.zeros((20_000, 1)), (np.zeros(3), [[0.0]] * 100), np.zeros((1, 1, 1, 3))])
-def test_an_answer_that_would_fill_the_memory_of_a_driver_ends_the_run(value):
+def test_an_answer_that_would_fill_the_memory_ends_the_run(value):
     with pytest.raises(RunFailed, match="where there is one contact"):
         scenario_runs._arrays(value)
     assert scenario_runs._arrays(([1.0, 2.0, 3.0], np.zeros((1, 3, 3))))[1].shape == (1, 3, 3)
@@ -128,12 +128,12 @@ def test_an_answer_that_would_fill_the_memory_of_a_driver_ends_the_run(value):
         b"9" * 2000,
     ],
 )
-def test_what_pack_does_not_write_is_no_message(body):
+def test_a_message_that_would_fill_the_memory_is_refused(body):
     with pytest.raises(messages.Refused):
         messages.unpack(body)
 
 
-def test_what_foreseen_calls_wait_is_the_submissions_time():
+def test_the_submission_pays_for_the_time_of_foreseen_calls():
     class Deaf(Said):
         def send(self, message: bytes, seconds: float) -> None:
             time.sleep(0.2)
@@ -182,7 +182,7 @@ def test_many_statements_in_many_cells_are_read_in_seconds(tmp_path):
         assert read(tmp_path / "lab.ipynb", ["f"]).text.count("f=1") == 19_000
 
 
-def test_examples_hang_on_the_file_of_the_test_as_well(tmp_path):
+def test_examples_also_depend_on_the_file_of_the_test(tmp_path):
     class Item:
         def __init__(self, path: Path, submission: Path) -> None:
             self.path, self.config = path, self

@@ -138,14 +138,14 @@ def test_an_attack_earns_nothing_harms_nothing_and_hears_why(attack, lair, seale
     ("name", "without"),
     [("reads_tests", ("landlock", "seccomp")), ("takes_rights_back", ("landlock", "seccomp"))],
 )
-def test_the_same_attack_is_paid_where_files_are_not_sealed(name, without, lair):
+def test_an_attack_on_files_pays_where_files_are_not_sealed(name, without, lair):
     attack = Path(__file__).parent / "hostile" / f"{name}.py"
     with Grader(without=without) as open_grader:
         assert grader_tier(open_grader) == Tier.LIMITS
         assert hidden_test(lair.filled(attack), open_grader) == ""
 
 
-def test_the_same_attack_is_heard_where_the_network_is_not_sealed(lair):
+def test_an_attack_by_socket_is_heard_where_the_network_is_open(lair):
     attack = Path(__file__).parent / "hostile" / "sockets.py"
     with Grader(without=("landlock", "seccomp", "namespace")) as open_grader:
         hidden_test(lair.filled(attack), open_grader)
@@ -156,7 +156,7 @@ def test_the_same_attack_is_heard_where_the_network_is_not_sealed(lair):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("measure", ["landlock", "user"])
-def test_no_attack_is_paid_where_one_measure_is_missing_that_another_covers(measure, lair):
+def test_no_attack_pays_without_a_measure_that_another_covers(measure, lair):
     with Grader(without=(measure,)) as lesser:
         assert grader_tier(lesser) == Tier.NETWORK
         for attack in ATTACKS:
@@ -168,7 +168,7 @@ def test_no_attack_is_paid_where_one_measure_is_missing_that_another_covers(meas
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.geteuid() != 0, reason="the tests above ran as an ordinary user already")
-def test_attacks_are_no_better_off_where_the_grader_is_an_ordinary_user():
+def test_attacks_gain_nothing_if_the_grader_is_an_ordinary_user():
     nobody = {"user": 65534, "group": 65534, "extra_groups": []}
     packages = os.pathsep.join(path for path in sys.path if path)
     environment = {"PATH": os.environ["PATH"], "PYTHONPATH": packages, "PYTHONDONTWRITEBYTECODE": "1"}

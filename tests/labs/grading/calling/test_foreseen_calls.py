@@ -29,7 +29,7 @@ def split(requests):
 # Foreseen
 
 
-def test_foreseen_calls_go_out_together_and_only_their_answers_are_waited_for():
+def test_foreseen_calls_are_sent_together_and_answered_in_order():
     several = [(1.0,), (2.0,), (3.0,)]
     call, process = begun(*(value(number, 10.0 * number) for number in range(1, 5)))
     call.foresee("f", several)
@@ -45,7 +45,7 @@ def test_foreseen_calls_go_out_together_and_only_their_answers_are_waited_for():
     [lambda call, x: call("g", x), lambda call, x: call("f", float("1.0")), lambda call, x: call("f", x, e=1.0),
      lambda call, x: call("f", x, x), lambda call, x: call("f")],
 )  # fmt: skip
-def test_a_call_that_was_not_foreseen_never_gets_the_answer_to_one_that_was(other):
+def test_an_unforeseen_call_never_gets_the_answer_of_a_foreseen_one(other):
     """Not even where the arguments are equal: they could have been written to meanwhile."""
     x = float("1.0")
     call, process = begun(value(1, 10.0), value(2, 20.0), value(3, 30.0))
@@ -55,7 +55,7 @@ def test_a_call_that_was_not_foreseen_never_gets_the_answer_to_one_that_was(othe
     assert process.asked[4] is not None
 
 
-def test_a_forged_number_is_found_among_foreseen_answers_too():
+def test_a_forged_number_is_detected_among_foreseen_answers():
     call, _ = begun(value(2, 10.0))
     several = [(1.0,), (2.0,)]
     call.foresee("f", several)
@@ -73,7 +73,7 @@ def test_no_more_is_sent_ahead_than_a_pipe_holds():
     assert [each is None for each in process.asked[2:]] == [True] * 3 + [False] * 3
 
 
-def test_nothing_is_foreseen_twice_or_once_the_process_is_lost():
+def test_no_calls_are_foreseen_twice_or_after_the_process_is_lost():
     call, process = begun(value(1, 0.0), value(9, 0.0))
     call.foresee("f", several := [(1.0,)])
     call.foresee("f", [(2.0,)])

@@ -30,7 +30,7 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="the nursery needs Li
 
 
 @linux
-def test_the_process_holds_nothing_of_the_grader(of):
+def test_a_process_of_a_test_holds_nothing_of_the_grader(of):
     text = """
     import os, sys
     def modules(): return sorted({name.partition(".")[0] for name in sys.modules})
@@ -59,7 +59,7 @@ def test_the_process_holds_nothing_of_the_grader(of):
         ({"sandboxed": False}, Tier.PROCESS, "only a time limit"),
     ],
 )
-def test_a_result_says_how_far_its_process_was_shut_in(options, tier, words):
+def test_a_result_names_the_tier_of_its_process_and_what_is_missing(options, tier, words):
     if not (landlock.version() and seccomp.available()):
         pytest.skip("this kernel has less to begin with")
     with Grader(PATIENT, **options) as lesser:
@@ -76,7 +76,7 @@ def test_a_result_says_how_far_its_process_was_shut_in(options, tier, words):
                 pass
 
 
-def test_without_the_nursery_a_hang_and_a_death_still_cost_one_test_alone():
+def test_without_the_nursery_a_hang_or_a_death_costs_one_test():
     text = "import os, time\ndef hang(): time.sleep(600)\ndef die(): os._exit(3)\ndef f(): return 1"
     with Grader(Limits(call=0.3), sandboxed=False) as lesser:
         remote = Remote(Submission("lab.py", text), lesser)
@@ -88,7 +88,7 @@ def test_without_the_nursery_a_hang_and_a_death_still_cost_one_test_alone():
 
 
 @linux
-def test_no_process_outlives_its_test_even_where_forks_are_allowed():
+def test_no_process_outlives_its_test_even_if_it_may_fork():
     text = """
     import os, time
     def detach():
@@ -112,7 +112,7 @@ def test_no_process_outlives_its_test_even_where_forks_are_allowed():
 
 
 @linux
-def test_the_grader_outlives_its_nursery_and_the_nursery_not_the_grader():
+def test_a_grader_survives_its_nursery_but_a_nursery_not_its_grader():
     with Grader(PATIENT) as own:
         remote = Remote(Submission("lab.py", "import os\ndef parent(): return os.getppid()"), own)
         with remote.fresh() as call:
@@ -135,7 +135,7 @@ def test_the_grader_outlives_its_nursery_and_the_nursery_not_the_grader():
 
 
 @linux
-def test_the_process_for_the_next_test_is_ready_and_has_seen_nothing_of_this_one(of):
+def test_the_process_for_the_next_test_is_ready_and_knows_nothing(of):
     remote = of("import time\ntime.sleep(0.3)\nseen = []\ndef f(x):\n    seen.append(x)\n    return len(seen)")
     with remote.fresh() as call:
         assert call("f", 7) == 1
@@ -148,7 +148,7 @@ def test_the_process_for_the_next_test_is_ready_and_has_seen_nothing_of_this_one
 
 
 @linux
-def test_tests_leave_no_descriptor_open(of):
+def test_tests_leave_no_file_descriptor_open(of):
     before = len(os.listdir("/proc/self/fd"))
     with of("def f(): return 1") as remote:
         for _ in range(5):
@@ -158,7 +158,7 @@ def test_tests_leave_no_descriptor_open(of):
 
 
 @linux
-def test_when_a_submission_is_closed_nothing_of_its_tests_is_left():
+def test_closing_a_submission_ends_all_its_processes():
     text = "import os, time\ndef process(): return os.getpid()\ndef busy(): time.sleep(60)"
     with Grader(Limits(call=0.2)) as own:
         processes = []
@@ -175,7 +175,7 @@ def test_when_a_submission_is_closed_nothing_of_its_tests_is_left():
 
 
 @linux
-def test_a_process_that_ends_while_calls_are_under_way_costs_no_more_than_its_test(of):
+def test_a_process_that_ends_during_foreseen_calls_costs_its_test_alone(of):
     text = "import os\ndef f(x): return os._exit(3) if x > 1 else x"
     remote = of(text)
     with remote.fresh() as call:
@@ -191,7 +191,7 @@ def test_a_process_that_ends_while_calls_are_under_way_costs_no_more_than_its_te
 
 
 @linux
-def test_a_test_costs_a_fraction_of_an_interpreter_that_loads_numpy(of):
+def test_a_test_costs_a_fraction_of_starting_python_with_numpy(of):
     remote = of("def f(): return 1")
     took = []
     for _ in range(9):

@@ -40,7 +40,7 @@ def test_a_call_looks_like_a_call(of):
     assert type(rest[2]) is np.float32
 
 
-def test_what_it_prints_is_kept_up_to_the_limit_and_what_it_writes_to_is_said(of):
+def test_output_is_kept_up_to_a_limit_and_changed_arguments_are_named(of):
     text = """
     import sys
     def f(a, b, c):
@@ -69,19 +69,19 @@ def test_what_it_prints_is_kept_up_to_the_limit_and_what_it_writes_to_is_said(of
         ("return np.linalg.inv(np.zeros((2, 2)))", FunctionRaised, "LinAlgError: Singular matrix (line 2)"),
     ],
 )
-def test_an_error_is_told_with_its_line(body, error, words, of):
+def test_an_exception_is_reported_with_its_line(body, error, words, of):
     text = f"import numpy as np; import matplotlib.pyplot as plt\ndef f(v): {body}"
     with of(text).fresh() as call, pytest.raises(error) as raised:
         call("f", 0)
     assert words in str(raised.value)
 
 
-def test_a_function_of_the_lecture_that_is_missing_says_where_it_belongs(of):
+def test_a_missing_function_is_named_with_its_topic_and_step(of):
     with of("").fresh() as call, pytest.raises(NeedsFunction, match=r"needs rebound_velocity \(impulse, step 2\)"):
         call("rebound_velocity", -1.0, 0.5)
 
 
-def test_a_statement_that_fails_on_loading_costs_only_what_needs_it(of):
+def test_a_statement_that_fails_on_loading_costs_only_its_users(of):
     text = """
     ZERO = 0
     RATE = 1 / ZERO
@@ -97,7 +97,7 @@ def test_a_statement_that_fails_on_loading_costs_only_what_needs_it(of):
             call("worse")
 
 
-def test_an_error_in_a_notebook_names_its_cell(tmp_path, grader):
+def test_an_exception_in_a_notebook_names_its_cell(tmp_path, grader):
     path = tmp_path / "lab.ipynb"
     path.write_text(
         '{"cells": [{"cell_type": "code", "source": "import math"},'
@@ -109,7 +109,7 @@ def test_an_error_in_a_notebook_names_its_cell(tmp_path, grader):
     assert raised.value.kind == "ValueError"
 
 
-def test_a_call_that_takes_too_long_ends_its_test_alone(of, hasty):
+def test_a_call_that_takes_too_long_ends_only_its_test(of, hasty):
     remote = of("def f(forever):\n    while forever: pass\n    return 1")
     with remote.fresh() as call:
         began = time.monotonic()
@@ -122,7 +122,7 @@ def test_a_call_that_takes_too_long_ends_its_test_alone(of, hasty):
         assert call("f", False) == 1
 
 
-def test_a_function_that_ran_out_of_time_is_waited_for_less_long_and_still_heard(of, hasty):
+def test_a_function_that_was_too_slow_gets_less_time_afterwards(of, hasty):
     # Loops that sleep: they are stopped like busy ones, and cost the machine nothing while they are waited for.
     loops = """
     import time
@@ -144,19 +144,19 @@ def test_a_function_that_ran_out_of_time_is_waited_for_less_long_and_still_heard
         assert call("f", False) == 1
 
 
-def test_a_test_whose_time_is_up_is_held_against_no_function(of, hasty):
+def test_a_test_that_runs_out_of_time_blames_no_function(of, hasty):
     remote = of("import time\ndef f(): time.sleep(0.3)")
     with remote.fresh() as call, pytest.raises(OutOfTime, match="time is up"):
         calls_until_it_fails(call, "f")
     assert not remote.slow
 
 
-def test_calls_that_are_each_in_time_cannot_take_for_ever_together(of, hasty):
+def test_many_calls_in_time_cannot_exceed_the_limit_of_their_test(of, hasty):
     with of("import time\ndef f(): time.sleep(0.3)").fresh() as call, pytest.raises(OutOfTime, match="time is up"):
         calls_until_it_fails(call, "f")
 
 
-def test_a_submission_that_always_hangs_cannot_hold_up_a_class():
+def test_a_submission_that_always_hangs_has_a_limit_in_all():
     text = "import time\ndef f():\n    while True: time.sleep(0.01)\ndef g(): return 1"
     with Grader(Limits(call=0.2, submission=0.5)) as own:
         remote, began, told = Remote(Submission("lab.py", text), own), time.monotonic(), []
@@ -171,7 +171,7 @@ def test_a_submission_that_always_hangs_cannot_hold_up_a_class():
             assert call("g") == 1
 
 
-def test_each_test_has_a_process_that_knows_nothing_of_the_others(of):
+def test_each_test_has_a_process_that_knows_nothing_of_other_tests(of):
     remote = of("calls = []\ndef f(x):\n    calls.append(x)\n    return len(calls)")
     for _ in range(2):
         with remote.fresh() as call:
@@ -188,14 +188,14 @@ def test_an_answer_that_depends_on_earlier_calls_is_not_steady(of):
             call.steady("f", 1.0)
 
 
-def test_an_answer_drawn_at_random_is_not_steady(of):
+def test_a_random_answer_is_not_steady(of):
     remote = of("import numpy as np, random\ndef f(): return np.random.random()\ndef g(): return random.random()")
     for name in ("f", "g"):
         with remote.fresh() as call, pytest.raises(NotSteady):
             call.steady(name)
 
 
-def test_calls_that_were_foreseen_are_answered_as_any_other(of):
+def test_foreseen_calls_are_answered_like_any_other(of):
     text = """
     import numpy as np
     count = 0
@@ -244,7 +244,7 @@ BALL = Body("ball", Sphere(0.1), mass=1.0, position=(0.0, 0.0, 0.15), velocity=(
 BOUNCE = Scenario("bounce", (FLOOR, BALL), (Pair("ball", "floor", restitution=0.5),), 0.2)
 
 
-def test_a_driver_runs_with_the_functions_over_there_as_with_those_here(tmp_path, grader):
+def test_a_driver_runs_alike_with_remote_and_local_functions(tmp_path, grader):
     path = tmp_path / "lab.py"
     path.write_text(STUDENT)
     here = load_engine("handwritten", Implementation(str(path)))

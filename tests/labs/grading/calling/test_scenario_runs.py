@@ -28,7 +28,7 @@ def half(velocity, normal, restitution):
     return kinematic_response(velocity, normal, restitution / 2)
 
 
-def test_a_run_with_the_submissions_function_gives_what_it_gives_and_is_told_beside_the_engines():
+def test_a_wrong_run_is_reported_beside_theory_and_the_engines():
     right = with_solutions(submission(kinematic_response=kinematic_response), "response")
     compared_with_theory(right, "dropped-ball", ["e=0.2"], ["rebound"])
     wrong = with_solutions(submission(kinematic_response=half), "response")
@@ -51,7 +51,7 @@ def test_lists_are_as_good_as_arrays():
     compared_with_theory(with_solutions(listed, "response"), "dropped-ball", ["e=0.2"], ["rebound"])
 
 
-def test_only_functions_of_the_topic_are_the_submissions():
+def test_a_run_takes_only_functions_of_the_topic_from_the_submission():
     code = Mixed(
         call=submission(kinematic_response=half, is_colliding=None, ballistic_motion=None).process(), topic="response"
     )
@@ -62,7 +62,7 @@ def test_only_functions_of_the_topic_are_the_submissions():
     assert Mixed(topic="response").function("is_colliding")(-1.0)
 
 
-def test_a_run_that_does_not_end_is_ended():
+def test_a_run_of_too_many_calls_is_stopped():
     code = with_solutions(submission(kinematic_response=lambda *_: 1.0), "response")
     for _ in range(MOST_CALLS + 1):
         code.function("kinematic_response")()
@@ -70,7 +70,7 @@ def test_a_run_that_does_not_end_is_ended():
         code.function("is_colliding")(0.0)
 
 
-def test_a_run_is_skipped_where_other_topics_have_no_answers_yet(monkeypatch):
+def test_a_run_is_skipped_if_other_topics_have_no_answers_yet(monkeypatch):
     monkeypatch.setattr(Implementation, "function", lambda self, name: (_ for _ in ()).throw(NeedsFunction("needs it")))
     with pytest.raises(pytest.skip.Exception, match="needs right answers of other topics"):
         with_solutions(submission(), "response")
@@ -92,7 +92,7 @@ def test_a_run_is_skipped_where_other_topics_have_no_answers_yet(monkeypatch):
         ({"measured": 2.0, "expected": None}, False),
     ],
 )
-def test_a_run_is_right_where_theory_is_met_but_for_single_precision(changes, right, monkeypatch):
+def test_a_run_is_right_within_single_precision_of_theory(changes, right, monkeypatch):
     def rows(*given):
         (first, *_), timing = compare_case(*given)
         return [
@@ -108,7 +108,7 @@ def test_a_run_is_right_where_theory_is_met_but_for_single_precision(changes, ri
         assert ("physics says nothing" in str(raised.value)) == ("expected" in changes and changes["expected"] is None)
 
 
-def test_a_run_that_fails_is_told_why():
+def test_a_run_that_fails_names_the_reason():
     def broken(*_):
         raise NeedsFunction("needs kinematic_response")
 

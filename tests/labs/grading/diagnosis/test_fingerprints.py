@@ -34,7 +34,7 @@ def bounce(v, n, e):
 # The bank and its fingerprints
 
 
-def test_every_function_that_a_student_writes_has_probes_of_each_kind_and_four_known_mistakes():
+def test_every_written_function_has_probes_and_four_known_mistakes():
     written = [entry.name for topic in TOPICS for entry in lecture.functions_of(topic) if entry.role == "written"]
     assert [entry.name for entry in probed()] == written
     for name in written:
@@ -44,7 +44,7 @@ def test_every_function_that_a_student_writes_has_probes_of_each_kind_and_four_k
         assert len([entry for entry in BANK if entry.function == name]) >= 4
 
 
-def test_probes_are_the_same_each_time():
+def test_probes_are_the_same_every_time():
     first, again = probes("impulse_magnitude"), probes("impulse_magnitude")
     assert [repr(probe) for probe in first] == [repr(probe) for probe in again]
 
@@ -62,7 +62,7 @@ def test_the_fingerprints_of_all_functions_are_fresh():
     assert fingerprints.stale() == []
 
 
-def test_a_fingerprint_that_is_stale_is_found(tmp_path, monkeypatch):
+def test_a_stale_fingerprint_is_found(tmp_path, monkeypatch):
     numbers = {"is_colliding": {"right": [1.0, 2.0]}}
     content = {"schema": "collisions-lab/fingerprints", "version": 2, "functions": numbers}
     monkeypatch.setattr(building, "build", lambda *_, **__: {"detection": content})
@@ -73,13 +73,13 @@ def test_a_fingerprint_that_is_stale_is_found(tmp_path, monkeypatch):
     assert fingerprints.stale(tmp_path) == ["detection.json: /functions/is_colliding/right[1] is 2.0, now 2.5"]
 
 
-def test_a_file_of_fingerprints_has_a_line_for_each_entry_down_to_some_depth():
+def test_a_file_of_fingerprints_has_a_line_for_each_entry():
     content = {"é": {"deep": {"deeper": [1, {"x": 2}]}}, "none": {}, "ü": "ß"}
     assert building.lines(content, 2) == '{\n"é": {\n"deep": {"deeper":[1,{"x":2}]}\n},\n"none": {},\n"ü": "ß"\n}'
     assert building.lines({}) == "{}"
 
 
-def test_the_command_knows_two_ways(capsys, monkeypatch, tmp_path):
+def test_the_command_writes_or_checks_fingerprints(capsys, monkeypatch, tmp_path):
     assert main(["--what"]) == 2
     assert "usage" in capsys.readouterr().out
     monkeypatch.setattr(command, "write", lambda: [tmp_path / "detection.json"])
@@ -89,7 +89,7 @@ def test_the_command_knows_two_ways(capsys, monkeypatch, tmp_path):
     assert (main([]), capsys.readouterr().out) == (0, "wrote detection.json\n")
 
 
-def test_a_bank_that_has_to_be_mended_is_told_in_a_line(capsys, monkeypatch):
+def test_a_faulty_list_of_mistakes_is_reported_in_one_line(capsys, monkeypatch):
     def refuse():
         raise InvalidInput("two entries give the same numbers; merge them")
 
@@ -98,7 +98,7 @@ def test_a_bank_that_has_to_be_mended_is_told_in_a_line(capsys, monkeypatch):
     assert capsys.readouterr().out == "two entries give the same numbers; merge them\n"
 
 
-def test_two_entries_that_are_the_same_mistake_are_refused():
+def test_two_entries_of_the_same_mistake_are_refused():
     entry = next(entry for entry in BANK if entry.function == "rebound_velocity")
     with pytest.raises(InvalidInput, match=r"give the same numbers; merge them"):
         building.learned("rebound_velocity", rebound_velocity, [entry, replace(entry, name="again")])
@@ -110,13 +110,13 @@ def test_an_entry_that_is_right_is_refused():
         building.learned("kinematic_response", kinematic_response, [right])
 
 
-def test_no_formula_and_no_code_is_in_the_fingerprints():
+def test_fingerprints_hold_no_formula_and_no_code():
     for path in fingerprints.reading.FOLDER.glob("*.json"):
         text = path.read_text(encoding="utf-8")
         assert "lambda" not in text
         assert "np.where" not in text
 
 
-def test_texts_end_as_sentences_and_a_hint_asks_something():
+def test_rationales_end_like_sentences_and_hints_ask_a_question():
     assert [entry.id for entry in BANK if not entry.rationale.endswith((".", ".)"))] == []
     assert [entry.id for entry in BANK if not entry.help.endswith(("?", ".")) or entry.help == entry.rationale] == []

@@ -67,7 +67,7 @@ def bounce(v, n, e):
     ],
     ids=lambda value: "" if callable(value) else value,
 )
-def test_a_formula_of_the_slides_is_named_where_it_is_wrong(function, printed, name):
+def test_a_wrong_formula_of_the_slides_is_named(function, printed, name):
     found = diagnose(function, of(printed))
     assert [entry.id for entry in found.mistakes] == [f"{function}/{name}"]
 
@@ -75,14 +75,14 @@ def test_a_formula_of_the_slides_is_named_where_it_is_wrong(function, printed, n
 # One function at a time
 
 
-def test_a_right_answer_that_checks_nothing_is_right_and_hears_of_it():
+def test_a_right_answer_without_input_checks_hears_about_them():
     found = diagnose("kinematic_response", of(bounce))
     assert found.right
     assert found.accepted == ("a normal that is not of unit length", "a restitution above 1")
     assert "It should refuse, with a ValueError" in told(found)
 
 
-def test_a_right_answer_that_checks_its_input_hears_of_nothing_else():
+def test_a_right_answer_with_input_checks_hears_nothing_else():
     assert told(diagnose("kinematic_response", of(kinematic_response))) == "kinematic_response: right on every probe."
 
 
@@ -97,7 +97,7 @@ def test_the_mistake_is_named_with_a_hint_and_the_simplest_example():
     assert "gives   (0, 0, 2)\n  physics (0, 0, 1)" in text
 
 
-def test_a_mistake_for_one_contact_alone_is_named_all_the_same():
+def test_a_mistake_is_named_if_the_function_takes_one_contact_only():
     def single(velocity, normal, restitution):
         if velocity @ normal < 0:
             velocity = velocity - restitution * (velocity @ normal) * normal
@@ -108,13 +108,13 @@ def test_a_mistake_for_one_contact_alone_is_named_all_the_same():
     assert "With several cases in one call it ends in an error" in told(found)
 
 
-def test_what_is_right_for_one_contact_alone_is_said_to_be():
+def test_a_function_that_is_right_for_one_contact_only_hears_so():
     found = diagnose("point_velocity", of(lambda v, w, r: point_velocity(v.reshape(3), w.reshape(3), r.reshape(3))))
     assert found.verdict == "one at a time"
     assert not found.mistakes
 
 
-def test_writing_into_the_arguments_is_seen_though_the_numbers_are_right():
+def test_writing_into_arguments_is_noticed_if_the_numbers_are_right():
     def in_place(velocity, normal, restitution):
         after = bounce(velocity, normal, restitution)
         velocity *= 2
@@ -125,7 +125,7 @@ def test_writing_into_the_arguments_is_seen_though_the_numbers_are_right():
     assert "It writes into its arguments" in told(found)
 
 
-def test_a_change_of_the_input_elsewhere_is_believed():
+def test_a_change_of_arguments_reported_by_the_process_counts():
     class Elsewhere:
         changed = (0,)
 
@@ -135,7 +135,7 @@ def test_a_change_of_the_input_elsewhere_is_believed():
     assert diagnose("kinematic_response", Elsewhere()).changes_input
 
 
-def test_a_function_that_uses_a_wrong_one_is_said_to_be_right_itself(monkeypatch):
+def test_a_function_that_calls_a_wrong_one_is_not_blamed(monkeypatch):
     entry = next(entry for entry in BANK if entry.id == "point_velocity/component by component")
     monkeypatch.setattr("solutions.impulse.impact.point_velocity", entry.formula)
     found = diagnose("collide", of(collide))
@@ -143,7 +143,7 @@ def test_a_function_that_uses_a_wrong_one_is_said_to_be_right_itself(monkeypatch
     assert "It answers as if it were right itself and used a wrong point_velocity" in " ".join(told(found).split())
 
 
-def test_a_stub_is_unwritten():
+def test_a_stub_counts_as_unwritten():
     def stub(*arguments):
         raise NotImplementedError("your turn")
 
@@ -159,13 +159,13 @@ def test_an_error_everywhere_is_shown_with_its_input():
 
 
 @pytest.mark.parametrize("value", [None, "up", {"a": 1}, [[1, 2], [3]], np.zeros(2, complex), np.zeros((3, 1))])
-def test_what_is_no_answer_has_the_wrong_shape(value):
+def test_a_value_that_is_no_answer_has_the_wrong_shape(value):
     found = diagnose("point_velocity", of(lambda *_: value))
     assert found.verdict == "shape"
     assert not found.mistakes
 
 
-def test_one_thing_where_two_are_promised_has_the_wrong_shape():
+def test_one_output_instead_of_two_has_the_wrong_shape():
     found = diagnose("contact_impulses", of(lambda j, n: np.asarray(j)[..., None] * n))
     assert "gives   one array instead of 2 arrays" in told(found)
 
@@ -180,29 +180,29 @@ def test_one_thing_where_two_are_promised_has_the_wrong_shape():
         ([1.0, [2.0]], 1, "", "a list that is not a number or an array of numbers"),
     ],
 )
-def test_what_is_no_answer_is_said_in_words(value, count, printed, words):
+def test_a_value_that_is_no_answer_is_described_in_words(value, count, printed, words):
     assert no_answer(value, count, printed) == words
 
 
-def test_yes_and_no_are_shown_as_such():
+def test_truth_values_are_shown_as_true_and_false():
     found = diagnose("holds", of(lambda push, n, mu: np.sum(push, axis=-1) ** 2 > (mu * np.asarray(n)) ** 2))
     assert re.search(r"gives   (False|True)\n  physics (False|True)", told(found))
 
 
-def test_the_same_answer_whatever_is_given_has_no_name():
+def test_a_constant_answer_is_no_known_mistake():
     """It is as well that of `never holds` as of any other mistake that happens to say no in the usual cases."""
     found = diagnose("holds", of(lambda push, n, mu: np.linalg.norm(push, axis=-1) == np.asarray(mu) * n))
     assert not found.mistakes
 
 
-def test_an_unknown_mistake_gets_the_example_alone():
+def test_an_unknown_mistake_gets_an_example_only():
     found = diagnose("point_velocity", of(lambda v, w, r: 1.37 * v + np.cross(w, r)))
     assert (found.verdict, found.mistakes) == ("unknown", ())
     assert "in a way that the lab does not know" in told(found)
     assert "velocity=(1, 2, 3)" in told(found)
 
 
-def test_a_known_mistake_with_another_one_in_limiting_cases_is_likely_not_certain():
+def test_a_known_mistake_with_another_at_the_edges_is_only_likely():
     """Against the push where there is none: 0/0."""
 
     def divides_by_zero(push, v, normal_force, static, kinetic):
@@ -220,7 +220,7 @@ def test_a_known_mistake_with_another_one_in_limiting_cases_is_likely_not_certai
     assert "gives (nan, nan, nan)" in text.partition("Something else")[2]
 
 
-def test_more_than_one_explanation_is_said_and_none_is_picked():
+def test_several_explanations_are_listed_and_none_is_chosen():
     """The two mistakes differ in touching alone, where this one has no answer."""
 
     def without_touching(separation, tolerance=0.0):
@@ -237,7 +237,7 @@ def test_more_than_one_explanation_is_said_and_none_is_picked():
     assert "do not say which it is" in " ".join(told(found).split())
 
 
-def test_one_wrong_number_is_no_mistake_with_a_name():
+def test_one_wrong_number_is_no_known_mistake():
     """Right but for a single probe: no known mistake explains that alone."""
 
     def nearly(a, b, n, e):
@@ -257,7 +257,7 @@ def test_a_function_without_probes_is_refused():
                 diagnose(entry.name, of(kinematic_response))
 
 
-def test_an_example_of_a_function_without_fingerprints_has_no_names():
+def test_an_example_without_fingerprints_has_no_parameter_names():
     assert called(("normal_velocity", "restitution"), (-2.0, 0.5)) == "normal_velocity=-2, restitution=0.5"
     assert called((), (-2.0, [0.5, 1.0]), "no_such") == "no_such(-2, (0.5, 1))"
 

@@ -160,7 +160,7 @@ def diagnosed(name, function):
     return recognition.diagnose(name, lambda _, *arguments: function(*arguments))
 
 
-def test_wrong_answers_by_others_are_named_as_a_person_would_or_not_at_all():
+def test_a_wrong_answer_by_others_is_named_as_a_person_would_or_not():
     answers = written("first") | written("second")
     assert list(answers) == list(FOUND)
     for name, function in answers.items():
@@ -169,13 +169,13 @@ def test_wrong_answers_by_others_are_named_as_a_person_would_or_not_at_all():
 
 
 @pytest.mark.parametrize("lot", ["first", "second"])
-def test_four_of_five_such_mistakes_are_named(lot):
+def test_four_of_five_mistakes_by_others_are_named(lot):
     """97 of 120, 93 of them for certain; of the 43 written when the rules stood too, 36."""
     named = [name for name in written(lot) if FOUND[name][1]]
     assert len(named) / len(written(lot)) >= 0.8
 
 
-def test_a_mistake_that_is_not_in_the_bank_is_not_taken_for_another(monkeypatch):
+def test_a_mistake_that_is_not_listed_is_not_taken_for_another(monkeypatch):
     """Each entry is left out in turn; at most the same mistake is said, but for touching, and with reserve."""
     certain = []
     for entry in read_bank():

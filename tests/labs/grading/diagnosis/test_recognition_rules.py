@@ -87,14 +87,14 @@ def told(function):
 
 
 @pytest.mark.parametrize("name", MISTAKES)
-def test_the_numbers_of_one_mistake_alone_name_it(name):
+def test_the_numbers_of_exactly_one_mistake_name_it(name):
     found = diagnose("f", lambda _, x: MISTAKES[name](x))
     assert (found.verdict, [entry.id for entry in found.mistakes]) == ("named", [f"f/{name}"])
     assert not found.one_alone
     assert "With several" not in words.told(found)
 
 
-def test_a_mistake_is_named_though_several_contacts_end_in_an_error_or_another_shape():
+def test_a_mistake_is_named_though_several_contacts_raise_an_error():
     crashing = diagnose("f", lambda _, x: by_number(one_more, raises)(x))
     assert (crashing.verdict, len(crashing.mistakes)) == ("named", 1)
     assert (crashing.crash_in_many, crashing.one_alone) == (True, False)
@@ -104,7 +104,7 @@ def test_a_mistake_is_named_though_several_contacts_end_in_an_error_or_another_s
     assert (shaped.verdict, len(shaped.mistakes), shaped.one_alone) == ("named", 1, False)
 
 
-def test_many_different_wrong_numbers_name_a_mistake_though_several_contacts_go_wrong_otherwise():
+def test_five_wrong_numbers_name_a_mistake_though_batches_differ():
     assert DIFFERENT == 5
     assert told(by_number(MISTAKES["in five cases"], lambda x: -x)) == ("named", "in five cases")
     assert told(by_number(MISTAKES["in four cases"], lambda x: -x)) == ("likely", "in four cases")
@@ -113,17 +113,17 @@ def test_many_different_wrong_numbers_name_a_mistake_though_several_contacts_go_
     assert "With several cases in one call it is wrong in another way besides." in words.told(found)
 
 
-def test_a_known_mistake_that_has_no_answer_for_several_contacts_says_nothing_of_them():
+def test_a_mistake_without_an_answer_for_batches_says_nothing_of_them():
     found = diagnose("f", lambda _, x: 3 * x)
     assert [entry.id for entry in found.mistakes] == ["f/three times, of one contact"]
     assert (found.verdict, found.one_alone) == ("named", False)
 
 
-def test_another_shape_of_a_single_contact_is_no_silence():
+def test_a_wrong_shape_for_one_contact_counts_against_a_mistake():
     assert told(at([3], shapeless, twice)) == ("unknown",)
 
 
-def test_one_wrong_number_again_and_again_does_not():
+def test_one_wrong_number_repeated_makes_a_mistake_only_likely():
     """Three less is off by the same each time, as much else would be."""
     assert told(by_number(lambda x: x - 3, lambda x: -x)) == ("likely", "three less")
 
@@ -131,19 +131,19 @@ def test_one_wrong_number_again_and_again_does_not():
 # Not certain
 
 
-def test_a_mistake_of_the_usual_cases_alone_is_likely():
+def test_a_mistake_in_the_usual_cases_alone_is_likely():
     assert told(by_number(at([0, 9], lambda x: x - 3, twice), twice)) == ("likely", "twice")
 
 
-def test_a_mistake_of_another_function_is_never_but_likely():
+def test_an_inherited_mistake_in_the_usual_cases_alone_is_not_named():
     assert told(by_number(at([0, 9], lambda x: x - 3, lambda x: 7 * x), twice)) == ("unknown",)
 
 
-def test_of_two_that_fit_none_is_picked():
+def test_none_of_two_fitting_mistakes_is_chosen():
     assert told(by_number(at([0], raises, one_more), one_more)) == ("several", "one more", "one more but at nothing")
 
 
-def test_so_few_cases_of_a_mistake_are_no_mistake_where_others_say_nothing():
+def test_a_mistake_needs_three_cases_where_others_are_silent():
     assert LEAST == 3
     assert told(by_number(at([0], one_more, at([5], raises)), lambda x: x)) == ("unknown",)
     assert told(at([6], raises, MISTAKES["in two cases"])) == ("unknown",)
@@ -169,12 +169,12 @@ def test_so_few_cases_of_a_mistake_are_no_mistake_where_others_say_nothing():
         (lambda x: x, "right"),
     ],
 )
-def test_what_no_mistake_explains_is_told_by_what_came(function, verdict):
+def test_an_unexplained_answer_is_described_by_its_form(function, verdict):
     assert told(function) == (verdict,)
     assert not diagnose("f", lambda _, x: function(x)).one_alone
 
 
-def test_the_simplest_probe_that_fails_is_the_example():
+def test_the_example_is_the_simplest_probe_that_fails():
     found = diagnose("f", lambda _, x: at([4, 5], lambda x: x - 3)(x))
     assert found.counterexample.probe.note == "case 4"
     assert example_of(found.counterexample) == "f(x=4), case 4\ngives   1\nphysics 4"
@@ -183,7 +183,7 @@ def test_the_simplest_probe_that_fails_is_the_example():
     assert example_of(without_note).startswith("f(x=(1, 2))\n")
 
 
-def test_only_what_is_unwritten_throughout_is_unwritten():
+def test_a_function_is_unwritten_only_if_every_probe_says_so():
     def stub(x):
         raise NotImplementedError
 
@@ -191,13 +191,13 @@ def test_only_what_is_unwritten_throughout_is_unwritten():
     assert told(at([1], lambda x: x, stub)) == ("unknown",)
 
 
-def test_a_function_is_right_where_its_numbers_are_and_nothing_is_written_to():
+def test_a_function_is_right_if_its_numbers_are_and_arguments_stay():
     assert Diagnosis("f", "right").right
     assert not Diagnosis("f", "right", changes_input=True).right
     assert not Diagnosis("f", "unknown").right
 
 
-def test_errors_are_told_in_the_order_in_which_they_came():
+def test_errors_are_listed_in_the_order_in_which_they_occurred():
     def many_ways(x):
         if np.ndim(x) or x in (2, 5):
             raise ValueError("first")
@@ -212,7 +212,7 @@ def test_errors_are_told_in_the_order_in_which_they_came():
     assert not diagnose("f", lambda _, x: x).crash_in_many
 
 
-def test_bad_input_that_is_answered_is_listed_and_what_is_refused_is_not():
+def test_bad_input_is_listed_if_it_is_answered_and_not_if_refused():
     def checked(x):
         if np.ndim(x) == 0 and x < -1.5:
             raise ValueError
@@ -223,7 +223,7 @@ def test_bad_input_that_is_answered_is_listed_and_what_is_refused_is_not():
     assert (found.verdict, found.right, found.changes_input, found.crashes) == ("right", True, False, ())
 
 
-def test_writing_into_the_arguments_anywhere_is_seen():
+def test_writing_into_arguments_is_noticed_in_any_probe():
     def writes(x):
         if np.ndim(x):
             x[0] += 1

@@ -44,11 +44,11 @@ EXAMPLE = Counterexample(
         (np.ones((1, 1)), "((1))"),
     ],
 )
-def test_a_value_is_shown_in_few_digits_and_a_long_array_by_its_shape(value, words):
+def test_a_value_is_shown_in_few_digits_and_a_long_array_as_its_shape(value, words):
     assert shown(value) == words
 
 
-def test_arguments_are_told_by_name_as_many_as_there_are():
+def test_arguments_are_shown_with_their_names():
     assert called(("v", "e"), (-2.0, np.ones(2))) == "v=-2, e=(1, 1)"
     assert called(("v", "e"), (-2.0,)) == "v=-2"
 
@@ -65,7 +65,7 @@ def test_arguments_are_told_by_name_as_many_as_there_are():
         (Answer(([2.0], 1.0)), (1.0, 1.0), "(2), 1 of shape (1,), () instead of (), ()"),
     ],
 )
-def test_what_came_stands_above_what_physics_says(answer, right, came):
+def test_the_answer_is_shown_above_what_physics_says(answer, right, came):
     arrays = tuple(np.asarray(each) for each in right)
     physics = ", ".join(shown(each) for each in arrays)
     assert compared(answer, Right(arrays, (1.0,) * len(arrays))) == f"gives   {came}\nphysics {physics}"
@@ -78,7 +78,7 @@ def words(verdict, *mistakes, **more):
 # A diagnosis
 
 
-def test_each_verdict_has_its_words():
+def test_each_verdict_has_its_own_words():
     assert words("right") == "f: right on every probe."
     assert words("unwritten", crashes=("no",), accepted=("less",)) == "f: not written yet."
     assert words("crashes", crashes=("no",)) == "f: it ends in an error."
@@ -91,7 +91,7 @@ def test_each_verdict_has_its_words():
         assert words(verdict).startswith("f: ")
 
 
-def test_what_else_is_known_is_added():
+def test_further_findings_are_added_to_a_verdict():
     example = "For example rebound_velocity(v=-2, e=0.5), down gives -1 physics 1"
     assert words("unknown", counterexample=EXAMPLE).endswith(example)
     assert "writes into its arguments" in words("right", changes_input=True)
@@ -104,7 +104,7 @@ def test_what_else_is_known_is_added():
     assert alone not in crash
 
 
-def test_a_diagnosis_is_as_wide_as_a_terminal():
+def test_a_diagnosis_fits_a_terminal_of_80_columns():
     for entry in known("collide").mistakes:
         lines = told(Diagnosis("collide", "named", (entry,))).splitlines()
         assert max(map(len, lines)) <= 80

@@ -45,7 +45,7 @@ def test_a_function_is_right_wrong_or_to_do():
     assert all_right(Sheet(outcomes=outcomes[:2]))
 
 
-def test_the_report_goes_by_topic_and_step_and_ends_with_what_is_next():
+def test_the_report_follows_topic_and_step_and_ends_with_the_next_step():
     right = outcome("rebound_velocity", True), outcome("point_velocity", True), outcome("is_colliding", True)
     assert lines(*right, topics=("detection", "impulse")) == [
         "", f"{lecture.topic('detection').title} (detection)", "  ✓ is_colliding",
@@ -67,16 +67,16 @@ def test_the_report_goes_by_topic_and_step_and_ends_with_what_is_next():
     assert lines(outcome("collide", False))[-1] == "0 of 1 functions right. Next: collide, marked ✗ above."
 
 
-def test_of_a_file_without_a_function_that_was_asked_for_no_function_is_next():
+def test_a_file_without_requested_functions_has_no_next_step():
     assert lines()[-2].startswith("0 of 0 functions right.")
 
 
-def test_complaints_come_first_but_for_what_is_on_the_list_anyway():
+def test_complaints_come_first_except_for_listed_functions():
     complaints = Complaint("odd", line=3), Complaint("collide is missing", kind="missing")
     assert lines(complaints=complaints)[:2] == ["line 3: odd", ""]
 
 
-def test_what_failed_is_told_part_by_part_with_what_was_tried_for_the_first_two():
+def test_the_first_two_failed_parts_are_shown_with_their_calls():
     parts = [Part(1, "one", "collide(a=2)\ngives 1"), Part(1, "kept"), Part(1, "two", "also"), Part(1, "three", "too")]
     found = lines(outcome("collide", False, *parts, help="Statement 12."))
     assert found[2:-2] == [
@@ -87,7 +87,7 @@ def test_what_failed_is_told_part_by_part_with_what_was_tried_for_the_first_two(
     assert found[-1] == "0 of 1 functions right, 1 in part. Next: collide, marked ✗ above."
 
 
-def test_of_a_mistake_that_has_a_name_one_example_and_the_hint_will_do():
+def test_a_named_mistake_has_one_example_and_one_hint():
     parts = [Part(1, "one", "tried\ngives   -1\nphysics 1"), Part(1, "two", "also")]
     diagnosis = Diagnosis("rebound_velocity", "named", (FIRST,), EXAMPLE, accepted=("less",))
     text = "\n".join(lines(outcome("rebound_velocity", False, *parts, help="Look."), rebound_velocity=diagnosis))
@@ -98,7 +98,7 @@ def test_of_a_mistake_that_has_a_name_one_example_and_the_hint_will_do():
         assert left_out not in text
 
 
-def test_a_test_without_parts_is_told_by_its_title_and_an_example_is_shown_where_none_was_told():
+def test_a_test_without_parts_has_its_title_and_an_example():
     diagnosis = Diagnosis("collide", "unknown", counterexample=EXAMPLE)
     found = lines(outcome("collide", False), outcome("collide", False, said="gives 1"), collide=diagnosis)
     example = [

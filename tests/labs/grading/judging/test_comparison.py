@@ -34,7 +34,7 @@ def fails(said, answer):
         (True, True),
     ],
 )
-def test_what_is_right_but_for_rounding_is_right(said, answer):
+def test_an_answer_is_right_within_rounding(said, answer):
     expect(Function(lambda *_: said), (1.0,), answer)
 
 
@@ -47,13 +47,13 @@ def test_what_is_right_but_for_rounding_is_right(said, answer):
         (2.0, (2.0, 2.0)), (1.0, math.inf), (math.inf, -math.inf), (False, True),
     ],
 )  # fmt: skip
-def test_what_is_not_right_is_told_with_what_physics_says(said, answer):
+def test_a_wrong_answer_is_shown_with_what_physics_says(said, answer):
     text = fails(said, answer)
     assert text.startswith("point_velocity(velocity=(0, 1, 0), angular_velocity=(0, 0, 2), arm=(3, 0, 0))\ngives   ")
     assert "\nphysics " in text
 
 
-def test_a_submission_gets_lists_as_arrays_of_floats_and_all_else_as_it_is():
+def test_a_submission_gets_lists_as_arrays_and_other_values_unchanged():
     vector, number, flag, inner = plainly([1, 2, 3], 2, True, ([0, 1], 0.5))
     np.testing.assert_array_equal(vector, [1.0, 2.0, 3.0], strict=True)
     assert (number, flag, type(inner), inner[1]) == (2, True, tuple, 0.5)
@@ -63,7 +63,7 @@ def test_a_submission_gets_lists_as_arrays_of_floats_and_all_else_as_it_is():
     assert function.asked[0][0].dtype == float
 
 
-def test_numbers_come_as_arrays_of_floats_and_all_else_is_refused():
+def test_numbers_come_as_arrays_and_other_values_are_refused():
     one = numbers(Function(lambda: [1, 2]), ())
     np.testing.assert_array_equal(one, [1.0, 2.0], strict=True)
     first, second = numbers(Function(lambda: (1, [2, 3])), (), count=2)
@@ -75,7 +75,7 @@ def test_numbers_come_as_arrays_of_floats_and_all_else_is_refused():
         numbers(Function(lambda v: [1.0]), (1.0,), count=2)
 
 
-def test_what_only_prints_is_told_so():
+def test_a_function_that_prints_instead_of_returning_hears_so():
     for printed, why in (("2.0", "it prints, and has to return"), ("", r"is a return missing\?")):
         with pytest.raises(AssertionError, match=rf"gives   nothing \(None\): {why}\nphysics 2$"):
             expect(Function(lambda v: None, printed=printed), (1.0,), 2.0)
@@ -83,7 +83,7 @@ def test_what_only_prints_is_told_so():
             numbers(Function(lambda v: None, printed=printed), (1.0,))
 
 
-def test_writing_into_the_arguments_loses_the_part():
+def test_writing_into_arguments_loses_the_part():
     refuse_changes(Function(abs))
     with pytest.raises(AssertionError, match="writes into its arguments"):
         refuse_changes(Function(abs, changed=(0,)))
@@ -94,7 +94,7 @@ def test_writing_into_the_arguments_loses_the_part():
 # A formula for one contact, for many
 
 
-def test_a_formula_for_one_contact_is_asked_contact_by_contact():
+def test_a_formula_for_one_contact_is_called_contact_by_contact():
     many = each(lambda v, body: (v @ body[0], v * body[1]), (np.zeros(3), (np.zeros(3), 1.0)))
     v, arm, mass = np.arange(6.0).reshape(2, 1, 3), np.arange(9.0).reshape(3, 3), np.array([1.0, 2.0, 3.0])
     products, scaled = many(v, (arm, mass))
@@ -103,7 +103,7 @@ def test_a_formula_for_one_contact_is_asked_contact_by_contact():
     assert each(lambda v: v @ v, (np.zeros(3),))(np.ones(3)).shape == ()
 
 
-def test_what_all_contacts_share_may_be_given_once_and_nothing_else():
+def test_only_values_that_all_contacts_share_may_be_given_once():
     def draws(draw):
         return draw.unit(), draw.number(1, 2)
 
@@ -128,7 +128,7 @@ def test_what_all_contacts_share_may_be_given_once_and_nothing_else():
         ([[1.0], [1.0, 2.0]], "a list that is not a number or an array"), (np.zeros((0, 3)), r"of shape \(0, 3\)"),
     ],
 )  # fmt: skip
-def test_an_answer_for_several_contacts_that_is_none_fails_like_any_other(said, told):
+def test_a_batch_without_a_usable_answer_fails_like_any_other(said, told):
     """As an AssertionError: any other error would cost the parts of the test that follow."""
     with pytest.raises(AssertionError, match=rf"(?s)point_velocity\(velocity=.*\ngives   .*{told}"):
         Examples(1).together(Function(lambda v: said), lambda v: v, lambda draw: (draw.vector(),))

@@ -21,7 +21,7 @@ def pair(draw):
 # Examples
 
 
-def test_examples_are_foreseen_in_the_order_in_which_they_are_asked():
+def test_examples_are_foreseen_in_the_order_of_their_calls():
     for ask in (Examples(1).agree, Examples(1).together):
         function = Function(np.add)
         ask(function, np.add, pair)
@@ -29,14 +29,14 @@ def test_examples_are_foreseen_in_the_order_in_which_they_are_asked():
         assert [id(x) for each in function.asked for x in each] == [id(x) for each in function.foreseen for x in each]
 
 
-def test_a_formula_is_asked_once_for_each_example_that_is_right():
+def test_a_formula_is_called_once_for_each_right_example():
     """Scales are looked for where an answer is off: they take several calls."""
     formula = Function(np.add)
     Examples(1).agree(Function(np.add), formula, pair)
     assert len(formula.asked) == COUNT
 
 
-def test_other_seeds_draw_other_examples_and_the_same_seed_the_same():
+def test_a_seed_always_draws_the_same_examples_and_another_others():
     drawn = []
     for seed in (1, 1, 2):
         function = Function(np.add)
@@ -48,7 +48,7 @@ def test_other_seeds_draw_other_examples_and_the_same_seed_the_same():
 
 @pytest.mark.parametrize("ask", ["agree", "every"])
 @pytest.mark.parametrize("told", [True, False])
-def test_only_a_student_who_may_read_the_example_has_it_made_small(ask, told):
+def test_an_example_is_made_small_only_if_a_student_may_read_it(ask, told):
     function, drawn = Function(lambda a, b: a - b), Examples(1, told)
 
     def adds(a, b):
@@ -61,7 +61,7 @@ def test_only_a_student_who_may_read_the_example_has_it_made_small(ask, told):
     assert (len(function.asked) > 3) == told
 
 
-def test_a_property_that_is_not_so_is_told_in_its_own_words_without_digits_of_rounding():
+def test_a_failed_property_is_reported_without_digits_of_rounding():
     def holds(x, force, flag):
         raise AssertionError("three\nis four\nassert 3 == 4\n  where 3 is odd")
 
@@ -80,7 +80,7 @@ def test_a_property_that_ends_in_an_error_fails_with_it():
         Examples(1).every(pair, raises)
 
 
-def test_looking_for_the_smallest_example_ends_after_so_many_calls(monkeypatch):
+def test_the_search_for_the_smallest_example_is_limited(monkeypatch):
     tried, most = [], 40
     assert MOST_CALLS == 200
     monkeypatch.setattr(examples, "MOST_CALLS", most)
@@ -95,7 +95,7 @@ def test_looking_for_the_smallest_example_ends_after_so_many_calls(monkeypatch):
     assert most < len(tried) <= most + 3
 
 
-def test_an_answer_that_is_wrong_but_once_still_fails():
+def test_an_answer_that_is_wrong_only_once_still_fails():
     """Nothing smaller is found then: the example that failed is told."""
     tries = []
 
@@ -124,7 +124,7 @@ def test_the_simplest_draws_are_simple():
     assert draw.vector().tolist() == [1, 1, 1]
 
 
-def test_whatever_is_chosen_is_what_could_be_drawn():
+def test_every_choice_of_hypothesis_is_a_possible_draw():
     rng = np.random.default_rng(7)
     for draw in (drawn_by(rng.integers(0, Chosen.MOST + 1, 60).tolist()) for _ in range(60)):
         assert draw.sign() in (-1, 1)
@@ -151,7 +151,7 @@ def test_drawn_numbers_stay_within_their_limits():
     assert np.all(np.linalg.eigvalsh(inertia) > 0.4)
 
 
-def test_it_is_counted_how_many_choices_were_asked_for():
+def test_the_number_of_choices_is_counted():
     chosen = Chosen([3, 1])
     chosen.uniform(), chosen.integers(4), chosen.choice([1, 2], 3), chosen.permutation([1, 2])
     assert chosen.taken == 6

@@ -47,22 +47,22 @@ GRADE = Grade(("impulse", "detection"), SHEET)
         (False, (Part(9, "more than all"), LOST), 4),
     ],
 )
-def test_a_test_that_failed_earns_the_parts_that_passed_and_no_more_than_it_is_worth(passed, parts, earned):
+def test_a_failed_test_earns_its_passed_parts_up_to_its_points(passed, parts, earned):
     assert Outcome("test_x", 4, passed, parts=parts).earned == earned
 
 
-def test_a_sheet_adds_up_its_tests_and_names_each_function_that_lost_once():
+def test_a_sheet_adds_up_points_and_names_each_losing_function_once():
     assert (SHEET.earned, SHEET.points) == (2 + 4 + 0 + 0 + 7, 6 + 4 + 2 + 1 + 7)
     assert SHEET.lost == ["rebound_velocity", "is_colliding"]
 
 
-def test_what_was_lost_is_told_part_by_part_and_nothing_of_what_passed():
+def test_lost_points_are_listed_part_by_part_and_passed_tests_not():
     assert [*SHEET.outcomes[0].lines()] == ["a ball bounces: 2 of 6", "2 of 2 for at rest", "0 of 3 for the sign"]
     assert [*SHEET.outcomes[2].lines()] == ["touching: 0 of 2", "the answer is wrong", "why", "look"]
     assert [*SHEET.outcomes[4].lines()] == []
 
 
-def test_a_grade_says_each_point_by_test_part_function_and_topic():
+def test_a_grade_lists_points_by_test_part_function_and_topic():
     content = GRADE.content()
     assert {name: content[name] for name in ("schema", "version", "submission", "tier", "complaints")} == {
         "schema": "collisions-lab/grade", "version": 1, "submission": "lab.py", "tier": "limits",
@@ -138,20 +138,20 @@ def test_a_grade_that_cannot_be_written_leaves_the_old_one(tmp_path, monkeypatch
         ('{"schema": "other", "version": 1}', "is other 1, not"),
     ],
 )
-def test_what_is_no_grade_is_told_which_it_is(text, says, tmp_path):
+def test_a_file_that_is_no_grade_is_refused(text, says, tmp_path):
     (tmp_path / "grade.json").write_text(text)
     with pytest.raises(InvalidInput, match=says):
         read_grade(tmp_path / "grade.json")
 
 
-def test_a_file_of_no_function_is_graded_for_no_topic(tmp_path):
+def test_a_file_without_functions_is_graded_only_for_a_named_topic(tmp_path):
     (tmp_path / "lab.py").write_text("x = 3\n")
     for topics in (None, ()):
         with pytest.raises(InvalidInput, match=r"^lab\.py defines no function of the lab; name the topic"):
             grade(tmp_path / "lab.py", topics)
 
 
-def test_the_topics_that_are_named_are_graded_and_no_others(tmp_path, monkeypatch):
+def test_only_the_named_topics_are_graded(tmp_path, monkeypatch):
     asked = []
     monkeypatch.setattr(grading, "run", lambda *given: asked.append(given) or SHEET)
     path = tmp_path / "lab.py"

@@ -121,7 +121,7 @@ def test_a_right_submission_earns_every_point(pytester):
     assert sheet.tier
 
 
-def test_a_wrong_one_is_told_why_and_gets_the_points_of_its_parts(graded):
+def test_a_wrong_submission_hears_why_and_gets_the_points_of_its_parts(graded):
     result, sheet = graded(WRONG)
     result.assert_outcomes(passed=2, failed=5)
     outcomes = {outcome.test: outcome for outcome in sheet.outcomes}
@@ -137,7 +137,7 @@ def test_a_wrong_one_is_told_why_and_gets_the_points_of_its_parts(graded):
     result.stdout.fnmatch_lines(["_* test_rebound _*", "*", "E*assert -1.0 == 1.0*"])
 
 
-def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_them(graded):
+def test_a_hidden_test_keeps_its_numbers_even_if_a_submission_prints_them(graded):
     result, sheet = graded(WRONG)
     hidden = [line for outcome in sheet.outcomes if outcome.hidden for line in outcome.lines()]
     assert hidden == [
@@ -153,14 +153,14 @@ def test_a_hidden_test_keeps_its_numbers_even_where_the_submission_would_tell_th
     assert "7.125" not in result.stdout.str().partition(" lab.py ")[2].partition("short test summary")[0]
 
 
-def test_a_property_that_fails_tells_its_smallest_example(graded):
+def test_a_failed_property_shows_its_smallest_example(graded):
     _, sheet = graded("def rebound_velocity(v, e): return 99.0 if v < -3 else 0.0", "-k", "property")
     (outcome,) = sheet.outcomes
     assert outcome.said.splitlines()[0] == "assert 99.0 < 50"
     assert outcome.said.splitlines()[-1] == "for speed=4.0"
 
 
-def test_what_is_not_written_yet_is_a_list_of_things_to_do(graded):
+def test_unwritten_functions_are_listed_as_to_do(graded):
     _, sheet = graded("def rebound_velocity(v, e):\n    raise NotImplementedError\n")
     assert sheet.earned == 0
     assert "normal_velocity" in sheet.complaints[0].text
@@ -169,13 +169,13 @@ def test_what_is_not_written_yet_is_a_list_of_things_to_do(graded):
     assert told["test_property"] == told["test_rebound"]
 
 
-def test_a_file_that_cannot_be_read_earns_nothing_and_says_why_once_a_test(graded):
+def test_an_unreadable_file_earns_nothing_and_every_test_says_why(graded):
     _, sheet = graded("\n")
     assert (sheet.earned, sheet.points) == (0, 16)
     assert {outcome.said for outcome in sheet.outcomes} == {"lab.py: it is empty"}
 
 
-def test_each_test_has_a_process_of_its_own_that_ends_with_it():
+def test_each_test_has_its_own_process_that_ends_with_it():
     began, ended = [], []
 
     @contextlib.contextmanager
@@ -231,7 +231,7 @@ def test_in_vain(submission, part):
 """
 
 
-def test_a_test_meets_no_trace_of_the_one_before_and_each_counts_once_unless_it_is_skipped(pytester, graded):
+def test_each_test_starts_afresh_and_counts_once_unless_skipped(pytester, graded):
     pytester.makepyfile(test_impulse=ALONE)
     result, sheet = graded(
         "calls = []\ndef rebound_velocity(v, e):\n    calls.append(v)\n    return len(calls)",
@@ -246,7 +246,7 @@ def test_a_test_meets_no_trace_of_the_one_before_and_each_counts_once_unless_it_
     result.stdout.no_fnmatch_line("*plugin.py*")
 
 
-def test_grading_the_same_file_again_draws_the_same_examples(graded):
+def test_grading_a_file_again_draws_the_same_examples(graded):
     def drawn(text: str) -> list[str]:
         result, _ = graded(text, "-k", "property", "-s")
         return [line for line in result.outlines if line.startswith(("drawn", ".drawn"))]
@@ -257,7 +257,7 @@ def test_grading_the_same_file_again_draws_the_same_examples(graded):
     assert drawn(RIGHT + "# changed\n") != first
 
 
-def test_points_that_are_no_whole_number_are_refused(pytester):
+def test_points_must_be_whole_numbers(pytester):
     pytester.makepyfile(test_impulse="import pytest\n@pytest.mark.points(0.5)\ndef test_x(submission): pass\n")
     result = pytester.runpytest_inprocess("-p", "labs.grading.judging.plugin", "-p", "no:cacheprovider")
     result.stderr.fnmatch_lines(["*points are a whole number, not 0.5*"])

@@ -33,7 +33,7 @@ from labs.grading.submission.reading import read
     ids=["mark", "CRLF", "CR", "declared latin-1", "latin-1", "unknown", "slow codec", "UTF-16"],
 )
 @pytest.mark.parametrize("name", ["lab.py", "lab.ipynb"])
-def test_encodings_and_line_ends_are_coped_with_and_odd_ones_said(encoded, complaint, name, tmp_path):
+def test_encodings_and_line_ends_are_handled_and_odd_ones_reported(encoded, complaint, name, tmp_path):
     if name == "lab.ipynb":
         encoding = "utf-16" if complaint == "UTF-16" else "latin-1" if complaint else "utf-8-sig"
         text = json.dumps({"cells": [{"cell_type": "code", "source": "# Ångström\r\n" + BOTH}]}, ensure_ascii=False)
@@ -56,11 +56,11 @@ def test_encodings_and_line_ends_are_coped_with_and_odd_ones_said(encoded, compl
     ],
     ids=["format 3", "no metadata", "broken cells", "empty cells", "odd tags", "outputs"],
 )
-def test_odd_notebooks_are_read(content, tmp_path):
+def test_unusual_notebooks_are_read(content, tmp_path):
     assert handed_in(tmp_path, content).functions == WANTED
 
 
-def test_half_a_character_costs_its_cell_alone(tmp_path):
+def test_half_a_character_costs_only_its_cell(tmp_path):
     submission = handed_in(tmp_path, notebook(BOTH, "x = '\ud800'"))
     assert submission.functions == WANTED
     assert told(submission) == "code cell 2: Python cannot read this: it holds half a character"
@@ -145,7 +145,7 @@ def test_a_merge_mark_is_named_with_its_line(tmp_path):
     assert submission.unread == WANTED
 
 
-def test_a_notebook_under_another_name_is_read_and_it_is_said(tmp_path):
+def test_a_notebook_with_the_suffix_py_is_read_with_a_complaint(tmp_path):
     submission = handed_in(tmp_path, notebook(BOTH), "lab.py")
     assert submission.functions == WANTED
     assert told(submission) == "it is a notebook, though its name ends in .py"

@@ -10,7 +10,7 @@ from submissions import BOTH, WANTED, defined, handed_in, notebook
 from labs.grading.submission.magics import without_magics
 
 
-def test_magics_shell_lines_and_questions_are_taken_out(tmp_path):
+def test_magics_shell_lines_and_questions_are_removed(tmp_path):
     cell = (
         "%matplotlib inline\n!pip install 'x' \\\n   y\nfiles = !ls\nrebound_velocity?\n?print\n"
         "if True:\n    %timeit 1\nelapsed = %time 3\n"
@@ -39,7 +39,7 @@ def test_magics_shell_lines_and_questions_are_taken_out(tmp_path):
         ('"""\n%a\n"""; x\n%b', '"""\n%a\n"""; x\npass'), ("'''\n%a", "'''\n%a"),
     ],
 )  # fmt: skip
-def test_a_magic_is_taken_out_where_a_statement_begins_and_nowhere_else(cell, python):
+def test_a_magic_is_removed_only_where_a_statement_begins(cell, python):
     assert without_magics(cell) == python
 
 
@@ -48,6 +48,6 @@ def test_a_magic_is_taken_out_where_a_statement_begins_and_nowhere_else(cell, py
         st.sampled_from(["%a\n", "!b (\n", "c?\n", "x = (1,\n", "% 2)\n", "'''\n", "\\\n", "#(\n", "pass\n", "\n"])
     )
 )
-def test_taking_out_magics_keeps_every_line_number(lines):
+def test_removing_magics_keeps_every_line_number(lines):
     source = "".join(lines)
     assert without_magics(source).count("\n") == source.count("\n")

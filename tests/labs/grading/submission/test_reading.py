@@ -9,7 +9,7 @@ from labs.grading.submission import reading
 
 
 @pytest.mark.parametrize("name", ["lab.py", "lab.ipynb"])
-def test_functions_come_out_whole_and_without_complaint(name, tmp_path):
+def test_functions_are_read_whole_and_without_complaint(name, tmp_path):
     content = BOTH if name.endswith("py") else notebook(*BOTH.split("\n\n\n"))
     submission = handed_in(tmp_path, content, name)
     assert submission.functions == WANTED
@@ -17,7 +17,7 @@ def test_functions_come_out_whole_and_without_complaint(name, tmp_path):
     assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
 
 
-def test_the_last_of_several_definitions_counts_and_is_said(tmp_path):
+def test_the_last_of_several_definitions_counts_with_a_complaint(tmp_path):
     wrong, right = "def rebound_velocity(v, e): return 0.0", "def rebound_velocity(v, e): return -e * v"
     submission = handed_in(tmp_path, notebook(wrong, "x = 1\n" + right))
     assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
@@ -25,7 +25,7 @@ def test_the_last_of_several_definitions_counts_and_is_said(tmp_path):
 
 
 @pytest.mark.parametrize("made_for_it", [tagged, None])
-def test_the_cell_made_for_a_function_comes_before_a_later_copy(made_for_it, tmp_path):
+def test_the_cell_made_for_a_function_counts_before_a_later_copy(made_for_it, tmp_path):
     right, wrong = "def rebound_velocity(v, e): return -e * v", "def rebound_velocity(v, e): return 0.0"
     cell = tagged(right, "rebound_velocity")
     if made_for_it is None:  # as nbgrader names it
@@ -41,7 +41,7 @@ def test_a_missing_and_an_imported_function_are_named(tmp_path):
     assert told(submission) == "line 1: rebound_velocity is imported, not written\nnormal_velocity is missing"
 
 
-def test_a_syntax_error_costs_its_cell_alone_and_is_placed(tmp_path):
+def test_a_syntax_error_costs_only_its_cell_and_names_its_line(tmp_path):
     broken = "x = 1\ndef rebound_velocity(v, e:\n    return 1"
     submission = handed_in(tmp_path, notebook("import numpy as np", broken, BOTH.split("\n\n\n")[1]))
     assert submission.functions == ("normal_velocity",)
@@ -53,14 +53,14 @@ def test_a_syntax_error_costs_its_cell_alone_and_is_placed(tmp_path):
     [("", ""), ("a", "; so a cannot be read"), ("abc", "; so a, b, c cannot be read"),
      ("abcd", "; so a, b, c … cannot be read")],
 )  # fmt: skip
-def test_what_a_syntax_error_costs_is_said(names, effect, tmp_path):
+def test_a_syntax_error_names_the_functions_it_costs(names, effect, tmp_path):
     source = "".join(f"def {name}(): pass\n" for name in names) + "x = )"
     first = told(handed_in(tmp_path, source, "lab.py")).splitlines()[0]
     assert first == f"line {len(names) + 1}: Python cannot read 'x = )': unmatched ')'{effect}"
 
 
 @pytest.mark.parametrize("error", [RecursionError, MemoryError, ValueError])
-def test_what_is_too_deep_for_python_is_said(error, tmp_path, monkeypatch):
+def test_source_too_deep_for_python_is_reported(error, tmp_path, monkeypatch):
     def groups(source):
         raise error
 
@@ -80,6 +80,6 @@ def test_an_error_line_leads_back_to_the_cell(tmp_path):
     ("name", "near"),
     [("reboundVelocity", True), ("rebound_velocty", True), ("rebound", False), ("velocity_of_sound", False)],
 )
-def test_a_name_that_is_nearly_the_wanted_one_is_told(name, near, tmp_path):
+def test_a_misspelt_function_name_is_pointed_out(name, near, tmp_path):
     submission = handed_in(tmp_path, f"def {name}(v, e):\n    return -e * v\n", "lab.py")
     assert (f"line 1: is {name} meant to be rebound_velocity?" in told(submission)) == near

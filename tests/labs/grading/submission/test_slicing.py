@@ -8,7 +8,7 @@ from submissions import BOTH, WANTED, defined, handed_in, told
 from labs.grading.submission.reading import read
 
 
-def test_what_only_runs_things_is_left_out_and_what_functions_need_stays(tmp_path):
+def test_statements_that_no_function_needs_are_left_out(tmp_path):
     source = """
 import numpy as np
 from math import *
@@ -69,14 +69,14 @@ def normal_velocity(n, u, axis=-1): return np.sum(n * u, axis)
         "[sign] = [-1]\ndef rebound_velocity(v, e): return sign * e * v",
     ],
 )
-def test_however_a_function_is_defined_it_is_found_with_what_it_needs(source, tmp_path):
+def test_a_function_is_found_with_its_needs_however_it_is_defined(source, tmp_path):
     submission = handed_in(tmp_path, source, "lab.py")
     assert submission.functions == ("rebound_velocity",)
     assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
     assert told(submission) == "normal_velocity is missing"
 
 
-def test_a_function_uses_what_it_calls_itself_or_by_way_of_what_else_it_needs(tmp_path):
+def test_a_function_uses_what_it_calls_directly_or_through_others(tmp_path):
     source = (
         BOTH
         + """
