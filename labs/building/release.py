@@ -35,8 +35,12 @@ def release(out: Path, through: str | None = None) -> list[str]:
     Raises
     ------
     InvalidInput
-        If there is already such a folder and it is not empty, or if that lab has no lesson.
+        If there is already such a folder and it is not empty, if that lab has no lesson, or if this is an installed
+        copy of the lab rather than the project's folder.
     """
+    missing = [name for name in (*_FOLDERS, *_FILES) if not (ROOT / name).exists()]
+    if missing:
+        raise InvalidInput(f"a release is made from the project's folder; this copy of the lab lacks {missing[0]}")
     open_labs = _through(through)
     if out.suffix == ".zip":
         with tempfile.TemporaryDirectory() as folder:

@@ -14,7 +14,10 @@ from pathlib import Path
 import reference
 
 _INSTALLED = {"site-packages", "dist-packages"}
+_LAB = {"labs", "reference", "solutions"}
+"""The lab's own packages."""
 _HERE = Path(reference.__file__).resolve().parents[1]
+"""The folder that they are in: a checkout, or the folder of all installed packages."""
 _ONE_AT_A_TIME = threading.Lock()
 """Two threads that parse at the same time sometimes raise "AST constructor recursion depth mismatch" (CPython 3.11)."""
 
@@ -70,11 +73,13 @@ def _imported(text: bytes) -> frozenset[str]:
 
 
 def _is_own(name: str) -> bool:
-    """Whether a module is neither of the standard library nor of an installed package other than the lab itself."""
+    """Whether a name is the lab's own or code of one's own: neither standard library nor another installed package."""
     if name in sys.stdlib_module_names:
         return False
     places = _places(name)
-    return any(place.parent == _HERE or not _INSTALLED & set(place.parts) for place in places)
+    if name in _LAB and any(place.parent == _HERE for place in places):
+        return True
+    return any(not _INSTALLED & set(place.parts) for place in places)
 
 
 def _places(name: str) -> list[Path]:

@@ -1,4 +1,4 @@
-"""Running the tests of topics on a file, in this process: returned is what was found, and nothing is printed."""
+"""Runs the tests of topics on a file, in this process; returns what was found and prints nothing."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ _OPTIONS = (
     "-p", "no:unraisableexception", "-p", "no:threadexception",
     "--import-mode=importlib", "--strict-markers", "-W", "error",
 )  # fmt: skip
-"""Nothing but the tests and the plugin: what else is installed, or set for the project's own tests, takes its time.
+"""Only the tests and the plugin: other plugins and the settings of the project's own tests would take time.
 
-In a notebook the tests run in the kernel. What its other threads stumble over is no mistake of the student's.
+In a notebook the tests run in the kernel. What goes wrong in its other threads is no mistake of the student's.
 """
 _FINE = (0, 1)  # all tests passed, some failed
 _TAIL = 400  # characters of what pytest printed, where it could not run
@@ -45,16 +45,18 @@ def run(
 ) -> Sheet:
     """Run the tests of some topics on a file. No process of the submission is left when this returns.
 
-    functions: those that are tested, all if none is named; what a wrong one of them calls is tested as well, without
-    points, by the visible tests. Without a grader it has one of its own, which gets ready while pytest is loaded.
+    functions: those to test; all if none is named. If one of them is wrong, the functions that it calls are tested as
+    well by the visible tests, without points. Without a grader it makes its own, which gets ready while pytest loads.
 
     Raises
     ------
     InvalidInput
         If a topic has no tests.
     GraderFailed
-        If pytest is missing or could not run the tests, or a test's process failed for no fault of the submission.
+        If the tests or pytest are missing, if pytest could not run the tests, or if a test's process failed for no
+        fault of the submission.
     """
+    _require_tests()
     if importlib.util.find_spec("pytest") is None:
         raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
     files = [str(file) for folder in folders for file in _files(folder, topics)]
@@ -66,8 +68,8 @@ def run(
 
 
 def _used(path: Path | str, topics: Collection[str], names: Collection[str]) -> set[str]:
-    """The functions of some topics that functions of a file call, itself or by way of others, beside these."""
-    with contextlib.suppress(UnreadableSubmission):  # which its tests have said
+    """Some functions of a file, and all functions of the topics that these call, directly or through others."""
+    with contextlib.suppress(UnreadableSubmission):  # its tests have said so already
         submission = read(path, [entry.name for topic in topics for entry in _written(topic)])
         waiting, seen = list(names), set(names)
         while waiting:
@@ -96,7 +98,7 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
             items[:] = [item for item in items if not functions or _about(item) in functions]
 
         def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-            if report.when == "teardown" and report.failed:  # nothing of the submission's: pytest counts it as failed
+            if report.when == "teardown" and report.failed:  # not the submission's fault: pytest counts it as failed
                 self.broken = report.longreprtext
 
         def pytest_keyboard_interrupt(self, excinfo: pytest.ExceptionInfo[BaseException]) -> None:
@@ -110,7 +112,7 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
     options += [
         "-W",
         "ignore::pytest.PytestAssertRewriteWarning",
-    ]  # the plugin may be loaded already, and asserts nothing
+    ]  # the plugin may be loaded already; it has no asserts
     with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
         code = pytest.main([*options, "--submission", str(path.absolute()), *files], plugins=[keep])
     if isinstance(keep.stopped, KeyboardInterrupt) and not isinstance(keep.stopped, pytest.Session.Interrupted):
@@ -133,10 +135,25 @@ def tested() -> tuple[str, ...]:
 
 
 def topics_of(path: Path | str) -> tuple[Submission, tuple[str, ...]]:
-    """A file as it is read, and the topics of which it defines a function that students write, readable or not."""
+    """Read a file, and name the topics of which it defines a function that students write, readable or not.
+
+    Raises
+    ------
+    UnreadableSubmission, GraderFailed
+        If the file holds no code, or if the tests are missing.
+    """
+    _require_tests()
     submission = read(path, [entry.name for topic in tested() for entry in _written(topic)])
     found = {lecture.function(name).topic for name in (*submission.functions, *submission.unread)}
     return submission, tuple(topic for topic in tested() if topic in found)
+
+
+def _require_tests() -> None:
+    if not (AUTOGRADER / VISIBLE).is_dir():
+        raise GraderFailed(
+            "the tests are missing: this is an installed copy of the lab without its folder tests/autograder; check"
+            " with the folder of the course, where the lab is installed by pip install -e ."
+        )
 
 
 def _written(topic: str) -> list[lecture.Function]:

@@ -94,3 +94,11 @@ def test_the_lab_itself_is_seen_and_what_is_installed_is_not():
 def test_a_file_that_is_not_there_is_an_error_of_the_system(tmp_path):
     with pytest.raises(FileNotFoundError):
         digest(str(tmp_path / "none.py"))
+
+
+def test_an_installed_lab_is_seen_and_what_is_installed_beside_it_is_not(tmp_path, monkeypatch):
+    folder = tmp_path / "site-packages"
+    monkeypatch.setattr(sources, "_HERE", folder)
+    monkeypatch.setattr(sources, "_places", lambda name: [folder / name])
+    assert sources._is_own("solutions")
+    assert not sources._is_own("rich")
