@@ -32,11 +32,11 @@ CASE = "μ=0.1,θ=10°"
 
 
 def small_incline() -> Family:
-    """Three of its cases: one that holds, one that slides, and the plotted and studied one, one second long."""
+    """Three of its cases: one that holds, one that slides, and the plotted and studied one, half a second long."""
     whole = catalogue()["incline"]
     cases = [whole.case(name) for name in ("μ=0.1,θ=3°", CASE, whole.curve.case)]
     assert whole.convergence.case == whole.curve.case
-    short = [replace(case, scenarios=(replace(case.scenarios[0], duration=1.0),)) for case in cases]
+    short = [replace(case, scenarios=(replace(case.scenarios[0], duration=0.5),)) for case in cases]
     return replace(whole, cases=tuple(short), convergence=replace(whole.convergence, factors=(2.0, 1.0)))
 
 

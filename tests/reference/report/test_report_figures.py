@@ -224,7 +224,7 @@ def test_a_curve_of_few_points_or_none_is_drawn_all_the_same(series):
     ("study", "said"),
     [
         (Errors((1e-3,), (0.1,), None), "too few timesteps"),
-        (Errors(STEPS, (0.0, 0.0, 0.0, 0.0), None), "rounding, 0 s"),
+        pytest.param(Errors(STEPS, (0.0, 0.0, 0.0, 0.0), None), "rounding, 0 s", marks=pytest.mark.slow),
         (Errors(STEPS, (1e-16, 2e-16, 0.0, 3e-16), None), "rounding, <1 ns"),
         (Errors(STEPS, (0.4, 0.2, 0.1, 0.0), 1.0), "order 1.00"),
     ],

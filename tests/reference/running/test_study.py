@@ -348,7 +348,6 @@ def test_errors_that_grow_as_the_timestep_shrinks_have_a_negative_order():
 
 DEATHS = {
     "exits": ("os._exit(3)", "exit code 3"),
-    "leaves": ("sys.exit()", "exit code 0"),
     "raises": ("raise ZeroDivisionError('by the moon')", "ZeroDivisionError: by the moon"),
     "nan": (
         "recorder.sample(state)\nrecorder.sample([float('nan')] * len(state))",
