@@ -23,7 +23,7 @@ def test_all_twenty_seven_cases_are_there_in_the_order_of_their_numbers():
     assert {case.kind for case in CASES} == KINDS
 
 
-def test_each_case_says_what_it_is_where_it_is_from_and_how_near_is_near_enough():
+def test_each_published_case_states_its_source_and_its_tolerance():
     for case in CASES:
         assert case.title, case.name
         assert case.source, case.name

@@ -147,7 +147,7 @@ def energies_as_published(case: Published, name: str) -> None:
 
 
 @each_engine
-def test_the_step_that_answers_an_elastic_impact_makes_the_energy_that_two_engines_published(name, installed):
+def test_an_elastic_bounce_resolved_at_the_step_gains_the_published_energy(name, installed):
     installed(name)
     energies_as_published(coarse((1e-2,)), name)
 
@@ -159,7 +159,7 @@ def test_it_does_so_at_every_timestep_that_was_published(name, installed):
     energies_as_published(published("P1"), name)
 
 
-def test_a_multibody_as_bullet_sets_it_up_is_far_from_what_was_published_for_it(installed):
+def test_bullets_default_multibody_is_far_from_the_published_energy(installed):
     # Contacts form ahead of the touch, overlap comes back as speed, and every velocity is damped.
     engine, case = installed("pybullet"), published("P1")
     scenario = scenes.ball_over_floor(case, 4.9, 20.0, 1.0, 0.1, 10.0)
@@ -207,7 +207,7 @@ def by_steps(bounce: Bounce, weighed: float, duration: float) -> Trajectory:
 
 @pytest.mark.parametrize("weighed", [0.0, 1.0])
 @pytest.mark.parametrize("e", [0.5, 0.9])
-def test_what_a_step_may_do_to_a_bounce_is_a_bound_that_is_reached_and_never_passed(e, weighed):
+def test_a_step_changes_a_bounce_by_no_more_than_a_sharp_bound(e, weighed):
     """Over drops that meet the floor at all phases of a step, three flights each."""
     g, dt, most = 9.81, 1e-3, np.zeros((2, 3))
     method = Method(AT_STEP, weighed=weighed)
@@ -229,7 +229,7 @@ def test_what_a_step_may_do_to_a_bounce_is_a_bound_that_is_reached_and_never_pas
     assert np.all(most > 0.7)  # extremes of later impacts do not all fall together
 
 
-def test_without_gravity_a_contact_lets_go_with_the_restitution_and_the_depth_of_theory():
+def test_a_contact_without_gravity_ends_with_the_theoretical_restitution():
     for ratio in (0.02, 0.3, 0.8):
         _, gap, speed = springs._let_go(2.5, 4e4, ratio, 0.0)
         assert speed == pytest.approx(2.5 * truth.spring_dashpot_restitution(ratio), rel=1e-12)

@@ -36,7 +36,7 @@ def meets_within(towards, reach, u, horizon):
 
 @pytest.mark.statement(1, oracle="the definition: discs meet within the horizon just inside the border, not outside")
 @given(VECTOR, VECTOR, VECTOR, RADIUS, RADIUS, st.floats(0.5, 8))
-def test_half_of_the_change_is_half_the_way_to_the_nearest_velocity_without_a_collision(va, vb, towards, ra, rb, tau):
+def test_the_half_plane_lies_half_way_to_the_nearest_safe_velocity(va, vb, towards, ra, rb, tau):
     reach, distance = ra + rb, np.linalg.norm(towards)
     assume(distance > 1.01 * reach)
     point, normal = orca_half_plane((0, 0), va, ra, towards, vb, rb, tau, 0.1)
@@ -126,7 +126,7 @@ def test_head_on_each_turns_to_its_right_by_the_angle_of_the_cone():
     assert point == pytest.approx(np.array([1.0, 0.0]) + 0.6 * normal, abs=1e-15)
 
 
-def test_a_relative_velocity_too_slow_to_meet_in_time_is_judged_by_the_round_end_of_the_cone():
+def test_a_velocity_too_slow_to_meet_in_time_is_judged_by_the_round_end():
     # u = (1/2, 0): they would meet after 8 s, beyond the horizon of 4 s. Centre of the disc 5/4, its radius 1/4.
     point, normal = orca_half_plane((0, 0), (0.5, 0), 0.5, (5, 0), (0, 0), 0.5, 4.0, 0.1)
     assert normal == pytest.approx([-1.0, 0.0], abs=1e-15)
@@ -166,7 +166,7 @@ def test_discs_at_one_place_get_an_answer_and_leave_it_on_either_side():
     assert position.tolist() == [[2.5, 3.0], [1.5, 3.0]]
 
 
-def test_discs_that_overlap_with_the_velocity_that_parts_them_in_a_step_point_away_from_each_other():
+def test_overlapping_discs_about_to_coincide_are_sent_apart():
     # u = x/dt: the centre of B would be reached in one step, the centre of the disc of velocities
     point, normal = orca_half_plane((0, 0), (8, 0), 0.5, (0.8, 0), (0, 0), 0.5, 5.0, 0.1)
     assert normal.tolist() == [-1.0, 0.0]
@@ -270,7 +270,7 @@ def test_the_permitted_velocity_is_the_one_that_slsqp_finds():
 
 @pytest.mark.statement(1, oracle="scipy's linear programme, with the speed limit as a polygon around the disc")
 @pytest.mark.parametrize("scenes", [20, pytest.param(60, marks=pytest.mark.slow)])
-def test_where_nothing_is_permitted_the_worst_violation_is_the_least_possible(scenes):
+def test_the_worst_violation_is_least_where_no_velocity_is_permitted(scenes):
     linprog = oracle("scipy.optimize").linprog
     rng = np.random.default_rng(RNG_SEED)
     corner = np.linspace(0, 2 * np.pi, 2000, endpoint=False)
@@ -332,7 +332,7 @@ def test_a_half_plane_that_is_kept_already_changes_nothing():
     assert permitted_velocity((0.0, 1.0), 2.0, [(0.0, 0.0)], [(1.0, 0.0)]).tolist() == [0.0, 1.0]
 
 
-def test_a_wish_behind_one_border_is_brought_to_its_foot_and_behind_two_to_the_corner():
+def test_a_forbidden_velocity_moves_to_the_nearest_border_or_corner():
     down, left = (0.0, -1.0), (-1.0, 0.0)
     assert permitted_velocity((0.5, 1.0), 5.0, [(0.0, 0.25)], [down]).tolist() == [0.5, 0.25]
     assert permitted_velocity((2.0, 1.0), 5.0, [(0.0, 0.25), (0.5, 0.0)], [down, left]).tolist() == [0.5, 0.25]
@@ -344,7 +344,7 @@ def test_between_two_opposite_borders_that_leave_no_room_the_middle_is_taken():
     assert found[0] == pytest.approx(0.25, abs=1e-15)
 
 
-def test_a_border_beyond_the_speed_limit_is_approached_as_far_as_the_limit_lets():
+def test_a_border_beyond_the_speed_limit_is_approached_at_the_speed_limit():
     assert permitted_velocity((0.0, 1.0), 1.0, [(3.0, 0.0)], [(1.0, 0.0)]) == pytest.approx([1.0, 0.0], abs=1e-15)
 
 
@@ -376,7 +376,7 @@ def test_of_parallel_half_planes_that_cannot_be_kept_the_farthest_counts():
 
 
 @given(st.integers(0, 500), ANGLE)
-def test_the_permitted_velocity_turns_with_the_scene_whatever_the_order_of_the_half_planes(seed, angle):
+def test_the_permitted_velocity_turns_with_the_scene(seed, angle):
     rng = np.random.default_rng(seed)
     point, normal = scene(rng, 6, 0.5)
     wish = rng.normal(size=2)
@@ -442,7 +442,7 @@ def test_a_crowd_that_crosses_a_circle_arrives_without_a_collision(count):
     assert np.linalg.norm(path[-1] + start, axis=1).max() < 0.2
 
 
-def test_without_a_turn_a_perfectly_symmetric_ring_jams_at_its_centre_but_does_not_collide():
+def test_a_symmetric_ring_without_a_turn_jams_at_its_centre():
     start = ring(3, 4.0)
     path = walk(start, -start, 20.0)
     assert least_gap(path) >= -1e-9
@@ -536,7 +536,7 @@ def test_a_crowd_step_leaves_what_enters_as_it_was_and_refuses_nonsense():
             crowd_step(*args)
 
 
-def test_many_wishes_speeds_or_borders_beside_one_of_the_others_are_each_answered_as_alone():
+def test_a_batch_of_wishes_speeds_or_borders_matches_single_results():
     wishes, speeds = np.array([(0.5, 1.0), (2.0, 0.0), (-1.0, -1.0)]), np.array([0.4, 1.0, 3.0])
     point, normal = [(0.0, 0.25), (0.5, 0.0)], [(0.0, -1.0), (-1.0, 0.0)]
     moved = np.array([(0.0, 0.0), (0.1, 0.2), (-0.3, 0.4)])[:, None] + point

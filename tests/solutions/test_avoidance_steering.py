@@ -94,7 +94,7 @@ def test_who_seeks_as_it_is_widely_copied_flees():
 # The force
 
 
-def test_the_force_brings_the_velocity_to_the_wanted_one_in_the_response_time():
+def test_the_force_reaches_the_desired_velocity_in_the_response_time():
     force = steering_force((1.0, 0.0), (3.0, -1.0), 2.0, 0.5, 100.0)
     assert force.tolist() == [8.0, -4.0]
     assert (np.array([1.0, 0.0]) + force / 2.0 * 0.5).tolist() == [3.0, -1.0]
@@ -132,7 +132,7 @@ def test_beyond_the_slowing_radius_arriving_is_seeking(position, target, speed, 
 
 @pytest.mark.statement(1, oracle="solve_ivp; the oscillator x″ + x′/τ + v_max x/(R τ) = 0 is critical at R = 4 v_max τ")
 @pytest.mark.parametrize("share", [1.0, 1.5, 4.0])
-def test_with_a_slowing_radius_of_four_response_lengths_it_stops_without_overshoot(share):
+def test_a_slowing_radius_of_four_response_lengths_prevents_overshoot(share):
     speed, tau = 2.0, 0.25
     radius = share * 4 * speed * tau
     path = flight(
@@ -157,7 +157,7 @@ def test_with_a_shorter_slowing_radius_it_overshoots():
 
 
 @pytest.mark.statement(1, oracle="solve_ivp; braking from v_max within R takes m v_max²/R")
-def test_a_force_too_weak_to_brake_makes_it_overshoot_and_enough_force_does_not():
+def test_a_force_too_weak_to_brake_makes_the_body_overshoot():
     speed, tau, radius, mass = 4.0, 0.05, 8.0, 3.0
 
     def farthest(force):

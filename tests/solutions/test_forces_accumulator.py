@@ -151,7 +151,7 @@ def test_what_is_conservative_keeps_its_mechanical_energy():
     assert mechanical == pytest.approx(np.full(1001, mechanical[0]), abs=1e-9)  # RK4: 1000 steps of (ω dt)⁵
 
 
-def test_gravity_between_bodies_fits_the_accumulator_and_shifts_no_centre_of_mass():
+def test_mutual_gravity_fits_the_accumulator_and_keeps_the_centre_of_mass():
     attraction = Force("attraction", "position", lambda p, v: mutual_gravity(MASS * 1e10, p))
     p, v = run(velocity_verlet, [attraction], 1e-3, 500, MASS * 1e10)
     centre, drift = (p * MASS[:, None]).sum(1), (v[0] * MASS[:, None]).sum(0)

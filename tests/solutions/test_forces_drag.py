@@ -51,7 +51,7 @@ def test_drag_is_six_pi_eta_r_v_against_the_motion_through_the_fluid():
 
 
 @given(VECTOR, VECTOR, POSITIVE, POSITIVE)
-def test_a_body_that_drifts_with_the_fluid_feels_no_drag_and_any_other_loses_energy_to_it(v, u, viscosity, factor):
+def test_a_body_feels_no_drag_only_when_it_drifts_with_the_fluid(v, u, viscosity, factor):
     assert not stokes_drag(u, u, viscosity, factor).any()
     assert stokes_drag(v, u, viscosity, factor) @ (v - u) <= 0
 
@@ -197,7 +197,7 @@ def test_the_motion_in_closed_form_is_what_the_forces_integrate_to(wind):
     assert v == pytest.approx(found.y[3:, -1], abs=1e-10)  # rtol over some dozens of steps
 
 
-def test_a_fall_from_rest_has_63_percent_of_its_speed_after_one_relaxation_time():
+def test_a_fall_reaches_63_percent_of_its_speed_in_one_relaxation_time():
     _, v = drag_motion(STILL, STILL, (0, 0, -2.0), 3.0, 3.0)
     assert v[2] == pytest.approx(-2 * (1 - math.exp(-1)), rel=1e-15, abs=0)
 
@@ -260,7 +260,7 @@ def test_a_fall_with_the_measured_drag_is_that_of_the_package_fluids(radius):
     assert ours[1] == pytest.approx(-theirs, rel=1e-9, abs=0)  # the package solves to 1e-10 or so
 
 
-def test_the_corrected_fall_is_stokes_for_a_creeping_one_and_keeps_its_direction():
+def test_the_corrected_fall_of_a_creeping_sphere_is_the_stokes_fall():
     arguments = ([1e-6, 1e-6, 1e-6], [2000.0, 1000.0, 0.0], 1000.0, 1e-2, DOWN)
     # 3/16 of a Reynolds number of 4e-8
     assert terminal_velocity_corrected(*arguments) == pytest.approx(terminal_velocity(*arguments), rel=1e-7, abs=0)
@@ -335,7 +335,7 @@ def test_a_needle_is_half_as_hard_to_move_lengthwise_as_broadside():
 
 
 @given(RATIO, POSITIVE, POSITIVE)
-def test_the_shape_factor_grows_in_proportion_to_the_size_and_with_either_axis(ratio, across, factor):
+def test_the_shape_factor_is_proportional_to_the_size_of_the_spheroid(ratio, across, factor):
     factors = spheroid_shape_factors(ratio * across, across)
     scaled = spheroid_shape_factors(ratio * across * factor, across * factor)
     assert scaled == pytest.approx(factor * factors, rel=1e-12, abs=0)  # (a − b)(a + b) near a sphere
@@ -364,7 +364,7 @@ def test_drag_along_and_across_the_axis_has_its_own_factor(v, u, axis, ratio):
 
 
 @given(VECTOR, AXIS)
-def test_a_spheroid_with_equal_axes_has_the_drag_of_a_sphere_whichever_way_it_points(v, axis):
+def test_a_spheroid_with_equal_axes_has_the_drag_of_a_sphere(v, axis):
     drag = spheroid_drag(v, STILL, 2.0, spheroid_shape_factors(0.5, 0.5), axis)
     assert drag == pytest.approx(stokes_drag(v, STILL, 2.0, sphere_shape_factor(0.5)), abs=1e-12)  # up to 600 N
 

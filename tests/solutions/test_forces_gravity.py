@@ -39,7 +39,7 @@ def test_the_earth_pulls_the_moon_with_the_force_of_the_text_books():
 
 
 @pytest.mark.statement(25, oracle="arithmetic on a 2-3-6-7 triangle")
-def test_the_pull_on_body_1_points_to_body_2_and_falls_with_the_square_of_the_distance():
+def test_gravity_pulls_body_1_to_body_2_and_falls_with_distance_squared():
     force = universal_gravity(3.0, 5.0, (1.0, 1.0, 1.0), (3.0, 4.0, 7.0))
     # Ten roundings
     assert force == pytest.approx(GRAVITATIONAL_CONSTANT * 15 / 49 * np.array([2, 3, 6]) / 7, rel=1e-15, abs=0)
@@ -68,7 +68,7 @@ def test_bodies_at_the_same_place_do_not_pull_each_other(softening):
     assert universal_gravity(1e12, 1e12, (1.0, 2.0, 3.0), (1.0, 2.0, 3.0), softening).tolist() == [0, 0, 0]
 
 
-def test_points_at_the_same_place_are_bound_without_limit_and_softened_ones_are_not():
+def test_softening_makes_the_energy_of_coincident_points_finite():
     assert universal_gravity_energy(2.0, 3.0, ORIGIN, ORIGIN) == -math.inf
     assert universal_gravity_energy(2.0, 3.0, ORIGIN, ORIGIN, 0.5) == -GRAVITATIONAL_CONSTANT * 12
     assert universal_gravity_energy(0.0, 3.0, ORIGIN, ORIGIN) == 0

@@ -36,7 +36,7 @@ POSITIVE = st.floats(0.1, 10)
 
 
 @pytest.mark.statement(27, oracle="arithmetic on a 2-3-6-7 triangle")
-def test_a_stretched_spring_pulls_its_end_back_and_a_compressed_one_pushes_it_out():
+def test_a_stretched_spring_pulls_its_end_back_and_a_short_one_pushes_it():
     far, near = (2.0, 3.0, 6.0), (1.0, 1.5, 3.0)
     assert spring_force(far, ORIGIN, 14.0, 5.0) == pytest.approx([-8, -12, -24], rel=1e-15, abs=0)  # 14 × 2 N
     assert spring_force(near, ORIGIN, 14.0, 5.0) == pytest.approx([6, 9, 18], rel=1e-15, abs=0)  # 14 × 1.5 N
@@ -243,7 +243,7 @@ def test_the_oscillator_never_gains_energy(x, v, stiffness, damping, mass, t):
     assert after <= before * (1 + 1e-9) + 1e-12  # rounding; with c = 1e6, that of β x by 1e-16 of 1e7
 
 
-def test_without_a_spring_the_mass_is_only_braked_and_without_a_damper_it_flies_free():
+def test_a_mass_without_a_damper_flies_free_when_it_has_no_spring():
     x, v = damped_oscillator(1.0, 2.0, 0.0, 4.0, 2.0, 3.0)  # τ = m/c = 0.5 s
     assert (x, v) == pytest.approx(
         (1 + 2 * 0.5 * (1 - math.exp(-6)), 2 * math.exp(-6)), abs=1e-15
@@ -338,7 +338,7 @@ def test_two_stretches_with_friction_are_one_long_one(x, v, stiffness, friction,
 
 
 @given(COMPONENT, COMPONENT, POSITIVE, st.floats(0, 5), POSITIVE, TIME)
-def test_friction_never_adds_energy_and_lets_nothing_rest_where_it_cannot_hold(x, v, stiffness, friction, mass, t):
+def test_friction_never_adds_energy_or_holds_more_than_it_can(x, v, stiffness, friction, mass, t):
     x1, v1 = friction_oscillator(x, v, stiffness, friction, mass, t)
     before, after = (stiffness * x * x + mass * v * v) / 2, (stiffness * x1 * x1 + mass * v1 * v1) / 2
     assert after <= before * (1 + 1e-12) + 1e-12

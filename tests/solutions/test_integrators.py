@@ -104,7 +104,7 @@ def test_one_step_by_hand(integrator, expected):
 
 @pytest.mark.statement(30, oracle="the fourth-order Taylor series of the matrix exponential")
 @given(st.floats(0.1, 3), st.floats(0, 3), st.floats(0.01, 1))
-def test_a_runge_kutta_step_of_a_linear_force_is_the_series_of_its_exponential(frequency, ratio, dt):
+def test_a_runge_kutta_step_of_a_linear_force_is_its_exponential_series(frequency, ratio, dt):
     matrix = dt * np.array([[0, 1], [-(frequency**2), -2 * ratio * frequency]])
     square = matrix @ matrix
     series = np.eye(2) + matrix + square / 2 + square @ matrix / 6 + square @ square / 24

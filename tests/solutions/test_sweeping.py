@@ -129,7 +129,7 @@ def test_balls_that_overlap_touch_graze_part_or_keep_their_distance():
     assert time.tolist() == [0, 0, 0, 3, INFINITE, INFINITE, INFINITE, 0]
 
 
-def test_a_touch_just_at_the_end_of_the_step_counts_and_one_after_it_does_not():
+def test_a_touch_counts_at_the_end_of_the_step_but_not_after_it():
     balls = ([0, 0, 0], [1, 0, 0], 1.0, [4, 0, 0], [0, 0, 0], 1.0)
     assert sweep_sphere_sphere(*balls, [2.0, np.nextafter(2, 0), 0.0]).tolist() == [2, INFINITE, INFINITE]
     assert sweep_sphere_plane([0, 0, 3], [0, 0, -1], 1.0, [0, 0, 1], 0, [2.0, 1.999]).tolist() == [2, INFINITE]
@@ -180,7 +180,7 @@ def test_a_ball_meets_a_plane_when_its_nearest_point_does(x, u, r, offset):
 
 
 @pytest.mark.statement(10, oracle="many looks and scipy's brentq")
-def test_a_ball_touches_a_triangle_on_its_face_an_edge_or_a_corner_when_the_distance_is_its_radius():
+def test_a_ball_touches_a_triangle_when_their_distance_is_its_radius():
     oracle("scipy")
     rng = np.random.default_rng(2)
     found = []
@@ -220,7 +220,7 @@ def test_the_grown_triangle_is_met_where_its_face_edges_and_corners_are(x, u, r,
 
 
 @pytest.mark.statement(10, oracle="the same shape as a ball or a capsule")
-def test_a_triangle_without_area_is_met_as_the_segment_or_the_point_that_it_is():
+def test_a_triangle_without_area_is_met_like_its_segment_or_point():
     rng = np.random.default_rng(3)
     x, a, b = rng.uniform(-1, 1, (3, 500, 3))
     x = 3 * x
@@ -288,7 +288,7 @@ def test_pymunk_finds_the_same_first_points_of_circles_boxes_and_capsules():
 
 
 @pytest.mark.statement(10, oracle="many looks and scipy's brentq")
-def test_a_ray_enters_a_capsule_where_the_distance_from_its_segment_is_the_radius():
+def test_a_ray_enters_a_capsule_one_radius_away_from_its_segment():
     oracle("scipy")
     rng = np.random.default_rng(5)
     for _ in range(40):
@@ -349,7 +349,7 @@ def test_turned_boxes_that_are_not_turned_overlap_as_boxes_along_the_axes(x, u, 
 
 @pytest.mark.statement(10, oracle="scipy's linear programs: have the two boxes a point in common?")
 @pytest.mark.parametrize("count", [15, pytest.param(40, marks=pytest.mark.slow)])
-def test_within_its_interval_two_turned_boxes_have_a_point_in_common_and_outside_none(count):
+def test_two_turned_boxes_share_a_point_only_within_their_interval(count):
     linprog = oracle("scipy.optimize").linprog
     random = oracle("scipy.spatial.transform").Rotation.random
     rotations = random(2 * count, 6).as_matrix().reshape(count, 2, 3, 3)
@@ -375,7 +375,7 @@ def test_within_its_interval_two_turned_boxes_have_a_point_in_common_and_outside
     assert count / 4 < hits < count
 
 
-def test_boxes_edge_to_edge_are_parted_by_the_cross_product_of_two_edges_alone():
+def test_boxes_edge_to_edge_are_separated_only_by_an_edge_cross_product():
     # Two cubes turned by 45°, about x and about y: edge along x of one over edge along y of the other.
     c = math.sqrt(0.5)
     about_x, about_y = np.array([[1, 0, 0], [0, c, -c], [0, c, c]]), np.array([[c, 0, c], [0, 1, 0], [-c, 0, c]])
@@ -385,7 +385,7 @@ def test_boxes_edge_to_edge_are_parted_by_the_cross_product_of_two_edges_alone()
 
 
 @pytest.mark.parametrize("angle", [1e-12, 1e-9, 1e-7, 0.9e-6, 1.1e-6, 1e-5])
-def test_a_hair_s_breadth_of_turning_changes_the_overlap_by_no_more_than_it_moves_a_corner(angle):
+def test_a_tiny_turn_changes_the_overlap_by_at_most_the_corner_motion(angle):
     rng = np.random.default_rng(14)
     x, u, axis = rng.uniform(-3, 3, (3, 300, 3))
     u = 0.3 * u - x

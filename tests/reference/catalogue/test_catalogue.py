@@ -129,7 +129,7 @@ def test_a_family_belongs_to_a_topic_and_to_statements_of_the_lecture(family):
 
 
 @each_family
-def test_a_family_says_what_it_is_what_is_expected_and_why_implementations_differ(family):
+def test_family_says_what_is_expected_and_why_results_differ(family):
     texts = (family.title, family.about, family.expected, *family.why)
     assert family.why
     for text in texts:
@@ -220,7 +220,7 @@ def test_every_tolerance_has_its_reason_and_is_above_zero(family):
 
 
 @each_family
-def test_every_known_deviation_has_its_reason_and_a_band_that_is_narrower_than_itself(family):
+def test_every_known_deviation_has_a_reason_and_a_narrow_band(family):
     for case, quantity, method, expectation in expectations(family.name):
         assert math.isfinite(expectation.shift)
         if expectation.shift:
@@ -252,7 +252,7 @@ def test_theory_is_one_number_whatever_the_method_and_the_timestep(family):
     assert not values
 
 
-def test_theory_has_no_figure_for_how_far_a_tipping_box_gets_and_for_impacts_that_come_together():
+def test_theory_has_no_figure_for_tipping_ways_and_joint_impacts():
     without = [
         (family.name, quantity.name, case.name)
         for family, case in CASES
@@ -268,7 +268,7 @@ def test_theory_has_no_figure_for_how_far_a_tipping_box_gets_and_for_impacts_tha
     assert set(without) == open_ | {("tipping-box", "way", case) for case in tipping}
 
 
-def test_a_quantity_without_a_figure_has_no_expected_value_for_whoever_needs_one():
+def test_quantity_without_a_figure_has_no_expected_value():
     family = catalogue()["tipping-box"]
     case, way = family.case("h=0.2,μ=0.7,θ=32°"), family.quantity("way")
     with pytest.raises(InvalidInput, match=r"way has no expected value in h=0\.2,μ=0\.7,θ=32°"):
@@ -293,7 +293,7 @@ def test_deviations_that_come_of_the_timestep_go_with_it(family):
 
 
 @pytest.mark.parametrize("case", catalogue()["dropped-ball"].cases[1:], ids=lambda case: case.name)
-def test_an_impact_that_turns_back_its_steps_own_gain_too_shifts_the_rebound_by_two_e_squared_more(case):
+def test_impact_that_reverses_its_steps_gain_shifts_the_rebound(case):
     expect, e = catalogue()["dropped-ball"].quantity("rebound").expect, case.parameters["restitution"]
     plain, weighed = (expect(case, Settings(1e-3), Method(AT_STEP, weighed=share)) for share in (0.0, 1.0))
     half_a_step = expect(catalogue()["dropped-ball"].case("e=0.5"), Settings(1e-3), Method(AT_STEP)).shift / -0.5
@@ -304,7 +304,7 @@ def test_an_impact_that_turns_back_its_steps_own_gain_too_shifts_the_rebound_by_
 
 
 @pytest.mark.parametrize("case", catalogue()["dropped-ball"].cases[1:], ids=lambda case: case.name)
-def test_what_a_soft_contact_keeps_back_lowers_the_rebound_as_its_square_does(case):
+def test_softness_lowers_the_rebound_as_its_square(case):
     expect, e, softness = catalogue()["dropped-ball"].quantity("rebound").expect, case.parameters["restitution"], 1e-5
     hard, soft = (expect(case, Settings(1e-3), Method(AT_STEP, softness=share)) for share in (0.0, softness))
     exact = (e - (1 + e) * softness) ** 2 - e**2
@@ -312,7 +312,7 @@ def test_what_a_soft_contact_keeps_back_lowers_the_rebound_as_its_square_does(ca
     assert (soft.value, soft.tolerance, soft.shift_tolerance) == (hard.value, hard.tolerance, hard.shift_tolerance)
 
 
-def test_between_two_walls_a_last_impact_that_is_taken_for_rest_leaves_no_speed():
+def test_last_impact_taken_for_rest_leaves_no_speed():
     family = catalogue()["two-walls"]
     case, speed = family.case("e=0.5"), family.quantity("speed_left")  # the fifth impact comes at 0.125 m/s
     rebounds, rests = (speed.expect(case, Settings(1e-3), Method(AT_STEP, rest_speed=at)) for at in (0.124, 0.126))

@@ -55,7 +55,7 @@ SHOWN = [(20, 4e-3), (20, 1e-3), *(pytest.param(*each, marks=pytest.mark.slow) f
 
 @pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
 @pytest.mark.parametrize(("speed", "timestep"), SHOWN)
-def test_with_a_coarse_timestep_an_engine_lets_pass_the_share_that_is_derived(name, speed, timestep, installed):
+def test_coarse_timestep_lets_the_derived_share_pass(name, speed, timestep, installed):
     engine, case = installed(name), FAMILY.case(f"v={speed}")
     settings = engine.settings(case.scenarios[0], "tuned").change(timestep=timestep)
     rows, _ = compare_case(FAMILY, case, engine, "tuned", settings)
@@ -66,9 +66,7 @@ def test_with_a_coarse_timestep_an_engine_lets_pass_the_share_that_is_derived(na
 
 
 @pytest.mark.parametrize(("profile", "timestep", "share"), [("tuned", 0.01, 0.0), ("stock", 0.01, 0.75)])
-def test_solving_for_the_instant_stops_every_ball_and_answering_at_the_step_those_that_a_step_catches(
-    profile, timestep, share
-):
+def test_solving_for_the_instant_stops_every_ball(profile, timestep, share):
     engine, case = load_engine("handwritten"), FAMILY.case("v=10")
     settings = engine.settings(case.scenarios[0], profile).change(timestep=timestep)
     rows, _ = compare_case(FAMILY, case, engine, profile, settings)

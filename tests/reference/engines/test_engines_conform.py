@@ -34,7 +34,7 @@ from reference.scene.settings import Settings
 
 
 @every_cell
-def test_a_trajectory_starts_at_time_zero_with_exactly_the_scenarios_own_state(cell, trajectory):
+def test_trajectory_starts_with_the_scenarios_own_state(cell, trajectory):
     bodies = SCENARIOS[cell.scenario].bodies
     assert trajectory.times[0] == 0
     assert np.array_equal(trajectory.positions[0], [body.position for body in bodies])
@@ -46,7 +46,7 @@ def test_a_trajectory_starts_at_time_zero_with_exactly_the_scenarios_own_state(c
 
 
 @every_cell
-def test_samples_come_every_so_many_steps_and_the_last_one_when_the_scenario_ends(cell, trajectory):
+def test_samples_come_at_intervals_and_at_the_scenarios_end(cell, trajectory):
     _, scenario, settings = setup(cell)
     interval = settings.timestep * settings.sample_every
     np.testing.assert_allclose(trajectory.times, interval * np.arange(len(trajectory.times)), rtol=1e-12)
@@ -68,7 +68,7 @@ def test_a_trajectory_says_what_it_came_from(cell, trajectory):
 
 
 @every_cell
-def test_the_same_run_gives_the_same_numbers_and_leaves_scenario_and_settings_alone(cell, trajectory):
+def test_same_run_gives_the_same_numbers_and_changes_no_input(cell, trajectory):
     engine, scenario, settings = setup(cell)
     before = pickle.dumps((scenario, settings))
     again = engine.run(scenario, settings)

@@ -110,7 +110,7 @@ def point_off(cell: Cell, trajectory: Trajectory, a: int, b: int, here: np.ndarr
 
 @pytest.mark.parametrize("name", REPORT_CONTACTS)
 @pytest.mark.parametrize("floor_first", [True, False])
-def test_the_point_of_a_contact_lies_midway_between_the_surfaces_whichever_body_is_a(name, floor_first, installed):
+def test_point_of_a_contact_lies_midway_between_the_surfaces(name, floor_first, installed):
     engine, depth = installed(name), 0.01
     ball = Body("ball", Sphere(0.1), 1.0, (0.3, -0.2, 0.1 - depth))
     bodies = (FLOOR, ball) if floor_first else (ball, FLOOR)

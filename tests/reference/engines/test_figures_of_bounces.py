@@ -104,7 +104,7 @@ def test_the_exact_root_has_no_error_whose_order_one_could_measure():
 
 
 @fast_and_slow("case", ("e=0", "e=0.8"), BOUNCES)
-def test_the_slides_t_answers_too_early_and_so_too_high_by_no_more_than_the_chord_allows(case):
+def test_slides_t_rebounds_too_high_by_at_most_the_chord(case):
     found = row("dropped-ball", "handwritten", "slide", case, "rebound", timestep=4e-3)
     if restitution(case) == 0:
         assert found.measured == 0
@@ -113,7 +113,7 @@ def test_the_slides_t_answers_too_early_and_so_too_high_by_no_more_than_the_chor
 
 
 @fast_and_slow("case", ("e=0.2",), BOUNCES[1:])
-def test_hand_written_code_that_answers_at_the_step_is_low_by_one_minus_e_times_half_a_step(case):
+def test_by_hand_at_the_step_is_low_by_one_minus_e_half_steps(case):
     e = restitution(case)
     found = row("dropped-ball", "handwritten", "stock", case, "rebound")
     assert found.error == pytest.approx(-(1 - e) * MEAN_SPEED * 1e-3 / 2, abs=near(1e-3))
@@ -133,7 +133,7 @@ def test_pybullet_rebounds_within_a_percent_of_e_squared(case, installed):
 
 
 @slow
-def test_at_half_a_millisecond_pybullet_is_within_three_percent_of_a_dull_rebound(installed):
+def test_at_half_a_millisecond_pybullet_is_within_three_percent(installed):
     installed("pybullet")
     found = row("dropped-ball", "pybullet", "tuned", "e=0.2", "rebound", timestep=5e-4)
     assert found.error == pytest.approx(0, abs=0.03 * 0.2**2)  # what is promised
@@ -152,7 +152,7 @@ def test_mujoco_rebounds_within_a_percent_of_e_squared(case, find, installed):
 
 @pytest.mark.parametrize("timestep", [1e-3, pytest.param(5e-4, marks=slow)])
 @fast_and_slow("case", ("e=0.2",), ("e=0.2", "e=0.5", "e=0.8", "e=0.95"))
-def test_a_single_pybullet_drop_scatters_by_e_times_one_minus_e_of_the_overlap(case, timestep, installed):
+def test_single_pybullet_drop_scatters_by_its_overlap(case, timestep, installed):
     installed("pybullet")
     e = restitution(case)
     changes = {} if timestep == 1e-3 else {"timestep": timestep}  # 1 ms is what the profile has
@@ -163,7 +163,7 @@ def test_a_single_pybullet_drop_scatters_by_e_times_one_minus_e_of_the_overlap(c
 
 @pytest.mark.parametrize("timestep", [2e-3, pytest.param(1e-3, marks=slow), pytest.param(5e-4, marks=slow)])
 @fast_and_slow("case", ("e=0.2",), BOUNCES[1:])
-def test_pybullet_without_overlap_recovery_is_low_by_one_minus_e_times_half_a_step(case, timestep, installed):
+def test_pybullet_without_overlap_recovery_is_low_as_derived(case, timestep, installed):
     installed("pybullet")
     e = restitution(case)
     found = row("dropped-ball", "pybullet", "tuned", case, "rebound", contact_erp=0.0, timestep=timestep)
@@ -174,7 +174,7 @@ def test_pybullet_without_overlap_recovery_is_low_by_one_minus_e_times_half_a_st
 
 @pytest.mark.parametrize("timestep", [1e-3, pytest.param(1e-4, marks=slow)])
 @fast_and_slow("case", ("e=0.8",), BOUNCES[1:])
-def test_mujoco_is_low_by_one_minus_e_times_half_a_step_but_for_what_its_spring_adds(case, timestep, installed):
+def test_mujoco_is_low_by_half_a_step_and_its_springs_share(case, timestep, installed):
     installed("mujoco")
     e = restitution(case)
     found = row("dropped-ball", "mujoco", "tuned", case, "rebound", timestep=timestep)

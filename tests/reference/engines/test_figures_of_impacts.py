@@ -84,7 +84,7 @@ def test_of_a_rod_on_a_peg_the_weight_is_left_out():
     assert found == pytest.approx(expected, abs=1e-14)
 
 
-def test_a_cradle_is_judged_by_its_ends_its_nearest_reading_momentum_and_energy():
+def test_cradle_is_judged_by_ends_reading_momentum_and_energy():
     def of(case, *velocities, family="cradle"):
         return ended(family, case, **{f"ball_{n}": (v, 0, 0, 0, 0, 0) for n, v in enumerate(velocities, 1)})
 
@@ -103,7 +103,7 @@ def test_a_cradle_is_judged_by_its_ends_its_nearest_reading_momentum_and_energy(
 # What is expected of a method
 
 
-def test_the_tolerance_of_a_striker_is_what_the_overlap_of_a_step_makes_of_the_line_of_centres():
+def test_tolerance_of_a_striker_follows_from_a_steps_overlap():
     family = catalogue()["two-balls"]
     case, way = family.case("e=1,m=1,b=0.5"), family.quantity("way")
     exact, at_step, spring = (
@@ -218,7 +218,7 @@ AT_ONCE, IN_TURN = (-0.6, 0.4, 0.4, 0.4, 0.4), (0.0, 0.0, 0.0, 0.0, 1.0)
 
 
 @engines
-def test_balls_that_touch_exactly_answer_all_at_once_and_a_micrometre_apart_one_after_another(name, installed):
+def test_touching_balls_answer_at_once_and_parted_ones_in_turn(name, installed):
     engine = installed(name)
     # PyBullet's solver goes on until nothing is left; MuJoCo's contacts give way by 1e-4 each, DART's by 2e-5.
     near = {"pybullet": 1e-9, "mujoco": 1e-3, "dart": 1e-4}[name]
@@ -231,13 +231,13 @@ def test_to_pybullet_a_gap_of_a_picometre_is_one(installed):
     np.testing.assert_allclose(out_of(installed("pybullet"), RADIUS, 1e-12), IN_TURN, atol=1e-3)
 
 
-def test_where_the_sums_of_radii_round_pybullet_takes_some_for_touching_and_some_not(installed):
+def test_rounding_decides_which_spheres_touch_in_pybullet(installed):
     mixed = out_of(installed("pybullet"), 0.1, 0.0)
     assert min(np.abs(mixed - AT_ONCE).max(), np.abs(mixed - IN_TURN).max()) > 0.1
     assert mixed @ mixed == pytest.approx(1.0, abs=2e-3)  # each of its impacts keeps energy
 
 
-def test_a_contact_that_lasts_goes_over_from_one_reading_to_the_other_as_the_gap_grows(installed):
+def test_lasting_contact_changes_its_reading_as_the_gap_grows(installed):
     engine = installed("mujoco")
     first = [out_of(engine, RADIUS, gap, "spring")[0] for gap in (0.0, 5e-4, 1e-3, 1e-2)]
     # To a few hundredths: a contact of sixteen steps, whose phase hangs on rounding.
@@ -247,7 +247,7 @@ def test_a_contact_that_lasts_goes_over_from_one_reading_to_the_other_as_the_gap
 @pytest.mark.parametrize(
     "parting", [0.1, pytest.param(0.3, marks=pytest.mark.slow), pytest.param(0.5, marks=pytest.mark.slow)]
 )
-def test_three_rules_that_sound_right_give_three_answers_and_one_of_them_makes_energy(parting, installed):
+def test_three_plausible_rules_disagree_and_one_makes_energy(parting, installed):
     before, case = np.array([1.0, 0.0, parting]), f"v={parting:g}"
     readings = {
         ("handwritten", "tuned"): truth.cradle_in_turn(before),

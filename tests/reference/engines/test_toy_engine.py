@@ -50,7 +50,7 @@ def test_the_toys_rows_stand_beside_those_of_the_hand_written_code(rows):
     assert failures([row for row in rows if row.engine == "handwritten"]) == []
 
 
-def test_the_toy_bounces_as_theory_says_a_method_does_that_answers_at_the_step(rows):
+def test_toy_engine_bounces_as_a_method_at_the_step(rows):
     (found,) = of(rows, "dropped-ball", quantity="rebound")
     overlap = math.sqrt(2 * 9.81) * TIMESTEP  # v dt
     # The mean over 101 even phases knows a sawtooth of height v dt to a 101st of it; then come terms of second order.

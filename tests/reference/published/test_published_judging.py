@@ -80,7 +80,7 @@ def test_the_numbers_of_a_figure_may_deviate_one_by_one():
     assert not passes(rows)
 
 
-def test_a_figure_that_is_not_asked_or_has_no_answer_says_so_and_has_no_number():
+def test_figure_without_an_answer_says_so_and_has_no_number():
     rows = judged(CASE, "mujoco", {"times": Answer(None, reason="it keeps no time")})
     assert [row.verdict for row in rows] == [Verdict.CANNOT_EXPRESS] * 3
     assert [row.note for row in rows] == ["it was not asked", "it keeps no time", "it keeps no time"]
@@ -136,7 +136,7 @@ def test_an_engine_that_is_not_installed_is_asked_nothing(monkeypatch):
     assert asked(PYBULLET, why_not="no fluid") == [(Verdict.CANNOT_EXPRESS, "no fluid")]
 
 
-def test_the_hand_written_side_answers_with_the_implementation_that_is_asked_for(tmp_path):
+def test_hand_written_side_uses_the_implementation_requested(tmp_path):
     file = tmp_path / "mine.py"
     case, mine = published("P5"), load_engine("handwritten", Implementation(str(file)))
     file.write_text(ALL)

@@ -225,7 +225,7 @@ def test_a_file_that_is_no_recording_is_refused_by_name(content, tmp_path):
         recall(JOBS[0], tmp_path)
 
 
-def test_a_fingerprint_changes_with_all_that_a_number_hangs_on_and_with_nothing_else():
+def test_fingerprint_changes_with_all_that_a_number_depends_on():
     engine, case = load_engine("handwritten"), catalogue()["incline"].case(CASE)
     scenario = case.scenarios[0]
     settings = engine.settings(scenario, "tuned")
@@ -244,7 +244,7 @@ def test_a_fingerprint_changes_with_all_that_a_number_hangs_on_and_with_nothing_
     assert fingerprint(replace(case, name="other"), settings) == prints[0]
 
 
-def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
+def test_missing_engine_answers_from_its_recording_uncached(folder, monkeypatch, tmp_path):
     def missing(*_):
         raise EngineNotInstalled("it is not here")
 
@@ -273,7 +273,7 @@ def cradle(tmp_path_factory):
     return folder, results
 
 
-def test_every_case_and_point_of_a_grid_comes_back_at_every_timestep_with_the_same_rows(cradle):
+def test_every_grid_case_comes_back_with_the_same_rows(cradle):
     folder, results = cradle
     for result in results:
         found = recall(result.job, folder)
@@ -297,7 +297,7 @@ def test_parameters_at_a_point_of_the_grid_find_it_and_between_two_nothing(cradl
     assert "with balls=4.0, gap=0.0002, timestep=0.002 nothing was recorded" in row.note
 
 
-def test_a_familys_own_case_is_found_at_a_timestep_of_the_grid_point_of_it_or_not_with_its_curve_and_poses(cradle):
+def test_recorded_case_is_found_at_its_grid_timestep(cradle):
     folder, _ = cradle
     rows = recall(Job("cradle", "handwritten", "tuned", changes=(("timestep", 2e-3),)), folder).rows
     assert {row.case for row in rows} == {"3 touching", "5, 1 mm apart", "5, 1 mm apart, two struck"}

@@ -71,7 +71,7 @@ def test_every_run_is_recorded_and_none_of_it_is_stale(job):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_every_point_of_every_grid_and_every_replay_is_recorded_and_none_is_stale(engine):
+def test_every_grid_point_and_replay_is_recorded_and_fresh(engine):
     stale = {family.name: why_stale(family, engine) for family in catalogue().values()}
     # An engine may be newer here than the one that was recorded.
     assert {name: why for name, why in stale.items() if why and not why.startswith(OTHER_VERSION)} == {}
@@ -136,7 +136,7 @@ def test_a_live_study_finds_the_recorded_errors_and_shares(family, engine, insta
 
 @pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_live_engine_says_of_published_cases_what_was_recorded_and_allows_as_much(engine, installed):
+def test_live_engine_answers_published_cases_as_recorded(engine, installed):
     installed(engine)
     for job in plan((), (engine,)):
         live, kept = published_now(job), recorded.recall(job)
@@ -166,7 +166,7 @@ def _point(job: Job, drawn: random.Random) -> Job:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_live_engine_measures_what_was_recorded_at_points_of_the_grids_and_goes_the_same_way(engine, installed):
+def test_live_engine_measures_what_was_recorded_on_the_grids(engine, installed):
     installed(engine)
     for job in points(engine, POINTS):
         live, recorded = run_job(job), recall(job)

@@ -140,7 +140,7 @@ def test_the_legend_names_every_line_in_the_order_of_the_tables(family, draw):
 
 @both
 @every_family
-def test_engines_differ_by_marker_and_profiles_by_dashes_so_that_nothing_hangs_on_colour_alone(family, draw):
+def test_engines_differ_by_marker_and_profiles_by_dashes(family, draw):
     found = section(family)
     entries = list(zip(found.lines, legend(drawn(family, draw)), strict=True))
     for one, left in entries:

@@ -95,7 +95,7 @@ def content(folder: Path) -> dict[str, bytes]:
 # What is written
 
 
-def test_a_report_is_a_page_with_rows_timings_provenance_and_figures_beside_it(report):
+def test_report_is_a_page_with_its_files_beside_it(report):
     assert {name.replace(os.sep, "/") for name in content(report)} == {
         "index.html",
         "rows.json",
@@ -219,7 +219,7 @@ GIVEN = '{"family": "f", "case": "c", "engine": "e", "profile": "p", "quantity":
         (GIVEN + ', "verdict": "pass", "measured": "much"}', "measured is 'much'"),
     ],
 )
-def test_a_file_that_holds_no_rows_is_refused_with_its_name_and_what_is_wrong(text, said, tmp_path):
+def test_file_without_rows_is_refused_by_its_name(text, said, tmp_path):
     path = tmp_path / "rows.json"
     is_row = '"verdict"' in text
     whole = f'{{"schema": "collisions-lab/rows", "version": 1, "rows": [{text}]}}' if is_row else text
@@ -276,7 +276,7 @@ write([run_job(job) for job in reversed(pickle.loads(Path(sys.argv[1]).read_byte
 """
 
 
-def test_another_process_writes_the_same_bytes_in_whatever_order_the_results_come(report, tmp_path):
+def test_another_process_writes_the_same_bytes_in_any_order(report, tmp_path):
     jobs, out = tmp_path / "jobs", tmp_path / "out"
     jobs.write_bytes(pickle.dumps(JOBS))
     out.mkdir()
@@ -342,7 +342,7 @@ def test_a_report_that_is_broken_off_leaves_no_new_folder_behind(tmp_path):
     assert os.listdir(tmp_path / "a") == []
 
 
-def test_the_page_is_replaced_last_so_that_it_never_speaks_of_files_that_are_not_there_yet(earlier, monkeypatch):
+def test_page_is_replaced_last(earlier, monkeypatch):
     moved, replace_one = [], os.replace
 
     def watched(source: Path, target: Path) -> None:
@@ -369,7 +369,7 @@ def test_a_second_report_replaces_the_first(report, results, tmp_path):
     assert content(out).items() >= timeless.items()
 
 
-def test_a_folder_that_is_a_file_or_below_one_or_has_an_impossible_name_is_refused(tmp_path):
+def test_folder_that_cannot_be_made_is_refused(tmp_path):
     occupied = tmp_path / "occupied"
     occupied.write_text("mine")
     for out in (occupied, occupied / "deeper", occupied / "still" / "deeper", tmp_path / ("long" * 100)):
@@ -379,7 +379,7 @@ def test_a_folder_that_is_a_file_or_below_one_or_has_an_impossible_name_is_refus
     assert os.listdir(tmp_path) == ["occupied"]
 
 
-def test_something_in_the_way_of_a_file_is_refused_and_nothing_is_left_behind(tmp_path):
+def test_something_in_the_way_of_a_file_is_refused_cleanly(tmp_path):
     out = tmp_path / "out"
     (out / "index.html").mkdir(parents=True)
     (out / "index.html" / "mine").write_text("mine")
@@ -427,7 +427,7 @@ SAID = {
 
 
 @pytest.mark.parametrize("title", SAID)
-def test_a_run_without_an_answer_is_one_row_of_a_report_that_is_finished_all_the_same(title, with_odd_ones, results):
+def test_run_without_an_answer_is_one_row_of_a_finished_report(title, with_odd_ones, results):
     out, found = with_odd_ones
     (result,) = (result for result in found if result.title == title)
     verdict, message = SAID[title]

@@ -29,7 +29,7 @@ def origin(*shares: Share, family: str = "ball-to-rest", case: str = "e=0.5", qu
     return found
 
 
-def test_every_move_with_an_effect_names_its_setting_and_the_errors_before_and_after():
+def test_every_move_with_an_effect_names_its_setting_and_errors():
     # The time of rest at e = 0.5 is 1.3546 s: -0.3 s are -22 % of it, -0.1 s are -7.4 %, -0.2 s are -15 %.
     first = origin(*STOCK, *TUNED).steps[0]
     assert (first.kind, first.moved) == ("defaults", "damping unset → 0")

@@ -79,7 +79,7 @@ def test_a_cell_shows_the_worst_mark_and_how_many_numbers_agree(tables, results)
     assert recorded.recordings == ["* made elsewhere"]
 
 
-def test_the_sentence_counts_the_cases_that_come_out_elsewhere_and_names_the_others(tables, results):
+def test_sentence_counts_the_cases_found_elsewhere(tables, results):
     assert tables.sentence.startswith("4 of 5 published cases come out as published")
     (exception,) = tables.exceptions
     assert exception.startswith("P11: hand-written: known deviation: a real contact yields sideways")
@@ -98,7 +98,7 @@ def test_the_terminal_fits_in_eighty_columns_and_has_a_line_a_case(tables):
     assert "4 of 5 published cases come out" in said
 
 
-def test_with_cases_every_number_is_printed_with_theirs_the_difference_and_what_is_accepted(tables):
+def test_with_cases_every_number_is_printed_beside_theirs(tables):
     said = printed(tables, with_cases=True)
     assert max(map(len, said.splitlines())) <= 80
     assert re.search(r"^impacts 1, s +0\.45152 +published", said, re.MULTILINE)
@@ -154,7 +154,7 @@ def test_the_page_is_whole_and_needs_nothing_beside_it(text):
     assert "\x00" not in text
 
 
-def test_the_report_and_the_page_lead_to_each_other_and_only_where_there_is_one(folder, text, tmp_path):
+def test_report_and_published_page_link_to_each_other(folder, text, tmp_path):
     assert 'href="published.html"' in (folder / "index.html").read_text(encoding="utf-8")
     assert 'href="index.html"' in text
     files.write([], tmp_path)

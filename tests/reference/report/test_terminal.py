@@ -147,7 +147,7 @@ def test_long_notes_are_broken_into_lines(with_cases):
 # What is said
 
 
-def test_the_overview_has_a_line_for_every_implementation_with_counts_and_worst_errors(real):
+def test_overview_has_counts_and_worst_errors_for_every_implementation(real):
     text = printed(real)
     for title in ("hand-written, tuned", "hand-written, slide", "hand-written, stock"):
         (line,) = (line for line in text.splitlines() if line.startswith(title))
@@ -157,7 +157,7 @@ def test_the_overview_has_a_line_for_every_implementation_with_counts_and_worst_
     assert text.rstrip().endswith("4 of 4 checks of tuned settings agree with theory, 0 fail.")
 
 
-def test_with_cases_every_quantity_has_a_table_with_what_each_implementation_measured(real):
+def test_with_cases_every_quantity_has_a_table(real):
     lines = printed(real, with_cases=True).splitlines()
     headings = [line.partition("  ")[0] for line in lines if line.rstrip().endswith("verdict")]
     assert headings == [quantity.title for quantity in catalogue()["ball-to-rest"].quantities]
@@ -240,7 +240,7 @@ def test_the_catalogue_fits_one_screen_of_marks():
         assert lines[place].startswith(name)
 
 
-def test_where_the_screen_is_too_narrow_the_tuned_settings_come_first_in_a_table_of_their_own():
+def test_narrow_screen_puts_tuned_settings_in_a_table_of_their_own():
     lines = of_catalogue(Verdict.PASS).splitlines()
     starts = [place for place, text in enumerate(lines) if text.startswith("at a glance")]
     tuned, others = (words(lines[start]).split()[3:] for start in starts)
@@ -272,7 +272,7 @@ def test_the_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
 # What waits for a rigid-body world
 
 
-def test_a_scenario_that_needs_a_world_shows_so_in_its_table_below_it_at_a_glance_and_in_the_last_line():
+def test_scenario_that_needs_a_world_shows_so_in_the_terminal():
     both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
     jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
     text = printed([run_job(job) for job in jobs])

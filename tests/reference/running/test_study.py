@@ -91,7 +91,7 @@ def planned(jobs: list[Job]) -> list[tuple[str, str, str]]:
     return [(job.family, job.engine, job.profile) for job in jobs]
 
 
-def test_without_profiles_named_every_engine_runs_all_that_it_has_tuned_first():
+def test_without_named_profiles_every_engine_runs_all_tuned_first():
     assert planned(plan([DROPPED], engine_names())) == [
         ("dropped-ball", "handwritten", "tuned"),
         ("dropped-ball", "handwritten", "slide"),
@@ -144,7 +144,7 @@ def test_families_may_come_from_a_generator():
         ({"cases": {"dropped-ball": ("e=0.7",)}}, "e=0.7", "e=0.5"),
     ],
 )
-def test_a_plan_with_a_name_that_there_is_not_is_refused_with_those_there_are(arguments, wrong, choice):
+def test_plan_with_an_unknown_name_is_refused_with_the_known_ones(arguments, wrong, choice):
     with pytest.raises(UnknownName) as refused:
         plan(**({"families": [DROPPED], "engines": ["handwritten"]} | arguments))
     assert refused.value.value == wrong
@@ -156,7 +156,7 @@ def test_a_profile_that_no_engine_of_the_plan_has_is_refused():
         plan([DROPPED], ["handwritten", "pybullet"], ["spring"])
 
 
-def test_a_plan_whose_timestep_is_longer_than_a_case_is_refused_before_anything_runs():
+def test_timestep_longer_than_a_case_is_refused_before_any_run():
     shortest, longest = DROPPED.cases[0], DROPPED.cases[-1]
     between = (shortest.scenarios[0].duration + longest.scenarios[0].duration) / 2
     for cases in ({"dropped-ball": (shortest.name,)}, {}):
@@ -178,7 +178,7 @@ def test_what_is_named_twice_is_planned_once():
     assert once[0].cases == ("e=1", "e=0.5")
 
 
-def test_an_empty_list_of_profiles_or_cases_means_all_and_of_engines_or_families_none():
+def test_empty_list_of_profiles_or_cases_means_all():
     everything = plan([DROPPED], ["handwritten"])
     assert plan([DROPPED], ["handwritten"], []) == everything
     assert plan([DROPPED], ["handwritten"], (), {}) == everything
@@ -232,7 +232,7 @@ def test_a_job_says_what_ran_and_how_long():
     assert {row.verdict for row in result.rows} == {Verdict.PASS}
 
 
-def test_a_job_of_the_plotted_case_brings_the_curve_and_any_other_where_it_is_asked_for(monkeypatch):
+def test_job_of_the_plotted_case_brings_the_curve(monkeypatch):
     curve, single = DROPPED.curve, [replace(case, scenarios=case.scenarios[:1]) for case in DROPPED.cases]
     monkeypatch.setitem(catalogue(), "dropped-ball", replace(DROPPED, cases=tuple(single)))
     other = Job("dropped-ball", "handwritten", "tuned", ("e=1",))
@@ -269,7 +269,7 @@ def test_a_timestep_that_gives_no_number_leaves_a_gap_in_the_convergence(tmp_pat
     assert found.timesteps == pytest.approx([0.02, 0.01, 0.005])
 
 
-def test_a_timestep_that_breaks_an_engine_or_gives_a_huge_number_leaves_a_gap_in_the_convergence(tmp_path):
+def test_timestep_that_breaks_an_engine_leaves_a_gap(tmp_path):
     broken = engine_file(tmp_path, "broken", "1 / (settings.timestep > 0.01)\n" + FALLING)
     found = run_job(Job("dropped-ball", broken, "tuned", ("e=0.5",), with_studies=True)).convergence
     assert found.timesteps == pytest.approx([0.04, 0.02])
@@ -358,7 +358,7 @@ if os.name == "posix":  # where a process can be killed by a signal
     DEATHS["killed"] = ("os.kill(os.getpid(), signal.SIGKILL)", "SIGKILL")
 
 
-def test_jobs_that_fail_give_one_row_each_that_says_how_and_the_others_finish(tmp_path):
+def test_failing_jobs_give_one_row_each_and_the_others_finish(tmp_path):
     odd = {
         Job("dropped-ball", engine_file(tmp_path, name, body), "tuned", ("e=0.5",)): note
         for name, (body, note) in DEATHS.items()
@@ -423,7 +423,7 @@ def test_jobs_that_nobody_waits_for_any_more_are_not_started():
     assert len(started) < 5
 
 
-def test_the_longest_jobs_are_started_first_whatever_the_order_in_which_they_are_named(tmp_path):
+def test_longest_jobs_are_started_first(tmp_path):
     short = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
     whole, fine = replace(short, cases=()), replace(short, changes=(("timestep", 1e-5),))
     broken = replace(short, engine=engine_file(tmp_path, "broken", "raise OSError"), profile="no such")
@@ -470,7 +470,7 @@ def test_whoever_leaves_early_waits_for_no_job_and_leaves_no_worker_behind(error
     assert not alive(pid)
 
 
-def test_a_worker_that_starts_while_the_others_are_being_stopped_is_stopped_too(tmp_path, monkeypatch):
+def test_worker_that_starts_during_a_stop_is_stopped_too(tmp_path, monkeypatch):
     job, begun = asleep(tmp_path)
     take, stop, stopping = isolate._take, isolate.stop_workers, threading.Event()
     run_one(GOOD, SCENARIOS)  # so that a worker is there already
@@ -572,7 +572,7 @@ def test_any_executor_will_do():
     assert list(run_all([GOOD], SCENARIOS, AtOnce(), ENOUGH)) == [run_job(GOOD)]
 
 
-def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_it(tmp_path):
+def test_missing_engine_gives_one_row_that_says_how_to_get_it(tmp_path):
     missing = Job("dropped-ball", engine_file(tmp_path, "missing", package="no_such_package"), "tuned")
     results = results_of([missing, GOOD])
     (row,) = results[missing].rows
@@ -590,9 +590,7 @@ def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_i
         ("dart", "dartpy"),
     ],
 )
-def test_an_engine_that_cannot_be_imported_answers_from_its_recording_or_says_how_to_get_it(
-    name, package, tmp_path, monkeypatch
-):
+def test_engine_that_cannot_be_imported_answers_from_its_recording(name, package, tmp_path, monkeypatch):
     (tmp_path / f"{package}.py").write_text("raise ImportError('a library of it is missing')\n")
     monkeypatch.syspath_prepend(tmp_path)  # workers get this path too
     stop_workers()  # those that are idle have the old one
@@ -617,7 +615,7 @@ EVERYTHING = "".join(f"from solutions.{topic} import *\n" for topic in ("detecti
 @pytest.mark.parametrize(
     "missing", ["del kinematic_response\n", "def kinematic_response(*arguments):\n    raise NotImplementedError\n"]
 )
-def test_a_function_that_is_not_written_yet_is_named_in_one_row_and_the_others_finish(missing, tmp_path):
+def test_unwritten_function_is_named_in_one_row(missing, tmp_path):
     path = tmp_path / "homework.py"
     path.write_text(EVERYTHING + missing)
     unfinished = Job("dropped-ball", "handwritten", "tuned", ("e=0.5",), str(path))
@@ -635,7 +633,7 @@ def test_a_finished_file_of_functions_answers_as_the_solutions_do(tmp_path):
     assert run_one(replace(GOOD, implementation=str(path)), SCENARIOS, ENOUGH).rows == run_job(GOOD).rows
 
 
-def test_hand_written_code_with_a_bug_fails_and_with_a_wrong_sign_is_found_out(tmp_path):
+def test_hand_written_code_with_a_bug_fails(tmp_path):
     broken, wrong = tmp_path / "broken.py", tmp_path / "wrong.py"
     broken.write_text(EVERYTHING + "def kinematic_response(v, n, e):\n    return v[1000000]\n")
     wrong.write_text(
