@@ -31,7 +31,7 @@ report: $(READY) ## compare the four implementations and write the report
 	$(BIN)/collisions report --out $(OUT)
 
 test: $(READY)   ## the tests, in a few minutes
-	$(PYTEST) --cpu-allowed=300 $(ARGS)
+	$(PYTEST) --cpu-allowed=300 --run-limit=1800 $(ARGS)
 
 lint: $(READY)   ## style and types
 	$(BIN)/ruff check .
@@ -44,7 +44,7 @@ docs: $(READY)   ## draw the figures of the statements and write their page
 	$(BIN)/python docs/symbol_table.py
 
 verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report
-	$(PYTEST) -m slow --timeout=1200 $(ARGS)
+	$(PYTEST) -m slow --timeout=1200 --run-limit=5400 $(ARGS)
 
 clean:           ## remove the environment and what was built
 	rm -rf $(VENV) $(OUT) .pytest_cache .mypy_cache .ruff_cache .hypothesis

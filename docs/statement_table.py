@@ -23,7 +23,7 @@ HEAD = """# The statements of the lecture
 
 Each statement of Rick Parent's *Collisions* (CIS 682): what the slide says, what is right, the function that puts it
 into code, the tests that fail when its formula is broken and what they are judged by, and a figure. Written by
-`python docs/statement_table.py` from `reference/lecture.py`, the marks in `tests/` and `docs/figures/`.
+`python docs/statement_table.py` from `reference/lecture/functions.py`, the marks in `tests/` and `docs/figures/`.
 
 """
 

@@ -1,6 +1,6 @@
 """The desk of a course notebook: `from labs import lab`.
 
-    lab.begin("detection")                    which engines answer, and what is at hand
+    lab.begin("detection")                    which engines are available, and which functions
     lab.predict("rest", "…?", answer=...)     a guess, kept for the run
     lab.check("signed_distance")              what was tried, what came, what physics expects
     lab.run("dropped-ball/e=0.5")             the same case with your functions and with engines
@@ -13,52 +13,25 @@ on. Every call takes the functions as they are in the cells that you have run.
 
 from __future__ import annotations
 
-import functools
-import inspect
 import logging
-import os
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import EllipsisType
-from typing import TYPE_CHECKING, ParamSpec, TypeVar
+from typing import TYPE_CHECKING
 
 from labs.desk.predictions import Prediction, predicted
-from labs.desk.progress import Progress
+from labs.desk.progress_line import Progress
+from labs.desk.refusals import errors_in_words
 from reference import lecture
-from reference.errors import CollisionsError, InvalidInput, UnknownName
+from reference.errors import InvalidInput, UnknownName
 
 if TYPE_CHECKING:
-    from labs.desk.case_runs import Asked, Wanted
-    from labs.desk.student_code import Hand
+    from labs.desk.case_runs import CaseRuns, Request
+    from labs.desk.student_code import StudentCode
     from labs.grading.calling.remote import Grader
 
-P = ParamSpec("P")
-R = TypeVar("R")
 logging.getLogger("reference").addHandler(logging.NullHandler())  # a table says what happened to a worker
-
-
-def _spoken(method: Callable[P, R]) -> Callable[P, R | None]:
-    """What the lab refuses or cannot do is a line of text, and no traceback through its own code."""
-
-    @functools.wraps(method)
-    def call(*arguments: P.args, **named: P.kwargs) -> R | None:
-        try:
-            inspect.signature(method).bind(*arguments, **named)
-        except TypeError as error:
-            print(f"lab.{method.__name__}: {error}; help(lab.{method.__name__}) says what it takes")
-            return None
-        try:
-            return method(*arguments, **named)
-        except CollisionsError as error:
-            if os.environ.get("NBGRADER_EXECUTION") == "autograde":
-                raise  # or the cell would get all its points
-            print(f"lab.{method.__name__}: {error}")
-        except KeyboardInterrupt:
-            print(f"lab.{method.__name__}: interrupted")
-        return None
-
-    return call
 
 
 class Lab:
@@ -69,28 +42,28 @@ class Lab:
         self._predictions: dict[str, Prediction] = {}
         self._grader: Grader | None = None
 
-    @_spoken
+    @errors_in_words
     def begin(self, topic: str) -> None:
-        """Say which lab this is, which engines answer here, and what earlier work is at hand."""
+        """Say which lab this is, which engines are available here, and which earlier functions were found."""
         from labs.desk import engine_status  # noqa: PLC0415
 
         self.topic = lecture.topic(topic).name
         print(f"{lecture.topic(topic).title} ({self.topic})")
         for line in engine_status.answering():
             print(line)
-        hand = self._hand([""])
-        for notebook in dict.fromkeys(notebook for _, notebook in hand.earlier):
-            print(f"Yours from {notebook}: {', '.join(name for name, at in hand.earlier if at == notebook)}")
-        for complaint in hand.complaints:
+        code = self._student_code([""])
+        for notebook in dict.fromkeys(notebook for _, notebook in code.earlier):
+            print(f"Yours from {notebook}: {', '.join(name for name, at in code.earlier if at == notebook)}")
+        for complaint in code.complaints:
             print(complaint)
-        if not hand.given:
+        if not code.package:
             print("Functions of other labs are not at hand: some runs will say what they need.")
 
-    @_spoken
+    @errors_in_words
     def check(self, *functions: str | Callable[..., object]) -> float | None:
         """Check functions by name, or all of this lab: what was tried, what came, and what physics expects.
 
-        Only for nbgrader it has a value, the points that count.
+        It returns a value for nbgrader only: the points that count.
         """
         from labs.desk import checks, student_code  # noqa: PLC0415 - loads the grader
 
@@ -104,15 +77,15 @@ class Lab:
         if unseen and (names or unseen == here):
             what = ", ".join(names and unseen) or "a function of this lab"
             print(f"No cell that defines {what} has been run since the kernel started (Run ▸ Run All Above).")
-        for name in [name for name in student_code.vanished(cells) if name in (names or here)]:
+        for name in [name for name in student_code.vanished_functions(cells) if name in (names or here)]:
             print(f"{name} is not there any more: deleted, or its cell ended in an error. The last one is checked.")
         with Progress("checking"):
-            found = checks.check(self._notebook(), self._begun(), names, self._tests())
-        print(found.said)
-        _say_of_printing(name for name in student_code.printing(cells) if name in (names or here))
+            found = checks.check(self._notebook_file(), self._begun(), names, self._started_grader())
+        print(found.report)
+        _warn_of_printing(name for name in student_code.functions_that_print(cells) if name in (names or here))
         return found.credit
 
-    @_spoken
+    @errors_in_words
     def predict(
         self,
         key: str,
@@ -121,11 +94,11 @@ class Lab:
         unit: str = "",
         choices: Sequence[str] = (),
     ) -> None:
-        """Keep what you expect, to be shown beside the result. It is not graded."""
+        """Keep what you expect and show it beside the result. It is not graded."""
         self._predictions[key] = predicted(key, question, answer, unit, choices)
         print(self._predictions[key])
 
-    @_spoken
+    @errors_in_words
     def run(
         self,
         scenario: str,
@@ -139,9 +112,10 @@ class Lab:
     ) -> None:
         """Run a case with your functions and with engines: replay, curve, and numbers beside theory.
 
-        predicted: the key of a prediction to show beside, or several. quantity: which numbers, all if none is named.
-        engines: such as ("mujoco",), none if empty. profile: of your side, such as "stock", which answers at the end of
-        a step. timestep: s, of all. Parameters of the scenario, such as restitution=0.3, instead of a case.
+        predicted: the key of a prediction to show beside the result, or several keys. quantity: which numbers; all if
+        none is named. engines: such as ("mujoco",); no engine runs if it is empty. profile: the method of your code,
+        such as "stock", which responds at the end of a step. timestep: s, for all. Give parameters of the scenario,
+        such as restitution=0.3, instead of a case.
         """
         from labs.desk import case_runs, display, student_code, tables  # noqa: PLC0415
         from reference.catalogue.scenarios import find  # noqa: PLC0415 - a check needs no catalogue
@@ -151,16 +125,14 @@ class Lab:
         for name in wanted:
             find(scenario)[0].quantity(name)
         options = ("predicted", "quantity", *case_runs.OPTIONS)
-        asked = self._ask(
-            case_runs.Wanted(scenario, case_runs.named(engines), profile, timestep, parameters, options=options)
-        )
-        _display(*display.pictures(asked), tables.tables(asked, wanted, predictions))
-        if asked.results[0].job.engine == case_runs.HANDWRITTEN:
-            _say_of_printing(
-                set(student_code.printing(student_code.executed_cells())) & set(asked.results[0].functions)
-            )
+        chosen = case_runs.chosen_engines(engines)
+        runs = self._run_case(case_runs.Request(scenario, chosen, profile, timestep, parameters, options=options))
+        _display(*display.pictures(runs), tables.tables(runs, wanted, predictions))
+        if runs.results[0].job.engine == case_runs.HANDWRITTEN:
+            printing = student_code.functions_that_print(student_code.executed_cells())
+            _warn_of_printing(set(printing) & set(runs.results[0].functions))
 
-    @_spoken
+    @errors_in_words
     def watch(
         self,
         scenario: str,
@@ -173,11 +145,12 @@ class Lab:
         """Show the replay of a run alone."""
         from labs.desk import case_runs, display, tables  # noqa: PLC0415
 
-        asked = self._ask(case_runs.Wanted(scenario, case_runs.named(engines), profile, timestep, parameters))
-        replay = display.replay(asked)
-        _display(replay if replay is not None else tables.tables(asked, ()))
+        chosen = case_runs.chosen_engines(engines)
+        runs = self._run_case(case_runs.Request(scenario, chosen, profile, timestep, parameters))
+        replay = display.replay(runs)
+        _display(replay if replay is not None else tables.tables(runs, ()))
 
-    @_spoken
+    @errors_in_words
     def sweep(
         self,
         scenario: str,
@@ -193,59 +166,60 @@ class Lab:
         from labs.desk import case_runs, sweeps  # noqa: PLC0415
 
         values, predictions = sweeps.values_of(scenario, parameter, values), self._guesses(predicted)
-        wanted = case_runs.Wanted(scenario, case_runs.named(engines), profile, recorded=True)
+        request = case_runs.Request(scenario, case_runs.chosen_engines(engines), profile, recorded=True)
         with Progress("running", len(values)) as progress:
-            asked: list[Asked] = []
+            cases: list[CaseRuns] = []
             for value in values:
                 if parameter == sweeps.TIMESTEP:
-                    each = replace(wanted, timestep=value)
-                else:  # it stands in place of a case
-                    each = replace(wanted, scenario=scenario.partition("/")[0], at={parameter: value})
-                asked.append(case_runs.ask(each, self._hand()))
-                progress.done(len(asked), len(values), f"{parameter} {value:g}")
+                    each = replace(request, timestep=value)
+                else:  # the parameter takes the place of a case
+                    each = replace(request, scenario=scenario.partition("/")[0], at={parameter: value})
+                cases.append(case_runs.run_case(each, self._student_code()))
+                progress.done(len(cases), len(values), f"{parameter} {value:g}")
         guesses = ", ".join(each.with_unit for each in predictions)
-        found = sweeps.Sweep(parameter, tuple(values), tuple(asked), quantity, guesses)
+        found = sweeps.Sweep(parameter, tuple(values), tuple(cases), quantity, guesses)
         _display(found.picture, found.table)
         sweeps.slide(found)
 
-    def _ask(self, wanted: Wanted) -> Asked:
+    def _run_case(self, request: Request) -> CaseRuns:
         from labs.desk import case_runs  # noqa: PLC0415 - loads the catalogue
 
         with Progress("running") as progress:
-            asked = case_runs.ask(wanted, self._hand(), progress.done)
-        if asked.snapped:
-            print(asked.snapped)
-        return asked
+            runs = case_runs.run_case(request, self._student_code(), progress.done)
+        if runs.snapped:
+            print(runs.snapped)
+        return runs
 
-    def _hand(self, cells: Sequence[str] | None = None) -> Hand:
+    def _student_code(self, cells: Sequence[str] | None = None) -> StudentCode:
         from labs.desk import student_code  # noqa: PLC0415
 
         beside = student_code.earlier_notebooks(self._begun(), Path.cwd())
-        return student_code.in_hand(self._begun(), self._notebook(cells), beside)
+        return student_code.collect(self._begun(), self._notebook_file(cells), beside)
 
-    def _notebook(self, cells: Sequence[str] | None = None) -> Path:
-        """The cells that were run, as a file."""
+    def _notebook_file(self, cells: Sequence[str] | None = None) -> Path:
+        """The cells that were run, or others, written to a file."""
         from labs.desk import student_code  # noqa: PLC0415
 
         found = list(student_code.executed_cells() if cells is None else cells)
-        return student_code.written_down([*found, "pass"])
+        return student_code.write_notebook([*found, "pass"])
 
     def _begun(self) -> str:
+        """The topic of the lab that was begun; refuses if none was."""
         if not self.topic:
             names = ", ".join(topic.name for topic in lecture.TOPICS)
             raise InvalidInput(f'which lab is this? Run the first cell, or lab.begin("…") with one of {names}')
         return self.topic
 
     def _guesses(self, keys: str | Sequence[str]) -> list[Prediction]:
-        """The predictions of those keys that are made; of others it is said that they are not."""
+        """The predictions with those keys; says which of them were not made yet."""
         keys = [keys] if isinstance(keys, str) else list(keys)
         made = {key: each for key, each in self._predictions.items() if each.answer is not None}
         for key in [key for key in keys if key and key not in made]:
             print(f"There is no prediction {key!r} yet: guess first, in a cell above; it is the point of the run.")
         return [made[key] for key in keys if key in made]
 
-    def _tests(self) -> Grader:
-        """What runs the tests; started once, since it takes longer than a check."""
+    def _started_grader(self) -> Grader:
+        """The grader that runs the tests. It is started once, since that takes longer than a check."""
         if self._grader is None:
             from labs.grading.calling.remote import Grader  # noqa: PLC0415
 
@@ -253,8 +227,8 @@ class Lab:
         return self._grader
 
 
-def _say_of_printing(names: Iterable[str]) -> None:
-    """Functions run in processes of their own: what they print is lost."""
+def _warn_of_printing(names: Iterable[str]) -> None:
+    """Say that functions run in processes of their own, so that what they print is lost."""
     if printing := sorted(names):
         print(f"What {', '.join(printing)} prints is not shown here: call it in a cell of your own to see it.")
 
@@ -266,4 +240,4 @@ def _display(*shown: object) -> None:
 
 
 lab = Lab()
-"""What a notebook imports."""
+"""The object that a notebook imports."""

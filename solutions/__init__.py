@@ -1,5 +1,5 @@
-"""The lecture by hand, one module per topic, in NumPy alone.
+"""The lecture by hand, one package per topic, in NumPy alone.
 
-Every function takes arrays with any leading axes and broadcasts over them: one contact or a million is the same code.
-Inputs are never modified.
+Every function takes arrays with any leading axes and broadcasts over them, so that one
+contact or a million is the same code. No function modifies its arguments.
 """

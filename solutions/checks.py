@@ -1,4 +1,7 @@
-"""Checks of what enters: each returns its argument as a float array, or names it with the value that is wrong."""
+"""Checks of arguments: each returns its argument as a float array or raises ValueError.
+
+The message of the error names the argument and the first value that is wrong.
+"""
 
 from __future__ import annotations
 
@@ -7,23 +10,30 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
+from solutions.arrays import Array
+
 UNIT_TOLERANCE = 1e-6
-"""How far the length of a unit vector may be from 1: single precision passes, a vector not normalised does not."""
+"""How far the length of a unit vector may be from 1.
+
+Unit vectors in single precision pass; a vector that nobody normalised does not.
+"""
 
 
 def positive(name: str, value: ArrayLike) -> Array:
-    """Return the value; refuse zero, negative numbers and NaN. Infinity passes: an immovable mass."""
+    """Return the value; refuse zero, negative numbers and NaN.
+
+    Infinity passes, because it is the mass of an immovable body.
+    """
     return _where(name, value, lambda array: array > 0, "positive")
 
 
 def not_negative(name: str, value: ArrayLike) -> Array:
-    """Return the value; refuse negative numbers and NaN."""
+    """Return the value; refuse negative numbers and NaN. Infinity passes."""
     return _where(name, value, lambda array: array >= 0, "zero or positive")
 
 
 def in_unit_interval(name: str, value: ArrayLike) -> Array:
-    """Return the value; refuse what is not from 0 to 1."""
+    """Return the value; refuse NaN and every number that is not from 0 to 1."""
     return _where(name, value, lambda array: (array >= 0) & (array <= 1), "from 0 to 1")
 
 
@@ -33,11 +43,16 @@ def finite(name: str, value: ArrayLike) -> Array:
 
 
 def vector(name: str, value: ArrayLike) -> Array:
-    """Return vectors (..., 3); refuse what has not three components along its last axis."""
+    """Return vectors (..., 3); refuse arrays whose last axis does not have length 3."""
     array = np.asarray(value, dtype=float)
     if array.shape[-1:] != (3,):
         raise ValueError(f"{name} must have shape (..., 3), not {array.shape}")
     return array
+
+
+def in_space(name: str, value: ArrayLike) -> Array:
+    """Return vectors (..., 3); refuse other shapes, infinity and NaN."""
+    return finite(name, vector(name, value))
 
 
 def matrix(name: str, value: ArrayLike) -> Array:
@@ -49,7 +64,7 @@ def matrix(name: str, value: ArrayLike) -> Array:
 
 
 def unit(name: str, vector: ArrayLike) -> Array:
-    """Return vectors (..., 3); refuse any whose length is not 1."""
+    """Return vectors (..., 3); refuse every vector whose length is not 1."""
     array = np.asarray(vector, dtype=float)
     length = np.linalg.norm(array, axis=-1)
     wrong = ~(np.abs(length - 1) <= UNIT_TOLERANCE)  # true for NaN

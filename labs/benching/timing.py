@@ -11,12 +11,12 @@ from pathlib import Path
 from types import ModuleType
 
 from labs.benching.programs import Environment, Run
+from labs.project_folders import BENCHES
 from reference.errors import UnknownName
 
 Prepare = Callable[[], Callable[[], object]]
 """Makes the input, untimed, and returns the call that is timed. Rivals are imported in it; one may be missing."""
 REPEATS = 7
-PLACE = Path(__file__).resolve().parents[2] / "tests" / "bench"
 
 
 @dataclass(frozen=True)
@@ -51,9 +51,9 @@ class Timing:
     memory: int | None = None
 
 
-def benches(place: Path | None = None) -> dict[str, Bench]:
+def benches(folder: Path | None = None) -> dict[str, Bench]:
     """All benches by name, from the files `bench_*.py` of a folder; by default the project's own."""
-    modules = [_load(path) for path in sorted((place or PLACE).glob("bench_*.py"))]
+    modules = [_load(path) for path in sorted((folder or BENCHES).glob("bench_*.py"))]
     return {bench.name: bench for module in modules for bench in module.BENCHES}
 
 

@@ -1,6 +1,9 @@
-"""The hand-written functions as pieces of source text: what one of them needs can be cut out and shown by itself.
+"""Excerpts of the hand-written functions as source text: one function and what it needs, shown by themselves.
 
 Solutions are read here, never imported: a notebook holds the text of what it gives, and of nothing else.
+
+A *module* here is one file of the solutions by its dotted name, such as `friction.resting` or `checks`. A *package* is
+a folder of modules, such as `friction`. A topic is one or the other.
 """
 
 from __future__ import annotations
@@ -12,19 +15,18 @@ from functools import cached_property
 from pathlib import Path
 
 from labs.grading.submission.slicing import Group, groups
+from labs.project_folders import ROOT
 from reference.errors import InvalidInput
 
 SOLUTIONS = "solutions"
-FOLDER = Path(__file__).resolve().parents[2] / SOLUTIONS
-CHECKS = "checks"
-"""The module of solutions that every topic may use."""
+FOLDER = ROOT / SOLUTIONS
 
 
 @dataclass(frozen=True)
-class Piece:
-    """A top-level statement of the solutions with the comment or text that belongs to it.
+class Excerpt:
+    """A top-level statement of the solutions with the comment above it and the description below it.
 
-    text: its source. defines: names that it binds. uses: names that it looks up. module: where it stands.
+    text: its source. defines: names that it binds. uses: names that it looks up. module: the module that it is in.
     """
 
     text: str
@@ -34,152 +36,171 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Pieces:
-    """All of one topic with what it imports of other solutions, what is needed first in front."""
+class TopicExcerpts:
+    """All excerpts of a topic, and before them those of the modules that it imports from.
 
-    every: tuple[Piece, ...]
+    Two modules may hold a statement of the same text, such as the definition of `Array`. It is taken once, from the
+    first of them.
+    """
+
+    every: tuple[Excerpt, ...]
 
     @classmethod
-    def of(cls, topic: str) -> Pieces:
+    def of(cls, topic: str) -> TopicExcerpts:
         """Read a topic; raises `InvalidInput` if there are no solutions of it."""
-        order: list[str] = []
-        _visit(topic, order)
-        return cls(tuple(piece for module in order for piece in _read(module)))
+        modules: list[str] = []
+        _add_with_imports(topic, modules)
+        return cls(tuple(excerpt for module in modules for excerpt in _read(module)))
 
-    @cached_property
-    def _places(self) -> dict[str, list[int]]:
-        found: dict[str, list[int]] = {}
-        for place, piece in enumerate(self.every):
-            for name in piece.defines:
-                found.setdefault(name, []).append(place)
-        return found
+    def defining(self, name: str) -> Excerpt:
+        """The excerpt that defines a function of the topic."""
+        return self.every[self._definition(name)]
 
-    def needed(self, names: Collection[str], had: Collection[Piece] = ()) -> list[Piece]:
-        """The pieces that define the names and what these need in turn, in order, without those that are had already.
+    def needed(self, names: Collection[str], had: Collection[Excerpt] = ()) -> list[Excerpt]:
+        """The excerpts that define the names and all that these need in turn, in order, without those had already.
 
         Raises
         ------
         InvalidInput
-            If there is no such name, or two modules give different things one name that is needed of both.
+            If no solution defines such a name, or two modules define a needed name in different ways.
         """
         for name in names:
-            if name not in self._places:
-                raise InvalidInput(f"the solutions define no {name!r}; they define {', '.join(sorted(self._places))}")
-        waiting, found = [self._place(name, "") for name in names], set[int]()
+            if name not in self._definitions:
+                known = ", ".join(sorted(self._definitions))
+                raise InvalidInput(f"the solutions define no {name!r}; they define {known}")
+        waiting, found = [self._definition(name) for name in names], set[int]()
         while waiting:
-            place = waiting.pop()
-            if place not in found:
-                found.add(place)
-                piece = self.every[place]
-                waiting += [self._place(name, piece.module) for name in piece.uses if name in self._places]
-        chosen = [self.every[place] for place in sorted(found)]
-        self._refuse_two_of_a_name([*had, *chosen])
-        known = {piece.text for piece in had}
-        return [piece for piece in chosen if piece.text not in known]
+            number = waiting.pop()
+            if number not in found:
+                found.add(number)
+                user = self.every[number]
+                waiting += [self._definition(name, user.module) for name in user.uses if name in self._definitions]
+        chosen = [self.every[number] for number in sorted(found)]
+        _refuse_two_of_a_name([*had, *chosen])
+        known_texts = {excerpt.text for excerpt in had}
+        return [excerpt for excerpt in chosen if excerpt.text not in known_texts]
 
-    def _place(self, name: str, module: str) -> int:
-        """Where a name that a module looks up is defined: in the module itself if it does."""
-        places = self._places[name]
-        found = next((place for place in places if self.every[place].module == module), places[-1])
-        return next(place for place in places if self.every[place].text == self.every[found].text)  # the first like it
+    @cached_property
+    def _definitions(self) -> dict[str, list[int]]:
+        """Name → the numbers of the excerpts that define it, in order."""
+        found: dict[str, list[int]] = {}
+        for number, excerpt in enumerate(self.every):
+            for name in excerpt.defines:
+                found.setdefault(name, []).append(number)
+        return found
 
-    def _refuse_two_of_a_name(self, pieces: Collection[Piece]) -> None:
-        texts: dict[str, str] = {}
-        for piece in pieces:
-            for name in piece.defines:
-                if texts.setdefault(name, piece.text) != piece.text:
-                    raise InvalidInput(f"the solutions define {name} more than once: these cannot stand side by side")
+    def _definition(self, name: str, user: str | None = None) -> int:
+        """The number of the excerpt that a name means in the module that uses it; without one, in the topic itself.
+
+        A module means its own definition if it has one. Any other name was imported, and the last definition counts,
+        because modules come in the order in which they import each other.
+        """
+        numbers = self._definitions[name]
+        own = [number for number in numbers if self.every[number].module == user]
+        text = self.every[own[0] if own else numbers[-1]].text
+        return next(number for number in numbers if self.every[number].text == text)
 
 
-def text_of(pieces: Collection[Piece]) -> str:
-    """Pieces as one source: two empty lines around what is defined, none between short statements."""
-    lines, before = "", False
-    for piece in pieces:
-        block = piece.text.startswith(("def ", "class ", "@"))
-        lines += ("\n\n\n" if block or before else "\n") * bool(lines) + piece.text
-        before = block
+def _refuse_two_of_a_name(excerpts: Collection[Excerpt]) -> None:
+    texts: dict[str, str] = {}
+    for excerpt in excerpts:
+        for name in excerpt.defines:
+            if texts.setdefault(name, excerpt.text) != excerpt.text:
+                raise InvalidInput(
+                    f"the solutions define {name} more than once, and one notebook cannot hold both definitions"
+                )
+
+
+def text_of(excerpts: Collection[Excerpt]) -> str:
+    """Excerpts as one source: two empty lines around functions and classes, none between short statements."""
+    lines, after_block = "", False
+    for excerpt in excerpts:
+        is_block = excerpt.text.startswith(("def ", "class ", "@"))
+        lines += ("\n\n\n" if is_block or after_block else "\n") * bool(lines) + excerpt.text
+        after_block = is_block
     return lines
 
 
-def imports_of(pieces: Collection[Piece]) -> str:
-    """What these pieces import of others than solutions, each line once."""
-    wanted = {name for piece in pieces for name in piece.uses}
-    found: dict[str, None] = {}
-    for module in sorted({piece.module for piece in pieces}):
-        for line, bound in _imports(module):
-            if bound & wanted:
-                found[line] = None
-    return "\n".join(sorted(found, key=lambda line: (line.startswith("from numpy") or "numpy" in line, line)))
+def imports_of(excerpts: Collection[Excerpt]) -> str:
+    """The imports that these excerpts need of other packages than solutions: one line for each module."""
+    wanted = {name for excerpt in excerpts for name in excerpt.uses}
+    lines: set[str] = set()
+    taken: dict[str, set[str]] = {}
+    for node in (node for module in {excerpt.module for excerpt in excerpts} for node in _imports(module)):
+        names = {ast.unparse(each) for each in node.names if (each.asname or each.name.partition(".")[0]) in wanted}
+        if isinstance(node, ast.ImportFrom):
+            taken.setdefault(node.module or "", set()).update(names)
+        else:
+            lines |= {f"import {name}" for name in names}
+    lines |= {f"from {module} import {', '.join(sorted(names))}" for module, names in taken.items() if names}
+    return "\n".join(sorted(lines, key=lambda line: ("numpy" in line, line)))
 
 
-def _visit(module: str, order: list[str]) -> None:
-    """Add a module behind those that it imports."""
-    for path in _files(module):
+def _add_with_imports(target: str, modules: list[str]) -> None:
+    """Add a module, or all modules of a package, behind everything that they import from other packages."""
+    paths = {_name(path): path for path in _paths(target)}
+    for path in paths.values():
         for other in _imported(path):
-            if other not in order and other != module and not other.startswith(f"{module}."):
-                _visit(other, order)
-    for path in _ordered(module):
-        name = _name(path)
-        if name not in order:
-            order.append(name)
-
-
-def _ordered(module: str) -> list[Path]:
-    """The files of a module, those that others of it import in front."""
-    files = {_name(path): path for path in _files(module)}
-    order: list[str] = []
+            if other not in modules and other != target and other not in paths:
+                _add_with_imports(other, modules)
 
     def add(name: str) -> None:
-        if name in files and name not in order:
-            for other in _imported(files[name]):
+        """Add one module of the package behind those of the package that it imports."""
+        if name in paths and name not in modules:
+            for other in _imported(paths[name]):
                 if other != name:
                     add(other)
-            order.append(name)
+            modules.append(name)
 
-    for name in files:
+    for name in paths:
         add(name)
-    return [files[name] for name in dict.fromkeys(order)]
 
 
-def _files(module: str) -> list[Path]:
-    path = FOLDER.joinpath(*module.split("."))
+def _paths(target: str) -> list[Path]:
+    """The files of a package, or the one file of a module."""
+    path = FOLDER.joinpath(*target.split("."))
     if path.is_dir():
         return [file for file in sorted(path.glob("*.py")) if file.stem != "__init__"]
-    if not path.with_suffix(".py").is_file():
+    return [_path(target)]
+
+
+def _path(module: str) -> Path:
+    path = FOLDER.joinpath(*module.split(".")).with_suffix(".py")
+    if not path.is_file():
         raise InvalidInput(f"there are no solutions of {module!r}")
-    return [path.with_suffix(".py")]
+    return path
 
 
 def _name(path: Path) -> str:
+    """The dotted name of a module."""
     return ".".join(path.relative_to(FOLDER).with_suffix("").parts)
 
 
 def _imported(path: Path) -> list[str]:
-    """The modules of the solutions that a file imports from."""
+    """The modules and packages of the solutions that a file imports from."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     found = [node.module or "" for node in tree.body if isinstance(node, ast.ImportFrom)]
     return [name.removeprefix(f"{SOLUTIONS}.") for name in found if name.startswith(f"{SOLUTIONS}.")]
 
 
-def _read(module: str) -> Iterator[Piece]:
-    """The pieces of a module, without its docstring and its imports."""
-    source = _files(module)[0].read_text(encoding="utf-8")
+def _read(module: str) -> Iterator[Excerpt]:
+    """The excerpts of a module, without its docstring and its imports."""
+    source = _path(module).read_text(encoding="utf-8")
     lines = source.split("\n")
     found: list[list[Group]] = []
     for group in groups(source):
         if _is_import(group):
             continue
-        if _is_text(group):
-            if found:
-                found[-1].append(group)  # the description of the value above it
-            continue
-        found.append([group])
+        if not _is_text(group):
+            found.append([group])
+        elif found:  # a text is the description of the value above it; the first one is the module's docstring
+            found[-1].append(group)
     for several in found:
         first, last = several[0].first, several[-1].last
         while first > 1 and lines[first - 2].startswith("#"):
             first -= 1
         text = "\n".join(lines[first - 1 : last])
-        yield Piece(text, several[0].defines, several[0].uses | _annotations(several[0].statements), module)
+        yield Excerpt(text, several[0].defines, several[0].uses | _annotations(several[0].statements), module)
 
 
 def _annotations(statements: Iterable[ast.stmt]) -> frozenset[str]:
@@ -194,13 +215,12 @@ def _annotations(statements: Iterable[ast.stmt]) -> frozenset[str]:
     return frozenset(node.id for node in nodes if isinstance(node, ast.Name))
 
 
-def _imports(module: str) -> Iterator[tuple[str, frozenset[str]]]:
-    """The lines by which a module imports what is not of the solutions, each with the names that it binds."""
-    source = _files(module)[0].read_text(encoding="utf-8")
-    for group in groups(source):
-        text = ast.unparse(ast.Module(list(group.statements), []))
-        if _is_import(group) and SOLUTIONS not in text and "__future__" not in text:
-            yield text, group.defines
+def _imports(module: str) -> Iterator[ast.Import | ast.ImportFrom]:
+    """The statements by which a module imports from packages other than the solutions."""
+    for node in ast.parse(_path(module).read_text(encoding="utf-8")).body:
+        text = ast.unparse(node)
+        if isinstance(node, ast.Import | ast.ImportFrom) and SOLUTIONS not in text and "__future__" not in text:
+            yield node
 
 
 def _is_import(group: Group) -> bool:

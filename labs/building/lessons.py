@@ -1,50 +1,56 @@
-"""A lesson: the text of one lab in Markdown (jupytext), with places for what is made of the solutions.
+"""A lesson: the text of one lab in Markdown (jupytext), with places for what is made from the solutions.
 
-A cell's metadata says what it becomes. Code: `lab="setup"`, the first cell, which finds the lab, with `lends="f g"` for
-functions of later labs that its runs need; `given="finite Body"`, code to use; `write="signed_distance"`, functions to
-write, each in a cell with a check; `broken="key"`, code that a student mends, with `model="key"` for how. Text:
-`answer="key" points=3`, a question; `model="key"`, what a good answer says and how it is marked; `instructor=true`, for
-the instructor alone. Everything else stands as it is in both notebooks, but that `guess="0.25 | 'up'"` of a code cell
-takes the place of the dots of its predictions, one after the other, in the solved one.
+A cell's metadata says what it becomes.
+
+Code: `lab="setup"` is the first cell, which finds the lab; its `lends="f g"` names functions of later labs that its
+runs need. `given="finite Body"` is code to use. `write="signed_distance"` names functions to write, each in a cell with
+a check. `broken="key"` is code that a student mends; the cell with `model="key"` shows how.
+
+Text: `answer="key" points=3` is a question; the cell with `model="key"` has what a good answer says and how it is
+marked. `instructor=true` is for the instructor only.
+
+Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions are
+replaced by its guesses in turn: `guess="0.25 | 'up'"`.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from pathlib import Path
 
+from labs.project_folders import LESSONS
 from reference import lecture
 from reference.errors import InvalidInput
 
-FOLDER = Path(__file__).resolve().parents[1] / "lessons"
 OPEN = "answer=..."
 """Where a student puts a prediction."""
-_KINDS = ("lab", "given", "write", "broken", "answer", "model", "instructor")
+_NAMING, _KEYED = ("given", "write"), ("broken", "answer", "model")
+"""Kinds of cells whose metadata names functions, and kinds whose metadata is a key."""
+_KINDS = ("lab", *_NAMING, *_KEYED, "instructor")
 
 
 @dataclass(frozen=True)
 class Cell:
-    """A cell of a lesson. kind: one of those above, empty for one that stands as it is. value: what it says of it."""
+    """A cell of a lesson.
+
+    kind: one of those above, empty for a cell that is the same in both notebooks. names: the functions that it gives,
+    or has the student write. key: joins a question or a broken cell with its model. points: of a question. lends: the
+    functions of later labs that its runs need. guesses: good guesses for its predictions.
+    """
 
     code: bool
     text: str
     kind: str = ""
-    value: str = ""
+    names: tuple[str, ...] = ()
+    key: str = ""
     points: int = 0
-    lends: str = ""
-    guess: str = ""
+    lends: tuple[str, ...] = ()
+    guesses: tuple[str, ...] = ()
 
     @property
     def guessed(self) -> str:
         """Its text with a good guess in place of the dots of each prediction."""
         first, *others = self.text.split(OPEN)
-        guesses = [each.strip() for each in self.guess.split("|")] if others else []
-        return first + "".join(f"answer={guess}{rest}" for guess, rest in zip(guesses, others, strict=True))
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The functions that it gives, or has written."""
-        return tuple(self.value.split())
+        return first + "".join(f"answer={guess}{rest}" for guess, rest in zip(self.guesses, others, strict=True))
 
 
 @dataclass(frozen=True)
@@ -56,7 +62,7 @@ class Lesson:
 
     @property
     def written(self) -> tuple[str, ...]:
-        """The functions that it has written, in its order."""
+        """The functions that it has the student write, in its order."""
         return tuple(name for cell in self.cells if cell.kind == "write" for name in cell.names)
 
     @property
@@ -67,16 +73,16 @@ class Lesson:
     @property
     def lent(self) -> tuple[str, ...]:
         """The functions of other labs that its runs need before these are taught."""
-        return tuple(name for cell in self.cells for name in cell.lends.split())
+        return tuple(name for cell in self.cells for name in cell.lends)
 
     def models(self, key: str) -> tuple[Cell, ...]:
-        """What belongs to a question or a broken cell."""
-        return tuple(cell for cell in self.cells if cell.kind == "model" and cell.value == key)
+        """The models of a question or a broken cell."""
+        return tuple(cell for cell in self.cells if cell.kind == "model" and cell.key == key)
 
 
 def lessons() -> tuple[str, ...]:
     """The topics that have a lesson, in the order of teaching."""
-    return tuple(topic.name for topic in lecture.TOPICS if (FOLDER / f"{topic.name}.md").is_file())
+    return tuple(topic.name for topic in lecture.TOPICS if (LESSONS / f"{topic.name}.md").is_file())
 
 
 def read(topic: str) -> Lesson:
@@ -85,16 +91,16 @@ def read(topic: str) -> Lesson:
     Raises
     ------
     UnknownName, InvalidInput
-        If there is no such topic, it has no lesson yet, or the lesson does not fit the lecture: a function that the
-        lecture has students write and the lesson does not, or out of order, or a question without a model answer.
+        If there is no such topic, it has no lesson yet, or the lesson does not fit the lecture: it leaves out a
+        function that students write, has them in another order, or has a question without a model answer.
     """
     try:
-        import jupytext  # noqa: PLC0415 - who only opens notebooks needs it not
+        import jupytext  # noqa: PLC0415 - only building notebooks needs it
     except ImportError:
         raise InvalidInput('lessons are read with jupytext: pip install -e ".[dev]"') from None
 
     name = lecture.topic(topic).name
-    path = FOLDER / f"{name}.md"
+    path = LESSONS / f"{name}.md"
     if not path.is_file():
         raise InvalidInput(f"{name} has no lesson yet; there are lessons of {', '.join(lessons())}")
     lesson = Lesson(name, tuple(_cell(cell) for cell in jupytext.read(path).cells))
@@ -110,10 +116,19 @@ def _cell(cell: object) -> Cell:
     if unknown or len(kinds) > 1:
         said = ", ".join(sorted(unknown) or kinds)
         raise InvalidInput(f"a cell of the lesson says {said!r}: it may say one of {', '.join(_KINDS)}")
-    if not kinds:
-        return Cell(code, text, guess=str(metadata.get("guess", "")))
-    points, lends = int(metadata.get("points", 0)), str(metadata.get("lends", ""))
-    return Cell(code, text, kinds[0], str(metadata[kinds[0]]), points, lends)
+    kind = kinds[0] if kinds else ""
+    said = str(metadata.get(kind, ""))
+    guess = "" if kind else str(metadata.get("guess", ""))
+    return Cell(
+        code,
+        text,
+        kind,
+        names=tuple(said.split()) if kind in _NAMING else (),
+        key=said if kind in _KEYED else "",
+        points=int(metadata.get("points", 0)),
+        lends=tuple(str(metadata.get("lends", "")).split()),
+        guesses=tuple(each.strip() for each in guess.split("|")) if guess else (),
+    )
 
 
 def _refuse(lesson: Lesson) -> None:
@@ -128,11 +143,9 @@ def _refuse(lesson: Lesson) -> None:
     for name in lesson.lent:
         lecture.function(name)
     for cell in lesson.cells:
-        guesses = len(cell.guess.split("|")) if cell.guess else 0
-        if guesses != (asked := cell.text.count(OPEN)):
-            raise InvalidInput(
-                f"the lesson of {lesson.topic} has guess={cell.guess!r} for {asked} predictions: {cell.text}"
-            )
+        if len(cell.guesses) != (asked := cell.text.count(OPEN)):
+            guess = " | ".join(cell.guesses)
+            raise InvalidInput(f"the lesson of {lesson.topic} has guess={guess!r} for {asked} predictions: {cell.text}")
     for cell in lesson.cells:
-        if cell.kind in ("answer", "broken") and not lesson.models(cell.value):
-            raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.value!r}")
+        if cell.kind in ("answer", "broken") and not lesson.models(cell.key):
+            raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.key!r}")

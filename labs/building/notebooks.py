@@ -1,7 +1,7 @@
-"""From a lesson to two notebooks: the student's, with stubs, and the solved one, with the solutions' own text.
+"""Makes two notebooks from a lesson: the student's, with stubs, and the solved one, with the solutions' own text.
 
-Both carry nbgrader's metadata, so that a JupyterHub can collect and grade them; a function's cell is known by the
-function's name, which is what our own grader looks for. The same lesson and solutions make the same bytes.
+Both carry nbgrader's metadata, so that a JupyterHub can collect and grade them. A function's cell is tagged with the
+function's name, which our own grader looks for. The same lesson and solutions always make the same bytes.
 """
 
 from __future__ import annotations
@@ -11,20 +11,18 @@ import json
 import textwrap
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
-from labs.building.excerpts import Piece, Pieces, imports_of, text_of
+from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of
 from labs.building.lessons import Cell, Lesson, read
-from labs.building.narrow import WIDTH, narrow
 from labs.building.points import points_of
 from reference import lecture
 from reference.errors import InvalidInput
 
-ROOT = Path(__file__).resolve().parents[2]
-STUDENT, SOLVED = ROOT / "labs" / "notebooks", ROOT / "solutions" / "notebooks"
+WIDTH = 88
+"""Characters of a line of a stub, as in most notebooks' own style; the linter holds the solutions' docstrings to it."""
 _LEAST = 24
-"""Characters from which a line of a solution gives something away; shorter ones are found in any text."""
+"""A line of a solution with at least so many characters gives something away; shorter ones occur in any text."""
 _SETUP = """\
 # Run this cell first, and after every restart: it finds the lab, and says which engines answer.
 from __future__ import annotations
@@ -64,16 +62,16 @@ _KERNEL = {
 
 
 @dataclass
-class _Desk:
-    """What has been put into a notebook so far. had: the pieces of solutions. cells: as nbformat has them."""
+class _Draft:
+    """A notebook that is being made. taken: the excerpts that it holds already. cells: as nbformat has them."""
 
     lesson: Lesson
-    pieces: Pieces
-    had: list[Piece] = field(default_factory=list)
+    excerpts: TopicExcerpts
+    taken: list[Excerpt] = field(default_factory=list)
     cells: list[dict[str, Any]] = field(default_factory=list)
 
     def add(self, kind: str, source: str, **metadata: Any) -> None:
-        """Add a cell, with an id that says where it stands."""
+        """Add a cell; its id says where it is in the notebook."""
         cell: dict[str, Any] = {
             "cell_type": kind,
             "id": f"{self.lesson.topic}-{len(self.cells):02}",
@@ -82,10 +80,10 @@ class _Desk:
         }
         self.cells.append(cell | ({"execution_count": None, "outputs": []} if kind == "code" else {}))
 
-    def take(self, names: Iterable[str]) -> list[Piece]:
-        """The pieces that names need and that are not there yet; they are from now on."""
-        found = self.pieces.needed(tuple(names), self.had)
-        self.had += found
+    def take(self, names: Iterable[str]) -> list[Excerpt]:
+        """Return the excerpts that names need and that the notebook lacks; from now on it counts as holding them."""
+        found = self.excerpts.needed(tuple(names), self.taken)
+        self.taken += found
         return found
 
 
@@ -95,41 +93,41 @@ def student(topic: str) -> dict[str, Any]:
     Raises
     ------
     InvalidInput
-        If what it gives would need, or show, the solution of what it has written.
+        If a given function needs, or the notebook shows, the solution of a function that the student writes.
     """
     lesson = read(topic)
-    desk = _Desk(lesson, Pieces.of(topic))
+    draft = _Draft(lesson, TopicExcerpts.of(topic))
     for cell in lesson.cells:
         if cell.kind == "write":
             for name in cell.names:
-                _function(desk, name, stub(desk.pieces, name))
+                _function(draft, name, stub(draft.excerpts, name))
         elif cell.kind not in ("model", "instructor"):
-            _common(desk, cell)
+            _common(draft, cell)
             if cell.kind == "answer":
-                desk.add("markdown", _ANSWER, **_answer(cell))
-    made = _notebook(desk)
-    _refuse_solutions(desk, made)
+                draft.add("markdown", _ANSWER, **_answer(cell))
+    made = _notebook(draft)
+    _refuse_solutions(draft, made)
     return made
 
 
 def solved(topic: str) -> dict[str, Any]:
-    """The instructor's: with solutions, model answers and what is for the instructor alone."""
+    """The instructor's notebook, with solutions, model answers and the notes for the instructor."""
     lesson = read(topic)
-    desk = _Desk(lesson, Pieces.of(topic))
+    draft = _Draft(lesson, TopicExcerpts.of(topic))
     for cell in lesson.cells:
         if cell.kind == "write":
             for name in cell.names:
-                _function(desk, name, _silent(text_of(desk.take([name]))))
+                _function(draft, name, _silent(text_of(draft.take([name]))))
         elif cell.kind == "broken":
-            for model in lesson.models(cell.value):
-                desk.add("code" if model.code else "markdown", model.text)
+            for model in lesson.models(cell.key):
+                draft.add("code" if model.code else "markdown", model.text)
         elif cell.kind == "instructor":
-            desk.add("markdown", _framed("For the instructor", cell.text))
+            draft.add("markdown", _framed("For the instructor", cell.text))
         elif cell.kind != "model":
-            _common(desk, replace(cell, text=cell.guessed))
-            for model in lesson.models(cell.value) if cell.kind == "answer" else ():
-                desk.add("markdown", _framed("A good answer, and how it is marked", model.text), **_answer(cell))
-    return _notebook(desk)
+            _common(draft, replace(cell, text=cell.guessed))
+            for model in lesson.models(cell.key) if cell.kind == "answer" else ():
+                draft.add("markdown", _framed("A good answer, and how it is marked", model.text), **_answer(cell))
+    return _notebook(draft)
 
 
 def text(notebook: dict[str, Any]) -> str:
@@ -137,55 +135,54 @@ def text(notebook: dict[str, Any]) -> str:
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
-def stub(pieces: Pieces, name: str) -> str:
-    """A function as a student finds it: its signature and description, and an error that says whose turn it is."""
-    (piece,) = (each for each in pieces.every if name in each.defines)
-    function = next(node for node in ast.parse(piece.text).body if isinstance(node, ast.FunctionDef))
-    description = function.body[0].end_lineno
+def stub(excerpts: TopicExcerpts, name: str) -> str:
+    """A function as a student finds it: its own header and docstring, and an error that says whose turn it is."""
+    source = excerpts.defining(name).text
+    function = next(node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
+    end = function.body[0].end_lineno
     entry = lecture.function(name)
     said = f'"{entry.topic}, step {entry.step}: {name} is yours to write"'
     unwritten = f"    raise NotImplementedError({said})"
     if len(unwritten) > WIDTH:
         unwritten = f"    raise NotImplementedError(\n        {said}\n    )"
-    header = "\n".join(piece.text.split("\n")[:description])
-    return f"{narrow(header).rstrip()}\n{unwritten}"
+    return "\n".join([*source.split("\n")[:end], unwritten])
 
 
-def _common(desk: _Desk, cell: Cell) -> None:
-    """A cell that both notebooks have alike."""
+def _common(draft: _Draft, cell: Cell) -> None:
+    """A cell that is the same in both notebooks."""
     if cell.kind == "lab":
-        desk.add("code", _SETUP.replace("{topic}", desk.lesson.topic), tags=["setup"])
+        draft.add("code", _SETUP.replace("{topic}", draft.lesson.topic), tags=["setup"])
     elif cell.kind == "given":
-        desk.add("code", _given(desk, cell), tags=["given"], jupyter={"source_hidden": True})
+        draft.add("code", _given(draft, cell), tags=["given"], jupyter={"source_hidden": True})
     else:
-        desk.add("code" if cell.code else "markdown", cell.text)
+        draft.add("code" if cell.code else "markdown", cell.text)
 
 
-def _given(desk: _Desk, cell: Cell) -> str:
-    first = "" if desk.had else "from __future__ import annotations\n\n" + imports_of(desk.pieces.every) + "\n\n"
-    found = desk.take(cell.names)
-    shown = {name for piece in found for name in piece.defines} & set(desk.lesson.written)
+def _given(draft: _Draft, cell: Cell) -> str:
+    first = "" if draft.taken else "from __future__ import annotations\n\n" + imports_of(draft.excerpts.every) + "\n\n"
+    found = draft.take(cell.names)
+    shown = {name for excerpt in found for name in excerpt.defines} & set(draft.lesson.written)
     if shown:
-        raise InvalidInput(f"the lesson of {desk.lesson.topic} gives {cell.value}, which needs {', '.join(shown)}")
+        gives, needs = " ".join(cell.names), ", ".join(shown)
+        raise InvalidInput(f"the lesson of {draft.lesson.topic} gives {gives}, which needs {needs}")
     title = cell.text.lstrip("# ") or "Given: run it, and read what you like."
     return f"# {title}\n{first}{_silent(text_of(found))}"
 
 
 def _silent(text: str) -> str:
-    """A cell whose last line is the description of a value would print it."""
+    """A cell's text that prints nothing: a description of a value in its last line would be shown as its result."""
     return f"{text};" if text.endswith('"""') else text
 
 
-def _function(desk: _Desk, name: str, text: str) -> None:
+def _function(draft: _Draft, name: str, source: str) -> None:
     """A function's cell and the one that checks it."""
-    desk.add("code", text, tags=[name], nbgrader=_nbgrader(name, solution=True))
-    check = _nbgrader(f"check-{name}", grade=True, locked=True, points=points_of(name))
-    text = f"lab.check({name!r})".replace("'", '"')
-    desk.add("code", text, tags=["check"], editable=False, deletable=False, nbgrader=check)
+    draft.add("code", source, tags=[name], nbgrader=_nbgrader(name, solution=True))
+    grading = _nbgrader(f"check-{name}", grade=True, locked=True, points=points_of(name))
+    draft.add("code", f'lab.check("{name}")', tags=["check"], editable=False, deletable=False, nbgrader=grading)
 
 
 def _answer(cell: Cell) -> dict[str, Any]:
-    return {"nbgrader": _nbgrader(f"answer-{cell.value}", grade=True, solution=True, points=cell.points)}
+    return {"nbgrader": _nbgrader(f"answer-{cell.key}", grade=True, solution=True, points=cell.points)}
 
 
 def _nbgrader(name: str, **kind: Any) -> dict[str, Any]:
@@ -197,24 +194,24 @@ def _framed(title: str, text: str) -> str:
     return f"**{title}**\n\n{text}"
 
 
-def _notebook(desk: _Desk) -> dict[str, Any]:
-    return {"cells": desk.cells, "metadata": _KERNEL, "nbformat": 4, "nbformat_minor": 5}
+def _notebook(draft: _Draft) -> dict[str, Any]:
+    return {"cells": draft.cells, "metadata": _KERNEL, "nbformat": 4, "nbformat_minor": 5}
 
 
-def _refuse_solutions(desk: _Desk, made: dict[str, Any]) -> None:
-    """Raise where the student's notebook holds a line of what is for the student to write."""
+def _refuse_solutions(draft: _Draft, made: dict[str, Any]) -> None:
+    """Raise if the student's notebook holds a line of a solution that the student is to write."""
     text = "\n".join("".join(cell["source"]) for cell in made["cells"])
-    for piece in desk.pieces.needed(desk.lesson.written, desk.had):
-        for line in _telling(piece):
+    for excerpt in draft.excerpts.needed(draft.lesson.written, draft.taken):
+        for line in _revealing_lines(excerpt):
             if line in text:
-                raise InvalidInput(f"the student's notebook of {desk.lesson.topic} holds a solution's line: {line}")
+                raise InvalidInput(f"the student's notebook of {draft.lesson.topic} holds a solution's line: {line}")
 
 
-def _telling(piece: Piece) -> Iterator[str]:
-    """The lines of a piece's functions that say how it is done: neither signature nor description."""
-    for function in ast.walk(ast.parse(piece.text)):
+def _revealing_lines(excerpt: Excerpt) -> Iterator[str]:
+    """The lines of an excerpt's functions that say how it is done: neither signature nor description."""
+    for function in ast.walk(ast.parse(excerpt.text)):
         if isinstance(function, ast.FunctionDef):
             body = function.body[bool(ast.get_docstring(function)) :]
-            for line in piece.text.split("\n")[body[0].lineno - 1 : function.end_lineno]:
+            for line in excerpt.text.split("\n")[body[0].lineno - 1 : function.end_lineno]:
                 if len(line.strip()) >= _LEAST:
                     yield textwrap.dedent(line).strip()

@@ -1,6 +1,6 @@
-"""The tree that a student gets: everything but solutions, hidden tests, known mistakes and the instructor's pages.
+"""Writes the tree that a student gets: no solutions, hidden tests, known mistakes or pages for the instructor.
 
-Functions of closed labs, and those of later labs that runs of the open ones need, come as `labs/given`.
+Functions of closed labs, and those of later labs that the runs of the open labs need, are released as `labs/given`.
 """
 
 from __future__ import annotations
@@ -13,29 +13,29 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from labs.building import lessons, notebooks
-from labs.building.excerpts import Pieces, imports_of, text_of
+from labs.building.excerpts import TopicExcerpts, imports_of, text_of
+from labs.project_folders import ROOT
 from reference import lecture
 from reference.errors import InvalidInput
 
-ROOT = Path(__file__).resolve().parents[2]
 NAME = "collisions-lab"
 _FOLDERS = ("labs", "reference", "tests/autograder/visible")
 _FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
 _LEFT_OUT = ("labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py")
-"""What makes notebooks and what holds model answers; notebooks and given functions are made for each release."""
+"""Code that makes notebooks, and files that hold model answers. Notebooks and given functions are made per release."""
 _DATE = (1980, 1, 1, 0, 0, 0)
-"""Of the files in an archive: the same release makes the same bytes on every day."""
+"""The date of all files in an archive, so that the same release makes the same bytes on every day."""
 
 
 def release(out: Path, through: str | None = None) -> list[str]:
-    """Write the tree of the labs up to one of them, as a folder or, where its name ends in `.zip`, as an archive.
+    """Write the tree of the labs up to one of them, as a folder or, if the name ends in `.zip`, as an archive.
 
     Returns the labs in it.
 
     Raises
     ------
     InvalidInput
-        If there is such a folder and it is not empty, or there is no lesson of that lab.
+        If there is already such a folder and it is not empty, or if that lab has no lesson.
     """
     open_labs = _through(through)
     if out.suffix == ".zip":
@@ -50,8 +50,8 @@ def release(out: Path, through: str | None = None) -> list[str]:
 
 
 def given(open_labs: Collection[str]) -> dict[str, str]:
-    """The modules of `labs/given`: closed labs whole, of open ones what they give, of others what these lend."""
-    last = max((_place(name) for name in open_labs), default=-1)
+    """The modules of `labs/given`: all of closed labs, what open labs give, and what they borrow from later labs."""
+    last = max((_number(name) for name in open_labs), default=-1)
     closed = {topic.name for topic in lecture.TOPICS[: last + 1]} - {lecture.TOPICS[last].name}
     wanted = {name: [entry.name for entry in lecture.functions_of(name)] for name in closed}
     shown = [entry.name for topic in open_labs for entry in lecture.functions_of(topic) if entry.role == "given"]
@@ -68,10 +68,11 @@ def _through(through: str | None) -> list[str]:
     name = lecture.topic(through).name
     if name not in there:
         raise InvalidInput(f"{name} has no lesson yet; there are lessons of {', '.join(there)}")
-    return [topic for topic in there if _place(topic) <= _place(name)]
+    return [topic for topic in there if _number(topic) <= _number(name)]
 
 
-def _place(topic: str) -> int:
+def _number(topic: str) -> int:
+    """Where a topic comes in the order of teaching, from 0."""
     return [each.name for each in lecture.TOPICS].index(topic)
 
 
@@ -105,16 +106,16 @@ def _ignored(folder: str, names: list[str]) -> set[str]:
 
 
 def _for_students(project: str) -> str:
-    """The project's settings without what a student's tree has not."""
+    """The project's settings without the packages that a student's tree lacks."""
     return re.sub(
         r'^packages = \["labs", "reference", "solutions"\]', 'packages = ["labs", "reference"]', project, flags=re.M
     )
 
 
 def _module(topic: str, names: Collection[str]) -> str:
-    pieces = Pieces.of(topic).needed(names)
+    excerpts = TopicExcerpts.of(topic).needed(names)
     head = f'"""{lecture.topic(topic).title}: given."""\n\nfrom __future__ import annotations\n\n'
-    return f"{head}{imports_of(pieces)}\n\n{text_of(pieces)}\n"
+    return f"{head}{imports_of(excerpts)}\n\n{text_of(excerpts)}\n"
 
 
 def _pack(folder: Path, out: Path) -> None:

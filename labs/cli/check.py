@@ -44,7 +44,7 @@ def _nothing(submission: Submission) -> None:
     """Say why there is nothing to check: what is wrong with the file, or what would be looked for."""
     first = next(entry.name for entry in lecture.functions_of(pytest_run.tested()[0]) if entry.role == "written")
     paragraphs = [
-        *(str(complaint) for complaint in submission.complaints if "missing" not in complaint.text),
+        *(str(complaint) for complaint in submission.complaints if complaint.kind != "missing"),
         f"{submission.name} defines no function of the lab, such as {first}.",
         f"Topics that can be checked: {', '.join(pytest_run.tested())} (--topic)",
     ]

@@ -12,16 +12,16 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from labs.cli.console import errors
-from labs.desk.student_code import with_hand
+from labs.desk.student_code import named_implementation
 from reference import checks
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue, find
-from reference.comparison.compare import Verdict, failures
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Verdict, failures
 from reference.engines import engine_names
 from reference.errors import InvalidInput
-from reference.published import published_cases
 from reference.published.results import PublishedResult
+from reference.published.theirs import published_cases
 from reference.running.cache import Cache
 from reference.running.jobs import TIME_LIMIT, J, R, Work, recall, run_all
 from reference.running.snapping import snapped
@@ -46,7 +46,10 @@ Profiles = Annotated[
     typer.Option("--profile", help="tuned, stock, …; repeat for several; all if none is named.", show_default=False),
 ]
 Implementations = Annotated[
-    str, typer.Option(callback=with_hand, help="The hand-written code: a package, or a .py file's or notebook's path.")
+    str,
+    typer.Option(
+        callback=named_implementation, help="The hand-written code: a package, or a .py file's or notebook's path."
+    ),
 ]
 Workers = Annotated[
     int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; one a processor if not given.")

@@ -10,6 +10,7 @@ import typer
 from labs.building import lessons, notebooks
 from labs.building.release import release as write_release
 from labs.cli.console import errors, output
+from labs.project_folders import ROOT, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference import lecture
 from reference.errors import InvalidInput
 
@@ -36,8 +37,8 @@ def build(
         raise InvalidInput("there are no lessons: labs/lessons is empty")
     stale = []
     for name in topics:
-        made = {notebooks.STUDENT / f"{name}.ipynb": notebooks.student(name)}
-        made[notebooks.SOLVED / f"{name}.ipynb"] = notebooks.solved(name)
+        made = {STUDENT_NOTEBOOKS / f"{name}.ipynb": notebooks.student(name)}
+        made[SOLVED_NOTEBOOKS / f"{name}.ipynb"] = notebooks.solved(name)
         for path, notebook in made.items():
             if _is(path, notebooks.text(notebook)):
                 continue
@@ -45,7 +46,7 @@ def build(
             if not check:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(notebooks.text(notebook), encoding="utf-8")
-    shown = [path.relative_to(notebooks.ROOT).as_posix() for path in stale]
+    shown = [path.relative_to(ROOT).as_posix() for path in stale]
     if check and stale:
         errors.print(f"Not what its lesson and solutions make now: {', '.join(shown)}. Run: collisions lab build")
         raise typer.Exit(STALE)

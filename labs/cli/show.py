@@ -1,4 +1,4 @@
-"""`collisions show`: a question for the class, half a minute of runs, a plot, a table and what they teach."""
+"""`collisions show`: a question for the class, half a minute of runs, a plot, a table, and what the runs teach."""
 
 from __future__ import annotations
 
@@ -17,14 +17,17 @@ from rich.text import Text
 
 from labs.cli import jobs
 from labs.cli.console import output
-from labs.demonstrations.outcomes import Seen
-from labs.demonstrations.questions import DEMONSTRATIONS, Demonstration, find
+from labs.demonstrations.catalogue import DEMONSTRATIONS, find
+from labs.demonstrations.demonstration import Demonstration
+from labs.demonstrations.outcomes import Outcome
 from labs.demonstrations.replay import page_of
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.errors import InvalidInput
-from reference.report import figures, terminal
-from reference.report.summary import MARKS, Line, error_of, recordings
+from reference.report import figures, terminal, terminal_plot
+from reference.report.marks import MARKS
+from reference.report.row_text import error_of
+from reference.report.sections import Line, recordings
 from reference.running.cache import Cache
 from reference.running.study import plan
 
@@ -32,9 +35,9 @@ SUFFIXES, PAGES = (".svg", ".png", ".pdf"), (".html", ".htm")
 LEAST_HEIGHT, MOST_WIDTH = 11, 140
 """Lines of the lowest plot that can be read, and columns of the widest."""
 CLOSE = 5
-"""So many implementations side by side stand closer together, so that each has its room in a terminal of 80."""
+"""From so many implementations on, the table's columns move closer together, so that all fit into 80 columns."""
 SIZE, DPI = (9.0, 5.0), 160
-"""Of a plot in a file: inches, and dots an inch."""
+"""Size of a plot in a file, in inches, and its dots per inch."""
 PLOTEXT = 'pip install -e ".[show]"'
 
 
@@ -69,21 +72,23 @@ def show(
     output.print(Text(demonstration.title, style="bold"))
     output.print(Text(demonstration.question), Text(demonstration.look, style="italic"), "", sep="\n")
     results = jobs.run(planned, workers, Cache(fresh=fresh))
-    seen = Seen(demonstration, tuple(results))
-    table = _across(seen) if demonstration.labels else _down(seen)
-    below = Group(*_notes(seen), *(Text.assemble(("→ ", "bold"), line) for line in seen.lesson()), *_recorded(seen))
+    outcome = Outcome(demonstration, tuple(results))
+    table = _across(outcome) if demonstration.labels else _down(outcome)
+    below = Group(
+        *_notes(outcome), *(Text.assemble(("→ ", "bold"), line) for line in outcome.lesson()), *_recorded(outcome)
+    )
     if not no_plot:
-        _plot(seen, len(output.render_lines(Group(table, below))))
+        _plot(outcome, len(output.render_lines(Group(table, below))))
     output.print(table, below)
     if plot is not None:
-        _write(plot, "--plot", _figure(seen, plot.suffix.lower().lstrip(".")))
+        _write(plot, "--plot", _figure(outcome, plot.suffix.lower().lstrip(".")))
         output.print(f"The plot is in {plot}.", soft_wrap=True, markup=False)
     if html is not None:
-        content = page_of(seen)
+        content = page_of(outcome)
         _write(html, "--html", content.encode()) if content else None
         said = f"The replay is in {html}." if content else f"Nobody gave poses: there is no replay, and no {html}."
         output.print(said, soft_wrap=True, markup=False)
-    raise typer.Exit(0 if any(row.measured is not None for row in seen.rows) else jobs.COULD_NOT_COMPARE)
+    raise typer.Exit(0 if any(row.measured is not None for row in outcome.rows) else jobs.COULD_NOT_COMPARE)
 
 
 def _list() -> None:
@@ -108,63 +113,63 @@ def _planned(demonstration: Demonstration, engines: Sequence[str] | None, implem
     return found
 
 
-def _plot(seen: Seen, beside: int) -> None:
-    """Draw the curves in the terminal, as high as leaves room for so many other lines, and one for the prompt."""
-    if not seen.curves:
+def _plot(outcome: Outcome, beside: int) -> None:
+    """Draw the curves in the terminal, and leave room for so many other lines and one for the prompt."""
+    if not outcome.curves:
         return
     width = min(output.width, MOST_WIDTH)
     height = max(LEAST_HEIGHT, min(output.height - beside - 1, width // 3))
     try:
-        drawn = terminal.plot(seen.curves, *seen.axes, width, height)
+        drawn = terminal_plot.plot(outcome.curves, *outcome.axes, width, height)
     except ImportError:
         output.print(f"Plots in the terminal need plotext; to get it: {PLOTEXT}", soft_wrap=True, markup=False)
     else:
         output.print(drawn)
 
 
-def _recorded(seen: Seen) -> list[Text]:
-    return [Text(line, style="dim") for line in recordings(line.result for line in seen.section.lines)]
+def _recorded(outcome: Outcome) -> list[Text]:
+    return [Text(line, style="dim") for line in recordings(line.result for line in outcome.section.lines)]
 
 
-def _notes(seen: Seen) -> list[Text]:
-    """Why there is no number, each reason once."""
+def _notes(outcome: Outcome) -> list[Text]:
+    """Why numbers are missing, each reason once."""
     found: dict[str, dict[str, None]] = {}
-    for line in seen.section.lines:
+    for line in outcome.section.lines:
         for row in line.result.rows:
             if row.measured is None and row.note:
                 found.setdefault(row.why, {})[line.title] = None
     return [Text(f"{'; '.join(titles)}: {note}", style="dim") for note, titles in found.items()]
 
 
-def _down(seen: Seen) -> Table:
-    asked = seen.demonstration
-    judged = ("expected", "difference") if seen.theory(asked.quantity) is not None else ()
+def _down(outcome: Outcome) -> Table:
+    asked = outcome.demonstration
+    judged = ("expected", "difference") if outcome.theory(asked.quantity) is not None else ()
     table = _table("", "implementation", "profile", asked.heading, *judged, *asked.beside.values())
-    for (engine, profile), line in seen.implementations.items():
-        row = seen.row(engine, profile, asked.quantity)
-        beside = [_cell(seen, engine, profile, quantity) for quantity in asked.beside if row and row.quantity]
+    for (engine, profile), line in outcome.implementations.items():
+        row = outcome.row(engine, profile, asked.quantity)
+        beside = [_cell(outcome, engine, profile, quantity) for quantity in asked.beside if row and row.quantity]
         error = Text(error_of(row), style=terminal.style_of(row.verdict)) if row else Text()
-        expected = Text(seen.said(row.expected, asked.quantity) if row else "")
+        expected = Text(outcome.formatted(row.expected, asked.quantity) if row else "")
         name = Text(line.result.title), Text(asked.profiles.get(engine, {}).get(profile) or profile)
-        cell = _cell(seen, engine, profile, asked.quantity)
-        table.add_row(_mark(seen, line), *name, cell, *((expected, error) if judged else ()), *beside)
+        cell = _cell(outcome, engine, profile, asked.quantity)
+        table.add_row(_mark(outcome, line), *name, cell, *((expected, error) if judged else ()), *beside)
     return table
 
 
-def _across(seen: Seen) -> Table:
-    asked = seen.demonstration
+def _across(outcome: Outcome) -> Table:
+    asked = outcome.demonstration
     heads = [
-        Text.assemble(_mark(seen, line), " ", line.result.title, "\n  ", line.result.job.profile)
-        for line in seen.implementations.values()
+        Text.assemble(_mark(outcome, line), " ", line.result.title, "\n  ", line.result.job.profile)
+        for line in outcome.implementations.values()
     ]
     first = "timestep" if asked.timesteps else asked.heading
-    theory = "theory" if asked.predicted is None else Text.assemble(terminal.marked(None), " predicted")
+    theory = "theory" if asked.predicted is None else Text.assemble(terminal_plot.marked(None), " predicted")
     table = _table(f"\n{first}", Text.assemble("\n", theory), *heads)
     table.padding = table.padding if len(heads) < CLOSE else (0, 1, 0, 0)
     for label in asked.labels:
-        value = asked.predicted(asked.timesteps[label]) if asked.predicted else seen.theory(asked.quantity, label)
-        cells = [_cell(seen, engine, profile, asked.quantity, label) for engine, profile in seen.implementations]
-        table.add_row(label, seen.said(value, asked.quantity), *cells)
+        value = asked.predicted(asked.timesteps[label]) if asked.predicted else outcome.theory(asked.quantity, label)
+        cells = [_cell(outcome, engine, profile, asked.quantity, label) for engine, profile in outcome.implementations]
+        table.add_row(label, outcome.formatted(value, asked.quantity), *cells)
     return table
 
 
@@ -175,21 +180,21 @@ def _table(*headings: str | Text) -> Table:
     return table
 
 
-def _mark(seen: Seen, line: Line) -> Text:
-    drawn = {curve.line.title for curve in seen.curves if curve.line is not None}
-    return terminal.marked(line) if line.title in drawn else Text(" ")
+def _mark(outcome: Outcome, line: Line) -> Text:
+    drawn = {curve.line.title for curve in outcome.curves if curve.line is not None}
+    return terminal_plot.marked(line) if line.title in drawn else Text(" ")
 
 
-def _cell(seen: Seen, engine: str, profile: str, quantity: str, label: str = "") -> Text:
+def _cell(outcome: Outcome, engine: str, profile: str, quantity: str, label: str = "") -> Text:
     """What was measured, or why there is no number: one word, or its mark where columns are narrow."""
-    row = seen.row(engine, profile, quantity, label)
+    row = outcome.row(engine, profile, quantity, label)
     if row is None:
         return Text()
     if row.measured is None:
         narrow = bool(label) and " " in row.verdict
         return Text(MARKS[row.verdict] if narrow else str(row.verdict), style=terminal.style_of(row.verdict))
-    wrong = bool(seen.demonstration.labels) and row.error and not seen.demonstration.predicted
-    return Text(seen.said(row.measured, quantity), style=terminal.style_of(row.verdict) if wrong else "")
+    wrong = bool(outcome.demonstration.labels) and row.error and not outcome.demonstration.predicted
+    return Text(outcome.formatted(row.measured, quantity), style=terminal.style_of(row.verdict) if wrong else "")
 
 
 def _check(file: Path, option: str, suffixes: Sequence[str]) -> None:
@@ -222,15 +227,15 @@ def _write(file: Path, option: str, content: bytes) -> None:
         raise _unwritable(file, option, error) from None
 
 
-def _figure(seen: Seen, kind: str) -> bytes:
+def _figure(outcome: Outcome, kind: str) -> bytes:
     """The plot as the report draws it, large enough for a projector."""
     import matplotlib  # late: half a second that a table need not wait for
     from matplotlib.figure import Figure
 
-    with matplotlib.rc_context(figures.STYLE | {"svg.hashsalt": seen.demonstration.name}):
+    with matplotlib.rc_context(figures.STYLE | {"svg.hashsalt": outcome.demonstration.name}):
         figure = Figure(figsize=SIZE, layout="constrained", dpi=DPI)
         axes = figure.add_subplot()
-        for place, curve in enumerate(seen.curves):
+        for place, curve in enumerate(outcome.curves):
             style: dict[str, Any] = {"color": "#999999", "label": "predicted"}
             if curve.line is not None:
                 style = {**figures.marker(curve.line), **figures.line_style(curve.line), "label": curve.line.title}
@@ -238,8 +243,8 @@ def _figure(seen: Seen, kind: str) -> bytes:
                 style |= spread if curve.joined else {"linestyle": "none", "markersize": max(5, 14 - 4 * place)}
                 style["zorder"] = 3 if curve.line.tuned else 2
             axes.plot(curve.xs, curve.ys, **style)
-        x_label, y_label = seen.axes
-        axes.set(title=seen.demonstration.title, xlabel=x_label, ylabel=y_label)
+        x_label, y_label = outcome.axes
+        axes.set(title=outcome.demonstration.title, xlabel=x_label, ylabel=y_label)
         figure.legend(loc="outside lower left", ncols=3, handlelength=3)
         content = io.BytesIO()
         figure.savefig(content, format=kind, metadata={"Date": None} if kind == "svg" else None)

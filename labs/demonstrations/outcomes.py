@@ -1,32 +1,28 @@
-"""What came of a demonstration: its numbers, its curves, and its lesson with the numbers in it.
-
-In a lesson `{engine profile quantity figure at label}` stands for a number of the run. The figure is `measured`, `size`
-(without its sign) or `error`; the label names one of several cases or timesteps, and is left out where there is one.
-`{theory quantity at label}` is what theory says of it, `{predicted label}` what the method is known to make of it. A
-part in [brackets] is left out where a number in it is missing, and a line that has none left is left out as a whole.
-"""
+"""The outcome of a demonstration: its numbers, its curves, and its lesson with the numbers in it."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
-from labs.demonstrations.questions import Demonstration
-from reference.comparison.compare import Row
+from labs.demonstrations.demonstration import Demonstration
+from labs.demonstrations.lesson import Error, Magnitude, Number, Predicted, Theory
 from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Row
 from reference.report import numbers
-from reference.report.summary import Line, Section, error_of, sections
-from reference.report.terminal import Points
+from reference.report.row_text import error_of
+from reference.report.sections import Line, Section, sections
+from reference.report.terminal_plot import Points
 
 _FINE = 200
 """Points of a predicted curve."""
+_LONGER = 1.03
+"""A predicted curve ends at so many times the longest timestep, to the right of the last measured point."""
 
 
 @dataclass(frozen=True)
-class Seen:
-    """What came of a demonstration's runs."""
+class Outcome:
+    """The results of a demonstration's runs, as the class gets to see them."""
 
     demonstration: Demonstration
     results: tuple[JobResult, ...]
@@ -43,14 +39,14 @@ class Seen:
 
     @cached_property
     def implementations(self) -> dict[tuple[str, str], Line]:
-        """Engine and profile → the first of its lines: where there are several timesteps, it has one for each."""
+        """Engine and profile → the first of its lines; with several timesteps it has one for each of them."""
         found: dict[tuple[str, str], Line] = {}
         for line in self.section.lines:
             found.setdefault((line.result.job.engine, line.result.job.profile), line)
         return found
 
     def row(self, engine: str, profile: str, quantity: str, label: str = "") -> Row | None:
-        """One number, or why there is none; the label names a case or a timestep where there are several."""
+        """One number, or why there is no number; the label names one of several cases or timesteps."""
         asked = self.demonstration
         timestep = asked.timesteps.get(label)
         case = asked.cases.get(label, next(iter(asked.cases.values())))
@@ -61,13 +57,13 @@ class Seen:
         return None
 
     def theory(self, quantity: str, label: str = "") -> float | None:
-        """What theory says, if anything; the label names a case where there are several."""
+        """What theory says, if anything; the label names one of several cases."""
         family, asked = self.section.family, self.demonstration
         case = asked.cases.get(label, next(iter(asked.cases.values())))
         return family.quantity(quantity).theory(family.case(case))
 
-    def said(self, value: float | None, quantity: str) -> str:
-        """A value as it is written in table and lesson."""
+    def formatted(self, value: float | None, quantity: str) -> str:
+        """A value as table and lesson show it; empty if there is no value."""
         if value is None:
             return ""
         asked = self.demonstration
@@ -78,25 +74,27 @@ class Seen:
         return numbers.quantity(value, self.section.family.quantity(quantity).unit)
 
     def lesson(self) -> list[str]:
-        """The lines of the lesson with their numbers; those alone whose numbers there are."""
-        return [line for line in (filled(line, self._figure) for line in self.demonstration.lesson) if line]
+        """The lines of the lesson with their numbers, without the lines whose numbers are missing."""
+        texts = (line.text(self.written) for line in self.demonstration.lesson)
+        return [text for text in texts if text]
 
-    def _figure(self, words: str) -> str:
-        """The number that a placeholder in the lesson stands for; empty where there is none."""
-        words, _, label = words.partition(" at ")
-        asked, (first, *others) = self.demonstration, words.split()
-        if first == "predicted":
-            assert asked.predicted is not None
-            return self.said(asked.predicted(asked.timesteps[" ".join(others)]), asked.quantity)
-        if first == "theory":
-            return self.said(self.theory(others[0], label), others[0])
-        profile, quantity, figure = others
-        row = self.row(first, profile, quantity, label)
+    def written(self, number: Number) -> str:
+        """A number of the lesson as text; empty if it is missing."""
+        if isinstance(number, Predicted):
+            return self.formatted(self._predicted(number), self.demonstration.quantity)
+        if isinstance(number, Theory):
+            return self.formatted(self.theory(number.quantity, number.at), number.quantity)
+        row = self.row(number.engine, number.profile, number.quantity, number.at)
         if row is None or row.measured is None:
             return ""
-        if figure == "error":
+        if isinstance(number, Error):
             return error_of(row)
-        return self.said({"measured": row.measured, "size": abs(row.measured)}[figure], quantity)
+        value = abs(row.measured) if isinstance(number, Magnitude) else row.measured
+        return self.formatted(value, number.quantity)
+
+    def _predicted(self, number: Predicted) -> float | None:
+        asked = self.demonstration
+        return None if asked.predicted is None else asked.predicted(asked.timesteps[number.at])
 
     @cached_property
     def curves(self) -> list[Points]:
@@ -108,7 +106,7 @@ class Seen:
         found = []
         unit = 100 if asked.percent else 1
         if asked.predicted is not None:
-            end = max(asked.timesteps.values()) * 1.03
+            end = max(asked.timesteps.values()) * _LONGER
             fine = [end * (place + 1) / _FINE for place in range(_FINE)]
             found.append(Points(None, [1e3 * step for step in fine], [unit * asked.predicted(step) for step in fine]))
         for (engine, profile), line in self.implementations.items():
@@ -126,19 +124,3 @@ class Seen:
             unit = self.section.family.quantity(self.demonstration.quantity).unit
             return "timestep, ms", f"{self.demonstration.heading}, {'%' if self.demonstration.percent else unit}"
         return "time, s", self.section.family.curve.y_label
-
-
-def filled(line: str, figure: Callable[[str], str]) -> str:
-    """A line of a lesson with its numbers; empty where one outside brackets is missing, or none is left at all."""
-    asked: list[str] = []
-
-    def fill(part: str) -> str | None:
-        found = [figure(words) for words in re.findall(r"\{([^}]*)\}", part)]
-        asked.extend(found)
-        values = iter(found)
-        return re.sub(r"\{[^}]*\}", lambda _: next(values), part) if all(found) else None
-
-    whole = fill(re.sub(r"\[([^]]*)\]", lambda part: fill(part[1]) or "", line))
-    if whole is None or (asked and not any(asked)):
-        return ""
-    return re.sub(r":\s*,", ":", whole).strip()  # the first of a list is missing

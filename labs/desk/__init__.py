@@ -1,1 +1,1 @@
-"""What stands behind `from labs import lab`: the student's functions, runs beside engines, and how they are shown."""
+"""Behind `from labs import lab`: the student's functions, their runs beside engines, and how these are shown."""

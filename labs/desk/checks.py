@@ -1,42 +1,38 @@
-"""`lab.check()`: the visible tests of functions in the cells that were run, in words."""
+"""`lab.check()`: runs the visible tests on the functions in the executed cells, and reports in words."""
 
 from __future__ import annotations
 
-import os
-import re
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from labs.desk import student_code
+from labs.desk.nbgrader import run_of_nbgrader
 from labs.grading.calling.remote import Grader
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.feedback import report
 from labs.grading.judging import pytest_run
-from labs.grading.judging.sheet import Sheet
+from labs.grading.judging.score_sheet import Sheet
 from reference import lecture
 from reference.errors import InvalidInput
-
-_REWRITTEN = re.compile(r"defined \d+ times")
-"""In a kernel that is what writing a function is: the cell is run again."""
 
 
 @dataclass(frozen=True)
 class Checked:
-    """What a check found. said: in words. credit: what nbgrader counts, None for all points; see `_credit`."""
+    """What a check found. report: in words. credit: what nbgrader counts, None for all points; see `_credit`."""
 
-    said: str
+    report: str
     credit: float | None = None
 
 
 def check(notebook: Path, topic: str, names: Sequence[str], grader: Grader) -> Checked:
-    """What the visible tests say of some functions, or of all that the lab has written.
+    """Run the visible tests of some functions, or of all functions that the student of this lab writes.
 
     Raises
     ------
     InvalidInput
-        If there is nothing to check: no test of that function, or no code yet.
+        If there is nothing to check: a function is given, or there is no code yet.
     """
     topics = tuple(dict.fromkeys(lecture.function(name).topic for name in names)) or (topic,)
     untested = [name for name in names if lecture.function(name).role != "written"]
@@ -46,24 +42,21 @@ def check(notebook: Path, topic: str, names: Sequence[str], grader: Grader) -> C
         sheet = pytest_run.run(notebook, topics, (pytest_run.VISIBLE,), grader, names)
     except UnreadableSubmission as error:
         raise InvalidInput(f"nothing can be checked yet: {error}") from None
-    sheet.complaints = [each for each in sheet.complaints if not _REWRITTEN.search(each)]
-    silent = all(each.endswith("missing") for each in sheet.complaints)
+    # In a kernel a function is written by running its cell again and again, so a repeated definition is no mistake.
+    sheet.complaints = [complaint for complaint in sheet.complaints if complaint.kind != "repeated"]
+    nothing_odd = all(complaint.kind == "missing" for complaint in sheet.complaints)
     said = "\n".join(report.report(sheet, topics)).strip("\n")
-    if len(names) == 1 and silent and report.all_right(sheet):
+    if len(names) == 1 and nothing_odd and report.all_right(sheet):
         said = textwrap.fill(f"{report.RIGHT} {names[0]} is right, as far as this tries it: {report.HIDDEN}.", 80)
-    return Checked(student_code.in_kernel(said), _credit(notebook, topics, names, grader, sheet))
-
-
-def by_nbgrader() -> str:
-    """What nbgrader runs this notebook for, `autograde` or `validate`; empty where a person does."""
-    return os.environ.get("NBGRADER_EXECUTION", "")
+    return Checked(student_code.with_kernel_numbers(said), _credit(notebook, topics, names, grader, sheet))
 
 
 def _credit(notebook: Path, topics: Sequence[str], names: Sequence[str], grader: Grader, sheet: Sheet) -> float | None:
     """What nbgrader counts for the cell of a check: a number is so many points, an error none, anything else all.
 
-    Its marks are those of visible and hidden tests, as far as these are here; validating only says right or not.
+    Autograding counts the points of the visible tests, and of the hidden tests if this tree has them. Validating only
+    says whether the functions are right.
     """
-    if by_nbgrader() == "autograde":
+    if run_of_nbgrader() == "autograde":
         return float(pytest_run.run(notebook, topics, (pytest_run.VISIBLE, pytest_run.HIDDEN), grader, names).earned)
-    return 0.0 if by_nbgrader() and not report.all_right(sheet) else None
+    return 0.0 if run_of_nbgrader() and not report.all_right(sheet) else None

@@ -1,7 +1,7 @@
-"""What a run looks like in a notebook: the replay, and the curve beside it.
+"""Shows a run in a notebook: the replay, and the curve beside it.
 
-Each is an output of its own with a plain-text twin: a notebook that is not trusted yet shows no markup, a terminal none
-at all.
+Each output has a plain-text version as well, because a notebook that is not trusted yet shows no markup, and a terminal
+never does.
 """
 
 from __future__ import annotations
@@ -15,21 +15,21 @@ from typing import TYPE_CHECKING, Any
 from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.tables import who
 from reference.report import figures
-from reference.report.summary import Line
+from reference.report.sections import Line
 
 if TYPE_CHECKING:
-    from labs.desk.case_runs import Asked
+    from labs.desk.case_runs import CaseRuns
 
 DPI = 110
 _LEVEL = 0.02
-"""Share of its size that a curve changes by, if it is level."""
+"""A curve that changes by less than this share of its size counts as level."""
 _HALF = "flex:1 1 400px;min-width:min(300px,100%);max-width:640px"
-"""Replay and curve side by side where there is room for 400 px each, and else one below the other."""
+"""Replay and curve are side by side if there is room for 400 px each, otherwise one below the other."""
 
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure as PNG. text: what it shows, for who cannot see it."""
+    """A figure as PNG. text: what it shows, for readers who cannot see it."""
 
     png: bytes
     text: str
@@ -39,14 +39,14 @@ class Picture:
 
     @property
     def markup(self) -> str:
-        """The same as a piece of a page."""
+        """The figure as part of a page."""
         content = base64.b64encode(self.png).decode("ascii")
         return f'<img alt="{escape(self.text)}" style="width:100%" src="data:image/png;base64,{content}">'
 
 
 @dataclass(frozen=True)
 class Replay:
-    """A replay: a frame of its own with a still picture beside it."""
+    """A replay in a frame of its own, over a still picture."""
 
     markup: str
     text: str
@@ -57,7 +57,7 @@ class Replay:
 
 @dataclass(frozen=True)
 class Beside:
-    """A replay and a curve side by side; the curve alone where no page can be shown."""
+    """A replay and a curve side by side; only the curve where no page can be shown."""
 
     replay: Replay
     curve: Picture
@@ -69,17 +69,17 @@ class Beside:
         return {"text/plain": text, "text/html": markup, "image/png": self.curve.png}
 
 
-def pictures(asked: Asked) -> list[Beside | Replay | Picture]:
-    """Replay and curve, as far as there is anything to see."""
-    moving, plotted = replay(asked), curve(asked)
+def pictures(runs: CaseRuns) -> list[Beside | Replay | Picture]:
+    """Replay and curve, if there is anything to see."""
+    moving, plotted = replay(runs), curve(runs)
     if moving is not None and plotted is not None:
         return [Beside(moving, plotted)]
     return [each for each in (moving, plotted) if each is not None]
 
 
-def curve(asked: Asked) -> Picture | None:
-    """The family's curve in every implementation; None where none of them has one."""
-    plotted = [line for line in asked.lines if line.result.series is not None]
+def curve(runs: CaseRuns) -> Picture | None:
+    """The family's curve in every implementation; None if no implementation has one."""
+    plotted = [line for line in runs.lines if line.result.series is not None]
     if not plotted:
         return None
     import matplotlib
@@ -94,32 +94,32 @@ def curve(asked: Asked) -> Picture | None:
             sparse: dict[str, Any] = {"markevery": (0.05 * len(axes.lines), 0.4)}
             axes.plot(*series.dense(), label=who(line), **figures.marker(line), **look(line), **sparse)
         _widen(axes)
-        axes.set(title=asked.title, xlabel="time, s", ylabel=asked.family.curve.y_label)
+        axes.set(title=runs.title, xlabel="time, s", ylabel=runs.family.curve.y_label)
         figure.legend(loc="outside lower left", ncols=2, handlelength=3)
         content = io.BytesIO()
         figure.savefig(content, format="png")
     names = ", ".join(who(line) for line in plotted)
-    return Picture(content.getvalue(), f"[{asked.family.curve.y_label} over time: {names}]")
+    return Picture(content.getvalue(), f"[{runs.family.curve.y_label} over time: {names}]")
 
 
 def _widen(axes: Any) -> None:
-    """Show zero where a curve is nearly level: on a scale of its own it would look like a fall."""
+    """Show zero if a curve is nearly level: on a scale of its own it would look like a fall."""
     low, high = axes.get_ylim()
     if high - low < _LEVEL * max(abs(low), abs(high)):
         axes.set_ylim(min(low, 0.0), max(high, 0.0))
 
 
 def look(line: Line) -> dict[str, Any]:
-    """A line's colour and stroke: the student's is a broad band in every profile, to be seen below all others."""
+    """A line's colour and stroke: the student's is a broad band in every profile, so it shows below all others."""
     return figures.line_style(line, as_tuned=line.result.job.engine == HANDWRITTEN)
 
 
-def replay(asked: Asked) -> Replay | None:
-    """All runs in one picture, the student's solid and the engines as outlines; None where nothing ran."""
-    poses = asked.poses
+def replay(runs: CaseRuns) -> Replay | None:
+    """All runs in one picture, the student's solid and the engines as outlines; None if nothing ran."""
+    poses = runs.poses
     if not poses:
         return None
-    from reference.viewer import assembly, page  # noqa: PLC0415 - a check needs none of it
+    from reference.viewer import clip_making, page  # noqa: PLC0415 - a check needs none of it
 
-    clip = assembly.clip(asked.case.scenarios[0], poses, asked.title)
+    clip = clip_making.clip(runs.case.scenarios[0], poses, runs.title)
     return Replay(page.frame(clip), f"[replay: {', '.join(each.title for each in poses.values())}]")

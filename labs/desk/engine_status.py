@@ -1,4 +1,4 @@
-"""Which engines answer on this machine, and how: live, from recordings, or not at all."""
+"""Which engines are available on this machine, and how: live, from recordings, or not at all."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from labs.desk.case_runs import ENGINES
 from reference.catalogue.scenarios import catalogue
 from reference.engines import load_engine
-from reference.recording.reading import content_of
+from reference.recording.files import content_of
 from reference.running.availability import absent
 
 
 def answering() -> Iterator[str]:
-    """A line for each engine."""
+    """One line for each engine."""
     for name in ENGINES:
         engine = load_engine(name)
         if not absent(name):

@@ -1,4 +1,4 @@
-"""What a student expects before a run: asked for, kept, and shown beside what comes. Nothing of it is graded."""
+"""What a student expects before a run. It is kept and shown beside the result, and never graded."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from reference.errors import InvalidInput
 
 @dataclass(frozen=True)
 class Prediction:
-    """One question and what was answered. answer: None as long as it is open. unit: of a number."""
+    """One question and its answer. answer: None as long as it is open. unit: of a number."""
 
     key: str
     question: str
@@ -26,7 +26,7 @@ class Prediction:
 
     @property
     def shown(self) -> str:
-        """The answer as it stands in a table."""
+        """The answer as a table shows it."""
         return f"{self.answer:g}".replace("-", "−") if isinstance(self.answer, float) else f"“{self.answer}”"
 
     @property
@@ -51,12 +51,12 @@ def predicted(
     unit: str = "",
     choices: Sequence[str] = (),
 ) -> Prediction:
-    """A prediction; open while the answer is the dots of the cell.
+    """Make a prediction; it is open while the answer is still the dots of the cell.
 
     Raises
     ------
     InvalidInput
-        If it is neither a number nor, where there are choices, one of them.
+        If the answer is not one of the choices, or without choices is not a number.
     """
     if answer is None or answer is ...:
         return Prediction(key, question, None, unit, tuple(choices))

@@ -1,8 +1,8 @@
-"""The student's own functions: out of the cells that were run, out of earlier notebooks, and given ones for the rest.
+"""The student's own functions, from the cells that were run and from earlier notebooks, and correct ones for the rest.
 
-A notebook's functions are cut out of the source of its cells as the grader does it (`labs.grading.submission.reading`).
-So plots and experiments are left behind. They are written to a `.py` file, which a worker process loads: an endless
-loop or a crash in it costs a run, and the kernel lives on.
+A notebook's functions are cut out of the source of its cells as the grader does it (`labs.grading.submission.reading`),
+which leaves plots and experiments behind. They are written to a `.py` file, and a worker process loads that file: an
+endless loop or a crash in it costs one run, and the kernel lives on.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from labs import answers
+from labs.correct_functions import package_of_correct_functions
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.reading import Submission, read
@@ -27,30 +27,30 @@ from reference import lecture
 
 _UNWRITTEN = "NotImplementedError"
 _ABOVE = 1
-"""Lines that a written file has before the student's own."""
+"""Lines of a written module before the student's own: one import."""
 _DEFINES = re.compile(r"^def (\w+)", re.MULTILINE)
 
 
 @dataclass(frozen=True)
-class Hand:
-    """A student's functions for one lab.
+class StudentCode:
+    """What hand-written code runs for one student in one lab.
 
-    topic: of the lab. own: the functions of that lab that are written. earlier: of earlier labs, each with the notebook
-    that it comes from. complaints: about these notebooks. given: the package that answers for the rest, empty where
-    there is none. source: all of it as an `Implementation` takes it. files: the files in it, by name, with the notebook
-    that each comes from, empty for the lab's own, and what was read there.
+    topic: of the lab. own: the functions of that lab that the student has written. earlier: those of earlier labs, each
+    with the notebook that it comes from. complaints: about these notebooks. package: has correct functions for the
+    rest; empty if there is none. source: all of this as an `Implementation` takes it. files: the written modules by
+    name, each with the notebook that it comes from (empty for the lab's own) and what was read there.
     """
 
     topic: str
     own: tuple[str, ...]
     earlier: tuple[tuple[str, str], ...]
     complaints: tuple[str, ...]
-    given: str
+    package: str
     source: str
     files: Mapping[str, tuple[str, Submission]] = field(default_factory=dict)
 
     def located(self, text: str) -> str:
-        """A message with every `line 3 of FILE` in the words of the student's own cells."""
+        """A message in which every `line 3 of FILE` names the student's own cell instead."""
 
         def cell(found: re.Match[str]) -> str:
             line, file = found.groups()
@@ -59,37 +59,37 @@ class Hand:
             notebook, submission = self.files[file]
             return f"{notebook}{', ' * bool(notebook)}{submission.where(int(line) - _ABOVE)}"
 
-        return in_kernel(re.sub(r"line (\d+) of (\S+\.py)", cell, text).replace("handwritten: ", ""))
+        return with_kernel_numbers(re.sub(r"line (\d+) of (\S+\.py)", cell, text).replace("handwritten: ", ""))
 
     @property
     def functions(self) -> frozenset[str]:
-        """All functions that the student has written, here and before."""
+        """All functions that the student has written, in this lab and in earlier ones."""
         return frozenset((*self.own, *(name for name, _ in self.earlier)))
 
 
-def in_kernel(text: str) -> str:
-    """A message with cells as the kernel numbers them: `cell [3]`."""
+def with_kernel_numbers(text: str) -> str:
+    """A message that names cells as the kernel numbers them: `cell [3]`."""
     return re.sub(r"(?<!ipynb, )code cell (\d+)", r"cell [\1]", text)
 
 
 def executed_cells() -> list[str]:
-    """The source of every cell that this kernel has run, the n-th of them In [n]; empty where a mistake was mended."""
-    from IPython import get_ipython  # noqa: PLC0415 - outside a notebook nobody needs it
+    """The source of every cell that this kernel has run, the n-th is In [n]; empty if the cell was corrected later."""
+    from IPython import get_ipython  # noqa: PLC0415 - only a notebook has it
 
     shell = get_ipython()
-    return [] if shell is None else without_mended(shell.history_manager.input_hist_raw[1:])
+    return [] if shell is None else without_corrected(shell.history_manager.input_hist_raw[1:])
 
 
-def vanished(cells: Sequence[str]) -> list[str]:
-    """Functions that cells define and the kernel has not: deleted since, or their cell ended in an error."""
+def vanished_functions(cells: Sequence[str]) -> list[str]:
+    """Functions that cells define and the kernel lacks: they were deleted since, or their cell ended in an error."""
     from IPython import get_ipython  # noqa: PLC0415
 
     shell = get_ipython()
     return [] if shell is None else sorted(defined_in(cells) - shell.user_ns.keys())
 
 
-def printing(cells: Sequence[str]) -> list[str]:
-    """Functions whose last definition prints."""
+def functions_that_print(cells: Sequence[str]) -> list[str]:
+    """Functions whose last definition calls print."""
     found: dict[str, bool] = {}
     for cell in cells:
         if not _is_unreadable(cell):
@@ -98,8 +98,8 @@ def printing(cells: Sequence[str]) -> list[str]:
     return [name for name, prints in found.items() if prints]
 
 
-def without_mended(cells: Sequence[str]) -> list[str]:
-    """Cells, with those that Python could not read left empty, but for the last try at a function."""
+def without_corrected(cells: Sequence[str]) -> list[str]:
+    """Cells, with those that Python could not read left empty, except for the last try at each function."""
     found = list(cells)
     for place, cell in enumerate(cells):
         tried, later = defined_in([cell]), defined_in(cells[place + 1 :])
@@ -121,8 +121,8 @@ def _is_unreadable(cell: str) -> bool:
     return False
 
 
-def written_down(cells: Sequence[str]) -> Path:
-    """Cells as a notebook file, the n-th of them code cell n."""
+def write_notebook(cells: Sequence[str]) -> Path:
+    """Write cells to a notebook file, whose n-th code cell is the n-th of them."""
     path = _folder() / "notebook.ipynb"
     content = {
         "nbformat": 4,
@@ -134,8 +134,8 @@ def written_down(cells: Sequence[str]) -> Path:
     return path
 
 
-def in_hand(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> Hand:
-    """The functions of a lab from a notebook; of earlier labs from the notebooks beside it.
+def collect(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> StudentCode:
+    """Collect the functions of a lab from its notebook, and those of earlier labs from the notebooks beside it.
 
     Raises
     ------
@@ -146,50 +146,50 @@ def in_hand(topic: str, notebook: Path, beside: Iterable[Path] = ()) -> Hand:
     submission = read(notebook, names, also=lecture.FUNCTIONS)
     unwritten = _unwritten(submission)
     stubs = [name for name in names if name not in submission.functions]
-    own_file = _file(topic, submission.text + _stubs(stubs))
+    own_file = _write_module(topic, submission.text + _stubs(stubs))
     files, complaints = {own_file: ("", submission)}, list[str]()
     earlier: list[tuple[str, str]] = []
     for path in beside:
         try:
-            found, unread = _earlier(path, topic)
+            found, unread = _read_earlier(path, topic)
         except UnreadableSubmission as error:
             complaints.append(str(error))
             continue
         complaints += [f"{path.name}, {complaint}" for complaint in unread]
         if found is not None:
-            files[_file(path.stem, found.text)] = (path.name, found)
+            files[_write_module(path.stem, found.text)] = (path.name, found)
             earlier += [(name, path.name) for name in found.functions]
-    given = answers.place()
+    package = package_of_correct_functions()
     own = tuple(name for name in names if name in submission.functions and name not in unwritten)
-    return Hand(
+    return StudentCode(
         topic,
         own,
         tuple(earlier),
         tuple(complaints),
-        given,
-        " | ".join([*map(str, files), *([given] if given else [])]),
-        {file.name: read_there for file, read_there in files.items()},
+        package,
+        source=" | ".join([*map(str, files), *([package] if package else [])]),
+        files={file.name: read_there for file, read_there in files.items()},
     )
 
 
 def earlier_notebooks(topic: str, folder: Path) -> list[Path]:
-    """Notebooks of earlier labs in a folder, the latest lab first; they carry the topic's name."""
-    before = [each.name for each in lecture.TOPICS]
-    found = [folder / f"{name}.ipynb" for name in before[: before.index(topic)]]
+    """Notebooks of earlier labs in a folder, the latest lab first; each has its topic's name."""
+    names = [each.name for each in lecture.TOPICS]
+    found = [folder / f"{name}.ipynb" for name in names[: names.index(topic)]]
     return [path for path in reversed(found) if path.is_file()]
 
 
-def _earlier(path: Path, topic: str) -> tuple[Submission | None, list[str]]:
-    """What an earlier notebook has that is written, None where that is nothing; and what of it cannot be read."""
+def _read_earlier(path: Path, topic: str) -> tuple[Submission | None, list[str]]:
+    """The functions written in an earlier notebook, None if there are none; and complaints of what cannot be read."""
     wanted = [name for name, entry in lecture.FUNCTIONS.items() if entry.topic != topic and entry.role == "written"]
     everything = read(path, wanted)
-    unread = [str(each) for each in everything.complaints if "cannot read" in each.text or "merge" in each.text]
+    unread = [str(complaint) for complaint in everything.complaints if complaint.kind == "unreadable"]
     kept = [name for name in everything.functions if name not in _unwritten(everything)]
     return read(path, kept) if kept else None, unread
 
 
 def _unwritten(submission: Submission) -> frozenset[str]:
-    """The functions that are still as the notebook came: a description, and an error that says whose turn it is."""
+    """The functions that are still stubs: a description, and an error that says whose turn it is."""
     return frozenset(
         node.name
         for node in ast.parse(submission.text).body
@@ -198,12 +198,12 @@ def _unwritten(submission: Submission) -> frozenset[str]:
 
 
 def _stubs(names: Iterable[str]) -> str:
-    """Functions whose cells were not run: not to be answered by somebody else."""
+    """Functions whose cells were not run: an error, so that no correct function takes their place."""
     return "".join(f"\n\ndef {name}(*arguments, **named):\n    raise {_UNWRITTEN}\n" for name in names)
 
 
-def _file(name: str, text: str) -> Path:
-    """The text as a file that stays as long as this process; the same text is the same file."""
+def _write_module(name: str, text: str) -> Path:
+    """Write the text to a module that stays as long as this process; the same text is always the same file."""
     path = Path(_folder(), f"{name}-{hashlib.sha256(text.encode()).hexdigest()[:12]}.py")
     path.write_text(f"from __future__ import annotations\n{text}", encoding="utf-8")
     return path
@@ -211,14 +211,14 @@ def _file(name: str, text: str) -> Path:
 
 @cache
 def _folder() -> Path:
-    """A folder of this process alone, which goes with it."""
+    """A folder for this process, which is removed when it ends."""
     made = tempfile.mkdtemp(prefix="collisions-lab-")
     atexit.register(shutil.rmtree, made, ignore_errors=True)
     return Path(made)
 
 
-def with_hand(implementation: str) -> str:
-    """What `--implementation` names, a notebook as the functions that it holds beside given ones.
+def named_implementation(implementation: str) -> str:
+    """What `--implementation` names. A notebook stands for its functions, with correct ones for the rest.
 
     Raises
     ------
@@ -232,4 +232,4 @@ def with_hand(implementation: str) -> str:
     found = read(path, written)
     topics = {lecture.function(name).topic for name in found.functions}
     latest = next((topic.name for topic in reversed(lecture.TOPICS) if topic.name in topics), lecture.TOPICS[0].name)
-    return in_hand(latest, path, earlier_notebooks(latest, path.parent)).source
+    return collect(latest, path, earlier_notebooks(latest, path.parent)).source

@@ -1,4 +1,4 @@
-"""One parameter moved: small pictures of every value, a line over all of them, and a slider where there is a kernel."""
+"""One parameter is moved: a small picture at every value, a line over all of them, and a slider in a live notebook."""
 
 from __future__ import annotations
 
@@ -15,45 +15,46 @@ from reference.errors import InvalidInput, UnknownName
 from reference.report import figures, numbers
 
 if TYPE_CHECKING:
-    from labs.desk.case_runs import Asked
-    from reference.report.summary import Line
+    from labs.desk.case_runs import CaseRuns
+    from reference.report.sections import Line
 
 TIMESTEP = "timestep"
 MOST = 8
-"""Small pictures that still can be read."""
+"""The most small pictures that can still be read side by side."""
 _LARGE, _SMALL, _ROWS = (3.6, 3.4), 1.75, 2
-"""Inches of the large picture, width of a small one, and how many of these stand one below the other."""
+"""Size of the large picture and width of a small one, in inches, and the number of rows of small ones."""
 _ALIKE = 10.0
-"""Times that the largest range of a curve may be the smallest one's, if all are to have the same scale."""
+"""All curves get the same scale if the largest range is at most so many times the smallest."""
 _TIMESTEPS = (1e-3, 2e-3, 1 / 240, 1 / 120)
-"""s, where nothing was recorded at others."""
+"""Timesteps in s for a family of which no others were recorded."""
 _SHORTEST = 1e-3
-"""s; with shorter steps a sweep takes longer than one waits."""
+"""s; with shorter timesteps a sweep takes longer than a student waits."""
 
 
 @dataclass(frozen=True)
 class Sweep:
     """Runs over the values of one parameter.
 
-    quantity: what is measured, the family's first if empty. predicted: what was expected of it, empty for nothing.
+    cases: the runs at each value. quantity: what is measured; the family's first if empty. predicted: what the student
+    expected of it; empty without a prediction.
     """
 
     parameter: str
     values: tuple[float, ...]
-    asked: tuple[Asked, ...]
+    cases: tuple[CaseRuns, ...]
     quantity: str = ""
     predicted: str = ""
 
     @property
     def measured(self) -> Quantity:
         """What the table and the large picture show."""
-        family = self.asked[0].family
+        family = self.cases[0].family
         return family.quantity(self.quantity) if self.quantity else family.quantities[0]
 
     @property
     def unit(self) -> str:
-        """Of the parameter; empty for a mere number."""
-        grid = self.asked[0].family.grid
+        """The parameter's unit; empty for a pure number."""
+        grid = self.cases[0].family.grid
         units = {each.name: each.unit for each in grid.parameters} if grid else {}
         return "ms" if self.parameter == TIMESTEP else units[self.parameter]
 
@@ -68,7 +69,7 @@ class Sweep:
 
     @property
     def titles(self) -> dict[str, str]:
-        """The engines that were asked, as they are called; with the mark of a recording where one answered."""
+        """The titles of the engines that ran, with the mark of a recording if one answered at any value."""
         found: dict[str, str] = {}
         for line in self._lines():
             if line.result.recording or line.result.job.engine not in found:
@@ -78,8 +79,8 @@ class Sweep:
     def numbers(self, engine: str) -> list[tuple[float, float | None, float | None]]:
         """An engine's numbers: the parameter, what was measured, and what theory says."""
         found = []
-        for value, asked in zip(self.values, self.asked, strict=True):
-            lines = [line for line in asked.lines if line.result.job.engine == engine]
+        for value, runs in zip(self.values, self.cases, strict=True):
+            lines = [line for line in runs.lines if line.result.job.engine == engine]
             row = next((row for line in lines for row in line.result.rows if row.quantity == self.measured.name), None)
             found.append((value, row.measured if row else None, row.expected if row else None))
         return found
@@ -91,7 +92,7 @@ class Sweep:
 
     @property
     def table(self) -> Table:
-        """Every implementation's numbers, one row a value."""
+        """Every implementation's numbers, with one row per value."""
         columns, theory = [self.numbers(engine) for engine in self.titles], self.theory()
         rows = []
         for place, value in enumerate(self.values):
@@ -104,12 +105,12 @@ class Sweep:
         notes += [f"{line.result.title}: {line.note}" for line in lines if line.note]
         recorded = dict.fromkeys(line.result.title for line in lines if line.result.recording)
         notes += [f"{', '.join(recorded)}: recorded earlier, which is quicker than a run."] * bool(recorded)
-        notes += [asked.snapped for asked in self.asked]
+        notes += [runs.snapped for runs in self.cases]
         headings = (self.heading, *self.titles.values(), "theory")
         return Table(title, headings, tuple(rows), tuple(dict.fromkeys(note for note in notes if note)))
 
     def _lines(self) -> Iterator[Line]:
-        return (line for asked in self.asked for line in asked.lines)
+        return (line for runs in self.cases for line in runs.lines)
 
     @property
     def picture(self) -> Picture:
@@ -117,7 +118,7 @@ class Sweep:
         import matplotlib
         from matplotlib.figure import Figure
 
-        shown = [(value, asked) for value, asked in zip(self.values, self.asked, strict=True) if _has_curve(asked)]
+        shown = [(value, runs) for value, runs in zip(self.values, self.cases, strict=True) if _has_curve(runs)]
         columns = -(-len(shown) // _ROWS)
         with matplotlib.rc_context(figures.STYLE | {"font.size": 8, "axes.titlesize": 9}):
             figure = Figure(figsize=(_LARGE[0] + _SMALL * columns, _LARGE[1]), layout="constrained", dpi=DPI)
@@ -138,7 +139,7 @@ class Sweep:
 
 
 def values_of(scenario: str, parameter: str, values: Sequence[float] | float = ()) -> list[float]:
-    """The values that are run: those given, or some of those that were recorded.
+    """The values to run: those given, or a selection of the recorded ones.
 
     Raises
     ------
@@ -162,12 +163,12 @@ def values_of(scenario: str, parameter: str, values: Sequence[float] | float = (
 
 
 def _some(values: Sequence[float]) -> list[float]:
-    """Of many values as many as are seen well, evenly."""
+    """An even selection of many values, as many as are seen well."""
     return list(values[:: max(1, -(-len(values) // (MOST - 2)))])
 
 
 def slide(sweep: Sweep) -> None:
-    """A slider over the runs, where somebody can move it; the pictures above stay for where nobody can."""
+    """Show a slider over the runs if somebody can move it; elsewhere the pictures above must do."""
     try:
         import ipywidgets  # noqa: PLC0415 - without it there is the static picture
     except ImportError:
@@ -178,8 +179,8 @@ def slide(sweep: Sweep) -> None:
         return
 
     def show(value: float) -> None:
-        asked = sweep.asked[sweep.values.index(value)]
-        shown: list[Any] = [curve(asked), tables(asked, [sweep.measured.name])]
+        runs = sweep.cases[sweep.values.index(value)]
+        shown: list[Any] = [curve(runs), tables(runs, [sweep.measured.name])]
         display(*(each for each in shown if each is not None))  # type: ignore[no-untyped-call]
 
     options = [(sweep.value(value).removeprefix(f"{sweep.parameter} "), value) for value in sweep.values]
@@ -191,7 +192,7 @@ def slide(sweep: Sweep) -> None:
 
 
 class _Slider:
-    """A widget that says in words what it is, where it cannot be shown: in a page made of the notebook."""
+    """A widget with a text in its place where it cannot be shown, as in a page made from the notebook."""
 
     def __init__(self, widget: Any) -> None:
         self._widget = widget
@@ -201,40 +202,40 @@ class _Slider:
 
 
 def _somebody_is_there() -> bool:
-    """Whether a person runs the notebook: who only executes it can be asked nothing, and some wait for the widget."""
+    """Whether a person runs the notebook. A program that executes it moves no slider, and may wait for the widget."""
     from IPython import get_ipython  # noqa: PLC0415
 
     return bool(getattr(getattr(get_ipython(), "kernel", None), "_allow_stdin", False))
 
 
-def _has_curve(asked: Asked) -> bool:
-    return any(line.result.series is not None for line in asked.lines)
+def _has_curve(runs: CaseRuns) -> bool:
+    return any(line.result.series is not None for line in runs.lines)
 
 
-def _draw_curves(figure: Any, shown: Sequence[tuple[float, Asked]], sweep: Sweep) -> None:
+def _draw_curves(figure: Any, shown: Sequence[tuple[float, CaseRuns]], sweep: Sweep) -> None:
     columns = -(-len(shown) // _ROWS)
     places = figure.subplots(_ROWS, columns, squeeze=False, sharex=True, sharey=_are_alike(shown))
-    for axes, (value, asked) in zip(places.flat, shown, strict=False):
-        for line in asked.lines:
+    for axes, (value, runs) in zip(places.flat, shown, strict=False):
+        for line in runs.lines:
             if line.result.series is not None:
                 axes.plot(line.result.series.times, line.result.series.values, **look(line))
         axes.set_title(sweep.value(value))
         axes.tick_params(labelbottom=True)
     for axes in places.flat[len(shown) :]:
         axes.set_axis_off()
-    figure.suptitle(sweep.asked[0].family.curve.y_label, x=0.01, horizontalalignment="left", fontsize=9)
+    figure.suptitle(sweep.cases[0].family.curve.y_label, x=0.01, horizontalalignment="left", fontsize=9)
     figure.supxlabel("time, s", fontsize=8)
 
 
-def _are_alike(shown: Sequence[tuple[float, Asked]]) -> bool:
+def _are_alike(shown: Sequence[tuple[float, CaseRuns]]) -> bool:
     """Whether all curves can be read on one scale."""
-    series = [[line.result.series for line in asked.lines if line.result.series] for _, asked in shown]
+    series = [[line.result.series for line in runs.lines if line.result.series] for _, runs in shown]
     ranges = [max(max(each.values) for each in one) - min(min(each.values) for each in one) for one in series]
     return max(ranges) <= _ALIKE * min(ranges)
 
 
 def _draw_measured(axes: Any, sweep: Sweep) -> None:
-    looks = {line.result.job.engine: line for asked in sweep.asked for line in asked.lines}
+    looks = {line.result.job.engine: line for runs in sweep.cases for line in runs.lines}
     theory = sweep.theory()
     for engine, title in sweep.titles.items():
         found = [(value, measured) for value, measured, _ in sweep.numbers(engine) if measured is not None]

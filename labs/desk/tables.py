@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING, Any
 from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.predictions import Prediction
 from reference.catalogue.family import Quantity
-from reference.comparison.compare import Row, Verdict
+from reference.comparison.verdicts import Row, Verdict
 from reference.report import numbers
-from reference.report.summary import MARKS, Line, error_of, tolerance_of
+from reference.report.marks import MARKS
+from reference.report.row_text import error_of, tolerance_of
+from reference.report.sections import Line
 
 if TYPE_CHECKING:
-    from labs.desk.case_runs import Asked
+    from labs.desk.case_runs import CaseRuns
 
 _MEANINGS = {
     Verdict.PASS: "within the tolerance of theory",
@@ -23,16 +25,16 @@ _MEANINGS = {
     Verdict.FAIL: "farther off than it should be",
     Verdict.SHOWN: "theory has no number",
 }
-"""What stands below a table; an implementation without a number says why itself."""
+"""The legend below a table; an implementation without a number says itself why it has none."""
 _BEYOND = 10.0
-"""Times that a guess may be off before nobody asks how far."""
+"""A guess that is off by more than so many times theory is only said to be beyond that."""
 _STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums"
 _CELL = "padding:2px 12px 2px 0;text-align:{};border:0;background:none"
 
 
 @dataclass(frozen=True)
 class Table:
-    """Numbers of one case. headings: of the columns, the first to the left. rows: as many texts. notes: lines below."""
+    """Numbers of one case. headings: of the columns. rows: a text for each column. notes: lines below the table."""
 
     title: str
     headings: tuple[str, ...]
@@ -71,7 +73,7 @@ def _lines(notes: Sequence[str]) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class Tables:
-    """Tables side by side, as far as there is room. title, notes: of all of them."""
+    """Tables side by side, as far as there is room. title, notes: of all of them together."""
 
     title: str
     tables: tuple[Table, ...]
@@ -86,20 +88,23 @@ class Tables:
         return {"text/plain": str(self), "text/html": "".join([*_lines([self.title]), row, *_lines(self.notes)])}
 
 
-def tables(asked: Asked, quantities: Sequence[str], predictions: Sequence[Prediction] = ()) -> Table | Tables:
-    """One table a quantity: who, what came, how far from theory; a predicted number in the first, words below all."""
-    wanted = [asked.family.quantity(name) for name in quantities] or list(asked.family.quantities)
+def tables(runs: CaseRuns, quantities: Sequence[str], predictions: Sequence[Prediction] = ()) -> Table | Tables:
+    """One table per quantity: who ran, the value, and how far it is from theory.
+
+    A predicted number is listed in the first table; a prediction in words is quoted below all tables.
+    """
+    wanted = [runs.family.quantity(name) for name in quantities] or list(runs.family.quantities)
     guesses = [each for each in predictions if isinstance(each.answer, float)]
-    found = [_table(asked, quantity, guesses if place == 0 else ()) for place, quantity in enumerate(wanted)]
+    found = [_table(runs, quantity, guesses if place == 0 else ()) for place, quantity in enumerate(wanted)]
     said = [f"You predicted {each.shown}. {each.question}" for each in predictions if isinstance(each.answer, str)]
-    notes = (*said, *_notes(asked, [quantity.name for quantity in wanted]))
+    notes = (*said, *_notes(runs, [quantity.name for quantity in wanted]))
     if len(found) > 1:
-        return Tables(asked.title, tuple(table for table in found if table.rows), notes)
-    return replace(found[0], title=f"{found[0].title} ({asked.title})", notes=notes)
+        return Tables(runs.title, tuple(table for table in found if table.rows), notes)
+    return replace(found[0], title=f"{found[0].title} ({runs.title})", notes=notes)
 
 
 def who(line: Line) -> str:
-    """`yours`, `PyBullet`; the profile only where it says something."""
+    """`yours`, `PyBullet`; with the profile if it is not tuned."""
     return line.result.title if line.tuned else line.title
 
 
@@ -108,10 +113,10 @@ def capital(text: str) -> str:
     return text[:1].upper() + text[1:] if text[1:2].isalpha() else text
 
 
-def _table(asked: Asked, quantity: Quantity, guesses: Sequence[Prediction]) -> Table:
-    rows = [(line, row) for line in asked.lines if (row := _row(line, quantity.name))]
+def _table(runs: CaseRuns, quantity: Quantity, guesses: Sequence[Prediction]) -> Table:
+    rows = [(line, row) for line in runs.lines if (row := _row(line, quantity.name))]
     theory = next((row.expected for _, row in rows if row.expected is not None), None)
-    cells = [_cells(line, row) for line, row in rows]
+    cells = [_cells(line, row, runs.timestep(line)) for line, row in rows]
     cells[:0] = [("you predicted", guess.shown, _off(guess, theory), "", "", "") for guess in guesses]
     if theory is not None:
         cells.append(("theory", _value(theory), "", "", "", ""))
@@ -129,21 +134,20 @@ def _row(line: Line, quantity: str) -> Row | None:
     return next((row for row in line.result.rows if row.quantity == quantity), None)
 
 
-def _cells(line: Line, row: Row) -> tuple[str, ...]:
+def _cells(line: Line, row: Row, timestep: float) -> tuple[str, ...]:
     value = _value(row.measured) if row.measured is not None else "none"
-    timestep = f"{1000 * float(row.settings.split()[1]):.3g} ms"  # of `timestep 0.001 s, …`
     error = error_of(row) if row.error is not None else ""
-    return who(line), value, error, MARKS[row.verdict], _allowed(row), timestep
+    return who(line), value, error, MARKS[row.verdict], _allowed(row), f"{1000 * timestep:.3g} ms"
 
 
 def _allowed(row: Row) -> str:
-    """The tolerance of a row; that of a number which may be off by rounding alone needs no figure."""
+    """The tolerance of a row; a tolerance of rounding needs no figure."""
     allowed = tolerance_of(row)
     return "rounding" if allowed.startswith("<") else f"±{allowed}" if allowed else ""
 
 
 def _off(prediction: Prediction, theory: float | None) -> str:
-    """How far a guess is from theory, as a share of it, up to `_BEYOND`; nothing where theory is zero."""
+    """How far a guess is from theory, as a share of theory and up to `_BEYOND`; empty if theory is zero."""
     if theory is None or _value(theory) == "0" or not isinstance(prediction.answer, float):
         return ""
     off = (prediction.answer - theory) / abs(theory)
@@ -151,17 +155,17 @@ def _off(prediction: Prediction, theory: float | None) -> str:
 
 
 def _value(value: float) -> str:
-    """Five digits, and zero for what is rounding and nothing else."""
+    """A number with five digits; zero if it is nothing but rounding."""
     return numbers.quantity(value, "")
 
 
-def _notes(asked: Asked, quantities: Sequence[str]) -> Iterator[str]:
-    """Who has no number and why, what the marks mean, why something deviates, and what was recorded elsewhere."""
-    for line in asked.lines:
+def _notes(runs: CaseRuns, quantities: Sequence[str]) -> Iterator[str]:
+    """Who has no number and why, what the marks mean, why numbers deviate, and which were recorded elsewhere."""
+    for line in runs.lines:
         if not any(_row(line, name) for name in quantities):
             yield f"{who(line)}: {line.note}"
-    rows = [(line, row) for line in asked.lines for row in line.result.rows if row.quantity in quantities]
-    if any(line.result.job.engine == HANDWRITTEN and _is_wrong(line) for line in asked.lines):
+    rows = [(line, row) for line in runs.lines for row in line.result.rows if row.quantity in quantities]
+    if any(line.result.job.engine == HANDWRITTEN and _is_wrong(line) for line in runs.lines):
         yield "lab.check() says more about your functions."
     verdicts = dict.fromkeys(row.verdict for _, row in rows if row.verdict in _MEANINGS)
     if verdicts:
@@ -169,9 +173,9 @@ def _notes(asked: Asked, quantities: Sequence[str]) -> Iterator[str]:
     for note in dict.fromkeys(row.note for _, row in rows if row.note):
         names = dict.fromkeys(who(line) for line, row in rows if row.note == note)
         yield f"{' and '.join(names)}: {note}"
-    yield from (line.result.recording for line in asked.lines if line.result.recording)
+    yield from (line.result.recording for line in runs.lines if line.result.recording)
 
 
 def _is_wrong(line: Line) -> bool:
-    """Whether something in a run hints at a wrong function, be it only that it cannot be."""
+    """Whether a run hints at a wrong function: it failed or crashed, or its result is impossible."""
     return any(row.verdict in (Verdict.FAIL, Verdict.CRASHED) or "wrong" in row.note for row in line.result.rows)

@@ -1,7 +1,9 @@
-"""Gravity, viscosity, springs, and the integrators that turn their sum into motion (slides 23, 25 to 27, 29, 30).
+"""Gravity, viscosity, springs, and their integrators (slides 23, 25 to 27, 29, 30).
 
-What has no physical meaning, such as a negative mass or a viscosity that is no number, is refused with a `ValueError`
-that names the argument and its value.
+The integrators turn the sum of all forces into motion.
+
+An argument without physical meaning is refused, such as a negative mass or a viscosity
+that is not a number. The `ValueError` names the argument and its value.
 """
 
 from __future__ import annotations
@@ -15,18 +17,8 @@ from solutions.forces.accumulator import (
     power_by_tag,
     total_force,
 )
-from solutions.forces.drag import (
-    STOKES_LIMIT,
-    StokesRegimeWarning,
-    buoyancy,
-    check_stokes_regime,
-    drag_motion,
-    relaxation_time,
-    reynolds_number,
-    spheroid_drag,
-    stokes_drag,
-    terminal_velocity,
-)
+from solutions.forces.drag import buoyancy, spheroid_drag, stokes_drag
+from solutions.forces.falling import drag_motion, relaxation_time, terminal_velocity, terminal_velocity_corrected
 from solutions.forces.gravity import (
     GRAVITATIONAL_CONSTANT,
     STANDARD_GRAVITY,
@@ -45,13 +37,15 @@ from solutions.forces.integrators import (
     velocity_verlet,
 )
 from solutions.forces.oscillators import damped_oscillator, damping_ratio, friction_oscillator, natural_frequency
-from solutions.forces.shapes import (
+from solutions.forces.reynolds import (
     LARGEST_REYNOLDS,
+    STOKES_LIMIT,
+    StokesRegimeWarning,
+    check_stokes_regime,
     drag_correction,
-    sphere_shape_factor,
-    spheroid_shape_factors,
-    terminal_velocity_corrected,
+    reynolds_number,
 )
+from solutions.forces.shapes import sphere_shape_factor, spheroid_shape_factors
 from solutions.forces.springs import damper_force, spring_damper_force, spring_energy, spring_force
 from solutions.forces.stability import stable_step
 from solutions.forces.wind import sample_field, wind_force

@@ -1,4 +1,7 @@
-"""All forces on all bodies, summed, and an audit of the energy that each brings in (slides 23 and 30)."""
+"""All forces on all bodies, their sum, and an audit of the energy (slides 23 and 30).
+
+The audit says how much energy each force brings in.
+"""
 
 from __future__ import annotations
 
@@ -7,22 +10,36 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import positive
 
-Array = NDArray[np.float64]
 Tag = Literal["position", "velocity", "interaction"]
-"""What a force hangs on, as slide 30 sorts them: springs, gravity; viscosity, wind, dampers; friction, contacts."""
+"""What a force depends on, as slide 30 sorts the forces.
+
+Springs and gravity depend on the position. Viscosity, wind and dampers depend on the
+velocity. Friction and contacts depend on the interaction of bodies.
+"""
 
 
 @dataclass(frozen=True)
 class Force:
     """One kind of force on all N bodies at once.
 
-    name: unique among the forces of a world. tag: what it hangs on. force: a function of position and velocity, each
-    (..., N, 3), that returns (..., N, 3), N. potential: for a conservative force, a function of the position that
-    returns the energy of the whole system (...), J.
+    Attributes
+    ----------
+    name : unique among the forces of a world
+    tag : what the force depends on
+    force : function of position and velocity, each (..., N, 3), m, m/s
+        It returns the force on each body, (..., N, 3), N.
+    potential : function of the position, (..., N, 3), m, for a conservative force
+        It returns the potential energy of the whole system, (...), J.
+
+    Raises
+    ------
+    ValueError
+        If there is no such tag.
     """
 
     name: str
@@ -35,17 +52,26 @@ class Force:
             raise ValueError(f"tag must be one of {', '.join(get_args(Tag))}, not {self.tag!r}")
 
 
-def evaluate_forces(forces: Sequence[Force], position: ArrayLike, velocity: ArrayLike) -> dict[str, Array]:
-    """Every force by its name (slide 30).
+def evaluate_forces(
+    forces: Sequence[Force],
+    position: ArrayLike,
+    velocity: ArrayLike,
+) -> dict[str, Array]:
+    """Every force on each body, by the force's name (slide 30).
 
     Parameters
     ----------
-    forces : with names of their own
+    forces : each with a name of its own
     position, velocity : (..., N, 3), m, m/s
 
     Returns
     -------
     (..., N, 3) for each name, N
+
+    Raises
+    ------
+    ValueError
+        If two forces have the same name.
     """
     if len({each.name for each in forces}) < len(forces):
         raise ValueError(f"forces must have names of their own, not {', '.join(each.name for each in forces)}")
@@ -54,49 +80,93 @@ def evaluate_forces(forces: Sequence[Force], position: ArrayLike, velocity: Arra
     return {each.name: np.broadcast_to(np.asarray(each.force(p, v), dtype=float), shape) for each in forces}
 
 
-def total_force(forces: Sequence[Force], position: ArrayLike, velocity: ArrayLike) -> Array:
-    """Sum of all forces on each body; zero if there are none (slide 30).
+def total_force(
+    forces: Sequence[Force],
+    position: ArrayLike,
+    velocity: ArrayLike,
+) -> Array:
+    """Sum of all forces on each body (slide 30).
 
     Parameters
     ----------
-    forces : with names of their own
+    forces : each with a name of its own
     position, velocity : (..., N, 3), m, m/s
 
     Returns
     -------
     (..., N, 3), N
+        It is zero if there are no forces.
+
+    Raises
+    ------
+    ValueError
+        If two forces have the same name.
     """
     zero = np.zeros(np.broadcast_shapes(np.shape(position), np.shape(velocity)))
     return np.asarray(sum(evaluate_forces(forces, position, velocity).values(), start=zero))
 
 
-def acceleration_of(forces: Sequence[Force], mass: ArrayLike) -> Callable[[Array, Array], Array]:
-    """What the forces give rise to, a = F/m, as the function that the integrators take (slide 30).
+def acceleration_of(
+    forces: Sequence[Force],
+    mass: ArrayLike,
+) -> Callable[[Array, Array], Array]:
+    """Acceleration by the forces, as the function that integrators take (slide 30).
 
     Parameters
     ----------
-    forces : with names of their own
+    forces : each with a name of its own
     mass : (N,), kg, above zero; an infinite mass is not accelerated
 
     Returns
     -------
-    function of position and velocity, each (..., N, 3), that returns (..., N, 3), m/s²
+    function of position and velocity, each (..., N, 3), m, m/s
+        It returns the accelerations, (..., N, 3), m/s².
+
+    Raises
+    ------
+    ValueError
+        If a mass is not positive. The function returned raises it if two forces have
+        the same name.
+
+    Notes
+    -----
+    By Newton's second law each body has the acceleration
+
+        a = F/m
+
+    where F is the sum of all forces on the body.
     """
     m = positive("mass", mass)[..., None]
     return lambda position, velocity: np.asarray(total_force(forces, position, velocity) / m)
 
 
-def power_by_tag(forces: Sequence[Force], position: ArrayLike, velocity: ArrayLike) -> dict[str, Array]:
-    """Power Σ F·v that the forces of each tag bring in, over all bodies.
+def power_by_tag(
+    forces: Sequence[Force],
+    position: ArrayLike,
+    velocity: ArrayLike,
+) -> dict[str, Array]:
+    """Power that the forces of each tag bring in, over all bodies.
 
     Parameters
     ----------
-    forces : with names of their own
+    forces : each with a name of its own
     position, velocity : (..., N, 3), m, m/s
 
     Returns
     -------
     (...) for each of the three tags, W
+        It is zero for a tag that no force has.
+
+    Raises
+    ------
+    ValueError
+        If two forces have the same name.
+
+    Notes
+    -----
+    A force F on a body with the velocity v does the work F·v dt in a short time dt. So
+    its power is F·v, and the function returns Σ F·v over the bodies and over the forces
+    of the tag.
     """
     found = evaluate_forces(forces, position, velocity)
     powers = {each.name: _power(found[each.name], np.asarray(velocity, dtype=float)) for each in forces}
@@ -111,8 +181,12 @@ def power_by_tag(forces: Sequence[Force], position: ArrayLike, velocity: ArrayLi
 class EnergyAudit:
     """Where the energy of a run of T states went, J, each (T,).
 
-    kinetic: Σ m v²/2; bodies with infinite mass are left out. work: by the name of the force, since the start.
-    potential: by name, of the forces that have one.
+    Attributes
+    ----------
+    kinetic : (T,), Σ m v²/2
+        Bodies with infinite mass are left out.
+    work : by the name of the force, (T,), since the start
+    potential : by the name of the force, (T,), of the forces that have one
     """
 
     kinetic: Array
@@ -120,25 +194,32 @@ class EnergyAudit:
     potential: Mapping[str, Array]
 
     def residual(self) -> Array:
-        """Kinetic energy gained that no force's work accounts for, (T,), J: the error of integrator and audit."""
+        """Kinetic energy gained that no force's work accounts for, (T,), J.
+
+        It is the error of the integrator and of the audit.
+        """
         return np.asarray(self.kinetic - self.kinetic[0] - sum(self.work.values()))
 
     def mechanical(self) -> Array:
-        """Kinetic and potential energy together, (T,), J: constant if all forces are conservative."""
+        """Kinetic and potential energy together, (T,), J.
+
+        It is constant if all forces are conservative.
+        """
         return np.asarray(self.kinetic + sum(self.potential.values()))
 
 
 def audit_energy(
-    forces: Sequence[Force], mass: ArrayLike, position: ArrayLike, velocity: ArrayLike, dt: ArrayLike
+    forces: Sequence[Force],
+    mass: ArrayLike,
+    position: ArrayLike,
+    velocity: ArrayLike,
+    dt: ArrayLike,
 ) -> EnergyAudit:
     """Account for the energy of a run (slide 30).
 
-    The work of each force is its power, integrated by the trapezoidal rule: out by some dt². What an impulse brings in
-    is no force's work, and stands in the residual.
-
     Parameters
     ----------
-    forces : with names of their own
+    forces : each with a name of its own
     mass : (N,), kg
     position, velocity : (T, N, 3), m, m/s, at equal or unequal intervals
     dt : (T − 1,) or one number, s, between the states
@@ -146,6 +227,20 @@ def audit_energy(
     Returns
     -------
     EnergyAudit
+        The work of each force is wrong by an error of the order of dt². What an impulse
+        brings in is not the work of any force, and it appears in the residual.
+
+    Raises
+    ------
+    ValueError
+        If position and velocity do not have the same shape (T, N, 3), a mass is not
+        positive, or two forces have the same name.
+
+    Notes
+    -----
+    The work of a force is the integral of its power over time. The power F·v is known
+    at the T states. The trapezoidal rule takes it as linear between two states, so that
+    an interval of length dt adds the mean of its two powers times dt.
     """
     p, v, m = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float), positive("mass", mass)
     if p.ndim != 3 or p.shape != v.shape:
@@ -162,5 +257,5 @@ def _power(force: Array, velocity: Array) -> Array:
 
 
 def _integral(rate: Array, dt: Array) -> Array:
-    """Integral of a rate (T,) from the start to each instant by the trapezoidal rule."""
+    """Integral of a rate (T,) from the start to each instant, by trapezoids."""
     return np.concatenate([[0.0], np.cumsum((rate[1:] + rate[:-1]) / 2 * dt)])

@@ -1,33 +1,49 @@
-"""Integrators: from accelerations to motion, and the largest step that each can take (slide 30)."""
+"""Integrators, which turn accelerations into motion (slide 30)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from solutions.arrays import Array
+
 Acceleration = ArrayLike | Callable[[Array, Array], ArrayLike]
-"""A constant acceleration (..., 3), m/s², or a function of position and velocity that returns it."""
+"""A constant acceleration (..., 3), m/s², or a function that returns it.
+
+The function takes the position and the velocity.
+"""
 _MOST_ITERATIONS = 30
 _CONVERGED = 1e-12
-"""Change of an iteration, over the size of the velocities, below which Newton's method is done."""
+"""Change of an iteration at which Newton's method stops.
+
+It is measured in units of the largest velocity component.
+"""
 
 
 def ballistic_motion(
     position: ArrayLike, velocity: ArrayLike, acceleration: ArrayLike, dt: ArrayLike
 ) -> tuple[Array, Array]:
-    """State after a time dt of constant acceleration, exactly: p + v dt + a dt²/2 and v + a dt.
+    """State after a time dt of constant acceleration, exactly.
 
     Parameters
     ----------
-    position, velocity, acceleration : (..., 3), m, m/s, m/s²
+    position : (..., 3), p, m
+    velocity : (..., 3), v, m/s
+    acceleration : (..., 3), a, m/s²
     dt : (...), s
 
     Returns
     -------
-    position, velocity : (..., 3) each
+    position, velocity : (..., 3) each, m, m/s
+
+    Notes
+    -----
+    A constant acceleration adds a dt to the velocity. The mean velocity over the time
+    is then v + a dt/2, and this times dt is the displacement:
+
+        p' = p + v dt + a dt²/2,    v' = v + a dt
     """
     p, v, a, time = _state(position, velocity, acceleration, dt)
     return p + v * time + a * time**2 / 2, v + a * time
@@ -36,19 +52,32 @@ def ballistic_motion(
 def explicit_euler(
     position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
 ) -> tuple[Array, Array]:
-    """State after one step of p' = p + v dt, v' = v + a dt: everything as it was at the start of the step.
+    """State after one step of explicit Euler.
 
-    First order. An undamped spring gains energy in every step, however short.
+    Everything is taken as it was at the start of the step: the old velocity moves the
+    position, and the old acceleration changes the velocity. The method is of first
+    order.
 
     Parameters
     ----------
-    position, velocity : (..., 3), m, m/s
-    acceleration : (..., 3), m/s², or a function of position and velocity
+    position : (..., 3), p, m
+    velocity : (..., 3), v, m/s
+    acceleration : (..., 3), a, m/s², or a function of position and velocity
     dt : (...), s
 
     Returns
     -------
-    position, velocity : (..., 3) each
+    position, velocity : (..., 3) each, m, m/s
+
+    Notes
+    -----
+    The step is
+
+        p' = p + v dt,    v' = v + a dt
+
+    An undamped spring gains energy in every step, however short. With a = −ω² p, put
+    the step into the energy: ω² p'² + v'² is (1 + ω² dt²) times ω² p² + v², because the
+    mixed terms cancel.
     """
     p, v, a, time = _state(position, velocity, acceleration, dt)
     return p + v * time, v + a * time
@@ -57,19 +86,32 @@ def explicit_euler(
 def semi_implicit_euler(
     position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
 ) -> tuple[Array, Array]:
-    """State after one step of the integrator that most engines use: v' = v + a dt, then p' = p + v' dt.
+    """State after one step of semi-implicit Euler.
 
-    First order, and symplectic: the energy of an undamped spring swings about a constant and does not drift.
+    Most engines use this integrator. The acceleration at the start of the step first
+    changes the velocity. The new velocity then moves the position. The method is of
+    first order and symplectic.
 
     Parameters
     ----------
-    position, velocity : (..., 3), m, m/s
-    acceleration : (..., 3), m/s², or a function of position and velocity
+    position : (..., 3), p, m
+    velocity : (..., 3), v, m/s
+    acceleration : (..., 3), a, m/s², or a function of position and velocity
     dt : (...), s
 
     Returns
     -------
-    position, velocity : (..., 3) each
+    position, velocity : (..., 3) each, m, m/s
+
+    Notes
+    -----
+    The step is
+
+        v' = v + a dt,    p' = p + v' dt
+
+    The energy of an undamped spring swings about a constant and does not drift. With
+    a = −ω² p, each step leaves ω² p² + v² − ω² p·v dt exactly as it was, and this
+    differs from twice the energy of a unit mass only by a term that swings.
     """
     p, v, a, time = _state(position, velocity, acceleration, dt)
     after = v + a * time
@@ -79,20 +121,32 @@ def semi_implicit_euler(
 def velocity_verlet(
     position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
 ) -> tuple[Array, Array]:
-    """State after one step of p' = p + v dt + a dt²/2, v' = v + (a + a') dt/2, with a' at the end of the step.
+    """State after one step of velocity Verlet.
 
-    Second order, and symplectic where a depends on the position alone. Where it depends on the velocity too, a' is
-    taken at p' and at the velocity v + a dt that is foreseen.
+    The acceleration at the start of the step moves the position. The mean of the
+    accelerations at the start and at the end of the step changes the velocity. The
+    method is of second order, and it is symplectic where the acceleration depends only
+    on the position.
 
     Parameters
     ----------
-    position, velocity : (..., 3), m, m/s
-    acceleration : (..., 3), m/s², or a function of position and velocity
+    position : (..., 3), p, m
+    velocity : (..., 3), v, m/s
+    acceleration : (..., 3), a, m/s², or a function of position and velocity
     dt : (...), s
 
     Returns
     -------
-    position, velocity : (..., 3) each
+    position, velocity : (..., 3) each, m, m/s
+
+    Notes
+    -----
+    With the acceleration a' at the end of the step, the step is
+
+        p' = p + v dt + a dt²/2,    v' = v + (a + a') dt/2
+
+    The acceleration a' is taken at p'. Where it depends on the velocity too, it is
+    taken at the predicted velocity v + a dt, because v' is not known yet.
     """
     p, v, a, time = _state(position, velocity, acceleration, dt)
     after = p + v * time + a * time**2 / 2
@@ -102,19 +156,40 @@ def velocity_verlet(
 def runge_kutta_4(
     position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
 ) -> tuple[Array, Array]:
-    """State after one step of the classical Runge–Kutta method: four accelerations, weighted 1 : 2 : 2 : 1.
+    """State after one step of the classical Runge–Kutta method.
 
-    Fourth order, not symplectic: an undamped spring very slowly loses energy.
+    It takes four accelerations and weights them 1 : 2 : 2 : 1. The first is at the
+    start of the step, two are in its middle, and the last is at its end. The method is
+    of fourth order and not symplectic.
 
     Parameters
     ----------
-    position, velocity : (..., 3), m, m/s
-    acceleration : (..., 3), m/s², or a function of position and velocity
+    position : (..., 3), p, m
+    velocity : (..., 3), v, m/s
+    acceleration : (..., 3), a, m/s², or a function of position and velocity
     dt : (...), s
 
     Returns
     -------
-    position, velocity : (..., 3) each
+    position, velocity : (..., 3) each, m, m/s
+
+    Notes
+    -----
+    Each stage starts from the beginning of the step, and takes its slope from the stage
+    before:
+
+        a1 = a(p, v)
+        v2 = v + a1 dt/2,    a2 = a(p + v dt/2, v2)
+        v3 = v + a2 dt/2,    a3 = a(p + v2 dt/2, v3)
+        v4 = v + a3 dt,      a4 = a(p + v3 dt, v4)
+
+    The step uses the weighted means of the four velocities and of the four
+    accelerations:
+
+        p' = p + (v + 2 v2 + 2 v3 + v4) dt/6
+        v' = v + (a1 + 2 a2 + 2 a3 + a4) dt/6
+
+    An undamped spring very slowly loses energy.
     """
     p, v, a1, time = _state(position, velocity, acceleration, dt)
     v2 = v + a1 * time / 2
@@ -129,26 +204,39 @@ def runge_kutta_4(
 def implicit_euler(
     position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
 ) -> tuple[Array, Array]:
-    """State after one step of v' = v + a(p', v') dt, p' = p + v' dt: everything as it will be at the end of the step.
+    """State after one step of implicit Euler.
 
-    First order, stable for any step, and it damps what it cannot follow. The velocity v' is found by Newton's method
-    with the derivatives taken by differences; for springs and dampers that are linear one iteration does it.
+    Everything is taken as it will be at the end of the step. The method is of first
+    order and stable for any step, and it damps motion that it cannot follow.
 
     Parameters
     ----------
-    position, velocity : (..., n), m, m/s. What lies along the last axis may hang together: 3 for bodies that do not
-        know of each other, 3 N, all in a row, for N bodies in a mesh
+    position, velocity : (..., n), p and v, m, m/s
+        Components along the last axis may depend on each other. There are n = 3 for
+        bodies that do not know of each other, and n = 3 N, all in a row, for N bodies
+        in a mesh.
     acceleration : (..., n), m/s², or a function of position and velocity, each (..., n)
     dt : (...), s
 
     Returns
     -------
-    position, velocity : (..., n) each
+    position, velocity : (..., n) each, m, m/s
 
     Raises
     ------
     ArithmeticError
         If thirty iterations do not settle: the step is too long for the force.
+
+    Notes
+    -----
+    The step is
+
+        v' = v + a(p', v') dt,    p' = p + v' dt
+
+    The velocity v' appears on both sides. If p' is put into the first equation, v' is
+    the root of v' − v − a(p + v' dt, v') dt. Newton's method finds this root, with the
+    derivatives taken by differences. For springs and dampers that are linear, one
+    iteration is enough.
     """
     p, v, a, time = _state(position, velocity, acceleration, dt)
 
@@ -180,6 +268,9 @@ def _at(acceleration: Acceleration, position: Array, velocity: Array) -> Array:
 def _state(
     position: ArrayLike, velocity: ArrayLike, acceleration: Acceleration, dt: ArrayLike
 ) -> tuple[Array, Array, Array, Array]:
-    """Position, velocity, their acceleration, and the time step with an axis for the components."""
+    """Position, velocity, their acceleration, and the time step.
+
+    The time step has an axis for the components.
+    """
     p, v = np.asarray(position, dtype=float), np.asarray(velocity, dtype=float)
     return p, v, _at(acceleration, p, v), np.asarray(dt, dtype=float)[..., None]

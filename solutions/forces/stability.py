@@ -1,40 +1,64 @@
-"""How long a step may be: the largest stable one of each integrator for a spring with a damper (slides 29 and 30)."""
+"""Largest stable steps of the integrators for a damped spring (slides 29 and 30)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive
 
-Array = NDArray[np.float64]
 
+def stable_step(
+    integrator: str,
+    frequency: ArrayLike,
+    damping_ratio: ArrayLike = 0.0,
+) -> Array:
+    """Largest stable step of an integrator for a damped oscillator (slides 29 and 30).
 
-def stable_step(integrator: str, frequency: ArrayLike, damping_ratio: ArrayLike = 0.0) -> Array:
-    """Largest stable step for x″ + 2 ζ ω x′ + ω² x = 0: beyond it the motion grows without end (slides 29 and 30).
-
-    In units of 1/ω:
-
-        explicit_euler         2 ζ, or 2/(ζ + √(ζ² − 1)) overdamped: zero without a damper
-        semi_implicit_euler    2 (√(1 + ζ²) − ζ)
-        velocity_verlet        2/(ζ + √(1 − 3ζ²)) up to ζ = 1/2, then 1/ζ
-        runge_kutta_4          2 √2 undamped, 2.785/(ζ + √(ζ² − 1)) overdamped, between them a root of ‖R(λ dt)‖ = 1
-        implicit_euler         no limit
-
-    Of a structure, ω is its highest frequency, not that of one spring. Stable is not accurate: at the limit a period
-    has three steps.
+    Beyond this step the motion x″ + 2 ζ ω x′ + ω² x = 0 grows without end. Stable is
+    not accurate: at the limit a period has three steps.
 
     Parameters
     ----------
-    integrator : the name of one of the five functions
+    integrator : name of the integrator
+        It is "explicit_euler", "semi_implicit_euler", "velocity_verlet",
+        "runge_kutta_4" or "implicit_euler".
     frequency : (...), ω, rad/s, above zero
-    damping_ratio : (...), ζ = c/(2√(k m)), not negative
+        For a structure of several springs it is the highest frequency of the structure,
+        not that of one spring.
+    damping_ratio : (...), ζ = c/(2√(k m)), not negative and finite
 
     Returns
     -------
     (...), s
+        It is 0 for explicit Euler without a damper, and infinity for implicit Euler.
+
+    Raises
+    ------
+    ValueError
+        If there is no such integrator, frequency is not positive, or damping_ratio is
+        negative or not finite.
+
+    Notes
+    -----
+    In units of 1/ω the limits are
+
+        explicit_euler         2 ζ underdamped, 2/(ζ + √(ζ² − 1)) overdamped
+        semi_implicit_euler    2 (√(1 + ζ²) − ζ)
+        velocity_verlet        2/(ζ + √(1 − 3ζ²)) up to ζ = 1/2, then 1/ζ
+        runge_kutta_4          2 √2 undamped, 2.785/(ζ + √(ζ² − 1)) overdamped,
+                               between them a root of ‖R(λ dt)‖ = 1
+        implicit_euler         no limit
+
+    A step multiplies a motion e^(λt) by some factor, and the motion grows if the factor
+    is larger than 1 in size. Explicit Euler multiplies by 1 + λ dt, where λ = −ζω ±
+    iω √(1 − ζ²) underdamped. The square of its size is 1 − 2ζω dt + ω² dt², which is at
+    most 1 up to ω dt = 2ζ. Overdamped, the faster of the two real rates is
+    λ = −ω (ζ + √(ζ² − 1)), and 1 + λ dt reaches −1 at the limit given. Runge–Kutta
+    multiplies by R(z) = 1 + z + z²/2 + z³/6 + z⁴/24 with z = λ dt.
     """
     if integrator not in _LIMITS:
         raise ValueError(f"integrator must be one of {', '.join(_LIMITS)}, not {integrator!r}")
@@ -43,7 +67,10 @@ def stable_step(integrator: str, frequency: ArrayLike, damping_ratio: ArrayLike 
 
 
 def _fastest(zeta: Array) -> Array:
-    """ζ + √(ζ² − 1), the faster of the two rates of an overdamped oscillator over ω; 1 if it is underdamped."""
+    """ζ + √(ζ² − 1), the faster of the two rates of an overdamped oscillator over ω.
+
+    It is 1 if the oscillator is underdamped.
+    """
     return np.asarray(np.maximum(zeta, 1.0) + np.sqrt((np.maximum(zeta, 1.0) - 1) * (np.maximum(zeta, 1.0) + 1)))
 
 
@@ -52,7 +79,8 @@ def _explicit(zeta: Array) -> Array:
 
 
 def _semi_implicit(zeta: Array) -> Array:
-    return np.asarray(2 / (np.hypot(1.0, zeta) + zeta))  # the same as on the slide, without a difference
+    # This equals the slide's 2 (√(1 + ζ²) − ζ), without a difference that loses digits.
+    return np.asarray(2 / (np.hypot(1.0, zeta) + zeta))
 
 
 def _verlet(zeta: Array) -> Array:
@@ -61,7 +89,10 @@ def _verlet(zeta: Array) -> Array:
 
 
 def _runge_kutta(zeta: Array) -> Array:
-    """Root along the ray of λ = −ζ + i√(1 − ζ²), between 2 and 4, of the growth of a step."""
+    """Step at which the factor of a step reaches the size 1.
+
+    It is found by halving, between 2 and 4, along the ray of λ = −ζ + i√(1 − ζ²).
+    """
     little = np.minimum(zeta, 1.0)
     ray = -little + 1j * np.sqrt(1 - little**2)
     low, high = np.full(zeta.shape, 2.0), np.full(zeta.shape, 4.0)

@@ -1,33 +1,53 @@
-"""Linear complementarity problems, A f + b ≥ 0, f ≥ 0, f·(A f + b) = 0: two ways to solve one (slide 22)."""
+"""Linear complementarity problems and two ways to solve one (slide 22).
+
+The problem is to find f with A f + b ≥ 0, f ≥ 0 and f·(A f + b) = 0.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative
 
-Array = NDArray[np.float64]
 ROUNDING = 1e-10
-"""Below this share of the largest number a number of Lemke's table counts as zero: rounding grows in the exchanges."""
+"""Share of the largest number below which a number of Lemke's table counts as zero.
+
+Rounding grows in the exchanges.
+"""
 
 
-def complementarity_residual(matrix: ArrayLike, offset: ArrayLike, force: ArrayLike) -> Array:
-    """How far forces are from a solution: the largest |min(A_ii f_i, (A f + b)_i)|, (...), m/s². Zero solves it.
-
-    Of the two numbers, in the same unit, the smaller one has to be zero: negative it breaks an inequality, positive the
-    product. Of a contact that moves nothing, A_ii = 0, the first one is f_i itself.
+def complementarity_residual(
+    matrix: ArrayLike,
+    offset: ArrayLike,
+    force: ArrayLike,
+) -> Array:
+    """How far forces are from a solution of the problem; zero for a solution.
 
     Parameters
     ----------
-    matrix : (..., m, m), A
-    offset : (..., m), b
-    force : (..., m), f
+    matrix : (..., m, m), A, 1/kg
+    offset : (..., m), b, m/s²
+    force : (..., m), f, N
+
+    Returns
+    -------
+    (...), m/s²
+        The largest |min(A_ii f_i, (A f + b)_i)| of all contacts i. For a contact that
+        moves nothing, A_ii = 0, the first number is f_i itself. 0 without any contact.
 
     Raises
     ------
     ValueError
         If the shapes do not fit, a number is not finite, or an A_ii is negative.
+
+    Notes
+    -----
+    A solution needs f_i ≥ 0 and (A f + b)_i ≥ 0, and one of the two must be zero. In
+    other words, the smaller of the two numbers must be zero. If it is negative, it
+    breaks an inequality; if it is positive, the product is not zero. The factor A_ii
+    gives both numbers the same unit, so that they can be compared.
     """
     a, b = _checked(matrix, offset)
     f, own = finite("force", force), np.diagonal(a, axis1=-2, axis2=-1)
@@ -35,28 +55,43 @@ def complementarity_residual(matrix: ArrayLike, offset: ArrayLike, force: ArrayL
     return np.asarray(np.max(np.abs(np.minimum(pressed, np.matvec(a, f) + b)), axis=-1, initial=0.0))
 
 
-def solve_by_sweeps(matrix: ArrayLike, offset: ArrayLike, sweeps: int, start: ArrayLike = 0.0) -> Array:
-    """Forces by projected Gauss–Seidel, (..., m): f_i ← max(0, f_i − (A f + b)_i/A_ii), contact after contact.
-
-    Simple and never wrong by much, for a symmetric A without negative eigenvalues; how fast it converges depends on
-    A, and a tall stack is slow. Where forces are not unique it ends at one of the solutions, which depends on start
-    and order.
+def solve_by_sweeps(
+    matrix: ArrayLike,
+    offset: ArrayLike,
+    sweeps: int,
+    start: ArrayLike = 0.0,
+) -> Array:
+    """Forces that solve the problem, by projected Gauss–Seidel sweeps.
 
     Parameters
     ----------
-    matrix : (..., m, m), A
-    offset : (..., m), b
+    matrix : (..., m, m), A, 1/kg
+    offset : (..., m), b, m/s²
     sweeps : how often to go through all contacts
-    start : (..., m), forces to begin with, such as those of the last step
+    start : (..., m), forces to begin with, such as those of the last step, N
 
     Returns
     -------
-    (..., m); a contact that moves nothing, A_ii = 0, gets no force
+    (..., m), N
+        A contact that moves nothing, A_ii = 0, gets no force. Where the forces are not
+        unique, the sweeps end at one of the solutions, which depends on the start and
+        on the order of the contacts.
 
     Raises
     ------
     ValueError
         If the shapes do not fit, a number is not finite, or an A_ii is negative.
+
+    Notes
+    -----
+    The sweep takes one contact after another and holds all other forces fixed. It
+    changes f_i so that (A f + b)_i becomes zero, or sets f_i to zero where that would
+    be negative:
+
+        f_i ← max(0, f_i − (A f + b)_i/A_ii)
+
+    For a symmetric A without negative eigenvalues, this is simple and never wrong by
+    much. How fast it converges depends on A; for a tall stack it is slow.
     """
     a, b = _checked(matrix, offset)
     start = finite("start", start)
@@ -71,34 +106,42 @@ def solve_by_sweeps(matrix: ArrayLike, offset: ArrayLike, sweeps: int, start: Ar
 
 
 def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
-    """Forces by Lemke's method, (..., m): exact but for rounding, after finitely many exchanges.
-
-    An artificial force z on all rows, w = A f + b + z ≥ 0, makes f = 0 a solution. Then f_i and w_i take turns: what
-    left last lets its partner in, until z itself leaves. Ties are broken by the columns of w in their order
-    (lexicographically), so that redundant contacts do not make it go round in circles.
+    """Forces that solve the problem, by Lemke's method; exact except for rounding.
 
     Parameters
     ----------
-    matrix : (..., m, m), A; without negative eigenvalues for the method to be sure of its answer
-    offset : (..., m), b
+    matrix : (..., m, m), A, 1/kg
+        The method is sure to find a solution, if there is one, only for an A without
+        negative eigenvalues.
+    offset : (..., m), b, m/s²
 
     Returns
     -------
-    (..., m); one of the solutions where they are not unique
+    (..., m), N
+        One of the solutions where they are not unique.
 
     Raises
     ------
     ValueError
-        If the shapes do not fit, a number is not finite, or an A_ii is negative; or if there are no such forces, as for
-        contacts that are forced into one another. Rounding hides them as well where one body is some 1e9 times as
-        heavy as another: A is taken over its largest number.
+        If the shapes do not fit, a number is not finite, or an A_ii is negative. If
+        there are no such forces, as for contacts that are forced into one another.
+        Rounding hides the forces as well where one body is some 1e9 times as heavy as
+        another, because the method divides A by its largest number.
+
+    Notes
+    -----
+    An artificial force z that acts on all rows, w = A f + b + z ≥ 0, makes f = 0 a
+    solution. Then the pairs f_i and w_i take turns. Whenever one of a pair leaves the
+    basis, its partner enters next, until z itself leaves; this takes finitely many
+    exchanges. Ties are broken by the columns of w in their order (lexicographically),
+    so that redundant contacts do not make the method go round in circles.
     """
     a, b = _checked(matrix, offset)
     return np.asarray(np.vectorize(_lemke, otypes=[float], signature="(m,m),(m)->(m)")(a, b))
 
 
 def _lemke(a: Array, b: Array) -> Array:
-    """One problem. Columns of the table: w, f, z, and what they come to."""
+    """Solve one problem. The table's columns are w, f, z and the right-hand side."""
     count, scale = len(b), np.max(np.abs(a), initial=0.0) or 1.0
     size = np.max(np.abs(b), initial=0.0) or 1.0
     if np.all(b >= 0):
@@ -109,9 +152,11 @@ def _lemke(a: Array, b: Array) -> Array:
     for _ in range(2 ** min(count + 4, 16)):
         _exchange(table, row, entering)
         leaving, basis[row] = basis[row], entering
-        if not np.any(table[basis == 2 * count, -1] > ROUNDING):  # z has left, or it stays at zero
+        # Either z has left the basis, or it stays there at zero.
+        if not np.any(table[basis == 2 * count, -1] > ROUNDING):
             forces = np.zeros(2 * count + 1)
-            forces[basis] = np.linalg.solve(start[:, basis], start[:, -1])  # the table has gathered rounding
+            # Solved again from the start, because the table has gathered rounding.
+            forces[basis] = np.linalg.solve(start[:, basis], start[:, -1])
             return np.maximum(0.0, forces[count:-1]) * size / scale
         entering = leaving + count if leaving < count else leaving - count
         row = _leaving_row(table, entering)
@@ -126,7 +171,10 @@ def _exchange(table: Array, row: int, column: int) -> None:
 
 
 def _leaving_row(table: Array, entering: int) -> int:
-    """The row that reaches zero first as a column enters; of several the first in the order of the columns of w."""
+    """The row that reaches zero first as a column enters the basis.
+
+    Of several such rows it is the first in the order of the columns of w.
+    """
     rows = np.flatnonzero(table[:, entering] > ROUNDING)
     if len(rows) == 0:
         raise ValueError("offset: no forces solve this problem")
@@ -141,5 +189,6 @@ def _checked(matrix: ArrayLike, offset: ArrayLike) -> tuple[Array, Array]:
     if a.ndim < 2 or b.ndim < 1 or a.shape[-2:] != (b.shape[-1], b.shape[-1]):
         raise ValueError(f"matrix must be (..., m, m) for an offset (..., m), not {a.shape} for {b.shape}")
     least = ROUNDING * np.max(np.abs(finite("matrix", a)), axis=(-2, -1), initial=0.0)[..., None]
-    not_negative("diagonal of matrix", np.diagonal(a, axis1=-2, axis2=-1) + least)  # of no matter, but for rounding
+    # A diagonal below zero by no more than rounding does no harm.
+    not_negative("diagonal of matrix", np.diagonal(a, axis1=-2, axis2=-1) + least)
     return a, finite("offset", b)

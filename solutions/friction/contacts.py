@@ -1,35 +1,62 @@
-"""Bodies that rest on each other: one row per contact, and the problem that their forces solve (slide 22)."""
+"""Bodies that rest on each other, and their forces (slide 22).
+
+Each contact is a row of a matrix, and the forces solve a problem made of these rows.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array
 from solutions.checks import finite, matrix, not_negative, unit, vector
 from solutions.friction.cone import clamp_to_circle
 
-Array = NDArray[np.float64]
-
 
 def contact_jacobian(
-    body_a: ArrayLike, body_b: ArrayLike, direction: ArrayLike, arm_a: ArrayLike, arm_b: ArrayLike, bodies: int
+    body_a: ArrayLike,
+    body_b: ArrayLike,
+    direction: ArrayLike,
+    arm_a: ArrayLike,
+    arm_b: ArrayLike,
+    bodies: int,
 ) -> Array:
-    """Rows that turn the bodies' velocities into u·d at each contact: (d, r_A × d, −d, −r_B × d), (m, 6 bodies).
+    """Rows that turn the velocities of the bodies into u·d at each contact.
 
-    A column holds v and ω of a body, one body after another. With d the normal it is the speed of separation; its
-    transpose turns the contact forces into forces and torques on the bodies.
+    Here u is the velocity of A's point of contact minus that of B's.
 
     Parameters
     ----------
     body_a, body_b : (m,), numbers of the bodies from 0, −1 for the immovable ground
-    direction : (m, 3), d, unit: the normal from B to A, or a direction along the surface
+    direction : (m, 3), d, unit
+        The normal from B to A, or a direction along the surface.
     arm_a, arm_b : (m, 3), from each centre of mass to the contact, m
-    bodies : how many there are
+    bodies : how many bodies there are
+
+    Returns
+    -------
+    (m, 6 bodies)
+        The columns hold v and ω of a body, one body after another. A row is zero at
+        every body that is not part of its contact; the ground has no columns.
 
     Raises
     ------
     ValueError
-        If a number is no body's, a direction has not length 1, or a vector has not three components.
+        If a number is not that of a body, a direction does not have length 1, or a
+        vector does not have three components.
+
+    Notes
+    -----
+    The velocity of A's point of contact is v_A + ω_A × r_A. Its component along d is
+    d·v_A + (r_A × d)·ω_A, because the three vectors of a triple product may be rotated.
+    The same holds for B, which is subtracted. So the row has four parts, for v_A, ω_A,
+    v_B and ω_B:
+
+        d,  r_A × d,  −d,  −r_B × d
+
+    With the normal for d, the row times the velocities is the speed of separation. The
+    transpose of the matrix turns the contact forces into forces and torques on the
+    bodies.
     """
     rows = unit("direction", vector("direction", direction))
     if rows.ndim != 2:
@@ -44,12 +71,17 @@ def contact_jacobian(
 
 
 def inverse_mass_matrix(inverse_mass: ArrayLike, inverse_inertia: ArrayLike) -> Array:
-    """M⁻¹ of all bodies together, (6 n, 6 n): 1/m three times and I⁻¹, body after body along the diagonal.
+    """Inverse masses and inverse inertias of all bodies in one matrix, M⁻¹.
 
     Parameters
     ----------
     inverse_mass : (n,), 1/kg
     inverse_inertia : (n, 3, 3), in the world frame, 1/(kg m²)
+
+    Returns
+    -------
+    (6 n, 6 n)
+        Body after body along the diagonal: 1/m three times, then I⁻¹; zero elsewhere.
 
     Raises
     ------
@@ -66,36 +98,57 @@ def inverse_mass_matrix(inverse_mass: ArrayLike, inverse_inertia: ArrayLike) -> 
     return blocks.reshape(6 * len(shares), 6 * len(shares))
 
 
-def resting_problem(jacobian: ArrayLike, inverse_mass: ArrayLike, force: ArrayLike) -> tuple[Array, Array]:
-    """The problem of resting contacts: A = G M⁻¹ Gᵀ, (..., m, m), 1/kg, and b = G M⁻¹ F, (..., m), m/s².
-
-    The contact forces f solve a linear complementarity problem: A f + b ≥ 0, nothing accelerates into another;
-    f ≥ 0, nothing pulls; f·(A f + b) = 0, what lifts off feels no force. With a velocity in place of M⁻¹ F the same
-    problem gives impulses.
+def resting_problem(
+    jacobian: ArrayLike,
+    inverse_mass: ArrayLike,
+    force: ArrayLike,
+) -> tuple[Array, Array]:
+    """The complementarity problem that the forces of resting contacts solve.
 
     Parameters
     ----------
     jacobian : (..., m, d), G, of the normals
     inverse_mass : (..., d, d), M⁻¹
-    force : (..., d), all other forces and torques, F
+    force : (..., d), F, all other forces and torques, N and N m
+
+    Returns
+    -------
+    matrix : (..., m, m), A, 1/kg
+        The accelerations along the normals that unit contact forces give.
+    offset : (..., m), b, m/s²
+        The accelerations along the normals that all other forces give.
+
+    Notes
+    -----
+    The contact forces f and all other forces F give the bodies the accelerations M⁻¹
+    (Gᵀ f + F). Multiplied by G, these are the accelerations along the normals, A f + b,
+    with
+
+        A = G M⁻¹ Gᵀ,    b = G M⁻¹ F
+
+    The forces solve a linear complementarity problem. A f + b ≥ 0: no body accelerates
+    into another. f ≥ 0: no contact pulls. f·(A f + b) = 0: a contact that lifts off has
+    no force. With a velocity in place of M⁻¹ F, the same problem gives impulses.
     """
     g, w = np.asarray(jacobian, dtype=float), np.asarray(inverse_mass, dtype=float)
     return g @ w @ np.swapaxes(g, -1, -2), np.matvec(g @ w, np.asarray(force, dtype=float))
 
 
 def sequential_impulses(
-    velocity: ArrayLike, jacobian: ArrayLike, inverse_mass: ArrayLike, friction: ArrayLike, sweeps: int = 50
+    velocity: ArrayLike,
+    jacobian: ArrayLike,
+    inverse_mass: ArrayLike,
+    friction: ArrayLike,
+    sweeps: int = 50,
 ) -> tuple[Array, Array]:
-    """Velocities and impulses of contacts that rest, with friction: contact after contact, again and again (slide 22).
-
-    Each contact in its turn gets the impulse that ends its own approach, and its own slip. What is clamped is the
-    sum of all its impulses so far: the normal one at zero, so that a later impulse may take back what an earlier one
-    gave too much; the one along the surface at the circle μ j_n.
+    """Velocities and impulses of resting contacts with friction (slide 22).
 
     Parameters
     ----------
-    velocity : (d,), of all bodies before, gravity's Δt g added, m/s and rad/s
-    jacobian : (m, 3, d), for each contact the row of the normal and of two directions along the surface
+    velocity : (d,), of all bodies before, m/s and rad/s
+        With the Δt g of gravity already added.
+    jacobian : (m, 3, d)
+        For each contact the row of the normal and of two directions along the surface.
     inverse_mass : (d, d), M⁻¹
     friction : (m,) or one number, μ
     sweeps : how often to go through all contacts
@@ -103,18 +156,28 @@ def sequential_impulses(
     Returns
     -------
     velocity : (d,), m/s and rad/s
-    impulse : (m, 3), along the normal and the two directions, N s; none along a row that moves nothing, as between two
-        immovable bodies
+    impulse : (m, 3), along the normal and the two directions, N s
+        None along a row that moves nothing, as between two immovable bodies.
 
     Raises
     ------
     ValueError
         If μ is negative or not finite, or a velocity is not finite.
+
+    Notes
+    -----
+    The function goes through the contacts one after another, again and again. Each
+    contact in its turn gets the impulse that ends its own approach, and then the
+    impulse that ends its own slip. The sum of all impulses that a contact has had so
+    far is clamped, and not the single impulse. The sum along the normal is clamped at
+    zero, so that a later impulse may take back what an earlier one gave too much. The
+    sum along the surface is clamped to the circle of radius μ j_n.
     """
     v, rows = np.array(finite("velocity", velocity)), np.asarray(jacobian, dtype=float)
     mu = np.broadcast_to(finite("friction", not_negative("friction", friction)), len(rows))
     impulses = np.zeros((len(rows), 3))
-    answers = rows @ np.asarray(inverse_mass, dtype=float)  # velocities that unit impulses give, (m, 3, d)
+    # The velocities that unit impulses give, (m, 3, d).
+    answers = rows @ np.asarray(inverse_mass, dtype=float)
     gained = np.vecdot(answers, rows)
     masses = np.where(gained > 0, 1 / np.where(gained > 0, gained, 1.0), 0.0)
     for _ in range(sweeps):
@@ -129,7 +192,7 @@ def sequential_impulses(
 
 
 def _numbers(name: str, body: ArrayLike, contacts: int, bodies: int) -> NDArray[np.int_]:
-    """The numbers of the bodies, (m,); refuse what is no body's."""
+    """The numbers of the bodies, (m,); refuse a number that is not that of a body."""
     number = np.broadcast_to(np.asarray(body, dtype=float), contacts)
     wrong = ~((number >= -1) & (number < bodies) & (number == np.floor(number)))
     if np.any(wrong):

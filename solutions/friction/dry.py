@@ -1,19 +1,20 @@
-"""Dry friction on a supporting plane: what holds, what slides, and where it stops (slide 24)."""
+"""Dry friction on a plane: what is held, what slides and where it stops (slide 24)."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
 
-Array = NDArray[np.float64]
 
-
-def holds(push: ArrayLike, normal_force: ArrayLike, static_friction: ArrayLike) -> NDArray[np.bool_]:
+def holds(
+    push: ArrayLike,
+    normal_force: ArrayLike,
+    static_friction: ArrayLike,
+) -> NDArray[np.bool_]:
     """Whether static friction can hold a body at rest: ‖push‖ ≤ μ_s N (slide 24).
-
-    The slide's F_s = μ_s F_N is only the largest value that static friction can take.
 
     Parameters
     ----------
@@ -28,7 +29,14 @@ def holds(push: ArrayLike, normal_force: ArrayLike, static_friction: ArrayLike) 
     Raises
     ------
     ValueError
-        If N or μ_s is negative, something is not finite, or push has not three components.
+        If N or μ_s is negative, something is not finite, or push does not have three
+        components.
+
+    Notes
+    -----
+    The slide's F_s = μ_s F_N is only the largest value that static friction can take. A
+    body at rest needs the friction −push, and it stays at rest while that is not above
+    this value.
     """
     static = finite("static_friction", not_negative("static_friction", static_friction))
     limit = static * finite("normal_force", not_negative("normal_force", normal_force))
@@ -42,9 +50,7 @@ def friction_force(
     static_friction: ArrayLike,
     kinetic_friction: ArrayLike,
 ) -> Array:
-    """Friction on a body: −μ_k N along the sliding velocity, or −push while it is held (slide 24).
-
-    A body at rest whose push is above μ_s N starts to slide along the push, and friction opposes that with μ_k N.
+    """Friction on a body that slides, is held at rest, or starts to slide (slide 24).
 
     Parameters
     ----------
@@ -56,11 +62,15 @@ def friction_force(
     Returns
     -------
     (..., 3), N
+        For a body that slides, μ_k N against its velocity. For a body at rest that
+        static friction can hold, −push. A body at rest whose push is above μ_s N starts
+        to slide along the push, and friction opposes the push with μ_k N.
 
     Raises
     ------
     ValueError
-        If N or μ_k is negative, μ_s less than μ_k, something is not finite, or a vector has not three components.
+        If N or μ_k is negative, μ_s is less than μ_k, something is not finite, or a
+        vector does not have three components.
     """
     held = holds(push, normal_force, static_friction)[..., None]
     push, velocity = vector("push", push), finite("tangent_velocity", vector("tangent_velocity", tangent_velocity))
@@ -84,14 +94,14 @@ def sliding_motion(
     mass: ArrayLike,
     dt: ArrayLike,
 ) -> tuple[Array, Array, Array]:
-    """Motion over dt of a body that slides in a straight line or rests, exact even when it stops within the step.
+    """Motion over dt of a body that slides in a straight line or rests, exactly.
 
-    While it slides the acceleration is constant. Where it would turn the velocity around, the body stops at
-    t = v/a, and from there static friction holds it or it slides on along the push.
+    The result is exact even when the body stops within the step.
 
     Parameters
     ----------
-    position, tangent_velocity, push : (..., 3), m, m/s, N; push along the velocity or against it, or no velocity
+    position, tangent_velocity, push : (..., 3), m, m/s, N
+        The push acts along the velocity or against it, or there is no velocity.
     normal_force : (...), N, not negative
     static_friction, kinetic_friction : (...), μ_s ≥ μ_k
     mass : (...), kg
@@ -100,12 +110,20 @@ def sliding_motion(
     Returns
     -------
     position, tangent_velocity : (..., 3), m, m/s
-    stopping_time : (...), s from now; infinity where the body does not stop within the step
+    stopping_time : (...), s from now
+        Infinity where the body does not stop within the step.
 
     Raises
     ------
     ValueError
-        As friction_force, or if a mass is not positive, or dt is negative or not finite.
+        As friction_force, or if a mass is not positive, or dt is negative or not
+        finite.
+
+    Notes
+    -----
+    While the body slides, its acceleration a is constant. Where a is opposed to the
+    velocity v, the body stops at t = v/a, and friction does not turn it round. From
+    there static friction holds the body, or it continues to slide along the push.
     """
     p, v, f = vector("position", position), vector("tangent_velocity", tangent_velocity), vector("push", push)
     m, dt = positive("mass", mass)[..., None], finite("dt", not_negative("dt", dt))

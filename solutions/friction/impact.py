@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array, Booleans
 from solutions.checks import finite, in_unit_interval, matrix, not_negative, positive, unit, vector
 from solutions.friction.support import along_surface
 
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 SINGULAR = 1e-12
-"""Below this share of the product of its rows' lengths det K counts as zero: it would leave an impulse few digits."""
+"""Share of the product of its rows' lengths below which det K counts as zero.
+
+A smaller determinant would leave an impulse few digits.
+"""
 
 
-def point_inverse_mass(inverse_mass: ArrayLike, inverse_inertia: ArrayLike, arm: ArrayLike) -> Array:
-    """Velocity that a unit impulse gives to a point of a body: K = 1/m − [r×] I⁻¹ [r×], (..., 3, 3), 1/kg.
+def point_inverse_mass(
+    inverse_mass: ArrayLike,
+    inverse_inertia: ArrayLike,
+    arm: ArrayLike,
+) -> Array:
+    """Matrix K that turns an impulse at a point into the point's change of velocity.
 
-    For two bodies the changes of u = ṗ_A − ṗ_B add up: K = K_A + K_B. An immovable body has K = 0. Along the normal
-    alone n·K n is `inverse_effective_mass`, which the lecture derives term by term: the two stand apart to be compared.
+    For two bodies the changes of u = ṗ_A − ṗ_B add up: K = K_A + K_B.
 
     Parameters
     ----------
@@ -26,30 +31,44 @@ def point_inverse_mass(inverse_mass: ArrayLike, inverse_inertia: ArrayLike, arm:
     inverse_inertia : (..., 3, 3), I⁻¹ in the world frame, 1/(kg m²)
     arm : (..., 3), r, from the centre of mass to the point, m
 
+    Returns
+    -------
+    (..., 3, 3), 1/kg
+        0 for an immovable body.
+
     Raises
     ------
     ValueError
         If 1/m is negative, something is not finite, or shapes do not fit.
+
+    Notes
+    -----
+    An impulse J changes v by J/m and ω by I⁻¹(r × J). The velocity v + ω × r of the
+    point therefore changes by J/m + (I⁻¹(r × J)) × r. Write r × as the matrix [r×]; the
+    last product is −[r×] I⁻¹ [r×] J, and the whole change is K J with
+
+        K = 1/m − [r×] I⁻¹ [r×]
+
+    Along the normal alone, n·K n is `inverse_effective_mass`, which the lecture derives
+    term by term. The two functions are independent so that they can be compared.
     """
-    across = np.cross(finite("arm", vector("arm", arm))[..., None, :], np.eye(3))  # [r×]ᵀ = −[r×]
+    # This is [r×]ᵀ = −[r×].
+    across = np.cross(finite("arm", vector("arm", arm))[..., None, :], np.eye(3))
     shares = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))[..., None, None] * np.eye(3)
     return np.asarray(shares + np.swapaxes(across, -1, -2) @ matrix("inverse_inertia", inverse_inertia) @ across)
 
 
 def friction_impulse(
-    velocity: ArrayLike, normal: ArrayLike, inverse_mass: ArrayLike, restitution: ArrayLike, friction: ArrayLike
+    velocity: ArrayLike,
+    normal: ArrayLike,
+    inverse_mass: ArrayLike,
+    restitution: ArrayLike,
+    friction: ArrayLike,
 ) -> Array:
-    """Impulse on body A at a contact with friction, (..., 3), N s; −J acts on body B.
+    """Impulse on body A at a contact with friction; −J acts on body B.
 
-    1. Grip: the impulse that stops the slip and turns the approach round as Newton says, K J = −u − e u_n n.
-    2. Where it lies within the cone ‖J_t‖ ≤ μ J·n, that is all.
-    3. Slip: else J = j (n + μ d), with d the direction of the grip's J_t, and j from Newton's rule again,
-       j n·K(n + μ d) = −(1 + e) u_n. This has always an answer: the grip's J has one, and so has n alone.
-
-    For a sphere d is against the slip. In the plane it is always against the slip that is left. In space, with a K that
-    couples the directions, it is only near that: for odd bodies 6° off in the median, 68° at worst. And the impact is
-    one instant: a slip that stops and turns round within it is not followed, so that the energy may rise, as it may
-    wherever Newton's restitution meets Coulomb's friction (see impact_energy).
+    Along the normal the points rebound by Newton's rule. The contact grips if friction
+    can stop the slip; otherwise it slips.
 
     Parameters
     ----------
@@ -61,13 +80,32 @@ def friction_impulse(
 
     Returns
     -------
-    (..., 3), N s; zero where the bodies do not approach
+    (..., 3), N s
+        Zero where the bodies do not approach.
 
     Raises
     ------
     ValueError
-        If e is not from 0 to 1, μ is negative, a normal has not length 1, something is not finite, or K cannot be
-        inverted: of two immovable bodies, or of one that only turns about a pivot and one that is immovable.
+        If e is not from 0 to 1, μ is negative, a normal does not have length 1,
+        something is not finite, or K cannot be inverted: the K of two immovable bodies,
+        or of one that only turns about a pivot and one that is immovable.
+
+    Notes
+    -----
+    1. Grip: try the impulse that stops the slip and reverses the approach as Newton's
+       rule says. The velocity after it is −e u_n n, so that K J = −u − e u_n n.
+    2. If this impulse lies within the cone ‖J_t‖ ≤ μ J·n, it is the answer.
+    3. Slip: otherwise J = j (n + μ d), where d is the direction of the grip's J_t.
+       Newton's rule along the normal gives j: j n·K(n + μ d) = −(1 + e) u_n. There is
+       always an answer, because the grip's J has one, and so has n alone.
+
+    For a sphere, d is opposed to the slip. In the plane, d is always opposed to the
+    slip that is left. In space, with a K that couples the directions, it is only near
+    that: for odd bodies it is 6° off in the median and 68° at worst.
+
+    The impact is one instant, and a slip that stops and turns round within it is not
+    followed. The energy may therefore rise, as it may wherever Newton's restitution
+    meets Coulomb's friction (see `impact_energy`).
     """
     u, n = finite("velocity", vector("velocity", velocity)), unit("normal", vector("normal", normal))
     e, mu = in_unit_interval("restitution", restitution), finite("friction", not_negative("friction", friction))
@@ -81,15 +119,17 @@ def friction_impulse(
     sticks = np.linalg.norm(across, axis=-1) <= mu * np.vecdot(grip, n)
     size = np.linalg.norm(across, axis=-1, keepdims=True)
     edge = n + mu[..., None] * across / np.where(size > 0, size, 1.0)
-    gained = np.vecdot(n, np.matvec(k, edge))  # above zero wherever it slips
+    gained = np.vecdot(n, np.matvec(k, edge))  # above zero wherever the contact slips
     slip = (-(1 + e) * approach / np.where(gained > 0, gained, 1.0))[..., None] * edge
     return np.where((approach < 0)[..., None], np.where(sticks[..., None], grip, slip), 0.0)
 
 
-def impact_energy(velocity: ArrayLike, impulse: ArrayLike, inverse_mass: ArrayLike) -> Array:
-    """Energy that an impulse adds to the two bodies: J·(u + K J/2), (...), J; an honest impact has none above zero.
-
-    The impulse times the mean of the velocities before and after, u and u + K J.
+def impact_energy(
+    velocity: ArrayLike,
+    impulse: ArrayLike,
+    inverse_mass: ArrayLike,
+) -> Array:
+    """Energy that an impulse adds to two bodies; never above zero in an honest impact.
 
     Parameters
     ----------
@@ -97,19 +137,33 @@ def impact_energy(velocity: ArrayLike, impulse: ArrayLike, inverse_mass: ArrayLi
     impulse : (..., 3), J, N s
     inverse_mass : (..., 3, 3), K, 1/kg
 
+    Returns
+    -------
+    (...), J
+
     Raises
     ------
     ValueError
         If the shapes do not fit or K is not finite.
+
+    Notes
+    -----
+    The work of an impulse is the impulse times the mean of the velocities before and
+    after it, which are u and u + K J:
+
+        J·(u + K J/2)
     """
     j, k = vector("impulse", impulse), matrix("inverse_mass", inverse_mass)
     return np.asarray(np.vecdot(j, vector("velocity", velocity) + np.matvec(k, j) / 2))
 
 
-def sphere_grips(slip: ArrayLike, approach_speed: ArrayLike, restitution: ArrayLike, friction: ArrayLike) -> Bools:
-    """Whether a solid sphere grips the floor in an impact: |u_t| ≤ (7/2) μ (1 + e) v_n, (...), bool.
-
-    Its slip changes by J_t/m from its way and 5/2 J_t/m from its spin, and J_t is at most μ m (1 + e) v_n.
+def sphere_grips(
+    slip: ArrayLike,
+    approach_speed: ArrayLike,
+    restitution: ArrayLike,
+    friction: ArrayLike,
+) -> Booleans:
+    """Whether a solid sphere grips the floor in an impact.
 
     Parameters
     ----------
@@ -117,10 +171,22 @@ def sphere_grips(slip: ArrayLike, approach_speed: ArrayLike, restitution: ArrayL
     approach_speed : (...), v_n, m/s
     restitution, friction : (...), e, 0 to 1, and μ
 
+    Returns
+    -------
+    (...), bool
+
     Raises
     ------
     ValueError
         If e is not from 0 to 1, another number is negative, or μ or v_n is not finite.
+
+    Notes
+    -----
+    An impulse J_t along the floor changes the slip by J_t/m through the velocity of the
+    centre and by 5/2 J_t/m through the spin, together by 7/2 J_t/m. The normal impulse
+    is m (1 + e) v_n, so that J_t is at most μ m (1 + e) v_n. This ends the slip if
+
+        |u_t| ≤ (7/2) μ (1 + e) v_n
     """
     mu = finite("friction", not_negative("friction", friction))
     speed = finite("approach_speed", not_negative("approach_speed", approach_speed))
@@ -137,9 +203,9 @@ def sphere_impact(
     friction: ArrayLike,
     inertia_share: ArrayLike = 0.4,
 ) -> tuple[Array, Array]:
-    """Velocities of a sphere after it has struck an immovable plane: friction turns spin into way and back.
+    """Velocities of a sphere after it has struck an immovable plane with friction.
 
-    The arm is r = −R n, the mass drops out.
+    Friction turns spin into motion along the plane and back.
 
     Parameters
     ----------
@@ -157,6 +223,11 @@ def sphere_impact(
     ------
     ValueError
         As friction_impulse, or if the radius or the inertia is not positive and finite.
+
+    Notes
+    -----
+    The arm from the centre to the contact is r = −R n. The impulse and the inertia are
+    both proportional to the mass, so that the mass drops out.
     """
     v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
     r = finite("radius", positive("radius", radius))[..., None]

@@ -1,21 +1,22 @@
-"""What presses a body on its support and what pushes it along, and when it breaks away (slide 24)."""
+"""Forces between a body and its support, and when the body breaks away (slide 24)."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
 from solutions.friction.dry import holds
 
-Array = NDArray[np.float64]
 
-
-def apparent_force(mass: ArrayLike, gravity: ArrayLike, push: ArrayLike, frame_acceleration: ArrayLike) -> Array:
-    """All that acts on a body but its support, seen from the support: m (g − a) + F, (..., 3), N.
-
-    The slide's normal force is the weight. It is not: a push may lean on the body or lift it, and in a lift or on a
-    braking lorry the support's own acceleration a counts against g.
+def apparent_force(
+    mass: ArrayLike,
+    gravity: ArrayLike,
+    push: ArrayLike,
+    frame_acceleration: ArrayLike,
+) -> Array:
+    """All forces on a body except its support's, as seen from the support.
 
     Parameters
     ----------
@@ -23,91 +24,170 @@ def apparent_force(mass: ArrayLike, gravity: ArrayLike, push: ArrayLike, frame_a
     gravity, frame_acceleration : (..., 3), g and a of the support, m/s²
     push : (..., 3), F, N
 
+    Returns
+    -------
+    (..., 3), N
+
     Raises
     ------
     ValueError
-        If a mass is not positive and finite or a vector has not three components.
+        If a mass is not positive and finite or a vector does not have three components.
+
+    Notes
+    -----
+    Seen from a support that accelerates with a, a body that moves with the support is
+    at rest, and the inertial force −m a acts on it beside the weight m g and the push
+    F:
+
+        m (g − a) + F
+
+    The slide takes the weight for the normal force. The two differ: a push may lean on
+    the body or lift it, and in a lift or on a braking lorry the acceleration a of the
+    support counts against g.
     """
     fall = vector("gravity", gravity) - vector("frame_acceleration", frame_acceleration)
     return np.asarray(finite("mass", positive("mass", mass))[..., None] * fall + vector("push", push))
 
 
 def normal_force(force: ArrayLike, normal: ArrayLike) -> Array:
-    """The support's push on the body: N = max(0, −F·n), (...), N.
-
-    On an incline that is m g cos θ, not m g. A force that lifts the body off leaves no normal force: N = 0, and no
-    friction.
+    """Force with which the support pushes on the body along the normal.
 
     Parameters
     ----------
     force : (..., 3), sum of all other forces, N, as from apparent_force
     normal : (..., 3), unit, out of the support
 
+    Returns
+    -------
+    (...), N
+        A force that lifts the body off leaves no normal force: N = 0, and so no
+        friction.
+
     Raises
     ------
     ValueError
-        If a normal has not length 1 or a vector has not three components.
+        If a normal does not have length 1 or a vector does not have three components.
+
+    Notes
+    -----
+    A body that stays on its support does not accelerate along the normal, so that the
+    support balances F·n. It can push but not pull:
+
+        N = max(0, −F·n)
+
+    On an incline this is m g cos θ, not m g.
     """
     n = unit("normal", vector("normal", normal))
     return np.asarray(np.maximum(0.0, -np.vecdot(vector("force", force), n)))
 
 
 def along_surface(force: ArrayLike, normal: ArrayLike) -> Array:
-    """The part of a vector along the surface: F_t = F − (F·n) n, (..., 3); what friction has to hold.
+    """The part of a vector along the surface, which friction has to hold.
 
     Parameters
     ----------
     force : (..., 3)
     normal : (..., 3), unit
 
+    Returns
+    -------
+    (..., 3), in the unit of the vector
+
     Raises
     ------
     ValueError
-        If a normal has not length 1 or a vector has not three components.
+        If a normal does not have length 1 or a vector does not have three components.
+
+    Notes
+    -----
+    The part along the normal is (F·n) n. What remains without it lies along the
+    surface:
+
+        F_t = F − (F·n) n
     """
     f, n = vector("force", force), unit("normal", vector("normal", normal))
     return np.asarray(f - np.vecdot(f, n)[..., None] * n)
 
 
 def friction_angle(static_friction: ArrayLike) -> Array:
-    """The steepest slope on which a body stays at rest: θ = arctan μ_s, (...), rad. From tan θ = m g sin θ/(m g cos θ).
-
-    On that slope itself `holds` says what rounding leaves of the equality.
+    """The steepest slope on which a body stays at rest: θ = arctan μ_s.
 
     Parameters
     ----------
-    static_friction : (...), μ_s; infinity for a wall, π/2
+    static_friction : (...), μ_s
+        Infinity gives π/2, a wall.
+
+    Returns
+    -------
+    (...), rad
+        On a slope of exactly this angle, `holds` says what rounding leaves of the
+        equality.
 
     Raises
     ------
     ValueError
         If μ_s is negative or NaN.
+
+    Notes
+    -----
+    On a slope the weight pushes the body with m g sin θ along the surface, and the
+    normal force is m g cos θ. The steepest slope is the one on which the push equals
+    μ_s times the normal force:
+
+        μ_s = m g sin θ/(m g cos θ) = tan θ
     """
     return np.asarray(np.arctan(not_negative("static_friction", static_friction)))
 
 
-def break_away_time(force: ArrayLike, force_rate: ArrayLike, normal: ArrayLike, static_friction: ArrayLike) -> Array:
-    """First instant after which static friction no longer holds a body under the force F + F' t, (...), s.
+def break_away_time(
+    force: ArrayLike,
+    force_rate: ArrayLike,
+    normal: ArrayLike,
+    static_friction: ArrayLike,
+) -> Array:
+    """First instant after which static friction no longer holds a body.
 
-    It holds while ‖F_t + F_t' t‖ ≤ μ_s (N + N' t): the force stays within a cone, and a straight line leaves a cone
-    once at most. Squared, a t² + 2 b t + c ≤ 0 with a = F_t'² − μ²N'², b = F_t·F_t' − μ²N N', c = F_t² − μ²N², and
-    b² − a c = μ²‖N F_t' − N' F_t‖² − ‖F_t × F_t'‖², which loses no digits where N and F_t end almost together.
+    The force on the body is F + F' t: it grows at a steady rate.
 
     Parameters
     ----------
-    force, force_rate : (..., 3), sum of all but the support's force, N, and its growth, N/s
+    force, force_rate : (..., 3), F and F', N and N/s
+        The sum of all forces except the support's, and the rate at which it grows.
     normal : (..., 3), unit, out of the support
     static_friction : (...), μ_s
 
     Returns
     -------
-    (...), s; 0 where it is not held even now, infinity where it always is, the instant of lifting off where the force
-    along the normal ends before friction does
+    (...), s
+        0 where the body is not held even now, infinity where it always is. Where the
+        force along the normal ends before friction does, the instant at which the body
+        lifts off.
 
     Raises
     ------
     ValueError
-        If μ_s is negative, a normal has not length 1, something is not finite, or a vector has not three components.
+        If μ_s is negative, a normal does not have length 1, something is not finite, or
+        a vector does not have three components.
+
+    Notes
+    -----
+    Split the force into its part along the surface, F_t + F_t' t, and the normal force,
+    N + N' t. Static friction holds the body while
+
+        ‖F_t + F_t' t‖ ≤ μ_s (N + N' t)
+
+    In this range the force lies within a cone, and a straight line leaves a cone at
+    most once. Squared, with μ for μ_s, the condition is
+
+        a t² + 2 b t + c ≤ 0
+        a = F_t'² − μ²N'²,  b = F_t·F_t' − μ²N N',  c = F_t² − μ²N²
+
+    The condition fails from t = (√(b² − a c) − b)/a on. The code writes the
+    discriminant as
+
+        b² − a c = μ²‖N F_t' − N' F_t‖² − ‖F_t × F_t'‖²
+
+    which loses no digits where N and F_t end almost together.
     """
     n, mu = unit("normal", vector("normal", normal)), not_negative("static_friction", static_friction)
     force, rate = finite("force", vector("force", force)), finite("force_rate", vector("force_rate", force_rate))
@@ -116,7 +196,8 @@ def break_away_time(force: ArrayLike, force_rate: ArrayLike, normal: ArrayLike, 
     held = holds(f, np.maximum(0.0, press), mu) & (press >= 0)
     a = np.vecdot(rate, rate) - (mu * press_rate) ** 2
     b = np.vecdot(f, rate) - mu**2 * press * press_rate
-    c = np.minimum(0.0, np.vecdot(f, f) - (mu * press) ** 2)  # at the limit rounding may say otherwise than holds
+    # At the limit of `holds`, rounding may make c positive.
+    c = np.minimum(0.0, np.vecdot(f, f) - (mu * press) ** 2)
     spread, across = press[..., None] * rate - press_rate[..., None] * f, np.cross(f, rate)
     root = np.sqrt(np.maximum(0.0, mu**2 * np.vecdot(spread, spread) - np.vecdot(across, across)))
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -133,15 +214,9 @@ def stick_slip_times(
     static_friction: ArrayLike,
     kinetic_friction: ArrayLike,
 ) -> tuple[Array, Array]:
-    """How long a block drawn by a spring sticks and how long it slips, again and again, (...), s.
+    """How long a block drawn by a spring sticks, and how long it slips, in each cycle.
 
-    The spring's free end moves at V. The block sticks until the spring pulls with μ_s N, and slips as an oscillator
-    about μ_k N, by a = (μ_s − μ_k) N/k, until its speed V + aω sin ωt − V cos ωt is zero again:
-
-        t_slip = (2/ω) (π − arctan(a ω/V)),    t_stick = 2 a/V
-
-    Then the spring pulls with (2 μ_k − μ_s) N. In a cycle the block goes V (t_slip + t_stick). With μ_s = μ_k it does
-    not stick at all, though it stops for an instant once in 2π/ω.
+    The free end of the spring moves at the constant speed V.
 
     Parameters
     ----------
@@ -151,10 +226,38 @@ def stick_slip_times(
     normal_force : (...), N
     static_friction, kinetic_friction : (...), μ_s ≥ μ_k
 
+    Returns
+    -------
+    stick, slip : (...), s each
+        With μ_s = μ_k the block does not stick at all, though it stops for an instant
+        once in 2π/ω.
+
     Raises
     ------
     ValueError
-        If mass, stiffness or speed is not positive and finite, N or μ_k negative, or μ_s less than μ_k.
+        If mass, stiffness or speed is not positive and finite, N or μ_k is negative, or
+        μ_s is less than μ_k.
+
+    Notes
+    -----
+    The block sticks until the spring pulls with μ_s N. Then it slips. Seen from the
+    free end of the spring, it oscillates with ω = √(k/m) about the place where the
+    spring pulls with μ_k N, and it starts at the distance a = (μ_s − μ_k) N/k from
+    there. Its speed is
+
+        V + a ω sin ωt − V cos ωt
+
+    The block sticks again when this is zero. With 1 − cos ωt = 2 sin²(ωt/2) and sin
+    ωt = 2 sin(ωt/2) cos(ωt/2), the condition is tan(ωt/2) = −a ω/V, and so
+
+        t_slip = (2/ω) (π − arctan(a ω/V))
+
+    By the symmetry of the oscillation the spring then pulls with (2 μ_k − μ_s) N. It
+    must be stretched by 2 a at the speed V before the block slips again:
+
+        t_stick = 2 a/V
+
+    In a cycle the block travels V (t_slip + t_stick).
     """
     k, m = finite("stiffness", positive("stiffness", stiffness)), finite("mass", positive("mass", mass))
     speed, frequency = finite("drive_speed", positive("drive_speed", drive_speed)), np.sqrt(k / m)

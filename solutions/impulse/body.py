@@ -1,26 +1,35 @@
-"""What an impact needs to know of one body, and what an impulse at the end of its arm does to it."""
+"""What an impact needs to know of one body, and what an impulse does to that body."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, matrix, not_negative, vector
 
-Array = NDArray[np.float64]
 ROUNDING = 1e-12
-"""By this share of its largest number an inverse inertia may have a negative diagonal, as a thin rod's once turned."""
+"""How far the diagonal of an inverse inertia may be below zero.
+
+It is a share of the largest number of the matrix. The inverse inertia of a thin rod can
+have such a diagonal once the rod has been turned.
+"""
 
 
 class Body(NamedTuple):
-    """One of the two bodies of an impact; a plain tuple in this order will do as well.
+    """One of the two bodies of an impact; a plain tuple in this order works as well.
 
-    velocity: (..., 3), v of the centre of mass, m/s. angular_velocity: (..., 3), ω in the world frame, rad/s.
-    arm: (..., 3), r from the centre of mass to the contact, world frame, m. inverse_mass: (...), 1/M, 1/kg, 0 for an
-    immovable body. inverse_inertia: (..., 3, 3), I⁻¹(t) in the world frame, symmetric, 1/(kg m²), 0 for what cannot be
-    turned.
+    Attributes
+    ----------
+    velocity : (..., 3), v of the centre of mass, m/s
+    angular_velocity : (..., 3), ω in the world frame, rad/s
+    arm : (..., 3), r, m
+        From the centre of mass to the contact, in the world frame.
+    inverse_mass : (...), 1/M, 1/kg; 0 for an immovable body
+    inverse_inertia : (..., 3, 3), I⁻¹(t), 1/(kg m²)
+        In the world frame, symmetric; 0 for a body that cannot be turned.
     """
 
     velocity: ArrayLike
@@ -36,7 +45,7 @@ Arrays = tuple[Array, Array, Array, Array, Array]
 
 
 def checked(body: AnyBody) -> Arrays:
-    """Return v, ω, r, 1/M and I⁻¹ as arrays; refuse what no body can have."""
+    """Return v, ω, r, 1/M and I⁻¹ as arrays; refuse values that no body can have."""
     body = Body(*body)
     inverse_inertia = matrix("inverse_inertia", body.inverse_inertia)
     least = ROUNDING * np.max(np.abs(inverse_inertia), axis=(-2, -1))[..., None]

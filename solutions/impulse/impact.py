@@ -1,64 +1,83 @@
-"""An impact of two rigid bodies: the impulse that makes them rebound, and what it does (slides 11, 18, 20, 21)."""
+"""An impact of two rigid bodies (slides 11, 18, 20 and 21).
+
+These functions find the impulse that makes the bodies rebound, and what it does to
+them.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, unit, vector
 from solutions.impulse.body import AnyBody, Arrays, checked, moved
 from solutions.impulse.momentum import contact_impulses
 from solutions.impulse.points import COLLIDING, classify_contact, normal_velocity, point_velocity
 
-Array = NDArray[np.float64]
 NO_LEVER = 1e-15
-"""Sine of the angle of arm and normal up to which r × n is rounding, and taken for zero."""
+"""Sine of the angle between arm and normal up to which r × n counts as zero.
+
+Up to this value r × n is rounding.
+"""
 Velocities = tuple[Array, Array, Array, Array]
 """v_A, ω_A, v_B, ω_B, (..., 3) each, m/s and rad/s."""
 
 
-def inverse_effective_mass(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike) -> Array:
-    """Normal velocity u_n that the points of contact gain from a unit impulse: the denominator of slide 20.
+def inverse_effective_mass(
+    body_a: AnyBody,
+    body_b: AnyBody,
+    normal: ArrayLike,
+) -> Array:
+    """Normal velocity that the points of contact gain from a unit impulse (slide 20).
 
-        k = 1/M_A + 1/M_B + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
-
-    A unit impulse n on A changes v_A by n/M_A and ω_A by I_A⁻¹(r_A × n), so the velocity of its point by
-    n/M_A + (I_A⁻¹(r_A × n)) × r_A. On B all that has a minus, which the difference ṗ_A − ṗ_B takes away again. A body
-    that can turn gives way more easily at its rim: 1/k is never more than the mass of either. It is n·K n, with the
-    matrix K = K_A + K_B of `point_inverse_mass`, which friction needs whole; here it stays as one derives it.
+    It is the denominator of the slide's impulse.
 
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
-    normal : (..., 3), unit, from B to A; the other way round k is the same
+    normal : (..., 3), unit, from B to A
+        The opposite normal gives the same k.
 
     Returns
     -------
-    (...), k, 1/kg; 1/M_A + 1/M_B where the normal goes through both centres, r × n = 0; 0 where both are immovable
+    (...), k, 1/kg
+        1/M_A + 1/M_B where the normal goes through both centres, r × n = 0. 0 where
+        both bodies are immovable.
 
     Raises
     ------
     ValueError
-        If a normal has not length 1, an inverse mass or the diagonal of an inverse inertia is negative, or something
-        is not finite or does not fit.
+        If a normal does not have length 1, an inverse mass or the diagonal of an
+        inverse inertia is negative, or something is not finite or does not fit.
+
+    Notes
+    -----
+    A unit impulse n on A changes v_A by n/M_A and ω_A by I_A⁻¹(r_A × n). It therefore
+    changes the velocity of A's point of contact by n/M_A + (I_A⁻¹(r_A × n)) × r_A. On B
+    the impulse is −n, and all these changes have a minus sign, which the difference
+    ṗ_A − ṗ_B turns into a plus. Along the normal, with n·n = 1, the sum is
+
+        k = 1/M_A + 1/M_B + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
+
+    A body that can turn gives way more easily at its rim: the effective mass 1/k is
+    never more than the mass of either body.
+
+    k equals n·K n with the matrix K = K_A + K_B of `point_inverse_mass`. Friction needs
+    the whole matrix; this function keeps the terms in the order in which one derives
+    them.
     """
     n = unit("normal", vector("normal", normal))
     return _softness(checked(body_a), n) + _softness(checked(body_b), n)
 
 
-def impulse_magnitude(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, restitution: ArrayLike) -> Array:
-    """Size j of the impulse after which the points of contact part at −e u_n⁻ (slide 20).
-
-        j = −(1 + e) u_n⁻ / (1/M_A + 1/M_B + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B))
-
-    The slides say "put in terms of the unknown impulse … compute impulse" and give no formula. Step by step:
-
-    1. Drop the time dependence: an impact is so short that r, n and I⁻¹ stand still and the weight does nothing.
-    2. Slide 18, B with its minus: v_A⁺ = v_A⁻ + j n/M_A and ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × j n), for B with −j.
-    3. Slide 14: so ṗ_A⁺ = v_A⁺ + ω_A⁺ × r_A = ṗ_A⁻ + j (n/M_A + (I_A⁻¹(r_A × n)) × r_A), for B with −j.
-    4. Slide 19: u_n⁺ = n·(ṗ_A⁺ − ṗ_B⁺) = u_n⁻ + j k, where k gathers what stands beside j: all four terms with plus,
-       for B's minus meets the minus of the difference, and n·n = 1.
-    5. Slide 12, the reaction the user wants: u_n⁺ = −e u_n⁻. So u_n⁻ + j k = −e u_n⁻, and j = −(1 + e) u_n⁻/k.
+def impulse_magnitude(
+    body_a: AnyBody,
+    body_b: AnyBody,
+    normal: ArrayLike,
+    restitution: ArrayLike,
+) -> Array:
+    """Size of the impulse after which the points of contact part at −e u_n⁻ (slide 20).
 
     Parameters
     ----------
@@ -68,14 +87,38 @@ def impulse_magnitude(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, resti
 
     Returns
     -------
-    (...), j, N s. It has no guard: of points that separate it is negative, an impulse that would pull them back;
-    `collide` has one. 0 where no impulse stops them, k = 0, and they go through each other: both are immovable, or
-    turn about pivots through which the normal goes.
+    (...), j, N s
+        The function has no guard: for points that separate, j is negative, an impulse
+        that would pull them back. `collide` has a guard. 0 where no impulse stops the
+        points, k = 0, and they go through each other: both bodies are immovable, or
+        they turn about pivots through which the normal goes.
 
     Raises
     ------
     ValueError
         If e is not from 0 to 1, or as inverse_effective_mass.
+
+    Notes
+    -----
+    The slides say "put in terms of the unknown impulse … compute impulse" and give no
+    formula. It follows step by step:
+
+    1. Drop the time dependence. An impact is so short that r, n and I⁻¹ stay as they
+       are and the weight has no effect.
+    2. Slide 18, with a minus sign for B: v_A⁺ = v_A⁻ + j n/M_A and
+       ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × j n). For B, replace j by −j.
+    3. Slide 14 gives the velocities of the points: ṗ_A⁺ = v_A⁺ + ω_A⁺ × r_A, which is
+       ṗ_A⁻ + j (n/M_A + (I_A⁻¹(r_A × n)) × r_A). For B, replace j by −j.
+    4. Slide 19 gives the normal velocity: u_n⁺ = n·(ṗ_A⁺ − ṗ_B⁺) = u_n⁻ + j k, where k
+       collects the factors of j. All four terms of k have a plus sign, because B's
+       minus meets the minus of the difference, and n·n = 1.
+    5. Slide 12 gives the rebound that the user wants: u_n⁺ = −e u_n⁻. So
+       u_n⁻ + j k = −e u_n⁻, and j = −(1 + e) u_n⁻/k.
+
+    Written out, the result is
+
+        j = −(1 + e) u_n⁻ / k
+        k = 1/M_A + 1/M_B + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
     """
     a, b, n = checked(body_a), checked(body_b), unit("normal", vector("normal", normal))
     e, k = in_unit_interval("restitution", restitution), _softness(a, n) + _softness(b, n)
@@ -86,12 +129,6 @@ def impulse_magnitude(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, resti
 def apply_impulse(body_a: AnyBody, body_b: AnyBody, impulse: ArrayLike) -> Velocities:
     """Velocities after an impulse, J on A and −J on B (slide 18).
 
-        v_A⁺ = v_A⁻ + J/M_A        ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × J)
-        v_B⁺ = v_B⁻ − J/M_B        ω_B⁺ = ω_B⁻ − I_B⁻¹(r_B × J)
-
-    The slide has plus for both. That contradicts its own pseudo-code, P_B −= J, and Newton's third law: the pair would
-    push itself along.
-
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
@@ -99,12 +136,24 @@ def apply_impulse(body_a: AnyBody, body_b: AnyBody, impulse: ArrayLike) -> Veloc
 
     Returns
     -------
-    v_A, ω_A, v_B, ω_B : (..., 3) each; an immovable body goes on as it did
+    v_A, ω_A, v_B, ω_B : (..., 3) each, m/s and rad/s
+        An immovable body keeps its velocities.
 
     Raises
     ------
     ValueError
         As inverse_effective_mass, or if an impulse is not finite.
+
+    Notes
+    -----
+    An impulse changes the momentum of a body by J and its angular momentum by r × J.
+    Divided by the mass and multiplied by I⁻¹, these are changes of v and ω:
+
+        v_A⁺ = v_A⁻ + J/M_A        ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × J)
+        v_B⁺ = v_B⁻ − J/M_B        ω_B⁺ = ω_B⁻ − I_B⁻¹(r_B × J)
+
+    The slide has a plus sign for both bodies. This contradicts the slides' own
+    pseudo-code, P_B −= J, and Newton's third law: the pair would push itself along.
     """
     a, b, impulse = checked(body_a), checked(body_b), finite("impulse", vector("impulse", impulse))
     (dv_a, dw_a), (dv_b, dw_b) = moved(a, impulse), moved(b, impulse)
@@ -112,29 +161,40 @@ def apply_impulse(body_a: AnyBody, body_b: AnyBody, impulse: ArrayLike) -> Veloc
 
 
 def collide(
-    body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, restitution: ArrayLike, threshold: ArrayLike = 0.0
+    body_a: AnyBody,
+    body_b: AnyBody,
+    normal: ArrayLike,
+    restitution: ArrayLike,
+    threshold: ArrayLike = 0.0,
 ) -> Velocities:
-    """Velocities of two bodies after an impact at a point, if they collide there (slides 11 and 21).
+    """Velocities of two bodies after an impact at a point (slides 11 and 21).
 
-    The whole of slide 21: the velocities of the points, the velocity along the normal, and if that is colliding the
-    impulse j n on A and −j n on B.
+    The velocities change only if the bodies collide at this point.
 
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
     normal : (..., 3), unit, from B to A
     restitution : (...), e, 0 to 1
-    threshold : (...), m/s: what closes no faster than this is resting
+    threshold : (...), m/s
+        A pair that closes no faster than this is resting.
 
     Returns
     -------
-    v_A, ω_A, v_B, ω_B : (..., 3) each; of a pair that rests, grazes or separates unchanged, and so of one that no
-        impulse stops, such as two immovable bodies
+    v_A, ω_A, v_B, ω_B : (..., 3) each, m/s and rad/s
+        Unchanged for a pair that rests, grazes or separates, and for a pair that no
+        impulse stops, such as two immovable bodies.
 
     Raises
     ------
     ValueError
         If a threshold is negative, or as impulse_magnitude.
+
+    Notes
+    -----
+    This is the whole of slide 21. Compute the velocities of the two points and the
+    velocity along the normal. If the points collide, apply the impulse j n to A and −j
+    n to B.
     """
     a, b, n = checked(body_a), checked(body_b), unit("normal", vector("normal", normal))
     colliding = classify_contact(_closing(a, b, n), threshold) == COLLIDING
@@ -143,11 +203,13 @@ def collide(
     return apply_impulse(a, b, on_a)
 
 
-def energy_lost(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, restitution: ArrayLike) -> Array:
-    """Kinetic energy that an impact takes: ΔE = (1 − e²) u_n⁻²/(2k), with the k of `inverse_effective_mass`.
-
-    It is the energy of the closing motion of an effective mass 1/k, less that of the parting motion. An immovable body
-    that moves does work besides: beside one, ΔE is what an observer sees who moves along with its point of contact.
+def energy_lost(
+    body_a: AnyBody,
+    body_b: AnyBody,
+    normal: ArrayLike,
+    restitution: ArrayLike,
+) -> Array:
+    """Kinetic energy that an impact takes from two bodies.
 
     Parameters
     ----------
@@ -157,12 +219,24 @@ def energy_lost(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, restitution
 
     Returns
     -------
-    (...), J; 0 of a pair that does not approach, and of two immovable bodies
+    (...), J
+        0 for a pair that does not approach, and for two immovable bodies.
 
     Raises
     ------
     ValueError
         As impulse_magnitude.
+
+    Notes
+    -----
+    The closing motion has the energy of an effective mass 1/k that moves at u_n⁻, with
+    the k of `inverse_effective_mass`: u_n⁻²/(2k). The parting motion has the velocity
+    −e u_n⁻ and so the share e² of this energy. The impact takes the difference:
+
+        ΔE = (1 − e²) u_n⁻²/(2k)
+
+    An immovable body that moves does work besides. Beside such a body, ΔE is the loss
+    as seen by an observer who moves along with its point of contact.
     """
     a, b, n = checked(body_a), checked(body_b), unit("normal", vector("normal", normal))
     e, k = in_unit_interval("restitution", restitution), _softness(a, n) + _softness(b, n)
@@ -173,7 +247,8 @@ def energy_lost(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike, restitution
 def _softness(body: Arrays, normal: Array) -> Array:
     """One body's part of k: 1/M + n·((I⁻¹(r × n)) × r).
 
-    A lever that is but rounding counts as none: it would give a body on a pivot, 1/M = 0, any spin there is.
+    A lever that is only rounding counts as none. Otherwise it would give a body on a
+    pivot, 1/M = 0, a spin of any size.
     """
     r = body[2]
     dv, dw = moved(body, normal)

@@ -1,20 +1,20 @@
-"""Impulse and momentum: what a short force leaves behind, and how P and L take it up (slides 13, 16, 21)."""
+"""Impulse and momentum (slides 13, 16 and 21).
+
+A short force leaves an impulse, which changes the momentum P and the angular momentum
+L.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, matrix, not_negative, positive, unit, vector
-
-Array = NDArray[np.float64]
 
 
 def impulse_of_force(force: ArrayLike, time: ArrayLike) -> Array:
-    """Impulse of a force that was sampled: J = ∫F dt, by trapezoids between the samples (slide 13).
-
-    For a constant force that is the slide's F Δt; with F = M a it is Δ(M v) = ΔP. The slides call J a force applied
-    over a short time: it is no force. A harder ball has the same J, a shorter Δt and a larger F.
+    """Impulse J = ∫F dt of a force that was sampled (slide 13).
 
     Parameters
     ----------
@@ -23,12 +23,24 @@ def impulse_of_force(force: ArrayLike, time: ArrayLike) -> Array:
 
     Returns
     -------
-    (..., 3), N s; 0 of a single sample. Exact where the force changes at a steady rate between the samples.
+    (..., 3), N s
+        0 for a single sample. Exact where the force changes at a steady rate between
+        the samples.
 
     Raises
     ------
     ValueError
-        If the times go backwards, their number is not that of the samples, or something is not finite.
+        If the times go backwards, their number is not that of the samples, or something
+        is not finite.
+
+    Notes
+    -----
+    Between two samples the function takes the mean of the two forces times the time
+    between them, which is the area of a trapezoid. For a constant force the sum is the
+    slide's F Δt. With F = M a it is Δ(M v) = ΔP.
+
+    The slides call J a force applied over a short time, but J is not a force. A harder
+    ball has the same J, a shorter Δt and a larger F.
     """
     force, time = finite("force", vector("force", force)), finite("time", time)
     if force.ndim < 2 or time.shape[-1:] != force.shape[-2:-1]:
@@ -37,19 +49,20 @@ def impulse_of_force(force: ArrayLike, time: ArrayLike) -> Array:
     return np.asarray(((force[..., 1:, :] + force[..., :-1, :]) / 2 * steps[..., None]).sum(axis=-2))
 
 
-def mean_force(momentum_change: ArrayLike, duration: ArrayLike, other_force: ArrayLike = (0.0, 0.0, 0.0)) -> Array:
-    """Mean force over a contact of known length: ΔP/Δt is the net force; the contact gives what others do not.
-
-        F = ΔP/Δt − F_other
-
-    Of a ball on the floor the net force is the contact force less the weight. In an impact Δt is short and the weight
-    does not matter: this is what slide 20 drops.
+def mean_force(
+    momentum_change: ArrayLike,
+    duration: ArrayLike,
+    other_force: ArrayLike = (0.0, 0.0, 0.0),
+) -> Array:
+    """Mean force over a contact of known length.
 
     Parameters
     ----------
     momentum_change : (..., 3), ΔP, N s
     duration : (...), Δt, s, positive
-    other_force : (..., 3), N, what else acts meanwhile, as the weight; none for the net force
+    other_force : (..., 3), N
+        What else acts meanwhile, such as the weight. With zero the result is the net
+        force.
 
     Returns
     -------
@@ -58,17 +71,25 @@ def mean_force(momentum_change: ArrayLike, duration: ArrayLike, other_force: Arr
     Raises
     ------
     ValueError
-        If a duration is not positive, or an argument has not three components.
+        If a duration is not positive, or an argument does not have three components.
+
+    Notes
+    -----
+    ΔP/Δt is the net force, the sum of the contact force and all others. The contact
+    provides what the others do not:
+
+        F = ΔP/Δt − F_other
+
+    For a ball on the floor, the net force is the contact force less the weight. In an
+    impact Δt is short, so that ΔP/Δt is large and the weight does not matter. This is
+    what slide 20 drops.
     """
     change, other = vector("momentum_change", momentum_change), vector("other_force", other_force)
     return np.asarray(change / positive("duration", duration)[..., None] - other)
 
 
 def contact_impulses(magnitude: ArrayLike, normal: ArrayLike) -> tuple[Array, Array]:
-    """Impulses on A and on B: J = j n on A and −J on B (slide 16).
-
-    The slide's forces along the normal are an impact without friction. Whatever j, the two add up to nothing: so P is
-    kept; and they act at one point: so L is kept about any.
+    """Impulses at a contact: J = j n on A and −J on B (slide 16).
 
     Parameters
     ----------
@@ -82,7 +103,13 @@ def contact_impulses(magnitude: ArrayLike, normal: ArrayLike) -> tuple[Array, Ar
     Raises
     ------
     ValueError
-        If a normal has not length 1, or not three components.
+        If a normal does not have length 1 or does not have three components.
+
+    Notes
+    -----
+    The slide's forces along the normal are those of an impact without friction. For
+    every j the two impulses add up to zero, so that P is conserved. They also act at
+    one point, so that L about any point is conserved.
     """
     impulse = np.asarray(magnitude, dtype=float)[..., None] * unit("normal", vector("normal", normal))
     return np.asarray(impulse), np.asarray(-impulse)
@@ -91,26 +118,32 @@ def contact_impulses(magnitude: ArrayLike, normal: ArrayLike) -> tuple[Array, Ar
 def apply_impulse_to_momenta(
     momentum: ArrayLike, angular_momentum: ArrayLike, arm: ArrayLike, impulse: ArrayLike
 ) -> tuple[Array, Array]:
-    """Momenta of one body after an impulse at the end of its arm: P += J, L += r × J (slide 21).
-
-    For B, whose impulse is −J, this is the slide's P_B −= J, L_B −= r_B × J. It takes no mass and no inertia: those
-    come back in with `velocities_from_momenta`, which must follow.
+    """Momenta of one body after an impulse at the end of its arm (slide 21).
 
     Parameters
     ----------
     momentum : (..., 3), P, kg m/s
     angular_momentum : (..., 3), L about the centre of mass, kg m²/s
     arm : (..., 3), r from the centre of mass to the contact, m
-    impulse : (..., 3), N s, on this body
+    impulse : (..., 3), J, N s, on this body
 
     Returns
     -------
-    momentum, angular_momentum : (..., 3) each
+    momentum, angular_momentum : (..., 3) each, kg m/s and kg m²/s
 
     Raises
     ------
     ValueError
-        If an argument has not three components.
+        If an argument does not have three components.
+
+    Notes
+    -----
+        P += J
+        L += r × J
+
+    For B, whose impulse is −J, this is the slide's P_B −= J, L_B −= r_B × J. The step
+    needs no mass and no inertia. These come back in with `velocities_from_momenta`,
+    which must follow.
     """
     impulse = vector("impulse", impulse)
     momentum, angular_momentum = vector("momentum", momentum), vector("angular_momentum", angular_momentum)
@@ -118,11 +151,12 @@ def apply_impulse_to_momenta(
 
 
 def velocities_from_momenta(
-    momentum: ArrayLike, angular_momentum: ArrayLike, inverse_mass: ArrayLike, inverse_inertia: ArrayLike
+    momentum: ArrayLike,
+    angular_momentum: ArrayLike,
+    inverse_mass: ArrayLike,
+    inverse_inertia: ArrayLike,
 ) -> tuple[Array, Array]:
-    """Velocities that belong to momenta: v = P/M, ω = I⁻¹(t) L (slide 21).
-
-    The slide's pseudo-code stops at P and L. A program that keeps v and ω beside them must recompute both.
+    """Velocities that belong to the momenta of a body (slide 21).
 
     Parameters
     ----------
@@ -133,13 +167,23 @@ def velocities_from_momenta(
 
     Returns
     -------
-    velocity, angular_velocity : (..., 3) each. An immovable body, 1/M = 0, comes out at rest, and a rod without spin
-        about itself: momenta cannot tell of other motion, velocities can.
+    velocity, angular_velocity : (..., 3) each, m/s and rad/s
+        An immovable body, 1/M = 0, is at rest in the result, and a rod does not spin
+        about itself: its momenta cannot describe such a motion, its velocities can.
 
     Raises
     ------
     ValueError
         If an inverse mass is negative or not finite, or shapes do not fit.
+
+    Notes
+    -----
+    The momenta are P = M v and L = I(t) ω. Solved for the velocities:
+
+        v = P/M,    ω = I⁻¹(t) L
+
+    The slide's pseudo-code stops at P and L. A program that keeps v and ω beside them
+    must recompute both.
     """
     momentum, angular_momentum = vector("momentum", momentum), vector("angular_momentum", angular_momentum)
     per_mass = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))[..., None]

@@ -1,60 +1,93 @@
-"""The direction of a contact: the plane's normal, or across two edges, always from B to A (slide 17)."""
+"""The normal of a contact, always from B to A (slide 17).
+
+It is the normal of a face, or the direction across two edges.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, vector
 
-Array = NDArray[np.float64]
 PARALLEL = 1e-9
-"""Sine of the angle of two edges up to which they count as parallel: of their normal rounding leaves seven digits."""
+"""Sine of the angle between two edges up to which they count as parallel.
+
+At this angle rounding leaves seven digits of their normal.
+"""
 
 
-def point_plane_normal(plane_normal: ArrayLike, centre_a: ArrayLike, centre_b: ArrayLike) -> Array:
-    """Normal of a contact of a corner of one body with a face of the other: the face's own (slide 17).
+def point_plane_normal(
+    plane_normal: ArrayLike,
+    centre_a: ArrayLike,
+    centre_b: ArrayLike,
+) -> Array:
+    """Normal of a contact between a corner of a body and a face (slide 17).
 
-    It has unit length and points towards A, whichever of the two has the face: flipped if it points from A's centre to
-    B's.
+    The normal is that of the face, with unit length.
 
     Parameters
     ----------
     plane_normal : (..., 3), any length but zero
-    centre_a, centre_b : (..., 3), m, centres of A and B; of ground that goes on for ever, any point of it
+    centre_a, centre_b : (..., 3), m, centres of A and B
+        For ground that extends for ever, any point of it.
 
     Returns
     -------
-    (..., 3), unit, from B to A; as given where the centres lie in one plane across it and cannot tell
+    (..., 3), unit, from B to A
+        As given where the line between the centres is parallel to the face, so that
+        they cannot tell the direction.
 
     Raises
     ------
     ValueError
-        If a normal is zero, or an argument is not finite or has not three components.
+        If a normal is zero, or an argument is not finite or does not have three
+        components.
+
+    Notes
+    -----
+    Either body may have the face. A normal that points from A's centre to B's is
+    reversed, so that the result points towards A in both cases.
     """
     return _towards_a(_direction("plane_normal", plane_normal), centre_a, centre_b)
 
 
-def edge_edge_normal(edge_a: ArrayLike, edge_b: ArrayLike, centre_a: ArrayLike, centre_b: ArrayLike) -> Array:
-    """Normal of a contact of two edges: A × B, of unit length, towards A (slide 17).
-
-    The slide's cross product has the length ‖A‖‖B‖ sin φ, and points to A or to B as the edges happen to run. Parallel
-    edges touch along a line, and any direction across them is as good as another: none is made up for them.
+def edge_edge_normal(
+    edge_a: ArrayLike,
+    edge_b: ArrayLike,
+    centre_a: ArrayLike,
+    centre_b: ArrayLike,
+) -> Array:
+    """Normal of a contact of two edges, of unit length and towards A (slide 17).
 
     Parameters
     ----------
-    edge_a, edge_b : (..., 3), from one end of the edge to the other, m, any length but zero
+    edge_a, edge_b : (..., 3), m, any length but zero
+        From one end of the edge to the other.
     centre_a, centre_b : (..., 3), m, centres of A and B
 
     Returns
     -------
-    (..., 3), unit, from B to A; along A × B where the centres lie in one plane across it and cannot tell
+    (..., 3), unit, from B to A
+        Along A × B where the line between the centres is perpendicular to A × B, so
+        that they cannot tell the direction.
 
     Raises
     ------
     ValueError
-        If the edges are parallel, sin φ ≤ 1e-9, or one is zero; or an argument is not finite or has not three
-        components.
+        If the edges are parallel, sin φ ≤ 1e-9, or one is zero; or an argument is not
+        finite or does not have three components.
+
+    Notes
+    -----
+    The slide's cross product A × B of the two edges is perpendicular to both. It has
+    the length ‖A‖‖B‖ sin φ, where φ is the angle between the edges, and it points to A
+    or to B as the edges happen to run. The function divides it by its length, and
+    reverses it if it points to B.
+
+    Parallel edges touch along a line, and every direction across them is as good as any
+    other. The function refuses them and does not choose one.
     """
     a, b = _direction("edge_a", edge_a), _direction("edge_b", edge_b)
     across = np.cross(a, b)
@@ -67,7 +100,10 @@ def edge_edge_normal(edge_a: ArrayLike, edge_b: ArrayLike, centre_a: ArrayLike, 
 
 
 def _direction(name: str, value: ArrayLike) -> Array:
-    """The vector over its length; first over its largest component, so that no square over- or underflows."""
+    """The vector over its length.
+
+    It is first divided by its largest component, so that no square over- or underflows.
+    """
     given = finite(name, vector(name, value))
     largest = np.max(np.abs(given), axis=-1, keepdims=True)
     if np.any(largest == 0):

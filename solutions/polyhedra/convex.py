@@ -1,40 +1,75 @@
-"""Is a point in a convex polyhedron? It is behind the planes of all faces (slide 9)."""
+"""A point is in a convex polyhedron if it is behind all face planes (slide 9)."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array, Integers
 from solutions.checks import finite, not_negative, vector
-from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, face_planes, size_of
+from solutions.polyhedra.surface import blocks, checked_mesh, face_planes, size_of
 
 FLAT = 1e-9
-"""How far, as a share of its size, a vertex of a convex solid may be in front of a face: rounding, or few digits."""
+"""How far a vertex of a convex solid may be in front of a face, as a share of its size.
+
+Rounding puts a vertex there, and so do coordinates that are given with few digits.
+"""
 
 
-def convex_separation(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Integers]:
-    """How far a point is in front of a convex polyhedron, negative within it, and the face that says so (slide 9).
+def convex_separation(
+    point: ArrayLike,
+    vertices: ArrayLike,
+    faces: ArrayLike,
+) -> tuple[Array, Integers]:
+    """How far a point is in front of a convex polyhedron, and of which face (slide 9).
 
-        s = max over the faces of n·p + d
-
-    Within, −s is the depth: the way out through the nearest face. Outside s is the distance where a face is nearest;
-    where an edge or a vertex is, the point is further away than s.
+    The separation is the largest signed height of the point above the planes of the
+    faces. It is negative within the solid.
 
     Parameters
     ----------
     point : (..., 3), m
-    vertices, faces : (v, 3), m, and (f, 3), of a convex solid whose faces look outwards
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners
+        The solid must be convex, and its faces must look outwards.
 
     Returns
     -------
     separation : (...), m
-    face : (...), index of the face; of equals the first
+        Within the solid, −separation is the depth: the length of the way out through
+        the nearest face. Outside, the separation is the distance to the solid where the
+        nearest point of the solid is on a face. Where that nearest point is on an edge
+        or at a vertex, the point is farther away than the separation.
+    face : (...), index of the face above which the point is highest
+        If several faces are equal, this is the first of them.
 
     Raises
     ------
     ValueError
-        If the solid is not convex, or turned inside out: the slide's test is wrong then. If a face has no area, there
-        is no face, or a point is not finite.
+        If the solid is not convex or is turned inside out, because the slide's test is
+        wrong for such a solid. If a face has no area, there is no face, vertices are
+        not finite or do not fit the faces, or a point is not finite or does not have
+        three components.
+
+    Notes
+    -----
+    The separation is
+
+        s = max over the faces of n·p + d
+
+    The plane of a face is n·x + d = 0, and its unit normal n points outwards. So
+    n·p + d is the height of the point p above that plane, and it is negative behind the
+    plane. A convex solid is what lies behind all of these planes at once. The point is
+    therefore within the solid exactly when even the largest height s is negative.
+
+    Within the solid, the largest height belongs to the nearest plane, because all
+    heights are negative. The ball of radius −s around the point goes through no plane,
+    so it stays within the solid and touches it where it touches the nearest plane. The
+    way out is therefore −s long.
+
+    Outside, the whole solid is behind the plane of the face found, so it is at least s
+    away. It is exactly s away where the perpendicular from the point to that plane ends
+    on the face itself.
     """
     p = finite("point", vector("point", point))
     normal, offset = _convex_planes(vertices, faces)
@@ -50,38 +85,61 @@ def convex_separation(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -
 def inside_convex(
     point: ArrayLike, vertices: ArrayLike, faces: ArrayLike, tolerance: ArrayLike = 0.0
 ) -> NDArray[np.bool_]:
-    """Whether a point is in a convex polyhedron: in front of no face by more than the tolerance (slide 9).
+    """Whether a point is in a convex polyhedron (slide 9).
 
-    The surface belongs to the solid. On a slanted face rounding decides, unless there is a tolerance.
+    The point is inside if it is in front of no face by more than the tolerance.
 
     Parameters
     ----------
     point : (..., 3), m
-    vertices, faces : as for `convex_separation`
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners
+        The solid must be convex, and its faces must look outwards.
     tolerance : (...), m, not negative
 
     Returns
     -------
     (...), bool
+        The surface belongs to the solid. Rounding decides about a point on a slanted
+        face, unless there is a tolerance.
 
     Raises
     ------
     ValueError
-        As `convex_separation` does, and if a tolerance is negative.
+        In every case in which `convex_separation` raises it, and if a tolerance is
+        negative.
+
+    Notes
+    -----
+    The `convex_separation` s of the point is its largest height above the planes of the
+    faces. The function returns s ≤ tolerance.
     """
     return np.asarray(convex_separation(point, vertices, faces)[0] <= not_negative("tolerance", tolerance))
 
 
 def is_convex(vertices: ArrayLike, faces: ArrayLike) -> bool:
-    """Whether no vertex is in front of the plane of any face, but for rounding; false for a solid inside out.
+    """Whether a closed surface bounds a convex solid and its faces look outwards.
 
-    Of a closed surface that goes round once; of an open one, or a star that winds twice, it does not tell. True of no
-    faces at all.
+    It does if no vertex is in front of the plane of any face.
+
+    Parameters
+    ----------
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners
+
+    Returns
+    -------
+    bool
+        A vertex that is in front of a face by at most 1e-9 of the solid's size counts
+        as rounding. The answer is False for a convex solid that is turned inside out,
+        and True for a mesh without faces. The answer holds for a closed surface that
+        goes round once. It says nothing about an open surface, or about a star that
+        winds twice.
 
     Raises
     ------
     ValueError
-        If a face has no area, or the mesh does not fit together.
+        If a face has no area, or vertices are not finite or do not fit the faces.
     """
     v, f = checked_mesh(vertices, faces)
     corners = v[np.unique(f)]
@@ -93,7 +151,7 @@ def _convex_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]
     if not len(f):
         raise ValueError("faces must not be empty: a polyhedron without faces has no inside")
     normal, offset = face_planes(v, f)
-    corners = v[np.unique(f)]  # vertices of no face have no say
+    corners = v[np.unique(f)]  # vertices of no face do not count
     height, face = _most_in_front(corners, normal, offset)
     if height > FLAT * size_of(corners):
         raise ValueError(
@@ -103,6 +161,6 @@ def _convex_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]
 
 
 def _most_in_front(corners: Array, normal: Array, offset: Array) -> tuple[float, int]:
-    """How far the corner is in front that is so most, and of which face."""
+    """Largest height of a corner above the plane of a face, m, and that face."""
     highest = np.array([np.max(corners @ n + d) for n, d in zip(normal, offset, strict=True)])
     return (float(np.max(highest)), int(np.argmax(highest))) if len(highest) else (0.0, 0)

@@ -1,38 +1,64 @@
-"""Is a point in any polyhedron, concave or not? By the parity of a ray, and by the winding number (slide 9)."""
+"""Whether a point is in any polyhedron, by parity or by winding number (slide 9).
+
+The polyhedron may be concave. Parity counts the faces that a ray from the point
+crosses. The winding number adds up the solid angles of the faces.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array, Integers
 from solutions.checks import finite, vector
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
-from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, directed_edges, same_places
+from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, same_places
 
 
-def inside_by_parity(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.bool_]:
-    """Whether a ray from the point crosses the surface an odd number of times: then the point is inside (slide 9).
+def inside_by_parity(
+    point: ArrayLike,
+    vertices: ArrayLike,
+    faces: ArrayLike,
+) -> NDArray[np.bool_]:
+    """Whether a ray from a point crosses the surface an odd number of times (slide 9).
 
-    The ray goes up, along +z. One through a vertex or an edge would be counted once for each face there, and one along
-    a face not at all. So think of the point as moved by (ε, ε², ε³), with ε smaller than any float: such a ray meets
-    neither vertex nor edge, and moves no point that is off the surface to its other side. All signs are exact
-    (`orient2d`, `orient3d`), so the answer is right at any distance from the surface.
+    If it does, the point is inside. The answer is right at any distance from the
+    surface, because all signs are exact.
 
     Parameters
     ----------
     point : (..., 3), m
-    vertices, faces : (v, 3), m, and (f, 3), of a closed surface; which way its faces look does not matter
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners
+        The surface must be closed. It does not matter which way its faces look.
 
     Returns
     -------
-    (...), bool. A point on the surface is inside when that small move takes it in: of solids that fill space face to
-    face, exactly one has it. Where a surface goes through itself, what it encloses twice is outside.
+    (...), bool
+        A point on the surface is inside when a move by (ε, ε², ε³), with an ε smaller
+        than any float, takes it inside. So if solids fill space face to face, exactly
+        one of them has the point. Where a surface goes through itself, what it encloses
+        twice is outside.
 
     Raises
     ------
     ValueError
-        If the surface is open: then it has no inside, and the ray's answer depends on its direction. If a point is not
-        finite or the mesh does not fit together.
+        If the surface is open. It then has no inside, and the answer of a ray would
+        depend on its direction. If a point is not finite or does not have three
+        components, or vertices are not finite or do not fit the faces.
+
+    Notes
+    -----
+    The ray goes up, along +z. Far up it is outside, and each time it crosses the
+    surface it changes from one side to the other. So it starts inside exactly when it
+    crosses the surface an odd number of times.
+
+    Counting faces goes wrong where the ray meets an edge or a vertex, because it would
+    be counted once for each face there. A ray along a face would not be counted at all.
+    So think of the point as moved by (ε, ε², ε³), with an ε smaller than any float. The
+    ray from the moved point meets neither an edge nor a vertex. The move is also too
+    small to take a point that is off the surface to the other side of the surface. All
+    signs are found exactly (`orient2d`, `orient3d`), and so the count is exact too.
     """
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)
@@ -47,27 +73,47 @@ def inside_by_parity(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) ->
 
 
 def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> Array:
-    """How often the surface goes round the point: the solid angles of all faces, over 4π (Jacobson et al. 2013).
+    """How often a surface goes round a point (slide 9; Jacobson et al. 2013).
 
-    With a, b, c from the point to a face's corners, its solid angle Ω is (van Oosterom and Strackee 1983)
-
-        tan(Ω/2) = a·(b×c) / (‖a‖‖b‖‖c‖ + (a·b)‖c‖ + (b·c)‖a‖ + (c·a)‖b‖)
+    It is the sum of the solid angles of all faces, as seen from the point, over 4π.
 
     Parameters
     ----------
     point : (..., 3), m
-    vertices, faces : (v, 3), m, and (f, 3), faces that look outwards
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners
+        The faces must look outwards.
 
     Returns
     -------
-    (...). 1 inside and 0 outside a closed surface, −1 inside when its faces look inwards, 2 where it encloses a point
-    twice. On it the part of a small ball that is inside: 1/2 on a face, 1/8 at the corner of a cube, where the face's
-    plane goes through the point but for rounding; else a whole number. With holes it is a fraction.
+    (...)
+        For a closed surface it is 1 inside and 0 outside. It is −1 inside a surface
+        whose faces look inwards, and 2 where a surface encloses the point twice. A
+        surface with holes gives a fraction. On a closed surface it is the part of a
+        small ball around the point that is inside: 1/2 on a face, 1/8 at the corner of
+        a cube. This holds where the computed plane of the face goes through the point
+        exactly; where rounding moves the plane off the point, the result is a whole
+        number.
 
     Raises
     ------
     ValueError
-        If a point is not finite, or the mesh does not fit together.
+        If a point is not finite or does not have three components, or vertices are not
+        finite or do not fit the faces.
+
+    Notes
+    -----
+    Let a, b and c be the vectors from the point to the corners of a face. The solid
+    angle Ω of the face follows from (van Oosterom and Strackee 1983)
+
+        tan(Ω/2) = a·(b×c) / (‖a‖‖b‖‖c‖ + (a·b)‖c‖ + (b·c)‖a‖ + (c·a)‖b‖)
+
+    The numerator gives Ω its sign. Ω is positive for a face whose back the point sees,
+    and negative for a face whose front it sees.
+
+    From inside a closed surface, every direction meets one back more than it meets
+    fronts. The solid angles therefore add up to the whole sphere, which is 4π. From
+    outside, every direction meets as many fronts as backs, and the sum is zero.
     """
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)
@@ -78,24 +124,34 @@ def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> A
     return winding.reshape(p.shape[:-1])
 
 
-def inside_by_winding(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.bool_]:
-    """Whether the surface goes round the point by more than half: |w| > 1/2, with the `winding_number` w (slide 9).
+def inside_by_winding(
+    point: ArrayLike,
+    vertices: ArrayLike,
+    faces: ArrayLike,
+) -> NDArray[np.bool_]:
+    """Whether a surface goes round a point more than half a time: |w| > 1/2 (slide 9).
 
-    Slower than parity, and it asks for faces that are turned alike. In return it also answers for a surface with small
-    holes, and counts as inside what a surface that goes through itself encloses twice.
+    Here w is the `winding_number`. This test is slower than parity, and all faces must
+    be turned alike. In return it also works for a surface with small holes, and it
+    counts as inside what a surface that goes through itself encloses twice.
 
     Parameters
     ----------
-    point, vertices, faces : as for `winding_number`
+    point : (..., 3), m
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners
+        The faces must all look outwards, or all inwards.
 
     Returns
     -------
-    (...), bool; on the surface rounding decides
+    (...), bool
+        On the surface rounding decides.
 
     Raises
     ------
     ValueError
-        As `winding_number` does.
+        If a point is not finite or does not have three components, or vertices are not
+        finite or do not fit the faces.
     """
     return np.asarray(np.abs(winding_number(point, vertices, faces)) > 0.5)
 
@@ -108,7 +164,7 @@ def _refuse_open(vertices: Array, faces: Integers) -> None:
 
 
 def _faces_above(point: Array, corners: Array) -> tuple[Integers, Integers]:
-    """Pairs of a point and a face (f, 3, 3) whose box the ray up from the point can meet."""
+    """Pairs of a point and a face whose box the ray up from the point can meet."""
     (x, y, z), low, high = point.T[..., None], np.min(corners, axis=1).T, np.max(corners, axis=1).T
     beside = (low[0] <= x) & (x <= high[0]) & (low[1] <= y) & (y <= high[1])
     which, face = np.nonzero(beside & (z <= high[2]))
@@ -116,26 +172,38 @@ def _faces_above(point: Array, corners: Array) -> tuple[Integers, Integers]:
 
 
 def _ray_crosses(p: Array, corners: Array) -> NDArray[np.bool_]:
-    """Whether the ray up from each point p (k, 3), moved by (ε, ε², ε³), goes through its face (k, 3, 3)."""
+    """Whether the ray up from each point p (k, 3) goes through its face (k, 3, 3).
+
+    The ray starts at the point moved by (ε, ε², ε³).
+    """
     a, b, c = np.moveaxis(corners, 1, 0)
     turn = _beside_edge(a, b, p)
-    for start, end in ((b, c), (c, a)):  # seen from above, the point is on the same side of all three edges
+    # Seen from above, the start of the ray must be on the same side of all three edges.
+    for start, end in ((b, c), (c, a)):
         same = turn != 0
         turn[same] *= _beside_edge(start[same], end[same], p[same]) == turn[same]
     crossed = np.asarray(turn != 0)
     side = _before_face(a[crossed], b[crossed], c[crossed], p[crossed])
-    crossed[crossed] = side != turn[crossed]  # behind a face that looks up, or in front of one that looks down
+    # The face is above the start if it looks up and the start is behind it, or if it
+    # looks down and the start is in front of it.
+    crossed[crossed] = side != turn[crossed]
     return crossed
 
 
 def _beside_edge(a: Array, b: Array, p: Array) -> Sign:
-    """Seen from above: +1 where the moved p is to the left of the edge, −1 to its right, 0 if the edge is upright."""
+    """Side of an edge on which the moved p is, seen from above.
+
+    It is +1 to the left of the edge, −1 to its right, and 0 if the edge is upright.
+    """
     by_epsilon, by_its_square = np.sign(a[:, 1] - b[:, 1]), np.sign(b[:, 0] - a[:, 0])
     return _first_sign(orient2d(a[:, :2], b[:, :2], p[:, :2]), by_epsilon, by_its_square)
 
 
 def _before_face(a: Array, b: Array, c: Array, p: Array) -> Sign:
-    """+1 where the moved p is in front of the face, −1 behind it: if p is in its plane, the normal's signs decide."""
+    """Side of a face on which the moved p is: +1 in front of it, −1 behind it.
+
+    If p is in the plane of the face, the signs of the face's normal decide.
+    """
     side = orient3d(a, b, c, p)
     on = side == 0
     if np.any(on):
@@ -144,7 +212,7 @@ def _before_face(a: Array, b: Array, c: Array, p: Array) -> Sign:
 
 
 def _first_sign(*signs: NDArray[np.generic]) -> Sign:
-    """Of several signs the first that is not 0."""
+    """The first of several signs that is not 0."""
     first, *others = (np.asarray(sign, dtype=np.int64) for sign in signs)
     for other in others:
         first = np.where(first == 0, other, first)
@@ -153,7 +221,8 @@ def _first_sign(*signs: NDArray[np.generic]) -> Sign:
 
 def _half_solid_angles(point: Array, vertices: Array, faces: Integers) -> Array:
     """Ω/2 of every face, (points, f)."""
-    to_vertex = vertices.T[:, None] - point.T[..., None]  # x, y, z first: sums of three go faster so
+    # With x, y, z along the first axis, sums of three are faster.
+    to_vertex = vertices.T[:, None] - point.T[..., None]
     length = np.sqrt(_dot(to_vertex, to_vertex))
     a, b, c = (np.take(to_vertex, corner, axis=2) for corner in faces.T)
     la, lb, lc = (np.take(length, corner, axis=1) for corner in faces.T)

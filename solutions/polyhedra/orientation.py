@@ -1,4 +1,7 @@
-"""On which side a point is, without rounding: the signs that decide whether something is inside (slide 9)."""
+"""Exact signs that say on which side a point is, without rounding (slide 9).
+
+These signs decide whether something is inside.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array
 from solutions.checks import finite
 
-Array = NDArray[np.float64]
 Sign = NDArray[np.int64]
 Numbers = NDArray[Any]
 """Floats, or Python's integers, which have as many digits as it takes."""
@@ -18,7 +21,10 @@ Numbers = NDArray[Any]
 HALF_EPSILON = 2.0**-53
 BOUND_2D = (3 + 16 * HALF_EPSILON) * HALF_EPSILON
 BOUND_3D = (7 + 56 * HALF_EPSILON) * HALF_EPSILON
-"""How far rounding may move the determinant, as a share of the sizes of its terms (Shewchuk 1997)."""
+"""How far rounding may move the determinant, as a share of the sizes of its terms.
+
+The bound in space and the one in the plane are those of Shewchuk (1997).
+"""
 UNDERFLOW = 1e-200
 """Products this small may have lost digits at the lower end of the floats."""
 LOOKS = ([1, 2], [2, 0], [0, 1])
@@ -26,12 +32,9 @@ LOOKS = ([1, 2], [2, 0], [0, 1])
 
 
 def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
-    """Whether c is to the left of the line from a to b (+1), on it (0) or to its right (−1), exactly.
+    """Whether c is left of the line from a to b (+1), on it (0) or right of it (−1).
 
-        sign of (b − a)×(c − a)
-
-    First in floats; where rounding could have changed the sign, once more in whole numbers. So it is antisymmetric
-    too: two faces at an edge never both claim a point beside it, nor both refuse it.
+    The sign is exact.
 
     Parameters
     ----------
@@ -39,22 +42,37 @@ def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Sign:
 
     Returns
     -------
-    (...), 1, 0 or −1; 0 where a = b
+    (...), 1, 0 or −1
+        It is also 0 where a = b.
 
     Raises
     ------
     ValueError
-        If a coordinate is not finite, or the points have not two each.
+        If a coordinate is not finite, or a point does not have two coordinates.
+
+    Notes
+    -----
+    The result is the
+
+        sign of (b − a)×(c − a)
+
+    This cross product is twice the signed area of the triangle a, b, c. It is positive
+    where the corners run counter-clockwise, which means that c is on the left.
+
+    The function first computes the cross product in floats. Where rounding could have
+    changed its sign, the function computes it again in whole numbers, which are exact.
+    The sign is therefore antisymmetric too: if two points are swapped, it is exactly
+    reversed. So two faces at an edge never both claim a point beside that edge, nor do
+    they both refuse it.
     """
     return _exact_sign(_area, BOUND_2D, _points(2, a=a, b=b, c=c))
 
 
 def orient3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> Sign:
-    """Whether d is in front of the face a, b, c (+1), in its plane (0) or behind it (−1), exactly.
+    """Whether d is in front of face a, b, c (+1), in its plane (0) or behind it (−1).
 
-        sign of ((b − a)×(c − a))·(d − a)
-
-    In front is where a, b, c are seen to run counter-clockwise.
+    The sign is exact. The front is the side from which a, b, c are seen to run
+    counter-clockwise.
 
     Parameters
     ----------
@@ -62,12 +80,24 @@ def orient3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> Sign:
 
     Returns
     -------
-    (...), 1, 0 or −1; 0 where a, b, c are on one line
+    (...), 1, 0 or −1
+        It is also 0 where a, b and c are on one line.
 
     Raises
     ------
     ValueError
-        If a coordinate is not finite, or the points have not three each.
+        If a coordinate is not finite, or a point does not have three coordinates.
+
+    Notes
+    -----
+    The result is the
+
+        sign of ((b − a)×(c − a))·(d − a)
+
+    The cross product is a normal of the face that points to its front. Its dot product
+    with d − a is therefore positive when d is in front. As in `orient2d`, the function
+    first computes the sign in floats. Where rounding could have changed the sign, it
+    computes it again in whole numbers.
     """
     return _exact_sign(_volume, BOUND_3D, _points(3, a=a, b=b, c=c, d=d))
 
@@ -83,7 +113,8 @@ def _points(size: int, **named: ArrayLike) -> Array:
 def _exact_sign(determinant: Callable[[Numbers], tuple[Numbers, Numbers]], bound: float, points: Array) -> Sign:
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         value, size = determinant(points)
-        unsure = ~(np.abs(value) > bound * size + UNDERFLOW)  # true for NaN, so what overflows is unsure too
+        # This is true for NaN, so that a value that overflows is unsure too.
+        unsure = ~(np.abs(value) > bound * size + UNDERFLOW)
     sign = np.where(unsure, 0, np.sign(value)).astype(np.int64)
     if np.any(unsure):
         exact, _ = determinant(_whole(points[:, unsure]))
@@ -112,7 +143,10 @@ def _volume(points: Numbers) -> tuple[Numbers, Numbers]:
 
 
 def _whole(points: Array) -> Numbers:
-    """The same points in a unit of length, a power of two, that makes every coordinate a whole number."""
+    """The same points in a unit of length in which every coordinate is a whole number.
+
+    The unit is a power of two, so that changing to it does not round.
+    """
     mantissa, exponent = np.frexp(points)
     digits = (mantissa * 2.0**53).astype(np.int64).astype(object)
     return np.asarray(digits << (exponent - np.min(exponent)).astype(object))

@@ -5,35 +5,54 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite, vector
+from solutions.arrays import Array
+from solutions.checks import finite, matrix, vector
 from solutions.detection import signed_distance
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
-from solutions.polyhedra.surface import Array
 
 ROUNDING = 1e-15
-"""Share of the largest coordinate within which a point counts as on a side, when it is asked where a segment enters."""
+"""Share of the largest coordinate within which a point counts as on a side.
+
+It is used to find where a segment enters a triangle's sides.
+"""
 
 
-def segment_plane(start: ArrayLike, end: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> Array:
-    """Where along a segment it meets the plane n·p + d = 0, as a share t of its length (slide 9).
-
-        t = s0/(s0 − s1),    with the signed distances of its ends
+def segment_plane(
+    start: ArrayLike,
+    end: ArrayLike,
+    normal: ArrayLike,
+    offset: ArrayLike,
+) -> Array:
+    """Share of a segment at which it meets the plane n·p + d = 0 (slide 9).
 
     Parameters
     ----------
     start, end : (..., 3), m
-    normal : (..., 3), any length but zero
-    offset : (...), d
+    normal : (..., 3), n, any length but zero
+    offset : (...), d, m when n has unit length
 
     Returns
     -------
-    (...), 0 to 1: the point is start + t (end − start). Infinity where both ends are on one side. One that lies in the
-    plane meets it all along, at 0 first; an end on the plane counts.
+    (...), t, 0 to 1
+        The point where they meet is start + t (end − start). An end on the plane
+        counts. A segment that lies in the plane meets it all along, and first at t = 0.
+        If both ends are on the same side, t is infinity.
 
     Raises
     ------
     ValueError
-        If a normal is zero or an end is not finite.
+        If a normal is zero, an end is not finite, or a vector does not have three
+        components.
+
+    Notes
+    -----
+    The share is
+
+        t = s0/(s0 − s1)
+
+    Here s0 and s1 are the signed distances of start and end from the plane. Along the
+    segment the signed distance changes at a steady rate, so that it is s0 + t (s1 − s0)
+    at the share t. The segment meets the plane where this is zero, which gives t.
     """
     s0 = signed_distance(finite("start", start), normal, offset)
     s1 = signed_distance(finite("end", end), normal, offset)
@@ -41,27 +60,49 @@ def segment_plane(start: ArrayLike, end: ArrayLike, normal: ArrayLike, offset: A
     return np.where(meets, _share(s0, s1), np.inf)
 
 
-def segment_triangle(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array]:
-    """Where along a segment it first meets a triangle, and where on that: edge against face (slide 9).
+def segment_triangle(
+    start: ArrayLike,
+    end: ArrayLike,
+    triangle: ArrayLike,
+) -> tuple[Array, Array]:
+    """Where along a segment, and where on a triangle, the two first meet (slide 9).
 
-    Whether it does is decided exactly (`segment_meets_triangle`); borders and ends count. Where, is rounded: the point
-    of the segment and that of the triangle are one but for rounding, even if the segment is nearly in the plane.
+    This is the test of an edge against a face. The function decides exactly whether
+    they meet (`segment_meets_triangle`); borders and ends count. Where they meet is
+    rounded. The segment's point and the triangle's point are the same up to rounding,
+    even if the segment is nearly in the plane of the triangle.
 
     Parameters
     ----------
     start, end : (..., 3), m
-    triangle : (..., 3, 3), its corners, m; it is met from both sides
+    triangle : (..., 3, 3), its corners, m
+        The segment meets it from both sides.
 
     Returns
     -------
-    fraction : (...), t, 0 to 1 along the segment, or infinity where they do not meet. A segment in the triangle's plane
-        meets it along a stretch: t is where that begins.
-    barycentric : (..., 3), the weights of the corners there, each 0 to 1, with the sum 1; NaN where they do not meet
+    fraction : (...), t, 0 to 1 along the segment
+        A segment in the triangle's plane meets it along a stretch, and t is where that
+        stretch begins. It is infinity where they do not meet.
+    barycentric : (..., 3), weights of the triangle's corners at that point
+        Each is from 0 to 1, and their sum is 1. They are NaN where the two do not meet.
 
     Raises
     ------
     ValueError
-        If a triangle has no area that floats can tell, a number is not finite, or a shape does not fit.
+        If a triangle's area is too small for floats to tell it from zero, a number is
+        not finite, or a shape does not fit.
+
+    Notes
+    -----
+    There are two candidates for t. The first is where the segment goes through the
+    plane, as in `segment_plane`. Rounding can move it far along a segment that is
+    nearly in the plane. So the second candidate is the same t, kept between where the
+    segment enters the triangle's sides and where it leaves them. If the segment is in
+    the plane, both candidates are where it enters.
+
+    The weights of a candidate are the areas of the three triangles that it makes with
+    the sides, over their sum. They give a point of the triangle. The function takes the
+    candidate whose point on the triangle is nearest to its point on the segment.
     """
     p, q, corners = _checked(start, end, triangle)
     a, b, c = (corners[..., k, :] for k in range(3))
@@ -78,10 +119,12 @@ def segment_triangle(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> t
     return np.where(meets, fraction, np.inf), np.where(meets[..., None], weight, np.nan)
 
 
-def segment_meets_triangle(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> NDArray[np.bool_]:
-    """Whether a segment and a triangle have a point in common, exactly; borders, ends and lying in its plane count.
-
-    Its ends are not on the same side of the triangle's plane, and its line passes all three sides with the same turn.
+def segment_meets_triangle(
+    start: ArrayLike,
+    end: ArrayLike,
+    triangle: ArrayLike,
+) -> NDArray[np.bool_]:
+    """Whether a segment and a triangle have a point in common, exactly.
 
     Parameters
     ----------
@@ -90,12 +133,25 @@ def segment_meets_triangle(start: ArrayLike, end: ArrayLike, triangle: ArrayLike
 
     Returns
     -------
-    (...), bool; a triangle without area is met by nothing
+    (...), bool
+        The triangle's borders and the segment's ends count, and so does a segment that
+        lies in the triangle's plane. Nothing meets a triangle without area.
 
     Raises
     ------
     ValueError
         If a number is not finite, or a shape does not fit.
+
+    Notes
+    -----
+    A segment meets a triangle if its ends are not on the same side of the triangle's
+    plane and its line passes all three sides with the same turn. `orient3d` gives both
+    signs exactly.
+
+    If both ends are in the plane, all five points are. They are then looked at along x,
+    y and z, and the segment and the triangle must meet in every view. In a view they
+    are apart if a line along one of the triangle's sides, or along the segment,
+    separates them.
     """
     p, q, corners = _checked(start, end, triangle)
     shape = p.shape[:-1]
@@ -110,9 +166,7 @@ def segment_meets_triangle(start: ArrayLike, end: ArrayLike, triangle: ArrayLike
 
 def _checked(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array, Array]:
     p, q = finite("start", vector("start", start)), finite("end", vector("end", end))
-    corners = finite("triangle", triangle)
-    if corners.shape[-2:] != (3, 3):
-        raise ValueError(f"triangle must have shape (..., 3, 3), not {corners.shape}")
+    corners = matrix("triangle", triangle)
     shape = np.broadcast_shapes(p.shape[:-1], q.shape[:-1], corners.shape[:-2])
     return (
         np.broadcast_to(p, (*shape, 3)),
@@ -127,7 +181,10 @@ def _passes_through(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray
 
 
 def _meets_in_plane(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray[np.bool_]:
-    """All five points are in one plane: seen along x, y and z they must meet, in one view at least not edge-on."""
+    """Whether they meet when all five points are in one plane.
+
+    Seen along x, y and z they must meet, and one view at least must not be edge-on.
+    """
     meets, area = np.ones(len(p), dtype=bool), np.zeros(len(p), dtype=bool)
     for look in LOOKS:
         start, end, *corners = (x[:, look] for x in (p, q, a, b, c))
@@ -138,7 +195,11 @@ def _meets_in_plane(p: Array, q: Array, a: Array, b: Array, c: Array) -> NDArray
 
 
 def _apart_in_view(p: Array, q: Array, corners: list[Array], turn: Sign) -> NDArray[np.bool_]:
-    """Whether a line along a side of the triangle, or along the segment, has them on two sides and touches one only."""
+    """Whether a line has the segment and the triangle on its two sides.
+
+    The line is along a side of the triangle or along the segment, and it may touch only
+    the one that it is along.
+    """
     a, b, c = corners
     sides = np.stack([orient2d(p, q, corner) for corner in corners])
     apart = np.all(sides > 0, axis=0) | np.all(sides < 0, axis=0)
@@ -154,10 +215,12 @@ def _share(s0: Array, s1: Array) -> Array:
 
 
 def _candidates(p: Array, q: Array, corners: Array, normal: Array) -> Array:
-    """Two shares of a segment (..., 2): where it goes through the plane, and that kept between the triangle's sides.
+    """Two shares of a segment, (..., 2), at which it may meet a triangle.
 
-    They are one but for rounding, unless the segment is so nearly in the plane that rounding decides about the first.
-    If it is in the plane, both are where it comes in.
+    The first is where the segment goes through the plane. The second is the same, kept
+    between the triangle's sides. They are the same up to rounding, unless the segment
+    is so nearly in the plane that rounding decides about the first. If the segment is
+    in the plane, both are where it enters.
     """
     a, b, c = (corners[..., k, :] for k in range(3))
     flat = (orient3d(a, b, c, p) == 0) & (orient3d(a, b, c, q) == 0)
@@ -169,18 +232,26 @@ def _candidates(p: Array, q: Array, corners: Array, normal: Array) -> Array:
 
 
 def _stretch(p: Array, q: Array, corners: Array, normal: Array) -> tuple[Array, Array]:
-    """Shares of a segment at which it has passed the last side it starts outside of, and the first it ends outside."""
+    """Shares of a segment between which it is within all sides of the triangle.
+
+    At the first it has passed the last of the sides that it starts outside of. At the
+    second it passes the first of the sides that it ends outside of.
+    """
     inward = np.cross(normal[..., None, :], np.roll(corners, -1, axis=-2) - corners)
     s0, s1 = np.vecdot(inward, p[..., None, :] - corners), np.vecdot(inward, q[..., None, :] - corners)
     size = np.max(np.abs(np.concatenate([p[..., None, :], q[..., None, :], corners], axis=-2)), axis=(-2, -1))
-    on = -ROUNDING * np.linalg.norm(inward, axis=-1) * size[..., None]  # one along a side does not cross it
+    # A segment along a side does not cross that side, although rounding may say so.
+    on = -ROUNDING * np.linalg.norm(inward, axis=-1) * size[..., None]
     share = _share(s0, s1)
     first, last = np.where((s0 < on) & (s1 >= on), share, 0.0), np.where((s1 < on) & (s0 >= on), share, 1.0)
     return np.max(first, axis=-1), np.min(last, axis=-1)
 
 
 def _weights(x: Array, corners: Array, normal: Array) -> Array:
-    """Barycentric weights of a point of the triangle: the areas of the three triangles it makes with the sides."""
+    """Barycentric weights of a point of the triangle.
+
+    They are the areas of the three triangles that the point makes with the sides.
+    """
     following, last = np.roll(corners, -1, axis=-2), np.roll(corners, -2, axis=-2)
     areas = np.vecdot(normal[..., None, :], np.cross(following - x[..., None, :], last - x[..., None, :]))
     areas = np.maximum(areas, 0.0)

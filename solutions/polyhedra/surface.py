@@ -1,27 +1,40 @@
-"""What a polyhedron is made of: vertices (v, 3) and triangles (f, 3), and what follows from them (slide 9)."""
+"""Vertices (v, 3) and triangles (f, 3) of a polyhedron, and what follows (slide 9)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array, Integers
 from solutions.checks import finite
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 PAIRS = 1 << 16
-"""How many pairs, as of points and faces, are looked at at once: this bounds the memory, whatever the input."""
+"""How many pairs, as of points and faces, are looked at in one go.
+
+This bounds the memory, whatever the input.
+"""
 
 
 def checked_mesh(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Integers]:
     """Return vertices (v, 3) as floats and faces (f, 3) as indices.
 
+    Parameters
+    ----------
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners
+
+    Returns
+    -------
+    vertices : (v, 3), float
+    faces : (f, 3), int
+
     Raises
     ------
     ValueError
-        If a shape does not fit, a vertex is not finite, or a face names a vertex that is not there.
+        If a shape does not fit, a vertex is not finite, or a face names a vertex that
+        is not there.
     """
     v, f = finite("vertices", vertices), np.asarray(faces)
     if v.ndim != 2 or v.shape[1] != 3:
@@ -35,9 +48,9 @@ def checked_mesh(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Integers
 
 
 def face_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
-    """Plane n·p + d = 0 of every face, its normal towards where the corners are seen counter-clockwise: outwards.
+    """Plane n·p + d = 0 of every face, with its normal pointing outwards.
 
-        n = (b − a)×(c − a) / ‖(b − a)×(c − a)‖,    d = −n·a
+    Outwards is the side from which the corners are seen to run counter-clockwise.
 
     Parameters
     ----------
@@ -46,13 +59,24 @@ def face_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
 
     Returns
     -------
-    normal : (f, 3), unit
+    normal : (f, 3), n, of unit length
     offset : (f,), d, m
 
     Raises
     ------
     ValueError
-        If a face has no area, hence no plane; or the mesh does not fit together.
+        If a face has no area and hence no plane, or vertices are not finite or do not
+        fit the faces.
+
+    Notes
+    -----
+    For a face with the corners a, b and c,
+
+        n = (b − a)×(c − a) / ‖(b − a)×(c − a)‖,    d = −n·a
+
+    The cross product of two sides is at right angles to both, and so to the face.
+    Dividing it by its length makes it a unit normal. The corner a is on the plane, so
+    n·a + d = 0, which gives d.
     """
     v, f = checked_mesh(vertices, faces)
     a, b, c = v[f[:, 0]], v[f[:, 1]], v[f[:, 2]]
@@ -65,14 +89,35 @@ def face_planes(vertices: ArrayLike, faces: ArrayLike) -> tuple[Array, Array]:
 
 
 def signed_volume(vertices: ArrayLike, faces: ArrayLike) -> float:
-    """Volume of a closed polyhedron, m³: Σ a·(b×c)/6 over its faces; negative where the faces look inwards.
+    """Volume of a closed polyhedron, m³.
 
-    Each face makes a tetrahedron with the middle of the box around the solid; those that are outside count negative.
+    Parameters
+    ----------
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners a, b, c
+
+    Returns
+    -------
+    float, m³
+        It is negative where the faces look inwards, and 0 without faces.
 
     Raises
     ------
     ValueError
-        If the mesh does not fit together.
+        If vertices are not finite or do not fit the faces.
+
+    Notes
+    -----
+    The volume is a sum over the faces,
+
+        V = Σ a·(b×c)/6
+
+    Each face makes a tetrahedron with the middle of the box around the solid. The
+    corners a, b and c are measured from that middle, so the volume of the tetrahedron
+    is a·(b×c)/6. It is negative where the face turns its front to the middle. The space
+    between such a face and the middle is outside the solid, at least next to the face.
+    The negative volume takes away what the other tetrahedra have counted too much
+    there.
     """
     v, f = checked_mesh(vertices, faces)
     if not len(f):
@@ -84,34 +129,53 @@ def signed_volume(vertices: ArrayLike, faces: ArrayLike) -> float:
 
 
 def mesh_edges(vertices: ArrayLike, faces: ArrayLike) -> Integers:
-    """Every edge once, (e, 2), as indices of its ends, the smaller first.
+    """Every edge of a mesh once.
+
+    Parameters
+    ----------
+    vertices : (v, 3), m
+    faces : (f, 3), indices of the corners
+
+    Returns
+    -------
+    (e, 2), indices of the vertices at its ends, the smaller first
+        Without faces, there are no edges: (0, 2).
 
     Raises
     ------
     ValueError
-        If the mesh does not fit together.
+        If vertices are not finite or do not fit the faces.
     """
     _, f = checked_mesh(vertices, faces)
     return np.unique(np.sort(directed_edges(f), axis=1), axis=0)
 
 
 def directed_edges(faces: Integers) -> Integers:
-    """The edges of each face in the sense in which it runs round, (3 f, 2): a b, b c, c a of the first, and so on."""
+    """The edges of each face in the sense in which it runs round, (3 f, 2).
+
+    These are a b, b c, c a of the first face, then those of the second, and so on.
+    """
     return np.stack([faces, np.roll(faces, -1, axis=1)], axis=-1).reshape(-1, 2)
 
 
 def same_places(vertices: Array, faces: Integers) -> Integers:
-    """The faces with one number for each place: vertices that coincide get the same, as in a heap of triangles."""
+    """The faces with one number for each place instead of one for each vertex.
+
+    Vertices that coincide get the same number, as in a heap of separate triangles.
+    """
     _, place = np.unique(vertices, axis=0, return_inverse=True)
     return np.asarray(place.reshape(-1)[faces], dtype=np.int64)
 
 
 def blocks(count: int, partners: int) -> Iterator[slice]:
-    """Cut `count` rows into slices, so that a slice times its partners is `PAIRS` pairs at most, or one row."""
+    """Cut `count` rows into slices that are small enough to pair with all partners.
+
+    A slice times its partners is `PAIRS` pairs at most, or it is one row.
+    """
     rows = max(1, PAIRS // max(1, partners))
     return (slice(start, start + rows) for start in range(0, count, rows))
 
 
 def size_of(vertices: Array) -> float:
-    """The longest side of the box around the vertices, m."""
+    """The longest side of the box around the vertices, m; 0 without vertices."""
     return float(np.max(np.ptp(vertices, axis=0))) if len(vertices) else 0.0

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import in_unit_interval, unit, vector
 
-Array = NDArray[np.float64]
 
-
-def kinematic_response(velocity: ArrayLike, normal: ArrayLike, restitution: ArrayLike) -> Array:
-    """Velocity after the collision: the normal component is reversed and scaled by e (slide 7).
-
-        v' = v − (1 + e) (v·N) N    if v·N < 0
-
-    The slide's v − 2 (v·N) N is the case e = 1 and has no guard: applied to a body that already moves away, it
-    would throw it back in.
+def kinematic_response(
+    velocity: ArrayLike,
+    normal: ArrayLike,
+    restitution: ArrayLike,
+) -> Array:
+    """Velocity after the collision, its normal component reversed and scaled (slide 7).
 
     Parameters
     ----------
@@ -26,12 +24,26 @@ def kinematic_response(velocity: ArrayLike, normal: ArrayLike, restitution: Arra
 
     Returns
     -------
-    (..., 3), m/s; a body that moves away, along the plane or not at all keeps its velocity
+    (..., 3), m/s
+        A body that moves away, moves along the plane or does not move keeps its
+        velocity.
 
     Raises
     ------
     ValueError
-        If a normal has not length 1, e is not from 0 to 1, or a vector has not three components.
+        If a normal does not have length 1, e is not from 0 to 1, or a vector does not
+        have three components.
+
+    Notes
+    -----
+    The velocity is the sum of its component along the plane, v − (v·N) N, and its
+    normal component (v·N) N. The collision leaves the first as it is and multiplies the
+    second by −e. Added up again, this is
+
+        v' = v − (1 + e) (v·N) N    if v·N < 0
+
+    The slide's v − 2 (v·N) N is the case e = 1. The slide has no guard: its formula,
+    applied to a body that already moves away, would throw the body back in.
     """
     v, n = vector("velocity", velocity), unit("normal", vector("normal", normal))
     approach = np.minimum(np.vecdot(v, n), 0.0)
@@ -39,16 +51,12 @@ def kinematic_response(velocity: ArrayLike, normal: ArrayLike, restitution: Arra
 
 
 def moving_plane_response(
-    velocity: ArrayLike, plane_velocity: ArrayLike, normal: ArrayLike, restitution: ArrayLike
+    velocity: ArrayLike,
+    plane_velocity: ArrayLike,
+    normal: ArrayLike,
+    restitution: ArrayLike,
 ) -> Array:
-    """Velocity after the collision with a plane that moves and that nothing can stop (slide 7).
-
-    The slide's rule holds for the relative velocity u = v − w, with w the plane's:
-
-        v' = v − (1 + e) (u·N) N    if u·N < 0
-
-    A racket that comes to meet a ball at speed w sends it back with e v + (1 + e) w: energy may grow, the plane does
-    the work. Frictionless: a plane that slides in itself drags nothing along.
+    """Velocity after the collision with a moving plane that nothing can stop (slide 7).
 
     Parameters
     ----------
@@ -58,12 +66,25 @@ def moving_plane_response(
 
     Returns
     -------
-    (..., 3), m/s; a body that the plane does not gain on keeps its velocity
+    (..., 3), m/s
+        A body that the plane does not gain on keeps its velocity.
 
     Raises
     ------
     ValueError
         As kinematic_response.
+
+    Notes
+    -----
+    The slide's rule holds for the relative velocity u = v − w, where w is the velocity
+    of the plane: u' = u − (1 + e) (u·N) N. The plane keeps its velocity, so that
+    v' = u' + w:
+
+        v' = v − (1 + e) (u·N) N    if u·N < 0
+
+    A racket that comes to meet a ball at speed w sends it back with e v + (1 + e) w.
+    The energy of the ball may grow, because the plane does work on it. There is no
+    friction: a plane that slides within itself does not drag the body along.
     """
     v, w = vector("velocity", velocity), vector("plane_velocity", plane_velocity)
     n, e = unit("normal", vector("normal", normal)), in_unit_interval("restitution", restitution)

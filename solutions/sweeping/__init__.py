@@ -1,4 +1,8 @@
-"""Swept volumes: relative motion, rays against Minkowski sums, and conservative advancement (slide 10)."""
+"""Swept volumes (slide 10).
+
+Bodies that move without turning are reduced to a relative motion and a ray against a
+Minkowski sum. Bodies that turn are swept by conservative advancement.
+"""
 
 from solutions.sweeping.advancement import sweep_convex
 from solutions.sweeping.boxes import sweep_boxes, sweep_oriented_boxes

@@ -1,7 +1,9 @@
-"""Conservative advancement: go on by a time in which nothing can happen, look again (slide 10).
+"""Conservative advancement to the first contact of two moving bodies (slide 10).
 
-Each round finds a direction along which the bodies are apart, and how long they surely stay so. Whatever direction it
-is, no contact is skipped: a poor one costs rounds and never an impact.
+Each round finds a direction along which the bodies are apart, and a time for which they
+surely stay apart along it. Nothing can happen within that time, so the clock advances
+by it, and the next round looks again. No contact is skipped, whichever direction is
+found. A poor direction costs more rounds, but never an impact.
 """
 
 from __future__ import annotations
@@ -12,19 +14,25 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import positive
-from solutions.sweeping.motion import extent, in_space, motion_bound, rotated
+from solutions.arrays import Array
+from solutions.checks import in_space, positive
+from solutions.sweeping.motion import extent, motion_bound, rotated
 from solutions.sweeping.nearest import point_set, separation_of_hulls
 
-Array = NDArray[np.float64]
 Pairs = NDArray[np.int64]
 Look = Callable[[Pairs, Array], tuple[Array, Array]]
-"""Of the pairs with these numbers at these times: how far apart at least, m, and how long they surely keep half the
-tolerance, s."""
+"""A function of the numbers of some pairs, and of a time for each of them.
+
+It returns how far each pair is apart at least, m. It also returns for how long the pair
+surely stays at least half the tolerance apart, s.
+"""
 TOLERANCE = 1e-6
-"""How near is a touch, m."""
+"""Distance at which two bodies count as touching, m."""
 STEPS = 1000
-"""After these the time that was reached is the answer: early, never late."""
+"""Largest number of rounds.
+
+After them, the time that was reached is the result: it is early, never late.
+"""
 
 
 def sweep_convex(
@@ -41,33 +49,53 @@ def sweep_convex(
     dt: ArrayLike,
     tolerance: ArrayLike = TOLERANCE,
 ) -> Array:
-    """Time at which two convex bodies that move and turn first touch within a step (slide 10).
+    """Time at which two convex bodies first touch within a step (slide 10).
 
-    A body is the hull of some points, grown by a radius: a ball is one point, a capsule two, a box eight. Its swept
-    volume has no simple shape once it turns; a bound on its motion is enough. Apart by s along n, with μ the fastest
-    approach along n (`motion_bound`), they stay apart for s/μ.
+    The bodies move and turn. A body is the convex hull of some points, grown by a
+    radius. A ball is one point, a capsule two points, and a box eight.
 
     Parameters
     ----------
-    points_a, points_b : (..., n, 3), from the point about which the body turns, in the world's directions now, m
-    position_a, position_b : (..., 3), that point, m
-    velocity_a, velocity_b : (..., 3), m/s
+    points_a, points_b : (..., n, 3), m
+        They are measured from the point about which the body turns, along the axes of
+        the world, at the start of the step.
+    position_a, position_b : (..., 3), the point about which the body turns, m
+    velocity_a, velocity_b : (..., 3), of that point, m/s, constant over the step
     angular_velocity_a, angular_velocity_b : (..., 3), rad/s, constant over the step
     radius_a, radius_b : (...), m; 0 for sharp corners
     dt : (...), s, length of the step
-    tolerance : (...), how near is a touch, m. Below 1e-7 of the bodies' size and coordinates rounding may call a touch
-        what is farther apart (`separation_of_hulls`): the time stays early
+    tolerance : (...), distance at which two bodies count as touching, m
+        If it is below 1e-7 of the bodies' size and coordinates, rounding may call
+        bodies touching that are farther apart than the tolerance
+        (`separation_of_hulls`). The time is then early, but still never late.
 
     Returns
     -------
-    (...), s from now, 0 to dt; infinity where they stay apart. Never later than the true contact; at the time given
-    they are at most the tolerance apart (after 1000 rounds it is earlier still). 0 if they overlap or touch now.
+    (...), s from now, 0 to dt
+        It is never later than the true contact. At this time the bodies are at most the
+        tolerance apart. If 1000 rounds are not enough, the time is earlier still. It is
+        infinity where the bodies stay apart over the step, and 0 if they overlap or
+        touch now.
 
     Raises
     ------
     ValueError
-        If a radius or dt is negative, tolerance is not positive, a body has no points, or an array is not finite or
-        not in space.
+        If a radius or dt is negative or not finite, tolerance is not positive, a body
+        has no points, or an array is not finite or not of three components.
+
+    Notes
+    -----
+    The swept volume of a body has no simple shape once the body turns. A bound on its
+    motion is enough instead. Suppose that the bodies are apart by s along a direction
+    n. Let μ be the fastest speed at which they can approach each other along n, which
+    is the sum of both bodies' `motion_bound`. The gap along n then shrinks by at most
+    μ t in a time t, so that the bodies stay apart for at least
+
+        s/μ
+
+    Each round advances the clock by a little less, so that half the tolerance is left.
+    This keeps the bodies apart, and it makes every round advance by a time above zero.
+    The rounds end when the gap is at most the tolerance, or when the step is over.
     """
     shapes = [np.shape(points_a)[:-2], np.shape(points_b)[:-2]]
     motions = (position_a, velocity_a, angular_velocity_a, position_b, velocity_b, angular_velocity_b)
@@ -117,28 +145,33 @@ class _Body:
         )
 
     def at(self, pairs: Pairs, time: Array) -> Array:
-        """Points of some of them at a time, m."""
+        """Points of some of the bodies at a time, m."""
         turn = self.angular_velocity[pairs] * time[:, None]
         place = self.position[pairs] + self.velocity[pairs] * time[:, None]
         return place[:, None, :] + rotated(self.points[pairs], turn[:, None, :])
 
     def bound(self, pairs: Pairs, normal: Array) -> Array:
-        """Fastest that any point of some of them moves along a direction, m/s."""
+        """Fastest that any point of some of the bodies moves along a direction, m/s."""
         reach = np.linalg.norm(self.points[pairs], axis=-1).max(axis=-1)
-        apart = np.vecdot(normal, normal) > 0.5  # a zero normal: they overlap, and no bound is asked for
+        # Where the normal is zero the bodies overlap, and nobody needs a bound.
+        apart = np.vecdot(normal, normal) > 0.5
         along = np.where(apart[:, None], normal, np.array([0.0, 0.0, 1.0]))
         return motion_bound(self.velocity[pairs], self.angular_velocity[pairs], reach, along)
 
 
 def free_time(separation: Array, closing: Array) -> Array:
-    """Time until a separation that shrinks at most this fast is used up; infinity if it does not shrink."""
+    """Time until a separation that shrinks at most this fast is used up.
+
+    It is infinity if the separation does not shrink.
+    """
     shrinks = closing > 0
-    with np.errstate(over="ignore"):  # at a crawl that is after any number of seconds: infinity will do
+    # At a crawl the time may be longer than any float: infinity stands for it.
+    with np.errstate(over="ignore"):
         return np.where(shrinks, separation / np.where(shrinks, closing, 1.0), np.inf)
 
 
 def advance(look: Look, dt: Array, tolerance: Array) -> Array:
-    """Go on from look to look until the pair touches or the step is over."""
+    """Advance from one look to the next until the pair touches or the step is over."""
     time, pairs = np.zeros(dt.shape), np.arange(dt.size)
     for _ in range(STEPS):
         separation, free = look(pairs, time[pairs])

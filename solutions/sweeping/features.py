@@ -1,16 +1,14 @@
-"""A corner against a face and an edge against an edge, while every point moves in a straight line (slide 10)."""
+"""A corner against a face, an edge against an edge, in straight motion (slide 10)."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.checks import positive
+from solutions.arrays import Array
+from solutions.checks import in_space, positive
 from solutions.sweeping.advancement import TOLERANCE, Pairs, advance, flat, free_time
-from solutions.sweeping.motion import in_space
 from solutions.sweeping.nearest import nearest_on_triangle, triangles
-
-Array = NDArray[np.float64]
 
 
 def vertex_face_impact(
@@ -20,29 +18,44 @@ def vertex_face_impact(
     triangle_1: ArrayLike,
     tolerance: ArrayLike = TOLERANCE,
 ) -> Array:
-    """When within a step a point meets a triangle, while all four points move in straight lines (slide 10).
+    """Share of a step at which a moving point meets a moving triangle (slide 10).
 
-    The four are coplanar at the roots of a cubic, and where all lie in one plane all the time it vanishes and says
-    nothing. Conservative advancement needs no root: it follows the triangle of the differences vertex − corner.
+    All four points move in straight lines.
 
     Parameters
     ----------
-    vertex_0, vertex_1 : (..., 3), at the start and the end of the step, m
-    triangle_0, triangle_1 : (..., 3, 3), three corners, m; without area it is a segment or a point
-    tolerance : (...), how near is a touch, m. Below 1e-8 of the coordinates rounding blurs the direction from which the
-        point comes, and the time gets no nearer to the true one: it stays early
+    vertex_0, vertex_1 : (..., 3), at the start and at the end of the step, m
+    triangle_0, triangle_1 : (..., 3, 3), three corners at these times, m
+        A triangle without area is a segment or a point.
+    tolerance : (...), distance at which the point counts as touching, m
+        If it is below 1e-8 of the coordinates, rounding blurs the direction from which
+        the point comes. The time then gets no nearer to the true one: it stays early.
 
     Returns
     -------
-    (...), share of the step, 0 to 1; infinity where they stay apart. Never later than the true contact; at the time
-    given they are at most the tolerance apart (after 1000 rounds of a very slow approach it is earlier still). What
-    comes as near as the tolerance may count as a hit, what hits is never missed. 0 if they touch now, even if they
-    part.
+    (...), share of the step, 0 to 1
+        It is never later than the true contact. At this time the two are at most the
+        tolerance apart. If a very slow approach takes more than 1000 rounds, the time
+        is earlier still. It is infinity where they stay apart. A point that only comes
+        as near as the tolerance may count as a hit, but a hit is never missed. It is 0
+        if they touch now, even if they part.
 
     Raises
     ------
     ValueError
-        If tolerance is not positive, or an array is not finite or not in space.
+        If tolerance is not positive, or an array is not finite or not of three
+        components.
+
+    Notes
+    -----
+    The usual way is to look for the times at which all four points are coplanar. These
+    are the roots of a cubic. If the points lie in one plane all the time, the cubic
+    vanishes and says nothing.
+
+    Conservative advancement needs no root. Subtract each corner from the vertex: the
+    differences are the corners of another triangle, which moves in straight lines too.
+    The vertex is on the first triangle exactly when the origin is on this one. So the
+    function follows this triangle until it reaches the origin.
     """
     start = in_space("vertex_0", vertex_0)[..., None, :] - triangles("triangle_0", triangle_0)
     end = in_space("vertex_1", vertex_1)[..., None, :] - triangles("triangle_1", triangle_1)
@@ -50,26 +63,40 @@ def vertex_face_impact(
 
 
 def edge_edge_impact(
-    edge_a_0: ArrayLike, edge_b_0: ArrayLike, edge_a_1: ArrayLike, edge_b_1: ArrayLike, tolerance: ArrayLike = TOLERANCE
+    edge_a_0: ArrayLike,
+    edge_b_0: ArrayLike,
+    edge_a_1: ArrayLike,
+    edge_b_1: ArrayLike,
+    tolerance: ArrayLike = TOLERANCE,
 ) -> Array:
-    """When within a step two edges meet, while all four ends move in straight lines (slide 10).
+    """Share of a step at which two moving edges meet (slide 10).
 
-    The differences of two edges fill a parallelogram, two triangles; they are followed as in `vertex_face_impact`.
+    All four ends move in straight lines.
 
     Parameters
     ----------
-    edge_a_0, edge_b_0 : (..., 2, 3), both ends at the start of the step, m; they may be parallel, or without length
-    edge_a_1, edge_b_1 : (..., 2, 3), at its end, m
-    tolerance : (...), how near is a touch, m
+    edge_a_0, edge_b_0 : (..., 2, 3), both ends at the start of the step, m
+        The edges may be parallel, or without length.
+    edge_a_1, edge_b_1 : (..., 2, 3), both ends at the end of the step, m
+    tolerance : (...), distance at which two edges count as touching, m
 
     Returns
     -------
-    (...), share of the step, as for `vertex_face_impact`
+    (...), share of the step, 0 to 1
+        As for `vertex_face_impact`: never late, infinity where they stay apart, and 0
+        if they touch now.
 
     Raises
     ------
     ValueError
-        If tolerance is not positive, or an array is not finite or not two points in space.
+        If tolerance is not positive, or an array is not finite or not two points of
+        three components.
+
+    Notes
+    -----
+    The differences between a point of one edge and a point of the other fill a
+    parallelogram. The edges meet when the origin is in it. The parallelogram is made of
+    two triangles, and these are followed as in `vertex_face_impact`.
     """
     start = _edge("edge_a_0", edge_a_0)[..., :, None, :] - _edge("edge_b_0", edge_b_0)[..., None, :, :]
     end = _edge("edge_a_1", edge_a_1)[..., :, None, :] - _edge("edge_b_1", edge_b_1)[..., None, :, :]
@@ -79,7 +106,10 @@ def edge_edge_impact(
 
 
 def _first_contact(start: Array, end: Array, tolerance: Array) -> Array:
-    """Share of a step at which triangles, or parallelograms, of moving corners first reach the origin."""
+    """Share of a step at which moving triangles first reach the origin.
+
+    It does the same for parallelograms.
+    """
     shape = np.broadcast_shapes(start.shape[:-2], end.shape[:-2], tolerance.shape)
     near, place = flat(tolerance, shape), flat(start, shape, start.shape[-2:])
     motion = flat(end, shape, end.shape[-2:]) - place
@@ -95,7 +125,10 @@ def _first_contact(start: Array, end: Array, tolerance: Array) -> Array:
 
 
 def _towards(corners: Array) -> Array:
-    """Unit vectors from the origin to the nearest point of triangles, or of parallelograms 00, 01, 10, 11."""
+    """Unit vectors from the origin to the nearest point of triangles or parallelograms.
+
+    A parallelogram has its corners in the order 00, 01, 10, 11.
+    """
     faces = corners[:, None, :, :] if corners.shape[-2] == 3 else corners[:, [[0, 1, 2], [1, 2, 3]], :]
     nearest = (nearest_on_triangle(np.zeros(3), faces)[..., None, :] @ faces)[..., 0, :]
     distance = np.linalg.norm(nearest, axis=-1)

@@ -1,21 +1,33 @@
-"""The nearest points of two convex bodies: of their Minkowski difference, the point nearest to the origin."""
+"""Nearest points of two convex bodies, found on their Minkowski difference.
+
+They belong to the point of the difference that is nearest to the origin.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.sweeping.motion import in_space
+from solutions.arrays import Array
+from solutions.checks import in_space
 
-Array = NDArray[np.float64]
 ROUNDS = 60
-"""Boxes take about ten; where rounding holds it up beyond these, the separation found so far is given."""
+"""Largest number of rounds; boxes take about ten.
+
+Where rounding holds up the search for longer, the separation found so far is given.
+"""
 FACES = np.array([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]])
-"""Of a tetrahedron, by corners."""
+"""Faces of a tetrahedron, by corners."""
 
 
 def triangles(name: str, value: ArrayLike) -> Array:
-    """Return triangles (..., 3, 3); refuse what has not three corners in space or is not finite."""
+    """Return triangles (..., 3, 3).
+
+    Raises
+    ------
+    ValueError
+        If one is not finite or does not have three corners of three components.
+    """
     corners = in_space(name, value)
     if corners.shape[-2:] != (3, 3):
         raise ValueError(f"{name} must have shape (..., 3, 3), not {corners.shape}")
@@ -23,7 +35,13 @@ def triangles(name: str, value: ArrayLike) -> Array:
 
 
 def point_set(name: str, value: ArrayLike) -> Array:
-    """Return sets of points (..., n, 3); refuse what has no point, is not in space or is not finite."""
+    """Return sets of points (..., n, 3).
+
+    Raises
+    ------
+    ValueError
+        If a set has no point, is not finite, or has points without three components.
+    """
     array = in_space(name, value)
     if array.ndim < 2 or not array.shape[-2]:
         raise ValueError(f"{name} must have shape (..., n, 3) with a point at least, not {array.shape}")
@@ -31,37 +49,48 @@ def point_set(name: str, value: ArrayLike) -> Array:
 
 
 def nearest_on_triangle(point: ArrayLike, triangle: ArrayLike) -> Array:
-    """Weights of the three corners at the point of a triangle that is nearest to a given one.
-
-    It lies on one of the three edges, or inside where the point's shadow on the plane falls inside. Of these four
-    candidates the nearest is taken; so a triangle without area, a segment or a point, is none of its own kind.
+    """Weights of a triangle's corners at its point nearest to a given point.
 
     Parameters
     ----------
     point : (..., 3), m
     triangle : (..., 3, 3), three corners, m
+        A triangle without area is a segment or a point.
 
     Returns
     -------
-    (..., 3), none negative, their sum 1; the point is Σ w_i p_i
+    (..., 3)
+        No weight is negative, and their sum is 1. With the corners p_i and the weights
+        w_i, the nearest point is Σ w_i p_i.
 
     Raises
     ------
     ValueError
-        If an array is not finite or not in space.
+        If an array is not finite or not of three components.
+
+    Notes
+    -----
+    The nearest point is on one of the three edges, or inside the triangle. It is inside
+    where the foot of the perpendicular from the given point to the triangle's plane
+    falls inside. The function computes one candidate on each edge and one inside, and
+    it takes the nearest of these four. A triangle without area therefore needs no
+    treatment of its own: its nearest point is on an edge.
     """
     places = triangles("triangle", triangle)
     corners = places - in_space("point", point)[..., None, :]
-    ways = np.roll(places, -1, axis=-2) - places  # not of `corners`: far away these have lost digits
+    # The edges are not taken from `corners`: far from the point these have lost digits.
+    ways = np.roll(places, -1, axis=-2) - places
     weights = np.concatenate([_on_edges(corners, ways), _inside(corners, ways)[..., None, :]], axis=-2)
     nearest, step = weights @ corners, (weights - weights[..., :1, :]) @ (places - places[..., :1, :])
-    farther = np.vecdot(step, nearest + nearest[..., :1, :])  # d² less that of the first: far away all d² are alike
+    # This is d² minus the d² of the first candidate. Far away all d² are equal up to
+    # rounding, but their differences are not lost.
+    farther = np.vecdot(step, nearest + nearest[..., :1, :])
     best = np.argmin(farther, axis=-1)[..., None, None]
     return np.asarray(np.take_along_axis(weights, best, axis=-2)[..., 0, :])
 
 
 def _on_edges(corners: Array, ways: Array) -> Array:
-    """Weights (..., 3, 3) of the points nearest to the origin on the edges 01, 12, 20."""
+    """Weights (..., 3, 3) of the points on edges 01, 12, 20 nearest to the origin."""
     squared = np.vecdot(ways, ways)
     share = -np.vecdot(corners, ways) / np.where(squared > 0, squared, 1.0)
     share = np.clip(share, 0.0, 1.0)[..., None]
@@ -69,38 +98,63 @@ def _on_edges(corners: Array, ways: Array) -> Array:
 
 
 def _inside(corners: Array, ways: Array) -> Array:
-    """Weights (..., 3) of the origin's shadow on the plane, pushed back inside; the first corner without a plane."""
+    """Weights (..., 3) of the foot of the origin on the plane, pushed back inside.
+
+    Without a plane, they are those of the first corner.
+    """
     normal = np.cross(ways[..., 0, :], ways[..., 1, :])
-    beside = np.vecdot(np.cross(corners, ways), normal[..., None, :])  # as large as the triangle on that edge
-    shares = np.maximum(np.roll(beside, -1, axis=-1), 0.0)  # the one on the edge 12 weighs the corner 0
+    # Each is in proportion to the area of the triangle of the foot and that edge.
+    beside = np.vecdot(np.cross(corners, ways), normal[..., None, :])
+    # The triangle on the edge 12 is the weight of the corner 0.
+    shares = np.maximum(np.roll(beside, -1, axis=-1), 0.0)
     total = shares.sum(axis=-1, keepdims=True)
     return np.where(total > 0, shares / np.where(total > 0, total, 1.0), np.array([1.0, 0.0, 0.0]))
 
 
-def separation_of_hulls(points_a: ArrayLike, points_b: ArrayLike) -> tuple[Array, Array]:
-    """How far the convex hulls of two sets of points are apart, and along which direction (Gilbert, Johnson, Keerthi).
+def separation_of_hulls(
+    points_a: ArrayLike,
+    points_b: ArrayLike,
+) -> tuple[Array, Array]:
+    """How far two convex hulls are apart, and along which direction.
 
-    The differences a − b fill a convex body too, and the hulls overlap if the origin is in it. A tetrahedron of four
-    differences is moved towards the origin: keep the part of it that is nearest, and add the difference that lies
-    farthest that way. When it gets no nearer, the nearest point is found. While the hulls overlap there is no direction
-    that separates them, and the answer stays 0.
+    Each hull is that of a set of points. The method is that of Gilbert, Johnson and
+    Keerthi.
 
     Parameters
     ----------
-    points_a : (..., n, 3), m: the corners of A; two for the core of a capsule, one for that of a ball
-    points_b : (..., m, 3), m
+    points_a : (..., n, 3), the corners of A, m
+        Two are the core of a capsule, and one is that of a ball.
+    points_b : (..., m, 3), the corners of B, m
 
     Returns
     -------
-    separation : (...), m, min n·(a − b): never more than the distance s, and short of it by 10⁻¹⁵ L²/s at most, with L
-        the largest coordinate: the nearer they are, the more does rounding bend n. Below some 3·10⁻⁸ L it may be 0,
-        which it is where the hulls touch or overlap
-    normal : (..., 3), n, of unit length from B to A; zero where the separation is
+    separation : (...), m, the smallest n·(a − b)
+        It is never more than the true distance s. It falls short of s by at most
+        10⁻¹⁵ L²/s, where L is the largest coordinate. The nearer the hulls are, the
+        more rounding bends n. Below some 3·10⁻⁸ L it may be 0. It is 0 where the hulls
+        touch or overlap.
+    normal : (..., 3), n, of unit length from B to A
+        It is zero where the separation is zero.
 
     Raises
     ------
     ValueError
-        If a body has no points, or an array is not finite or not in space.
+        If a body has no points, or an array is not finite or not of three components.
+
+    Notes
+    -----
+    The differences a − b between a point of A and a point of B fill a convex body too.
+    It contains the origin exactly when the hulls have a point in common. If they have
+    none, its point nearest to the origin gives the distance and the direction.
+
+    The function moves a tetrahedron of four differences towards the origin. Each round
+    finds the part of the tetrahedron that is nearest to the origin, and keeps it. It
+    then looks from that nearest point towards the origin, and adds the difference that
+    lies farthest in this direction. When this gets no nearer, the nearest point is
+    found.
+
+    While the hulls overlap there is no direction that separates them, and the
+    separation stays 0.
     """
     a, b = point_set("points_a", points_a), point_set("points_b", points_b)
     shape = np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
@@ -114,9 +168,10 @@ def separation_of_hulls(points_a: ArrayLike, points_b: ArrayLike) -> tuple[Array
         way = nearest / np.where(distance > 0, distance, 1.0)[..., None]
         support = farthest(a, -way) - farthest(b, way)
         separation = np.vecdot(way, support)
-        better = separation > best  # whichever way it was found: they are apart by that much
+        # The hulls are apart by this much, whichever direction it was found along.
+        better = separation > best
         best, normal = np.where(better, separation, best), np.where(better[..., None], way, normal)
-        done |= distance >= last  # it falls in every round until rounding stops it
+        done |= distance >= last  # the distance falls until rounding stops it
         last = np.minimum(distance, last)
         if np.all(done):
             break
@@ -127,18 +182,27 @@ def separation_of_hulls(points_a: ArrayLike, points_b: ArrayLike) -> tuple[Array
 
 
 def farthest(body: Array, direction: Array) -> Array:
-    """Give the point (..., 3) of a body's (..., n, 3) that lies farthest along a direction: the support."""
+    """Point (..., 3) of a body (..., n, 3) that lies farthest along a direction.
+
+    It is called the support.
+    """
     index = np.argmax(np.vecdot(body, direction[..., None, :]), axis=-1)[..., None, None]
     return np.asarray(np.take_along_axis(body, index, axis=-2)[..., 0, :])
 
 
 def nearest_corner(corners: Array, weights: Array) -> Array:
-    """Give the corner with the largest weight: in its place the ones that are no longer needed do no harm."""
+    """Corner with the largest weight.
+
+    In its place, corners that are no longer needed do no harm.
+    """
     return np.asarray(np.take_along_axis(corners, np.argmax(weights, axis=-1)[..., None, None], axis=-2)[..., 0, :])
 
 
 def _nearest_on_tetrahedron(corners: Array) -> tuple[Array, Array]:
-    """Weights (..., 4) and place (..., 3) of the point on a tetrahedron's faces nearest to the origin."""
+    """Point nearest to the origin on a tetrahedron's faces.
+
+    It is given by its weights (..., 4) and its place (..., 3).
+    """
     faces = corners[..., FACES, :]
     on_faces = nearest_on_triangle(np.zeros(3), faces)
     places = (on_faces[..., None, :] @ faces)[..., 0, :]

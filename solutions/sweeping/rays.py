@@ -1,68 +1,105 @@
-"""A ray against a Minkowski sum: what a relative translation comes down to (slide 10)."""
+"""Rays against Minkowski sums, to which translations are reduced (slide 10)."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.sweeping.motion import extent, in_space
-
-Array = NDArray[np.float64]
+from solutions.arrays import Array
+from solutions.checks import in_space
+from solutions.sweeping.motion import extent
 
 
 def ray_sphere(origin: ArrayLike, direction: ArrayLike, radius: ArrayLike) -> Array:
-    """First t ≥ 0 at which x + u t is inside or on a sphere about the coordinates' origin.
-
-        t = (x² − r²)/(−x·u + √(r² u² − (x × u)²))    if x·u < 0
-
-    The root is written so that no two nearly equal numbers are subtracted.
+    """First t ≥ 0 at which x + u t is inside or on a sphere around the origin.
 
     Parameters
     ----------
     origin : (..., 3), x, where the ray starts, from the sphere's centre, m
-    direction : (..., 3), u, of any length: t counts in it, s for a velocity, a share for a way
+    direction : (..., 3), u, of any length
+        It sets the unit of t: seconds if u is a velocity, a share of the way if u is a
+        whole way.
     radius : (...), r, m; 0 for a point
 
     Returns
     -------
-    (...); 0 from within and from the surface, whichever way the ray goes; infinity for a miss, and without a direction.
-    A ray that grazes the sphere meets it; within rounding of that, rounding decides.
+    (...), t
+        It is 0 from within and from the surface, whichever way the ray goes. It is
+        infinity for a miss, and where the ray has no direction. A ray that grazes the
+        sphere meets it; within rounding of that, rounding decides.
 
     Raises
     ------
     ValueError
-        If radius is negative, an argument is not finite, or a vector not in space.
+        If radius is negative or not finite, or a vector is not finite or not of three
+        components.
+
+    Notes
+    -----
+    A ray that starts outside can meet the sphere only if it approaches it, x·u < 0. It
+    is on the sphere where x + u t has the length r. Squared, with x² for x·x, this is a
+    quadratic equation for t:
+
+        u² t² + 2 x·u t + x² − r² = 0
+
+    A quarter of its discriminant is (x·u)² − u² (x² − r²). Lagrange's identity,
+    (x·u)² = x² u² − (x × u)², turns it into r² u² − (x × u)². The ray misses the sphere
+    where this is negative. Otherwise the smaller root is where the ray enters,
+
+        t = (−x·u − √(r² u² − (x × u)²))/u²
+          = (x² − r²)/(−x·u + √(r² u² − (x × u)²))
+
+    The second line follows if the first is multiplied and divided by −x·u + √(…). The
+    function uses the second line, because it subtracts no two nearly equal numbers.
     """
     x, u, r = in_space("origin", origin), in_space("direction", direction), extent("radius", radius)
     distance, closing = np.linalg.norm(x, axis=-1), -np.vecdot(x, u)
     discriminant = r**2 * np.vecdot(u, u) - np.sum(np.cross(x, u) ** 2, axis=-1)
     meets = (closing > 0) & (discriminant >= 0)
     root = np.sqrt(np.where(meets, discriminant, 0.0))
-    with np.errstate(over="ignore"):  # at a crawl it gets there after any number of seconds: infinity will do
+    # At a crawl the time may be longer than any float: infinity stands for it.
+    with np.errstate(over="ignore"):
         time = (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0)
     return np.where(distance <= r, 0.0, np.where(meets, time, np.inf))
 
 
-def ray_capsule(origin: ArrayLike, direction: ArrayLike, start: ArrayLike, end: ArrayLike, radius: ArrayLike) -> Array:
-    """First t ≥ 0 at which x + u t is within r of a segment: a cylinder with a half ball at either end.
+def ray_capsule(
+    origin: ArrayLike,
+    direction: ArrayLike,
+    start: ArrayLike,
+    end: ArrayLike,
+    radius: ArrayLike,
+) -> Array:
+    """First t ≥ 0 at which x + u t is within r of a segment.
 
-    The cylinder is a circle for whoever looks along the segment: there the ray is one against a sphere, and counts if
-    it arrives between the two ends. The ends are spheres.
+    The shape is a capsule: a cylinder with a half ball at either end.
 
     Parameters
     ----------
-    origin, direction : (..., 3), x in m and u, as for `ray_sphere`
-    start, end : (..., 3), the ends of the segment, m; where they are one point, it is a sphere
+    origin : (..., 3), x, where the ray starts, m
+    direction : (..., 3), u, of any length; it sets the unit of t
+    start, end : (..., 3), the ends of the segment, m
+        Where they are one point, the capsule is a sphere.
     radius : (...), r, m; 0 for the bare segment
 
     Returns
     -------
-    (...); 0 from within and from the surface; infinity for a miss. A ray along the segment meets an end.
+    (...), t
+        It is 0 from within and from the surface, and infinity for a miss. A ray along
+        the segment meets an end.
 
     Raises
     ------
     ValueError
-        If radius is negative, an argument is not finite, or a vector not in space.
+        If radius is negative or not finite, or a vector is not finite or not of three
+        components.
+
+    Notes
+    -----
+    Seen along the segment, the cylinder is a circle. In this view the ray is one
+    against a sphere, so the parts of x and u across the segment go to `ray_sphere`. The
+    time that it gives counts if the ray is then between the two ends of the segment.
+    The ends themselves are spheres. The result is the first of these three times.
     """
     x, u = in_space("origin", origin), in_space("direction", direction)
     a, b = in_space("start", start), in_space("end", end)
@@ -77,7 +114,10 @@ def ray_capsule(origin: ArrayLike, direction: ArrayLike, start: ArrayLike, end: 
 
 
 def time_between(place: Array, rate: Array, half: Array) -> tuple[Array, Array]:
-    """Give the times, negative ones too, at which |x + u t| ≤ h begins and ends; infinity and −infinity for never."""
+    """The times, negative ones too, at which |x + u t| ≤ h begins and ends.
+
+    They are infinity and −infinity where it never holds.
+    """
     moves = rate != 0
     speed = np.where(moves, np.abs(rate), 1.0)
     with np.errstate(over="ignore"):  # as in `ray_sphere`
@@ -86,28 +126,41 @@ def time_between(place: Array, rate: Array, half: Array) -> tuple[Array, Array]:
     return np.where(moves, first, -sign * np.inf), np.where(moves, last, sign * np.inf)
 
 
-def ray_box(origin: ArrayLike, direction: ArrayLike, half_extents: ArrayLike) -> tuple[Array, Array]:
-    """From when to when x + u t is in a box about the coordinates' origin, along the axes: the slab test.
+def ray_box(
+    origin: ArrayLike,
+    direction: ArrayLike,
+    half_extents: ArrayLike,
+) -> tuple[Array, Array]:
+    """From when to when x + u t is in a box around the origin: the slab test.
 
-    A box is what three slabs have in common. The ray is in it from the last time that it enters a slab until the first
-    time that it leaves one.
+    The edges of the box are along the axes.
 
     Parameters
     ----------
-    origin : (..., 3), x, from the box's centre, m
-    direction : (..., 3), u, of any length
-    half_extents : (..., 3), half the edges, m; 0 for a sheet, a segment or a point
+    origin : (..., 3), x, where the ray starts, from the box's centre, m
+    direction : (..., 3), u, of any length; it sets the unit of t
+    half_extents : (..., 3), half the edges, m
+        An edge may be 0: the box is then a sheet, a segment or a point.
 
     Returns
     -------
-    entry, exit : (...), 0 ≤ entry ≤ exit; infinity and −infinity, an empty interval, for a miss. The box is closed: a
-    ray that grazes a corner has entry = exit, one that glides along a face is in it. From within, entry is 0. Without
-    a direction it is all times or none.
+    entry, exit : (...), 0 ≤ entry ≤ exit
+        From within, entry is 0. The box is closed: a ray that grazes a corner has
+        entry = exit, and a ray that glides along a face is in the box. Without a
+        direction, the ray is in the box at all times or never. A miss is an empty
+        interval: entry is infinity and exit is −infinity.
 
     Raises
     ------
     ValueError
-        If half_extents is negative, or a vector is not finite or not in space.
+        If half_extents is negative, or a vector is not finite or not of three
+        components.
+
+    Notes
+    -----
+    A slab is the space between two parallel faces. The box is what its three slabs have
+    in common. So the ray is in the box from the last time at which it enters a slab
+    until the first time at which it leaves one.
     """
     x, u = in_space("origin", origin), in_space("direction", direction)
     half = extent("half_extents", in_space("half_extents", half_extents))
@@ -115,7 +168,10 @@ def ray_box(origin: ArrayLike, direction: ArrayLike, half_extents: ArrayLike) ->
 
 
 def in_all(first: Array, last: Array) -> tuple[Array, Array]:
-    """Give what intervals along the last axis have in common from time 0 on; infinity and −infinity for nothing."""
+    """What intervals along the last axis have in common from time 0 on.
+
+    It is infinity and −infinity if they have nothing in common.
+    """
     entry, leaving = np.maximum(np.max(first, axis=-1), 0.0), np.min(last, axis=-1)
     meets = (entry <= leaving) & (entry < np.inf)
     return np.where(meets, entry, np.inf), np.where(meets, leaving, -np.inf)

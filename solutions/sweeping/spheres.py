@@ -1,17 +1,16 @@
-"""A ball that sweeps through a step, against a ball, a plane and a triangle (slide 10)."""
+"""A ball that sweeps through a step, up to a ball, plane or triangle (slide 10)."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite
+from solutions.arrays import Array
+from solutions.checks import finite, in_space
 from solutions.detection import signed_distance
-from solutions.sweeping.motion import extent, in_space, relative_motion, within
+from solutions.sweeping.motion import extent, relative_motion, within
 from solutions.sweeping.nearest import nearest_on_triangle, triangles
 from solutions.sweeping.rays import ray_capsule, ray_sphere
-
-Array = NDArray[np.float64]
 
 
 def sweep_sphere_sphere(
@@ -23,9 +22,9 @@ def sweep_sphere_sphere(
     radius_b: ArrayLike,
     dt: ArrayLike,
 ) -> Array:
-    """Time at which two balls at constant velocities first touch within a step (slide 10).
+    """Time at which two balls first touch within a step (slide 10).
 
-    Grown by A's radius, B is a ball of r_A + r_B, their Minkowski sum; A is then a point, and its way a ray.
+    Their velocities are constant.
 
     Parameters
     ----------
@@ -36,12 +35,22 @@ def sweep_sphere_sphere(
 
     Returns
     -------
-    (...), s from now, 0 to dt; infinity where they do not touch. 0 if they overlap or touch now, even if they part.
+    (...), s from now, 0 to dt
+        It is 0 if the balls overlap or touch now, even if they part. It is infinity
+        where they do not touch.
 
     Raises
     ------
     ValueError
-        If a radius or dt is negative, a radius is infinite, or a vector is not finite or not in space.
+        If a radius or dt is negative, a radius is infinite, or a vector is not finite
+        or not of three components.
+
+    Notes
+    -----
+    Two balls touch when their centres are r_A + r_B apart. So A may be shrunk to a
+    point if B is grown by A's radius. The grown ball is the Minkowski sum of the two.
+    Seen from B, the point moves along a straight line, and the question becomes one for
+    `ray_sphere`.
     """
     position, velocity = relative_motion(position_a, velocity_a, position_b, velocity_b)
     radius = extent("radius_a", radius_a) + extent("radius_b", radius_b)
@@ -49,11 +58,16 @@ def sweep_sphere_sphere(
 
 
 def sweep_sphere_plane(
-    position: ArrayLike, velocity: ArrayLike, radius: ArrayLike, normal: ArrayLike, offset: ArrayLike, dt: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    radius: ArrayLike,
+    normal: ArrayLike,
+    offset: ArrayLike,
+    dt: ArrayLike,
 ) -> Array:
-    """Time at which a ball first touches the half-space behind the plane n·p + d = 0 (slide 10).
+    """Time at which a ball first touches the half-space behind a plane (slide 10).
 
-    Grown by the ball, the half-space ends r further out: t = (s − r)/(−u_n), with the signed distance s.
+    The plane is n·p + d = 0.
 
     Parameters
     ----------
@@ -66,49 +80,77 @@ def sweep_sphere_plane(
 
     Returns
     -------
-    (...), s from now, 0 to dt; infinity where it does not touch, so if it moves along the plane. 0 for one that touches
-    or is behind the plane already, whichever way it moves.
+    (...), s from now, 0 to dt
+        It is 0 for a ball that touches the plane or is behind it already, whichever way
+        the ball moves. It is infinity where the ball does not touch, which includes a
+        ball that moves along the plane.
 
     Raises
     ------
     ValueError
-        If a normal is zero, radius or dt is negative, or another argument is not finite or not in space.
+        If a normal is zero, radius or dt is negative, or another argument is not finite
+        or not of three components.
+
+    Notes
+    -----
+    Grown by the ball, the half-space ends r further out. The gap between the centre and
+    this end is s − r, where s is the signed distance of the centre from the plane. The
+    gap shrinks at the rate −u_n, where u_n is the velocity along n. It is used up after
+
+        t = (s − r)/(−u_n)
     """
     x, u = in_space("position", position), in_space("velocity", velocity)
     n = in_space("normal", normal)
     gap = signed_distance(x, n, finite("offset", offset)) - extent("radius", radius)
     closing = -signed_distance(u, n, 0.0)
-    with np.errstate(over="ignore"):  # at a crawl it gets there after any number of seconds: infinity will do
+    # At a crawl the time may be longer than any float: infinity stands for it.
+    with np.errstate(over="ignore"):
         time = np.where(closing > 0, gap / np.where(closing > 0, closing, 1.0), np.inf)
     return within(np.where(gap <= 0, 0.0, time), dt)
 
 
 def sweep_sphere_triangle(
-    position: ArrayLike, velocity: ArrayLike, radius: ArrayLike, triangle: ArrayLike, dt: ArrayLike
+    position: ArrayLike,
+    velocity: ArrayLike,
+    radius: ArrayLike,
+    triangle: ArrayLike,
+    dt: ArrayLike,
 ) -> Array:
-    """Time at which a ball first touches a triangle: with its face, an edge or a corner (slide 10).
+    """Time at which a ball first touches a triangle within a step (slide 10).
 
-    Grown by the ball, the triangle is a plate of thickness 2r with round edges and corners: two faces r away, and three
-    capsules. What the ray of the centre meets first decides.
+    It may touch the face, an edge or a corner.
 
     Parameters
     ----------
     position : (..., 3), centre, m
     velocity : (..., 3), relative to the triangle, m/s
     radius : (...), m; 0 for a point
-    triangle : (..., 3, 3), three corners, m; without area it is a segment or a point. It has no inside and no front
+    triangle : (..., 3, 3), three corners, m
+        It has no inside and no front. Without area it is a segment or a point.
     dt : (...), s, length of the step; infinity looks ahead without end
 
     Returns
     -------
-    (...), s from now, 0 to dt; infinity where it does not touch. 0 if it overlaps or touches now, even if it parts. A
-    point, radius 0, never slips through the seam of two triangles. Whether one that moves in a triangle's plane meets
-    its edge, or one that goes through a corner meets any triangle there, rounding decides: `segment_triangle` is exact.
+    (...), s from now, 0 to dt
+        It is 0 if the ball overlaps or touches the triangle now, even if they part. It
+        is infinity where the ball does not touch. A point, which is a ball of radius 0,
+        never slips through the seam of two triangles. Rounding decides whether a point
+        that moves in a triangle's plane meets the triangle's edge, and whether a point
+        that goes through a corner meets any triangle there. `segment_triangle` is exact
+        in these cases.
 
     Raises
     ------
     ValueError
-        If radius or dt is negative, or another argument is not finite or not in space.
+        If radius or dt is negative, or another argument is not finite or not of three
+        components.
+
+    Notes
+    -----
+    Grown by the ball, the triangle is a plate of thickness 2r with round edges and
+    corners. This plate consists of two faces, each r away from the triangle, and of
+    three capsules around the edges. The centre of the ball moves along a ray. The first
+    of these parts that the ray meets gives the time.
     """
     x, u, corners = in_space("position", position), in_space("velocity", velocity), triangles("triangle", triangle)
     r = extent("radius", radius)
@@ -121,7 +163,10 @@ def sweep_sphere_triangle(
 
 
 def _face(x: Array, u: Array, r: Array, corners: Array) -> Array:
-    """Time at which the ball lies on the face between the edges; infinity where it meets the plane elsewhere."""
+    """Time at which the ball lies on the face, between the edges.
+
+    It is infinity where the ball meets the plane elsewhere.
+    """
     a, b, c = corners[..., 0, :], corners[..., 1, :], corners[..., 2, :]
     normal = np.cross(b - a, c - a)
     length = np.linalg.norm(normal, axis=-1)
@@ -130,18 +175,19 @@ def _face(x: Array, u: Array, r: Array, corners: Array) -> Array:
     side = np.where(height < 0, -1.0, 1.0)
     closing = -side * np.vecdot(normal, u)
     arrives = (closing > 0) & (np.abs(height) >= r)
-    with np.errstate(over="ignore"):  # as above
+    with np.errstate(over="ignore"):  # as in `sweep_sphere_plane`
         time = np.where(arrives, (np.abs(height) - r) / np.where(arrives, closing, 1.0), np.inf)
-    lands = x - (side * r)[..., None] * normal  # the ball's point that comes first
+    lands = x - (side * r)[..., None] * normal  # the ball's foremost point
     passes = _same_turn(corners - lands[..., None, :], u)
     return np.where(passes, time, np.inf)
 
 
 def _same_turn(corners: Array, u: Array) -> NDArray[np.bool_]:
-    """Whether the line through the origin along u passes all three sides with the same turn, or meets one.
+    """Whether the line along u through the origin passes all sides with the same turn.
 
-    A side taken the other way round has exactly the opposite turn, rounding included: a point that moves through the
-    seam of two triangles never passes between them.
+    A line that meets a side counts too. A side taken the other way round has exactly
+    the opposite turn, rounding included. So a point that moves through the seam of two
+    triangles never passes between them.
     """
     following = np.roll(corners, -1, axis=-2)
     turn = np.vecdot(np.cross(corners + following, following - corners), u[..., None, :])

@@ -11,6 +11,7 @@ from labs.benching.timing import Bench
 from labs.building import notebooks
 from labs.desk import checks, student_code
 from labs.grading.calling.remote import Grader
+from labs.project_folders import SOLVED_NOTEBOOKS
 
 
 def check() -> Callable[[], object]:
@@ -18,14 +19,14 @@ def check() -> Callable[[], object]:
     cells = ["".join(cell["source"]) for cell in notebooks.solved("impulse")["cells"] if cell["cell_type"] == "code"]
     grader = Grader()
     atexit.register(grader.close)
-    return lambda: checks.check(student_code.written_down(cells), "impulse", ["impulse_magnitude"], grader)
+    return lambda: checks.check(student_code.write_notebook(cells), "impulse", ["impulse_magnitude"], grader)
 
 
 def solved(topic: str) -> Callable[[], object]:
     import nbformat  # noqa: PLC0415 - an extra
     from nbclient import NotebookClient  # noqa: PLC0415
 
-    path = notebooks.SOLVED / f"{topic}.ipynb"
+    path = SOLVED_NOTEBOOKS / f"{topic}.ipynb"
 
     def run() -> object:
         notebook = nbformat.read(path, as_version=4)

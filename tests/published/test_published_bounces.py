@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from reference.published import published
+from reference.published.theirs import published
 from solutions.response import bounce_along_normal
 
 

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from reference.comparison.compare import Verdict
-from reference.published import published
+from reference.comparison.verdicts import Verdict
 from reference.published.rigid_law import rigid_law, rigid_sphere
+from reference.published.theirs import published
 from solutions.friction import sphere_grips, sphere_impact
 
 Y, UP = np.eye(3)[1:]
@@ -41,7 +41,7 @@ def test_a_sphere_grips_at_the_angles_of_the_rigid_law_and_follows_it_to_roundin
     e, mu = case.values("restitution", "friction")
     for figure, angles in (("tangent_restitution", "angle"), ("spin", "angle_of_spin")):
         law, grips = rigid_law(case)[figure]
-        turned = np.radians(case.values(angles))
+        turned = np.radians(case.numbers(angles))
         assert sphere_grips(np.sin(turned), np.cos(turned), e, mu).tolist() == grips.tolist()
         assert [row.measured for row in judged("P11") if row.figure == figure] == pytest.approx(law, rel=1e-13)
 

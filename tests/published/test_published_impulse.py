@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from reference.published import published
+from reference.published.theirs import published
 from solutions.impulse import Body, collide, impulse_of_force
 
 UP, STILL = np.array([0.0, 0.0, 1.0]), (0.0, 0.0, 0.0)

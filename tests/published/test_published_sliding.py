@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from reference.published import published
+from reference.published.theirs import published
 
 
 @pytest.mark.statement(24, oracle="P2: SimBenchmark's plate under twenty-five balls")

@@ -7,8 +7,8 @@ import math
 import pytest
 
 from reference.engines.implementation import Implementation
-from reference.published import published
-from reference.published.springs import granular
+from reference.published.by_hand.springs import granular
+from reference.published.theirs import published
 from solutions.response import penalty_damping, penalty_restitution
 
 

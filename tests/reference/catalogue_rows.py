@@ -10,9 +10,10 @@ import pytest
 
 from reference.catalogue.case import Case
 from reference.catalogue.scenarios import catalogue
-from reference.catalogue.scenarios.response import DROPS, SPREAD
-from reference.comparison.compare import Row, compare_case
+from reference.catalogue.scenarios.bouncing_ball import DROPS, SPREAD
+from reference.comparison.compare import compare_case
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row
 from reference.engines import load_engine
 from reference.running.study import run_job
 

@@ -45,8 +45,8 @@ def test_a_bouncing_ball_meets_the_floor_and_tops_as_in_small_steps():
     impacts, apexes = bounced(1.0, 0.8, 4)
     # An impact is seen up to a step late, when the ball is v dt lower: 4.4 m/s × 1e-5 s, a little more at every bounce
     assert truth.bounce_times(1.0, 0.8, G, 4) == pytest.approx(impacts, abs=1e-4)
-    assert [truth.apex_ratio(0.8, bounce) for bounce in (1, 2, 3, 4)] == pytest.approx(apexes, abs=1e-3)
-    assert truth.apex_ratio(0.8) == truth.apex_ratio(0.8, 1)
+    assert [truth.rebound_ratio(0.8, bounce) for bounce in (1, 2, 3, 4)] == pytest.approx(apexes, abs=1e-3)
+    assert truth.rebound_ratio(0.8) == truth.rebound_ratio(0.8, 1)
 
 
 def test_the_first_impact_comes_after_the_fall_and_the_next_after_twice_e_times_that():
@@ -93,22 +93,22 @@ def test_the_mean_apex_of_a_step_method_is_shifted_as_derived(restitution, recov
     times = math.sqrt(2 / G) + dt * (np.arange(drops) + 0.5) / drops  # evenly spread over a step
     heights = G * times**2 / 2
     shift = np.mean(apexes_at_step(heights, restitution, recovery, dt) - restitution**2 * heights)
-    expected = truth.at_step_apex_shift(1.0, restitution, G, dt, recovery)
+    expected = truth.rebound_shift_at_step(1.0, restitution, G, dt, recovery)
     # A sawtooth of v dt = 4.4 mm over 200 phases is out by 1/200 of it at the most; the rest is of order g dt² = 1e-5 m
     assert shift == pytest.approx(expected, abs=4e-5)
 
 
 def test_an_elastic_ball_or_one_whose_overlap_is_taken_back_is_not_shifted():
-    assert truth.at_step_apex_shift(1.0, 1.0, G, 1e-3) == 0
-    assert truth.at_step_apex_shift(1.0, 0.75, G, 1e-3, recovery=0.25) == 0
-    assert truth.at_step_apex_shift(2.0, 0.25, 4.0, 0.5) == pytest.approx(-0.75 * 4.0 * 0.25, rel=1e-15)  # v = 4 m/s
+    assert truth.rebound_shift_at_step(1.0, 1.0, G, 1e-3) == 0
+    assert truth.rebound_shift_at_step(1.0, 0.75, G, 1e-3, recovery=0.25) == 0
+    assert truth.rebound_shift_at_step(2.0, 0.25, 4.0, 0.5) == pytest.approx(-0.75 * 4.0 * 0.25, rel=1e-15)  # v = 4 m/s
 
 
 def test_an_impact_that_turns_back_its_own_steps_gain_too_rises_as_much_higher_as_derived():
     # (e (v + g dt))²/(2g) less (e v)²/(2g); the square of g dt is left out, a share g dt/(2v) of it.
     speed, gained = math.sqrt(2 * G), G * 1e-5
     exact = (0.6 * (speed + gained)) ** 2 / (2 * G) - (0.6 * speed) ** 2 / (2 * G)
-    assert truth.weighed_apex_shift(1.0, 0.6, G, 1e-5) == pytest.approx(exact, rel=gained / speed)
+    assert truth.rebound_shift_of_weighed_step(1.0, 0.6, G, 1e-5) == pytest.approx(exact, rel=gained / speed)
 
 
 def test_the_slides_t_is_early_by_no_more_than_stated_and_comes_close_to_it():

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions.friction import (
     complementarity_residual,
@@ -74,7 +75,7 @@ def table(force, torque=(0.0, 0.0, 0.0), height=1.0, mass=2.0):
 @pytest.mark.parametrize("whole", [False, True])
 @given(seed=SMALL)
 def test_contact_forces_change_the_free_acceleration_as_little_as_they_can(seed, whole):
-    optimize = pytest.importorskip("scipy.optimize")
+    optimize = oracle("scipy.optimize")
     g, weights, force = some_contacts(seed, whole)
     a, b = resting_problem(g, weights, force)
     f = solve_by_pivots(a, b)
@@ -99,10 +100,10 @@ def test_one_of_the_choices_of_pressed_contacts_is_what_pivoting_finds(seed):
 
 
 @pytest.mark.statement(22, oracle="scipy's lsq_linear with bounds")
-@settings(max_examples=12)
+@settings(max_examples=settings.default.max_examples // 10)
 @given(seed=SMALL)
 def test_sweeping_comes_to_the_same_forces(seed):
-    optimize = pytest.importorskip("scipy.optimize")
+    optimize = oracle("scipy.optimize")
     g, weights, force = separate_contacts(seed)
     a, b = resting_problem(g, weights, force)
     root = np.sqrt(weights)
@@ -303,10 +304,10 @@ def test_sequential_impulses_hold_a_slab_up_to_the_angle_of_friction_and_let_it_
 
 
 @pytest.mark.statement(22, oracle="scipy's nnls")
-@settings(max_examples=10)
+@settings(max_examples=settings.default.max_examples // 10)
 @given(seed=SMALL)
 def test_sequential_impulses_without_friction_leave_the_velocities_of_least_change(seed):
-    optimize = pytest.importorskip("scipy.optimize")
+    optimize = oracle("scipy.optimize")
     g, weights, v = separate_contacts(seed)
     rows = np.zeros((len(g), 3, g.shape[1]))
     rows[:, 0] = g

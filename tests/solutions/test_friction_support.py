@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.friction import (
@@ -193,7 +194,7 @@ def test_at_the_limit_itself_breaking_away_and_holding_agree(force, friction, se
 @pytest.mark.statement(24, oracle="scipy's brentq on the cone")
 @given(VECTOR, VECTOR, st.floats(0.05, 2), st.integers(0, 99))
 def test_before_the_instant_it_is_held_and_after_it_not(force, rate, friction, seed):
-    optimize = pytest.importorskip("scipy.optimize")
+    optimize = oracle("scipy.optimize")
     n = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0][0]
     assume(np.linalg.norm(rate) > 0.1)
 
@@ -223,7 +224,7 @@ def test_before_the_instant_it_is_held_and_after_it_not(force, rate, friction, s
 def test_a_block_drawn_by_a_spring_sticks_and_slips_as_long_as_the_differential_equation_says(
     mass, stiffness, speed, static, kinetic
 ):
-    integrate = pytest.importorskip("scipy.integrate")
+    integrate = oracle("scipy.integrate")
     press = mass * G
 
     def slipping(_, state):

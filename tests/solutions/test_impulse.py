@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.impulse import (
@@ -49,7 +50,7 @@ def test_the_rim_of_a_wheel_that_rolls_stands_still_below_and_goes_twice_as_fast
 @pytest.mark.statement(14, oracle="the places of a point a moment before and after")
 @given(VECTOR, VECTOR, VECTOR)
 def test_the_velocity_of_a_point_is_the_rate_of_its_place(velocity, omega, arm):
-    rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    rotation = oracle("scipy.spatial.transform").Rotation
     h = 1e-5
     after, before = (t * velocity + rotation.from_rotvec(t * omega).apply(arm) for t in (h, -h))
     # What central differences leave out is ω³ r h²/6 < 1e-5 × 17³ × 17 × 1e-5/6; rounding is 1e-15 × 17/h

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.detection import side_of_plane
@@ -382,7 +383,7 @@ def test_nothing_is_inside_a_mesh_without_faces():
 @pytest.mark.statement(9, oracle="libigl's winding number")
 @each_outline
 def test_libigl_finds_the_same_winding_number(outline):
-    igl = pytest.importorskip("igl")
+    igl = oracle("igl")
     vertices, faces = extruded(outline)
     points = np.random.default_rng(2).uniform(-2, 8, (2000, 3))
     theirs = igl.winding_number(vertices, faces, points)
@@ -392,7 +393,7 @@ def test_libigl_finds_the_same_winding_number(outline):
 @pytest.mark.statement(9, oracle="shapely's point in polygon, on a prism")
 @each_outline
 def test_shapely_finds_the_same_points_within_the_outline(outline):
-    shapely = pytest.importorskip("shapely")
+    shapely = oracle("shapely")
     points = np.random.default_rng(3).uniform(-1, 8, (2000, 3))
     within = shapely.contains_xy(shapely.Polygon(outline), *points[:, :2].T) & (points[:, 2] > 0)
     assert np.array_equal(inside_by_parity(points, *extruded(outline)), within & (points[:, 2] < HEIGHT))
@@ -400,8 +401,8 @@ def test_shapely_finds_the_same_points_within_the_outline(outline):
 
 @pytest.mark.statement(9, oracle="trimesh's contains")
 def test_trimesh_finds_the_same_points_within_a_bent_torus():
-    trimesh = pytest.importorskip("trimesh")
-    pytest.importorskip("rtree")
+    trimesh = oracle("trimesh")
+    oracle("rtree")
     torus = trimesh.creation.torus(2.0, 0.7, major_sections=16, minor_sections=10)
     points = np.random.default_rng(4).uniform(-3, 3, (500, 3)) * [1, 1, 0.3]
     mine = inside_by_parity(points, torus.vertices, torus.faces)

@@ -90,8 +90,8 @@ def test_the_figures_measured_here_are_those_of_the_page(figure):
         (1e4, 1e-3, 0.042, 0.028, 29),
         (1e5, 1e-3, 0.052, 0.0089, 9),
         (1e6, 1e-3, 0.30, 0.0031, 3),
-        (1e6, 2e-5, 0.0053, 0.0028, 146),
-        (1e4, 1e-4, 0.038, 0.028, 292),
+        pytest.param(1e6, 2e-5, 0.0053, 0.0028, 146, marks=pytest.mark.slow),
+        pytest.param(1e4, 1e-4, 0.038, 0.028, 292, marks=pytest.mark.slow),
     ],
 )
 def test_a_penalty_contact_is_shifted_by_gravity_if_soft_and_by_the_step_if_stiff(

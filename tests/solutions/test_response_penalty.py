@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from reference import truth
 from solutions import as_printed
@@ -68,7 +69,7 @@ def test_a_body_settles_where_the_spring_carries_its_weight():
     assert penalty_force(-depth, 0.0, UP, STIFFNESS)[2] == pytest.approx(MASS * G, rel=1e-15)
     position, velocity = np.array([0.0, 0.0, 0.01]), np.zeros(3)
     c, dt = damping(0.7), 1e-4
-    for _ in range(10_000):  # 1 s, some 80 times the decay time 1/(ζω)
+    for _ in range(4_000):  # 0.4 s, some 36 times the decay time 1/(ζω)
         force = penalty_force(position[2], velocity[2], UP, STIFFNESS, c)
         position, velocity = semi_implicit_euler(position, velocity, force / MASS - G * np.array(UP), dt)
     assert position[2] == pytest.approx(-depth, rel=1e-12)
@@ -80,7 +81,7 @@ def test_a_body_settles_where_the_spring_carries_its_weight():
 
 def impact(ratio, adhesive, speed=1.0, mass=MASS, stiffness=STIFFNESS):
     """Duration and restitution of an impact, by a solver of differential equations with an event at its end."""
-    integrate = pytest.importorskip("scipy.integrate")
+    integrate = oracle("scipy.integrate")
     c, omega = damping(ratio, mass, stiffness), math.sqrt(stiffness / mass)
 
     def force(state):
@@ -232,22 +233,20 @@ def test_the_step_limit_is_where_the_spectral_radius_passes_one(ratio, mass, sti
 
 
 @pytest.mark.statement(8, oracle="simulations on both sides of the limit")
-@pytest.mark.parametrize("ratio", [0.0, 0.1, 0.5, 1.0, 3.0])
-def test_a_pressed_contact_rests_below_the_step_limit_and_shakes_itself_loose_above_it(ratio):
-    c = damping(ratio)
-    limit, depth = float(penalty_step_limit(MASS, STIFFNESS, c)), float(penalty_rest_depth(MASS, G, STIFFNESS))
-    largest = {}
-    for share in (0.98, 1.02):
-        position, velocity = np.array([0.0, 0.0, -depth * (1 - 1e-6)]), np.zeros(3)
-        largest[share] = 0.0
-        for _ in range(1000):
-            force = penalty_force(position[2], velocity[2], UP, STIFFNESS, c)
-            position, velocity = semi_implicit_euler(position, velocity, force / MASS - G * np.array(UP), share * limit)
-            largest[share] = max(largest[share], abs(position[2] / depth + 1))
+def test_a_pressed_contact_rests_only_below_the_step_limit():
+    c = damping(np.array([0.0, 0.1, 0.5, 1.0, 3.0]))
+    dt = np.array([[0.98], [1.02]]) * penalty_step_limit(MASS, STIFFNESS, c)  # two rows: below and above the limits
+    depth = float(penalty_rest_depth(MASS, G, STIFFNESS))
+    position, velocity, largest = np.zeros((2, 5, 3)), np.zeros((2, 5, 3)), np.zeros((2, 5))
+    position[..., 2] = -depth * (1 - 1e-6)
+    for _ in range(1000):
+        force = penalty_force(position[..., 2], velocity[..., 2], UP, STIFFNESS, c)
+        position, velocity = semi_implicit_euler(position, velocity, force / MASS - G * np.array(UP), dt)
+        largest = np.maximum(largest, np.abs(position[..., 2] / depth + 1))
     # Without damping the orbit of the step matrix is 1/√(1 − (ωΔt/2)²) = 5 times as wide as what it was nudged by
-    assert largest[0.98] <= 1e-5
+    assert np.all(largest[0] <= 1e-5)
     # Nudged by a millionth. How far it goes is up to the clamp: in the air nothing shakes, and a damped body hops on.
-    assert largest[1.02] > 0.01
+    assert np.all(largest[1] > 0.01)
 
 
 def test_the_limit_without_damping_is_two_over_omega_and_with_a_lot_of_it_two_m_over_c():

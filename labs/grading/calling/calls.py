@@ -30,12 +30,12 @@ from labs.grading.errors import (
     StudentError,
     WrongType,
 )
+from labs.grading.phrases import needs
 from labs.grading.safe_text import one_line, plain
 from labs.grading.submission.reading import Submission
 from labs.grading.worker import messages
 from labs.grading.worker.sandbox import Sealing
 from labs.grading.worker.tier import Tier
-from reference import lecture
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, NeedsFunction
 
@@ -283,12 +283,12 @@ class Call:
         if failure := self._failures.of(name):
             _, kind, text, line = failure
             return FunctionRaised(f"{name} could not be defined: {self._said(kind, text, line)}", kind, line)
-        return FunctionMissing(f"{_needs(name)}: it is not in the submission")
+        return FunctionMissing(f"{needs(name)}: it is not in the submission")
 
     def _raised(self, name: str, kind: str, text: str, line: int | None) -> StudentError:
         if kind == "NotImplementedError":
             stub = self._submission.function_at(line) or name
-            return FunctionMissing(f"{f'{name} ' * (stub != name)}{_needs(stub)}: it is not written yet")
+            return FunctionMissing(f"{f'{name} ' * (stub != name)}{needs(stub)}: it is not written yet")
         message = f"{name} raised {self._said(kind, text, line)}"
         if kind == "NameError" and (failure := self._failures.behind(text)):
             message += f". On loading: {self._said(*failure[1:])}"
@@ -309,10 +309,5 @@ class RemoteImplementation(Implementation):
         """Return a proxy of the function; where it is not written yet, raise `NeedsFunction`."""
         call = self.call
         if call is None or not call.defines(name):
-            raise NeedsFunction(_needs(name))
+            raise NeedsFunction(needs(name))
         return lambda *arguments, **named: call(name, *arguments, **named)
-
-
-def _needs(name: str) -> str:
-    entry = lecture.FUNCTIONS.get(name)
-    return f"needs {name} ({entry.topic}, step {entry.step})" if entry else f"needs {name}"

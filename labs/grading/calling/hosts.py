@@ -1,8 +1,8 @@
-"""Where tests' processes come from: the nursery on Linux, elsewhere an interpreter for each.
+"""The hosts of tests' processes: the nursery on Linux, elsewhere an interpreter for each test.
 
-Threat: what a test's process could learn or damage on our side. The nursery is talked to on a socket of its own, which
-no test's process holds; it is started with no environment and no descriptor of ours. While it is open, others of the
-same user cannot look into this process.
+Threat: what a test's process could learn or damage on our side. We talk to the nursery on a socket of its own, which no
+test's process holds. The nursery is started with no environment and no descriptor of ours. While it is open, other
+processes of the same user cannot look into this one.
 """
 
 from __future__ import annotations
@@ -27,35 +27,36 @@ import numpy as np
 
 from labs.grading.calling.processes import LOST, Ended, Limits, Process
 from labs.grading.errors import GraderFailed
-from labs.grading.worker import system
+from labs.grading.worker import system_calls
 from labs.grading.worker.sandbox import Plan
+from labs.project_folders import ROOT
 
 MEASURES = ("limits", "user", "death", "privileges", "landlock", "seccomp", "namespace")
-"""What can be left out, to see what the others are worth."""
+"""The measures of the sandbox that can be left out, to see what the others are worth."""
 
-_FOLDERS = (str(Path(__file__).parents[3]), str(Path(np.__file__).parents[1]))  # ours and NumPy's
+_FOLDERS = (str(ROOT), str(Path(np.__file__).parents[1]))
 _INTERPRETER = (sys.executable, "-I", "-S", "-B", "-X", "utf8", "-c")
 _START = "import sys; sys.path[:0] = sys.argv[1:3]; from labs.grading.worker import {0}; {0}.main()"
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
-_PATIENCE = 30.0  # s for the nursery, which nobody untrusted can keep waiting
-_UNHEARD = 32  # ends that the nursery may say while nobody listens; its socket holds some hundreds
+_PATIENCE = 30.0  # s for the nursery, which nothing untrusted can keep waiting
+_UNHEARD = 32  # reports of ended processes that may wait in the nursery's socket, which holds some hundreds
 
 
 class NurseryHost:
-    """The nursery, started when the first test needs it, and anew when it died."""
+    """Has tests' processes forked by the nursery, and starts another nursery if that one dies."""
 
     def __init__(self, user: int, without: Collection[str] = ()) -> None:
         self._user, self._without = user, tuple(without)
         self._lock = threading.Lock()
-        self._tests = 0
-        self._dying: deque[Process] = deque()  # the nursery was told to end them, and has not said that it has
+        self._started = 0  # processes so far, in all nurseries; each has its own number
+        self._dying: deque[Process] = deque()  # the nursery was told to end them, and has not reported that yet
         self._folder = tempfile.mkdtemp(prefix="grading-")
         self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
         _hide(self)
         self._open()
 
     def _open(self) -> None:
-        self._before = self._tests  # up to this one they belong to an earlier nursery
+        self._forked: set[int] = set()  # numbers of this nursery's processes; all others died with an earlier nursery
         self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(_PATIENCE)
         command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), json.dumps(self._without)]
@@ -66,7 +67,7 @@ class NurseryHost:
             )  # fmt: skip
 
     def start(self, limits: Limits) -> Process:
-        """Have a process forked, without waiting for it; raises `GraderFailed` where there is no nursery to ask."""
+        """Have a process forked, without waiting for it; raises `GraderFailed` if no nursery answers."""
         with self._lock:
             if self._process.poll() is None:
                 with contextlib.suppress(OSError):  # it is about to end
@@ -79,12 +80,13 @@ class NurseryHost:
                 raise GraderFailed(f"the grader's nursery does not answer: {self._log()}") from None
 
     def _start(self, limits: Limits) -> Process:
-        self._tests += 1
-        folder = str(Path(self._folder, str(self._tests)))
+        self._started += 1
+        number = self._started
+        folder = str(Path(self._folder, str(number)))
         plan = Plan(folder, self._user, limits.memory, int(limits.test) + 1, self._without)
         (their_requests, requests), (answers, their_answers) = os.pipe(), os.pipe()
         try:
-            self._ask({"start": self._tests, "plan": asdict(plan)}, [their_requests, their_answers])
+            self._ask({"start": number, "plan": asdict(plan)}, [their_requests, their_answers])
         except OSError:
             os.close(requests)
             os.close(answers)
@@ -92,31 +94,38 @@ class NurseryHost:
         finally:
             os.close(their_requests)
             os.close(their_answers)
-        return Process(self._tests, requests, answers, self)
+        self._forked.add(number)
+        return Process(number, requests, answers, self)
 
     def end(self, process: Process) -> None:
         """Have the nursery kill the process and its descendants, without waiting for it."""
         with self._lock:
-            try:
-                if process.number <= self._before:
-                    raise ConnectionError
-                self._ask({"end": process.number}, [])
-            except OSError:  # the nursery is gone, and its tests with it
-                process.outcome = LOST
-            else:
+            if self._told_to_end(process):
                 self._dying.append(process)
+            else:
+                process.outcome = LOST
             while len(self._dying) > _UNHEARD:
                 self._hear()
 
+    def _told_to_end(self, process: Process) -> bool:
+        """Tell the nursery to end a process; False if that nursery is gone, and the process with it."""
+        if process.number not in self._forked:
+            return False
+        try:
+            self._ask({"end": process.number}, [])
+        except OSError:
+            return False
+        return True
+
     def wait(self, process: Process | None = None) -> None:
-        """Until nothing is left of the process, or of any that was ended."""
+        """Wait until nothing is left of the process, or of any that was ended."""
         with self._lock:
             while self._dying and (process is None or process.outcome is None):
                 self._hear()
 
     def has_lost(self, process: Process) -> bool:
-        """Whether the process went with its nursery, or is about to."""
-        return process.number <= self._before or self._process.poll() is not None
+        """Whether the process died with its nursery, or is about to."""
+        return process.number not in self._forked or self._process.poll() is not None
 
     def close(self) -> None:
         """Stop the nursery and what is left of its tests."""
@@ -129,11 +138,11 @@ class NurseryHost:
         socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
 
     def _hear(self) -> None:
-        """Read what the nursery says of the process that it ended next: it goes by the order of the requests."""
+        """Read what the nursery reports of the next process that it ended: it keeps the order of the requests."""
         process = self._dying.popleft()
         try:
             said = json.loads(self._control.recv(2**16))
-        except (OSError, ValueError):  # the nursery is gone, or stuck: whatever it says later answers nothing
+        except (OSError, ValueError):  # the nursery is gone, or stuck: later reports would answer no request
             self._process.kill()
             self._process.wait()
             for each in (process, *self._dying):
@@ -159,7 +168,7 @@ class NurseryHost:
 
 
 class LoneHost:
-    """A fresh interpreter for each test, where there is no sandbox."""
+    """Starts a fresh interpreter for each test, on systems without a sandbox."""
 
     def __init__(self) -> None:
         self._folder = tempfile.mkdtemp(prefix="grading-")
@@ -168,7 +177,7 @@ class LoneHost:
 
     def start(self, limits: Limits) -> Process:
         """Start an interpreter."""
-        command = [*_INTERPRETER, _START.format("lone"), *_FOLDERS, self._folder]
+        command = [*_INTERPRETER, _START.format("lone_process"), *_FOLDERS, self._folder]
         kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}  # Windows needs it
         running = subprocess.Popen(
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=self._folder,
@@ -209,14 +218,14 @@ class LoneHost:
 
 
 _hiding: weakref.WeakSet[NurseryHost] = weakref.WeakSet()
-"""Those that are open, where others of this user could look into this process before."""
+"""The open hosts, if other processes of this user could look into this one before the first was opened."""
 
 
 def _hide(host: NurseryHost) -> None:
-    """Keep others of this user from looking into this process, until the last host is closed."""
+    """Keep other processes of this user from looking into this one, until the last host is closed."""
     with contextlib.suppress(OSError):
-        if _hiding or system.prctl(system.GET_DUMPABLE) == 1:
-            system.prctl(system.SET_DUMPABLE, 0)
+        if _hiding or system_calls.prctl(system_calls.GET_DUMPABLE) == 1:
+            system_calls.prctl(system_calls.SET_DUMPABLE, 0)
             _hiding.add(host)
 
 
@@ -224,4 +233,4 @@ def _show(host: NurseryHost) -> None:
     if host in _hiding:
         _hiding.remove(host)
         if not _hiding:
-            system.prctl(system.SET_DUMPABLE, 1)
+            system_calls.prctl(system_calls.SET_DUMPABLE, 1)

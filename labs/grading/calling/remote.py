@@ -1,10 +1,10 @@
-"""A submission's functions, called as if they were here, run in a process that shuts them in.
+"""A submission's functions, called as if they were here, but run in a process that shuts them in.
 
     with Remote(submission) as remote, remote.fresh() as call:
         speed = call("rebound_velocity", -2.0, 0.5)
 
-Each `fresh()` is a process of its own, so one test's crash, loop or patch costs that test. All that a call raises
-because of the submission is a `StudentError`, with a message for the student; `GraderFailed` is ours.
+Each `fresh()` is a process of its own, so one test's crash, loop or patch costs that test only. Everything that a call
+raises because of the submission is a `StudentError`, with a message for the student; `GraderFailed` is our own fault.
 """
 
 from __future__ import annotations
@@ -25,13 +25,14 @@ from labs.grading.worker.tier import Tier
 __all__ = ["Call", "Grader", "Limits", "Remote"]
 
 _NOBODY = 65534
+"""The id of the user `nobody` on Linux."""
 
 
 class Grader:
-    """What runs tests: one for all submissions of a class.
+    """Runs tests: one grader for all submissions of a class.
 
-    least: the tier below which nothing is graded. user: the id that tests run as when this is root, `nobody` unless
-    said otherwise. without: measures to leave out (`hosts.MEASURES`), or "nursery" for what other systems offer.
+    least: the tier below which nothing is graded. user: the id that tests run as if this is root. without: measures of
+    the sandbox to leave out (`hosts.MEASURES`). sandboxed: whether to use the sandbox at all, which only Linux has.
     """
 
     def __init__(
@@ -41,10 +42,11 @@ class Grader:
         least: Tier = Tier.PROCESS,
         user: int = _NOBODY,
         without: Collection[str] = (),
+        sandboxed: bool = True,
     ) -> None:
         self.limits, self.least = limits or Limits(), least
-        nursery = sys.platform == "linux" and "nursery" not in without
-        self.host: Host = NurseryHost(user, without) if nursery else LoneHost()
+        has_nursery = sandboxed and sys.platform == "linux"
+        self.host: Host = NurseryHost(user, without) if has_nursery else LoneHost()
 
     def close(self) -> None:
         """End all processes."""
@@ -58,7 +60,7 @@ class Grader:
 
 
 class Remote:
-    """One submission's functions. Without a grader it has one of its own, which `close` ends."""
+    """One submission's functions. Without a grader it makes its own, which `close` ends."""
 
     def __init__(self, submission: Submission, grader: Grader | None = None) -> None:
         self.submission = submission
@@ -70,15 +72,15 @@ class Remote:
 
     @property
     def slow(self) -> frozenset[str]:
-        """The functions of which a call ran out of its time."""
+        """The functions that ran out of time in a call."""
         return frozenset(self._patience.slow)
 
     @contextlib.contextmanager
     def fresh(self) -> Iterator[Call]:
-        """A process for one test, which is told to end where the block does; `close` waits until nothing is left.
+        """A process for one test, which is told to end when the block ends; `close` waits until nothing is left.
 
-        The process for the next test gets ready meanwhile, on another processor if there is one. Where the submission
-        does not even load, or its time is up, later tests are told so without the wait.
+        The process for the next test gets ready meanwhile, on another processor if there is one. If the submission does
+        not even load, or its time is up, later tests are told so at once.
         """
         if self._patience.left <= 0 and self._unloadable is None:
             self._unloadable = OutOfTime("the submission has used up the time of all its tests together")
@@ -91,7 +93,7 @@ class Remote:
             call.end()
 
     def _begun(self) -> Call:
-        """The process that got ready; a new one where there is none, or the nursery died and took it along."""
+        """The process that got ready; a new one if there is none, or if it died with its nursery."""
         ready, self._next = self._next, None
         if ready is not None:
             with contextlib.suppress(GraderFailed):
@@ -123,7 +125,7 @@ class Remote:
                 self._next = call
 
     def close(self) -> None:
-        """End the process that nobody needs any more; nothing of any test is left afterwards."""
+        """End the process that got ready for another test; nothing of any test is left afterwards."""
         if self._next is not None:
             self._next.end()
             self._next = None

@@ -14,14 +14,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from labs import answers
+from labs.correct_functions import package_of_correct_functions
 from labs.grading.calling.calls import Call
+from labs.grading.phrases import gives_beside_physics
 from reference import lecture
-from reference.catalogue import scenarios
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
-from reference.comparison.compare import Row, Verdict, compare_case
+from reference.catalogue.scenarios import find
+from reference.comparison.compare import compare_case
 from reference.comparison.results import Job
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, NeedsFunction, RunFailed
@@ -35,7 +37,7 @@ MOST_CALLS = 4000
 """Ten times as many as any of these runs needs: an impact that never ends would go on asking."""
 MOST_NUMBERS, MOST_AXES = 64, 3
 """Of one array that a function answers in a run: a matrix for each of a few bodies."""
-RIGHT = answers.place() or "solutions"
+RIGHT = package_of_correct_functions() or "solutions"
 """Where right answers for other topics come from. A student's tree may have none: then these tests are skipped."""
 WITHOUT_OTHERS = "a whole scenario needs right answers of other topics, which this copy of the lab does not have"
 
@@ -98,7 +100,7 @@ def compared_with_theory(
 
     It says what came, what theory says and what the engines gave, as recorded.
     """
-    found = scenarios.family(family)
+    found, _ = find(family)
     for name in cases:
         case = found.case(name)
         for row in _rows(code, found, replace(case, scenarios=case.scenarios[:1])):
@@ -126,7 +128,7 @@ def _told(family: Family, row: Row) -> str:
     quantity = family.quantity(row.quantity)
     physics = "says nothing" if row.expected is None else f"{row.expected:.6g} {row.unit}".rstrip()
     came = row.note if row.measured is None else f"{row.measured:.6g} {row.unit}".rstrip()
-    lines = [f"{family.title}, {row.case}: {quantity.title}", f"gives   {came}", f"physics {physics}"]
+    lines = [f"{family.title}, {row.case}: {quantity.title}", gives_beside_physics(came, physics)]
     engines = [f"{title} {value:.6g}" for title, value in _engines(row)]
     return "\n".join([*lines, *([f"engines {', '.join(engines)} (recorded)"] if engines else [])])
 

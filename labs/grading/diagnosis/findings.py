@@ -5,22 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from labs.grading.diagnosis.deviations import Answer, Right
 from labs.grading.diagnosis.fingerprints.reading import Known
-from labs.grading.diagnosis.marks import Answer, Right
 from labs.grading.diagnosis.probes import Probe
 
 Verdict = Literal[
     "right", "named", "likely", "several", "unknown", "one at a time", "crashes", "shape", "unwritten", "too slow"
 ]
-"""right: on every probe. named: one known mistake explains every answer of a single contact. likely: one explains the
-usual cases, but not all limiting ones. several: more than one explains the same. unknown: none does. one at a time:
-right for a single contact only. crashes, shape: it gives no number to compare. unwritten: it is the stub. too slow: it
-ran out of time in a test, and was not asked again."""
+"""right: on every probe. named: one known mistake explains every answer for a single contact. likely: one explains the
+usual cases, but not all limiting ones. several: more than one explains the same answers. unknown: no known mistake
+explains them. one at a time: right for a single contact only. crashes, shape: it gives no number to compare. unwritten:
+it is the stub. too slow: it ran out of time in a test and was not called again."""
 
 
 @dataclass(frozen=True)
 class Counterexample:
-    """The simplest probe that a submission fails, what came of it, and what should have."""
+    """The simplest probe that a submission fails, its answer, and the right answer."""
 
     function: str
     probe: Probe
@@ -34,10 +34,10 @@ class Diagnosis:
     """What is known of one function of a submission.
 
     mistakes: the known ones that explain its numbers. counterexample: the simplest probe that it fails. crashes: the
-    errors that it ended in on good input. one_alone: whether the mistake explains single contacts, and several in one
-    call go wrong in another way. crash_in_many: whether it is several alone that end in an error. accepted: cases of
-    bad input that it answered. changes_input: whether it writes into its arguments. odd: of a likely mistake the
-    simplest probe that it does not explain. limits_alone: whether all usual cases are right.
+    errors that it raised on good input. one_alone: whether the mistake explains single contacts only, and calls with
+    several go wrong in another way. crash_in_many: whether only calls with several contacts end in an error. accepted:
+    cases of bad input that it should have refused. changes_input: whether it writes into its arguments. odd: the
+    simplest probe that a likely mistake does not explain. limits_alone: whether all usual cases are right.
     """
 
     function: str

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from labs.grading.diagnosis.deviations import Answer, Right, outputs
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
-from labs.grading.diagnosis.marks import Answer, Right, outputs
-from labs.grading.safe_text import one_line
+from labs.grading.phrases import gives_beside_physics, no_answer
 from labs.grading.wrapping import WIDTH
 
 ODD = "Something else is wrong besides:"
@@ -102,21 +102,7 @@ def compared(answer: Answer, right: Right) -> str:
         came = ", ".join(shown(array.astype(bool) if truths else array) for array in found)
         if [array.shape for array in found] != [array.shape for array in right.outputs]:
             came += f" of shape {_shapes(found)} instead of {_shapes(right.outputs)}"
-    return f"gives   {came}\nphysics {expected}"
-
-
-def no_answer(value: Any, count: int, printed: str = "") -> str:
-    """What was returned where a number, or so many arrays, should be. printed: by the same call."""
-    wanted = "a number or an array" if count == 1 else f"{count} arrays"
-    if value is None:
-        return "nothing (None): it prints, and has to return" if printed else "nothing (None): is a return missing?"
-    if isinstance(value, str):
-        return f"the text {one_line(repr(value), 40)} instead of {wanted}"
-    if isinstance(value, tuple | list) and count > 1 and len(value) != count:
-        return f"{len(value)} thing{'s' * (len(value) != 1)} instead of {count}"
-    if isinstance(value, tuple | list):
-        return f"a {type(value).__name__} that is not {wanted} of numbers"
-    return f"one {'array' if isinstance(value, np.ndarray) else type(value).__name__} instead of {wanted}"
+    return gives_beside_physics(came, expected)
 
 
 def _are_truths(value: Any, right: Right) -> bool:

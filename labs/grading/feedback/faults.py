@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
 from labs.grading.diagnosis.words import ODD, besides, example_of, verdict
 from labs.grading.feedback.error_advice import Advice
-from labs.grading.judging.sheet import Sheet
+from labs.grading.judging.score_sheet import Sheet
+from labs.grading.phrases import (
+    ended_without_numbers,
+    has_answer,
+    has_no_number,
+    has_physics,
+    no_answer_in,
+    scenario_needs_a_function,
+    was_raised,
+)
 from labs.grading.wrapping import folded
 
 MOST_PARTS = 2
@@ -20,13 +28,6 @@ _NOT_PHYSICS = ("crashes", "shape", "too slow", "one at a time")
 """Verdicts on which a hint about the slide does not bear."""
 _RIGHT_ALONE = ("right", "one at a time", "unwritten")
 """Verdicts on a function that gives no wrong number to one that calls it for a single case."""
-_NO_ANSWER = re.compile(
-    r"^gives +(nothing \(None\).*|.* instead of (a number or an array|\d+( arrays)?)|a \w+ that is not .*)$",
-    re.MULTILINE,
-)
-"""What is said of an answer that is None, of another type, or another number of things."""
-_NEEDS = re.compile(r": needs \w+ \(")
-"""Of a whole scenario that lacks another function."""
 Told = Sequence[tuple[str, str]]
 """Parts, each with what was tried and what came of it."""
 
@@ -65,7 +66,7 @@ def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tu
     diagnosis = sheet.diagnoses.get(name)
     if any(sheet.diagnoses[other].verdict not in _RIGHT_ALONE for other in uses):
         theirs = {_own(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
-        none = [(reason, said) for reason, said in failures if said.startswith("raised ") or _NO_ANSWER.search(said)]
+        none = [(reason, said) for reason, said in failures if was_raised(said) or no_answer_in(said)]
         return None, _told([(reason, said) for reason, said in none if said not in theirs], 1)
     if diagnosis and uses:
         diagnosis = replace(diagnosis, crashes=(), one_alone=False)  # with many it fails as they do
@@ -90,18 +91,18 @@ def _told(failures: Told, most: int) -> Told:
     """The parts that are told with what was tried, no two of which say the same."""
     first = {_gist(said): (reason, said) for reason, said in reversed(failures) if said}
     told = [failure for failure in failures if failure in first.values()]
-    told = [(reason, said) for reason, said in told if not _NEEDS.search(said)] or told
-    return told[: 1 if told and _NO_ANSWER.search(told[0][1]) else most]
+    told = [(reason, said) for reason, said in told if not scenario_needs_a_function(said)] or told
+    return told[: 1 if told and no_answer_in(told[0][1]) else most]
 
 
 def _gist(said: str) -> str:
     """What a failure says: of an answer that is none the example does not matter."""
-    return found[0] if (found := _NO_ANSWER.search(said)) else said
+    return no_answer_in(said) or said
 
 
 def _hint_bears(diagnosis: Diagnosis | None, elsewhere: bool, told: Told, advice: Advice) -> bool:
     """Whether the test's own hint, on the physics, says something of what went wrong, and nothing else does."""
-    if elsewhere or (told and all(_NO_ANSWER.search(said) or advice.known(said) for _, said in told)):
+    if elsewhere or (told and all(no_answer_in(said) or advice.known(said) for _, said in told)):
         return False
     return not diagnosis or not (diagnosis.mistakes or diagnosis.limits_alone or diagnosis.verdict in _NOT_PHYSICS)
 
@@ -115,7 +116,7 @@ def _indented(said: str, advice: Advice, named: bool = False) -> Iterator[str]:
     """What was tried and what came of it, with advice that was not given yet. named: its mistake says what to do."""
     for line in said.splitlines():
         yield from folded(line, 2)
-    if not named or "\ngives " not in said:
+    if not named or not has_answer(said):
         yield from _advised(said, advice)
 
 
@@ -137,7 +138,7 @@ def _diagnosed(diagnosis: Diagnosis, told: Sequence[str], advice: Advice) -> Ite
     if diagnosis.odd and not any(advice.known(said) for said in told):
         yield from folded(ODD, 1)
         yield from _indented(example_of(diagnosis.odd), advice)
-    shown = any(said.startswith(("raised ", "needs ", "gave ")) for said in told)
+    shown = any(map(ended_without_numbers, told))
     rest = replace(diagnosis, accepted=(), crashes=() if shown else diagnosis.crashes)
     for paragraph in besides(rest):
         yield from folded(paragraph.replace(f"error: {diagnosis.function} raised ", "error: "), 1)
@@ -149,12 +150,7 @@ def _is_shown(diagnosis: Diagnosis, example: Counterexample, told: Sequence[str]
     in_many = diagnosis.verdict == "one at a time" or bool(example.answer.error)
     if told and in_many:
         return True
-    return any("\nphysics " in said for said in told) and not (diagnosis.odd and any(map(_is_no_number, told)))
-
-
-def _is_no_number(said: str) -> bool:
-    """Whether nan or inf came: the mistake that numbers show is not to be seen there."""
-    return bool(re.search(r"^gives .*\b(nan|inf)\b", said, re.MULTILINE))
+    return any(map(has_physics, told)) and not (diagnosis.odd and any(map(has_no_number, told)))
 
 
 def listed(names: Sequence[str]) -> str:

@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from labs.grading.feedback.error_advice import Advice
 from labs.grading.feedback.faults import listed, share, wrong
-from labs.grading.judging.sheet import Sheet
+from labs.grading.judging.score_sheet import Sheet
+from labs.grading.phrases import needed_function
 from labs.grading.wrapping import folded
 from reference import lecture
 from reference.lecture import Function
 
 RIGHT, WRONG, TO_DO = "✓", "✗", "·"
 HIDDEN = "hidden tests ask the same of other inputs, at limits and of many cases at once"
-_NEEDS = re.compile(r"\bneeds (\w+) \(")  # as it is said of a function that is not there
 
 
 def report(sheet: Sheet, topics: Sequence[str]) -> Iterator[str]:
     """All lines, those of the file first, then topic by topic, and in the end what to do next."""
     for complaint in sheet.complaints:
-        if not complaint.endswith("missing"):  # what is missing is on the list below
-            yield from folded(complaint, 0)
+        if complaint.kind != "missing":  # missing functions are on the list below
+            yield from folded(str(complaint), 0)
     advice = Advice(sheet.given)
     for name in topics:
         yield ""
@@ -78,7 +77,7 @@ def _to_do(sheet: Sheet, entry: Function) -> str:
 def _waits(sheet: Sheet, name: str) -> list[str]:
     """Other functions that are not written yet, where nothing else keeps this one from being right."""
     said = [said for outcome in sheet.about(name) for _, said in outcome.failures if said]
-    needed = [found[1] if (found := _NEEDS.search(words)) else name for words in said]
+    needed = [needed_function(words) or name for words in said]
     return [] if name in needed else list(dict.fromkeys(needed))
 
 

@@ -1,1 +1,1 @@
-"""The tests of a submission: what they expect, what they are worth, and the grade."""
+"""The tests of a submission: what they compare, what they are worth, and the grade."""

@@ -17,10 +17,10 @@ from typing import Any, cast
 import numpy as np
 
 from labs.grading.diagnosis.fingerprints.building import right_answer
-from labs.grading.diagnosis.probes.making import Draw, Maker, Probe, made
+from labs.grading.diagnosis.probes.probe import Draw, Maker, Probe, made
 from labs.grading.diagnosis.words import called
 from labs.grading.errors import FunctionRaised
-from labs.grading.judging.expectations import Called, Formula, check, each, outputs_of, refuse_changes
+from labs.grading.judging.comparison import Called, Formula, check, each, outputs_of, refuse_changes
 
 COUNT = 8
 """Examples a part. A wrong formula that shows only in one of so many is a limiting case, and asked for by itself."""

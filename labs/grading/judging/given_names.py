@@ -9,14 +9,14 @@ from collections.abc import Collection
 from pathlib import Path
 
 from labs.grading.submission.slicing import groups
+from labs.project_folders import STUDENT_NOTEBOOKS
 
-FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
 TAG = "given"
 
 
 def given_names(topics: Collection[str]) -> frozenset[str]:
     """Those of some labs; of a lab without a notebook here none."""
-    return frozenset(name for topic in topics for name in _names(FOLDER / f"{topic}.ipynb"))
+    return frozenset(name for topic in topics for name in _names(STUDENT_NOTEBOOKS / f"{topic}.ipynb"))
 
 
 @functools.cache

@@ -1,7 +1,7 @@
-"""A grade: what a submission earned by test, function and topic, as one file that everything else is made from.
+"""A grade: what a submission earned by test, function and topic, in one file that everything else is made from.
 
-`grade.json` is written when no process of the submission is left, to a temporary file that is renamed last, and is
-readable by its owner alone. Points are whole numbers.
+`grade.json` is written when no process of the submission is left. It is written to a temporary file that is renamed
+last, and only its owner can read it. Points are whole numbers.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 from labs.grading.calling.remote import Grader
 from labs.grading.diagnosis.words import told
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE, run, topics_of
-from labs.grading.judging.sheet import Outcome, Sheet
+from labs.grading.judging.score_sheet import Outcome, Sheet
 from reference import lecture
 from reference.errors import InvalidInput
 
@@ -40,7 +40,7 @@ class Grade:
             "version": VERSION,
             "submission": sheet.submission,
             "tier": sheet.tier,
-            "complaints": sheet.complaints,
+            "complaints": [str(complaint) for complaint in sheet.complaints],
             **_points(sheet.outcomes),
             "topics": [{"name": name, **_points(self._about(name))} for name in self.topics],
             "functions": [self._function(name) for name in self._functions()],
@@ -48,7 +48,7 @@ class Grade:
         }
 
     def write(self, path: Path | str) -> None:
-        """Write the file in one go: whoever reads it sees the old one or the new one."""
+        """Write the file in one go: any reader sees either the old file or the new one."""
         path = Path(path)
         descriptor, name = tempfile.mkstemp(prefix=f".{path.name}-", dir=path.parent)  # of mode 0600
         try:
@@ -89,12 +89,13 @@ def grade(
 ) -> Grade:
     """Grade a file: the topics named, or those of which it defines a function.
 
-    Whoever grades many hands in a grader for all of them, which saves the start of one for each.
+    To grade many files, pass one grader for all of them, which saves starting one for each.
 
     Raises
     ------
     UnreadableSubmission, InvalidInput, GraderFailed
-        If the file cannot be read, no topic is named and it has a function of none, or the tests cannot be run.
+        If the file cannot be read, if no topic is named and the file defines no function of any, or if the tests cannot
+        be run.
     """
     wanted = tuple(topics) if topics is not None else topics_of(path)[1]
     if not wanted:
@@ -105,7 +106,7 @@ def grade(
 
 
 def read_grade(path: Path | str) -> dict[str, Any]:
-    """The content of a file; raises `InvalidInput` where it is no grade, or of another version."""
+    """The content of a file; raises `InvalidInput` if it is not a grade, or of another version."""
     try:
         content: dict[str, Any] = json.loads(Path(path).read_text(encoding="utf-8"))
         found = content.get("schema"), content.get("version")
@@ -143,7 +144,7 @@ def _test(outcome: Outcome) -> dict[str, Any]:
                 "reason": part.reason,
                 "got": part.points if part.passed else 0,
                 "possible": part.points,
-                "message": part.said,
+                "message": part.said or "",
             }
             for part in outcome.parts
         ],

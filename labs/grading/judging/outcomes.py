@@ -1,19 +1,19 @@
-"""What a test that pytest ran came to: its points, and words of it that may be told."""
+"""The outcome of a test that pytest ran: its points, and the words that a student may read."""
 
 from __future__ import annotations
 
 import contextlib
 import re
-from typing import Any
 
 import pytest
 
 from labs.grading.calling.remote import Remote
 from labs.grading.diagnosis.findings import Diagnosis
-from labs.grading.diagnosis.naming import diagnose
+from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.errors import FunctionMissing, GraderFailed, StudentError, UnreadableSubmission
-from labs.grading.judging.sheet import Outcome, Part, Sheet
+from labs.grading.judging.markers import is_hidden, marker
+from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from labs.grading.safe_text import plain
 from labs.grading.submission.reading import Submission
 from reference import lecture
@@ -40,13 +40,13 @@ def outcome_of(item: pytest.Item, passed: bool, error: BaseException | None, par
 
 
 def said(error: BaseException | None, hidden: bool) -> str:
-    """What may be told of a failure, never nothing: a part of which nothing is said has passed.
+    """What a student may be told of a failure.
 
-    A hidden test keeps its numbers, and what the submission could make of them.
+    A hidden test keeps its numbers secret, and also everything that the submission could put into a message.
     """
     if hidden and isinstance(error, StudentError):
         return f"the function {error.gist}"
-    if hidden and not isinstance(error, UnreadableSubmission):  # what a driver says may hold numbers
+    if hidden and not isinstance(error, UnreadableSubmission):  # a driver's message may hold numbers
         return "the answer is wrong"
     lines = [line.strip() for line in plain(str(error), 1000).splitlines()]
     ours = not isinstance(error, StudentError)  # a submission may say what pytest says
@@ -63,9 +63,9 @@ def _example(note: str) -> str:
 
 
 def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
-    """Note of each function that lost points what is wrong with it, and which others it uses.
+    """Note what is wrong with each function that lost points, and which others it uses.
 
-    One that ran out of time is not asked again: its probes would wait as well.
+    A function that ran out of time is not called again, since its probes would wait just as long.
     """
     for name in sheet.lost:
         sheet.uses[name] = submission.uses(name)
@@ -78,13 +78,13 @@ def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
 
 
 def summary(terminal: pytest.TerminalReporter, sheet: Sheet) -> None:
-    """For whoever ran pytest: what is wrong with the file, what each lost test is about, and the points."""
+    """Tell the person who ran pytest what is wrong with the file, what each lost test is about, and the points."""
     if not sheet.outcomes:
         return
     write = terminal.write_line
     terminal.write_sep("=", sheet.submission or "no submission")
     for complaint in sheet.complaints:
-        write(complaint)
+        write(str(complaint))
     for outcome in sheet.outcomes:
         if not outcome.passed:
             write("\n    ".join(line for lines in outcome.lines() for line in lines.splitlines()))
@@ -94,14 +94,3 @@ def summary(terminal: pytest.TerminalReporter, sheet: Sheet) -> None:
     for reason, count in sheet.left_out.items():
         write(f"{count} test{'s' * (count != 1)} left out: {reason}")
     write(f"{sheet.earned} of {sheet.points} points ({sheet.tier or 'not run'})")
-
-
-def is_hidden(item: pytest.Item) -> bool:
-    """Whether a test lies in a folder of that name."""
-    return "hidden" in item.path.parts
-
-
-def marker(item: pytest.Item, name: str, otherwise: Any) -> Any:
-    """What a marker of a test holds."""
-    found = item.get_closest_marker(name)
-    return found.args[0] if found and found.args else otherwise

@@ -2,11 +2,11 @@
 
     pytest tests/autograder --submission lab.ipynb
 
-A test asks the fixture `submission`, `submission.rebound_velocity(-2.0, 0.5)`; each test has a process of its own.
-Markers say what it is worth: `points(3)`, one where nothing is said; `rationale("…")`, why it asks; `help("…")`, what
-to look at. The fixture `part` gives points for a part: `with part(2, "the normal direction"): assert …`; the test goes
-on after it, and fails in the end. Properties (hypothesis) draw the same examples whenever the same file is graded.
-Without `--submission` these tests are skipped. What was earned is in `config.stash[SHEET]`.
+A test calls functions of the fixture `submission`, as in `submission.rebound_velocity(-2.0, 0.5)`; each test has a
+process of its own. Markers say what the test is worth: `points(3)`, or one point by default; `rationale("…")`, why it
+asks; `help("…")`, what to look at. The fixture `part` gives points for a part: `with part(2, "the normal direction"):
+assert …`; the test continues after it, and fails at the end. Properties (hypothesis) draw the same examples whenever
+the same file is graded. Without `--submission` these tests are skipped. What was earned is in `config.stash[SHEET]`.
 """
 
 from __future__ import annotations
@@ -24,8 +24,9 @@ from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import GraderFailed, StudentError
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.given_names import given_names
-from labs.grading.judging.outcomes import explain, is_hidden, marker, outcome_of, said, summary
-from labs.grading.judging.sheet import Part, Sheet
+from labs.grading.judging.markers import MEANINGS, is_hidden, marker
+from labs.grading.judging.outcomes import explain, outcome_of, said, summary
+from labs.grading.judging.score_sheet import Part, Sheet
 from labs.grading.judging.submitted_functions import Functions
 from labs.grading.safe_text import one_line
 from labs.grading.submission.cells import FILE_LIMIT
@@ -35,14 +36,8 @@ from reference.errors import CollisionsError
 
 SHEET = pytest.StashKey[Sheet]()
 GRADER = pytest.StashKey[Grader]()
-"""What was earned, and what runs the tests; whoever starts pytest may put a grader there, and closes it then."""
+"""What was earned, and what runs the tests. The caller of pytest may provide a grader, and closes it afterwards."""
 _PARTS = pytest.StashKey[list[Part]]()
-_MARKERS = {
-    "points(n)": "what the test is worth, a whole number",
-    "function(name)": "which function it is about; where a test of it fails, the feedback says what is wrong with it",
-    "rationale(text)": "why a submission has to pass it",
-    "help(text)": "what a student should look at",
-}
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -57,12 +52,12 @@ def pytest_configure(config: pytest.Config) -> None:
     if config.getoption("--submission") and GRADER not in config.stash:
         config.stash[GRADER] = Grader()
         config.add_cleanup(config.stash[GRADER].close)
-    for usage, meaning in _MARKERS.items():
+    for usage, meaning in MEANINGS.items():
         config.addinivalue_line("markers", f"{usage}: {meaning}")
 
 
 def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> None:
-    """Let the properties of a file depend on nothing but the submission: no database, no deadline."""
+    """Let the properties of a file depend on the submission only: no database, no deadline."""
     if parent.config.getoption("--submission") and b"hypothesis" in module_path.read_bytes():
         import hypothesis  # noqa: PLC0415 - takes as long to load as NumPy, and few files need it
 
@@ -74,7 +69,7 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> 
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Check the points, and seed the properties from the submission, so that regrading gives the same marks."""
+    """Check the points, and seed the properties from the submission, so that regrading gives the same points."""
     for item in _graded(items):
         if type(points := marker(item, "points", 1)) is not int or points < 0:
             raise pytest.UsageError(f"{item.nodeid}: points are a whole number, not {points!r}")
@@ -95,7 +90,7 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
     sheet = config.stash[SHEET]
     sheet.submission, sheet.unread = found.name, found.unread
     sheet.given = given_names(topics) if found.starts else frozenset()
-    sheet.complaints = [str(complaint) for complaint in found.complaints]
+    sheet.complaints = list(found.complaints)
     with Remote(found, config.stash[GRADER]) as remote:
         yield Functions(remote, sheet)
         explain(sheet, found, remote)
@@ -143,7 +138,7 @@ def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
 def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """Note what the test earned; what the submission did wrong is told in a line, not as our own traceback."""
+    """Note what the test earned; report what the submission did wrong in a line, not with our own traceback."""
     report = yield
     error, sheet = call.excinfo.value if call.excinfo else None, item.config.stash[SHEET]
     if "submission" not in getattr(item, "fixturenames", ()):
@@ -154,7 +149,7 @@ def pytest_runtest_makereport(
         if isinstance(error, CollisionsError):
             report.longrepr = one_line(str(error), 1000)
         if isinstance(error, GraderFailed):
-            item.session.shouldstop = one_line(str(error), 1000)  # our fault is not to cost the student's points
+            item.session.shouldstop = one_line(str(error), 1000)  # our fault must not cost the student any points
         elif report.when == "call" or (report.when == "setup" and report.failed):
             sheet.outcomes.append(outcome_of(item, report.passed, error, tuple(_parts(item))))
     return report
@@ -166,9 +161,9 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
 
 
 def _seed(item: pytest.Item) -> int:
-    """What examples are drawn with: a number made of the submission's text and of the file of the test.
+    """The seed of the examples, made from the submission's text and from the file of the test.
 
-    The second is for hidden tests: else a student could change a comment until no example meets the mistake.
+    The file of a hidden test keeps students from changing a comment until no example meets the mistake.
     """
     path: Path | None = item.config.getoption("--submission")
     if path is None or not path.is_file():
@@ -184,9 +179,9 @@ def _graded(items: list[pytest.Item]) -> list[pytest.Item]:
 
 
 def _told(lost: list[Part]) -> Iterator[str]:
-    """The parts that were lost, with what was said of each; what is the same of several is said once."""
-    for said_of_it in dict.fromkeys(part.said for part in lost):
-        yield f"{'; '.join(part.reason for part in lost if part.said == said_of_it)}: {said_of_it}"
+    """The parts that were lost, with what was said of each; equal words are said once."""
+    for words in dict.fromkeys(part.said for part in lost):
+        yield f"{'; '.join(part.reason for part in lost if part.said == words)}: {words}"
 
 
 def _parts(item: pytest.Item) -> list[Part]:

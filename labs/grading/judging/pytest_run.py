@@ -13,16 +13,15 @@ from typing import TYPE_CHECKING
 from labs.grading.calling.remote import Grader
 from labs.grading.errors import GraderFailed, UnreadableSubmission
 from labs.grading.submission.reading import Submission, read
+from labs.project_folders import AUTOGRADER
 from reference import lecture
 from reference.errors import InvalidInput
 
 if TYPE_CHECKING:
     import pytest
 
-    from labs.grading.judging.sheet import Sheet
+    from labs.grading.judging.score_sheet import Sheet
 
-ROOT = Path(__file__).resolve().parents[3]
-TESTS = ROOT / "tests" / "autograder"
 VISIBLE, HIDDEN = "visible", "hidden"
 _OPTIONS = (
     "-q", "--noconftest", "--disable-plugin-autoload", "-p", "labs.grading.judging.plugin", "-p", "no:cacheprovider",
@@ -107,7 +106,7 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
             self.sheet = config.stash[SHEET]
 
     keep, printed = Keep(), io.StringIO()
-    options = [*_OPTIONS, "-c", os.devnull, "--rootdir", str(TESTS.parent), "--confcutdir", str(TESTS)]
+    options = [*_OPTIONS, "-c", os.devnull, "--rootdir", str(AUTOGRADER.parent), "--confcutdir", str(AUTOGRADER)]
     options += [
         "-W",
         "ignore::pytest.PytestAssertRewriteWarning",
@@ -130,7 +129,7 @@ def _about(item: pytest.Item) -> str:
 
 def tested() -> tuple[str, ...]:
     """The topics that have tests, in the order of teaching."""
-    return tuple(topic.name for topic in lecture.TOPICS if (TESTS / VISIBLE / f"test_{topic.name}.py").exists())
+    return tuple(topic.name for topic in lecture.TOPICS if (AUTOGRADER / VISIBLE / f"test_{topic.name}.py").exists())
 
 
 def topics_of(path: Path | str) -> tuple[Submission, tuple[str, ...]]:
@@ -147,7 +146,7 @@ def _written(topic: str) -> list[lecture.Function]:
 
 def _files(folder: str, topics: Collection[str]) -> list[Path]:
     """The test files of a folder; a student's tree has no hidden ones."""
-    files = {lecture.topic(topic).name: TESTS / folder / f"test_{topic}.py" for topic in topics}
+    files = {lecture.topic(topic).name: AUTOGRADER / folder / f"test_{topic}.py" for topic in topics}
     missing = [topic for topic, file in files.items() if not file.exists()]
     if missing and folder == VISIBLE:
         raise InvalidInput(f"no tests of {', '.join(missing)}; there are tests of {', '.join(tested())}")

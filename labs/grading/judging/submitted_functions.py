@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from labs.grading.calling.remote import Call, Remote
-from labs.grading.judging.sheet import Sheet
+from labs.grading.judging.score_sheet import Sheet
 
 
 @dataclass(frozen=True)

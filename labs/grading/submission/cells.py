@@ -17,7 +17,7 @@ import tokenize
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.safe_text import one_line
@@ -42,11 +42,16 @@ _MERGE_MARK = re.compile(r"^(<{7} |={7}$|>{7} |\|{7} )", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Complaint:
-    """What is wrong with a submission, in a line. cell: which code cell, from 1. line: in that cell or in the file."""
+    """What is wrong with a submission, in a line. cell: which code cell, from 1. line: in that cell or in the file.
+
+    kind: missing, if wanted functions are not there; repeated, if a function is defined several times; unreadable, if
+    Python cannot read a cell or the file; other for anything else.
+    """
 
     text: str
     cell: int | None = None
     line: int | None = None
+    kind: Literal["missing", "repeated", "unreadable", "other"] = "other"
 
     def __str__(self) -> str:
         found = place(self.cell, self.line)
@@ -98,7 +103,8 @@ def merge_marks(cell: Cell) -> Iterator[Complaint]:
     """The first mark that a merge left in the source, if there is one."""
     if found := _MERGE_MARK.search(cell.source):
         line = cell.source.count("\n", 0, found.start()) + 1
-        yield Complaint(f"a merge left its mark {found.group().strip()!r}: choose one version", cell.number, line)
+        text = f"a merge left its mark {found.group().strip()!r}: choose one version"
+        yield Complaint(text, cell.number, line, "unreadable")
 
 
 def _bytes(path: Path) -> bytes:

@@ -119,7 +119,8 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
     missing = [each for each in wanted if each not in defined]
     complaints.extend(_misspelt(missing, pieces))
     if missing:
-        complaints.append(Complaint(f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"))
+        text = f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"
+        complaints.append(Complaint(text, kind="missing"))
     functions += [name for name in also if name in defined and name not in wanted]
     text, starts = _assembled(cells, sources, pieces, functions)
     lost = {each for cell, source in zip(cells, sources, strict=True) if not source for each in _defs(cell.source)}
@@ -145,7 +146,7 @@ def _parsed(cell: Cell, complaints: list[Complaint]) -> tuple[str, list[Group]]:
             complaints.append(_told(error, cell, source))
         except _TOO_MUCH as error:
             why = "it holds half a character" if isinstance(error, UnicodeError) else "too deeply nested"
-            complaints.append(Complaint(f"Python cannot read this: {why}", cell.number))
+            complaints.append(Complaint(f"Python cannot read this: {why}", cell.number, kind="unreadable"))
     return "", []
 
 
@@ -153,7 +154,8 @@ def _told(error: SyntaxError, cell: Cell, source: str) -> Complaint:
     lines = source.splitlines()
     number = error.lineno or 1
     line = one_line(lines[number - 1], 80) if number <= len(lines) else ""
-    return Complaint(f"Python cannot read {line!r}: {one_line(error.msg)}{_effect(source)}", cell.number, number)
+    text = f"Python cannot read {line!r}: {one_line(error.msg)}{_effect(source)}"
+    return Complaint(text, cell.number, number, "unreadable")
 
 
 def _effect(source: str) -> str:
@@ -191,7 +193,8 @@ def _check_definition(name: str, pieces: list[_Piece], complaints: list[Complain
     if len(found) > 1:
         counts = _counting(name, found)
         where = place(counts.cell.number, counts.group.first)
-        complaints.append(Complaint(f"{name} is defined {len(found)} times; the one at {where} counts"))
+        text = f"{name} is defined {len(found)} times; the one at {where} counts"
+        complaints.append(Complaint(text, kind="repeated"))
     return bool(found)
 
 

@@ -26,7 +26,7 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.worker import landlock, sandbox, seccomp, serving, system
+from labs.grading.worker import landlock, sandbox, seccomp, serving, system_calls
 
 _PRELOADED = (
     "array", "bisect", "cmath", "copy", "dataclasses", "datetime", "enum", "fractions", "heapq", "itertools", "numbers",
@@ -42,9 +42,9 @@ def main() -> None:
     without = json.loads(sys.argv[4])
     rules = landlock.ruleset(prepare())
     with contextlib.suppress(OSError):
-        system.prctl(system.CHILD_SUBREAPER, 1)
+        system_calls.prctl(system_calls.CHILD_SUBREAPER, 1)
     with contextlib.suppress(OSError):
-        system.prctl(system.SET_DUMPABLE, 0)
+        system_calls.prctl(system_calls.SET_DUMPABLE, 0)
     offline = ("seccomp" in without or not seccomp.available()) and "namespace" not in without and leave_network()
     gc.collect()
     gc.freeze()  # what is shared with the tests' processes stays shared
@@ -69,9 +69,12 @@ def prepare() -> list[str]:
 
 def leave_network() -> bool:
     """Move into a network namespace of our own, which has no network; says whether that worked."""
-    for namespaces in (system.NEW_NETWORK_NAMESPACE, system.NEW_USER_NAMESPACE | system.NEW_NETWORK_NAMESPACE):
+    for namespaces in (
+        system_calls.NEW_NETWORK_NAMESPACE,
+        system_calls.NEW_USER_NAMESPACE | system_calls.NEW_NETWORK_NAMESPACE,
+    ):
         with contextlib.suppress(OSError):
-            system.unshare(namespaces)
+            system_calls.unshare(namespaces)
             return True
     return False
 

@@ -22,7 +22,7 @@ import sys
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
-from labs.grading.worker import landlock, seccomp, system
+from labs.grading.worker import landlock, seccomp, system_calls
 from labs.grading.worker.tier import Tier
 
 if sys.platform == "linux":
@@ -77,7 +77,7 @@ def seal(plan: Plan, rules: int | None, offline: bool, parent: int) -> Sealing:
     if os.geteuid() == 0:
         took("user", lambda: _become(plan.user), "it runs as root")
     took("death", lambda: _end_with(parent), "it may outlive the nursery")
-    took("privileges", lambda: system.prctl(system.NO_NEW_PRIVILEGES, 1), "set-user-id programs work")
+    took("privileges", lambda: system_calls.prctl(system_calls.NO_NEW_PRIVILEGES, 1), "set-user-id programs work")
     paths = took("landlock", lambda: landlock.restrict(rules), "no Landlock in this kernel")
     calls = took("seccomp", lambda: seccomp.restrict(files=paths), "no filter of system calls in this kernel")
     if not os.access(os.__file__, os.R_OK):
@@ -131,6 +131,6 @@ def _become(user: int) -> None:
 
 
 def _end_with(parent: int) -> None:
-    system.prctl(system.PARENT_DEATH_SIGNAL, signal.SIGKILL)
+    system_calls.prctl(system_calls.PARENT_DEATH_SIGNAL, signal.SIGKILL)
     if os.getppid() != parent:
         os._exit(1)

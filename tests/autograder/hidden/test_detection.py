@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from labs.grading.judging.expectations import asks, expect
+from labs.grading.judging.comparison import expect
+from labs.grading.judging.markers import asks
 
 UP = [0.0, 0.0, 1.0]
 INFINITY = math.inf

@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from labs.grading.judging.expectations import asks, expect, numbers, plainly
+from labs.grading.judging.comparison import expect, numbers, plainly
+from labs.grading.judging.markers import asks
 
 X, Y, UP, LEANS, REST = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 INFINITY = math.inf

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from labs.grading.judging.expectations import asks, expect, numbers, plainly
+from labs.grading.judging.comparison import expect, numbers, plainly
+from labs.grading.judging.markers import asks
 
 X, UP, LEANS, REST = [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 FLAT, NO_TURN = np.diag([2.0, 2.0, 2.0]), np.zeros((3, 3))

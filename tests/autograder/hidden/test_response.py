@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from labs.grading.judging.expectations import asks, expect, numbers
+from labs.grading.judging.comparison import expect, numbers
+from labs.grading.judging.markers import asks
 
 UP, LEANS, REST = [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 FALL = [0.0, 0.0, -8.0]

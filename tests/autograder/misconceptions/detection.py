@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import col, dot, flat, over, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import col, dot, flat, over, size
 
 
 def plane(p, n, d):
@@ -163,12 +163,12 @@ BANK = (
       "The tolerance is not used, and a point exactly on the plane counts as colliding.",
       "Which argument makes no difference? And what does the slide's < say of zero?"),
     M("time_of_impact_interpolated", "the slide's magnitudes", magnitudes,
-      "The slide's d1/(d1 + d2) is used with signed distances. Its d are magnitudes: behind the plane the distance is "
-      "negative, and the sum is no longer the whole way.",
+      "The slide's d1/(d1 + d2) is used with signed distances. "
+      "Its d are magnitudes: behind the plane the distance is negative, and the sum is no longer the whole way.",
       "Draw the two distances on a line. How long is the way from the one end to the other?"),
     M("time_of_impact_interpolated", "the slide's magnitudes, guarded", guarded(lambda a, b: over(a, a + b)),
-      "The slide's d1/(d1 + d2) is used with signed distances. Its d are magnitudes: behind the plane the distance is "
-      "negative, and the sum is no longer the whole way.",
+      "The slide's d1/(d1 + d2) is used with signed distances. "
+      "Its d are magnitudes: behind the plane the distance is negative, and the sum is no longer the whole way.",
       "Draw the two distances on a line. How long is the way from the one end to the other?"),
     M("time_of_impact_interpolated", "no guard", lambda s0, s1, t, dt: t + dt * over(s0, s0 - s1),
       "A time is given whether or not the point goes through the plane in this step.",
@@ -237,8 +237,8 @@ BANK = (
       "Under the root the sign is wrong: the acceleration towards the plane is negative and makes the body faster.",
       "Is the body slower or faster when it arrives?"),
     M("time_of_impact_exact", "root of a negative number", clipped,
-      "A negative number under the root is set to zero and gives a time. It says that the body turns round before it "
-      "arrives.",
+      "A negative number under the root is set to zero and gives a time. "
+      "It says that the body turns round before it arrives.",
       "What does it mean for the motion when the root does not exist?"),
     M("time_of_impact_exact", "root of the size", lambda s, u, a: clipped(s, u, a, np.abs),
       "The root is taken of the size of a negative number: there a body turns round before it reaches the plane.",

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import over
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import over
 
 
 def interval(x, u, front, back, dt, clip=True, empty=(np.inf, -np.inf), always=None):
@@ -161,8 +161,8 @@ BANK = (
       "Does a larger ball overlap the wall on a longer way or on a shorter one?"),
     M("missing_probability", "half the ways",
       lambda v, w, r, dt: missed(v, dt, w / 2 + r),
-      "Only the way to the wall's middle counts. That is how far an engine is right that pushes out by the nearest "
-      "way; a test for overlap sees the whole wall.",
+      "Only the way to the wall's middle counts. "
+      "That is how far an engine is right that pushes out by the nearest way; a test for overlap sees the whole wall.",
       "Up to where does the ball overlap the wall?"),
     M("substeps_needed", "ball a point", lambda v, w, r, dt: np.floor(over(v * dt, w + 0 * r)) + 1,
       "The ball is treated as a point, and the step cut finer than needed.",
@@ -177,8 +177,9 @@ BANK = (
       "The number is rounded to the nearest: half of the time a part of the step is longer than the wall.",
       "How far does the ball go in one part? Is that shorter than the wall?"),
     M("substeps_needed", "rounded up", lambda v, w, r, dt: np.maximum(np.ceil(v * dt / (w + 2 * r)), 1),
-      "Where the way is exactly a whole number of walls, rounding up leaves parts as long as the wall: a touch may be "
-      "all that is seen. The part has to be shorter.",
+      "Where the way is exactly a whole number of walls, rounding up leaves parts as long as the wall: "
+      "a touch may be all that is seen. "
+      "The part has to be shorter.",
       "What if v Δt is exactly w + 2r?"),
     M("substeps_needed", "none for a slow ball", lambda v, w, r, dt: np.ceil(v * dt / (w + 2 * r)),
       "A ball that does not move gets no step at all; at least one is always made.",
@@ -196,8 +197,8 @@ BANK = (
       "The ratio is upside down: a faster ball needs more parts, not fewer.",
       "Double the speed. Should the number grow or fall?"),
     M("substeps_needed", "rounded down to none", lambda v, w, r, dt: np.floor(v * dt / (w + 2 * r)),
-      "The number is rounded down: then a part of the step is longer than the wall, and a slow ball gets no step at "
-      "all.",
+      "The number is rounded down: then a part of the step is longer than the wall, "
+      "and a slow ball gets no step at all.",
       "How far does the ball go in one part? Is that shorter than the wall?"),
     M("substeps_needed", "one too many", lambda v, w, r, dt: np.ceil(v * dt / (w + 2 * r)) + 1,
       "There is mostly one part too many: rounded up, and one more.",

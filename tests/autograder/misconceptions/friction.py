@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import along, col, direction, dot, flat, over, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import along, col, direction, dot, flat, over, size
 
 
 def friction(push, v, N, s, k, moving=None, rest=None, breaks=None, held=None):
@@ -117,8 +117,8 @@ def no_motion_from_rest(p, v, f, N, s, k, m, dt):
 # fmt: off
 BANK = (
     M("apparent_force", "acceleration added", lambda m, g, f, a: col(m) * (g + a) + f,
-      "The support's acceleration is added to gravity. In a lift that starts up one feels heavier: it counts against "
-      "g.",
+      "The support's acceleration is added to gravity. "
+      "In a lift that starts up one feels heavier: it counts against g.",
       "A lift starts upwards. In which direction is its acceleration, and does the body press more or less?"),
     M("apparent_force", "support at rest", lambda m, g, f, a: col(m) * g + f + 0 * np.asarray(a),
       "The support's own acceleration makes no difference: a box on a braking lorry would not slide.",
@@ -157,8 +157,8 @@ BANK = (
       "With the absolute value a force that lifts the body off presses it on.",
       "What is left of the normal force when someone lifts the body off?"),
     M("normal_force", "whole force", lambda f, n: flat(size(f)) + 0 * flat(size(n)),
-      "The whole force is taken, as the slide takes the weight: N is only its part along the normal, on an incline "
-      "m g cos θ.",
+      "The whole force is taken, as the slide takes the weight: N is only its part along the normal, "
+      "on an incline m g cos θ.",
       "Which argument makes no difference to your answer?"),
     M("normal_force", "part along the surface", lambda f, n: flat(size(along(f, n))),
       "It is the part along the surface, m g sin θ on an incline.",
@@ -200,8 +200,8 @@ BANK = (
       "The whole length of the force is taken away along the normal; it should be F·n.",
       "How much of the force lies along the normal?"),
     M("friction_force", "the slide's static friction", slide_static,
-      "At rest friction has the size μ_s N, as the slide prints it. That is only the largest value: it pushes back "
-      "harder than one pushes, and sets the body in motion.",
+      "At rest friction has the size μ_s N, as the slide prints it. "
+      "That is only the largest value: it pushes back harder than one pushes, and sets the body in motion.",
       "Push a heavy box gently. How large is the friction?"),
     M("friction_force", "along the velocity", of(moving=lambda f, v, N, s, k: col(k * N) * direction(v)),
       "Friction acts along the velocity and makes the body faster.",
@@ -211,8 +211,8 @@ BANK = (
       "The sign is wrong throughout: friction acts along the motion and along the push.",
       "Which way does friction point on a body that slides to the right?"),
     M("friction_force", "along the velocity's size", grows_with_speed,
-      "The velocity itself is taken for its direction: the faster, the more friction. Dry friction does not depend on "
-      "the speed.",
+      "The velocity itself is taken for its direction: the faster, the more friction. "
+      "Dry friction does not depend on the speed.",
       "How long is the vector that you multiply with μ N?"),
     M("friction_force", "sign of each component", of(moving=lambda f, v, N, s, k: -col(k * N) * np.sign(v)),
       "Each component gets the full friction, by its sign: along the diagonal that is too much, and points askew.",

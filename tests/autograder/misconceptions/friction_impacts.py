@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import along, col, direction, dot, flat, over, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import along, col, direction, dot, flat, over, size
 
 
 def times(matrix, vector):
@@ -149,8 +149,8 @@ BANK = (
       "The factor 7/2 is missing: the same impulse that brakes the ball also spins it, and the spin counts 5/2 more.",
       "What does friction do to a ball besides slowing it down?"),
     M("sphere_grips", "spin alone", lambda s, v, e, mu: s <= 2.5 * mu * (1 + np.asarray(e)) * v,
-      "The factor is 5/2, which is the spin's share alone; the ball's way changes as well. (Or it is that of a hollow "
-      "sphere.)",
+      "The factor is 5/2, which is the spin's share alone; the ball's way changes as well. "
+      "(Or it is that of a hollow sphere.)",
       "Which two motions make up the slip of the point of contact?"),
     M("sphere_grips", "2/7", lambda s, v, e, mu: s <= 2 / 7 * mu * (1 + np.asarray(e)) * v,
       "The factor is upside down: 2/7 instead of 7/2.",
@@ -187,20 +187,20 @@ BANK = (
       "The slip is always stopped, however large: the cone is not looked at.",
       "How large can friction be beside the normal impulse?"),
     M("friction_impulse", "grip cut to the cone", with_(slip=clamped_grip),
-      "Where it slips, the grip's impulse along the surface is cut to μ times the normal one, and the normal one is "
-      "left "
-      "as it was. With less friction another normal impulse is needed: Newton's rule is broken.",
+      "Where it slips, the grip's impulse along the surface is cut to μ times the normal one, "
+      "and the normal one is left as it was. "
+      "With less friction another normal impulse is needed: Newton's rule is broken.",
       "What is the normal velocity after your impulse?"),
     M("friction_impulse", "one after the other", one_after_the_other,
-      "The normal impulse is found as without friction, and then the slip is stopped on its own. Where K couples the "
-      "directions, each of them changes what the other one had put right.",
+      "The normal impulse is found as without friction, and then the slip is stopped on its own. "
+      "Where K couples the directions, each of them changes what the other one had put right.",
       "What is the normal velocity after both of your impulses?"),
     M("friction_impulse", "always slips", lambda *given: one_after_the_other(*given, clamp=False),
       "Friction always has the size μ j, even where less would stop the slip: it throws the slip back.",
       "A very small slip and a lot of friction: what should be left?"),
     M("friction_impulse", "against the first slip", with_(slip=against_first_slip),
-      "Friction acts against the slip before the impact; it is to act along the grip's impulse, which a K that couples "
-      "the directions turns away from there.",
+      "Friction acts against the slip before the impact; it is to act along the grip's impulse, "
+      "which a K that couples the directions turns away from there.",
       "Which direction does the description give to the impulse along the surface?"),
     M("friction_impulse", "along the slip", with_(slip=wrong_way),
       "Where it slips friction drives the slip instead of braking it.",

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import along, col, direction, dot, flat, over, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import along, col, direction, dot, flat, over, size
 
 
 def square(f, limit, x, y, each=lambda c, limit: np.clip(c, -limit, limit)):
@@ -110,8 +110,8 @@ BANK = (
       "The coefficient is on the wrong side: the rougher, the less would hold.",
       "Double μ. Should a larger or a smaller push be held?"),
     M("friction_angle", "sine", lambda s: np.arcsin(np.minimum(s, 1)),
-      "It is the arc sine: both the weight along the slope and the normal force depend on the angle, so that the "
-      "tangent is left.",
+      "It is the arc sine: both the weight along the slope and the normal force depend on the angle, "
+      "so that the tangent is left.",
       "How large is the normal force on the slope?"),
     M("friction_angle", "cosine", lambda s: np.arccos(np.minimum(s, 1)),
       "It is the arc cosine: without friction the slope would have to be vertical.",
@@ -212,8 +212,8 @@ BANK = (
       "What comes out of a force along the first axis?"),
     M("clamp_to_square", "components, not a vector",
       side_by_side,
-      "The clamped components are returned side by side; they belong to the axes given, which have to be put together "
-      "again.",
+      "The clamped components are returned side by side; they belong to the axes given, "
+      "which have to be put together again.",
       "In which axes is your answer?"),
     M("break_away_time", "normal force constant", lambda *given: leaving(*given, press=lambda N, rise: (N, 0 * rise)),
       "The normal force is taken to stay as it is; it changes with the force.",
@@ -222,8 +222,8 @@ BANK = (
       "The push that is there at the start makes no difference.",
       "A push near the limit and one far from it: which lets go sooner?"),
     M("break_away_time", "lengths for vectors", scalar_push,
-      "The push is taken to grow along itself: lengths are added where vectors have to be. A push that first has to "
-      "turn round comes out wrong.",
+      "The push is taken to grow along itself: lengths are added where vectors have to be. "
+      "A push that first has to turn round comes out wrong.",
       "The push is 3 N to the right and changes by 2 N/s to the left. How large is it after a second?"),
     M("break_away_time", "earlier root", lambda *given: leaving(*given, earlier=True),
       "Of the two roots the earlier one is taken, which lies in the past.",

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
+from labs.grading.diagnosis.misconceptions import Misconception as M
 
 
 def resting(g, w, f):
@@ -82,8 +82,7 @@ BANK = (
       "What does the inverse inertia of a turned box look like?"),
     M("complementarity_residual", "products", residual(lambda own, f, w: np.max(np.abs(f * w), axis=-1, initial=0)),
       "It looks at the products f (A f + b) alone: where both numbers are negative, or one is and the other zero, "
-      "nothing "
-      "is noticed.",
+      "nothing is noticed.",
       "A contact that pulls, with no acceleration: is that a solution?"),
     M("complementarity_residual", "one product", residual(lambda own, f, w: np.abs(np.sum(f * w, axis=-1))),
       "The products of all contacts are added up, so that they may cancel.",
@@ -131,8 +130,8 @@ BANK = (
       "The offset makes no difference: the second number is A f + b.",
       "Which argument makes no difference to your answer?"),
     M("solve_by_sweeps", "old forces", sweeps(jacobi=True),
-      "All contacts of a sweep use the forces from before it: that is Jacobi's method. Gauss and Seidel use what is "
-      "there already.",
+      "All contacts of a sweep use the forces from before it: that is Jacobi's method. "
+      "Gauss and Seidel use what is there already.",
       "When the second contact has its turn, which force has the first?"),
     M("solve_by_sweeps", "may pull", sweeps(update=lambda f, gap, own: f - gap / own),
       "The clamp at zero is missing: contacts pull.",

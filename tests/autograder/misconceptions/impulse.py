@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import direction, dot, flat, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import direction, dot, flat, size
 
 
 def towards(normal, a, b, flip=np.less):
@@ -54,8 +54,9 @@ BANK = (
       "The angular velocity is added to the velocity: it needs the arm to become one.",
       "What units have the two terms?"),
     M("relative_velocity", "B less A", lambda a, b: np.asarray(b) - a,
-      "It is B's velocity as seen from A. With the normal from B to A the order has to be A less B, or what approaches "
-      "comes out as moving apart. The slide does not fix it.",
+      "It is B's velocity as seen from A. "
+      "With the normal from B to A the order has to be A less B, or what approaches comes out as moving apart. "
+      "The slide does not fix it.",
       "A comes down on B, the normal points up to A. Which sign should n·u have?"),
     M("relative_velocity", "sum", lambda a, b: np.asarray(a) + b,
       "The velocities are added: two that move side by side would have a relative velocity.",
@@ -104,14 +105,12 @@ BANK = (
       "Of A the part along the normal is taken, of B the whole speed.",
       "What counts of B's velocity?"),
     M("rebound_velocity", "not turned round", lambda u, e: np.where(np.asarray(u) < 0, e * np.asarray(u), u),
-      "It is the fraction of the velocity, as the prose of the slides has it, without the reversal: they go on into "
-      "each "
-      "other, only more slowly.",
+      "It is the fraction of the velocity, as the prose of the slides has it, without the reversal: "
+      "they go on into each other, only more slowly.",
       "They come nearer before. What should they do afterwards?"),
     M("rebound_velocity", "not turned round, no guard", lambda u, e: e * np.asarray(u),
-      "It is the fraction of the velocity, as the prose of the slides has it, without the reversal; and points that "
-      "move "
-      "apart are changed as well.",
+      "It is the fraction of the velocity, as the prose of the slides has it, without the reversal; "
+      "and points that move apart are changed as well.",
       "They come nearer before. What should they do afterwards?"),
     M("rebound_velocity", "no guard", lambda u, e: -e * np.asarray(u),
       "Points that move apart already are turned round as well, and come back.",
@@ -144,8 +143,9 @@ BANK = (
       "The velocity comes back unchanged: nothing has been answered.",
       "What should be different afterwards?"),
     M("classify_contact", "the slide's tests", lambda u, t=0.0: np.where(u > t, -1, np.where(u < -np.asarray(t), 0, 1)),
-      "They are the slide's two tests. Its V_rel counts along a normal from A to B, and its second < should be >: what "
-      "moves away fast is called resting, and what rests is called moving away.",
+      "They are the slide's two tests. "
+      "Its V_rel counts along a normal from A to B, and its second < should be >: "
+      "what moves away fast is called resting, and what rests is called moving away.",
       "Go through three velocities: −2, 0 and 2, with a threshold of 1."),
     M("classify_contact", "the slide's second test",
       lambda u, t=0.0: np.where(u < -np.asarray(t), -1, np.where(u > t, 0, 1)),
@@ -173,8 +173,8 @@ BANK = (
       "The threshold is applied to what separates only.",
       "How fast may two bodies approach and still be said to rest?"),
     M("classify_contact", "threshold's sign", lambda u, t=0.0: np.where(np.asarray(u) < t, -1, np.where(u > t, 1, 0)),
-      "The threshold lacks its minus on the approaching side: what rests, and some of what separates, is called "
-      "colliding.",
+      "The threshold lacks its minus on the approaching side: what rests, and some of what separates, "
+      "is called colliding.",
       "Which velocities lie within the threshold?"),
     M("classify_contact", "colliding or not", lambda u, t=0.0: np.where(u < -np.asarray(t), -1, 0),
       "What moves apart is called resting.",

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import col, dot, flat, over, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import col, dot, flat, over, size
 
 
 def turned(matrix, vector):
@@ -151,9 +151,8 @@ def swapped_normals(a, b, n, e, threshold=0.0):
 # fmt: off
 BANK = (
     M("inverse_effective_mass", "masses alone", both(share_alone),
-      "The bodies cannot turn: the two terms with the inertia are missing. Right only where the normal goes through "
-      "both "
-      "centres.",
+      "The bodies cannot turn: the two terms with the inertia are missing. "
+      "Right only where the normal goes through both centres.",
       "Push a door near its hinge and at its handle. Which is easier?"),
     M("inverse_effective_mass", "masses for their inverses", both(lambda body, n: mass(body[3]) + turning(body, n)),
       "M_A + M_B stands in place of 1/M_A + 1/M_B: the bodies are given with 1/M.",
@@ -167,9 +166,8 @@ BANK = (
       "The inverse inertia is inverted once more.",
       "What unit has each of your terms?"),
     M("inverse_effective_mass", "sign of the turning", both(lambda body, n: body[3] - turning(body, n)),
-      "The terms with the inertia have the wrong sign, or one of the two cross products the wrong order: a body that "
-      "can "
-      "turn would be harder to move at its rim.",
+      "The terms with the inertia have the wrong sign, or one of the two cross products the wrong order: "
+      "a body that can turn would be harder to move at its rim.",
       "Push a door near its hinge and at its handle. Which is easier?"),
     M("inverse_effective_mass", "B taken away", lambda a, b, n: soft(a, n) - soft(b, n),
       "B's terms are taken away: its minus in the impulse and the minus of the relative velocity make a plus.",
@@ -252,8 +250,8 @@ BANK = (
       "Push a door near its hinge and at its handle. Which is easier?"),
     M("impulse_magnitude", "centres' velocities",
       size_with(speed=of_centres),
-      "The velocities of the centres are used in place of those of the points of contact: the spin makes no "
-      "difference.",
+      "The velocities of the centres are used in place of those of the points of contact: "
+      "the spin makes no difference.",
       "A ball spins on the spot and its rim touches a wall. Does it approach?"),
     M("impulse_magnitude", "r × ω", size_with(speed=crossed),
       "The velocities of the points have r × ω in place of ω × r.",
@@ -319,8 +317,8 @@ BANK = (
       "The last × r is missing below the line: I⁻¹(r × n) is a change of spin, not yet one of the point's velocity.",
       "How does a change of spin change the velocity of the point?"),
     M("impulse_magnitude", "B taken away below", size_with(below=lambda a, b, n: soft(a, n) - soft(b, n)),
-      "Below the line B's terms are taken away: its minus in the impulse and the minus of the relative velocity make a "
-      "plus.",
+      "Below the line B's terms are taken away: "
+      "its minus in the impulse and the minus of the relative velocity make a plus.",
       "Two equal bodies: is your denominator zero?"),
     M("impulse_magnitude", "masses left out below",
       size_with(below=both(lambda body, n: turning(body, n) + 0 * np.asarray(body[3]))),
@@ -410,8 +408,8 @@ BANK = (
       "An impulse is given whether or not they approach: bodies that part are pulled back.",
       "What should become of bodies that move apart?"),
     M("collide", "guard turned round", collide_with(hits=lambda u, t: u > np.asarray(t)),
-      "The test is the slide's V_rel > threshold, which presumes a normal from A to B: bodies that approach go through "
-      "each other.",
+      "The test is the slide's V_rel > threshold, which presumes a normal from A to B: "
+      "bodies that approach go through each other.",
       "Which sign has u_n of bodies that approach, with the normal from B to A?"),
     M("collide", "threshold left out", collide_with(hits=lambda u, t: u < 0 * np.asarray(t)),
       "The threshold makes no difference.",
@@ -462,8 +460,8 @@ BANK = (
       "How fast do the points part after your impact?"),
     M("collide", "centres' velocities",
       collide_with(j_of=size_with(speed=of_centres), speed=of_centres),
-      "The velocities of the centres are used in place of those of the points of contact: the spin makes no difference "
-      "to the impact.",
+      "The velocities of the centres are used in place of those of the points of contact: "
+      "the spin makes no difference to the impact.",
       "A ball spins on the spot and its rim touches a wall. Does it approach?"),
     M("collide", "each for itself", separate_impulses,
       "Each body gets an impulse of its own, as if it had hit a wall: they are not equal and opposite.",

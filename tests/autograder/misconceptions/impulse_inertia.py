@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import over
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import over
 
 
 def rotation(q):
@@ -63,8 +63,8 @@ BANK = (
       "The rotation matrix is only a part of the quaternion's: the factors of 2 or the squares are missing.",
       "Is R Rᵀ the unit matrix?"),
     M("world_inverse_inertia", "infinite for a rod", lambda m, q: at(m, q, of=lambda m: 1 / m),
-      "About the axis of a thin rod, with a moment of 0, 1/0 is infinite, and inf · 0 no number; no impulse has an arm "
-      "about that axis, and 0 is what is meant there.",
+      "About the axis of a thin rod, with a moment of 0, 1/0 is infinite, and inf · 0 no number; "
+      "no impulse has an arm about that axis, and 0 is what is meant there.",
       "What does the description say of a moment of 0?"),
     M("world_inverse_inertia", "one over each component",
       lambda m, q: over(1, at(np.where(np.isfinite(m), m, 0), q, of=lambda m: m), 0),

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import col, direction, dot, over, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import col, direction, dot, over, size
 
 
 def trapezoids(f, t, weight=None):
@@ -137,8 +137,8 @@ BANK = (
       "Which sign has ΔP = J?"),
     M("apply_impulse_to_momenta", "lever shares it",
       lambda p, L, r, j: (p + np.where(size(r) > 0, dot(j, direction(r)) * direction(r), j), L + np.cross(r, j)),
-      "Only the part of the impulse along the arm goes into the momentum, as if the rest were used up for turning. All "
-      "of it goes into both.",
+      "Only the part of the impulse along the arm goes into the momentum, as if the rest were used up for turning. "
+      "All of it goes into both.",
       "A rod in space is struck at its end. How much momentum has it afterwards?"),
     M("apply_impulse_to_momenta", "component by component",
       lambda p, L, r, j: (p + np.asarray(j), L + np.asarray(r) * j),

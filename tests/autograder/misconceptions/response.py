@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import col, dot, size
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import col, dot, size
 
 
 def closing(v, n):
@@ -179,9 +179,8 @@ def series(e, first, scale):
 # fmt: off
 BANK = (
     M("kinematic_response", "no guard", unguarded,
-      "The response is given whether or not the body approaches: the slide has no guard. A body that is leaving "
-      "already "
-      "is thrown back into the plane, and sticks there.",
+      "The response is given whether or not the body approaches: the slide has no guard. "
+      "A body that is leaving already is thrown back into the plane, and sticks there.",
       "What should become of a body that moves away?"),
     M("kinematic_response", "the slide's mirror", lambda v, n, e: v - 2 * dot(v, n) * n + 0 * col(e),
       "It is the slide's v − 2(v·N)N: every bounce is perfect, and there is no guard for a body that moves away.",
@@ -196,9 +195,9 @@ BANK = (
       "The slide's 2 was multiplied with e. For e = 1 that is right; for e = 0 the body goes through the plane.",
       "Try e = 0. Where should the normal velocity be afterwards?"),
     M("kinematic_response", "not turned round", lambda v, n, e: v - (1 - col(e)) * closing(v, n) * n,
-      "The normal velocity comes out as e times itself, not reversed, as with 1 − e in place of 1 + e or with the "
-      "prose "
-      "of the slides: the body goes on into the plane, only more slowly.",
+      "The normal velocity comes out as e times itself, not reversed, "
+      "as with 1 − e in place of 1 + e or with the prose of the slides: the body goes on into the plane, "
+      "only more slowly.",
       "In which direction should it move afterwards? Try e = 1."),
     M("kinematic_response", "sign of the change", lambda v, n, e: v + (1 + col(e)) * closing(v, n) * n,
       "The change is added where it has to be taken away: the body is driven into the plane faster than it came.",
@@ -207,8 +206,8 @@ BANK = (
       "The guard is the wrong way round: bodies that move away are answered, bodies that approach go through.",
       "Which sign has v·N of a body that comes nearer, with N out of the plane?"),
     M("kinematic_response", "tangent damped too", split(lambda e: e, lambda e: -e),
-      "e is applied to the whole velocity. Restitution is about the normal component alone: without friction a body "
-      "keeps its speed along the plane.",
+      "e is applied to the whole velocity. "
+      "Restitution is about the normal component alone: without friction a body keeps its speed along the plane.",
       "A puck slides along the boards and touches them. What slows its sliding?"),
     M("kinematic_response", "tangent turned too", split(lambda e: -1, lambda e: -e),
       "The component along the plane is turned round as well: the body goes back the way it came.",
@@ -220,8 +219,8 @@ BANK = (
       "Only the normal component comes back: the motion along the plane is lost.",
       "What becomes of the velocity along the plane?"),
     M("kinematic_response", "tangent mirrored", split(lambda e: -1, lambda e: 1),
-      "2(v·N)N − v is the mirror image across the normal: right for a ray of light seen from its source, not for a "
-      "ball.",
+      "2(v·N)N − v is the mirror image across the normal: right for a ray of light seen from its source, "
+      "not for a ball.",
       "Which of the two components should change its sign?"),
     M("kinematic_response", "e squared", split(lambda e: 1, lambda e: -e**2),
       "e² scales the height of a bounce; the velocity is scaled by e.",
@@ -279,8 +278,8 @@ BANK = (
       "The guard looks at the body's own velocity; a plane may catch up with a body that moves away.",
       "Whose velocity says whether they come nearer?"),
     M("moving_plane_response", "plane's velocity once", lambda v, w, n, e: respond(v, n, e) + dot(w, n) * n,
-      "The plane's velocity is added to the bounce off a plane at rest: it should come in 1 + e times, through the "
-      "relative velocity.",
+      "The plane's velocity is added to the bounce off a plane at rest: it should come in 1 + e times, "
+      "through the relative velocity.",
       "Perfect bounce: a ball at rest is met by a racket at speed w. How fast is it afterwards, seen from the racket?"),
     M("moving_plane_response", "dragged along", lambda v, w, n, e: respond(v, n, e) + w,
       "The whole velocity of the plane is added: without friction a plane that slides in itself drags nothing along.",
@@ -321,8 +320,8 @@ BANK = (
       "What should be different afterwards?"),
 
     M("respond_at_impact", "rest of the step lost", stops_there,
-      "It stops at the impact: the rest of the step is not integrated. That is where the slide stops, and every bounce "
-      "loses on average half a step.",
+      "It stops at the impact: the rest of the step is not integrated. "
+      "That is where the slide stops, and every bounce loses on average half a step.",
       "What time is it when your function returns?"),
     M("respond_at_impact", "a whole step after the impact",
       lambda *given: struck(*given, rest=lambda T, dt: dt + 0 * T),
@@ -375,9 +374,8 @@ BANK = (
       "How much has to be taken away to stop it? And how much more to send it back?"),
 
     M("respond_at_step", "put back", put_back,
-      "The body is put back on the plane. Here it is to stay where it is: the response is after the fact, and what "
-      "that "
-      "costs is to be seen.",
+      "The body is put back on the plane. "
+      "Here it is to stay where it is: the response is after the fact, and what that costs is to be seen.",
       "What does the description say of the place?"),
     M("respond_at_step", "mirrored back", put_on_the_other_side,
       "The body is put where it would be after the bounce. Here it is to stay where it is.",
@@ -413,8 +411,8 @@ BANK = (
       "The place lacks a Δt²/2: with constant acceleration the exact motion is known.",
       "How far does a body fall from rest in t seconds?"),
     M("respond_at_step", "semi-implicit euler", lambda *given: at_step(*given, move=semi_euler),
-      "The place has a Δt² without the half, as when it comes from the new velocity. With constant acceleration the "
-      "exact motion is known.",
+      "The place has a Δt² without the half, as when it comes from the new velocity. "
+      "With constant acceleration the exact motion is known.",
       "How far does a body fall from rest in t seconds?"),
     M("respond_at_step", "velocity not integrated", lambda *given: at_step(*given, move=speed_unchanged),
       "The acceleration moves the body but does not make it faster.",

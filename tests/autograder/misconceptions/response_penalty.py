@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception as M
-from labs.grading.diagnosis.bank import col, over
+from labs.grading.diagnosis.misconceptions import Misconception as M
+from labs.grading.diagnosis.misconceptions import col, over
 
 
 def pushing(push, clamp=True, inside=lambda s: np.asarray(s) < 0):
@@ -66,8 +66,8 @@ def limit(size):
 # fmt: off
 BANK = (
     M("penalty_force", "the slide's spring", spring_and_nothing_else,
-      "It is the slide's F = k d with the signed distance for d: it pulls a body behind the plane deeper in, and there "
-      "is neither damping nor an end of the contact.",
+      "It is the slide's F = k d with the signed distance for d: it pulls a body behind the plane deeper in, "
+      "and there is neither damping nor an end of the contact.",
       "Which way does your force point when the body is inside?"),
     M("penalty_force", "spring without an end", depth_and_nothing_else,
       "The spring alone, and always there: in front of the plane it pulls the body in, and nothing is damped.",
@@ -76,8 +76,8 @@ BANK = (
       "The damping makes no difference: nothing ever loses energy.",
       "Which arguments make no difference to your answer?"),
     M("penalty_force", "damping drives", pushing(lambda s, v, k, c: -k * s + c * v),
-      "The dashpot has the wrong sign: it pushes less while the body moves in and more on its way out, so that every "
-      "bounce gains energy.",
+      "The dashpot has the wrong sign: it pushes less while the body moves in and more on its way out, "
+      "so that every bounce gains energy.",
       "The body moves in, v_n is negative. Should the force be larger or smaller than the spring's?"),
     M("penalty_force", "damping of the speed", pushing(lambda s, v, k, c: -k * s + c * np.abs(v)),
       "The dashpot pushes out whichever way the body moves; on the way out it has to hold back.",
@@ -189,8 +189,8 @@ BANK = (
       "What is the limit without damping?"),
     M("penalty_step_limit", "explicit Euler",
       lambda m, k, c=0.0: np.asarray(c) / k + 0 * np.asarray(m),
-      "c/k is the limit of explicit Euler on a damped spring: without damping it allows no step at all. Asked for is "
-      "semi-implicit Euler, which holds an undamped one.",
+      "c/k is the limit of explicit Euler on a damped spring: without damping it allows no step at all. "
+      "Asked for is semi-implicit Euler, which holds an undamped one.",
       "Which method uses the new velocity to find the new place?"),
     M("penalty_step_limit", "damping alone", limit(lambda w, z, m, c: 2 / (w * (1 + z))),
       "It has the right ends, 2/ω and nearly none, but in between it is only near the truth.",

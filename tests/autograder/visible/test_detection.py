@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from labs.grading.calling.scenario_runs import compared_with_theory, with_solutions
-from labs.grading.judging.expectations import asks, expect
+from labs.grading.judging.comparison import expect
+from labs.grading.judging.markers import asks
 
 UP = [0.0, 0.0, 1.0]
 INFINITY = math.inf

@@ -8,7 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from labs.grading.calling.scenario_runs import compared_with_theory, with_solutions
-from labs.grading.judging.expectations import asks, expect, numbers
+from labs.grading.judging.comparison import expect, numbers
+from labs.grading.judging.markers import asks
 
 X, UP, REST = [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
 TURNS = np.diag([1.0, 2.0, 4.0])

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from labs.grading.calling.scenario_runs import compared_with_theory, with_solutions
-from labs.grading.judging.expectations import asks, expect, numbers
+from labs.grading.judging.comparison import expect, numbers
+from labs.grading.judging.markers import asks
 
 UP, REST = [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
 FALL = [0.0, 0.0, -8.0]

@@ -41,7 +41,7 @@ BENCHES = (
 @pytest.fixture
 def made_up(tmp_path, monkeypatch) -> Path:
     (tmp_path / "bench_made_up.py").write_text(MADE_UP, encoding="utf-8")
-    monkeypatch.setattr(timing, "PLACE", tmp_path)
+    monkeypatch.setattr(timing, "BENCHES", tmp_path)
     return tmp_path
 
 
@@ -73,7 +73,7 @@ def test_an_unknown_bench_is_refused_with_the_known_ones(made_up):
 
 
 def test_where_the_project_has_no_benches_it_says_so(tmp_path, monkeypatch):
-    monkeypatch.setattr(timing, "PLACE", tmp_path)
+    monkeypatch.setattr(timing, "BENCHES", tmp_path)
     said = CliRunner().invoke(app, ["bench"])
     assert (said.exit_code, "there is nothing to time" in said.stderr) == (2, True)
 
@@ -84,7 +84,7 @@ def test_every_bench_says_what_it_does_and_every_name_is_used_once(name):
     assert isinstance(bench, Bench)
     assert bench.what
     assert bench.who not in bench.rivals
-    files = sorted(Path(timing.PLACE).glob("bench_*.py"))
+    files = sorted(Path(timing.BENCHES).glob("bench_*.py"))
     assert sum(f'"{name}"' in path.read_text(encoding="utf-8") for path in files) == 1
 
 
@@ -98,10 +98,11 @@ def test_every_bench_runs(name):
 
 @pytest.fixture
 def grading(tmp_path):
-    return timing._load(Path(timing.PLACE) / "bench_grading.py")
+    return timing._load(Path(timing.BENCHES) / "bench_grading.py")
 
 
-def test_what_is_graded_in_the_bench_has_full_marks_and_its_memory_is_counted(grading, tmp_path):
+@pytest.mark.slow
+def test_the_submission_of_the_bench_gets_full_marks_and_its_memory_is_counted(grading, tmp_path):
     run = grading.graded(grading.written(tmp_path))
     if sys.platform == "linux":
         assert run.memory > 30e6, "the interpreter with NumPy and pytest alone takes more"

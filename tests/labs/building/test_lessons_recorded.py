@@ -42,11 +42,11 @@ def _runs(text: str) -> int:
 @pytest.fixture
 def asked(lab, monkeypatch):
     """Asks all that a lesson asks, with the solutions for the student's functions; what came, by the call."""
-    in_hand = lab._hand
-    monkeypatch.setattr(lab, "_hand", lambda: replace(in_hand(), source="solutions"))
+    code = lab._student_code
+    monkeypatch.setattr(lab, "_student_code", lambda: replace(code(), source="solutions"))
     monkeypatch.setattr(sweeps, "slide", lambda _: None)
-    came, ask = [], case_runs.ask
-    monkeypatch.setattr(case_runs, "ask", lambda *given: came.append(ask(*given)) or came[-1])
+    came, run_case = [], case_runs.run_case
+    monkeypatch.setattr(case_runs, "run_case", lambda *given: came.append(run_case(*given)) or came[-1])
 
     def every(topic):
         lab.topic, found = topic, {}

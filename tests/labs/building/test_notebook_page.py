@@ -12,7 +12,6 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-import nbformat
 import pytest
 from browser import Browser, needs_browser
 
@@ -38,6 +37,8 @@ pytestmark = [
 @pytest.fixture(scope="module")
 def page(tmp_path_factory) -> str:
     """A short notebook, run and exported."""
+    import nbformat  # noqa: PLC0415 - with all of Jupyter behind it, which only these slow tests need
+
     folder = tmp_path_factory.mktemp("notebook")
     cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
     nbformat.write(nbformat.v4.new_notebook(cells=cells), folder / "lab.ipynb")

@@ -6,12 +6,11 @@ import os
 import re
 from pathlib import Path
 
-import nbformat
 import pytest
-from nbclient import NotebookClient
 
-from labs.building import lessons, notebooks
+from labs.building import lessons
 from labs.building.release import release
+from labs.project_folders import SOLVED_NOTEBOOKS
 
 pytestmark = pytest.mark.slow
 
@@ -37,6 +36,9 @@ def without_engines(tmp_path, monkeypatch):
 
 
 def executed(path: Path, folder: Path):
+    import nbformat  # noqa: PLC0415 - with all of Jupyter behind it, which only these slow tests need
+    from nbclient import NotebookClient  # noqa: PLC0415
+
     notebook = nbformat.read(path, as_version=4)
     nbformat.validate(notebook)
     client = NotebookClient(notebook, timeout=CELL_LIMIT, resources={"metadata": {"path": str(folder)}})
@@ -52,7 +54,7 @@ def printed(notebook) -> str:
 @pytest.mark.parametrize("topic", TOPICS)
 def test_the_solved_notebook_passes_every_check(topic, tmp_path, monkeypatch):
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")]))
-    said = printed(executed(notebooks.SOLVED / f"{topic}.ipynb", tmp_path))
+    said = printed(executed(SOLVED_NOTEBOOKS / f"{topic}.ipynb", tmp_path))
     assert "✗" not in said.replace("✗ fail", "")
     assert not re.search(r"· \w+ +to do", said)
     assert "lab." not in said  # which a refused call begins with

@@ -9,18 +9,24 @@ from pathlib import Path
 from types import ModuleType, SimpleNamespace
 
 import pytest
-from IPython.core.inputtransformer2 import TransformerManager
 
 from labs import notebook
 from labs.building import notebooks
 
-SETUP = "".join(next(cell for cell in notebooks.student("detection")["cells"] if cell["cell_type"] == "code")["source"])
-PYTHON = TransformerManager().transform_cell(SETUP)  # as a kernel reads it
 ASKED = "Choose collisions-lab.zip"
 
 
+@pytest.fixture(scope="module")
+def setup_cell() -> str:
+    """The first cell of a notebook, as a kernel reads it."""
+    from IPython.core.inputtransformer2 import TransformerManager  # noqa: PLC0415 - not where other tests are collected
+
+    first = next(cell for cell in notebooks.student("detection")["cells"] if cell["cell_type"] == "code")
+    return TransformerManager().transform_cell("".join(first["source"]))
+
+
 @pytest.fixture
-def run(monkeypatch, tmp_path):
+def run(setup_cell, monkeypatch, tmp_path):
     """Runs the cell in a folder, and returns the first place where modules are then looked for."""
     began, commands = [], []
     monkeypatch.setattr(notebook.Lab, "begin", lambda self, topic: began.append(topic))
@@ -29,7 +35,7 @@ def run(monkeypatch, tmp_path):
     def cell(folder: Path) -> str:
         monkeypatch.chdir(folder)
         began.clear()
-        exec(PYTHON, {"get_ipython": lambda: SimpleNamespace(system=commands.append)})
+        exec(setup_cell, {"get_ipython": lambda: SimpleNamespace(system=commands.append)})
         assert began == ["detection"]
         return sys.path[0]
 

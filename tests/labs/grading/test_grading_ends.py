@@ -17,7 +17,7 @@ from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import GraderFailed, StudentError
 from labs.grading.judging.grade import grade
 from labs.grading.submission.reading import Submission
-from labs.grading.worker import system
+from labs.grading.worker import system_calls
 from labs.grading.worker.tier import Tier
 
 ROOT = Path(__file__).parents[3]
@@ -40,14 +40,14 @@ def test_a_nursery_that_says_nothing_is_killed_with_all_that_it_has():
 
 
 def test_a_fault_of_the_graders_costs_no_points(tmp_path):
-    (tmp_path / "lab.py").write_text("def rebound_velocity(v, e): return -e * v")
+    (tmp_path / "lab.py").write_text("def is_colliding(separation, tolerance=0.0): return separation < -tolerance")
     with Grader(least=Tier.NETWORK, without=("limits",)) as lesser, pytest.raises(GraderFailed, match="below"):
         grade(tmp_path / "lab.py", None, ["visible"], lesser)
 
 
 def test_a_nursery_that_is_killed_makes_no_grade(tmp_path):
     kills = "os.kill(os.getppid(), 9); time.sleep(4)"  # else it may answer before the nursery is gone
-    (tmp_path / "lab.py").write_text(f"import os, time\ndef rebound_velocity(v, e): {kills}")
+    (tmp_path / "lab.py").write_text(f"import os, time\ndef is_colliding(separation, tolerance=0.0): {kills}")
     with Grader(without=("seccomp", "landlock", "user")) as open_grader, pytest.raises(GraderFailed, match="nursery"):
         grade(tmp_path / "lab.py", None, ["visible"], open_grader)
 
@@ -91,13 +91,13 @@ def _is_there(process: int) -> bool:
 
 
 def test_two_graders_hide_their_process_until_both_are_closed():
-    before = system.prctl(system.GET_DUMPABLE)
+    before = system_calls.prctl(system_calls.GET_DUMPABLE)
     first, second = Grader(), Grader()
     first.close()
     first.close()
-    assert system.prctl(system.GET_DUMPABLE) == 0
+    assert system_calls.prctl(system_calls.GET_DUMPABLE) == 0
     second.close()
-    assert system.prctl(system.GET_DUMPABLE) == before
+    assert system_calls.prctl(system_calls.GET_DUMPABLE) == before
 
 
 def test_nothing_of_one_submission_is_there_for_the_next():

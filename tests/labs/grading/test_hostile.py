@@ -93,16 +93,19 @@ def lair() -> Iterator[Lair]:
 
 
 @pytest.fixture(scope="module")
-def grader() -> Iterator[Grader]:
-    with Grader() as found:
-        yield found
+def sealed(grader) -> Grader:
+    """A grader whose processes this kernel seals in."""
+    if grader_tier(grader) < Tier.NETWORK:
+        pytest.skip("this kernel cannot seal a process in")
+    return grader
 
 
 def hidden_test(text: str, grader: Grader, limits: Limits = PATIENT) -> str:
     """What a test says to a submission of that text; empty where every answer is right."""
     expected = {call: -call[1] * call[0] for call in CALLS}  # in a frame of the grader, where attacks look for it
     grader.limits = limits
-    with Remote(Submission("hostile.py", text), grader).fresh() as call:
+    # Closed, so that the process which is ready for another test does not go on attacking.
+    with Remote(Submission("hostile.py", text), grader) as remote, remote.fresh() as call:
         try:
             for velocity, restitution in CALLS:
                 answer = call("rebound_velocity", velocity, restitution)
@@ -122,15 +125,13 @@ def says(attack: Path) -> str:
 
 
 @pytest.mark.parametrize("attack", ATTACKS, ids=lambda attack: attack.stem)
-def test_an_attack_is_not_paid_harms_nothing_and_is_told_why(attack, lair, grader):
-    if grader_tier(grader) < Tier.NETWORK:
-        pytest.skip("this kernel cannot seal a process in")
-    told = hidden_test(lair.filled(attack), grader, limits_for(attack))
+def test_an_attack_earns_nothing_harms_nothing_and_hears_why(attack, lair, sealed):
+    told = hidden_test(lair.filled(attack), sealed, limits_for(attack))
     assert re.search(says(attack), told), told
     assert all(character.isprintable() or character in "\n\t" for character in told)
     assert lair.listing() == lair.before
     assert not lair.heard()
-    assert hidden_test(SECRET.replace("expected", "rebound_velocity"), grader) == ""  # the next student is graded
+    assert hidden_test(SECRET.replace("expected", "rebound_velocity"), sealed) == ""  # the next student is graded
 
 
 @pytest.mark.parametrize(
@@ -174,7 +175,7 @@ def test_attacks_are_no_better_off_where_the_grader_is_an_ordinary_user():
     usable = [each for each in (sys.executable, *SYSTEM_PYTHONS) if can_run(each, nobody, environment)]
     if not usable:
         pytest.skip("no interpreter that an ordinary user may run")
-    command = [usable[0], "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", "not_paid_harms", str(Path(__file__))]
+    command = [usable[0], "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", "harms_nothing", str(Path(__file__))]
     ran = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False, **nobody)
     assert ran.returncode == 0, ran.stdout[-2000:]
     assert f"{len(ATTACKS)} passed" in ran.stdout

@@ -7,7 +7,8 @@ import pytest
 
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.tunnelling import CAUGHT, SHOTS, passing_share
-from reference.comparison.compare import Verdict, compare_case
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, EXACT, Method
 from reference.scene.settings import Settings

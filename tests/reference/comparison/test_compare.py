@@ -13,17 +13,9 @@ from hypothesis import strategies as st
 
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
-from reference.catalogue.scenarios.response import falling_ball
-from reference.comparison.compare import (
-    ALL_CASES,
-    Row,
-    Verdict,
-    compare_case,
-    failures,
-    judge,
-    verdict_of,
-    without_answer,
-)
+from reference.catalogue.scenarios.bouncing_ball import falling_ball
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict, failures, judge, verdict_of
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import (
     CannotExpress,
@@ -36,7 +28,6 @@ from reference.errors import (
     WorkerCrashed,
     WorkerTimeout,
 )
-from reference.running.study import verdict_counts
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Recorder, Trajectory
@@ -353,17 +344,6 @@ def rows_of_every_kind() -> list[Row]:
 
 def test_only_tuned_rows_that_failed_count_as_failures():
     assert [(row.profile, row.verdict) for row in failures(rows_of_every_kind())] == [("tuned", Verdict.FAIL)]
-
-
-def test_runs_that_crashed_are_without_an_answer_in_every_profile():
-    found = without_answer(rows_of_every_kind())
-    assert [row.profile for row in found] == ["tuned", "slide", "stock"]
-    assert {row.verdict for row in found} == {Verdict.CRASHED}
-
-
-def test_verdicts_are_counted_in_the_order_of_their_definition_without_zeros():
-    rows = [row for row in rows_of_every_kind() if row.verdict in (Verdict.CRASHED, Verdict.PASS)][:-1]
-    assert list(verdict_counts(reversed(rows)).items()) == [(Verdict.PASS, 3), (Verdict.CRASHED, 2)]
 
 
 # Looking up

@@ -11,10 +11,10 @@ import pytest
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.scenarios import catalogue
-from reference.comparison import shares
-from reference.comparison.question import Question
+from reference.comparison import error_split
+from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
+from reference.comparison.errors_by_settings import Question
 from reference.comparison.results import Job
-from reference.comparison.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import CannotExpress, NeedsFunction, RunFailed
@@ -32,7 +32,7 @@ Error = Callable[[Settings], float]
 
 
 def split(family: Family, engine: Engine, order: float | None = None) -> Split | None:
-    return shares.split(Question.of(family, engine), order)
+    return error_split.split(Question.of(family, engine), order)
 
 
 def off(settings: Settings, order: int = 1) -> float:

@@ -27,11 +27,11 @@ from catalogue_rows import (
 
 from reference.catalogue import measure
 from reference.catalogue.scenarios import catalogue
-from reference.catalogue.scenarios.response import falling_ball
-from reference.comparison.compare import Row, Verdict
-from reference.comparison.question import Question
+from reference.catalogue.scenarios.bouncing_ball import falling_ball
+from reference.comparison.convergence import order_of
+from reference.comparison.errors_by_settings import Question
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import load_engine
-from reference.running.study import order_of
 
 
 def rebound_of_all(engine: str, profile: str, case: str) -> Row:

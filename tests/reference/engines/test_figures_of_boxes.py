@@ -9,7 +9,8 @@ import pytest
 from catalogue_rows import CORNERS, SOME_CORNERS, SPEED, TIMESTEP, G, engines, fast_and_slow, job, restitution, slow
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict, compare_case
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
 from reference.scene.settings import Settings

@@ -12,9 +12,9 @@ import pytest
 from reference import truth
 from reference.catalogue import measure
 from reference.catalogue.scenarios import catalogue
+from reference.catalogue.scenarios.bouncing_ball import falling_ball
 from reference.catalogue.scenarios.friction import slab_on_plane
-from reference.catalogue.scenarios.response import falling_ball
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import dart_bodies, dart_engine, load_engine
 from reference.engines.base import AT_STEP, Method
 from reference.errors import CannotExpress, InvalidInput

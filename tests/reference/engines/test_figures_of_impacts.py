@@ -13,8 +13,8 @@ from reference import truth
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.cradle import RADIUS
 from reference.catalogue.scenarios.rods import END
-from reference.comparison.compare import Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Verdict
 from reference.engines.base import AT_STEP, COMPLIANT, EXACT, Method
 from reference.running.study import run_job
 from reference.scene.scenario import Body, Pair, Scenario, Sphere

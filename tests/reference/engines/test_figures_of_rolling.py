@@ -10,7 +10,8 @@ import pytest
 from catalogue_rows import ROLLING, SOME_ROLLING, SPEED, TIMESTEP, G, engines, fast_and_slow, job
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict, compare_case
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import Verdict
 
 # Rolling
 

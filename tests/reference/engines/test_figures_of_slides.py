@@ -8,7 +8,7 @@ import pytest
 from catalogue_rows import NEAREST_SLOPES, SLIDES, SLOPES, SOME_SLIDES, G, engines, fast_and_slow, row, slow
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 
 # Sliding

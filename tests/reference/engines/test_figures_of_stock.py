@@ -23,8 +23,8 @@ from catalogue_rows import (
 )
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
-from reference.comparison.question import Question
+from reference.comparison.errors_by_settings import Question
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 
 # Stock settings fail where they must

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from reference import truth
 from reference.engines import load_engine
-from reference.engines.handwritten.supported import Kind, kind
+from reference.engines.handwritten.scenario_kind import Kind, kind
 from reference.errors import InvalidInput, NeedsFunction
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Row, Verdict, failures
+from reference.comparison.verdicts import Row, Verdict, failures
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
 from reference.running.jobs import run_all

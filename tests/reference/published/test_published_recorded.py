@@ -8,12 +8,13 @@ from dataclasses import replace
 
 import pytest
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.errors import EngineNotInstalled, InvalidInput, UnknownName
-from reference.published import published, recorded
+from reference.published import recorded
 from reference.published.jobs import PUBLISHED, plan, run_job
 from reference.published.recorded import FILE, fingerprint, recall, write
 from reference.published.results import PublishedJob
+from reference.published.theirs import published
 from reference.running import jobs
 from reference.running.cache import Cache
 from reference.running.jobs import run_one

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import Job
+from reference.comparison.verdicts import Row, Verdict
 from reference.recording.reading import recall
 
 

@@ -12,11 +12,11 @@ import pytest
 from reference.catalogue.family import Family
 from reference.catalogue.grid import Parameter
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
-from reference.recording import reading
+from reference.recording import files, reading
 from reference.recording.fingerprint import fingerprint
 from reference.recording.making import jobs_of, why_stale, write
 from reference.recording.reading import recall, replay
@@ -91,7 +91,7 @@ def edited(folder, change) -> None:
     content = json.loads(path.read_text(encoding="utf-8"))
     change(content)
     path.write_text(json.dumps(content), encoding="utf-8")
-    reading.forget()
+    files.forget()
 
 
 def test_what_was_measured_comes_back_with_the_same_rows_studies_and_curve(folder, results):
@@ -220,7 +220,7 @@ def test_a_file_that_is_no_recording_is_refused_by_name(content, tmp_path):
     path = tmp_path / "handwritten" / "incline.json"
     path.parent.mkdir()
     path.write_text(content, encoding="utf-8")
-    reading.forget()
+    files.forget()
     with pytest.raises(InvalidInput, match=r"incline\.json' is no recording"):
         recall(JOBS[0], tmp_path)
 
@@ -249,7 +249,7 @@ def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(
         raise EngineNotInstalled("it is not here")
 
     monkeypatch.setattr(jobs, "run_isolated", missing)
-    monkeypatch.setattr(reading, "FOLDER", folder)
+    monkeypatch.setattr(files, "FOLDER", folder)
     cache = Cache(tmp_path / "cache")
     found = run_one(JOBS[0], SCENARIOS, cache=cache)
     assert found.recording

@@ -11,16 +11,17 @@ import pytest
 from agreeing import same, same_curve
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
 from reference.published import recorded
 from reference.published.jobs import plan
 from reference.published.jobs import run_job as published_now
+from reference.recording.files import FOLDER
 from reference.recording.making import OTHER_VERSION, jobs_of, why_stale
-from reference.recording.reading import FOLDER, recall, replay
+from reference.recording.reading import recall, replay
 from reference.running.study import run_job
-from reference.viewer.poses import LENGTH, TURN, unpack
+from reference.viewer.tracks import LENGTH, TURN, unpack
 
 ENGINES = tuple(name for name in engine_names() if load_engine(name).package is not None)
 JOBS = [

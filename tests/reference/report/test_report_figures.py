@@ -13,12 +13,13 @@ from xml.etree import ElementTree
 import pytest
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Row, Verdict
+from reference.comparison.convergence import Errors
 from reference.comparison.curves import Series
-from reference.comparison.results import Errors, Job, JobResult
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.report import figures
-from reference.report.summary import Section, sections
+from reference.report.sections import Section, sections
 
 SVG, XLINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}"
 STEPS = (4e-3, 2e-3, 1e-3, 5e-4)

@@ -15,11 +15,12 @@ from pathlib import Path
 
 import pytest
 
-from reference.comparison.compare import ALL_CASES, Row, Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.errors import InvalidInput
-from reference.report import files
-from reference.report.files import read_rows, rows_csv, rows_json, staged, write
+from reference.report.files import write
+from reference.report.row_files import read_rows, rows_csv, rows_json
+from reference.report.staging import staged
 from reference.running.jobs import run_all, run_one
 from reference.running.study import SCENARIOS, run_job
 
@@ -348,7 +349,7 @@ def test_the_page_is_replaced_last_so_that_it_never_speaks_of_files_that_are_not
         moved.append(target.relative_to(earlier).as_posix())
         replace_one(source, target)
 
-    monkeypatch.setattr("reference.report.files.os.replace", watched)
+    monkeypatch.setattr("reference.report.staging.os.replace", watched)
     with staged(earlier) as folder:
         (folder / "zebras").mkdir()
         for name in ("index.html", "a.json", "zebras/index.html", "z.json"):
@@ -467,4 +468,4 @@ def test_a_number_that_is_none_never_gets_into_the_rows():
     bad = Row("f", "c", "e", "tuned", "q", "m", Verdict.PASS)
     object.__setattr__(bad, "measured", float("nan"))  # which a row refuses when it is made
     with pytest.raises(ValueError, match="not JSON compliant"):
-        files.rows_json([JobResult(GOOD, "", "", (bad,))])
+        rows_json([JobResult(GOOD, "", "", (bad,))])

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
 from reference.comparison.results import Job, JobResult
-from reference.comparison.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
-from reference.report.origins import origins
-from reference.report.summary import sections
+from reference.report.error_split import origins
+from reference.report.sections import sections
 
 STOCK = (
     Share(DEFAULTS, "damping unset → 0", -0.30, -0.10, -0.20),

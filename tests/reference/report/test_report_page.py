@@ -14,13 +14,15 @@ import pytest
 from reference import lecture
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Row, Verdict
+from reference.comparison.convergence import Errors
 from reference.comparison.curves import Series
-from reference.comparison.results import Errors, Job, JobResult
-from reference.comparison.shares import Share, Split
+from reference.comparison.error_split import Share, Split
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.report import figures, page
-from reference.report.summary import LEGEND, MARKS, sections
+from reference.report.marks import LEGEND, MARKS
+from reference.report.sections import sections
 from reference.running.study import run_job
 
 VOID = {"meta", "br", "link", "img", "hr", "input", "col", "wbr", "source", "base", "area", "embed", "track"}

@@ -11,16 +11,16 @@ from html.parser import HTMLParser
 import pytest
 from rich.console import Console
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.errors import InvalidInput
-from reference.published import published
 from reference.published.jobs import run_job
 from reference.published.results import PublishedJob
-from reference.report import files
-from reference.report.published_figures import oblique_impacts
-from reference.report.published_page import set_up
-from reference.report.published_summary import PublishedTables, figure, label
-from reference.report.published_terminal import print_published
+from reference.published.theirs import published
+from reference.report import files, row_files
+from reference.report.published.figures import oblique_impacts
+from reference.report.published.page import set_up
+from reference.report.published.tables import PublishedTables, figure, label
+from reference.report.published.terminal import print_published
 
 NAMES = ("P11", "P15", "P22", "P23", "P24")
 
@@ -174,16 +174,16 @@ def test_measured_impacts_are_drawn_beside_the_rigid_law_in_two_figures(tables, 
 
 
 def test_the_rows_are_read_back_as_they_were_written(folder, tables):
-    assert files.read_published(folder / "published.json") == tables.rows
+    assert row_files.read_published(folder / "published.json") == tables.rows
 
 
 def test_rows_of_another_version_are_refused(folder, tmp_path):
     content = json.loads((folder / "published.json").read_text(encoding="utf-8"))
     (tmp_path / "published.json").write_text(json.dumps(content | {"version": 2}), encoding="utf-8")
     with pytest.raises(InvalidInput, match="reads collisions-lab/published version 1"):
-        files.read_published(tmp_path / "published.json")
+        row_files.read_published(tmp_path / "published.json")
     with pytest.raises(InvalidInput, match="reads collisions-lab/rows version 1"):
-        files.read_rows(folder / "published.json")
+        row_files.read_rows(folder / "published.json")
 
 
 def test_figures_are_labelled_with_what_they_belong_to_and_their_unit(results):

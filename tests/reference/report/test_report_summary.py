@@ -8,10 +8,13 @@ import math
 import pytest
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Row, Verdict
-from reference.comparison.results import Errors, Job, JobResult
-from reference.report import summary
-from reference.report.summary import LEGEND, MARKS, Cell, Line, Section, columns, sections, verdict_line
+from reference.comparison.convergence import Errors
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
+from reference.report import row_text
+from reference.report.marks import LEGEND, MARKS
+from reference.report.overview import columns, verdict_line
+from reference.report.sections import Cell, Line, Section, sections
 
 REST = catalogue()["ball-to-rest"]
 WORST_FIRST = (
@@ -112,21 +115,21 @@ def test_a_yes_or_no_has_no_error():
 
 
 def test_an_error_is_in_percent_where_there_is_a_scale_that_is_not_zero_and_in_its_unit_elsewhere():
-    assert summary.error_of(row(measured=1.02)) == "+2 %"
-    assert summary.error_of(row(measured=1.02, scale=4.0)) == "+0.5 %"
-    assert summary.error_of(row(measured=1.02, scale=None)) == "+20 ms"
-    assert summary.error_of(row(measured=1e-3, expected=0.0, scale=0.0)) == "+1 ms"
-    assert summary.error_of(row(Verdict.SHOWN, -0.02)) == "20 ms"
-    assert summary.error_of(row(Verdict.FAIL, None)) == ""
+    assert row_text.error_of(row(measured=1.02)) == "+2 %"
+    assert row_text.error_of(row(measured=1.02, scale=4.0)) == "+0.5 %"
+    assert row_text.error_of(row(measured=1.02, scale=None)) == "+20 ms"
+    assert row_text.error_of(row(measured=1e-3, expected=0.0, scale=0.0)) == "+1 ms"
+    assert row_text.error_of(row(Verdict.SHOWN, -0.02)) == "20 ms"
+    assert row_text.error_of(row(Verdict.FAIL, None)) == ""
 
 
 def test_what_is_left_of_a_known_deviation_is_the_error_without_the_shift_and_without_a_sign():
     known = row(Verdict.KNOWN_DEVIATION, 1.29, shift=0.3)
-    assert summary.left_of(known) == "1 %"
+    assert row_text.left_of(known) == "1 %"
     assert Cell((row(), known)).left == "left 1 %"
     in_its_unit = row(Verdict.KNOWN_DEVIATION, 1.31, shift=0.3, scale=None)
     assert Cell((in_its_unit,)).left == "left 10 ms"
-    assert summary.left_of(row(Verdict.CRASHED, None)) == ""
+    assert row_text.left_of(row(Verdict.CRASHED, None)) == ""
 
 
 def test_what_is_left_is_that_of_the_largest_known_deviation():

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import Job, JobResult
-from reference.report.summary import sections
-from reference.report.worst import furthest_from_theory, nearest_to_fail
+from reference.comparison.verdicts import Row, Verdict
+from reference.report.sections import sections
+from reference.report.worst_first import furthest_from_theory, nearest_to_fail
 
 
 def row(measured: float, verdict: Verdict = Verdict.PASS, profile: str = "tuned", **more) -> Row:

@@ -14,10 +14,11 @@ from rich.console import Console
 
 from reference import lecture
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Row, Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
-from reference.report.summary import LEGEND, MARKS, sections
+from reference.report.marks import LEGEND, MARKS
+from reference.report.sections import sections
 from reference.report.terminal import print_comparison
 from reference.running.study import run_job
 

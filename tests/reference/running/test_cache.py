@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row, Verdict
 from reference.running import cache, sources
 from reference.running.cache import Cache, default_folder, key_of
 from reference.running.jobs import recall, run_all, run_one

@@ -246,7 +246,7 @@ def test_a_job_that_is_interrupted_half_way_takes_its_worker_with_it(monkeypatch
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(isolate, "_read", interrupt)
+        patched.setattr(isolate, "read_message", interrupt)
         with pytest.raises(KeyboardInterrupt):
             work("1 + 1")
     assert not alive(before)
@@ -302,7 +302,7 @@ def test_stopping_ends_a_busy_worker_and_its_job_says_so_at_once(tmp_path, caplo
 
 
 def test_a_worker_that_is_stopped_while_it_hands_in_its_answer_takes_no_other_job(monkeypatch):
-    before, answered = worker_pid(), isolate._read
+    before, answered = worker_pid(), isolate.read_message
 
     def stopped_just_then(stream):
         answer = answered(stream)
@@ -310,7 +310,7 @@ def test_a_worker_that_is_stopped_while_it_hands_in_its_answer_takes_no_other_jo
         return answer
 
     with monkeypatch.context() as patched:
-        patched.setattr(isolate, "_read", stopped_just_then)
+        patched.setattr(isolate, "read_message", stopped_just_then)
         assert work("1 + 1") == 2
     assert isolate._workers == set()
     assert not alive(before)

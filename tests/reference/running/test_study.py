@@ -21,16 +21,17 @@ import numpy as np
 import pytest
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Verdict
+from reference.comparison.convergence import order_of
 from reference.comparison.curves import Series
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput, UnknownName
-from reference.recording import reading
+from reference.recording import files
 from reference.running import isolate
 from reference.running.isolate import stop_workers
 from reference.running.jobs import run_all, run_one
-from reference.running.study import SCENARIOS, longest_first, order_of, plan, run_job
+from reference.running.study import SCENARIOS, longest_first, plan, run_job
 
 DROPPED, SLIDING = catalogue()["dropped-ball"], catalogue()["sliding-slab"]
 GOOD = Job("sliding-slab", "handwritten", "tuned", ("μ=0.7,v=1",))
@@ -394,14 +395,14 @@ def test_a_worker_that_was_given_up_leaves_no_trace_in_the_next_job(tmp_path):
 
 
 def test_results_come_as_they_are_ready(tmp_path):
-    told = tmp_path / "told"
-    body = f"while not os.path.exists({str(told)!r}): time.sleep(0.01)\nos._exit(0)"
-    waiting = Job("dropped-ball", engine_file(tmp_path, "waiting", body), "tuned", ("e=0.5",))
+    first, order = tmp_path / "first", []
+    body = f"while not os.path.exists({str(first)!r}): time.sleep(0.01)\nos._exit(0)"
+    slow = Job("dropped-ball", engine_file(tmp_path, "slow", body), "tuned", ("e=0.5",))
     with ThreadPoolExecutor(2) as executor:
-        results = run_all([waiting, GOOD], SCENARIOS, executor, ENOUGH)
-        assert next(results).job == GOOD
-        told.touch()
-        assert [result.job for result in results] == [waiting]
+        for result in run_all([slow, GOOD], SCENARIOS, executor, ENOUGH):
+            order.append(result.job)
+            first.touch()  # the slow job ends only once another result has come
+    assert order == [GOOD, slow]
 
 
 def test_jobs_that_nobody_waits_for_any_more_are_not_started():
@@ -598,7 +599,7 @@ def test_an_engine_that_cannot_be_imported_answers_from_its_recording_or_says_ho
     job = Job("dropped-ball", name, "tuned", ("e=0.5",))
     try:
         recorded = run_one(job, SCENARIOS, ENOUGH)
-        monkeypatch.setattr(reading, "FOLDER", tmp_path)  # nothing of the kind
+        monkeypatch.setattr(files, "FOLDER", tmp_path)  # nothing of the kind
         (without,) = run_one(job, SCENARIOS, ENOUGH).rows
     finally:
         stop_workers()

@@ -10,8 +10,8 @@ from clips import BALL, EVIL, bouncing, chain, three_engines
 from numpy.testing import assert_allclose
 
 from reference.viewer import page
-from reference.viewer.assembly import clip
 from reference.viewer.clip import TURN
+from reference.viewer.clip_making import clip
 
 pytestmark = [needs_browser, pytest.mark.slow]
 

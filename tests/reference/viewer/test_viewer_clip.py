@@ -12,12 +12,12 @@ from numpy.testing import assert_allclose
 
 from reference.errors import InvalidInput, UnknownName
 from reference.scene.scenario import Box, HalfSpace, Sphere
-from reference.viewer.assembly import clip, mesh_clip
 from reference.viewer.camera import OBLIQUE, basis
 from reference.viewer.clip import DASHES, FINENESS, LOOKS, STEP, TURN, Clip, Run, Solid
-from reference.viewer.framing import framed
+from reference.viewer.clip_making import clip, mesh_clip
 from reference.viewer.packing import packed
 from reference.viewer.page import html
+from reference.viewer.picture_bounds import framed
 from reference.viewer.poses import Poses
 from reference.viewer.shapes import Capsule, Convex, faces_of, vertices_of, written
 

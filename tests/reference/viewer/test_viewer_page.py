@@ -20,13 +20,13 @@ from reference.recording.reading import recall
 from reference.report import files
 from reference.report import page as report_page
 from reference.report.replays import replay_of
-from reference.report.summary import sections
+from reference.report.sections import sections
 from reference.running.study import run_job
 from reference.scene.scenario import Box
 from reference.viewer import page
-from reference.viewer.assembly import clip
 from reference.viewer.clip import DASHES, Clip, Run, Solid
-from reference.viewer.framing import framed
+from reference.viewer.clip_making import clip
+from reference.viewer.picture_bounds import framed
 from reference.viewer.shapes import Capsule
 from reference.viewer.still import still
 

@@ -9,7 +9,7 @@ from reference.errors import CollisionsError
 
 
 def main(arguments: list[str]) -> int:
-    """Run the command; 1 where `--check` finds something stale, 2 where the bank or the probes have to be mended."""
+    """Run the command; returns 1 if `--check` finds something stale, 2 if the bank or the probes have to be mended."""
     if arguments not in ([], ["--check"]):
         print("usage: python -m labs.grading.diagnosis.fingerprints [--check]")
         return 2

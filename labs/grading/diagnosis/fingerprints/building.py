@@ -1,4 +1,4 @@
-"""Making the files of fingerprints from an implementation that is right and a bank of wrong ones."""
+"""Makes the files of fingerprints from an implementation that is right and a bank of wrong ones."""
 
 from __future__ import annotations
 
@@ -14,11 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.diagnosis.bank import Misconception, read_bank
-from labs.grading.diagnosis.fingerprints.inheriting import inherited
+from labs.grading.diagnosis.deviations import Deviation, Right, ask, deviation_of, outputs
+from labs.grading.diagnosis.fingerprints.inherited_mistakes import inherited
 from labs.grading.diagnosis.fingerprints.reading import BETWEEN, FOLDER, SCHEMA, VERSION, known, read
-from labs.grading.diagnosis.marks import Array, Mark, Right, ask, mark, outputs
+from labs.grading.diagnosis.misconceptions import Misconception, read_bank
 from labs.grading.diagnosis.probes import Probe, probed, probes
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput
 
@@ -27,6 +28,11 @@ NUDGE = 2e-7
 JUMP = 1e4
 """An output that moves by more than this many times its size is on an edge: there the scale is its size."""
 DIGITS = 9
+"""Significant digits of the numbers in the files."""
+SMALLEST_SIZE = 1e-3
+"""An output of zeros is judged as one of this size when it is asked whether the probe is on an edge."""
+HEADROOM = 0.9
+"""Sizes of cases made by hand are powers of two; times this, their rounding cannot change the scale's power of two."""
 Content = dict[str, Any]
 
 
@@ -52,8 +58,8 @@ def build(
     Raises
     ------
     InvalidInput
-        If an entry of the bank is right on every probe, or two of them are as far off on all: they are one mistake, or
-        the probes are too few to tell them apart.
+        If an entry of the bank is right on every probe, or two entries deviate equally on all probes: either they are
+        one mistake, or the probes are too few to tell them apart.
     """
     right, table = implementation or Implementation("solutions"), tuple(read_bank() if bank is None else bank)
     content: dict[str, Content] = {}
@@ -74,12 +80,12 @@ def learned(
     bank: list[Misconception],
     earlier: Mapping[str, tuple[Callable[..., Any], Sequence[Misconception]]] | None = None,
 ) -> Content:
-    """What is known of one function, as the file holds it; raises as `build`."""
+    """What is known of one function, as the file holds it; raises what `build` raises."""
     cases = probes(name)
     answers = [None if probe.group == "refused" else right_answer(right, probe) for probe in cases]
-    marks = {entry.name: marks_of(entry.formula, name, cases, answers) for entry in bank}
-    _tell_apart(name, marks)
-    through = inherited(name, right, earlier or {}, cases, answers, list(marks.values()), marks_of)
+    deviations = {entry.name: deviations_of(entry.formula, name, cases, answers) for entry in bank}
+    _tell_apart(name, deviations)
+    through = inherited(name, right, earlier or {}, cases, answers, list(deviations.values()), deviations_of)
     return {
         "parameters": list(inspect.signature(right).parameters),
         "right": [answer and _kept(answer) for answer in answers],
@@ -87,7 +93,7 @@ def learned(
             entry.name: {
                 "rationale": entry.rationale,
                 "help": entry.help,
-                "marks": _short(marks[entry.name]),
+                "deviations": _short(deviations[entry.name]),
             }
             for entry in bank
         },
@@ -95,25 +101,25 @@ def learned(
     }
 
 
-def marks_of(
+def deviations_of(
     formula: Callable[..., Any], name: str, cases: Iterable[Probe], answers: Iterable[Right | None]
-) -> list[Mark]:
-    """How far a formula is from right on each probe that has a right answer."""
+) -> list[Deviation]:
+    """The deviation of a formula on each probe that has a right answer."""
     pairs = [(probe, answer) for probe, answer in zip(cases, answers, strict=True) if answer]
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         said = ask(lambda _, *arguments: formula(*arguments), name, [probe for probe, _ in pairs])
-    return [mark(answer, right) for answer, (_, right) in zip(said, pairs, strict=True)]
+    return [deviation_of(answer, right) for answer, (_, right) in zip(said, pairs, strict=True)]
 
 
-def _tell_apart(name: str, marks: Mapping[str, list[Mark]]) -> None:
-    for entry, own in marks.items():
+def _tell_apart(name: str, deviations: Mapping[str, list[Deviation]]) -> None:
+    for entry, own in deviations.items():
         if all(known.right for known in own):
             raise InvalidInput(f"{name}/{entry} is right on every probe; drop it, or add a probe that shows it")
         if all(known.failure for known in own):
             raise InvalidInput(f"{name}/{entry} fails on every probe: its formula is broken")
-    for first, second in itertools.combinations(marks, 2):
-        if all(a.agrees(b) for a, b in zip(marks[first], marks[second], strict=True)):
+    for first, second in itertools.combinations(deviations, 2):
+        if all(a.agrees(b) for a, b in zip(deviations[first], deviations[second], strict=True)):
             raise InvalidInput(f"{name}/{first} and {name}/{second} give the same numbers; merge them or add a probe")
 
 
@@ -133,7 +139,7 @@ def right_answer(function: Callable[..., Any], probe: Probe) -> Right:
 
 def _beside(function: Callable[..., Any], probe: Probe) -> Iterator[Any]:
     for seed in range(2):
-        with contextlib.suppress(ValueError):  # nudged past a limit, such as two equal coefficients of friction
+        with contextlib.suppress(ValueError):  # nudged beyond a limit, such as two equal coefficients of friction
             yield function(*_nudged(probe.arguments, seed))
 
 
@@ -143,9 +149,8 @@ def _scale(array: Array, moved: list[Array]) -> float:
     with np.errstate(invalid="ignore"):
         shifts = np.array([np.max(np.nan_to_num(np.abs(other - array), nan=0.0), initial=0.0) for other in moved])
     reach = float(np.max(shifts, initial=0.0)) / NUDGE
-    scale = max(size, reach) if reach <= JUMP * max(size, 1e-3) else size
-    # A power of two, so that two machines agree on it; by 0.9, as the sizes of cases made by hand are such powers.
-    return float(2.0 ** math.ceil(math.log2(0.9 * scale))) if scale else 1.0
+    scale = max(size, reach) if reach <= JUMP * max(size, SMALLEST_SIZE) else size
+    return float(2.0 ** math.ceil(math.log2(HEADROOM * scale))) if scale else 1.0  # a power: two machines agree on it
 
 
 def _nudged(value: Any, seed: int) -> Any:
@@ -165,8 +170,8 @@ def _nudged(value: Any, seed: int) -> Any:
 # The files
 
 
-def _short(marks: Iterable[Mark]) -> list[Any]:
-    return [known.failure or _digits(known.deviation) for known in marks]
+def _short(deviations: Iterable[Deviation]) -> list[Any]:
+    return [each.failure or _digits(each.total) for each in deviations]
 
 
 def _kept(answer: Right) -> list[list[Any]]:

@@ -1,4 +1,4 @@
-"""Reading the files of fingerprints."""
+"""Reads the files of fingerprints."""
 
 from __future__ import annotations
 
@@ -11,27 +11,27 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.diagnosis.marks import Mark, Right
+from labs.grading.diagnosis.deviations import Deviation, Right
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 
-SCHEMA, VERSION = "collisions-lab/fingerprints", 1
+SCHEMA, VERSION = "collisions-lab/fingerprints", 2
 FOLDER = Path(__file__).parent
 BETWEEN = " | "
-"""Between the ids of mistakes that another function inherits alike."""
+"""Separates the ids of mistakes that give another function the same inherited deviations."""
 
 
 @dataclass(frozen=True)
 class Known:
-    """One known mistake without its formula: its marks, one a probe, and its texts.
+    """One known mistake without its formula: its deviations, one per probe, and its texts.
 
-    origins: the ids of the mistakes that it may come from, where it lies in another function that this one uses.
+    origins: the ids of the mistakes that it may come from, if it lies in another function that this one uses.
     """
 
     id: str
     rationale: str
     help: str
-    marks: tuple[Mark, ...]
+    deviations: tuple[Deviation, ...]
     origins: tuple[str, ...] = ()
 
 
@@ -39,7 +39,7 @@ class Known:
 class Knowledge:
     """What is known of one function: the names of its parameters, the right answers, and the mistakes.
 
-    right: one entry a probe; None where bad input is to be refused.
+    right: one entry per probe; None if the input is bad and has to be refused.
     """
 
     function: str
@@ -57,7 +57,7 @@ def known(function: str) -> Knowledge:
     UnknownName
         If the lecture has no such function or there are no fingerprints of it.
     InvalidInput
-        If the file is not one of fingerprints, or of another version.
+        If the file does not hold fingerprints, or is of another version.
     """
     topic = lecture.function(function).topic
     path = FOLDER / f"{topic}.json"
@@ -69,33 +69,33 @@ def known(function: str) -> Knowledge:
 
 @functools.cache
 def read(path: Path) -> Mapping[str, Any]:
-    """The content of a file; refuse what is none of ours."""
+    """The content of a file; refuses files that are not ours."""
     content: Mapping[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     found = content.get("schema"), content.get("version")
     if found != (SCHEMA, VERSION):
-        raise InvalidInput(f"{path.name} is {found[0]} {found[1]}, not {SCHEMA} {VERSION}; make the fingerprints anew")
+        raise InvalidInput(f"{path.name} is {found[0]} {found[1]}, not {SCHEMA} {VERSION}; make the fingerprints again")
     return content
 
 
 def _knowledge(function: str, entry: Mapping[str, Any]) -> Knowledge:
     right = tuple(None if answer is None else _right(answer) for answer in entry["right"])
     own = tuple(
-        Known(f"{function}/{name}", text["rationale"], text["help"], tuple(map(_mark, text["marks"])))
+        Known(f"{function}/{name}", text["rationale"], text["help"], tuple(map(_deviation, text["deviations"])))
         for name, text in entry["mistakes"].items()
     )
-    others = tuple(_inherited(function, ids, marks) for ids, marks in entry["inherited"].items())
+    others = tuple(_inherited(function, ids, deviations) for ids, deviations in entry["inherited"].items())
     return Knowledge(function, tuple(entry["parameters"]), right, own + others)
 
 
-def _inherited(function: str, ids: str, marks: list[Any]) -> Known:
-    """A mistake of a function that is right itself; its texts are those of where it comes from."""
+def _inherited(function: str, ids: str, deviations: list[Any]) -> Known:
+    """A mistake of a function that is right itself; its texts are those of the mistakes that it may come from."""
     origins = tuple(ids.split(BETWEEN))
     texts = [_own(*origin.split("/", 1)) for origin in origins]
     names = " or ".join(dict.fromkeys(origin.split("/")[0] for origin in origins))
     rationale = f"It answers as if it were right itself and used a wrong {names}: " + " Or: ".join(
         text["rationale"] for text in texts
     )
-    return Known(f"{function} < {ids}", rationale, texts[0]["help"], tuple(map(_mark, marks)), origins)
+    return Known(f"{function} < {ids}", rationale, texts[0]["help"], tuple(map(_deviation, deviations)), origins)
 
 
 def _own(function: str, name: str) -> Mapping[str, str]:
@@ -109,7 +109,7 @@ def _right(answer: list[list[Any]]) -> Right:
     return Right(arrays, tuple(scale for *_, scale in answer))
 
 
-def _mark(number: Any) -> Mark:
+def _deviation(number: Any) -> Deviation:
     if isinstance(number, str):
-        return Mark(failure=number)  # type: ignore[arg-type]
-    return Mark(number, abs(number))
+        return Deviation(failure=number)  # type: ignore[arg-type]
+    return Deviation(number, abs(number))  # the files keep no spread, which is at least this

@@ -1,7 +1,7 @@
 """Probes: inputs on which a submission's numbers are compared with the right ones and with those of known mistakes.
 
-They are open, carry no points and echo freely: what is paid for is tested on other inputs. A topic's probes are in the
-module of its name.
+Students may see them, and they carry no points: the tests that give points use other inputs. The probes of a topic are
+in the module of its name.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import contextlib
 import functools
 import importlib.util
 
-from labs.grading.diagnosis.probes.making import GROUPS, Group, Probe
+from labs.grading.diagnosis.probes.probe import GROUPS, Group, Probe
 from reference import lecture
 from reference.errors import UnknownName
 

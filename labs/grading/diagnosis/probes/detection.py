@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from labs.grading.diagnosis.probes.making import YES_OR_NO, Draw, Probe, edge, made, refused, usual
+from labs.grading.diagnosis.probes.probe import YES_OR_NO, Draw, Probe, edge, made, refused, usual
 
 UP = [0.0, 0.0, 1.0]
 

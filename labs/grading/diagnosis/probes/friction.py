@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from labs.grading.diagnosis.probes import friction_impacts
-from labs.grading.diagnosis.probes.making import YES_OR_NO, Draw, Probe, edge, made, refused, usual
+from labs.grading.diagnosis.probes.probe import YES_OR_NO, Draw, Probe, edge, made, refused, usual
 
 UP, LEANS, REST = [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 INFINITY = float("inf")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from labs.grading.diagnosis.probes.making import Draw, Probe, edge, made, refused, usual
+from labs.grading.diagnosis.probes.probe import Draw, Probe, edge, made, refused, usual
 
 UP, LEANS, WALL = [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [-0.6, 0.8, 0.0]
 REST, FALL = [0.0, 0.0, 0.0], [0.0, 0.0, -9.81]

@@ -1,4 +1,4 @@
-"""What is made of a process's answers, forged ones too, and how long it is waited for."""
+"""What becomes of a process's answers, forged ones too, and how long it is waited for."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from stand_ins import LOADED, PATIENT, SEALED, Scripted, begun, value
 
 from labs.grading.calling import calls
 from labs.grading.calling.calls import Call, Patience
-from labs.grading.calling.processes import Ended, Limits
+from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Remote
 from labs.grading.errors import (
     FunctionMissing,
@@ -29,42 +30,6 @@ from labs.grading.worker import messages
 from labs.grading.worker.tier import Tier
 from reference.errors import InvalidInput, NeedsFunction
 
-PATIENT = Limits(printed=50)
-
-
-class Scripted:
-    """In place of a test's process: says what it is told to, whatever it is asked."""
-
-    number = 0
-
-    def __init__(self, *said: object) -> None:
-        self._said = list(said)
-        self.asked: list[object] = []
-        self.sent: list[bytes] = []
-        self.waits: list[float] = []
-        self.over = False
-
-    def start(self, limits: Limits) -> Scripted:
-        return self
-
-    def send(self, message: bytes, seconds: float) -> None:
-        self.sent.append(message)
-
-    def exchange(self, message: bytes, seconds: float) -> bytes:
-        self.asked.append(messages.unpack(message[messages.HEADER :]) if message else None)
-        self.waits.append(seconds)
-        said = self._said.pop(0)
-        if isinstance(said, Exception):
-            raise said
-        return messages.pack(said)[messages.HEADER :]
-
-    gone, ended = False, Ended(3)
-
-    def end(self, process: object = None) -> None:
-        self.over = True
-
-
-SEALED, LOADED = ("sealed", 3, []), ("loaded", ["f"], [])
 PAIR = np.zeros(2)  # compared with anything, it is neither true nor false
 
 
@@ -113,18 +78,6 @@ def test_a_submission_that_forges_its_own_loading_cannot_be_called(forged):
 
 
 # In the order of a call's life
-
-
-def begun(*said, limits=PATIENT, patience=10.0, loaded=LOADED, text=""):
-    """A call whose process has loaded, and then says this."""
-    process = Scripted(SEALED, loaded, *said)
-    call = Call(Submission("lab.py", text), limits, Patience(patience), contextlib.nullcontext)
-    assert call.begin(process, Tier.NETWORK) is None
-    return call, process
-
-
-def value(number, found, changed=(), printed=""):
-    return "answer", number, "value", 0.0, list(changed), found, printed
 
 
 def test_the_text_is_sent_once_and_a_call_by_its_number_name_and_arguments():
@@ -201,83 +154,10 @@ def test_a_submission_that_could_not_be_loaded_says_so_whatever_is_asked_or_fore
 # Foreseen
 
 
-def numbers_sent(process):
-    return [messages.unpack(each)[1:3] for each in split(process.sent[-1])]
-
-
-def split(requests):
-    found = []
-    while requests:
-        end = messages.HEADER + messages.length(requests[: messages.HEADER])
-        found.append(requests[messages.HEADER : end])
-        requests = requests[end:]
-    return found
-
-
-def test_foreseen_calls_go_out_together_and_only_their_answers_are_waited_for():
-    several = [(1.0,), (2.0,), (3.0,)]
-    call, process = begun(*(value(number, 10.0 * number) for number in range(1, 5)))
-    call.foresee("f", several)
-    assert numbers_sent(process) == [(1, "f"), (2, "f"), (3, "f")]
-    assert [call("f", *each) for each in several] == [10.0, 20.0, 30.0]
-    assert process.asked[2:] == [None] * 3
-    assert call("f", 4.0) == 40.0
-    assert process.asked[-1] == ("call", 4, "f", (4.0,), [])
-
-
-@pytest.mark.parametrize(
-    "other",
-    [lambda call, x: call("g", x), lambda call, x: call("f", float("1.0")), lambda call, x: call("f", x, e=1.0),
-     lambda call, x: call("f", x, x), lambda call, x: call("f")],
-)  # fmt: skip
-def test_a_call_that_was_not_foreseen_never_gets_the_answer_to_one_that_was(other):
-    """Not even where the arguments are equal: they could have been written to meanwhile."""
-    x = float("1.0")
-    call, process = begun(value(1, 10.0), value(2, 20.0), value(3, 30.0))
-    call.foresee("f", [(x,), (x,)])
-    assert other(call, x) == 30.0
-    assert process.asked[2:4] == [None, None]
-    assert process.asked[4] is not None
-
-
-def test_a_forged_number_is_found_among_foreseen_answers_too():
-    call, _ = begun(value(2, 10.0))
-    several = [(1.0,), (2.0,)]
-    call.foresee("f", several)
-    with pytest.raises(NoAnswer):
-        call("f", *several[0])
-
-
-def test_no_more_is_sent_ahead_than_a_pipe_holds():
-    call, process = begun(*(value(number, 0.0) for number in (1, 2, 3, 5, 6, 7)))  # 4 was too long
-    several = [(np.zeros(1000),) for _ in range(6)]  # some 10 700 bytes each
-    call.foresee("f", several)
-    assert len(split(process.sent[-1])) == 3
-    assert len(process.sent[-1]) <= calls._AHEAD < len(process.sent[-1]) * 4 / 3
-    assert [call("f", *each) for each in several] == [0.0] * 6
-    assert [each is None for each in process.asked[2:]] == [True] * 3 + [False] * 3
-
-
-def test_nothing_is_foreseen_twice_or_once_the_process_is_lost():
-    call, process = begun(value(1, 0.0), value(9, 0.0))
-    call.foresee("f", several := [(1.0,)])
-    call.foresee("f", [(2.0,)])
-    assert len(process.sent) == 2
-    assert call("f", *several[0]) == 0.0
-    with pytest.raises(NoAnswer):
-        call("f", 3.0)
-    assert process.over
-    call.foresee("f", [(4.0,)])
-    assert len(process.sent) == 2
-
-
 def test_a_call_that_cannot_be_sent_is_the_callers_mistake():
     call, _ = begun()
     with pytest.raises(InvalidInput, match="f cannot be called with an object of type"):
         call("f", object())
-
-
-# Time
 
 
 @pytest.fixture
@@ -297,6 +177,9 @@ def slow(process, clock, seconds):
         return exchange(message, allowed)
 
     process.exchange = later
+
+
+# Time
 
 
 def test_the_limits_are_those_of_the_page_on_grading():

@@ -9,9 +9,9 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from labs.grading.diagnosis.bank import Misconception
-from labs.grading.diagnosis.fingerprints.building import marks_of, right_answer
-from labs.grading.diagnosis.fingerprints.inheriting import inherited, replaced, uses
+from labs.grading.diagnosis.fingerprints.building import deviations_of, right_answer
+from labs.grading.diagnosis.fingerprints.inherited_mistakes import inherited, replaced, uses
+from labs.grading.diagnosis.misconceptions import Misconception
 from labs.grading.diagnosis.probes import Probe
 
 CODE = """
@@ -50,14 +50,16 @@ BANK = [
 
 def found_for(function, earlier, own=()):
     answers = [None if probe.group == "refused" else right_answer(function, probe) for probe in PROBES]
-    marks = [marks_of(formula, "f", PROBES, answers) for formula in own]
-    return inherited("f", function, earlier, PROBES, answers, marks, marks_of)
+    deviations = [deviations_of(formula, "f", PROBES, answers) for formula in own]
+    return inherited("f", function, earlier, PROBES, answers, deviations, deviations_of)
 
 
 def test_every_mistake_of_what_it_uses_is_inherited_once_with_all_where_it_may_come_from(made_up):
     found = found_for(made_up.outer, {"inner": (made_up.inner, BANK)}, [lambda x: 2.0 * x])
     assert [ids for ids, _ in found] == [["inner/three times", "inner/again"], ["inner/four times"]]
-    np.testing.assert_allclose([mark.deviation for mark in found[1][1]], [2 * mark.deviation for mark in found[0][1]])
+    np.testing.assert_allclose(
+        [deviation.total for deviation in found[1][1]], [2 * deviation.total for deviation in found[0][1]]
+    )
     assert len(found[0][1]) == 3  # nothing of what is to be refused
     assert made_up.outer(1.0) == 3.0
 

@@ -10,14 +10,14 @@ import pytest
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader
 from labs.grading.diagnosis.findings import Diagnosis
-from labs.grading.diagnosis.naming import diagnose
-from labs.grading.diagnosis.probes.making import Draw
+from labs.grading.diagnosis.probes.probe import Draw
+from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.feedback import report
 from labs.grading.feedback.error_advice import Advice, advice
 from labs.grading.judging import pytest_run
 from labs.grading.judging.examples import Examples
-from labs.grading.judging.sheet import Outcome, Sheet
+from labs.grading.judging.score_sheet import Outcome, Sheet
 
 RELATIVE = "import numpy as np\n\ndef relative_velocity(a, b):\n    return np.asarray(a) - b\n"
 TURNED = RELATIVE.replace("np.asarray(a) - b", "np.asarray(b) - a")
@@ -72,7 +72,7 @@ def test_what_it_calls_costs_no_points(tmp_path, grader):
 
 
 def test_of_a_call_that_never_comes_back_the_function_that_hangs_is_named(tmp_path, grader):
-    endless = "def relative_velocity(a, b):\n    while True:\n        pass\n\nimport numpy as np\n" + NORMAL
+    endless = "import numpy as np, time\ndef relative_velocity(a, b):\n    while True: time.sleep(0.01)\n" + NORMAL
     text = checked(tmp_path, grader, endless, "normal_velocity")
     assert "✗ normal_velocity It calls your relative_velocity, which gave no answer in time: mend that first." in text
     assert text.count("gave no answer within") == 1

@@ -104,10 +104,10 @@ def test_a_file_that_may_be_read_cannot_be_emptied_where_landlock_is_old(tmp_pat
     (tmp_path / "module.py").write_text("1")
     code = """
 import os, sys
-from labs.grading.worker import landlock, seccomp, system
+from labs.grading.worker import landlock, seccomp, system_calls
 landlock.version = lambda: min(version, 2)
-version = int(system.syscall(444, None, 0, 1))
-system.prctl(system.NO_NEW_PRIVILEGES, 1)
+version = int(system_calls.syscall(444, None, 0, 1))
+system_calls.prctl(system_calls.NO_NEW_PRIVILEGES, 1)
 landlock.restrict(landlock.ruleset([sys.argv[1]]))
 if sys.argv[2] == "filter":
     seccomp.restrict(files=True)
@@ -132,12 +132,12 @@ def test_landlock_seals_files_with_every_version_of_its_interface(tmp_path):
     (tmp_path / "secret").write_text("2")
     code = """
 import json, os, sys
-from labs.grading.worker import landlock, system
+from labs.grading.worker import landlock, system_calls
 folder, known, told = sys.argv[1], landlock.version(), {}
 for version in range(1, known + 1):
     if os.fork() == 0:
         landlock.version = lambda: version
-        system.prctl(system.NO_NEW_PRIVILEGES, 1)
+        system_calls.prctl(system_calls.NO_NEW_PRIVILEGES, 1)
         landlock.restrict(landlock.ruleset([folder + "/readable", folder + "/missing"]))
         done = []
         for path, mode in (("readable/file", "r"), ("secret", "r"), ("secret", "w"), ("readable/new", "w")):

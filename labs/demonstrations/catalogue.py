@@ -1,0 +1,264 @@
+"""The demonstrations for a lecture, as plain data; `demonstration.py` says what each field means."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+from labs.demonstrations.demonstration import Demonstration, Profiles
+from labs.demonstrations.lesson import Error, IfKnown, Line, Listed, Magnitude, Measured, Predicted, Theory
+from reference.catalogue.scenarios import bouncing_ball, friction, stacks, tipping_box, tunnelling
+from reference.errors import UnknownName
+
+ENGINES: Profiles = {engine: {"tuned": "", "stock": ""} for engine in ("pybullet", "mujoco")}
+STEPPED: Profiles = {"handwritten": {"tuned": "exact", "stock": "at the step"}, **ENGINES}
+WORLD: Profiles = {"handwritten": {"tuned": ""}, **ENGINES}
+_KEPT = 0.8
+"""Restitution of the ball that bounces."""
+_SPEED = 20.0
+"""Speed of the balls that are shot at the wall, m/s."""
+_HALF_HEIGHT = 0.2
+"""Half the height of the box on the slope, m."""
+
+
+def find(name: str) -> Demonstration:
+    """Return the demonstration of that name.
+
+    Raises
+    ------
+    UnknownName
+        If there is none.
+    """
+    known = {demonstration.name: demonstration for demonstration in DEMONSTRATIONS}
+    if name not in known:
+        raise UnknownName("demonstration", name, known)
+    return known[name]
+
+
+BOUNCE = Demonstration(
+    name="bounce",
+    title="A bouncing ball",
+    question=f"A ball falls {bouncing_ball.DROP_HEIGHT:g} m and keeps {_KEPT:g} of its speed at every impact. What will"
+    " happen: does it bounce for ever, or does it come to rest? When?",
+    look="Look at who stops first, and at who never leaves the floor.",
+    lesson=(
+        Line("Infinitely many bounces, each shorter than the last, end after ", Theory("rest_time"), "."),
+        Line(
+            "A step method misses the last ones: hand-written, at the step, ",
+            Error("handwritten", "stock", "rest_time"),
+            ".",
+        ),
+        Line(
+            "Stock: ",
+            Listed(
+                IfKnown("PyBullet rests at ", Measured("pybullet", "stock", "rest_time"), " (contact too early)"),
+                IfKnown("MuJoCo ", Measured("mujoco", "stock", "rest_time"), " (no e)"),
+            ),
+            ".",
+        ),
+    ),
+    family="ball-to-rest",
+    cases={f"e = {_KEPT:g}": f"e={_KEPT:g}"},
+    profiles={**STEPPED, "handwritten": {"tuned": "exact", "slide": "the slide's T", "stock": "at the step"}},
+    quantity="rest_time",
+    heading="time of rest",
+)
+
+STOP = Demonstration(
+    name="stop",
+    title="A slab slides to a stop",
+    question="A slab slides over the floor at 2 m/s, with μ = 0.4, at 30° to the axes. What will happen: how far does"
+    " it go, and does its direction matter?",
+    look="Look at where each curve becomes level, and at how far aside the slab has gone.",
+    lesson=(
+        Line("v²/(2 μ g) = ", Theory("stopping_distance"), ", whatever the mass and the direction."),
+        Line(
+            "A step method stops v dt/2 short: ",
+            Listed(
+                IfKnown(Error("handwritten", "stock", "stopping_distance"), " at the step"),
+                IfKnown(Error("pybullet", "tuned", "stopping_distance"), " in PyBullet"),
+            ),
+            ".",
+        ),
+        Line(
+            "Stock: ",
+            Listed(
+                IfKnown("PyBullet ", Error("pybullet", "stock", "stopping_distance"), " (damping)"),
+                IfKnown("MuJoCo ", Error("mujoco", "stock", "stopping_distance"), " (pyramid for friction cone)"),
+            ),
+            ".",
+        ),
+    ),
+    family="sliding-slab",
+    cases={"μ = 0.4, 2 m/s, 30°": "μ=0.4,v=2,heading=30°"},
+    profiles=STEPPED,
+    quantity="stopping_distance",
+    heading="distance",
+    beside={"sideways": "aside"},
+)
+
+STACK = Demonstration(
+    name="stack",
+    title="A stack of ten boxes",
+    question=f"Ten boxes stand on each other and nobody touches them. What will happen in {stacks.STANDING:g} seconds?",
+    look="Look at the top box: how far does it sink, and does it stay there?",
+    lesson=(
+        Line(
+            "Nothing should move. Tuned, the top does: ",
+            Listed(
+                IfKnown(Magnitude("pybullet", "tuned", "height"), " in PyBullet"),
+                IfKnown(Magnitude("mujoco", "tuned", "height"), " in MuJoCo"),
+            ),
+            ".",
+        ),
+        Line(
+            "Stock PyBullet gives its solver too few passes: a box drifts by ",
+            Magnitude("pybullet", "stock", "drift"),
+            ".",
+        ),
+        Line(
+            "Stock MuJoCo has soft contacts: the top sinks by ",
+            Magnitude("mujoco", "stock", "height"),
+            ", at once.",
+        ),
+    ),
+    family="stack",
+    cases={"ten": "boxes=10"},
+    profiles=WORLD,
+    quantity="height",
+    heading="top moves",
+    beside={"drift": "drift aside"},
+)
+
+TUNNELLING = Demonstration(
+    name="tunnelling",
+    title="A fast ball and a thin wall",
+    question=f"A ball of {1000 * tunnelling.RADIUS:g} mm radius flies at {_SPEED:g} m/s at a solid wall"
+    f" {1000 * tunnelling.THICKNESS:g} mm thick. What will happen: does the wall stop it – every time?",
+    look="Look at the share of balls that pass the wall as the step grows; the line is the prediction.",
+    lesson=(
+        Line(f"A step moves the ball v dt; only on d/2 + r = {1000 * tunnelling.CAUGHT:g} mm can the wall stop it."),
+        Line(
+            "So 1 − (d/2 + r)/(v dt) pass: ",
+            Predicted("1/240 s"),
+            " at 1/240 s",
+            IfKnown("; PyBullet ", Measured("pybullet", "tuned", "passed", at="1/240 s")),
+            IfKnown(", MuJoCo ", Measured("mujoco", "tuned", "passed", at="1/240 s")),
+            ".",
+        ),
+        Line(
+            IfKnown(
+                "At 1 ms: ",
+                Listed(
+                    IfKnown("PyBullet ", Measured("pybullet", "tuned", "passed", at="1 ms")),
+                    IfKnown("MuJoCo ", Measured("mujoco", "tuned", "passed", at="1 ms")),
+                ),
+                ". ",
+            ),
+            "Cure: small steps",
+            IfKnown(", or a swept test: ", Measured("handwritten", "tuned", "passed", at="1/60 s")),
+            ".",
+        ),
+    ),
+    family="thin-wall",
+    cases={f"{_SPEED:g} m/s": f"v={_SPEED:g}"},
+    profiles={"handwritten": {"tuned": "swept"}, **{engine: {"tuned": ""} for engine in ENGINES}},
+    timesteps={"0.5 ms": 5e-4, "1 ms": 1e-3, "2 ms": 2e-3, "1/240 s": 1 / 240, "1/120 s": 1 / 120, "1/60 s": 1 / 60},
+    quantity="passed",
+    heading="balls that pass",
+    percent=True,
+    predicted=functools.partial(tunnelling.passing_share, _SPEED),
+)
+
+ROLL = Demonstration(
+    name="roll",
+    title="A ball that begins to roll",
+    question="A ball is set down at 2 m/s without spin, with μ = 0.1. What will happen: how fast is it in the end –"
+    " and would it be slower with more friction?",
+    look="Look at the kink, where sliding becomes rolling, and at what comes after it.",
+    lesson=(
+        Line("5/7 of the speed is left, ", Theory("rolling_speed"), ": about the floor friction has no moment."),
+        Line("So μ decides only when it rolls: from 2 v/(7 μ g) = ", Theory("rolling_start"), " on."),
+        Line(
+            "Stock PyBullet: ",
+            Error("pybullet", "stock", "rolling_speed"),
+            ", for its damping goes on when friction is done.",
+        ),
+    ),
+    family="sliding-ball",
+    cases={"μ = 0.1, 2 m/s": "μ=0.1,v=2"},
+    profiles=WORLD,
+    quantity="rolling_speed",
+    heading="final speed",
+    beside={"rolling_start": "rolls from"},
+)
+
+TIP = Demonstration(
+    name="tip",
+    title="A box on a slope",
+    question="A box, twice as high as wide, is set on a slope and let go: at 20° with much friction, at 20° with"
+    " little, and at 32° with much. What will happen each time: does it hold, slide or tip?",
+    look="Look at the lean of the box at 32°, and in the table at who disagrees.",
+    lesson=(
+        Line(
+            f"Where tan θ > b/h ({math.degrees(math.atan(tipping_box.HALF_WIDTH / _HALF_HEIGHT)):.0f}°) the weight"
+            " misses the base: it tips, if μ holds it."
+        ),
+        Line(
+            "Below that it slides where tan θ > μ: ",
+            Theory("way", at="20°, μ = 0.3"),
+            " in 1 s at 20° with μ = 0.3.",
+        ),
+        Line(
+            "Soft friction creeps: stock MuJoCo moves ",
+            Magnitude("mujoco", "stock", "way", at="20°, μ = 0.7"),
+            " where the box should hold.",
+        ),
+    ),
+    family="tipping-box",
+    cases={
+        "20°, μ = 0.7": f"h={_HALF_HEIGHT:g},μ=0.7,θ=20°",
+        "20°, μ = 0.3": f"h={_HALF_HEIGHT:g},μ=0.3,θ=20°",
+        "32°, μ = 0.7": f"h={_HALF_HEIGHT:g},μ=0.7,θ=32°",
+    },
+    profiles=WORLD,
+    quantity="outcome",
+    heading="what it does",
+    words={friction.HOLDS: "holds", friction.SLIDES: "slides", tipping_box.TIPS: "tips"},
+)
+
+CRADLE = Demonstration(
+    name="cradle",
+    title="Newton's cradle",
+    question="One ball strikes four others that touch, all alike and elastic, at 1 m/s. What will happen: which of them"
+    " move off, and how fast?",
+    look="Look at the last ball, and at who agrees with whom.",
+    lesson=(
+        Line(
+            "Newton's rule is for one impact. Two at a time, the last ball gets ",
+            Measured("handwritten", "tuned", "last"),
+            ".",
+        ),
+        Line(
+            "All at once, it gets ",
+            Measured("handwritten", "stock", "last"),
+            ", and the first one ",
+            Measured("handwritten", "stock", "first"),
+            ". Both ways keep energy.",
+        ),
+        Line(
+            "Engines take a step's contacts together",
+            IfKnown(": PyBullet ", Measured("pybullet", "tuned", "last")),
+            IfKnown(", MuJoCo ", Measured("mujoco", "tuned", "last")),
+            ".",
+        ),
+    ),
+    family="cradle",
+    cases={"five, touching": "5 touching"},
+    profiles={"handwritten": {"tuned": "in turn", "stock": "at once"}, **ENGINES},
+    quantity="last",
+    heading="last ball",
+    beside={"first": "first ball", "energy": "energy"},
+)
+
+DEMONSTRATIONS = (BOUNCE, STOP, STACK, TUNNELLING, ROLL, TIP, CRADLE)

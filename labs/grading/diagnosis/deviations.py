@@ -1,0 +1,174 @@
+"""How far a function's answer to a probe deviates from the right answer, as one number per probe.
+
+The deviations of all numbers of an answer from the right ones, in units of the probe's scale, are weighted and added
+up. Zero is right. Two functions whose sums agree at every probe compute the same formula, however each is written. The
+sums do not reveal the formula.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from labs.grading.diagnosis.probes import Probe
+from labs.grading.errors import GraderFailed
+from reference.arrays import Array
+from reference.errors import CollisionsError, NeedsFunction, one_line
+
+Failure = Literal["", "error", "shape", "kind", "unwritten"]
+TOLERANCE = 3e-5
+"""In units of the scale: what some hundred roundings in single precision, 6e-8 each, may add up to."""
+AGAINST_INFINITY, INFINITE, NO_NUMBER = 11.0, 17.0, 29.0
+"""These stand in for a deviation if one of the two numbers is not finite. They differ from each other, and all are far
+beyond the scale."""
+FARTHEST = 1e100
+"""Larger deviations count as this one, so that their sums stay finite."""
+_GOLDEN = (5**0.5 - 1) / 2
+"""The weights step by it: no two of them are equal, so that swapped numbers have another sum."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came back from one probe.
+
+    value: what was returned. error: the exception that was raised instead, in words. unwritten: whether that exception
+    says that the function is still the stub. changed: whether the call has changed its input. printed: what the call
+    printed.
+    """
+
+    value: Any = None
+    error: str = ""
+    unwritten: bool = False
+    changed: bool = False
+    printed: str = ""
+
+
+@dataclass(frozen=True)
+class Right:
+    """The right answer to a probe. outputs: one array for each thing returned. scales: the size of each one's numbers.
+
+    The scale is the largest number of the output, or more where the numbers cancel: what an error in the input of some
+    part of it does to the output, over that part.
+    """
+
+    outputs: tuple[Array, ...]
+    scales: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Deviation:
+    """How far one answer is from the right one.
+
+    total: the weighted sum of the deviations of all its numbers, zero if all are right. spread: the same sum of
+    absolute values, which limits how well rounding lets the total be known. failure: why there is no number to compare.
+    """
+
+    total: float = 0.0
+    spread: float = 0.0
+    failure: Failure = ""
+
+    @property
+    def right(self) -> bool:
+        """Whether nothing deviates."""
+        return not self.failure and self.spread == 0
+
+    def agrees(self, known: Deviation) -> bool:
+        """Whether it equals a known deviation, except for rounding."""
+        if self.failure or known.failure:
+            return self.failure == known.failure
+        if self.right or known.right:
+            return self.right and known.right
+        return abs(self.total - known.total) <= TOLERANCE * (1 + max(self.spread, abs(known.total)))
+
+
+def ask(call: Callable[..., Any], function: str, probes: Sequence[Probe]) -> list[Answer]:
+    """Put all probes of a function to `call(name, *arguments)`, each with inputs of its own.
+
+    A `call` that runs elsewhere says in `call.changed` which arguments the function has written to, and in
+    `call.printed` what it printed.
+    """
+    return [_asked(call, function, probe) for probe in probes]
+
+
+def _asked(call: Callable[..., Any], function: str, probe: Probe) -> Answer:
+    arguments = _copied(probe.arguments)
+    try:
+        value = call(function, *arguments)
+    except GraderFailed:
+        raise
+    except Exception as error:
+        unwritten = isinstance(error, NotImplementedError | NeedsFunction)
+        return Answer(error=str(error) if isinstance(error, CollisionsError) else one_line(error), unwritten=unwritten)
+    changed = bool(getattr(call, "changed", ())) or not _same(arguments, probe.arguments)
+    return Answer(value, changed=changed, printed=getattr(call, "printed", ""))
+
+
+def _copied(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return tuple(_copied(item) for item in value)
+    return value.copy() if isinstance(value, np.ndarray) else value
+
+
+def _same(left: Any, right: Any) -> bool:
+    if isinstance(left, tuple):
+        return all(map(_same, left, right))
+    return np.array_equal(left, right, equal_nan=True) if isinstance(left, np.ndarray) else True
+
+
+def outputs(value: Any, count: int) -> tuple[Array, ...] | None:
+    """What was returned as `count` float arrays; None if it is not numbers, or not so many things."""
+    if count > 1 and not isinstance(value, list | tuple | np.ndarray):
+        return None
+    try:
+        if count > 1 and len(value) != count:  # asked first, as it may have millions of rows
+            return None
+        return tuple(_numbers(part) for part in ([value] if count == 1 else value))
+    except (TypeError, ValueError):  # a ragged list, a 0-dimensional array for several things
+        return None
+
+
+def _numbers(value: Any) -> Array:
+    array = np.asarray(value)
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"no numbers: {array.dtype}")
+    with np.errstate(over="ignore"):  # of wider floats: what is beyond ours is infinite
+        return array.astype(float)
+
+
+def deviation_of(answer: Answer, right: Right) -> Deviation:
+    """Compare an answer with the right one."""
+    if answer.error:
+        return Deviation(failure="unwritten" if answer.unwritten else "error")
+    found = outputs(answer.value, len(right.outputs))
+    if found is None:
+        return Deviation(failure="kind")
+    if any(mine.shape != theirs.shape for mine, theirs in zip(found, right.outputs, strict=True)):
+        return Deviation(failure="shape")
+    parts = [_deviations(*entry) for entry in zip(found, right.outputs, right.scales, strict=True)]
+    off = np.concatenate([part.ravel() for part in parts])
+    if not np.any(np.abs(off) > TOLERANCE):
+        return Deviation()
+    weights = 0.5 + (np.arange(1, len(off) + 1) * _GOLDEN) % 1
+    return Deviation(float(weights @ off), float(weights @ np.abs(off)))
+
+
+def _against_infinity(off: Array) -> Array:
+    """Where something else than a number is right: never so near to zero that it would count as that."""
+    shifted = off + AGAINST_INFINITY
+    return np.where(np.abs(shifted) <= TOLERANCE, AGAINST_INFINITY, shifted)
+
+
+def _deviations(mine: Array, theirs: Array, scale: float) -> Array:
+    """In units of the scale; where one of the two is not finite, a stand-in."""
+    known, finite = np.isfinite(theirs), np.isfinite(mine)
+    both = known & finite
+    with np.errstate(over="ignore"):
+        off = (np.where(finite, mine, 0.0) - np.where(both, theirs, 0.0)) / scale
+    off = np.clip(off, -FARTHEST, FARTHEST)
+    off = np.where(finite & ~known, _against_infinity(off), off)
+    off = np.where(np.isinf(mine), np.sign(np.where(finite, 0.0, mine)) * INFINITE, off)
+    off = np.where(np.isnan(mine), NO_NUMBER, off)
+    return np.where((mine == theirs) | (np.isnan(mine) & np.isnan(theirs)), 0.0, off)

@@ -1,0 +1,144 @@
+"""Recognises the mistake: compares a submission's numbers on the probes with the right ones and all known mistakes.
+
+A mistake is named when its numbers and the submission's are the same wherever both give some. The verdict says how
+certain that is: several known mistakes may fit, or one may fit except in limiting cases. If none fits, the diagnosis
+has only a counterexample.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from labs.grading.diagnosis.deviations import Answer, Deviation, ask, deviation_of
+from labs.grading.diagnosis.findings import Counterexample, Diagnosis, Verdict
+from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known, known
+from labs.grading.diagnosis.probes import Group, probes
+
+DIFFERENT = 5
+"""So many different wrong numbers identify a formula even if calls with several contacts go wrong in another way."""
+LEAST = 3
+"""So many cases must be wrong in just the known way if the other cases give no number, or other numbers."""
+
+
+def diagnose(function: str, call: Callable[..., Any]) -> Diagnosis:
+    """Say what is wrong with a function, from its answers to the probes by `call(name, *arguments)`.
+
+    Raises
+    ------
+    UnknownName
+        If there are no probes or no fingerprints of such a function.
+    """
+    cases = probes(function)
+    return judge(function, ask(call, function, cases))
+
+
+def judge(function: str, answers: list[Answer]) -> Diagnosis:
+    """Diagnose answers that are there already, one per probe."""
+    return _Evidence(function, answers).diagnosis()
+
+
+class _Evidence:
+    """One function's probes, answers and deviations, side by side."""
+
+    def __init__(self, function: str, answers: list[Answer]) -> None:
+        self.knowledge: Knowledge = known(function)
+        rows = list(zip(probes(function), self.knowledge.right, answers, strict=True))
+        self.answered = [(probe, right, answer) for probe, right, answer in rows if right]
+        self.refused = [(probe, answer) for probe, right, answer in rows if not right]
+        self.deviations = [deviation_of(answer, right) for _, right, answer in self.answered]
+        self.groups = [probe.group for probe, _, _ in self.answered]
+
+    def diagnosis(self) -> Diagnosis:
+        verdict, mistakes = self._verdict()
+        errors: dict[str, Group] = {}
+        for probe, _, answer in self.answered:
+            if answer.error:
+                errors.setdefault(answer.error, probe.group)
+        wrong = [at for at, own in enumerate(self.deviations) if not own.right]
+        explained = [at for at in wrong if any(self.deviations[at].agrees(entry.deviations[at]) for entry in mistakes)]
+        known_in_many = any(self._fits(entry, ("many",), silently=True) for entry in mistakes)
+        return Diagnosis(
+            self.knowledge.function,
+            verdict,
+            mistakes,
+            None if verdict in ("right", "unwritten") else self._simplest(explained or wrong),
+            tuple(errors),
+            verdict == "named" and not known_in_many,
+            set(errors.values()) == {"many"},
+            tuple(probe.note for probe, answer in self.refused if not answer.error),
+            any(answer.changed for _, _, answer in self.answered),
+            self._simplest([at for at in wrong if at not in explained]) if verdict == "likely" else None,
+            all(self.groups[at] != "usual" for at in wrong),
+        )
+
+    def _verdict(self) -> tuple[Verdict, tuple[Known, ...]]:
+        if all(own.right for own in self.deviations):
+            return "right", ()
+        if all(own.failure == "unwritten" for own in self.deviations):
+            return "unwritten", ()
+        whole = self._explained(("usual", "edge"))
+        closer = [entry for entry in whole if self._fits(entry, ("many",), silently=True)]
+        in_many = self._explained(("many",), ("usual", "edge"))
+        mostly = [] if self._always_the_same() else self._explained(("usual",))
+        mostly = [entry for entry in mostly if not entry.origins]  # not by way of another function
+        certain = closer or in_many or (whole if self._identifies_a_formula() else [])
+        found = certain or mostly
+        if not found:
+            return self._without_name(), ()
+        return ("several" if len(found) > 1 else "named" if certain else "likely"), tuple(found)
+
+    def _explained(self, shows: tuple[Group, ...], agrees: tuple[Group, ...] = ()) -> list[Known]:
+        """The known mistakes that give what the submission gives in both lists of groups, and that `shows` reveals."""
+        fit = [entry for entry in self.knowledge.mistakes if self._fits(entry, shows + agrees)]
+        return [entry for entry in fit if self._shown(entry, shows)]
+
+    def _fits(self, entry: Known, groups: tuple[Group, ...], silently: bool = False) -> bool:
+        """Whether a known mistake gives what the submission gives.
+
+        An error is no evidence: plain Python raises one where NumPy gives infinity. silently: no other failure counts
+        as evidence either, because code for a single contact fails when it gets many.
+        """
+        for own, theirs, group in zip(self.deviations, entry.deviations, self.groups, strict=True):
+            nothing_said = own.failure == "error" or (silently and (own.failure or theirs.failure))
+            if group in groups and not nothing_said and not own.agrees(theirs):
+                return False
+        return True
+
+    def _shown(self, entry: Known, groups: tuple[Group, ...]) -> bool:
+        """Whether enough wrong numbers are the known mistake's own."""
+        rows = [row for row in zip(self.deviations, entry.deviations, self.groups, strict=True) if row[2] in groups]
+        seen = sum(not own.right and not own.failure and own.agrees(theirs) for own, theirs, _ in rows)
+        errors = any(own.failure == "error" for own, _, _ in rows)
+        return seen >= (LEAST if errors or groups == ("usual",) else 1)
+
+    def _always_the_same(self) -> bool:
+        """Whether every usual case gets the same answer: that fits any mistake which does the same."""
+        values = [answer.value for probe, _, answer in self.answered if probe.group == "usual" and not answer.error]
+        return all(np.array_equal(value, values[0]) for value in values)
+
+    def _identifies_a_formula(self) -> bool:
+        """Whether single contacts give enough different wrong numbers to identify a formula without the other calls."""
+        return len({own.total for own, group in self._single() if not own.right}) >= DIFFERENT
+
+    def _single(self) -> list[tuple[Deviation, Group]]:
+        return [(own, group) for own, group in zip(self.deviations, self.groups, strict=True) if group != "many"]
+
+    def _without_name(self) -> Verdict:
+        single = [own for own, _ in self._single()]
+        if all(own.right for own in single):
+            return "one at a time"
+        wrong = [own.failure for own in single if not own.right]
+        if all(failure == "error" for failure in wrong):
+            return "crashes"
+        return "shape" if all(failure in ("shape", "kind") for failure in wrong) else "unknown"
+
+    def _simplest(self, numbers: Sequence[int]) -> Counterexample | None:
+        """The probe to show: one with a single case before one with several, one made by hand before a drawn one."""
+        if not numbers:
+            return None
+        simplest = min(numbers, key=lambda at: (self.groups[at] == "many", not self.answered[at][0].note))
+        probe, right, answer = self.answered[simplest]
+        return Counterexample(self.knowledge.function, probe, self.knowledge.parameters, answer, right)

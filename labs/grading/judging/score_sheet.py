@@ -1,0 +1,127 @@
+"""The score sheet of a submission: what it earned test by test, in whole points, and words that a student may read."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.submission.cells import Complaint
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a test that has points of its own. said: why it failed; None if it passed."""
+
+    points: int
+    reason: str
+    said: str | None = None
+
+    @property
+    def passed(self) -> bool:
+        """Whether its points are earned."""
+        return self.said is None
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One test. said: what happened, fit to be shown; for a hidden test without inputs or expected values.
+
+    rationale: why the test is right to ask. help: what to look at. parts: those that have points of their own.
+    function: which one it is about; empty if it is about several.
+    """
+
+    test: str
+    points: int
+    passed: bool
+    hidden: bool = False
+    said: str = ""
+    rationale: str = ""
+    help: str = ""
+    parts: tuple[Part, ...] = ()
+    function: str = ""
+
+    @property
+    def title(self) -> str:
+        """The test's name as the statement that it is."""
+        return self.test.removeprefix("test_").replace("_", " ")
+
+    @property
+    def earned(self) -> int:
+        """All points if it passed, otherwise those of the parts that did."""
+        return self.points if self.passed else min(self.points, sum(part.points for part in self.parts if part.passed))
+
+    def lines(self) -> Iterator[str]:
+        """For a student: what is missing and why, with the parts if some are right; nothing if it passed."""
+        if self.passed:
+            return
+        yield f"{self.title}: {self.earned} of {self.points}"
+        yield from (line for line in (self.said, self.rationale, self.help) if line)
+        for part in self.parts if any(part.passed for part in self.parts) else ():
+            yield f"{part.points if part.passed else 0} of {part.points} for {part.reason}"
+
+    @property
+    def failures(self) -> tuple[tuple[str, str], ...]:
+        """Each part that was lost, and what was said of it, equal words once; of a test without parts, the test."""
+        lost = [(part.reason, part.said) for part in self.parts if part.said is not None]
+        said = [words for _, words in lost]
+        found = tuple((reason, "" if words in said[:at] else words) for at, (reason, words) in enumerate(lost))
+        return found or (() if self.passed else ((self.title, self.said),))
+
+
+@dataclass
+class Sheet:
+    """All outcomes of one submission.
+
+    complaints: about the file. unread: functions in text that Python cannot read. tier: how far its processes were shut
+    in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the submission's
+    functions each of these calls. beneath: outcomes, without points, of functions that were not asked for but that
+    wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of other
+    cells that a wrong function reads, with the cell.
+    """
+
+    submission: str = ""
+    complaints: list[Complaint] = field(default_factory=list)
+    unread: tuple[str, ...] = ()
+    tier: str = ""
+    outcomes: list[Outcome] = field(default_factory=list)
+    skipped: list[str] = field(default_factory=list)
+    diagnoses: dict[str, Diagnosis] = field(default_factory=dict)
+    uses: dict[str, list[str]] = field(default_factory=dict)
+    beneath: list[Outcome] = field(default_factory=list)
+    given: frozenset[str] = frozenset()
+    borrows: dict[str, dict[str, str]] = field(default_factory=dict)
+
+    def about(self, function: str) -> list[Outcome]:
+        """The outcomes of a function's tests, asked for or beneath."""
+        return [outcome for outcome in (*self.outcomes, *self.beneath) if outcome.function == function]
+
+    def add_beneath(self, other: Sheet) -> None:
+        """Add the sheet of functions that wrong ones call."""
+        self.beneath += other.outcomes
+        self.diagnoses |= other.diagnoses
+        self.uses |= other.uses
+        self.borrows |= other.borrows
+
+    @property
+    def lost(self) -> list[str]:
+        """The functions that failed a test, in the order of the tests."""
+        return list(
+            dict.fromkeys(outcome.function for outcome in self.outcomes if outcome.function and not outcome.passed)
+        )
+
+    @property
+    def left_out(self) -> dict[str, int]:
+        """How many tests were skipped, by the reason."""
+        return dict(Counter(self.skipped))
+
+    @property
+    def earned(self) -> int:
+        """The points of all tests together."""
+        return sum(outcome.earned for outcome in self.outcomes)
+
+    @property
+    def points(self) -> int:
+        """What could be earned."""
+        return sum(outcome.points for outcome in self.outcomes)

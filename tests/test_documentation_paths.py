@@ -1,0 +1,59 @@
+"""Files, folders and modules that the pages name are there: a move that leaves a page behind is found."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PAGES = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md"))]
+HISTORY = {"CHANGELOG.md"}
+"""Pages that speak of what was."""
+ELSEWHERE = ("labs/given", "labs.given")
+"""What a student's tree alone has."""
+_PLACEHOLDER = re.compile(r"[A-Z]{3,}")  # as in `tests/autograder/visible/test_TOPIC.py`
+_PATH = re.compile(r"`((?:labs|reference|solutions|tests|docs)/[\w./-]*)`")
+_MODULE = re.compile(r"(?<![\w./])((?:labs|reference|solutions)(?:\.\w+)+)")
+_LINK = re.compile(r"\]\((?!\w+:)([^)#\s]+)[^)]*\)")
+
+
+def missing(page: Path) -> list[str]:
+    """What a page names and is not there."""
+    text = page.read_text(encoding="utf-8")
+    paths = [(ROOT, path) for path in _PATH.findall(text)] + [(page.parent, link) for link in _LINK.findall(text)]
+    lost = [path for folder, path in paths if not any(folder.glob(_PLACEHOLDER.sub("*", path)))]
+    lost += [name for name in _MODULE.findall(text) if not _is_there(name)]
+    return [name for name in lost if not name.startswith(ELSEWHERE)]
+
+
+def _is_there(name: str) -> bool:
+    """Whether a dotted name is a package, a module, or something that the text of a module mentions."""
+    whole = ROOT.joinpath(*name.split("."))
+    package, _, member = name.rpartition(".")
+    holder = ROOT.joinpath(*package.split("."))
+    texts = [file for file in (holder.with_suffix(".py"), holder / "__init__.py") if file.is_file()]
+    mentioned = any(re.search(rf"\b{member}\b", file.read_text(encoding="utf-8")) for file in texts)
+    return whole.is_dir() or whole.with_suffix(".py").is_file() or mentioned
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if page.name not in HISTORY], ids=lambda page: page.name)
+def test_what_a_page_names_is_there(page):
+    assert missing(page) == []
+
+
+@pytest.mark.parametrize("building", ["solutions", "reference", "labs", "labs/grading", "tests"])
+def test_the_plan_of_the_house_shows_every_folder(building):
+    plan = (ROOT / "docs" / "design.md").read_text(encoding="utf-8").partition("```")[2].partition("```")[0]
+    folders = [path.name for path in (ROOT / building).iterdir() if any(path.glob("*.py")) and path.name[0] != "_"]
+    mirrored = {"labs", "reference", "solutions"} if building == "tests" else set()
+    assert [name for name in folders if f" {name}/" not in plan and name not in mirrored] == []
+
+
+def test_what_has_moved_away_is_found(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text("`reference/scenario.py`, [a page](gone.md), `labs.seen` and `reference.scene.scenario.Nobody`")
+    assert missing(page) == ["reference/scenario.py", "gone.md", "labs.seen", "reference.scene.scenario.Nobody"]
+    page.write_text("`reference/scene/`, `reference.scene.scenario.Body`, [itself](page.md#there) and a link (not.md)")
+    assert missing(page) == []
