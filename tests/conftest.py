@@ -17,7 +17,7 @@ AUTOGRADER = Path(__file__).parent / "autograder"
 def pytest_configure(config: pytest.Config) -> None:
     """Draw the same examples in every run, without a time limit for one: a busy machine must not fail a test.
 
-    `make test` draws 50 examples for a property; `make verify` draws 100 with `--hypothesis-profile=more`.
+    `make test` draws 50 examples for a property, and `make verify` 100, with `--hypothesis-profile=more`.
     """
     if config.getoption("--submission"):
         return  # the plugin for grading has its own, and loads hypothesis only where tests need it

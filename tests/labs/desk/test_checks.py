@@ -20,8 +20,8 @@ def lab(lab, grader):
 
 def test_the_desk_starts_its_grader_once_and_keeps_it(lab):
     lab._grader = None
-    with lab._tests() as own:
-        assert lab._tests() is own
+    with lab._started_grader() as own:
+        assert lab._started_grader() is own
 
 
 def test_a_check_takes_each_function_as_its_last_cell_defines_it(lab, cells, capsys):
