@@ -24,7 +24,10 @@ def one_worker_and_cache(kept, monkeypatch):
     monkeypatch.setattr(case_runs, "ThreadPoolExecutor", lambda _: ThreadPoolExecutor(1))
 
 
-def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, monkeypatch):
+def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, monkeypatch, installed):
+    installed("pybullet")
+    installed("mujoco")
+
     def last_first(*asked):
         yield from reversed(list(run_all(*asked)))
 
@@ -74,14 +77,17 @@ def test_an_endless_loop_in_a_run_is_stopped_and_its_place_named(lab, cells, mon
     assert "in signed_distance" in str(lab.shown[-1])
 
 
-def test_replay_and_curve_give_an_implementation_the_same_colour(lab):
+def test_replay_and_curve_give_an_implementation_the_same_colour(lab, installed):
+    installed("pybullet")
+    installed("mujoco")
     lab.run("dropped-ball/e=0.5", quantity="rebound")
     page = lab.shown[0]._repr_mimebundle_()["text/html"]
     assert "&quot;title&quot;:&quot;PyBullet&quot;,&quot;tag&quot;:&quot;P&quot;,&quot;look&quot;:1," in page
     assert "&quot;title&quot;:&quot;MuJoCo&quot;,&quot;tag&quot;:&quot;M&quot;,&quot;look&quot;:2," in page
 
 
-def test_a_table_shows_rounding_as_zero_and_leaves_out_empty_columns(lab, cells):
+def test_a_table_shows_rounding_as_zero_and_leaves_out_empty_columns(lab, cells, installed):
+    installed("pybullet")
     lab.topic = "impulse"
     lab.run("two-balls/e=1,m=1,b=0.5", quantity="corner", engines=("pybullet",))
     table = lab.shown[-1]
@@ -92,7 +98,8 @@ def test_a_table_shows_rounding_as_zero_and_leaves_out_empty_columns(lab, cells)
     assert "· theory has no number" in str(lab.shown[-1])
 
 
-def test_a_run_at_parameters_is_named_after_them(lab):
+def test_a_run_at_parameters_is_named_after_them(lab, installed):
+    installed("pybullet")
     lab.run("dropped-ball", restitution=0.37, quantity="rebound", engines=("pybullet",))
     assert lab.shown[-1].title == "First rebound ÷ drop height (Dropped ball: bounce heights, restitution=0.37)"
 
@@ -170,7 +177,8 @@ def test_a_wrong_quantity_is_named_before_anything_runs(lab, monkeypatch, capsys
     assert "unknown quantity of dropped-ball 'hight'" in said(capsys, lab.run, "dropped-ball/e=0.5", quantity="hight")
 
 
-def test_guesses_in_words_are_notes_and_guesses_in_numbers_are_rows(lab, capsys):
+def test_guesses_in_words_are_notes_and_guesses_in_numbers_are_rows(lab, capsys, installed):
+    installed("pybullet")
     lab.predict("high", "How high?", 0.3)
     lab.predict("way", "Which way?", "up", choices=("up", "down"))
     lab.run("dropped-ball/e=0.5", predicted=("high", "way"), quantity="rebound", engines=("pybullet",))
