@@ -49,9 +49,7 @@ def trajectories(section: Section) -> str:
     def draw(axes: Axes, line: Line) -> str:
         series = line.result.series
         assert series is not None
-        sparse: dict[str, Any] = (
-            {"markevery": (_STAGGER * len(axes.get_lines()), _MARKER_DISTANCE)} if series.times else {}
-        )
+        sparse = staggered(len(axes.get_lines())) if series.times else {}
         axes.plot(*series.dense(), **sparse, **marker(line), **line_style(line))
         return line.title
 
@@ -140,6 +138,11 @@ def marker(line: Line) -> dict[str, Any]:
     """What a line's points look like: the engine's own shape, hollow where the settings are not tuned."""
     style = {"marker": MARKERS.get(line.result.job.engine, "v"), "markersize": 5}
     return style if line.tuned else style | {"markerfacecolor": "white"}
+
+
+def staggered(number: int) -> dict[str, Any]:
+    """Few markers on a curve; those of the next curve come a little later, so that no marker hides another."""
+    return {"markevery": (_STAGGER * number, _MARKER_DISTANCE)}
 
 
 def line_style(line: Line, thin: bool = False, as_tuned: bool = False) -> dict[str, Any]:
