@@ -11,7 +11,7 @@ __all__ = ["lab"]
 
 
 def __getattr__(name: str) -> Any:
-    """`from labs import lab` loads the desk; whoever imports another part of the package does not."""
+    """`from labs import lab` loads the desk; an import of another part of the package does not."""
     if name == "lab":
         from labs.notebook import lab  # noqa: PLC0415
 

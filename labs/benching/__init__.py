@@ -1,1 +1,1 @@
-"""Timings side by side."""
+"""Timings of our own code beside other programs and libraries."""

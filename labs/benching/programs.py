@@ -1,6 +1,6 @@
-"""Other programs, watched from outside: how long they take, what memory all their processes take together.
+"""Other programs, watched from outside: how long they take, and how much memory all their processes take together.
 
-Some rivals need so much that they live in environments of their own, in the folder for caches; never in the lab's.
+Some rivals need so many packages that they get environments of their own, in the folder for caches; never the lab's.
 """
 
 from __future__ import annotations
@@ -19,15 +19,17 @@ from pathlib import Path
 from reference.errors import CollisionsError, RunFailed
 from reference.running.cache import default_folder
 
-_LOOKS_EVERY = 0.02  # s
-_SAID = 400  # characters of a program that failed
+_LOOKS_EVERY = 0.02  # s between two looks at the memory
+_SAID = 400  # characters of the output of a program that failed
 
 
 @dataclass(frozen=True)
 class Run:
-    """How a program ended. seconds: from start to end. memory: bytes, at most, of all its processes together; None
-    where the system does not tell. said: what it printed.
-    """  # noqa: D205
+    """How a program ended.
+
+    seconds: from start to end. memory: the most bytes that all its processes took together; None if the system does not
+    report that. said: what it printed.
+    """
 
     seconds: float
     memory: int | None
@@ -37,8 +39,8 @@ class Run:
 def run(command: Sequence[str | Path], folder: Path, environment: Mapping[str, str] | None = None) -> Run:
     """Run a program to its end.
 
-    Memory is that of the program and of all processes below it, looked at all the while, on Linux alone. What several
-    processes share counts once; of a process that does not let us look, all that it has counts, shared or not.
+    On Linux, the memory of the program and of all its child processes is looked at all the while. Memory that several
+    processes share counts once. If a process does not let us look that closely, all of its memory counts.
 
     Raises
     ------
@@ -69,7 +71,7 @@ def run(command: Sequence[str | Path], folder: Path, environment: Mapping[str, s
 
 
 def _memory(process: int) -> int:
-    """Bytes of a process and of all below it; zero for what is gone, or where there is no `/proc`."""
+    """Bytes of a process and of all its children; zero if it is gone, or if there is no `/proc`."""
     own = Path("/proc", str(process))
     try:
         below = [
@@ -83,7 +85,7 @@ def _memory(process: int) -> int:
 
 
 def _share(process: Path) -> int:
-    """Bytes of a process, of shared ones its share."""
+    """Bytes of a process, with its share of those that it shares."""
     with contextlib.suppress(OSError):
         for line in (process / "smaps_rollup").read_text(encoding="ascii").splitlines():
             if line.startswith("Pss:"):
@@ -93,19 +95,19 @@ def _share(process: Path) -> int:
 
 @dataclass(frozen=True)
 class Environment:
-    """A virtual environment in the folder for caches. packages: as pip is asked for them, the one that counts first."""
+    """A virtual environment in the folder for caches. packages: as pip takes them, the one that is timed first."""
 
     name: str
     packages: tuple[str, ...]
 
     @property
     def folder(self) -> Path:
-        """Where it lies."""
+        """The folder of the environment."""
         return default_folder() / "environments" / self.name
 
     @property
     def ready(self) -> bool:
-        """Whether it was installed in full, with these packages."""
+        """Whether it was installed completely, with these packages."""
         with contextlib.suppress(OSError):
             return self._note.read_text(encoding="utf-8") == "\n".join(self.packages)
         return False
@@ -127,12 +129,12 @@ class Environment:
         return self.folder / ("Scripts" if os.name == "nt" else "bin") / name
 
     def install(self) -> None:
-        """Make it anew, with the user's own configuration of pip.
+        """Make it again from nothing, with the user's own configuration of pip.
 
         Raises
         ------
         CollisionsError
-            If pip cannot install it, with what pip says last.
+            If pip cannot install it; the message ends with pip's last words.
         """
         shutil.rmtree(self.folder, ignore_errors=True)
         python = self.folder / ("Scripts" if os.name == "nt" else "bin") / "python"

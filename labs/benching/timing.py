@@ -1,4 +1,4 @@
-"""Timings side by side: our own function and what others offer for the same, on the same input, in one run."""
+"""Times our own function beside what others offer for the same task, on the same input and in one run."""
 
 from __future__ import annotations
 
@@ -17,14 +17,15 @@ from reference.errors import UnknownName
 Prepare = Callable[[], Callable[[], object]]
 """Makes the input, untimed, and returns the call that is timed. Rivals are imported in it; one may be missing."""
 REPEATS = 7
+"""Calls of each function; the median of so many is steady enough."""
 
 
 @dataclass(frozen=True)
 class Bench:
-    """One question of speed. what: the task in words. ours, rivals: who does it. goal: s that ours should keep to.
+    """One question of speed.
 
-    beyond: the rival whose time the goal leaves out. who: what ours is called. environments: what rivals need that is
-    not installed beside the lab.
+    what: the task in words. ours, rivals: who does it. goal: the s that ours should stay below. beyond: the rival whose
+    time the goal leaves out. who: the title of ours. environments: for rivals that are not installed beside the lab.
     """
 
     name: str
@@ -39,9 +40,9 @@ class Bench:
 
 @dataclass(frozen=True)
 class Timing:
-    """Median and fastest of several calls, s; None where a rival is not installed, and `note` says so.
+    """Median and fastest of several calls, s; None if a rival is not installed, and then `note` says so.
 
-    memory: bytes, the most that a call took, where the calls are programs of their own and say so.
+    memory: the most bytes that a call took; None unless the calls are programs of their own whose memory is known.
     """
 
     who: str
@@ -72,7 +73,7 @@ def find(name: str) -> Bench:
 
 
 def measure(bench: Bench, repeats: int = REPEATS) -> list[Timing]:
-    """Time our own function and its rivals in turn, round by round, so that a busy moment meets all alike."""
+    """Time our own function and its rivals in turn, round by round, so that a busy moment affects all of them."""
     timings: list[Timing] = []
     calls: dict[str, Callable[[], object]] = {}
     samples: dict[str, list[float]] = {}

@@ -1,4 +1,4 @@
-"""The program `collisions`: its commands, how it speaks of errors and what it ends with.
+"""The program `collisions`: its commands, how it reports errors, and its exit codes.
 
 Exit codes: 0 fine; 1 a tuned verdict failed; 2 usage; 3 could not compare; 130 interrupted.
 """
@@ -24,7 +24,7 @@ INTERRUPTED = 130
 
 
 class _Commands(TyperGroup):
-    """Turns what the lab refuses or fails to do into a message and an exit code."""
+    """Turns errors of the lab into a message and an exit code."""
 
     def invoke(self, ctx: Any) -> Any:
         try:

@@ -47,10 +47,10 @@ def _install(environment: Environment) -> None:
         errors.print(escape(str(error)), soft_wrap=True)
 
 
-def _print(bench: timing.Bench, timings: list[timing.Timing]) -> None:
-    beyond = f" beyond “{bench.beyond}”" if bench.beyond else ""
-    goal = f" Goal: {bench.goal:g} s{beyond}." if bench.goal else ""
-    output.print(Text.assemble((bench.name, "bold"), f": {bench.what}.{goal}"))
+def _print(timed: timing.Bench, timings: list[timing.Timing]) -> None:
+    beyond = f" beyond “{timed.beyond}”" if timed.beyond else ""
+    goal = f" Goal: {timed.goal:g} s{beyond}." if timed.goal else ""
+    output.print(Text.assemble((timed.name, "bold"), f": {timed.what}.{goal}"))
     table = Table(box=None, header_style="bold", padding=(0, 1), pad_edge=False)
     table.add_column("")
     counted = any(each.memory for each in timings)
@@ -65,7 +65,7 @@ def _print(bench: timing.Bench, timings: list[timing.Timing]) -> None:
             ratio = f"{each.median / own:.2f}"
             table.add_row(each.who, f"{each.median:.3g}", f"{each.fastest:.3g}", ratio, *[memory] * counted)
     output.print(table)
-    less = next((each.median for each in timings if each.who == bench.beyond), None)
+    less = next((each.median for each in timings if each.who == timed.beyond), None)
     if less is not None:
-        output.print(f"Beyond “{bench.beyond}”: {own - less:.3g} s.")
+        output.print(f"Beyond “{timed.beyond}”: {own - less:.3g} s.")
     output.print()

@@ -41,7 +41,7 @@ def check(
 
 
 def _nothing(submission: Submission) -> None:
-    """Say why there is nothing to check: what is wrong with the file, or what would be looked for."""
+    """Say why there is nothing to check: what is wrong with the file, or which functions are looked for."""
     first = next(entry.name for entry in lecture.functions_of(pytest_run.tested()[0]) if entry.role == "written")
     paragraphs = [
         *(str(complaint) for complaint in submission.complaints if complaint.kind != "missing"),

@@ -1,4 +1,4 @@
-"""`collisions compare`: run scenarios in every implementation and print how they stand."""
+"""`collisions compare`: run scenarios in every implementation and print how they compare."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ errors = Console(stderr=True, highlight=False)
 
 
 def speak_unicode() -> None:
-    """Let both streams carry μ and θ where the system's own encoding cannot, as on some Windows consoles."""
+    """Let both streams carry μ and θ even if the system's own encoding cannot, as on some Windows consoles."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(encoding="utf-8", errors="replace")

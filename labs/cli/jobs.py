@@ -1,4 +1,4 @@
-"""What the commands share: which runs were asked for, and running them with a progress bar."""
+"""What the commands share: which runs the options ask for, and running them with a progress bar."""
 
 from __future__ import annotations
 
@@ -31,7 +31,6 @@ from reference.scene.settings import Option
 V = TypeVar("V")
 
 FAILED, COULD_NOT_COMPARE = 1, 3
-SETTING, PARAMETER = "--set contact_erp=0.2 with --engine pybullet", "--at restitution=0.4"
 
 Scenarios = Annotated[
     list[str] | None,
@@ -67,9 +66,9 @@ def planned(
     with_studies: bool = False,
     parameters: Sequence[str] | None = None,
 ) -> list[Job]:
-    """List the jobs that a command line asks for; they are at a recorded point where an engine has nothing else."""
+    """List the jobs that a command line asks for, moved to a recorded point if an engine has only recordings."""
     families, cases = _chosen(scenarios or [])
-    changes: dict[str, Option] = _each_once(_assignment(text, SETTING) for text in assignments or [])
+    changes: dict[str, Option] = _each_once(_setting(text) for text in assignments or [])
     at = _each_once(_parameter(text) for text in parameters or [])
     if at and not scenarios:
         movable = ", ".join(family.name for family in families if family.grid is not None)
@@ -96,7 +95,7 @@ def _chosen(names: Sequence[str]) -> tuple[list[Family], dict[str, tuple[str, ..
 
 
 def _each_once(assignments: Iterable[tuple[str, V]]) -> dict[str, V]:
-    """Values by name; which of two values of one name was meant is not guessed."""
+    """Values by name; refuses two values of one name rather than guess which was meant."""
     found: dict[str, V] = {}
     for name, value in assignments:
         if name in found:
@@ -105,17 +104,21 @@ def _each_once(assignments: Iterable[tuple[str, V]]) -> dict[str, V]:
     return found
 
 
+def _setting(text: str) -> tuple[str, Option]:
+    """`name=value` of a setting; the settings themselves say what kind of value it takes."""
+    return _assignment("--set", text, "contact_erp=0.2 with --engine pybullet")
+
+
 def _parameter(text: str) -> tuple[str, float]:
     """`name=value` of a scenario's parameter."""
-    name, value = _assignment(text, PARAMETER)
+    name, value = _assignment("--at", text, "restitution=0.4")
     return name, checks.finite(name, value)  # type: ignore[arg-type]
 
 
-def _assignment(text: str, example: str) -> tuple[str, Option]:
-    """`name=value` of a setting; the settings themselves say what kind of value it takes."""
+def _assignment(option: str, text: str, example: str) -> tuple[str, str]:
     name, equals, value = text.partition("=")
     if not equals or not name or not value:
-        raise InvalidInput(f"{example.split()[0]} {text!r} is not of the form name=value, such as {example}")
+        raise InvalidInput(f"{option} {text!r} is not of the form name=value, such as {option} {example}")
     return name.strip().replace(" ", "_").replace("-", "_"), value.strip()
 
 
@@ -127,7 +130,7 @@ def run(jobs: Sequence[Job], workers: int | None, cache: Cache | None = None) ->
 
 
 def run_work(jobs: Sequence[J], work: Work[J, R], workers: int | None, cache: Cache | None = None) -> list[R]:
-    """Take from the cache what it has, run the rest in parallel and show how far it is; return the results."""
+    """Take from the cache what it has, run the rest in parallel behind a progress bar, and return the results."""
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     workers, results = workers or os.cpu_count() or 1, recall(jobs, cache) if cache else []
     errors.print(f"{_counted(len(jobs), len(results))}, {workers} at a time.")
@@ -148,24 +151,24 @@ def run_work(jobs: Sequence[J], work: Work[J, R], workers: int | None, cache: Ca
 
 
 def _counted(runs: int, cached: int) -> str:
-    """How many runs, and how many of them need not run."""
+    """How many runs there are, and how many of them the cache has."""
     return f"{runs} run{'s' if runs > 1 else ''}" + (f", {cached} of them from the cache" if cached else "")
 
 
 def exit_code(results: Sequence[JobResult]) -> int:
-    """0 where all is well; 1 if a tuned verdict failed; 3 if a run gave no answer, or none of them did."""
+    """0 if all is well; 1 if a tuned verdict failed; 3 if a run crashed, or if no run gave a number to compare."""
     rows = [row for result in results for row in result.rows]
     return exit_code_of([row.verdict for row in rows], bool(failures(rows)))
 
 
 def published_exit_code(results: Sequence[PublishedResult]) -> int:
-    """The same of published cases; nothing there is stock."""
+    """The exit code of published cases; nothing there is stock."""
     verdicts = [row.verdict for result in results for row in result.rows]
     return exit_code_of(verdicts, Verdict.FAIL in verdicts)
 
 
 def exit_code_of(verdicts: Sequence[Verdict], failed: bool) -> int:
-    """The same, of verdicts and whether one that counts failed."""
+    """The exit code of some verdicts. failed: whether a verdict that counts did."""
     nothing = all(each in (Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS) for each in verdicts)
     if failed:
         return FAILED

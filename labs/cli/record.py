@@ -1,4 +1,4 @@
-"""`collisions record`: run the catalogue in the engines that are here, and keep what they measured."""
+"""`collisions record`: run the catalogue in the engines that are installed, and keep what they measured."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def record(
 
 
 def _here(engines: Sequence[str] | None) -> list[str]:
-    """Those of the engines that can run here; the others are named."""
+    """Those of the engines that can run here; prints which others cannot."""
     recorded = [name for name in engine_names() if load_engine(name).package is not None]
     wanted = list(dict.fromkeys(engines or recorded))
     if others := [name for name in wanted if name not in recorded]:
@@ -110,7 +110,7 @@ def _families(names: Sequence[str] | None) -> list[Family]:
 
 
 def _stale(wanted: Iterable[tuple[Family, str]], out: Path | None) -> list[tuple[Family, str]]:
-    """Those that have to be recorded anew, each printed with the reason."""
+    """The pairs that have to be recorded again, each printed with the reason."""
     found = []
     for family, engine in wanted:
         if why := recordings.why_stale(family, engine, out):
@@ -120,7 +120,7 @@ def _stale(wanted: Iterable[tuple[Family, str]], out: Path | None) -> list[tuple
 
 
 def _check(results: Iterable[JobResult]) -> None:
-    """Refuse to keep runs that went wrong; a point or timestep of a grid that blows up is an answer like any other."""
+    """Refuse to keep runs that went wrong; a point or timestep of a grid that blows up is a valid result."""
     for result in results:
         for row in result.rows:
             if row.verdict is Verdict.NOT_AVAILABLE or (row.verdict is Verdict.CRASHED and not _blew_up(result, row)):
@@ -132,13 +132,13 @@ def _blew_up(result: JobResult, row: Row) -> bool:
 
 
 def _in_order(results: Iterable[R], planned: Sequence[Job | PublishedJob]) -> list[R]:
-    """As they were planned, not as they were finished: the same results make the same files."""
+    """The results in the order of the plan, so that the same results make the same files."""
     place = {job: number for number, job in enumerate(planned)}
     return sorted(results, key=lambda result: place[result.job])
 
 
 def _print_sizes(written: Sequence[Path]) -> None:
-    """A line a scenario, a column an engine: kilobytes of numbers + poses."""
+    """A line per scenario and a column per engine: kilobytes of numbers + poses."""
     engines = list(dict.fromkeys(path.parent.name for path in written))
     table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0), pad_edge=False)
     table.add_column("kB of numbers + poses")

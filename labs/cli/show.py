@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import io
-import os
-import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -17,13 +15,13 @@ from rich.text import Text
 
 from labs.cli import jobs
 from labs.cli.console import output
+from labs.cli.file_options import PAGE, PLOT
 from labs.demonstrations.catalogue import DEMONSTRATIONS, find
 from labs.demonstrations.demonstration import Demonstration
 from labs.demonstrations.outcomes import Outcome
 from labs.demonstrations.replay import page_of
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
-from reference.errors import InvalidInput
 from reference.report import figures, terminal, terminal_plot
 from reference.report.marks import MARKS
 from reference.report.row_text import error_of
@@ -31,13 +29,14 @@ from reference.report.sections import Line, recordings
 from reference.running.cache import Cache
 from reference.running.study import plan
 
-SUFFIXES, PAGES = (".svg", ".png", ".pdf"), (".html", ".htm")
 LEAST_HEIGHT, MOST_WIDTH = 11, 140
 """Lines of the lowest plot that can be read, and columns of the widest."""
 CLOSE = 5
 """From so many implementations on, the table's columns move closer together, so that all fit into 80 columns."""
 SIZE, DPI = (9.0, 5.0), 160
 """Size of a plot in a file, in inches, and its dots per inch."""
+LARGEST_MARKER, SMALLEST_MARKER, SMALLER = 14, 5, 4
+"""Points: markers of separate points shrink by so much from one implementation to the next, so that all show."""
 PLOTEXT = 'pip install -e ".[show]"'
 
 
@@ -65,9 +64,9 @@ def show(
         _list()
         return
     demonstration = find(name)
-    for file, option, suffixes in ((plot, "--plot", SUFFIXES), (html, "--html", PAGES)):
+    for file, option in ((plot, PLOT), (html, PAGE)):
         if file is not None:
-            _check(file, option, suffixes)
+            option.check(file)
     planned = [replace(job, with_poses=html is not None) for job in _planned(demonstration, engine, implementation)]
     output.print(Text(demonstration.title, style="bold"))
     output.print(Text(demonstration.question), Text(demonstration.look, style="italic"), "", sep="\n")
@@ -81,11 +80,12 @@ def show(
         _plot(outcome, len(output.render_lines(Group(table, below))))
     output.print(table, below)
     if plot is not None:
-        _write(plot, "--plot", _figure(outcome, plot.suffix.lower().lstrip(".")))
+        PLOT.write(plot, _figure(outcome, plot.suffix.lower().lstrip(".")))
         output.print(f"The plot is in {plot}.", soft_wrap=True, markup=False)
     if html is not None:
         content = page_of(outcome)
-        _write(html, "--html", content.encode()) if content else None
+        if content:
+            PAGE.write(html, content.encode())
         said = f"The replay is in {html}." if content else f"Nobody gave poses: there is no replay, and no {html}."
         output.print(said, soft_wrap=True, markup=False)
     raise typer.Exit(0 if any(row.measured is not None for row in outcome.rows) else jobs.COULD_NOT_COMPARE)
@@ -102,7 +102,7 @@ def _list() -> None:
 
 
 def _planned(demonstration: Demonstration, engines: Sequence[str] | None, implementation: str) -> list[Job]:
-    """The runs of a demonstration; an engine that it does not know runs in all its profiles."""
+    """The runs of a demonstration; an engine that it does not mention runs in all its profiles."""
     cases = {demonstration.family: tuple(demonstration.cases.values())}
     changes = [{"timestep": timestep} for timestep in demonstration.timesteps.values()] or [{}]
     found: list[Job] = []
@@ -186,7 +186,7 @@ def _mark(outcome: Outcome, line: Line) -> Text:
 
 
 def _cell(outcome: Outcome, engine: str, profile: str, quantity: str, label: str = "") -> Text:
-    """What was measured, or why there is no number: one word, or its mark where columns are narrow."""
+    """What was measured, or why there is no number: one word, or its mark if columns are narrow."""
     row = outcome.row(engine, profile, quantity, label)
     if row is None:
         return Text()
@@ -195,36 +195,6 @@ def _cell(outcome: Outcome, engine: str, profile: str, quantity: str, label: str
         return Text(MARKS[row.verdict] if narrow else str(row.verdict), style=terminal.style_of(row.verdict))
     wrong = bool(outcome.demonstration.labels) and row.error and not outcome.demonstration.predicted
     return Text(outcome.formatted(row.measured, quantity), style=terminal.style_of(row.verdict) if wrong else "")
-
-
-def _check(file: Path, option: str, suffixes: Sequence[str]) -> None:
-    """Refuse, before anything runs, a file that cannot be written."""
-    if file.suffix.lower() not in suffixes:
-        kind = "picture that can be drawn" if option == "--plot" else "page"
-        raise InvalidInput(f"{option} {str(file)!r} is no {kind}; it ends in {', '.join(suffixes)}")
-    try:
-        with tempfile.TemporaryFile(dir=file.parent):
-            pass
-        if file.is_dir():
-            raise IsADirectoryError(None, "Is a directory")
-    except OSError as error:
-        raise _unwritable(file, option, error) from None
-
-
-def _unwritable(file: Path, option: str, error: OSError) -> InvalidInput:
-    what = "plot" if option == "--plot" else "replay"
-    return InvalidInput(f"cannot write the {what} to {str(file)!r}: {error.strerror}; choose another {option}")
-
-
-def _write(file: Path, option: str, content: bytes) -> None:
-    """Write a whole file, or none."""
-    unfinished = file.with_name(f".unfinished-{file.name}")
-    try:
-        unfinished.write_bytes(content)
-        os.replace(unfinished, file)
-    except OSError as error:
-        unfinished.unlink(missing_ok=True)
-        raise _unwritable(file, option, error) from None
 
 
 def _figure(outcome: Outcome, kind: str) -> bytes:
@@ -239,8 +209,8 @@ def _figure(outcome: Outcome, kind: str) -> bytes:
             style: dict[str, Any] = {"color": "#999999", "label": "predicted"}
             if curve.line is not None:
                 style = {**figures.marker(curve.line), **figures.line_style(curve.line), "label": curve.line.title}
-                spread = {"markevery": (0.05 * place, 0.4)}
-                style |= spread if curve.joined else {"linestyle": "none", "markersize": max(5, 14 - 4 * place)}
+                nested = {"linestyle": "none", "markersize": max(SMALLEST_MARKER, LARGEST_MARKER - SMALLER * place)}
+                style |= figures.staggered(place) if curve.joined else nested
                 style["zorder"] = 3 if curve.line.tuned else 2
             axes.plot(curve.xs, curve.ys, **style)
         x_label, y_label = outcome.axes

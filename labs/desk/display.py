@@ -91,7 +91,7 @@ def curve(runs: CaseRuns) -> Picture | None:
         for line in plotted:
             series = line.result.series
             assert series is not None
-            sparse: dict[str, Any] = {"markevery": (0.05 * len(axes.lines), 0.4)}
+            sparse = figures.staggered(len(axes.lines))
             axes.plot(*series.dense(), label=who(line), **figures.marker(line), **look(line), **sparse)
         _widen(axes)
         axes.set(title=runs.title, xlabel="time, s", ylabel=runs.family.curve.y_label)

@@ -1,1 +1,1 @@
-"""What checks a student's work: the submission as text, the worker that runs it, and what is said about it."""
+"""Checks a student's work: reads the submission as text, runs it in a worker, and reports what is right and wrong."""

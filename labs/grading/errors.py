@@ -1,4 +1,4 @@
-"""What can go wrong with a submission: each error is the student's to read and costs one test, never the grader."""
+"""What can go wrong with a submission: a student may read each error, and it costs one test but never the grader."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from reference.errors import CollisionsError, NeedsFunction, WorkerCrashed
 
 
 class UnreadableSubmission(CollisionsError):
-    """A file that holds no submission at all: missing, empty, too large, of another kind; the message says which."""
+    """The file holds no submission at all: it is missing, empty, too large or of another kind, as the message says."""
 
     exit_code = 2
 
@@ -14,8 +14,8 @@ class UnreadableSubmission(CollisionsError):
 class StudentError(CollisionsError):
     """What the submission's code did instead of answering; the message is fit to be shown to the student.
 
-    gist: the same without a word of the student's code, for the feedback of a hidden test, whose inputs a message, or
-    the name of a type, could be made to carry out.
+    gist: the same in our own words only, for the feedback of a hidden test. A submission could smuggle a hidden test's
+    inputs out in a message or in the name of a type.
     """
 
     gist = "gave no answer"
@@ -41,13 +41,13 @@ class FunctionRaised(StudentError):
 
 
 class WrongType(StudentError):
-    """The function gave an object that is no answer: neither a number, text, an array nor a tuple of these."""
+    """The function gave an object that is no answer: it is no number, text, array or tuple of these."""
 
     gist = "gave an object that is no answer"
 
 
 class OutOfTime(StudentError):
-    """A call, or all calls of a test together, went past the time limit; the process was stopped."""
+    """A call, or all calls of a test together, exceeded the time limit; the process was stopped."""
 
     gist = "took too long"
 
@@ -59,7 +59,7 @@ class ProcessDied(StudentError):
 
 
 class NoAnswer(StudentError):
-    """What came back is not a message of the worker: too long, or not written by it."""
+    """The bytes that came back are not a message of the worker: they are too long, or it did not write them."""
 
 
 class NotSteady(StudentError):

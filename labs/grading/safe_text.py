@@ -1,8 +1,8 @@
-"""Text that came from a student, made fit for a terminal, a log and a page: names, printed output, messages.
+"""Makes text that came from a student fit for a terminal, a log and a page: names, printed output, messages.
 
-Threat: control characters and ANSI escapes rewrite what a terminal shows, marks that turn the writing direction
-rewrite what a reader sees, a name with a line break forges a line of its own. Escaping for HTML or CSV is left to
-whoever writes those.
+Threat: control characters and ANSI escapes rewrite what a terminal shows. Marks that turn the writing direction rewrite
+what a reader sees. A name with a line break forges a line of its own. Code that writes HTML or CSV has to escape for
+these itself.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ def plain(text: str, limit: int = 10_000) -> str:
 
 
 def one_line(text: str, limit: int = 300) -> str:
-    """The same on one line."""
+    """The text on one line, with every hidden character made visible."""
     return " ".join(plain(text, limit).split())
 
 

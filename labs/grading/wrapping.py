@@ -1,4 +1,4 @@
-"""Lines of at most 80 columns that break between arguments rather than within one."""
+"""Wraps text into lines of at most 80 columns that break between the arguments of a call rather than within one."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _KEPT = "\u00a0"  # a space that textwrap does not break at
 
 
 def folded(text: str, depth: int) -> list[str]:
-    """A paragraph at some depth; what follows its first line stands two columns further in."""
+    """A paragraph at some depth; all lines after the first are indented by two more columns."""
     lead = INDENT * depth + " " * (len(text) - len(text.lstrip()))
     text, room = text.strip(), WIDTH - len(lead) - 2
     head, bracket, rest = text.partition("(")
@@ -22,7 +22,7 @@ def folded(text: str, depth: int) -> list[str]:
 
 
 def _together(text: str, level: int) -> str:
-    """The text with what stands in so many brackets kept on a line."""
+    """The text with everything inside so many nested brackets kept on one line."""
     depth, found = 0, []
     for character in text:
         depth = max(0, depth + (character in "([{") - (character in ")]}"))

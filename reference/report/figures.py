@@ -53,9 +53,7 @@ def trajectories(section: Section) -> str:
     def draw(axes: Axes, line: Line) -> str:
         series = line.result.series
         assert series is not None
-        sparse: dict[str, Any] = (
-            {"markevery": (_STAGGER * len(axes.get_lines()), _MARKER_DISTANCE)} if series.times else {}
-        )
+        sparse = staggered(len(axes.get_lines())) if series.times else {}
         axes.plot(*series.dense(), **sparse, **marker(line), **line_style(line))
         return line.title
 
@@ -154,6 +152,11 @@ def colour_of(engine: str) -> str:
 def marker_of(engine: str) -> str:
     """The shape of an engine's points, in matplotlib's words."""
     return MARKERS.get(engine, _OTHER_MARKER)
+
+
+def staggered(number: int) -> dict[str, Any]:
+    """Few markers on a curve; those of the next curve come a little later, so that no marker hides another."""
+    return {"markevery": (_STAGGER * number, _MARKER_DISTANCE)}
 
 
 def line_style(line: Line, thin: bool = False, as_tuned: bool = False) -> dict[str, Any]:

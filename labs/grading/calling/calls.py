@@ -1,7 +1,7 @@
-"""The calls of one test: functions of a submission by name, in one process, within the test's time.
+"""The calls of one test: functions of a submission are called by name, in one process, within the test's time.
 
 Threat: answers that are forged, stale or of no plain type, and errors whose text is the student's own. Every answer is
-matched part by part, with the number of its call; every text is made fit to be shown; whatever is odd ends the process.
+matched part by part, with the number of its call. Every text is made fit to be shown. Anything odd ends the process.
 """
 
 from __future__ import annotations
@@ -41,16 +41,16 @@ from reference.errors import InvalidInput, NeedsFunction
 
 _AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
 _STARTING = 10.0  # s for the process itself, before it has seen the submission
-_SHORTENED = 5.0  # times as short is the wait for a function that ran out of time, each time that it did
-_SHORTEST = 0.2  # s, a thousand times what a call takes
+_SHORTENED = 5.0  # each time that a function runs out of time, we wait so many times less long for its next call
+_SHORTEST = 0.2  # s; a thousand times what a call takes
 
 
 @dataclass
 class Patience:
     """How much longer a submission is waited for.
 
-    left: s for all its tests together. slow: how often each function ran out of the time for a call. It is asked again,
-    as one slow call says little of the next, and waited for less long.
+    left: s for all its tests together. slow: how often each function ran out of the time for a call. It is called
+    again, because one slow call says little about the next, but we wait less long for it.
     """
 
     left: float
@@ -64,8 +64,8 @@ class Patience:
 class Call:
     """Calls functions of the submission in one process.
 
-    Of the last call: printed, what it printed; changed, which of its arguments it wrote to, by place. Of the process:
-    sealing, how far it is shut in, None before it says so; ended, once it has, how that was and what it used.
+    Of the last call: printed, what it printed; changed, which of its arguments it wrote to, by position. Of the
+    process: sealing, how far it is shut in, None before it says so; ended, how it ended and what it used.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class Call:
         self._process: Process | None = None
         self._left = limits.test  # s of waiting that are left to this test
         self._number = 0
-        self._ahead: deque[tuple[int, str, tuple[Any, ...]]] = deque()  # calls that are sent, and not read yet
+        self._ahead: deque[tuple[int, str, tuple[Any, ...]]] = deque()  # calls sent whose answers are not read yet
         self._lost: StudentError | None = None
         self._names: frozenset[str] = frozenset()
         self._failures = Failures()
@@ -88,16 +88,16 @@ class Call:
         self.sealing: Sealing | None = None
 
     def start(self, host: Host) -> None:
-        """Start the process and send it the text, which it runs at once; `begin` asks what came of it."""
+        """Start the process and send it the text, which it runs at once; `begin` reads whether it could be loaded."""
         self._process = host.start(self._limits)
         text = np.frombuffer(self._submission.text.encode(), np.uint8)  # as bytes, whose commas nobody counts
         with self._starting():
             self._process.send(messages.pack((text, self._limits.printed)), _STARTING)
 
     def begin(self, host: Host, least: Tier, unloadable: StudentError | None = None) -> StudentError | None:
-        """Have the process run the submission's text; returns why that cannot be, for every call to tell.
+        """Have the process run the submission's text; returns why it cannot be loaded, which every call then raises.
 
-        least: the tier below which it is not run. unloadable: what was found before, so that it need not be again.
+        least: the tier below which it is not run. unloadable: the reason that was found in an earlier process.
         """
         self._lost = unloadable
         if unloadable is None:
@@ -111,7 +111,7 @@ class Call:
         return unloadable
 
     def _seal(self, least: Tier) -> None:
-        """Learn how far the process is shut in, which it says before it runs any of the text."""
+        """Read how far the process is shut in; it reports this before it runs any of the text."""
         assert self._process is not None
         with self._starting():
             match messages.unpack(self._process.exchange(b"", _STARTING)):
@@ -146,7 +146,7 @@ class Call:
         return self._process is None or self._process.gone
 
     def __call__(self, name: str, /, *arguments: Any, **named: Any) -> Any:
-        """Call a function; raises a `StudentError` where it does not answer with plain values.
+        """Call a function; raises a `StudentError` if it does not answer with plain values.
 
         Arguments and answers are None, bool, int, float, str, tuples and lists of these, NumPy arrays and scalars.
         """
@@ -177,7 +177,7 @@ class Call:
             self._process.send(requests, allowed)
 
     def _was_foreseen(self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> int | None:
-        """The call's number if it is the next that was foreseen; if not, the answers to all these are passed over."""
+        """The call's number if it is the next that was foreseen; otherwise skips the answers to all foreseen calls."""
         while self._ahead:
             number, ahead, given = self._ahead.popleft()
             if name == ahead and not named and [*map(id, arguments)] == [*map(id, given)]:
@@ -193,7 +193,7 @@ class Call:
             raise InvalidInput(f"{name} cannot be called with {refused}") from None
 
     def _judged(self, name: str, outcome: str, rest: list[Any], arguments: int) -> Any:
-        """The value that was answered. Types come before any comparison: an array compared is no truth value."""
+        """The value of an answer. Types are matched before any comparison: a compared array has no truth value."""
         match rest:
             case [float(), list(changed), value] if outcome == "value":
                 written = {place for place in changed if isinstance(place, int) and 0 <= place < arguments}
@@ -209,7 +209,7 @@ class Call:
         raise self._lose(NoAnswer(f"{name} wrote into the grader's pipe instead of answering"))
 
     def steady(self, name: str, /, *arguments: Any, **named: Any) -> Any:
-        """Call a function here and in a fresh process; raises `NotSteady` unless both give the same, bit by bit."""
+        """Call a function here and in a fresh process; raises `NotSteady` unless both answers agree bit by bit."""
         value = self(name, *arguments, **named)
         with self._fresh() as other:
             again = other(name, *arguments, **named)
@@ -222,7 +222,7 @@ class Call:
         return name in self._names
 
     def implementation(self) -> RemoteImplementation:
-        """These functions as what the drivers of scenarios call."""
+        """These functions as the implementation that the drivers of scenarios call."""
         return RemoteImplementation("submission", self)
 
     def end(self) -> None:
@@ -232,18 +232,18 @@ class Call:
 
     @property
     def ended(self) -> Ended | None:
-        """How the process ended and what it used, None where there was none; nothing of it is left then."""
+        """How the process ended and what it used; None if there was no process. Nothing of it is left afterwards."""
         return None if self._process is None else self._process.ended
 
     def _exchange(self, name: str, message: bytes) -> Any:
-        """Send a message and read the answer, within what time is left; whatever goes wrong ends the process."""
+        """Send a message and read the answer within the time that is left; any failure ends the process."""
         assert self._process is not None
         with self._counted(name) as (for_call, allowed):
             return self._answered(name, message, for_call, allowed)
 
     @contextlib.contextmanager
     def _counted(self, name: str) -> Iterator[tuple[float, float]]:
-        """What a call may take, and what is left for it; what it took, the test and the submission have less."""
+        """How long a call may take, and how long is left for it; afterwards test and submission have that much less."""
         began, for_call = time.monotonic(), self._patience.for_call(name, self._limits.call)
         try:
             yield for_call, max(0.0, min(for_call, self._left, self._patience.left))
@@ -267,7 +267,7 @@ class Call:
             raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None
 
     def _cut_short(self, name: str, allowed: float, for_call: float) -> str:
-        """Why it had less time than a call has; notes where it had all that was its own."""
+        """Why the call had less time than usual; a call that had its full time counts as slow."""
         if allowed < for_call:
             whose = "submission" if allowed == max(0.0, self._patience.left) else "test"
             return f" (the {whose}'s time is up)"
@@ -301,12 +301,12 @@ class Call:
 
 @dataclass(frozen=True)
 class RemoteImplementation(Implementation):
-    """A submission as what drivers call: they and the trajectory stay here, the functions run over there."""
+    """A submission as an implementation: drivers and trajectory stay here, and the functions run in their process."""
 
     call: Call | None = None
 
     def function(self, name: str) -> Callable[..., Any]:
-        """Return a proxy of the function; where it is not written yet, raise `NeedsFunction`."""
+        """Return a proxy of the function; raises `NeedsFunction` if it is not written yet."""
         call = self.call
         if call is None or not call.defines(name):
             raise NeedsFunction(needs(name))

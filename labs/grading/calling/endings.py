@@ -18,7 +18,7 @@ _SIGNALS = {
 
 
 def reason(ended: Ended) -> str:
-    """The exit code or signal, and what usually leads to it."""
+    """The exit code or signal, and what usually causes it."""
     if ended.code == FAILED:
         return "what answers for it in its process was patched or broken"
     if ended.code >= 0:

@@ -1,6 +1,6 @@
-"""Statements of a submission that failed on loading: which name each would have defined, and why it could not be.
+"""Statements of a submission that failed on loading: which names each would have defined, and why it failed.
 
-Threat: the list is the submission's own, thousands of entries if it likes, and is asked for every error. So it is
+Threat: the list comes from the submission, may have thousands of entries, and is consulted for every error. So it is
 sorted by name once.
 """
 
@@ -14,11 +14,11 @@ from labs.grading.submission.cells import CODE_LIMIT
 from labs.grading.worker.serving import Failure
 
 _QUOTED = re.compile(r"'(\w+)'")
-_NAMED = 200  # characters of a NameError's message in which the name stands
+_NAMED = 200  # characters at the start of a NameError's message that contain the name
 
 
 class Failures:
-    """What failed: by default nothing. said: entries as the worker sends them; odd ones are left out."""
+    """The statements that failed. said: entries as the worker sends them; odd ones are left out."""
 
     def __init__(self, said: Iterable[Any] = ()) -> None:
         self._by_name: dict[str, Failure] = {}  # "" is every name
@@ -28,11 +28,11 @@ class Failures:
                     self._by_name.setdefault(name, failure)
 
     def of(self, name: str) -> Failure | None:
-        """Why a name could not be defined, None where nothing is known of it."""
+        """Why a name could not be defined; None if nothing is known of it."""
         return self._by_name.get(name) or self._by_name.get("")
 
     def behind(self, message: str) -> Failure | None:
-        """The same of the name that a NameError speaks of."""
+        """Why the name in a NameError's message could not be defined; None if nothing is known of it."""
         found = _QUOTED.search(message, 0, _NAMED)
         return self._by_name.get(found[1]) if found else None
 
@@ -43,7 +43,7 @@ def is_line(found: object) -> TypeGuard[int]:
 
 
 def _is_failure(found: object) -> TypeGuard[Failure]:
-    """Whether it is what the worker says of a statement that failed: names, type, message, line."""
+    """Whether it is the worker's entry for a statement that failed: names, type, message, line."""
     match found:
         case (list(names), str(), str(), line):
             return all(isinstance(name, str) for name in names) and (line is None or is_line(line))

@@ -1,4 +1,4 @@
-"""Our side of a test's process: messages to it and from it, with a deadline.
+"""Our side of a test's process: messages to it and from it, each with a deadline.
 
 Threat: a process that never answers, answers without end, or stops reading. Every wait here has a deadline, and
 what is read is limited before it is read.
@@ -43,7 +43,7 @@ class Ended:
 
 
 LOST = Ended(-9)
-"""What becomes of a process whose host died: killed with it, and nobody knows more."""
+"""How a process ended whose host died: it was killed as well, and nothing more is known."""
 
 
 class Host(Protocol):
@@ -57,9 +57,9 @@ class Host(Protocol):
 
 
 class Process:
-    """One test's process: messages to it and from it. The descriptors are ours from now on.
+    """One test's process: messages to it and from it. It owns the two descriptors, and closes them.
 
-    outcome: how it ended, which its host says when nothing of it is left.
+    outcome: how the process ended; its host sets this when nothing of it is left.
     """
 
     def __init__(self, number: int, requests: int, answers: int, host: Host) -> None:
@@ -95,7 +95,7 @@ class Process:
 
     @property
     def gone(self) -> bool:
-        """Whether nobody is left who could answer."""
+        """Whether the process can answer no more."""
         if self._host.has_lost(self):
             return True
         if os.name != "posix":
@@ -105,7 +105,7 @@ class Process:
         return any(event & select.POLLHUP for _, event in poll.poll(0))
 
     def end(self) -> None:
-        """Have the process killed with all that it started, without waiting for it; it can answer nothing any more."""
+        """Have the process killed with all that it started, without waiting for it; it answers no more calls."""
         if not self._over:
             self._over = True
             os.close(self._requests)
@@ -114,7 +114,7 @@ class Process:
 
     @property
     def ended(self) -> Ended:
-        """How it ended, once nothing of it is left; ends it where that has not been done."""
+        """How the process ended; ends it if that was not done, and waits until nothing of it is left."""
         self.end()
         self._host.wait(self)
         assert self.outcome is not None
@@ -138,7 +138,7 @@ class Process:
             self._read += part
 
     def _wait(self, descriptor: int, event: str, until: float) -> None:
-        """Until the pipe is ready; on Windows, whose pipes cannot be asked, the reading itself waits."""
+        """Wait until the pipe is ready; on Windows, where that cannot be asked, reading itself waits."""
         if os.name == "posix":
             poll = select.poll()
             poll.register(descriptor, getattr(select, event))
@@ -147,7 +147,7 @@ class Process:
 
     @contextlib.contextmanager
     def _killed_at(self, until: float) -> Iterator[None]:
-        """Where a wait cannot be given a deadline, the process is killed at it."""
+        """Kill the process at the deadline, on systems where waiting cannot be given one."""
         if os.name == "posix":
             yield
             return

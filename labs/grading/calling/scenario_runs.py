@@ -1,7 +1,7 @@
 """A submission's functions in the lab's scenarios: driver and trajectory stay here, the functions run in the worker.
 
-A scenario needs functions of several topics. The submission answers for the topic that is tested; all others are right
-ones, so that an earlier mistake costs no points again.
+A scenario needs functions of several topics. Those of the tested topic are the submission's; all others are correct
+ones, so that an earlier mistake costs no points twice.
 """
 
 from __future__ import annotations
@@ -32,19 +32,21 @@ from reference.recording.reading import recall
 TIMESTEP = 0.02
 """s. The hand-written drivers solve for the instant of an impact: with long steps as well as with short ones."""
 SINGLE = 1e-4
-"""Share of a number up to which single precision, over all the calls of a run, may be off."""
+"""Share of a number that single precision may lose over all the calls of a run."""
+SMALLEST = 1e-3
+"""A number below this size, in its own unit, is compared as if it were so large."""
 MOST_CALLS = 4000
-"""Ten times as many as any of these runs needs: an impact that never ends would go on asking."""
+"""Ten times as many as any of these runs needs; an impact that never ends would call for ever."""
 MOST_NUMBERS, MOST_AXES = 64, 3
-"""Of one array that a function answers in a run: a matrix for each of a few bodies."""
+"""Limits of an array that a function returns in a run: a matrix for each of a few bodies."""
 RIGHT = package_of_correct_functions() or "solutions"
-"""Where right answers for other topics come from. A student's tree may have none: then these tests are skipped."""
+"""The package with correct functions of the other topics. If a student's tree has none, these tests are skipped."""
 WITHOUT_OTHERS = "a whole scenario needs right answers of other topics, which this copy of the lab does not have"
 
 
 @dataclass(frozen=True)
 class Mixed(Implementation):
-    """A submission's functions of one topic, and right ones of all others."""
+    """A submission's functions of one topic, and correct ones of all others."""
 
     source: str = RIGHT
     call: Call | None = None
@@ -52,7 +54,7 @@ class Mixed(Implementation):
     calls: Iterator[int] = field(default_factory=itertools.count, repr=False, compare=False)
 
     def function(self, name: str) -> Callable[..., Any]:
-        """Return the submission's function, or the right one where it belongs to another topic."""
+        """Return the submission's function, or the correct one if it belongs to another topic."""
         found, calls = self._function(name), self.calls
 
         def called(*arguments: Any, **named: Any) -> Any:
@@ -72,9 +74,10 @@ class Mixed(Implementation):
 
 
 def _arrays(value: Any) -> Any:
-    """Lists, which are as good an answer as arrays, as the drivers need them.
+    """An answer as arrays, which the drivers need; lists are accepted as well.
 
-    No larger than any that these runs ask for: a driver that adds a row to a column of thousands fills the memory.
+    It must not be larger than any that these runs need: a driver that adds a row to a column of thousands would fill
+    the memory.
     """
     if isinstance(value, tuple):
         return tuple(map(_arrays, value))
@@ -85,7 +88,7 @@ def _arrays(value: Any) -> Any:
 
 
 def with_solutions(submission: Any, topic: str) -> Implementation:
-    """The submission's functions of a topic as what the scenarios call; skips the test where others are missing."""
+    """The submission's functions of a topic, with correct ones of other topics; skips the test if these are missing."""
     try:
         Implementation(RIGHT).function("ballistic_motion")
     except (NeedsFunction, InvalidInput):  # no such function, no such package
@@ -96,9 +99,9 @@ def with_solutions(submission: Any, topic: str) -> Implementation:
 def compared_with_theory(
     code: Implementation, family: str, cases: Collection[str], quantities: Collection[str]
 ) -> None:
-    """Run cases of a family and raise an AssertionError unless the quantities are what theory says.
+    """Run cases of a family and raise an AssertionError unless the quantities agree with theory.
 
-    It says what came, what theory says and what the engines gave, as recorded.
+    The message has the measured number, that of theory, and those that were recorded in the engines.
     """
     found, _ = find(family)
     for name in cases:
@@ -119,7 +122,7 @@ def _is_right(row: Row) -> bool:
         return True
     if row.measured is None or row.expected is None:
         return False
-    return abs(row.measured - row.expected) <= SINGLE * max(abs(row.expected), row.scale or 0.0, 1e-3)
+    return abs(row.measured - row.expected) <= SINGLE * max(abs(row.expected), row.scale or 0.0, SMALLEST)
 
 
 def _told(family: Family, row: Row) -> str:

@@ -1,1 +1,1 @@
-"""Naming the mistake: the bank of known ones, the probes that tell them apart, and a diagnosis in words."""
+"""Names the mistake: the bank of known ones, the probes that distinguish them, and a diagnosis in words."""

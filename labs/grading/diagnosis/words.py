@@ -15,11 +15,11 @@ from labs.grading.wrapping import WIDTH
 
 ODD = "Something else is wrong besides:"
 MOST = 12
-"""Numbers of an array that are still shown one by one."""
+"""An array of up to so many numbers is shown number by number."""
 
 
 def told(diagnosis: Diagnosis) -> str:
-    """All of a diagnosis, some lines."""
+    """A whole diagnosis, in several lines."""
     first, *others = verdict(diagnosis)
     lines = [line for paragraph in (f"{diagnosis.function}: {first}", *others) for line in _wrapped(paragraph)]
     for opening, example in (("For example", diagnosis.counterexample), (ODD, diagnosis.odd)):
@@ -28,14 +28,14 @@ def told(diagnosis: Diagnosis) -> str:
 
 
 def example_of(found: Counterexample) -> str:
-    """What was tried, what the function gave, and what is right: some lines."""
+    """What was tried, what the function gave, and what is right, in several lines."""
     tried = called(found.parameters, found.probe.arguments, found.function)
     case = f", {found.probe.note}" if found.probe.note else ""
     return f"{tried}{case}\n{compared(found.answer, found.right)}"
 
 
 def verdict(diagnosis: Diagnosis) -> list[str]:
-    """What is wrong, and the hint: a paragraph each. The first follows the function's name."""
+    """What is wrong, and the hint, a paragraph each. The first one follows the function's name."""
     first = next(iter(diagnosis.mistakes), None)
     if first is None:
         limits = diagnosis.verdict == "unknown" and diagnosis.limits_alone
@@ -83,14 +83,14 @@ def _wrapped(text: str) -> list[str]:
 
 
 def called(parameters: Sequence[str], arguments: Sequence[Any], function: str = "") -> str:
-    """Arguments by name where it is known, `velocity=(0, 0, -2), restitution=0.5`; of a function, as its call."""
+    """Arguments with their names if known, `velocity=(0, 0, -2), restitution=0.5`; with a function, as its call."""
     names = [f"{name}=" for name in parameters] or [""] * len(arguments)
     given = ", ".join(f"{name}{shown(value)}" for name, value in zip(names, arguments, strict=False))
     return f"{function}({given})" if function else given
 
 
 def compared(answer: Answer, right: Right) -> str:
-    """What came and what should have: two lines."""
+    """A function's answer and the right one, in two lines."""
     truths = _are_truths(answer.value, right)
     expected = ", ".join(shown(array.astype(bool) if truths else array) for array in right.outputs)
     found = outputs(answer.value, len(right.outputs))
@@ -116,7 +116,7 @@ def _shapes(arrays: Sequence[Any]) -> str:
 
 
 def shown(value: Any) -> str:
-    """A value in few digits: a diagonal matrix as `diag(2, 2, 2)`, of a long array only its shape."""
+    """A value with few digits: a diagonal matrix as `diag(2, 2, 2)`, a long array by its shape only."""
     if isinstance(value, tuple):
         return "(" + ", ".join(shown(item) for item in value) + ")"
     array = np.asarray(value)

@@ -1,1 +1,1 @@
-"""What a student reads about their functions."""
+"""Writes what a student reads about their functions."""

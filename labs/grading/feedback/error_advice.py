@@ -1,7 +1,7 @@
-"""What Python's and NumPy's messages mean to who writes a function of the lab: a word on what to do, where it is sure.
+"""Advice on messages of Python and NumPy, for students who write a function of the lab; given only where it is sure.
 
-The messages are the student's own reading as well; a hint beside them says what they leave out, and what NumPy's own
-advice gets wrong here, such as `a.any()` where each case is to be decided by itself.
+Students read the messages themselves as well. The advice adds what they leave out, and corrects NumPy's own advice if
+it does not fit the lab: `a.any()` is wrong if each case has to be decided by itself.
 """
 
 from __future__ import annotations
@@ -58,12 +58,12 @@ _ADVICE = (
         " out here?",
     ),
 )
-"""A pattern that a message is searched for, and what is said of it."""
+"""Patterns that a message is searched for, each with its advice."""
 _UNKNOWN_NAME = re.compile(r"NameError: name '(\w+)' is not defined")
 
 
 def advice(message: str, given: Collection[str] = ()) -> str:
-    """What to do about an error, empty where nothing is sure. given: names that a notebook's given cells define."""
+    """What to do about an error; empty if nothing is sure. given: names that a notebook's given cells define."""
     if (unknown := _UNKNOWN_NAME.search(message)) and unknown[1] in given:
         return f"{unknown[1]} comes from a cell of the lab that was not run, or is gone: Run ▸ Run All Above."
     for pattern, words in _ADVICE:
@@ -73,17 +73,17 @@ def advice(message: str, given: Collection[str] = ()) -> str:
 
 
 class Advice:
-    """Pieces of advice to one reader, none of them twice. given: as of `advice`."""
+    """Advice to one reader, who gets no piece of it twice. given: as in `advice`."""
 
     def __init__(self, given: Collection[str] = ()) -> None:
         self._given, self._told = frozenset(given), set[str]()
 
     def known(self, message: str) -> bool:
-        """Whether there is any on a message."""
+        """Whether there is advice on a message."""
         return bool(advice(message, self._given))
 
     def new(self, message: str) -> str:
-        """What was not told yet, empty where that is nothing."""
+        """Advice that this reader has not had yet; empty if there is none."""
         words = advice(message, self._given)
         if words in self._told:
             return ""

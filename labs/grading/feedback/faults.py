@@ -1,4 +1,4 @@
-"""What a student reads of one function that is wrong: what to mend first, what was tried, and what is known of it."""
+"""Writes what a student reads about one wrong function: what to mend first, what was tried, and what is known of it."""
 
 from __future__ import annotations
 
@@ -21,25 +21,25 @@ from labs.grading.phrases import (
 from labs.grading.wrapping import folded
 
 MOST_PARTS = 2
-"""Parts of a function that are told with what was tried; one where the mistake has a name, or lies elsewhere first."""
+"""So many parts are reported with what was tried; only one if the mistake has a name, or lies elsewhere first."""
 _SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow")
-"""Verdicts that say no more than what was tried and what came."""
+"""Verdicts that say no more than the call and its answer do."""
 _NOT_PHYSICS = ("crashes", "shape", "too slow", "one at a time")
-"""Verdicts on which a hint about the slide does not bear."""
+"""Verdicts that a hint about the slide does not help with."""
 _RIGHT_ALONE = ("right", "one at a time", "unwritten")
-"""Verdicts on a function that gives no wrong number to one that calls it for a single case."""
+"""Verdicts on functions that give no wrong number to a function that calls them for a single case."""
 Told = Sequence[tuple[str, str]]
-"""Parts, each with what was tried and what came of it."""
+"""Parts, each with what was tried and the answer."""
 
 
 def share(sheet: Sheet, name: str) -> str:
-    """How much of a wrong function is right, to go on from."""
+    """How much of a wrong function is right already."""
     parts = [part.passed for outcome in sheet.about(name) for part in outcome.parts]
     return f"  {sum(parts)} of {len(parts)} parts right" if any(parts) else ""
 
 
 def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
-    """What to mend first, what was tried and came, what is known of it, what to look at, and what else is not so."""
+    """What to mend first, what was tried, the answer, what is known of the mistake, a hint, and other lost parts."""
     failures = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
     uses = [each for each in sheet.uses.get(name, []) if each in sheet.diagnoses]
     diagnosis, told = _certain(sheet, name, uses, failures)
@@ -58,10 +58,10 @@ def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
 
 
 def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tuple[Diagnosis | None, Told]:
-    """What is known of its own mistakes, and what to tell of its parts. uses: wrong functions that it calls.
+    """What is certain of its own mistakes, and which of its parts to report. uses: wrong functions that it calls.
 
-    Where one of these gives it wrong numbers, nothing is known but whether there is an answer at all, and which errors
-    it does not share with them.
+    If one of these gives it wrong numbers, the only certain mistakes are that there is no answer at all, and errors
+    that it does not share with them.
     """
     diagnosis = sheet.diagnoses.get(name)
     if any(sheet.diagnoses[other].verdict not in _RIGHT_ALONE for other in uses):
@@ -74,7 +74,7 @@ def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tu
 
 
 def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:
-    """What lies outside of it: functions to be mended before it, and variables that it finds elsewhere."""
+    """What lies outside the function: functions to mend before it, and variables that it takes from other cells."""
     slow = [other for other in uses if sheet.diagnoses[other].verdict == "too slow"]
     if slow:
         yield from folded(f"It calls your {listed(slow)}, which gave no answer in time: mend that first.", 1)
@@ -88,7 +88,7 @@ def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:
 
 
 def _told(failures: Told, most: int) -> Told:
-    """The parts that are told with what was tried, no two of which say the same."""
+    """The parts to report with what was tried; no two of them say the same."""
     first = {_gist(said): (reason, said) for reason, said in reversed(failures) if said}
     told = [failure for failure in failures if failure in first.values()]
     told = [(reason, said) for reason, said in told if not scenario_needs_a_function(said)] or told
@@ -96,24 +96,24 @@ def _told(failures: Told, most: int) -> Told:
 
 
 def _gist(said: str) -> str:
-    """What a failure says: of an answer that is none the example does not matter."""
+    """What a failure says. If there was no answer at all, the example does not matter."""
     return no_answer_in(said) or said
 
 
 def _hint_bears(diagnosis: Diagnosis | None, elsewhere: bool, told: Told, advice: Advice) -> bool:
-    """Whether the test's own hint, on the physics, says something of what went wrong, and nothing else does."""
+    """Whether the test's own hint, on the physics, helps with the mistake, and nothing else does."""
     if elsewhere or (told and all(no_answer_in(said) or advice.known(said) for _, said in told)):
         return False
     return not diagnosis or not (diagnosis.mistakes or diagnosis.limits_alone or diagnosis.verdict in _NOT_PHYSICS)
 
 
 def _own(said: str, name: str) -> str:
-    """What was said of a function, below its name."""
+    """What was said of a function, without its name at the start of a line."""
     return "\n".join(line.removeprefix(f"{name} ") for line in said.splitlines())
 
 
 def _indented(said: str, advice: Advice, named: bool = False) -> Iterator[str]:
-    """What was tried and what came of it, with advice that was not given yet. named: its mistake says what to do."""
+    """What was tried and the answer, with advice that was not given yet. named: whether a mistake's text says more."""
     for line in said.splitlines():
         yield from folded(line, 2)
     if not named or not has_answer(said):
@@ -126,7 +126,7 @@ def _advised(said: str, advice: Advice) -> Iterator[str]:
 
 
 def _diagnosed(diagnosis: Diagnosis, told: Sequence[str], advice: Advice) -> Iterator[str]:
-    """What is known of the mistake: no example and no error where the tests have shown one already."""
+    """What is known of the mistake, without an example or an error if the tests have shown one already."""
     if diagnosis.limits_alone or not (told and diagnosis.verdict in _SAID_BY_THE_EXAMPLE):
         first, *others = verdict(diagnosis)
         if diagnosis.verdict != "named":  # a mistake's own text may begin with a symbol, such as e
@@ -146,7 +146,7 @@ def _diagnosed(diagnosis: Diagnosis, told: Sequence[str], advice: Advice) -> Ite
 
 
 def _is_shown(diagnosis: Diagnosis, example: Counterexample, told: Sequence[str]) -> bool:
-    """Whether what the tests told shows the mistake, so that an example adds nothing."""
+    """Whether the reported tests show the mistake already, so that an example adds nothing."""
     in_many = diagnosis.verdict == "one at a time" or bool(example.answer.error)
     if told and in_many:
         return True

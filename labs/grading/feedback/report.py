@@ -1,4 +1,4 @@
-"""What a student reads of their visible tests: each function right, wrong or to do, and why; 80 columns."""
+"""Writes what a student reads about their visible tests: each function right, wrong or to do, and why; 80 columns."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ HIDDEN = "hidden tests ask the same of other inputs, at limits and of many cases
 
 
 def report(sheet: Sheet, topics: Sequence[str]) -> Iterator[str]:
-    """All lines, those of the file first, then topic by topic, and in the end what to do next."""
+    """All lines: first those about the file, then topic by topic, and at the end what to do next."""
     for complaint in sheet.complaints:
         if complaint.kind != "missing":  # missing functions are on the list below
             yield from folded(str(complaint), 0)
@@ -50,7 +50,7 @@ def state(sheet: Sheet, name: str) -> str:
 
 
 def tested(sheet: Sheet, topic: str) -> list[Function]:
-    """The functions of a topic that a test asked for, and wrong ones that these call."""
+    """The functions of a topic that were tested, and the wrong ones that these call."""
     beneath = {outcome.function for outcome in sheet.beneath}
     about = {outcome.function for outcome in sheet.outcomes} | {name for name in beneath if state(sheet, name) == WRONG}
     return [entry for entry in lecture.functions_of(topic) if entry.name in about]
@@ -75,14 +75,14 @@ def _to_do(sheet: Sheet, entry: Function) -> str:
 
 
 def _waits(sheet: Sheet, name: str) -> list[str]:
-    """Other functions that are not written yet, where nothing else keeps this one from being right."""
+    """Other functions that are not written yet, if nothing else keeps this one from being right."""
     said = [said for outcome in sheet.about(name) for _, said in outcome.failures if said]
     needed = [needed_function(words) or name for words in said]
     return [] if name in needed else list(dict.fromkeys(needed))
 
 
 def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
-    """How far it is, and what comes next."""
+    """How many functions are right, and what to do next."""
     states = {entry.name: state(sheet, entry.name) for entry in entries}
     faulty = [name for name, mark in states.items() if mark == WRONG]
     to_do = [entry for entry in entries if states[entry.name] == TO_DO]
@@ -100,7 +100,7 @@ def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
 
 
 def _nearest(sheet: Sheet, wrong: Sequence[str]) -> str:
-    """The first one that uses no other wrong one."""
+    """The first wrong function that uses no other wrong function."""
     return next((name for name in wrong if not set(sheet.uses.get(name, [])) & set(wrong)), wrong[0])
 
 

@@ -1,6 +1,6 @@
-"""Examples that are drawn from the submission's text: the same file meets the same ones whenever it is graded.
+"""Draws examples with a seed from the submission's text: the same file gets the same examples whenever it is graded.
 
-Numbers are drawn quickly, without hypothesis; where one fails, hypothesis looks for the smallest example that does.
+Numbers are drawn quickly, without hypothesis. If an example fails, hypothesis looks for the smallest one that does.
 """
 
 from __future__ import annotations
@@ -23,21 +23,23 @@ from labs.grading.errors import FunctionRaised
 from labs.grading.judging.comparison import Called, Formula, check, each, outputs_of, refuse_changes
 
 COUNT = 8
-"""Examples a part. A wrong formula that shows only in one of so many is a limiting case, and asked for by itself."""
+"""Examples per part. A mistake that shows in fewer than one of so many is a limiting case, with a part of its own."""
 MOST, MOST_CALLS = 50, 200
-"""Examples that hypothesis may try to find one that fails, and calls in all until it is small enough."""
+"""Examples that hypothesis may try until one fails, and calls in all while it makes that one smaller."""
+_TIDY_DIGITS = 9
+"""Digits after the point that are shown of an example; further ones are rounding."""
 Check = Callable[..., None]
 
 
 @dataclass(frozen=True)
 class Examples:
-    """What draws examples for one test. seed: of the submission's text. told: whether a student reads what failed."""
+    """Draws examples for one test. seed: of the submission's text. shown: whether a student sees one that failed."""
 
     seed: int
-    told: bool = True
+    shown: bool = True
 
     def agree(self, function: Called, formula: Formula, maker: Maker, count: int = COUNT) -> None:
-        """The function gives what the formula for one contact gives, one example after another."""
+        """Require that the function agrees with the formula for one contact, one example after another."""
 
         def agrees(*arguments: Any) -> None:
             check(
@@ -49,9 +51,10 @@ class Examples:
         self._every(maker, drawn, agrees, agrees)
 
     def together(self, function: Called, formula: Formula, maker: Maker, single: Sequence[int] = ()) -> None:
-        """Several contacts in one call, side by side in every way in which they may stand, and nothing written to.
+        """Require the right answer for several contacts in one call, and that no argument is written to.
 
-        single: the places of the arguments that all contacts of a call share.
+        The contacts are put side by side in every way in which arguments may be combined. single: the places of the
+        arguments that all contacts of a call share.
         """
         name = f"{function.name} {self.seed}"
         sample = maker(Draw(np.random.default_rng(0)))
@@ -64,15 +67,15 @@ class Examples:
             refuse_changes(function)
 
     def every(self, maker: Maker, holds: Check, count: int = COUNT) -> None:
-        """A property: `holds(*arguments)` raises an AssertionError where it does not hold.
+        """Require a property: `holds(*arguments)` raises an AssertionError if it does not hold.
 
         Raises
         ------
         AssertionError
-            With what it said, and the smallest example that was found.
+            With the words of that error, and the smallest example that was found.
         """
 
-        def told(*arguments: Any) -> None:
+        def explained(*arguments: Any) -> None:
             names, tidy = list(inspect.signature(holds).parameters), _tidy(arguments)
             for tried in (tidy, arguments):
                 try:
@@ -81,22 +84,23 @@ class Examples:
                     words, example = _own_words(error), called(names, tidy)
                     raise AssertionError(words if f"({example})" in words else f"{words}\nfor {example}") from None
 
-        self._every(maker, self._drawn(maker, count), holds, told)
+        self._every(maker, self._drawn(maker, count), holds, explained)
 
     def _drawn(self, maker: Maker, count: int) -> list[tuple[Any, ...]]:
         draw = Draw(np.random.default_rng(self.seed))
         return [maker(draw) for _ in range(count)]
 
-    def _every(self, maker: Maker, drawn: list[tuple[Any, ...]], holds: Check, told: Check) -> None:
+    def _every(self, maker: Maker, drawn: list[tuple[Any, ...]], holds: Check, explained: Check) -> None:
+        """Try all examples. explained: raises the error for the student, on the smallest example that fails."""
         for arguments in drawn:
             try:
                 holds(*arguments)
             except (AssertionError, FunctionRaised):
-                told(*(self._smallest(maker, holds) or arguments) if self.told else arguments)
-                raise  # told should have raised: the function does not always answer alike
+                explained(*(self._smallest(maker, holds) or arguments) if self.shown else arguments)
+                raise  # `explained` should have raised: the function does not always give the same answer
 
     def _smallest(self, maker: Maker, holds: Check) -> tuple[Any, ...] | None:
-        """The smallest arguments that hypothesis finds for which it does not hold; None where it finds none."""
+        """The smallest arguments that hypothesis finds for which it does not hold; None if it finds none."""
         import hypothesis  # noqa: PLC0415 - takes as long to load as NumPy, and a right submission never needs it
         from hypothesis import strategies as st  # noqa: PLC0415
 
@@ -130,23 +134,23 @@ class Examples:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 search()
-        except Exception:  # what hypothesis says of it, in any of its ways; the last example tried is the smallest
+        except Exception:  # hypothesis reports it in several ways; the last example that failed is the smallest
             return failing[-1] if failing else None
         return None
 
 
 def _own_words(error: AssertionError) -> str:
-    """The message of an assertion without what pytest adds on how it came to be false."""
+    """The message of an assertion without the explanation that pytest adds."""
     lines = str(error).splitlines()
     added = [number for number, line in enumerate(lines) if number and line.startswith("assert ")]
     return "\n".join(lines[: added[0]] if added else lines)
 
 
 def _tidy(value: Any) -> Any:
-    """Without digits that are but rounding."""
+    """A value without digits that are only rounding."""
     if isinstance(value, tuple):
         return tuple(map(_tidy, value))
-    return np.round(value, 9) if isinstance(value, float | np.ndarray) else value
+    return np.round(value, _TIDY_DIGITS) if isinstance(value, float | np.ndarray) else value
 
 
 def _drawing(chosen: Chosen) -> Draw:
@@ -160,9 +164,9 @@ class _SimpleDraw(Draw):
 
 
 class Chosen:
-    """What `Draw` asks of a random generator, made of whole numbers that hypothesis makes smaller; 0 is the simplest.
+    """Stands in for the random generator of `Draw`, and takes its choices from whole numbers; 0 is the simplest.
 
-    taken: how many of them were asked for.
+    Hypothesis chooses these numbers, and makes them smaller. taken: how many of them were used.
     """
 
     MOST = 1000
@@ -175,7 +179,7 @@ class Chosen:
         return next(self._choices, 0)
 
     def uniform(self, low: float = 0.0, high: float = 1.0) -> float:
-        """A number: 1 or 0 where they will do."""
+        """A number: 1 or 0 if they are within the limits."""
         choice = self._next()
         if choice:
             return low + (high - low) * choice / self.MOST

@@ -1,4 +1,4 @@
-"""Names that a lab's own cells define: checks of arguments, what a body is, `np`."""
+"""The names that a lab's own cells define, such as checks of arguments, the type of a body, and `np`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ TAG = "given"
 
 
 def given_names(topics: Collection[str]) -> frozenset[str]:
-    """Those of some labs; of a lab without a notebook here none."""
+    """The names that the cells of some labs define; none for a lab that has no notebook here."""
     return frozenset(name for topic in topics for name in _names(STUDENT_NOTEBOOKS / f"{topic}.ipynb"))
 
 

@@ -99,7 +99,7 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
 @pytest.fixture
 def examples(request: pytest.FixtureRequest) -> Examples:
     """Inputs drawn for this test from the submission's text, and the test's own."""
-    return Examples(_seed(request.node), told=not is_hidden(request.node))
+    return Examples(_seed(request.node), shown=not is_hidden(request.node))
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from labs.grading.judging.score_sheet import Sheet
 
 @dataclass(frozen=True)
 class Function:
-    """One function, which reads in pytest's own words as a student writes it: `rebound_velocity(-2.0, 0.5)`."""
+    """One function. In pytest's own messages it reads as a student writes it: `rebound_velocity(-2.0, 0.5)`."""
 
     functions: Functions
     name: str
@@ -47,7 +47,7 @@ class Functions:
         return "submission"
 
     def process(self) -> Call:
-        """The process of the test that runs, for what is more than a call: `steady`, `changed`, `implementation`."""
+        """The process of the running test, for uses beyond a call: `steady`, `changed`, `implementation`."""
         if self._call is None:
             self._call = self._test.enter_context(self._remote.fresh())
             if self._call.sealing:  # where it does not load, later tests have no process

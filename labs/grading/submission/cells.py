@@ -1,8 +1,8 @@
 """A submitted file as cells of source text: a notebook's code cells, or the whole of a `.py` file as one.
 
-Threat: the file is hostile data. It is opened without following a link (which could show the grader's own files in a
-message) and without waiting for a pipe, refused above 10 MB before a byte is parsed, and read as JSON and as text
-alone: no kernel, no nbformat, no import. Outputs are dropped unseen.
+Threat: the file is hostile data. It is opened without following a link, which could show the grader's own files in a
+message, and without waiting for a pipe. Above 10 MB it is refused before a byte is parsed. It is read as JSON and text
+only: no kernel, no nbformat, no import. Outputs are dropped unread.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ CELL_LIMIT = 2000
 CODE_LIMIT = 2**18
 """Characters of the longest source, all code cells together: some five thousand lines."""
 BRACE_LIMIT = 10_000
-"""The most opening braces in it. Python reads an f-string in the square of the time; of 80,000 it makes a minute."""
+"""The most opening braces in it. Python's time for an f-string grows as their square: 80,000 need a minute."""
 
 _OTHERS = {
     b"%PDF": "a PDF", b"PK\x03\x04": "a zip archive", b"\x1f\x8b": "a gzip archive", b"\x89PNG": "an image",
     b"\xff\xd8\xff": "an image", b"\x7fELF": "a program", b"<!doctype html": "a web page", b"<html": "a web page",
 }  # fmt: skip
 _DECLARED = {"iso-8859-1", "iso-8859-15", "cp1252", "cp1250", "mac-roman", "ascii"}
-"""What a first line `# coding: …` may say beside UTF-8; others take long to decode what is made to do so."""
+"""Encodings besides UTF-8 that a first line `# coding: …` may name. Others can be made to take very long."""
 _MERGE_MARK = re.compile(r"^(<{7} |={7}$|>{7} |\|{7} )", re.MULTILINE)
 
 
@@ -60,7 +60,7 @@ class Complaint:
 
 @dataclass(frozen=True)
 class Cell:
-    """One piece of source. number: which code cell of the notebook, None for a `.py` file. tags: what it is for."""
+    """One cell of source. number: which code cell of the notebook, None for a `.py` file. tags: what it is for."""
 
     source: str
     number: int | None = None
@@ -68,13 +68,13 @@ class Cell:
 
 
 def place(cell: int | None, line: int | None) -> str:
-    """In words, such as "code cell 3, line 2"; empty where neither is known."""
+    """A place in words, such as "code cell 3, line 2"; empty if neither is known."""
     parts = [f"code cell {cell}"] * (cell is not None) + [f"line {line}"] * (line is not None)
     return ", ".join(parts)
 
 
 def read_cells(path: Path) -> tuple[list[Cell], list[Complaint]]:
-    """The file's code; raises `UnreadableSubmission` where there is none to be had."""
+    """The file's code; raises `UnreadableSubmission` if it has none that can be read."""
     raw = _bytes(path)
     text, complaints = _text(raw)
     notebook = text.lstrip().startswith("{") and '"cells"' in text
@@ -136,7 +136,7 @@ def _bytes(path: Path) -> bytes:
 
 
 def _text(raw: bytes) -> tuple[str, list[Complaint]]:
-    """The file as text with plain line ends; a complaint where its encoding had to be guessed."""
+    """The file as text with plain line ends; with a complaint if its encoding had to be guessed."""
     complaints = []
     encoding = "utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
     with contextlib.suppress(SyntaxError):  # raised for an encoding that Python does not know
@@ -181,7 +181,7 @@ def _notebook_cells(text: str) -> Iterator[Cell]:
 
 
 def _cells_of(notebook: Any) -> list[Any]:
-    """Of format 4 the cells, of format 3 those of all worksheets."""
+    """The cells of a notebook of format 4, or those of all worksheets in format 3."""
     if isinstance(notebook, dict):
         sheets = notebook.get("worksheets")
         found = notebook.get("cells")

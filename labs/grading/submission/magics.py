@@ -1,6 +1,6 @@
-"""Lines that only a notebook's kernel understands, taken out of a cell: magics, shell commands, questions.
+"""Takes out of a cell the lines that only a notebook's kernel understands: magics, shell commands, questions.
 
-A line is taken out where a statement begins, never inside a bracket or a string, and `pass` stands in for it, so that
+A line is taken out only if it begins a statement, never inside a bracket or a string. `pass` takes its place, so that
 blocks stay whole and every other line keeps its number.
 
 Threat: a megabyte made to be read again and again. No pattern here looks at a character more than a few times.
@@ -31,7 +31,7 @@ _TOKEN = re.compile(
 
 
 def without_magics(source: str) -> str:
-    """The cell's Python; empty where its first line says that it is of another language."""
+    """The cell's Python; empty if its first line says that the cell is in another language."""
     found = _PYTHON_CELL.match(source)
     at = found.end() if found else 0
     if source.startswith("%%", at):
@@ -51,7 +51,7 @@ def without_magics(source: str) -> str:
 
 
 def _end_of_line(source: str, at: int) -> int:
-    """Where a magic ends: its line, and those that a backslash joins to it."""
+    """Where a magic ends: after its line and those that a backslash joins to it."""
     while True:
         end = source.find("\n", at)
         if end < 0:
@@ -62,7 +62,7 @@ def _end_of_line(source: str, at: int) -> int:
 
 
 def _end_of_statement(source: str, at: int) -> int:
-    """Where a logical line ends: brackets closed, strings over."""
+    """Where a logical line ends: all its brackets and strings are closed."""
     depth = 0
     for token in _TOKEN.finditer(source, at):
         depth += (token["open"] is not None) - (token["close"] is not None)

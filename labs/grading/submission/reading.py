@@ -1,11 +1,11 @@
-"""A student's file as the source text of the functions that are wanted of it, and what is wrong with it.
+"""Reads a student's file as the source text of the wanted functions, and says what is wrong with the file.
 
-The file is never run here: it is read (`files`), freed of what only a notebook understands (`magics`) and cut down
-to what the functions need (`slicing`). Lines that are left out stay behind as empty lines, so an error's line number
-leads back to the line, and in a notebook the code cell, that the student knows.
+The file is never run here. It is read (`cells`), freed of lines that only a notebook understands (`magics`), and cut
+down to what the functions need (`slicing`). Lines that are left out remain as empty lines, so that an error's line
+number leads back to the student's own line, and in a notebook to the code cell.
 
-A function counts in the last place that defines it; a cell that is tagged with the function's name, or that nbgrader
-knows by it, comes before any other.
+If a function is defined several times, its last definition counts, unless a cell was made for it: one that is tagged
+with the function's name, or that nbgrader knows by that name.
 """
 
 from __future__ import annotations
@@ -28,19 +28,19 @@ from reference import lecture
 
 __all__ = ["Complaint", "Submission", "read"]
 
-_ALIKE = 0.85  # of 1, how much a name has to share with another one to be taken for it
-_LOOKED_AT = 500  # names at most
-_TOO_MUCH = (ValueError, RecursionError, MemoryError)  # of ast, for what no person writes
+_ALIKE = 0.85  # similarity, at most 1, from which a name is taken for a misspelling of another one
+_LOOKED_AT = 500  # the most names that are compared so
+_TOO_MUCH = (ValueError, RecursionError, MemoryError)  # raised by ast for text that no person writes
 
 
 @dataclass(frozen=True)
 class Submission:
     """What a student handed in.
 
-    name: the file's, fit to be shown. text: Python source of the functions and what they need. functions: those of
-    the wanted that it defines, in the order asked for. complaints: what the student should know. starts: the lines of
-    `text` before each code cell, with the cell's number; empty for a `.py` file. unread: those of the wanted that stand
-    where Python cannot read.
+    name: the file's, fit to be shown. text: Python source of the functions and what they need. functions: the wanted
+    ones that it defines, in the order in which they were wanted. complaints: what the student should know. starts: the
+    number of lines of `text` before each code cell, with the cell's number; empty for a `.py` file. unread: wanted
+    functions in text that Python cannot read.
     """
 
     name: str
@@ -51,18 +51,18 @@ class Submission:
     unread: tuple[str, ...] = ()
 
     def uses(self, name: str) -> list[str]:
-        """The functions of the submission that one of them calls, itself or by way of what it needs besides."""
+        """The functions of the submission that one of them calls, directly or through other code that it needs."""
         return used_by(self._groups, name, self.functions)
 
     def function_at(self, line: int | None) -> str | None:
-        """The function of the submission that a line of the text stands in, if it is one."""
+        """The function of the submission that contains a line of the text, if one does."""
         around = (group for group in self._groups if line and group.first <= line <= group.last)
         return next((name for group in around for name in self.functions if name in group.defines), None)
 
     def borrows(self, name: str) -> dict[str, str]:
-        """Variables in lower case that a function looks up in other cells, with the cell that set each; in a notebook.
+        """Variables in lower case that a function of a notebook takes from other cells, with the cell that set each.
 
-        Such as `step`, left behind by a plot, where an argument was meant.
+        An example is `step`, left behind by a plot, where an argument was meant.
         """
         own = [group for group in self._groups if name in group.defines]
         used, here = {each for group in own for each in group.uses}, {self._cell(group) for group in own}
@@ -80,7 +80,7 @@ class Submission:
     def _groups(self) -> list[Group]:
         try:
             return groups(self.text)
-        except (SyntaxError, *_TOO_MUCH):  # what each cell may say, and all of them together may not
+        except (SyntaxError, *_TOO_MUCH):  # each cell may be valid, and all of them together not
             return []
 
     def where(self, line: int) -> str:
@@ -90,8 +90,8 @@ class Submission:
 
 
 @dataclass(frozen=True)
-class _Piece:
-    """A group of statements and the cell that it stands in."""
+class _Located:
+    """A group of statements and the cell that it is in."""
 
     group: Group
     cell: Cell
@@ -100,8 +100,8 @@ class _Piece:
 def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) -> Submission:
     """Read a `.ipynb` or `.py` file, looking for the wanted functions.
 
-    also: functions that are kept where they are defined, and not missed where they are not.
-    Raises `UnreadableSubmission` where the file holds no code at all; anything smaller is a complaint.
+    also: functions that are kept if they are defined, and not missed otherwise. Raises `UnreadableSubmission` if the
+    file holds no code at all; anything less is a complaint.
     """
     path = Path(path)
     name = one_line(path.name)
@@ -113,7 +113,7 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
     for cell in cells:
         source, found = _parsed(cell, complaints)
         sources.append(source)
-        pieces += [_Piece(group, cell) for group in found]
+        pieces += [_Located(group, cell) for group in found]
     functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
     defined = {name for piece in pieces for name in piece.group.defines}
     missing = [each for each in wanted if each not in defined]
@@ -129,13 +129,13 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
 
 
 def _parsed(cell: Cell, complaints: list[Complaint]) -> tuple[str, list[Group]]:
-    """The cell's Python and its statements; a cell that cannot be read costs what it defines."""
+    """The cell's Python and its statements; empty, with a complaint, if the cell cannot be read."""
     if marks := list(merge_marks(cell)):
         complaints.extend(replace(mark, text=mark.text + _effect(cell.source)) for mark in marks)
         return "", []
     source = cell.source
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of a backslash in a text: the student sees that elsewhere
+        warnings.simplefilter("ignore")  # about a backslash in a text: the student sees that elsewhere
         try:
             return source, groups(source)
         except (SyntaxError, *_TOO_MUCH):
@@ -168,8 +168,8 @@ def _defs(source: str) -> list[str]:
     return list(dict.fromkeys(re.findall(r"^def (\w+)", source, re.MULTILINE)))
 
 
-def _misspelt(missing: list[str], pieces: list[_Piece]) -> Iterator[Complaint]:
-    """Functions of other names that look like missing ones."""
+def _misspelt(missing: list[str], pieces: list[_Located]) -> Iterator[Complaint]:
+    """Complaints about functions whose names look like those of missing ones."""
     plainly = {_letters(name): name for name in missing}
     others = [(name, piece) for piece in pieces for name in sorted(piece.group.defines - lecture.FUNCTIONS.keys())]
     for name, piece in others[:_LOOKED_AT]:
@@ -183,8 +183,8 @@ def _letters(name: str) -> str:
     return name.replace("_", "").lower()
 
 
-def _check_definition(name: str, pieces: list[_Piece], complaints: list[Complaint]) -> bool:
-    """Whether the submission defines the function; complains of copies, and of an import in its stead."""
+def _check_definition(name: str, pieces: list[_Located], complaints: list[Complaint]) -> bool:
+    """Whether the submission defines the function; complains of copies, and of an import instead of a definition."""
     found = [piece for piece in pieces if defined_as(piece.group, name)]
     kinds = {defined_as(piece.group, name) for piece in found}
     if kinds == {"import"}:
@@ -198,15 +198,15 @@ def _check_definition(name: str, pieces: list[_Piece], complaints: list[Complain
     return bool(found)
 
 
-def _counting(name: str, found: list[_Piece]) -> _Piece:
-    """The definition that counts: the last, in the cell made for it if there is one."""
+def _counting(name: str, found: list[_Located]) -> _Located:
+    """The definition that counts: the last one, or the last one in a cell made for it."""
     return ([piece for piece in found if name in piece.cell.tags] or found)[-1]
 
 
 def _assembled(
-    cells: list[Cell], sources: list[str], pieces: list[_Piece], functions: list[str]
+    cells: list[Cell], sources: list[str], pieces: list[_Located], functions: list[str]
 ) -> tuple[str, tuple[tuple[int, int], ...]]:
-    """The text of what the functions need, all other lines empty, and where each code cell starts in it."""
+    """The text that the functions need, with all other lines empty, and where each code cell starts in it."""
     made_for_it = _in_cells_made_for(pieces, functions)
     counting = [piece for piece in pieces if not _outdone(piece, made_for_it)]
     kept: dict[int, list[Group]] = {}  # of each cell
@@ -221,19 +221,19 @@ def _assembled(
     return "\n".join(lines).rstrip("\n") + "\n", tuple(starts)
 
 
-def _in_cells_made_for(pieces: list[_Piece], functions: list[str]) -> dict[str, _Piece]:
-    """The functions that a cell made for them defines, each with the definition that counts."""
+def _in_cells_made_for(pieces: list[_Located], functions: list[str]) -> dict[str, _Located]:
+    """The functions that are defined in a cell made for them, each with the definition that counts."""
     return {name: piece for piece in pieces for name in piece.group.defines & set(functions) if name in piece.cell.tags}
 
 
-def _outdone(piece: _Piece, made_for_it: dict[str, _Piece]) -> bool:
-    """Whether it only defines a function anew that the cell made for it defines as well."""
+def _outdone(piece: _Located, made_for_it: dict[str, _Located]) -> bool:
+    """Whether it is only another definition of a function that has a cell made for it."""
     alone = len(piece.group.statements) == 1 and isinstance(piece.group.statements[0], ast.FunctionDef)
     return alone and any(name not in piece.cell.tags for name in piece.group.defines & made_for_it.keys())
 
 
 def _only(source: str, kept: list[Group]) -> list[str]:
-    """The source's lines, empty but for those of the groups kept."""
+    """The source's lines, empty except for those of the kept groups."""
     lines = source.split("\n")
     wanted = {number for group in kept for number in range(group.first, group.last + 1)}
     return [line if number in wanted else "" for number, line in enumerate(lines, start=1)]

@@ -1,8 +1,8 @@
-"""Which statements of a submission its functions need: a graph of names, read off the syntax tree.
+"""Finds the statements of a submission that its functions need, from the names in the syntax tree.
 
-A function needs the statements that define the names it looks up outside itself, and so on. Everything else only runs
-things: it plots, prints, checks, animates. That is left out, so that it can neither fail nor cost time, and a line
-number still means the line that the student sees.
+A function needs the statements that define the names which it looks up outside itself, and these need others in turn.
+All other statements only plot, print, check or animate. They are left out, so that they can neither fail nor cost time,
+while a line number still means the line that the student sees.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ _SCOPES = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.Lambda
 
 @dataclass(frozen=True)
 class Group:
-    """Statements that share lines, so are kept or left out together. first, last: their lines, from 1.
+    """Statements that share lines, and so are kept or left out together. first, last: their lines, from 1.
 
-    defines: names that they bind. touches: names whose object they change. uses: names that they look up.
+    defines: names that they bind. touches: names whose objects they change. uses: names that they look up.
     """
 
     first: int
@@ -46,7 +46,7 @@ def groups(source: str) -> list[Group]:
 
 
 def needed(every: list[Group], wanted: Collection[str]) -> set[int]:
-    """Which groups, by their place, the wanted names need."""
+    """The numbers of the groups that the wanted names need."""
     concerned: dict[str, list[int]] = {}
     for at, group in enumerate(every):
         for name in group.defines | group.touches:
@@ -63,7 +63,7 @@ def needed(every: list[Group], wanted: Collection[str]) -> set[int]:
 
 
 def used_by(every: list[Group], name: str, among: Collection[str]) -> list[str]:
-    """Which of some names a name needs, itself or by way of others that are not among them; in their order."""
+    """Which of some names a name needs, directly or through names that are not among them; in their order."""
     waiting, seen = [name], {name}
     while waiting:
         each = waiting.pop()
@@ -76,7 +76,7 @@ def used_by(every: list[Group], name: str, among: Collection[str]) -> list[str]:
 
 
 def defined_as(group: Group, name: str) -> str | None:
-    """How a group binds a name: "def", "class", "import", "value", or not at all."""
+    """How a group binds a name: "def", "class", "import" or "value"; None if it does not."""
     for statement in reversed(group.statements) if name in group.defines else ():
         for node in _outside_scopes(statement):
             if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and node.name == name:
@@ -123,7 +123,7 @@ def _outside_scopes(statement: ast.stmt) -> Iterator[ast.AST]:
 
 
 def _evaluated_outside(scope: ast.AST) -> Iterator[ast.AST]:
-    """What of a function or class is evaluated where it stands: decorators, defaults, bases."""
+    """The parts of a function or class that are evaluated at its definition: decorators, defaults, bases."""
     yield from getattr(scope, "decorator_list", [])
     yield from getattr(scope, "bases", [])
     if isinstance(arguments := getattr(scope, "args", None), ast.arguments):

@@ -1,1 +1,1 @@
-"""What runs inside the processes that untrusted code gets to see: the standard library and NumPy alone."""
+"""Runs inside the processes that untrusted code can see, and needs only the standard library and NumPy."""

@@ -1,10 +1,10 @@
-"""Landlock: this process, whoever it runs as, can open the files it was given and no others.
+"""Landlock: this process can open the files that it was given and no others, no matter which user it runs as.
 
 Threat: reading the tests, the gradebook, /proc of the grader, other students' work; filling the disk; rewriting
-results. Paths are opened before (they may lie where the dropped user cannot go) and granted for reading alone, so
-that there is nowhere to write, not even in the process's own folder. What the kernel knows of TCP (version 4 of the
-interface), of abstract sockets and of signals to outside (version 6) is denied as well; it never covers UDP, and lets
-a path be asked whether it exists. The system call filter sees to both.
+results. Paths are opened before, as they may be where the dropped user cannot go. They are granted for reading only, so
+that the process can write nowhere, not even in its own folder. TCP (from version 4 of the kernel's interface), abstract
+sockets and signals to outside (from version 6) are denied as well. Landlock never covers UDP, and does not hide whether
+a path exists. The filter of system calls covers both.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _VERSION_OF_INTERFACE = 1
 _PATH_BENEATH = 1
 
 _EXECUTE, _READ_FILE, _READ_FOLDER = 1 << 0, 1 << 2, 1 << 3
-_FILE_RIGHTS = {1: 13, 2: 14, 3: 15, 5: 16}  # from that version on, so many kinds of access are known
+_FILE_RIGHTS = {1: 13, 2: 14, 3: 15, 5: 16}  # version of the interface: how many kinds of access it knows
 _TCP = 0b11  # bind and connect
 _SCOPES = 0b11  # abstract sockets and signals
 
@@ -38,7 +38,7 @@ class _PathBeneath(ctypes.Structure):
 
 
 def version() -> int:
-    """The version of the kernel's interface, or 0 where Landlock is missing or switched off."""
+    """The version of the kernel's interface, or 0 if Landlock is missing or switched off."""
     try:
         return system_calls.syscall(_CREATE_RULESET, None, 0, _VERSION_OF_INTERFACE)
     except OSError:
@@ -46,9 +46,9 @@ def version() -> int:
 
 
 def ruleset(paths: Sequence[str]) -> int | None:
-    """A descriptor of the rules that let those of the files and folders be read that exist; None without Landlock.
+    """A descriptor of rules that allow reading those of the files and folders that exist; None without Landlock.
 
-    Made once: what it lists takes time, and every test's process gets the same.
+    It is made once, because opening the paths takes time, and every test's process gets the same rules.
     """
     known = version()
     if not known:
@@ -64,7 +64,7 @@ def ruleset(paths: Sequence[str]) -> int | None:
 
 
 def restrict(rules: int | None) -> None:
-    """Deny this process all files but those that the rules name; raises OSError where that cannot be.
+    """Deny this process all files except those that the rules name; raises OSError if that is impossible.
 
     The process must have given up new privileges before.
     """

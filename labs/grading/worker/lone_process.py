@@ -1,6 +1,6 @@
-"""A test's process on a system without our sandbox: an interpreter of its own for each, stopped when its time is over.
+"""A test's process on a system without our sandbox: an interpreter for each test, stopped when its time is over.
 
-The grader says so with every result.
+The grader reports this lesser protection with every result.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from labs.grading.worker.tier import Tier
 
 
 def main() -> None:
-    """Serve on what were stdin and stdout; arguments one and two are folders to import from."""
+    """Serve on the former stdin and stdout; the first two arguments are folders to import from."""
     requests, answers = os.dup(0), os.dup(1)
     nowhere = os.open(os.devnull, os.O_RDWR)
     for standard in (0, 1, 2):

@@ -1,14 +1,14 @@
 """The wire between the grader and the worker: plain values of exact types, as JSON, never pickle.
 
-Threat: whatever arrives was written by untrusted code. A pickle runs its sender's code; a subclass brings its own
-`==`, `__float__` or `__array_ufunc__` and can agree with any expected number. So reading a message builds values of
-the types below and of no others, whatever the bytes say: None, bool, int, float, str, tuple, list, and NumPy arrays
-and scalars of plain dtypes. The sender refuses everything else by the name of its type, so that an honest student
-learns what was wrong. A message has a limit in bytes and in parts, as a few megabytes of `[[],[],…` would become a
-hundred times that in memory; the length comes first and is checked before anything is read.
+Threat: everything that arrives was written by untrusted code. A pickle runs its sender's code; a subclass brings its
+own `==`, `__float__` or `__array_ufunc__` and can agree with any expected number. So reading a message builds values of
+the types below and of no others, whatever the bytes say: None, bool, int, float, str, tuple, list, and NumPy arrays and
+scalars of plain dtypes. The sender refuses everything else by the name of its type, so that an honest student learns
+what was wrong. A message has a limit in bytes and in parts, as a few megabytes of `[[],[],…` would become a hundred
+times that in memory; the length comes first and is checked before anything is read.
 
 Numbers arrive bit by bit as they were sent: a NaN keeps its payload, −0.0 its sign, an array its dtype and shape.
-The worker loads this module as well, so it needs the standard library and NumPy alone.
+The worker loads this module as well, so it needs only the standard library and NumPy.
 """
 
 from __future__ import annotations
@@ -42,14 +42,14 @@ class Refused(Exception):
 
 
 def pack(value: Any) -> bytes:
-    """The message's bytes, length first; raises `Refused` for a value of another type, or one that is too large."""
+    """The message's bytes, length first; raises `Refused` if a value is of another type, or too large."""
     body = json.dumps(encoded(value), separators=(",", ":")).encode("ascii")
     _check_size(body)
     return len(body).to_bytes(HEADER, "big") + body
 
 
 def length(header: bytes) -> int:
-    """How many bytes follow the header; raises `Refused` where that is more than a message may have."""
+    """How many bytes follow the header; raises `Refused` if that is more than a message may have."""
     announced = int.from_bytes(header, "big")
     if announced > MESSAGE_LIMIT:
         raise Refused(f"a message of {announced} bytes; at most {MESSAGE_LIMIT} are read")
@@ -86,7 +86,7 @@ def encoded(value: Any, depth: int = 0) -> Any:
     if exact is np.ndarray:
         return ["array", _dtype_name(value.dtype), list(value.shape), _text_of(value)]
     if exact in _SCALARS:
-        array = np.asarray(value)  # its dtype has room for a character even where the text is empty
+        array = np.asarray(value)  # its dtype has room for a character even if the text is empty
         return ["scalar", _dtype_name(array.dtype), [], _text_of(array)]
     raise Refused(f"an object of type {_type_name(exact)}")
 
@@ -139,7 +139,7 @@ def _text_of(array: np.ndarray[Any, Any]) -> str:
 
 
 def _odd_float(digits: str) -> float:
-    """A float given by its bits, for what JSON has no word for: NaN with its payload, and the infinities."""
+    """A float given by its bits, because JSON has no word for it: NaN with its payload, and the infinities."""
     found: float = struct.unpack(">d", bytes.fromhex(digits))[0] if len(digits) == 16 else 0.0
     if math.isfinite(found):
         raise Refused(f"not a message: {digits[:20]!r} is no odd float")
@@ -171,7 +171,7 @@ def _plain_dtype(name: str) -> np.dtype[Any]:
         dtype = np.dtype(name)
     except (TypeError, ValueError):
         raise Refused(f"not a message: no dtype {name!r}") from None
-    if dtype.str != name or dtype.itemsize == 0:  # NumPy itself makes room for a character where there is none
+    if dtype.str != name or dtype.itemsize == 0:  # NumPy itself makes room for a character if there is none
         raise Refused(f"not a message: dtype {name!r}")
     return dtype
 

@@ -1,12 +1,13 @@
-"""The bare parent: a process of the standard library and NumPy alone that forks one process for every test.
+"""The nursery: a bare process, with the standard library and NumPy only, that forks one process for every test.
 
-Threat: a process forked from one that has loaded the tests carries them in its memory. This one is started on its own
-and never gets to see a test, a call, or even the submission: the grader opens a pair of pipes for every test, hands
-them over, and talks to the test's process past it. It cannot be looked into (not dumpable), takes in every orphan
-below it (subreaper), and says that a test has ended only when no process of it is left; before it has said so of all,
-no result is written. When the grader is gone, the control socket ends, and everything here with it.
+Threat: a process forked from one that has loaded the tests carries them in its memory. The nursery is started on its
+own and never sees a test, a call, or even the submission: the grader opens a pair of pipes for every test, hands them
+over, and talks to the test's process directly. Other processes cannot look into the nursery (it is not dumpable), and
+it takes in every orphan below it (it is a subreaper). It reports that a test has ended only when no process of that
+test is left, and no result is written before all these reports. When the grader is gone, the control socket ends, and
+the nursery and all tests end with it.
 
-It also saves time: a fork takes milliseconds, where a fresh interpreter would load NumPy anew for every test.
+The nursery also saves time: a fork takes milliseconds, while a fresh interpreter would load NumPy again for every test.
 """
 
 from __future__ import annotations
@@ -32,12 +33,12 @@ _PRELOADED = (
     "array", "bisect", "cmath", "copy", "dataclasses", "datetime", "enum", "fractions", "heapq", "itertools", "numbers",
     "operator", "random", "statistics", "typing", "numpy.fft", "numpy.linalg", "numpy.random", "numpy.typing",
 )  # fmt: skip
-"""What solutions import: loaded once, and there even for a user who may not read the interpreter's folder."""
+"""What solutions import. It is loaded once, and available even to a user who may not read the interpreter's folder."""
 _PATIENCE = 5.0  # s for the processes of a test to be gone
 
 
 def main() -> None:
-    """Answer the grader on the socket whose number is the third argument; one and two are folders to import from."""
+    """Answer the grader on the socket whose number is the third argument; the first two are folders to import from."""
     control = socket.socket(fileno=int(sys.argv[3]))
     without = json.loads(sys.argv[4])
     rules = landlock.ruleset(prepare())
@@ -47,13 +48,13 @@ def main() -> None:
         system_calls.prctl(system_calls.SET_DUMPABLE, 0)
     offline = ("seccomp" in without or not seccomp.available()) and "namespace" not in without and leave_network()
     gc.collect()
-    gc.freeze()  # what is shared with the tests' processes stays shared
+    gc.freeze()  # memory that is shared with the tests' processes stays shared
     Nursery(control, rules, offline).run()
     shutil.rmtree(os.getcwd(), ignore_errors=True)  # the grader does so, unless it was killed
 
 
 def prepare() -> list[str]:
-    """Load what solutions import and forget the way to our own modules; returns the paths that tests may read."""
+    """Load what solutions import, and forget where our own modules are; returns the paths that tests may read."""
     sys.dont_write_bytecode = True
     for name in _PRELOADED:
         importlib.import_module(name)
@@ -62,13 +63,13 @@ def prepare() -> list[str]:
     for name in [name for name in sys.modules if name.partition(".")[0] == "labs"]:
         del sys.modules[name]
     library = sysconfig.get_path("stdlib")
-    other = {"site-packages", "dist-packages"}  # what else is installed there, this project perhaps
+    other = {"site-packages", "dist-packages"}  # other packages that are installed there, perhaps this project
     found = [os.path.join(library, name) for name in os.listdir(library) if name not in other]
     return [*found, *(os.path.join(packages, name) for name in ("numpy", "numpy.libs"))]
 
 
 def leave_network() -> bool:
-    """Move into a network namespace of our own, which has no network; says whether that worked."""
+    """Move into a network namespace of our own, which has no network; returns whether that worked."""
     for namespaces in (
         system_calls.NEW_NETWORK_NAMESPACE,
         system_calls.NEW_USER_NAMESPACE | system_calls.NEW_NETWORK_NAMESPACE,
@@ -80,16 +81,16 @@ def leave_network() -> bool:
 
 
 class Nursery:
-    """Forks and buries the tests' processes. control: the grader's socket. rules, offline: as in `seal`."""
+    """Forks and ends the tests' processes. control: the grader's socket. rules, offline: as in `seal`."""
 
     def __init__(self, control: socket.socket, rules: int | None, offline: bool) -> None:
         self._control, self._rules, self._offline = control, rules, offline
-        self._own_space = sandbox.address_space()  # a test's memory is what it takes beyond this
+        self._own_space = sandbox.address_space()  # a test's memory is the space that it takes beyond this
         self._processes: dict[int, int] = {}  # of every living test, by its number
         self._folders: dict[int, str] = {}
 
     def run(self) -> None:
-        """Answer one request after the other until the grader hangs up, or is gone while an answer is on its way."""
+        """Answer requests in turn until the grader hangs up, or until it is gone when an answer is sent."""
         with contextlib.suppress(ConnectionError):
             while self._answer():
                 pass
@@ -97,7 +98,7 @@ class Nursery:
             self._end(test)
 
     def _answer(self) -> bool:
-        """The next request; False where there is none any more."""
+        """Answer the next request; False if there are no more."""
         request, descriptors, _, _ = socket.recv_fds(self._control, 2**16, 2)
         if not request:
             return False
@@ -120,10 +121,10 @@ class Nursery:
         self._processes[test], self._folders[test] = process, plan.folder
 
     def _become_test(self, plan: sandbox.Plan, pipes: tuple[int, int], parent: int) -> None:
-        """In the forked process; never returns."""
+        """Become the test, in the forked process; never returns."""
         try:
             os.setsid()
-            np.random.seed()  # noqa: NPY002 - or every test's process would draw the same, and what is drawn would seem computed
+            np.random.seed()  # noqa: NPY002 - otherwise all processes would draw the same numbers, and drawn answers would seem steady
             serving.hush({*pipes} if self._rules is None else {*pipes, self._rules})
             sealing = sandbox.seal(plan, self._rules, self._offline, parent)
             if self._rules is not None:
@@ -135,7 +136,7 @@ class Nursery:
             os._exit(0)
 
     def _end(self, test: int) -> dict[str, Any]:
-        """Kill the test's process and every stray; says how it ended and what it used."""
+        """Kill the test's process and every stray; returns how it ended and what it used."""
         process, folder = self._processes.pop(test), self._folders.pop(test)
         for kill in (os.killpg, os.kill):
             with contextlib.suppress(OSError):
@@ -147,7 +148,7 @@ class Nursery:
         return {"status": status, "seconds": seconds, "memory": used.ru_maxrss * 1024, "strays": strays}
 
     def _kill_strays(self) -> int:
-        """Kill all processes below this one that are no living test's; orphans have come here. Says how many."""
+        """Kill all processes below this one that belong to no living test, such as orphans; returns how many."""
         killed: set[int] = set()
         until = time.monotonic() + _PATIENCE
         while strays := _children() - set(self._processes.values()):
@@ -163,7 +164,7 @@ class Nursery:
 
 
 def _children() -> set[int]:
-    """The processes directly below this one, as far as the system tells."""
+    """The processes directly below this one, as far as the system reports them."""
     try:
         with open(f"/proc/self/task/{os.getpid()}/children", encoding="ascii") as file:
             return {int(word) for word in file.read().split()}

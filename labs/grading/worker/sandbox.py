@@ -1,17 +1,17 @@
-"""Shuts a test's process in before it sees the submission, as far as the system allows, and says how far that was.
+"""Shuts a test's process in before it sees the submission, as far as the system allows, and reports how far that is.
 
-Each measure answers a threat that another one leaves open:
+Each measure answers a threat that the others leave open:
 
 - limits: endless loops (processor time), memory, full disks (no byte may be written to a file), fork bombs and
   threads left running (no further process or thread), core dumps of what is in memory;
-- another user, when started as root: root is above the limit on processes, and may read every file;
+- another user, if started as root: root is exempt from the limit on processes, and may read every file;
 - no new privileges: a set-user-id program would undo all of it;
-- Landlock and the filter of system calls: files, network, signals, other processes, see there;
-- an empty folder as the current one, no environment, no descriptor but the two of this test;
-- a death signal: the process ends with the nursery, whatever became of that.
+- Landlock and the filter of system calls: files, network, signals, other processes; see these modules;
+- an empty current folder, no environment, and no descriptor except the two of this test;
+- a death signal: the process ends with the nursery, however that ended.
 
-Any step may fail on some system; then the tier is lower and a line says what is missing. Nothing is switched on that
-the process could switch off again.
+Any step may fail on some system. Then the tier is lower, and a line says what is missing. The process cannot switch off
+any of these measures.
 """
 
 from __future__ import annotations
@@ -34,9 +34,11 @@ _SPARE_SECONDS = 2  # of processor time beyond the wall-clock limit, which then 
 
 @dataclass(frozen=True)
 class Plan:
-    """What a process is allowed. folder: its current one. user: the id it gets when root. memory: bytes of
-    address space. seconds: of processor time. without: measures to leave out, as on a system that lacks them.
-    """  # noqa: D205
+    """What a process is allowed.
+
+    folder: its current one. user: the id that it gets if it is root. memory: bytes of address space. seconds: of
+    processor time. without: measures to leave out, as on a system that lacks them.
+    """
 
     folder: str
     user: int
@@ -47,7 +49,7 @@ class Plan:
 
 @dataclass(frozen=True)
 class Sealing:
-    """How far a process is shut in, and a line for everything that is missing."""
+    """How far a process is shut in, with a line for each measure that is missing."""
 
     tier: Tier
     missing: tuple[str, ...] = ()
@@ -116,7 +118,7 @@ def _limit(plan: Plan) -> None:
 
 
 def address_space() -> int:
-    """Bytes of address space in use; where the system does not tell, more than NumPy has been seen to take."""
+    """Bytes of address space in use; if the system does not report it, more than NumPy has been seen to take."""
     try:
         with open("/proc/self/statm", encoding="ascii") as file:
             return int(file.read().split()[0]) * resource.getpagesize()

@@ -1,11 +1,11 @@
-"""A filter of system calls: what computing needs is allowed, all else answers "not permitted".
+"""A filter of system calls: the calls that computing needs are allowed, and all others answer "not permitted".
 
 Threat: sockets of every kind, processes and threads, signals to others, ptrace and process_vm_*, other processes'
-limits, mounts, keys, bpf, perf, io_uring, namespaces, and whatever a later kernel brings. The filter names what is
-allowed, so nothing has to be thought of to be denied. A denied call is an error, not a death: Python makes it a
-PermissionError with the student's own line. Files open for reading alone, as Landlock before Linux 6.2 lets one be
-emptied that may be read. Where Landlock is missing the filter denies opening files as well; what was imported before
-still works.
+limits, mounts, keys, bpf, perf, io_uring, namespaces, and everything that a later kernel adds. The filter lists the
+allowed calls, so nobody has to think of a call for it to be denied. A denied call is an error and does not kill: Python
+makes it a PermissionError with the student's own line. Files open for reading only, because before Linux 6.2 Landlock
+lets a file be emptied that may be read. If Landlock is missing, the filter denies opening files as well; modules that
+were imported before still work.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ def _machine() -> str:
 
 
 def restrict(files: bool) -> None:
-    """Filter this process's calls from now on; raises OSError where the kernel refuses.
+    """Filter this process's calls from now on; raises OSError if the kernel refuses.
 
     The process must have given up new privileges before.
     """
@@ -103,7 +103,7 @@ def restrict(files: bool) -> None:
 
 
 def _for_reading(number: int, flags: int) -> list[bytes]:
-    """Where it is this call that was loaded, end: allow it if its flags ask for nothing but reading."""
+    """Five lines: if the loaded number is this call, allow it if its flags ask for reading only, else deny it."""
     return [
         _line(_JUMP_IF_EQUAL, number, 0, 4),
         _line(_LOAD, flags),
@@ -114,7 +114,7 @@ def _for_reading(number: int, flags: int) -> list[bytes]:
 
 
 def _answered(value: int, answer: int) -> list[bytes]:
-    """Two lines: where what was loaded equals the value, end with the answer."""
+    """Two lines: if the loaded number equals the value, end with the answer."""
     return [_line(_JUMP_IF_EQUAL, value, 0, 1), _line(_RETURN, answer)]
 
 

@@ -1,8 +1,8 @@
-"""Inside a test's process: run the submission's text, then answer calls by name until the grader hangs up.
+"""Inside a test's process: runs the submission's text, then answers calls by name until the grader hangs up.
 
-Threat: everything here lies in the hands of the submission, which may patch this module, its NumPy and the two pipes.
-So nothing is kept here that would help it: no test, no expected value, no other function's answer. What it sends is
-read as plain values and judged elsewhere, so forging an answer is no more than answering.
+Threat: the submission controls everything here, and may patch this module, its NumPy and the two pipes. So nothing is
+kept here that would help it: no test, no expected value, no other function's answer. What it sends is read as plain
+values and judged elsewhere, so that forging an answer is no better than giving one.
 """
 
 from __future__ import annotations
@@ -29,9 +29,12 @@ from labs.grading.worker.sandbox import Sealing
 TITLE = "submission"
 """Name of the module that the text becomes, and of the file in its tracebacks."""
 FAILED = 70
-"""Exit code of a process in which not the submission failed but what runs it."""
+"""Exit code of a process in which our own code failed, and not the submission."""
 _MESSAGE_CHARACTERS = 2000
-_TELLING = 3  # letters that a name has at least for another one to be like it
+"""The longest message of an exception that is sent."""
+_LONG_ENOUGH = 3  # letters that a name needs before another one is suggested for it
+_LIKE, _LIKE_A_BUILTIN = 0.66, 0.75
+"""Similarity, at most 1, from which a name is suggested for a misspelt one; more for one of Python's many own names."""
 Failure = tuple[list[str], str, str, int | None]
 _FLAGS = __future__.annotations.compiler_flag  # a type hint that cannot be evaluated costs nothing
 
@@ -46,7 +49,7 @@ class Printed(io.TextIOBase):
         self._kept = 0
 
     def writable(self) -> bool:
-        """It is there to be written to."""
+        """Yes: printing needs it."""
         return True
 
     def write(self, text: str) -> int:
@@ -58,14 +61,14 @@ class Printed(io.TextIOBase):
         return len(text)
 
     def taken(self) -> str:
-        """What was kept since the last time, in full only up to the limit."""
+        """The text since the last time, as far as it was kept."""
         text = "".join(self._parts)
         self._parts, self._kept = [], 0
         return text
 
 
 def serve(requests: int, answers: int, sealing: Sealing) -> None:
-    """Say how far the process is shut in, load the text that comes first, then answer every call."""
+    """Report how far the process is shut in, load the text that comes first, then answer every call."""
     _send(answers, ("sealed", int(sealing.tier), list(sealing.missing)))
     text, limit = _receive(requests)
     printed = Printed(limit)
@@ -82,7 +85,7 @@ def serve(requests: int, answers: int, sealing: Sealing) -> None:
         said = printed.taken()
         try:
             message = messages.pack(("answer", number, *answer, said))
-        except BaseException as error:  # a value that no message carries, too little memory, or what was patched
+        except BaseException as error:  # a value that no message carries, too little memory, or patched code
             why = str(error) if isinstance(error, messages.Refused) else f"what cannot be sent ({type(error).__name__})"
             message = messages.pack(("answer", number, "refused", why, said))
         _write(answers, message)
@@ -91,7 +94,7 @@ def serve(requests: int, answers: int, sealing: Sealing) -> None:
 def load(text: str, module: ModuleType) -> list[Failure]:
     """Run the text in the module; a statement that fails costs only the names that it defines.
 
-    Returns of each failure the names, the exception's type and message, and the line.
+    Returns the names, the exception's type and message, and the line of each failure.
     """
     sys.modules[module.__name__] = module  # as any import does; a dataclass looks itself up there
     try:
@@ -106,7 +109,7 @@ def load(text: str, module: ModuleType) -> list[Failure]:
 
 
 def _load_rest(text: str, module: ModuleType, failed: BaseException | None = None) -> list[Failure]:
-    """Statement by statement, which takes longer: all of the text, or what comes after the statement that failed."""
+    """Run all of the text, or what comes after the failed statement, statement by statement, which takes longer."""
     failures: list[Failure] = []
     try:
         statements = ast.parse(text, TITLE).body
@@ -161,7 +164,7 @@ def _answer(module: ModuleType, name: str, arguments: tuple[Any, ...], named: di
 
 
 def _bits(argument: Any) -> Any:
-    """What tells whether an argument was written to: arrays and lists can be."""
+    """The contents of an argument that can be written to, an array or a list; compared before and after a call."""
     if isinstance(argument, np.ndarray):
         return argument.shape, argument.tobytes()
     if isinstance(argument, list | tuple):
@@ -185,19 +188,20 @@ def _described(error: BaseException) -> tuple[str, str, int | None]:
 
 
 def _meant(error: BaseException) -> str:
-    """What Python's own traceback adds of a name that is misspelt: ". Did you mean: 'cross'?"."""
+    """What Python's own traceback adds about a misspelt name: ". Did you mean: 'cross'?"."""
     near: list[str] = []
     if isinstance(error, NameError) and error.__traceback__:
         frame = list(traceback.walk_tb(error.__traceback__))[-1][0]
-        near = _alike(error.name, {*frame.f_locals, *frame.f_globals}) or _alike(error.name, vars(builtins), 0.75)
+        own = _alike(error.name, {*frame.f_locals, *frame.f_globals})
+        near = own or _alike(error.name, vars(builtins), _LIKE_A_BUILTIN)
     elif isinstance(error, AttributeError):
         near = _alike(error.name, dir(error.obj))
     return f". Did you mean: {near[0]!r}?" if near else ""
 
 
-def _alike(name: str | None, names: Collection[str], least: float = 0.66) -> list[str]:
-    """Names that share at least so much of 1 with another one; first those with its first letter, as a rule right."""
-    if not name or len(name) < _TELLING:
+def _alike(name: str | None, names: Collection[str], least: float = _LIKE) -> list[str]:
+    """Names that are like another one; first those with its first letter, which are usually meant."""
+    if not name or len(name) < _LONG_ENOUGH:
         return []
     found = difflib.get_close_matches(name, [each for each in names if each[:1] != "_"], 5, least)
     return sorted(found, key=lambda each: each[:1] != name[:1])

@@ -1,4 +1,4 @@
-"""Linux system calls that Python has no words for, through the C library."""
+"""Linux system calls that Python does not offer, through the C library."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How far a test's process was shut in: every result states it, as not every system offers the same."""
+"""How far a test's process was shut in. Every result states it, since not every system offers the same."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ class Tier(enum.IntEnum):
 
     PROCESS: a process of its own that is killed when its time is over; off Linux there is no more than this.
     LIMITS: memory, processor time, processes and written bytes are limited, strays are found and killed.
-    FILES: no file can be read or written but the interpreter's own and NumPy's.
-    NETWORK: neither can any other machine or process be reached.
+    FILES: no file can be written, and only the interpreter's own and NumPy's can be read.
+    NETWORK: no other machine or process can be reached either.
     """
 
     PROCESS = 0

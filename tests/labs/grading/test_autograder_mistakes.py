@@ -143,7 +143,7 @@ def run_test(test, points, submission, seed=1):
         else:
             earned.append(worth)
 
-    given = {"submission": submission, "part": part, "examples": Examples(seed, told=False)}
+    given = {"submission": submission, "part": part, "examples": Examples(seed, shown=False)}
     test(**{name: given[name] for name in test.__code__.co_varnames[: test.__code__.co_argcount]})
     return points - sum(earned), said
 

@@ -60,7 +60,7 @@ def test_secret_parts(submission, part, examples):
         assert submission.rebound_velocity(-7.125, 1.0) == 7.125, "7.125"
     with part(1, "an error"):
         submission.normal_velocity(-7.125)
-    assert not examples.told
+    assert not examples.shown
 """
 RIGHT = "def rebound_velocity(v, e): return -e * v\ndef normal_velocity(u): return u\n"
 WRONG = """
