@@ -31,7 +31,7 @@ report: $(READY) ## compare the four implementations and write the report
 	$(BIN)/collisions report --out $(OUT)
 
 test: $(READY)   ## the tests, in a few minutes
-	$(PYTEST) --cpu-allowed=300 $(ARGS)
+	$(PYTEST) --cpu-allowed=300 --run-limit=1800 $(ARGS)
 
 lint: $(READY)   ## style and types
 	$(BIN)/ruff check .
@@ -43,8 +43,8 @@ docs: $(READY)   ## draw the figures of the statements and write their page
 	$(BIN)/python docs/statement_table.py
 	$(BIN)/python docs/symbol_table.py
 
-verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report
-	$(PYTEST) -m slow --timeout=1200 $(ARGS)
+verify: lint     ## the slow checks: style, types, the whole catalogue, the whole report, more examples of each property
+	$(PYTEST) -m 'slow or hypothesis' --hypothesis-profile=more --timeout=1200 --run-limit=3600 $(ARGS)
 
 clean:           ## remove the environment and what was built
 	rm -rf $(VENV) $(OUT) .pytest_cache .mypy_cache .ruff_cache .hypothesis

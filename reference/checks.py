@@ -1,4 +1,4 @@
-"""Checks of single values that enter the lab; each error names the value and what would do."""
+"""Checks of single values that enter the lab; each error names the value and says what it must be."""
 
 from __future__ import annotations
 
@@ -11,15 +11,22 @@ Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 
 
-def finite(name: str, value: float) -> float:
-    """Return `value` as a float; refuse NaN, infinities and anything that is no number."""
+def finite(name: str, value: float, place: int | None = None) -> float:
+    """Return `value` as a float; refuse NaN, infinities and anything that is no number.
+
+    place: which of several numbers of that name it is, for the message.
+    """
     try:
         number = float(value)
     except (TypeError, ValueError):
-        raise InvalidInput(f"{name} is {value!r}; it must be a number") from None
+        raise InvalidInput(f"{_called(name, place)} is {value!r}; it must be a number") from None
     if not math.isfinite(number):
-        raise InvalidInput(f"{name} is {value!r}; it must be a finite number")
+        raise InvalidInput(f"{_called(name, place)} is {value!r}; it must be a finite number")
     return number
+
+
+def _called(name: str, place: int | None) -> str:
+    return name if place is None else f"{name}[{place}]"
 
 
 def positive(name: str, value: float) -> float:
@@ -50,8 +57,8 @@ def vector(name: str, values: Sequence[float]) -> Vector:
     """Return three finite numbers as a tuple."""
     if isinstance(values, str) or not hasattr(values, "__len__") or len(values) != 3:
         raise InvalidInput(f"{name} is {values!r}; it must hold three numbers")
-    x, y, z = (finite(f"{name}[{axis}]", value) for axis, value in enumerate(values))
-    return x, y, z
+    x, y, z = values
+    return finite(name, x, 0), finite(name, y, 1), finite(name, z, 2)
 
 
 def unit_vector(name: str, values: Sequence[float]) -> Vector:
@@ -67,7 +74,7 @@ def unit_quaternion(name: str, values: Sequence[float]) -> Quaternion:
     """Return an orientation (w, x, y, z) scaled to unit length; refuse the zero quaternion."""
     if isinstance(values, str) or not hasattr(values, "__len__") or len(values) != 4:
         raise InvalidInput(f"{name} is {values!r}; it must hold four numbers, w x y z")
-    w, x, y, z = (finite(f"{name}[{part}]", value) for part, value in enumerate(values))
+    w, x, y, z = (finite(name, value, place) for place, value in enumerate(values))
     length = math.sqrt(w * w + x * x + y * y + z * z)
     if length == 0:
         raise InvalidInput(f"{name} is {values!r}; an orientation must not be zero")

@@ -1,4 +1,4 @@
-"""The errors that the lab raises on purpose: each names the value that was refused and the choices there are."""
+"""The errors that the lab raises on purpose. Each names the refused value, and the choices if there are any."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import contextlib
 import difflib
 import sysconfig
 import traceback
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from types import TracebackType
@@ -51,7 +51,7 @@ class CannotExpress(CollisionsError):
 
 
 class NeedsFunction(CollisionsError):
-    """The hand-written side lacks a function that the scenario needs."""
+    """The hand-written code lacks a function that the scenario needs."""
 
 
 class RunFailed(CollisionsError):
@@ -59,7 +59,7 @@ class RunFailed(CollisionsError):
 
 
 class Unforeseen(RunFailed):
-    """An exception that nobody foresaw: of an engine, of hand-written code, or of a measurement."""
+    """An exception that the lab did not foresee, from an engine, hand-written code or a measurement."""
 
 
 class WorkerCrashed(RunFailed):
@@ -81,15 +81,20 @@ def as_failed_run() -> Iterator[None]:
         raise Unforeseen(one_line(error) + place_of(error.__traceback__)) from error
 
 
+def listed(words: Sequence[str]) -> str:
+    """Words in a sentence: `PyBullet, MuJoCo and DART`."""
+    return " and ".join(filter(None, [", ".join(words[:-1]), *words[-1:]]))
+
+
 def one_line(error: Exception) -> str:
     """The exception's type and message, as Python prints them last: `ZeroDivisionError: division by zero`."""
     return " ".join(traceback.format_exception_only(error)[-1].split())
 
 
 def place_of(trace: TracebackType | None) -> str:
-    """Where an error arose in hand-written code: `, at line 3 of lab.py, in unit, for collide`; empty where in none.
+    """Where an error arose in hand-written code: `, at line 3 of lab.py, in unit, for collide`; empty if not in any.
 
-    The innermost place counts that is neither ours nor a library's, and the function by which one came there.
+    It names the innermost place that is neither ours nor a library's, and the function through which it was reached.
     """
     frames = [frame for frame in traceback.extract_tb(trace) if _is_handwritten(frame.filename)]
     if not frames:

@@ -1,4 +1,4 @@
-"""Closed forms: what theory says, and what a known method must do to it, each with its derivation.
+"""Closed forms, each with its derivation: what theory says, and by how much a known method must differ from it.
 
 Symbols: h drop height of the gap, e restitution, g gravity, v speed, μ friction, θ slope, dt timestep; SI throughout.
 """
@@ -8,7 +8,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
+
+from reference.arrays import Array
 
 
 def fall_time(drop_height: float, gravity: float) -> float:
@@ -21,12 +22,12 @@ def impact_speed(drop_height: float, gravity: float) -> float:
     return math.sqrt(2 * gravity * drop_height)
 
 
-def apex_ratio(restitution: float, bounces: int = 1) -> float:
+def rebound_ratio(restitution: float, bounces: int = 1) -> float:
     """Height of the n-th rebound over the drop height: each impact scales the speed by e, so the height by e²."""
     return restitution ** (2 * bounces)
 
 
-def bounce_times(drop_height: float, restitution: float, gravity: float, count: int) -> NDArray[np.float64]:
+def bounce_times(drop_height: float, restitution: float, gravity: float, count: int) -> Array:
     """Instants of the first impacts, (count,), s: t1 (1 + 2e + 2e² + …), as the flight after impact n lasts 2 eⁿ t1."""
     flights = 2 * restitution ** np.arange(count, dtype=float)
     flights[0] = 1.0
@@ -36,14 +37,14 @@ def bounce_times(drop_height: float, restitution: float, gravity: float, count: 
 def bounce_end(drop_height: float, restitution: float, gravity: float) -> float:
     """When a bouncing ball comes to rest, s: the geometric series t1 (1 + 2e/(1 − e)) = t1 (1 + e)/(1 − e).
 
-    An elastic ball, e = 1, bounces for ever: infinity.
+    An elastic ball, e = 1, never stops: infinity.
     """
     if restitution >= 1:
         return math.inf
     return fall_time(drop_height, gravity) * (1 + restitution) / (1 - restitution)
 
 
-def at_step_apex_shift(
+def rebound_shift_at_step(
     drop_height: float, restitution: float, gravity: float, timestep: float, recovery: float = 0.0
 ) -> float:
     """Mean shift of the first apex, m, when a step method responds at the first step that begins in overlap.
@@ -56,7 +57,7 @@ def at_step_apex_shift(
     return -(1 - restitution - recovery) * impact_speed(drop_height, gravity) * timestep / 2
 
 
-def weighed_apex_shift(drop_height: float, restitution: float, gravity: float, timestep: float) -> float:
+def rebound_shift_of_weighed_step(drop_height: float, restitution: float, gravity: float, timestep: float) -> float:
     """Shift of the first apex, m, where an impact also turns back the g dt that its own step has added to the speed.
 
     The rebound has e g dt more, and (e v)²/(2g) grows by e v · e g dt/g = e² v dt.
@@ -65,12 +66,12 @@ def weighed_apex_shift(drop_height: float, restitution: float, gravity: float, t
 
 
 def interpolated_earliness(gravity: float, timestep: float, speed: float) -> float:
-    """By how much the slide's T is early at most, s: the chord of a parabola cuts the plane g dt²/(8 v) too soon."""
+    """By how much the slide's T is early at most, s: the chord of a parabola is up to g dt²/(8 v) too soon."""
     return gravity * timestep**2 / (8 * speed)
 
 
 def stopping_distance(speed: float, friction: float, gravity: float) -> float:
-    """Way that a sliding block goes on the level, m: m v²/2 = μ m g d."""
+    """Way that a block slides on the level until it stops, m: m v²/2 = μ m g d."""
     return speed**2 / (2 * friction * gravity)
 
 
@@ -149,7 +150,7 @@ def coarse_contact(restitution: float, stiffness: float, timestep: float) -> flo
 
     A method notices up to a step late that the bodies touch. The dashpot's deceleration leaps there from 0 to 2 ζ √k v:
     2 ζ √k dt of v. The spring's grows with the depth v t: ∫ k v t dt, (√k dt)²/2 of v. stiffness: k, per unit mass,
-    1/s²; infinite for a contact of one step, which is none of this.
+    1/s²; infinite for a contact of one step, to which this does not apply.
     """
     if math.isinf(stiffness):
         return 0.0
@@ -218,7 +219,7 @@ def spinning_impact(
     return impulse, surface_speed - 2.5 * arm * impulse
 
 
-def wall_impacts(distance: float, speed: float, restitution: float, count: int) -> NDArray[np.float64]:
+def wall_impacts(distance: float, speed: float, restitution: float, count: int) -> Array:
     """Instants at which a ball meets two parallel walls in turn, (count,), s: each crossing takes 1/e of the last one.
 
     distance: free way between the walls, m, which it also has before the first impact.
@@ -252,30 +253,28 @@ def rod_softness(mass: float, arm: float, half_length: float, half_thickness: fl
     return (1 + 3 * arm**2 / (half_length**2 + half_thickness**2)) / mass
 
 
-def balls_after(
-    speed: float, offset: float, restitution: float, mass: float, other_mass: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Velocities, (2,) each, m/s, of a smooth ball that flew along +x and of the one at rest that it has struck.
+def balls_after(speed: float, offset: float, restitution: float, mass: float, other_mass: float) -> tuple[Array, Array]:
+    """Velocities, (2,) each, m/s, of a smooth ball that flew along +x and of the ball at rest that it has struck.
 
     offset: distance of the second centre from the first one's line of flight, as a share of the sum of the radii, which
-    is the sine of the angle α between that line and the line of centres. Only along the line of centres does anything
-    happen: there the closing speed is v cos α, and the normal from the struck ball to the striker (−cos α, sin α).
+    is the sine of the angle α between that line and the line of centres. Velocities change along the line of centres
+    alone: there the closing speed is v cos α, and the normal from the struck ball to the striker is (−cos α, sin α).
     """
     cosine = math.sqrt((1 - offset) * (1 + offset))
     impulse = impact_impulse(speed * cosine, restitution, 1 / mass + 1 / other_mass) * np.array([-cosine, offset])
     return np.array([speed, 0.0]) + impulse / mass, -impulse / other_mass
 
 
-def cradle_in_turn(velocities: NDArray[np.float64]) -> NDArray[np.float64]:
+def cradle_in_turn(velocities: Array) -> Array:
     """Velocities, (n,), of a row of equal elastic balls after impacts of two at a time, from left to right.
 
-    Two equal elastic balls swap their velocities, and go on doing so until no ball is faster than the next: they end up
-    in order.
+    Two equal elastic balls swap their velocities, again and again, until no ball is faster than the next. So the
+    velocities end up in increasing order.
     """
     return np.sort(velocities)
 
 
-def cradle_at_once(velocities: NDArray[np.float64], struck: int) -> NDArray[np.float64]:
+def cradle_at_once(velocities: Array, struck: int) -> Array:
     """Velocities, (n,), of a row of equal elastic balls that touch, after an impact between ball `struck` and the next.
 
     All that touch take part: the balls on the left move on as one, those on the right as well, b − a is the closing
@@ -287,8 +286,8 @@ def cradle_at_once(velocities: NDArray[np.float64], struck: int) -> NDArray[np.f
     return np.repeat([a, a + closing], [left, count - left])
 
 
-def cradle_turned_back(velocities: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Velocities, (3,), of equal elastic balls that touch, where a rule turns back all contacts, also one that parts.
+def cradle_turned_back(velocities: Array) -> Array:
+    """Velocities, (3,), of equal elastic balls that touch, if a rule reverses every contact, also one that separates.
 
     The first two close at c, the other two part at p. After u⁺ = −u⁻ at both contacts, b − a = c and z − b = −p, the
     last two approach, and swap their velocities in an impact of their own. Energy stays, as in every such reversal.

@@ -10,7 +10,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
+from solutions.arrays import Array
+
 UNIT_TOLERANCE = 1e-6
 """How far the length of a unit vector may be from 1.
 
@@ -47,6 +48,11 @@ def vector(name: str, value: ArrayLike) -> Array:
     if array.shape[-1:] != (3,):
         raise ValueError(f"{name} must have shape (..., 3), not {array.shape}")
     return array
+
+
+def in_space(name: str, value: ArrayLike) -> Array:
+    """Return vectors (..., 3); refuse other shapes, infinity and NaN."""
+    return finite(name, vector(name, value))
 
 
 def matrix(name: str, value: ArrayLike) -> Array:

@@ -43,6 +43,14 @@ def test_what_a_page_names_is_there(page):
     assert missing(page) == []
 
 
+@pytest.mark.parametrize("building", ["solutions", "reference", "labs", "labs/grading", "tests"])
+def test_the_plan_of_the_house_shows_every_folder(building):
+    plan = (ROOT / "docs" / "design.md").read_text(encoding="utf-8").partition("```")[2].partition("```")[0]
+    folders = [path.name for path in (ROOT / building).iterdir() if any(path.glob("*.py")) and path.name[0] != "_"]
+    mirrored = {"labs", "reference", "solutions"} if building == "tests" else set()
+    assert [name for name in folders if f" {name}/" not in plan and name not in mirrored] == []
+
+
 def test_what_has_moved_away_is_found(tmp_path):
     page = tmp_path / "page.md"
     page.write_text("`reference/scenario.py`, [a page](gone.md), `labs.seen` and `reference.scene.scenario.Nobody`")

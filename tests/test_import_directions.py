@@ -21,11 +21,14 @@ FLOORS = {
         "report", "published", "running", "recording", "comparison", "catalogue", "viewer", "engines", "scene",
         "lecture",
     ),
+    "reference/published": (
+        "jobs", "recorded", "judging", "drivers", "in_engines", "by_hand", "results", "theirs",
+    ),
     "labs": ("notebook", "cli", "desk", "building", "demonstrations", "grading", "benching"),
     "labs/grading": ("feedback", "judging", "diagnosis", "calling", "submission", "worker"),
 }  # fmt: skip
-"""The folders of a package from the top floor down. A folder imports only from those below it; modules that lie beside
-the folders are the ground floor, on which everything may stand."""
+"""The folders and modules of a package from the top floor down. Each imports only from those below it; modules that
+are not named are the ground floor, on which everything may stand."""
 ABOVE_ALL = {"labs.__init__", "labs.__main__"}
 """Modules beside the folders that are no ground floor: entrances."""
 
@@ -152,6 +155,7 @@ def test_no_modules_import_one_another_in_a_circle(package):
         ("reference", "scene/scenario.py", "from reference.engines.base import Engine"),
         ("reference", "comparison/results.py", "def f():\n    from reference.published import judging"),
         ("reference", "truth.py", "from reference import lecture"),
+        ("reference/published", "theirs/bounces.py", "from reference.published.by_hand import bounces"),
         ("reference", "lecture/topics.py", "if TYPE_CHECKING:\n    from reference.catalogue.family import Family"),
         ("labs/grading", "diagnosis/deviations.py", "from labs.grading.judging.score_sheet import Sheet"),
         ("labs/grading", "worker/serving.py", "from ..submission import cells"),

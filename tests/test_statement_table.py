@@ -37,7 +37,7 @@ def test_the_page_is_what_the_code_writes(table):
 
 
 @each_done
-def test_a_statement_has_a_function_a_test_that_fails_when_it_is_broken_and_a_figure(entry, table):
+def test_statement_has_a_function_a_failing_test_and_a_figure(entry, table):
     assert table._functions(entry.number)
     judged = [test for test in table.marked_tests() if test.statement == entry.number and test.oracle]
     assert judged

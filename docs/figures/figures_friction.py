@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from reference.published import published
+from reference.published.theirs import published
 from solutions import as_printed
 from solutions.friction import (
     clamp_to_circle,

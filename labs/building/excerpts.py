@@ -122,14 +122,18 @@ def text_of(excerpts: Collection[Excerpt]) -> str:
 
 
 def imports_of(excerpts: Collection[Excerpt]) -> str:
-    """The lines that these excerpts need to import from packages other than solutions, each once."""
+    """The imports that these excerpts need of other packages than solutions: one line for each module."""
     wanted = {name for excerpt in excerpts for name in excerpt.uses}
-    found: dict[str, None] = {}
-    for module in sorted({excerpt.module for excerpt in excerpts}):
-        for line, bound in _imports(module):
-            if bound & wanted:
-                found[line] = None
-    return "\n".join(sorted(found, key=lambda line: (line.startswith("from numpy") or "numpy" in line, line)))
+    lines: set[str] = set()
+    taken: dict[str, set[str]] = {}
+    for node in (node for module in {excerpt.module for excerpt in excerpts} for node in _imports(module)):
+        names = {ast.unparse(each) for each in node.names if (each.asname or each.name.partition(".")[0]) in wanted}
+        if isinstance(node, ast.ImportFrom):
+            taken.setdefault(node.module or "", set()).update(names)
+        else:
+            lines |= {f"import {name}" for name in names}
+    lines |= {f"from {module} import {', '.join(sorted(names))}" for module, names in taken.items() if names}
+    return "\n".join(sorted(lines, key=lambda line: ("numpy" in line, line)))
 
 
 def _add_with_imports(target: str, modules: list[str]) -> None:
@@ -211,13 +215,12 @@ def _annotations(statements: Iterable[ast.stmt]) -> frozenset[str]:
     return frozenset(node.id for node in nodes if isinstance(node, ast.Name))
 
 
-def _imports(module: str) -> Iterator[tuple[str, frozenset[str]]]:
-    """The lines by which a module imports from packages other than the solutions, each with the names that it binds."""
-    source = _path(module).read_text(encoding="utf-8")
-    for group in groups(source):
-        text = ast.unparse(ast.Module(list(group.statements), []))
-        if _is_import(group) and SOLUTIONS not in text and "__future__" not in text:
-            yield text, group.defines
+def _imports(module: str) -> Iterator[ast.Import | ast.ImportFrom]:
+    """The statements by which a module imports from packages other than the solutions."""
+    for node in ast.parse(_path(module).read_text(encoding="utf-8")).body:
+        text = ast.unparse(node)
+        if isinstance(node, ast.Import | ast.ImportFrom) and SOLUTIONS not in text and "__future__" not in text:
+            yield node
 
 
 def _is_import(group: Group) -> bool:

@@ -11,9 +11,9 @@ from labs.cli.console import output
 from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.published import jobs as published_jobs
-from reference.report.published_summary import PublishedTables
-from reference.report.published_terminal import print_published
-from reference.report.summary import sections
+from reference.report.published.tables import PublishedTables
+from reference.report.published.terminal import print_published
+from reference.report.sections import sections
 from reference.report.terminal import print_comparison
 from reference.running.cache import Cache
 

@@ -16,12 +16,12 @@ from labs.desk.student_code import named_implementation
 from reference import checks
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue, find
-from reference.comparison.compare import Verdict, failures
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Verdict, failures
 from reference.engines import engine_names
 from reference.errors import InvalidInput
-from reference.published import published_cases
 from reference.published.results import PublishedResult
+from reference.published.theirs import published_cases
 from reference.running.cache import Cache
 from reference.running.jobs import TIME_LIMIT, J, R, Work, recall, run_all
 from reference.running.snapping import snapped

@@ -13,8 +13,8 @@ from labs.cli import jobs
 from labs.cli.console import output
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue, find
-from reference.comparison.compare import ALL_CASES, Row, Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
 from reference.published import jobs as published_jobs

@@ -14,8 +14,9 @@ from reference.engines import engine_names
 from reference.published import jobs as published_jobs
 from reference.published.results import PublishedResult
 from reference.report import files
-from reference.report.published_summary import PublishedTables
-from reference.report.summary import verdict_line
+from reference.report.overview import verdict_line
+from reference.report.published.tables import PublishedTables
+from reference.report.staging import PAGE, staged
 from reference.running.cache import Cache
 
 
@@ -32,14 +33,14 @@ def report(
     """Run the whole catalogue and write one page, with JSON, CSV and figures beside it."""
     asked = jobs.planned(only, engine, implementation=implementation, with_studies=True)
     planned = [replace(job, with_poses=True) for job in asked]
-    with files.staged(out) as folder:
+    with staged(out) as folder:
         results = jobs.run(planned, workers, Cache(fresh=fresh))
         others = [] if only else _published(engine, implementation, workers, fresh)
         files.write(results, folder, others)
     output.print(verdict_line([row for result in results for row in result.rows]))
     if others:
         output.print(PublishedTables.of(others).sentence)
-    output.print(f"Open {out / files.PAGE} in a browser.", soft_wrap=True, markup=False)
+    output.print(f"Open {out / PAGE} in a browser.", soft_wrap=True, markup=False)
     raise typer.Exit(jobs.exit_code(results) or (jobs.published_exit_code(others) if others else 0))
 
 

@@ -22,8 +22,10 @@ from labs.demonstrations.outcomes import Outcome
 from labs.demonstrations.replay import page_of
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
-from reference.report import figures, terminal
-from reference.report.summary import MARKS, Line, error_of, recordings
+from reference.report import figures, terminal, terminal_plot
+from reference.report.marks import MARKS
+from reference.report.row_text import error_of
+from reference.report.sections import Line, recordings
 from reference.running.cache import Cache
 from reference.running.study import plan
 
@@ -118,7 +120,7 @@ def _plot(outcome: Outcome, beside: int) -> None:
     width = min(output.width, MOST_WIDTH)
     height = max(LEAST_HEIGHT, min(output.height - beside - 1, width // 3))
     try:
-        drawn = terminal.plot(outcome.curves, *outcome.axes, width, height)
+        drawn = terminal_plot.plot(outcome.curves, *outcome.axes, width, height)
     except ImportError:
         output.print(f"Plots in the terminal need plotext; to get it: {PLOTEXT}", soft_wrap=True, markup=False)
     else:
@@ -161,7 +163,7 @@ def _across(outcome: Outcome) -> Table:
         for line in outcome.implementations.values()
     ]
     first = "timestep" if asked.timesteps else asked.heading
-    theory = "theory" if asked.predicted is None else Text.assemble(terminal.marked(None), " predicted")
+    theory = "theory" if asked.predicted is None else Text.assemble(terminal_plot.marked(None), " predicted")
     table = _table(f"\n{first}", Text.assemble("\n", theory), *heads)
     table.padding = table.padding if len(heads) < CLOSE else (0, 1, 0, 0)
     for label in asked.labels:
@@ -180,7 +182,7 @@ def _table(*headings: str | Text) -> Table:
 
 def _mark(outcome: Outcome, line: Line) -> Text:
     drawn = {curve.line.title for curve in outcome.curves if curve.line is not None}
-    return terminal.marked(line) if line.title in drawn else Text(" ")
+    return terminal_plot.marked(line) if line.title in drawn else Text(" ")
 
 
 def _cell(outcome: Outcome, engine: str, profile: str, quantity: str, label: str = "") -> Text:

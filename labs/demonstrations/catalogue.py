@@ -7,7 +7,7 @@ import math
 
 from labs.demonstrations.demonstration import Demonstration, Profiles
 from labs.demonstrations.lesson import Error, IfKnown, Line, Listed, Magnitude, Measured, Predicted, Theory
-from reference.catalogue.scenarios import boxes, response, tunnelling
+from reference.catalogue.scenarios import bouncing_ball, friction, stacks, tipping_box, tunnelling
 from reference.errors import UnknownName
 
 ENGINES: Profiles = {engine: {"tuned": "", "stock": ""} for engine in ("pybullet", "mujoco")}
@@ -38,7 +38,7 @@ def find(name: str) -> Demonstration:
 BOUNCE = Demonstration(
     name="bounce",
     title="A bouncing ball",
-    question=f"A ball falls {response.DROP_HEIGHT:g} m and keeps {_KEPT:g} of its speed at every impact. What will"
+    question=f"A ball falls {bouncing_ball.DROP_HEIGHT:g} m and keeps {_KEPT:g} of its speed at every impact. What will"
     " happen: does it bounce for ever, or does it come to rest? When?",
     look="Look at who stops first, and at who never leaves the floor.",
     lesson=(
@@ -100,7 +100,7 @@ STOP = Demonstration(
 STACK = Demonstration(
     name="stack",
     title="A stack of ten boxes",
-    question=f"Ten boxes stand on each other and nobody touches them. What will happen in {boxes.STANDING:g} seconds?",
+    question=f"Ten boxes stand on each other and nobody touches them. What will happen in {stacks.STANDING:g} seconds?",
     look="Look at the top box: how far does it sink, and does it stay there?",
     lesson=(
         Line(
@@ -201,8 +201,8 @@ TIP = Demonstration(
     look="Look at the lean of the box at 32°, and in the table at who disagrees.",
     lesson=(
         Line(
-            f"Where tan θ > b/h ({math.degrees(math.atan(boxes.HALF / _HALF_HEIGHT)):.0f}°) the weight misses the base:"
-            " it tips, if μ holds it."
+            f"Where tan θ > b/h ({math.degrees(math.atan(tipping_box.HALF_WIDTH / _HALF_HEIGHT)):.0f}°) the weight"
+            " misses the base: it tips, if μ holds it."
         ),
         Line(
             "Below that it slides where tan θ > μ: ",
@@ -224,7 +224,7 @@ TIP = Demonstration(
     profiles=WORLD,
     quantity="outcome",
     heading="what it does",
-    words={boxes.HOLDS: "holds", boxes.SLIDES: "slides", boxes.TIPS: "tips"},
+    words={friction.HOLDS: "holds", friction.SLIDES: "slides", tipping_box.TIPS: "tips"},
 )
 
 CRADLE = Demonstration(

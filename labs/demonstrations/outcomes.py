@@ -7,11 +7,12 @@ from functools import cached_property
 
 from labs.demonstrations.demonstration import Demonstration
 from labs.demonstrations.lesson import Error, Magnitude, Number, Predicted, Theory
-from reference.comparison.compare import Row
 from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Row
 from reference.report import numbers
-from reference.report.summary import Line, Section, error_of, sections
-from reference.report.terminal import Points
+from reference.report.row_text import error_of
+from reference.report.sections import Line, Section, sections
+from reference.report.terminal_plot import Points
 
 _FINE = 200
 """Points of a predicted curve."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from labs.demonstrations.outcomes import Outcome
 from reference.catalogue.scenarios import catalogue
 from reference.report.replays import case_clip
-from reference.report.summary import recordings
+from reference.report.sections import recordings
 from reference.viewer import page
 from reference.viewer.clip import Clip
 

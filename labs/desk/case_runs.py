@@ -16,13 +16,14 @@ from reference.engines import load_engine
 from reference.engines.profiles import TUNED
 from reference.errors import UnknownName
 from reference.recording.reading import recall
-from reference.report.summary import Line, Section, sections
+from reference.report.sections import Line, Section, sections
 from reference.running.cache import Cache
 from reference.running.jobs import run_all
 from reference.running.snapping import snapped
 from reference.running.study import SCENARIOS, plan
 from reference.scene.settings import Option
-from reference.viewer.poses import Poses, unpack
+from reference.viewer.poses import Poses
+from reference.viewer.tracks import unpack
 
 ENGINES = ("pybullet", "mujoco")
 OPTIONS = ("engines", "profile", "timestep")

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.tables import who
 from reference.report import figures
-from reference.report.summary import Line
+from reference.report.sections import Line
 
 if TYPE_CHECKING:
     from labs.desk.case_runs import CaseRuns
@@ -119,7 +119,7 @@ def replay(runs: CaseRuns) -> Replay | None:
     poses = runs.poses
     if not poses:
         return None
-    from reference.viewer import assembly, page  # noqa: PLC0415 - a check needs none of it
+    from reference.viewer import clip_making, page  # noqa: PLC0415 - a check needs none of it
 
-    clip = assembly.clip(runs.case.scenarios[0], poses, runs.title)
+    clip = clip_making.clip(runs.case.scenarios[0], poses, runs.title)
     return Replay(page.frame(clip), f"[replay: {', '.join(each.title for each in poses.values())}]")

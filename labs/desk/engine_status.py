@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from labs.desk.case_runs import ENGINES
 from reference.catalogue.scenarios import catalogue
 from reference.engines import load_engine
-from reference.recording.reading import content_of
+from reference.recording.files import content_of
 from reference.running.availability import absent
 
 

@@ -16,7 +16,7 @@ from reference.report import figures, numbers
 
 if TYPE_CHECKING:
     from labs.desk.case_runs import CaseRuns
-    from reference.report.summary import Line
+    from reference.report.sections import Line
 
 TIMESTEP = "timestep"
 MOST = 8

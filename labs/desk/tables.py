@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Any
 from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.predictions import Prediction
 from reference.catalogue.family import Quantity
-from reference.comparison.compare import Row, Verdict
+from reference.comparison.verdicts import Row, Verdict
 from reference.report import numbers
-from reference.report.summary import MARKS, Line, error_of, tolerance_of
+from reference.report.marks import MARKS
+from reference.report.row_text import error_of, tolerance_of
+from reference.report.sections import Line
 
 if TYPE_CHECKING:
     from labs.desk.case_runs import CaseRuns

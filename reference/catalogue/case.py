@@ -10,7 +10,7 @@ from reference.scene.scenario import Scenario
 
 @dataclass(frozen=True)
 class Case:
-    """One setting of the parameters. Several scenarios make an ensemble, of which the mean is taken."""
+    """One setting of the parameters. Several scenarios make an ensemble: the result is the mean over them."""
 
     name: str
     scenarios: tuple[Scenario, ...]

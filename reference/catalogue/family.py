@@ -5,24 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.grid import Grid
 from reference.engines.base import EXACT, Engine, Method
 from reference.errors import InvalidInput, UnknownName
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 _ANY_TIMESTEP = 1e-3
-"""s. What theory says hangs on no timestep; what a method adds to it does."""
+"""s. Theory does not depend on the timestep; only what a method adds to it does."""
 
 
 @dataclass(frozen=True)
 class Expectation:
-    """What theory says of one quantity, and how near is near enough.
+    """What theory says of one quantity, and how near is near enough; all in the quantity's unit.
 
-    value: the closed form. tolerance: accepted distance from it, with its reason. shift: what the method at hand is
-    known to do to the value, with its derivation in a few words; shift_tolerance: accepted distance from value + shift.
-    All in the quantity's unit.
+    value: the closed form. tolerance: accepted distance from it, with its reason. shift: the change of the value that
+    the method is known to cause, with its derivation in a few words. shift_tolerance: accepted distance from
+    value + shift.
     """
 
     value: float
@@ -38,7 +39,7 @@ class Quantity:
     """One number that is measured in every case.
 
     measure: trajectory → number. expect: case, settings and the engine's method → expectation; None where theory has
-    no figure, in this case or in any, and the number is only shown. scale: what a deviation is judged against when it
+    no figure, in this case or in any; then the number is only shown. scale: what a deviation is judged against when it
     is printed in percent, None to print it as it is.
     """
 
@@ -50,12 +51,12 @@ class Quantity:
     scale: Callable[[Case], float] | None = None
 
     def theory(self, case: Case) -> float | None:
-        """What theory says, whoever is asked and with whatever timestep; None where it says nothing."""
+        """What theory says, which depends on no engine and no timestep; None where it has no figure."""
         expectation = self.expect(case, Settings(_ANY_TIMESTEP), Method(EXACT)) if self.expect else None
         return expectation.value if expectation else None
 
     def expected_value(self, case: Case) -> float:
-        """What theory says; an error where it says nothing, for whoever needs a figure."""
+        """What theory says; `InvalidInput` where it has no figure."""
         value = self.theory(case)
         if value is None:
             raise InvalidInput(f"{self.name} has no expected value in {case.name}")
@@ -78,8 +79,8 @@ class Curve:
 class Convergence:
     """Error of one quantity in one case against the timestep.
 
-    factors: the timesteps, as multiples of a profile's own. every_step: sample every step, for a quantity that is read
-    from samples and would otherwise show their interval.
+    factors: the timesteps, as multiples of a profile's own. every_step: whether every step is sampled, for a quantity
+    that is read from samples and would otherwise show their interval.
     """
 
     case: str
@@ -93,7 +94,7 @@ class Family:
     """A family of cases and all that the report says about it.
 
     statements: numbers of the lecture's statements. about: what it is. expected: the expected value and why.
-    why: why the implementations differ. grid: what can be moved, None where nothing can.
+    why: why the implementations differ. grid: the parameters that can be moved, None if there are none.
     """
 
     name: str

@@ -1,7 +1,7 @@
 """What can be moved in a family: its parameters, and the points of a grid at which engines are recorded.
 
-An engine that runs takes any value within a parameter's range. One that answers from recordings has the points of the
-grid alone; `nearest` moves a wish to the nearest of them and says so in words.
+An engine that runs takes any value within a parameter's range. An engine that is recorded has results at the points of
+the grid alone; `nearest` moves the wanted values to the nearest point and says so in words.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ TENTHS = tuple(tenth / 10 for tenth in range(11))
 class Parameter:
     """One number that can be moved.
 
-    values: those of the grid, increasing, in `unit`; the first and the last are the range. default: what it is where
-    nobody says. whole: whether only whole numbers make sense. in_ratio: whether near means a ratio near 1.
+    values: those of the grid, increasing, in `unit`; the first and the last are the range. default: the value if none
+    is given. whole: whether only whole numbers make sense. in_ratio: whether "near" means a ratio near 1.
     """
 
     name: str
@@ -36,7 +36,7 @@ class Parameter:
     in_ratio: bool = False
 
     def check(self, value: float) -> float:
-        """Return the value as a number; refuse one out of range, and a broken one where only whole ones make sense."""
+        """Return the value as a number; refuse one out of range, and a fraction where only whole numbers make sense."""
         number, (least, *_, most) = checks.finite(self.name, value), self.values
         # An end of the range may be typed as it is printed, with six digits
         number = next((end for end in (least, most) if math.isclose(number, end, rel_tol=1e-5)), number)
@@ -48,7 +48,7 @@ class Parameter:
         return number
 
     def nearest(self, value: float) -> float:
-        """The value of the grid that is nearest; of two as near, the smaller one."""
+        """The nearest value of the grid; of two that are equally near, the smaller one."""
         if self.in_ratio:
             return nearest_in_ratio(self.values, value)
         return min(self.values, key=lambda known: (round(abs(known - value), 9), known))
@@ -62,8 +62,8 @@ class Parameter:
 class Grid:
     """The parameters of a family and the timesteps, s, that its recordings have beside each profile's own.
 
-    The family's own cases are recorded at these timesteps as well, be they points of the grid or not. build: the
-    parameters by name → the case.
+    The family's own cases are recorded at these timesteps as well, points of the grid or not. build: the parameters by
+    name → the case.
     """
 
     parameters: tuple[Parameter, ...]
@@ -71,7 +71,7 @@ class Grid:
     build: Callable[..., Case]
 
     def case(self, **at: float) -> Case:
-        """The case at these values, which need not be of the grid; a parameter that is not named has its default.
+        """The case at these values, of the grid or not; a parameter that is not named has its default.
 
         Raises
         ------
@@ -105,7 +105,7 @@ class Grid:
 class Nearest:
     """A point of a grid.
 
-    at: all parameters. timestep: s, None for a profile's own. moved: what that changes, in words, or "".
+    at: all parameters. timestep: s, None for a profile's own. moved: what had to be moved, in words, or "".
     """
 
     at: Mapping[str, float]
@@ -114,9 +114,9 @@ class Nearest:
 
 
 def nearest(grid: Grid, at: Mapping[str, float], timestep: float | None = None) -> Nearest:
-    """The point of a grid that is nearest to a wish: each value for itself, timesteps and masses in ratio.
+    """The point of a grid that is nearest to what is wanted: each value for itself, timesteps and masses in ratio.
 
-    `moved` is such as `restitution 0.37 → 0.4, timestep 2 ms → 2 ms`: what moved, and a timestep if asked for.
+    `moved` is such as `restitution 0.37 → 0.4, timestep 2 ms → 2 ms`: what moved, and the timestep if one is given.
     """
     full = grid.full(at)
     values = {each.name: each.nearest(full[each.name]) for each in grid.parameters}
@@ -134,5 +134,5 @@ def nearest(grid: Grid, at: Mapping[str, float], timestep: float | None = None) 
 
 
 def nearest_in_ratio(known: Iterable[float], wanted: float) -> float:
-    """The one whose ratio to what is wanted is nearest to 1; all are above zero."""
+    """The value whose ratio to the wanted one is nearest to 1; all are above zero."""
     return min(known, key=lambda each: abs(math.log(each / wanted)))

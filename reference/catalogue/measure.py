@@ -1,4 +1,4 @@
-"""Numbers taken from a trajectory, in the same way whoever produced it.
+"""Numbers taken from a trajectory, in the same way for every engine.
 
 Bounces are read from flight parabolas, not from samples: two neighbouring samples in free flight and the known
 gravity fix the parabola s(t) = s_i + w (t − t_i) − g_n (t − t_i)(t − t_{i+1})/2, w = (s_{i+1} − s_i)/(t_{i+1} − t_i).
@@ -12,14 +12,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array, Mask
 from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import HalfSpace
 from reference.scene.trajectory import Trajectory
-
-Array = NDArray[np.float64]
 
 FLIGHT_TOLERANCE = 0.1
 """How far, as a share of gravity, the acceleration between two samples may differ from gravity for these to count as
@@ -27,7 +25,7 @@ free flight. Wide enough for an engine's built-in drag (PyBullet's default takes
 impact does to it: a rebound at speed v changes the mean acceleration of a 1 ms sample by v/(0.001 s), which is below
 a tenth of gravity only for v < 1 mm/s."""
 ROUNDING = 1e-9
-"""A gap smaller than this, m, is rounding."""
+"""A gap smaller than this is rounding, m."""
 REST_SPEED = 1e-3
 """A body slower than this, m/s, counts as at rest."""
 
@@ -94,12 +92,12 @@ def _parabola_height(times: Array, gap: Array, slopes: Array, gravity: float, at
 
 
 def apex_heights(trajectory: Trajectory, body: str, plane: str) -> Array:
-    """Highest gap of each flight after the first impact, m. Empty where the body never left the plane again."""
+    """Highest gap of each flight after the first impact, m; empty if the body never left the plane again."""
     return np.array([flight.apex_height for flight in flights(trajectory, body, plane)[1:]])
 
 
 def first_apex(trajectory: Trajectory, body: str, plane: str) -> float:
-    """Height of the first rebound, m; 0 where there was none. A body that never came down is an error."""
+    """Height of the first rebound, m; 0 if the body did not rebound. A body that never came down is an error."""
     apexes = apex_heights(trajectory, body, plane)
     if len(apexes):
         return float(apexes[0])
@@ -141,7 +139,7 @@ def restitution_coefficients(trajectory: Trajectory, body: str, plane: str) -> A
 def rest_time(trajectory: Trajectory, body: str, speed: float = REST_SPEED) -> float:
     """When the body comes to rest for good, s; infinity if it has not by the end.
 
-    An event-driven implementation solves for this instant and reports it; what moves on afterwards, down a slope or
+    An event-driven implementation solves for this instant and reports it; a body that moves afterwards, down a slope or
     along a floor, does not rest. For all others it is the first sample of the final stretch in which the body stays
     slower than `speed`, m/s.
     """
@@ -175,6 +173,14 @@ def displacement(trajectory: Trajectory, body: str) -> float:
     """Distance between the first and the last position, m."""
     positions = trajectory.position(body)
     return float(np.linalg.norm(positions[-1] - positions[0]))
+
+
+def way_from_rest(trajectory: Trajectory, body: str, duration: float) -> float:
+    """Way of a body that set out from rest, m, after so many seconds.
+
+    The last sample may lie a little later. The way grows as the time squared, so that much is taken off.
+    """
+    return displacement(trajectory, body) * (duration / float(trajectory.times[-1])) ** 2
 
 
 def stopping_distance(trajectory: Trajectory, body: str, plane: str) -> float:
@@ -216,7 +222,8 @@ def _into_body(orientation: Array, vector: Array) -> Array:
     return geometry.rotate(geometry.opposite(orientation), vector)
 
 
-def _last(trajectory: Trajectory, window: float) -> NDArray[np.bool_]:
+def _last(trajectory: Trajectory, window: float) -> Mask:
+    """Which samples lie in the last `window` seconds; one on the edge counts in spite of rounding."""
     return np.asarray(trajectory.times >= trajectory.times[-1] - window * (1 + 1e-9))
 
 

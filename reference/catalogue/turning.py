@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import HalfSpace, Sphere
 from reference.scene.trajectory import Trajectory
 
-Array = NDArray[np.float64]
 ROLLING_SLIP = 1e-3
-"""A contact point slower than this, m/s, does not slip."""
+"""A contact point slower than this does not slip, m/s."""
 
 
 def slip(trajectory: Trajectory, body: str, plane: str) -> Array:

@@ -1,1 +1,1 @@
-"""Measured against expected: rows, verdicts, studies of an error, and the results that carry them."""
+"""Measured against expected: verdicts, studies of an error, and the results that carry them."""

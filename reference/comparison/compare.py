@@ -1,123 +1,36 @@
-"""Measured against expected: rows with a verdict, each with the reason for its tolerance."""
+"""One case in one engine: it is run, its quantities are measured, and each number becomes a row with a verdict."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from enum import StrEnum
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from reference import checks
 from reference.catalogue.case import Case
 from reference.catalogue.family import Expectation, Family, Quantity
+from reference.comparison.verdicts import NOTHING_FINITE, Row, Verdict, judge, verdict_of
 from reference.engines.base import Engine, Method
-from reference.engines.profiles import TUNED
 from reference.errors import (
     CannotExpress,
     EngineNotInstalled,
     NeedsFunction,
     RunFailed,
     Unforeseen,
-    WorkerCrashed,
-    WorkerTimeout,
     as_failed_run,
 )
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 
-ALL_CASES = "all"
-"""What a row says as its case when it speaks of a whole run."""
-NOTHING_FINITE = "no finite number: what is asked for did not happen before the run ended"
-
-
-class Verdict(StrEnum):
-    """How a measured number stands to what is expected of it."""
-
-    PASS = "pass"
-    KNOWN_DEVIATION = "known deviation"
-    FAIL = "fail"
-    CANNOT_EXPRESS = "cannot express"
-    NEEDS = "needs"
-    NOT_AVAILABLE = "not available"
-    CRASHED = "crashed"
-    SHOWN = "shown"
-
-
-@dataclass(frozen=True)
-class Row:
-    """One number of one case in one implementation and profile.
-
-    expected, shift, tolerance and scale as in `Expectation` and `Quantity`; spread: standard deviation over an
-    ensemble; note: why there is no number, or why it deviates. Numbers in `unit` and finite, None where there is none.
-    """
-
-    family: str
-    case: str
-    engine: str
-    profile: str
-    quantity: str
-    unit: str
-    verdict: Verdict
-    measured: float | None = None
-    spread: float | None = None
-    expected: float | None = None
-    tolerance: float | None = None
-    reason: str = ""
-    shift: float = 0.0
-    note: str = ""
-    scale: float | None = None
-    settings: str = field(default="", compare=False)
-
-    def __post_init__(self) -> None:
-        for name in ("measured", "spread", "expected", "tolerance", "shift", "scale"):
-            if (value := getattr(self, name)) is not None:
-                checks.finite(f"{self.family}/{self.case}, {self.quantity}: {name}", value)
-
-    @property
-    def why(self) -> str:
-        """The verdict with its note."""
-        return why(self.verdict, self.note)
-
-    @property
-    def error(self) -> float | None:
-        """Measured minus expected, in the row's unit; None where either is missing."""
-        if self.measured is None or self.expected is None:
-            return None
-        return self.measured - self.expected
-
-    @property
-    def relative_error(self) -> float | None:
-        """The error as a share of the scale; None where the quantity has none, or it is zero."""
-        if self.error is None or not self.scale:
-            return None
-        return self.error / self.scale
-
-
-def why(verdict: Verdict, note: str) -> str:
-    """A verdict with its note; a note that opens with the same word stands alone: `needs …`."""
-    return note if note.startswith(verdict) else f"{verdict}: {note}"
-
-
-def judge(measured: float, expectation: Expectation) -> Verdict:
-    """Say how a number stands: within tolerance of theory, or of what the method is known to make of theory."""
-    if not math.isfinite(measured):
-        return Verdict.FAIL
-    if abs(measured - expectation.value) <= expectation.tolerance:
-        return Verdict.PASS
-    deviation = abs(measured - expectation.value - expectation.shift)
-    if expectation.shift and deviation <= expectation.shift_tolerance:
-        return Verdict.KNOWN_DEVIATION
-    return Verdict.FAIL
-
 
 def compare_case(
     family: Family, case: Case, engine: Engine, profile: str, settings: Settings
 ) -> tuple[list[Row], list[Trajectory]]:
-    """Run one case in one engine; return its rows, and the trajectories for whoever wants to plot them.
+    """Run one case in one engine; return its rows, and the trajectories for plots and replays.
 
-    Whatever an engine or hand-written code raises becomes a row, but for `InvalidInput`: that is the caller's mistake.
+    Every error that an engine or hand-written code raises becomes a row, except `InvalidInput`: that is the caller's
+    mistake.
     """
     try:
         with as_failed_run():
@@ -132,7 +45,7 @@ def compare_case(
 
 @dataclass(frozen=True)
 class Number:
-    """What was measured of one quantity: its mean and standard deviation over an ensemble, or why there is none."""
+    """What was measured of one quantity: mean and standard deviation over an ensemble, or why there is no number."""
 
     mean: float | None = None
     spread: float | None = None
@@ -147,7 +60,7 @@ def measured(quantity: Quantity, trajectories: Sequence[Trajectory]) -> Number:
             values = [float(quantity.measure(trajectory)) for trajectory in trajectories]
     except Unforeseen as error:
         return Number(note=str(error), crashed=True)
-    except RunFailed as error:  # the run is there, but it has no such number: a body that still moves has not stopped
+    except RunFailed as error:  # the run has no such number: a body that still moves has no stopping distance
         return Number(note=str(error))
     mean, spread = _mean_and_spread(values)
     return Number(mean, spread) if mean is not None else Number(note=NOTHING_FINITE)
@@ -162,7 +75,7 @@ def judged(
     method: Method,
     numbers: Mapping[str, Number],
 ) -> list[Row]:
-    """One row a quantity: its number, what theory says with these settings, and how the two stand."""
+    """A row for each quantity: its number, what theory says with these settings, and the verdict."""
     blank = Row(family.name, case.name, engine, profile, "", "", Verdict.SHOWN, settings=settings.describe())
     rows = []
     for quantity in family.quantities:
@@ -196,29 +109,6 @@ def _with_number(row: Row, number: Number, expectation: Expectation | None) -> R
 
 def _mean_and_spread(values: Sequence[float]) -> tuple[float | None, float | None]:
     """Mean and standard deviation, None for one that is not finite; a single value has no spread."""
-    with np.errstate(over="ignore", invalid="ignore"):  # of ∞ − ∞, or of numbers whose squares are none
+    with np.errstate(over="ignore", invalid="ignore"):  # ∞ − ∞, or numbers whose squares are too large
         mean, spread = float(np.mean(values)), float(np.std(values))
     return mean if math.isfinite(mean) else None, spread if len(values) > 1 and math.isfinite(spread) else None
-
-
-def verdict_of(error: Exception) -> Verdict:
-    """The verdict that stands for a run that gave no trajectory."""
-    kinds: tuple[tuple[type[Exception], Verdict], ...] = (
-        (NeedsFunction, Verdict.NEEDS),
-        (CannotExpress, Verdict.CANNOT_EXPRESS),
-        (EngineNotInstalled, Verdict.NOT_AVAILABLE),
-        (WorkerTimeout, Verdict.CRASHED),
-        (WorkerCrashed, Verdict.CRASHED),
-        (RunFailed, Verdict.CRASHED),
-    )
-    return next(verdict for kind, verdict in kinds if isinstance(error, kind))
-
-
-def failures(rows: Sequence[Row]) -> list[Row]:
-    """The rows that count against a comparison: tuned ones that failed."""
-    return [row for row in rows if row.profile == TUNED and row.verdict is Verdict.FAIL]
-
-
-def without_answer(rows: Sequence[Row]) -> list[Row]:
-    """The rows whose run crashed, hung or gave no usable state."""
-    return [row for row in rows if row.verdict is Verdict.CRASHED]

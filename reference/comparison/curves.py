@@ -4,41 +4,40 @@ from __future__ import annotations
 
 import heapq
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from reference.scene.trajectory import Array, Trajectory
-
-if TYPE_CHECKING:
-    from reference.catalogue.family import Family
+from reference.arrays import Array
+from reference.catalogue.family import Family
+from reference.scene.trajectory import Trajectory
 
 NEAR = 1e-3
-"""Share of a curve's range that thinning may move it by: a third of a dot in a figure of 300."""
+"""How far thinning may move a curve, as a share of its range: a third of a dot in a figure of 300 dots."""
 MOST_POINTS = 400
-"""Of a curve that never runs straight; it is followed less closely."""
+"""How many points are kept at most; a curve that never runs straight is then followed less closely."""
+TIME_DECIMALS, VALUE_DECIMALS = 6, 7
+"""Decimals that are kept of times, s, and of values, in the unit of the family's curve."""
 
 
 @dataclass(frozen=True)
 class Series:
-    """A plotted curve: times in s, values in the unit of the family's curve, with straight lines between."""
+    """A plotted curve: times in s and values in the unit of the family's curve, joined by straight lines."""
 
     times: tuple[float, ...]
     values: tuple[float, ...]
 
     @classmethod
     def of(cls, family: Family, trajectory: Trajectory) -> Series:
-        """The family's curve of a trajectory, thinned: an impact stays as sudden as the samples have it."""
+        """The family's curve of a trajectory, thinned; an impact stays as sudden as it is in the samples."""
         end = family.curve.until or trajectory.times[-1]
         times, values = trajectory.times, family.curve.values(trajectory)
         inside = (times <= end) & np.isfinite(values)
-        times, values = np.round(times[inside], 6), np.round(values[inside], 7)
+        times, values = np.round(times[inside], TIME_DECIMALS), np.round(values[inside], VALUE_DECIMALS)
         kept = corners(times, values)
         return cls(tuple(times[kept].tolist()), tuple(values[kept].tolist()))
 
     def dense(self) -> tuple[Array, Array]:
-        """Times and values with many points on the straight lines as well: markers stand on points alone."""
+        """Times and values with many points on the straight lines as well, since only points can carry a marker."""
         times, values = np.array(self.times), np.array(self.values)
         between = np.linspace(times[0], times[-1], MOST_POINTS) if len(times) else times
         order = np.argsort(np.concatenate([times, between]), kind="stable")
@@ -47,9 +46,9 @@ class Series:
 
 
 def corners(times: Array, values: Array) -> list[int]:
-    """Where the points are that are kept; straight lines between them are near all the others (Douglas and Peucker).
+    """Indices of the points to keep: straight lines between them pass near all others (Douglas and Peucker).
 
-    The one that is farthest off is taken first, so that a limit to their number leaves out what is seen least.
+    The point that is farthest off is taken first, so that a limit to their number drops those that matter least.
     """
     if len(times) < 3:
         return list(range(len(times)))
@@ -64,7 +63,10 @@ def corners(times: Array, values: Array) -> list[int]:
 
 
 def _farthest(times: Array, values: Array, first: int, last: int) -> tuple[float, int, int, int]:
-    """The point between two that a straight line misses most, below zero how far, to come first in a heap; and both."""
+    """The point between two others that the line between these misses most, as an entry of a heap.
+
+    An entry is minus the distance, so that the largest comes first, the index of the point, and both others.
+    """
     if last - first < 2 or times[last] == times[first]:
         return 0.0, first, first, last
     slope = (values[last] - values[first]) / (times[last] - times[first])
@@ -74,12 +76,12 @@ def _farthest(times: Array, values: Array, first: int, last: int) -> tuple[float
 
 
 def pack(series: Series) -> bytes:
-    """All times, then all values."""
+    """A curve as bytes: all times, then all values."""
     return np.array([series.times, series.values], dtype="<f4").tobytes()
 
 
 def unpack(packed: bytes) -> Series:
-    """The curve in some bytes, as it was but for the eighth digit."""
-    found: NDArray[np.float64] = np.frombuffer(packed, dtype="<f4").astype(np.float64).reshape(2, -1)
-    times, values = np.round(found[0], 6), found[1]
+    """The curve in some bytes, with seven digits of each value."""
+    found: Array = np.frombuffer(packed, dtype="<f4").astype(np.float64).reshape(2, -1)
+    times, values = np.round(found[0], TIME_DECIMALS), found[1]
     return Series(tuple(times.tolist()), tuple(float(f"{value:.7g}") for value in values))

@@ -6,22 +6,24 @@ from dataclasses import dataclass, field, replace
 
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
-from reference.comparison.compare import Row
+from reference.comparison.convergence import Errors
 from reference.comparison.curves import Series
-from reference.comparison.shares import Split
+from reference.comparison.error_split import Split
+from reference.comparison.verdicts import Row
 from reference.errors import InvalidInput
 from reference.scene.settings import Option
-from reference.viewer.poses import Track
+from reference.viewer.tracks import Track
 
 
 @dataclass(frozen=True)
 class Job:
     """One family × engine × profile.
 
-    cases: names, all when empty. changes: settings to change, by name. at: values of the family's parameters, for one
-    case at these instead of its own. grid: every point of the family's grid instead. with_poses: whether the result
-    has poses for a replay. with_curve: whether the curve is of its one case, and not of the family's. snapped: what was
-    moved to a recorded point, in words; nothing hangs on it.
+    cases: names, all when empty. changes: settings to change, by name. with_studies: whether the error against timestep
+    is measured, and split. at: values of the family's parameters, for one case there instead of the family's own cases.
+    grid: whether the cases are all points of the family's grid instead. with_poses: whether the result has poses for a
+    replay. with_curve: whether the curve is that of the job's one case, and not that of the family's plotted case.
+    snapped: a remark that says what was moved to a recorded point; the result does not depend on it.
     """
 
     family: str
@@ -41,8 +43,8 @@ class Job:
         at = "".join(f", {name} {value:g}" for name, value in self.at)
         return f"{self.family}{at}{' on its grid' if self.grid else ''} in {self.engine}, {self.profile}"
 
-    def shared(self) -> Job:
-        """The job without what its result does not depend on."""
+    def without_remarks(self) -> Job:
+        """The job without remarks on it, which its result does not depend on."""
         return replace(self, snapped="")
 
     def chosen(self, family: Family) -> tuple[Case, ...]:
@@ -59,23 +61,19 @@ class Job:
             raise InvalidInput(f"{family.name} has no parameters that can be moved")
         return (family.grid.case(**dict(self.at)),) if self.at else family.grid.cases
 
-
-@dataclass(frozen=True)
-class Errors:
-    """Error against timestep. order: slope of the log–log line, None where every error is rounding."""
-
-    timesteps: tuple[float, ...]
-    errors: tuple[float, ...]
-    order: float | None
+    def plots(self, family: Family, case: Case) -> bool:
+        """Whether the result has the curve of this case."""
+        return not self.grid and (bool(self.at) or self.with_curve or case.name == family.curve.case)
 
 
 @dataclass(frozen=True)
 class JobResult:
     """All that a job gives back; plain data.
 
-    seconds: what it took where it ran. cached: whether that was earlier, and the cache had it. recording: where and
-    when it was measured, if not here. poses: of each case's first scenario, where the job asks for them. functions:
-    those of the hand-written side that it asked for.
+    title: of the engine. description: of the profile. settings: those of the plotted case, in words. recording: where
+    and when it was measured, if not here. poses: of each case's first scenario, where the job asks for them. functions:
+    the hand-written functions that it called. seconds: how long it took where it ran. cached: whether it ran earlier,
+    and the cache had its result.
     """
 
     job: Job

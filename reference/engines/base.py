@@ -1,4 +1,4 @@
-"""What an engine is to the lab: something that derives settings from a scenario and runs it. It translates, no more."""
+"""What an engine is to the lab: it derives settings from a scenario, and runs the scenario with them."""
 
 from __future__ import annotations
 
@@ -20,24 +20,24 @@ from reference.scene.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
 ROUNDING = 1e-9
-"""A duration that is a whole number of samples but for this share of one needs no further sample."""
+"""A duration needs no further sample for a remainder smaller than this share of a sample."""
 MOST_STEPS = 10**8
-"""More steps than this no engine does within the time limit of a job."""
+"""No engine takes more steps than this within the time limit of a job."""
 
 
 @dataclass(frozen=True)
 class Method:
-    """How an engine treats the instant at which a force changes; expectations know what each kind does to a quantity.
+    """How an engine treats the instant at which a force changes. An expectation computes what that does to a quantity.
 
     kind: it solves for the instant (`EXACT`), interpolates it as the slide does (`INTERPOLATED`), notices it at the
     next step of semi-implicit Euler (`AT_STEP`) or spreads the force over a stiff contact (`COMPLIANT`).
-    recovery: share of the overlap that is taken back in the step of the response without adding speed.
-    speed_recovery: share of the overlap that this step makes into speed, so that the next ones take it back.
+    recovery: share of the overlap that the step of the response takes back without adding speed.
+    speed_recovery: share of the overlap that this step turns into speed, so that later steps take it back.
     stiffness: of a compliant contact, per unit mass, 1/s².
-    rest_speed: an impact slower than this is taken for rest, m/s.
+    rest_speed: the engine lets a body rest after an impact slower than this, m/s.
     inset: share of the overlap by which the point where forces act lies inside a body.
     softness: share of the change of speed, (1 + e) v, by which an impact falls short.
-    weighed: share of what gravity adds to the speed in the step of an impact that is turned back as well.
+    weighed: share of the speed that gravity adds in the step of an impact, which the impact turns back as well.
     """
 
     kind: str
@@ -55,8 +55,8 @@ class Engine(ABC):
 
     name: as typed on the command line. title: as printed. order: place in tables. package: the distribution that it
     needs, None for ours. extra: the extra of this project that installs it. wheels: where its package can be installed
-    without a compiler. applies_forces: whether it lets a scenario's `forces` act; one that does not refuses them.
-    implementation: which hand-written code answers; only the hand-written engine reads it.
+    without a compiler. applies_forces: whether it lets a scenario's `forces` act; if not, it refuses them.
+    implementation: which hand-written code runs; only the hand-written engine reads it.
     """
 
     name: ClassVar[str]
@@ -76,14 +76,14 @@ class Engine(ABC):
 
     @abstractmethod
     def settings(self, scenario: Scenario, profile: str) -> Settings:
-        """Derive the settings of a profile for a scenario; `UnknownName` for a profile that there is not."""
+        """Derive the settings of a profile for a scenario; raise `UnknownName` if the engine has no such profile."""
 
     @abstractmethod
     def method(self, scenario: Scenario, settings: Settings) -> Method:
         """How the engine treats the instant at which a force changes, with these settings."""
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
-        """Settings worth moving, each to a better value, to see what share of an error they have; none by default."""
+        """Settings worth moving, each to a better value, to see how much of an error is due to it; none by default."""
         return ()
 
     @abstractmethod
@@ -95,7 +95,7 @@ class Engine(ABC):
         raise CannotExpress(f"{self.title} answers no questions of geometry")
 
     def run_many(self, scenarios: Sequence[Scenario], settings: Settings) -> list[Trajectory]:
-        """Run several scenarios with the same settings; an engine that can do so at once overrides this."""
+        """Run several scenarios with the same settings; an engine that can run them together overrides this."""
         return [self.run(scenario, settings) for scenario in scenarios]
 
     def version(self) -> str:

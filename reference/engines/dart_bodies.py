@@ -5,20 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
-from reference.scene import geometry
+from reference.engines.ground_box import ground_box
 from reference.scene.scenario import Body, Box, HalfSpace, Sphere
 from reference.scene.settings import Settings
-
-GROUND_EXTENT, GROUND_DEPTH = 100.0, 1.0
-"""Half extents of the box that stands for a half-space, m: far larger than any way in the catalogue."""
 
 
 def add_body(
     dart: Any, world: Any, body: Body, settings: Settings, restitution: float, friction: float
 ) -> tuple[Any, Any]:
-    """Add a skeleton of one body; return its shape, by which contacts are told apart, and the body."""
+    """Add a skeleton of one body; return its shape, by which a contact names its bodies, and the body."""
     skeleton = dart.dynamics.Skeleton(body.name)
     placed = _placed(body, settings)
     if body.immovable:
@@ -31,13 +26,18 @@ def add_body(
     shape = _shape(dart, placed.shape)
     shape_node = node.createShapeNode(shape)
     shape_node.createCollisionAspect()
-    surface = shape_node.createDynamicsAspect()
-    surface.setRestitutionCoeff(restitution)
-    surface.setFrictionCoeff(friction)
+    set_restitution_and_friction(shape_node, restitution, friction)
     if not body.immovable:
         node.setInertia(dart.dynamics.Inertia(body.mass, [0.0, 0.0, 0.0], shape.computeInertia(body.mass)))
     world.addSkeleton(skeleton)
     return shape, node
+
+
+def set_restitution_and_friction(shape_node: Any, restitution: float, friction: float) -> None:
+    """Give one shape its coefficients; of two that touch, DART multiplies the first and takes the smaller second."""
+    surface = shape_node.createDynamicsAspect()
+    surface.setRestitutionCoeff(restitution)
+    surface.setFrictionCoeff(friction)
 
 
 def stand(dart: Any, body: Body) -> tuple[Any, Any]:
@@ -60,11 +60,7 @@ def _placed(body: Body, settings: Settings) -> Body:
         return body
     if settings.options.get("ground") != "box":
         return replace(body, orientation=(1.0, 0.0, 0.0, 0.0))
-    normal = np.array(body.shape.normal)
-    orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), normal)
-    centre = np.array(body.position) - GROUND_DEPTH * normal
-    shape = Box((GROUND_EXTENT, GROUND_EXTENT, GROUND_DEPTH))
-    return replace(body, shape=shape, position=tuple(centre), orientation=tuple(orientation))
+    return ground_box(body)
 
 
 def _transform(dart: Any, body: Body) -> Any:

@@ -1,7 +1,7 @@
-"""DART as an engine: units, frames, how a pair's coefficients are said, and which of its solvers is right.
+"""DART as an engine: units, frames, how DART is told a pair's restitution and friction, and which solver is right.
 
 DART multiplies the restitution of two shapes and takes the smaller of their frictions. Its contact constants are out of
-Python's reach: a rebound slower than 0.1 m/s is none, and overlap comes back with 1 mm/s at most.
+Python's reach: there is no rebound slower than 0.1 m/s, and overlap is taken back at 1 mm/s at most.
 
 Tuned: its own collision detector, which finds all corners of a box at once if the ground is a box, and an exact Coulomb
 solver; the default one has a pyramid for a friction cone. Nothing falls asleep.
@@ -25,13 +25,13 @@ from reference.scene.settings import Move, Option, Settings, steps_per_sample
 from reference.scene.trajectory import Recorder, Trajectory
 
 REST_SPEED = 0.1
-"""A rebound slower than this is none, m/s; a constant of DART's source."""
+"""DART lets a body rest whose rebound would be slower than this, m/s; a constant of its source."""
 SOFTNESS = 1e-5
 """Share of the change of speed by which an impact falls short; a constant of DART's source too."""
 LEAST_COEFFICIENT = 1e-3
 """A coefficient up to this counts as zero in DART."""
-FARTHEST = 1e6
-"""Depth that no two bodies reach, m; unless it is told of one, DART gives none below zero."""
+MOST_DEPTH = 1e6
+"""Depth that no two bodies reach, m; without such a limit DART gives no distance below zero."""
 DETECTORS: Mapping[str, Callable[[Any], Any]] = {
     "dart": lambda dart: dart.collision.DARTCollisionDetector(),
     "fcl": lambda dart: dart.collision.FCLCollisionDetector(),
@@ -74,17 +74,17 @@ class Dart(Engine):
             # cone is a pyramid, which does not matter where nothing slides.
             options["solver"] = "dantzig"
         elif boxes:
-            # Four corners are one more than it takes to carry a box: sweeps come to no end, only near enough to one.
+            # Four corners are one more than it takes to carry a box: sweeps converge slowly, and stop near enough.
             options |= {"solver": "nsgs", "solver_tolerance": 1e-7, "solver_iterations": 200}
         else:
             options |= {"solver": "nsgs", "solver_tolerance": 1e-12, "solver_iterations": 1000}
         if geometry.starts_in_contact(scenario) and not any(pair.restitution for pair in scenario.pairs):
             return Settings(1e-3, options=options)
-        # Nothing but a small timestep removes what a step does to an impact: DART takes back no overlap worth the name.
+        # Only a small timestep removes what a step does to an impact: DART takes back hardly any overlap.
         return Settings(1e-4, steps_per_sample(1e-4), options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
-        """DART answers at the step, with the speed that this step has just gained; a ball is pushed where it is cut."""
+        """DART responds at the step, to the speed that this step has just gained; a ball is pushed where it is cut."""
         bouncing = [pair.restitution for pair in scenario.pairs if pair.restitution > 0]
         slowest = REST_SPEED / min(bouncing) if bouncing else 0.0
         return Method(AT_STEP, rest_speed=slowest, inset=1.0, softness=SOFTNESS, weighed=1.0)
@@ -101,7 +101,7 @@ class Dart(Engine):
         self.check_friction(scenario)
         steps = self.check_settings(scenario, settings)
         _check_words(settings)
-        coefficients = self._coefficients(scenario)
+        coefficients = self._restitution_and_friction(scenario)
         world = _world(dart, scenario, settings)
         shapes, bodies = [], []
         for body, pair in zip(scenario.bodies, coefficients, strict=True):
@@ -112,17 +112,14 @@ class Dart(Engine):
         for first, second in scenario.unlisted_pairs():
             apart.addBodyNodePairToBlackList(bodies[scenario.index(first)], bodies[scenario.index(second)])
         recorder = Recorder(self.name, scenario, settings)
-        fixed = [
-            [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies
-        ]
-        recorder.sample([number for state in fixed for number in state])
+        recorder.sample([number for body in scenario.bodies for number in body.state()])
         pushes = [(bodies[scenario.index(force.body)], force.force) for force in scenario.forces]
         for number in range(1, steps + 1):
             for node, force in pushes:
                 node.addExtForce(force, [0.0, 0.0, 0.0])  # at the centre; forgotten after the step
             world.step()
             if number % settings.sample_every == 0:
-                recorder.sample(_state(scenario, bodies, fixed))
+                recorder.sample(_state(scenario, bodies))
                 for contact in world.getLastCollisionResult().getContacts():
                     _keep_contact(recorder, scenario, shapes, contact, settings.options.get("detector") == "dart")
         return recorder.trajectory()
@@ -141,12 +138,12 @@ class Dart(Engine):
             group.raycast(query.start, np.add(query.start, query.way), dart.collision.RaycastOption(), hits)
             return min((float(hit.mFraction) for hit in hits.mRayHits), default=math.inf)
         found = dart.collision.DistanceResult()
-        group.distance(dart.collision.DistanceOption(False, -FARTHEST), found)
+        group.distance(dart.collision.DistanceOption(False, -MOST_DEPTH), found)
         if not found.found():
             raise CannotExpress("DART's own detector knows no distance of two half-spaces")
         return float(found.minDistance)
 
-    def _coefficients(self, scenario: Scenario) -> list[tuple[float, float]]:
+    def _restitution_and_friction(self, scenario: Scenario) -> list[tuple[float, float]]:
         """One restitution and friction per body such that every pair gets what the scenario asks for."""
         for pair in scenario.pairs:
             for name, value in (("restitution", pair.restitution), ("friction", pair.kinetic_friction)):
@@ -199,12 +196,12 @@ def _friction_solver(dart: Any, settings: Settings) -> Any:
     return solver
 
 
-def _state(scenario: Scenario, bodies: list[Any], fixed: list[list[float]]) -> list[float]:
+def _state(scenario: Scenario, bodies: list[Any]) -> list[float]:
     """The 13 numbers of every body. What cannot move is where the scenario has it."""
     state: list[float] = []
-    for body, node, start in zip(scenario.bodies, bodies, fixed, strict=True):
+    for body, node in zip(scenario.bodies, bodies, strict=True):
         if body.immovable:
-            state += start
+            state += body.state()
             continue
         pose = node.getWorldTransform()
         turn = pose.quaternion()
@@ -216,9 +213,9 @@ def _state(scenario: Scenario, bodies: list[Any], fixed: list[list[float]]) -> l
 def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], contact: Any, flat: bool) -> None:
     """DART's normal points from its second object to its first, and depth is positive inside.
 
-    Its point lies midway between the surfaces, but with DART's own detector (`flat`) for a ball on something flat: then
-    it lies on that. Bodies are told by their shapes; asking a collision object for its frame makes the process crash as
-    it ends.
+    Its point lies midway between the surfaces, except for a ball on something flat with DART's own detector (`flat`):
+    then it lies on the flat surface. Bodies are recognized by their shapes, since asking a collision object for its
+    frame makes the process crash as it ends.
     """
     first, second = (
         next(place for place, shape in enumerate(shapes) if thing.getShape() is shape)

@@ -1,4 +1,4 @@
-"""The hand-written side as an engine: it picks driver and policy, `solutions` (or a student) does the physics."""
+"""Hand-written code as an engine: it picks driver and policy, and `solutions` (or a student) does the physics."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
 from reference.engines.handwritten import ball_rows, queries, single_body, two_bodies
-from reference.engines.handwritten.supported import Kind, kind
+from reference.engines.handwritten.scenario_kind import Kind, kind
 from reference.errors import InvalidInput, NeedsFunction
 from reference.scene.query import Query
 from reference.scene.scenario import Scenario
@@ -33,8 +33,8 @@ DRIVERS = {
 class Handwritten(Engine):
     """Newton's laws with the functions of the lecture.
 
-    The option `policy` says when a collision is answered: at the exact root of the parabola, at the slide's T, or at
-    the step that ends behind the plane. A sliding body stops exactly, or (`at_step`) as semi-implicit Euler makes it.
+    The option `policy` says when a collision is resolved: at the exact root of the parabola, at the slide's T, or at
+    the step that begins behind the plane. A sliding body stops exactly, or (`at_step`) as semi-implicit Euler makes it.
     """
 
     name = "handwritten"
@@ -49,13 +49,13 @@ class Handwritten(Engine):
         return found | {"stock": "respond at the step"}
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
-        """Timestep 1 ms. A rebound whose flight would be over within `shortest_flight` steps is taken for rest."""
+        """Timestep 1 ms. A ball rests if its next flight would be over within `shortest_flight` steps."""
         self.check_profile(scenario, profile)
         policy = {"tuned": "exact_root", "slide": "interpolated", "stock": "at_step"}[profile]
         options: dict[str, float | str] = {"policy": policy}
         if kind(scenario) is Kind.BOUNCE:
             # The exact root follows the bounces down to rounding. A flight within one step starts and ends on the
-            # plane: the slide's T cannot see it. At the step, even a flight of two steps is lost in the overlap.
+            # plane, so the slide's T cannot see it. At the step, even a flight of two steps is lost in the overlap.
             options["shortest_flight"] = {"exact_root": 1e-9, "interpolated": 1.0, "at_step": 2.0}[policy]
         return Settings(1e-3, options=options)
 

@@ -21,7 +21,7 @@ class Implementation:
 
     source: an importable package with one module a topic (`"solutions"`), or the path of a `.py` file that holds the
     functions side by side, as a student hands it in; or several of these, `lab.py | labs.given`: what the first does
-    not define comes from the next. Being a string, it pickles. asked: the functions that were asked for.
+    not define comes from the next. A string can be pickled. asked: the names of the functions that a run has used.
     """
 
     source: str = "solutions"
@@ -29,7 +29,7 @@ class Implementation:
 
     @property
     def sources(self) -> tuple[str, ...]:
-        """Each of the packages and files, the one that is asked first in front."""
+        """Each of the packages and files, in the order in which they are searched."""
         return tuple(part.strip() for part in self.source.split("|"))
 
     def function(self, name: str) -> Callable[..., Any]:
@@ -55,7 +55,7 @@ class Implementation:
 
 
 def _module(source: str, topic: str) -> ModuleType | None:
-    """Return the module that holds a topic's functions, or None where there is none."""
+    """Return the module that holds a topic's functions, or None if it has none."""
     path = Path(source)
     if path.suffix == ".py":
         return _load_file(path)
@@ -76,7 +76,7 @@ _FILES: dict[tuple[Path, bytes], ModuleType] = {}
 
 
 def _load_file(path: Path) -> ModuleType:
-    """Import a file by path, once per process and text: a worker process outlives many an edit of the file."""
+    """Import a file by path, once for each text in this process: a worker process outlives many edits of the file."""
     path = path.resolve()
     if not path.is_file():
         raise InvalidInput(f"no implementation {str(path)!r}: there is no such file")
@@ -86,6 +86,6 @@ def _load_file(path: Path) -> ModuleType:
         module = ModuleType(name)
         module.__file__ = str(path)
         sys.modules[name] = module  # as any import does; a dataclass in the file looks itself up there
-        exec(compile(text, path, "exec"), module.__dict__)  # not by a loader, which may take stale bytecode for it
+        exec(compile(text, path, "exec"), module.__dict__)  # a loader might take stale bytecode instead
         _FILES[path, text] = module
     return _FILES[path, text]

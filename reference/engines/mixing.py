@@ -1,4 +1,4 @@
-"""One coefficient a body, for engines that make a pair's of two bodies': such that each pair gets what it asks for."""
+"""One coefficient for each body, for engines that combine the coefficients of two bodies into that of the pair."""
 
 from __future__ import annotations
 
@@ -8,14 +8,15 @@ from collections.abc import Callable
 from reference.scene.scenario import Body, Pair, Scenario
 
 Coefficient = Callable[[Pair], float]
-"""Which coefficient of a pair is meant."""
+"""Takes one of a pair's coefficients from it."""
 
 
 def factors(scenario: Scenario, of: Coefficient) -> list[float] | None:
-    """One number a body such that each pair's product is its coefficient; None where no way of ours gives it.
+    """One number for each body such that the product of two is the pair's coefficient; None if we find no such choice.
 
-    All get the same square root; or the movable body gets all of it and the immovable one 1; or each body gets what
-    the one that leads to it leaves open, which suits whatever stands on one another without closing a ring.
+    We try three choices. Every body gets the square root of the coefficient. Or the movable body of each pair gets the
+    whole coefficient and the immovable one gets 1. Or we go from body to body along the pairs, and each gets what the
+    body before it leaves open; that suits bodies that stand on one another, as long as they do not close a ring.
     """
     if not scenario.pairs:
         return [0.0] * len(scenario.bodies)
@@ -34,7 +35,7 @@ def _own_or_one(scenario: Scenario, body: Body, of: Coefficient) -> float:
 
 
 def _one_after_another(scenario: Scenario, of: Coefficient) -> dict[str, float]:
-    """1 for the first body, for those that it meets their pair's coefficient, and so on outward."""
+    """1 for the first body; for the bodies that it meets, the pair's coefficient divided by 1; and so on outward."""
     chosen: dict[str, float] = {}
     for first in scenario.bodies:
         reached = [] if first.name in chosen else [first.name]
@@ -49,9 +50,10 @@ def _one_after_another(scenario: Scenario, of: Coefficient) -> dict[str, float]:
 
 
 def least(scenario: Scenario, of: Coefficient) -> list[float] | None:
-    """One number a body such that the smaller one of each pair is its coefficient; None where there is no such choice.
+    """One number for each body such that the smaller of two is the pair's coefficient; None if there is no such choice.
 
-    A body's number is at least the largest of its pairs', and anything above that only raises what pairs get.
+    A body's number must be at least the largest coefficient of its pairs, and more than that can only make the smaller
+    of two numbers larger. So each body gets just that.
     """
     chosen = {
         body.name: max((of(pair) for pair in scenario.pairs if body.name in (pair.body_a, pair.body_b)), default=0.0)

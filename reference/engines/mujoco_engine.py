@@ -1,4 +1,4 @@
-"""MuJoCo as an engine: units, frames and how a pair's coefficients are said in its contact model.
+"""MuJoCo as an engine: units, frames and how its contact model is told a pair's restitution and friction.
 
 MuJoCo has no coefficient of restitution. A contact is a spring and a dashpot, `solref = (−stiffness, −damping)`, that
 sets the acceleration along the normal to −stiffness·r − damping·ṙ (with an impedance d near 1) and never pulls.
@@ -6,7 +6,7 @@ sets the acceleration along the normal to −stiffness·r − damping·ṙ (with
 `contact = "one step"` (tuned): under Euler a damping of (1 + e)/dt turns the normal velocity v into −e v in exactly
 one step, which is Newton's restitution; a small stiffness brings back what overlap is left.
 `contact = "spring"`: the textbook reading, an elastic contact resolved over many steps; ζ follows from e.
-`contact = "default"` (stock): what a user gets who only sets the friction of the geoms. Restitution goes unsaid.
+`contact = "default"` (stock): what a user gets who sets nothing but the friction of the geoms. It has no restitution.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from reference.scene.trajectory import Recorder, Trajectory
 SPRING_STIFFNESS = 1e6
 """Stiffness per unit mass of the `spring` profile, 1/s²: a contact lasts about π ms and a 1 m drop sinks in 4.4 mm."""
 FARTHEST = 1e6
-"""Distance beyond which two geoms need not be told apart, m."""
+"""Distance beyond which no two geoms lie, m: MuJoCo searches for closest points up to it."""
 
 
 class MuJoCo(Engine):
@@ -83,14 +83,14 @@ class MuJoCo(Engine):
             "noslip_iterations": 5,
         }
         if geometry.leaning(scenario):
-            # In a stack the normal forces must know of friction. Nothing slides there, so the main solver may have it.
-            # A contact at a gap of exactly zero is seen or not by rounding; the margin lets all be seen from the start.
+            # In a stack the normal forces depend on friction. Nothing slides, so the main solver may have it. At a
+            # gap of exactly zero rounding decides whether MuJoCo sees a contact; with the margin it sees all of them.
             options |= {"impratio": 1.0, "noslip_iterations": 0, "margin": 1e-9}
             return Settings(1e-3, options=options)
         return Settings(1e-4, steps_per_sample(1e-4), options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
-        """A resolved spring is compliant; all else answers at the step. Overlap returns as speed; forces act in it."""
+        """A resolved spring is compliant; the others respond at the step. Overlap returns as speed."""
         if settings["contact"] == "spring":
             return Method(COMPLIANT, stiffness=settings.number("stiffness"), inset=0.5)
         share = settings.number("overlap_recovery") if "overlap_recovery" in settings.options else 0.0
@@ -126,9 +126,7 @@ class MuJoCo(Engine):
         for force in scenario.forces:
             state.xfrc_applied[1 + scenario.index(force.body), :3] += force.force  # body 0 is the world
         recorder = Recorder(self.name, scenario, settings)
-        fixed = [
-            [*body.position, *body.orientation, *body.velocity, *body.angular_velocity] for body in scenario.bodies
-        ]
+        fixed = [list(body.state()) for body in scenario.bodies]
         recorder.sample(_state(state, movable, fixed))
         for _ in range(steps // settings.sample_every):
             mujoco.mj_step(model, state, nstep=settings.sample_every)
@@ -167,7 +165,7 @@ class MuJoCo(Engine):
             self._add_body(mujoco, spec, scenario, body, stock)
         if not stock:
             for pair in scenario.pairs:
-                _add_pair(spec, pair, settings)
+                set_restitution_and_friction(spec, pair, settings)
         else:
             for first, second in scenario.unlisted_pairs():
                 spec.add_exclude(bodyname1=first, bodyname2=second)
@@ -176,7 +174,7 @@ class MuJoCo(Engine):
     def _add_body(self, mujoco: Any, spec: Any, scenario: Scenario, body: Body, stock: bool) -> None:
         orientation: Any = body.orientation
         if isinstance(body.shape, HalfSpace):
-            orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), np.array(body.shape.normal))
+            orientation = geometry.upright_on(np.array(body.shape.normal))
         frame = spec.worldbody.add_body(name=body.name, pos=body.position, quat=orientation)
         kind, size = _geom(mujoco, body.shape)
         options: dict[str, Any] = {"contype": 0, "conaffinity": 0}  # only the pairs that are listed collide
@@ -191,10 +189,11 @@ class MuJoCo(Engine):
         frame.add_geom(name=body.name, type=kind, size=size, **options)
 
 
-def _add_pair(spec: Any, pair: Pair, settings: Settings) -> None:
-    """Say a pair's restitution and friction as an explicit contact pair."""
+def set_restitution_and_friction(spec: Any, pair: Pair, settings: Settings) -> None:
+    """Add an explicit contact pair: its `solref` makes the restitution."""
     dt, restitution, friction = settings.timestep, pair.restitution, pair.kinetic_friction
     impedance = settings.number("impedance")
+    # An impedance that does not depend on depth; width, midpoint and power, which then do nothing, are the defaults
     options: dict[str, Any] = {"solimp": [impedance, impedance, 0.001, 0.5, 2]}
     if settings["contact"] == "one step":
         options["solref"] = [-settings.number("overlap_recovery") / dt**2, -(1 + restitution) / dt]

@@ -1,4 +1,4 @@
-"""The two profiles that every engine has; an engine may have more between them."""
+"""The two profiles that every engine has. An engine may have others, which come between these two."""
 
 from __future__ import annotations
 

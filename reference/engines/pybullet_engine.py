@@ -1,7 +1,7 @@
-"""PyBullet as an engine: units, quaternion order and how a pair's coefficients are said in Bullet.
+"""PyBullet as an engine: units, order of quaternions, and how Bullet is told a pair's restitution and friction.
 
-Bullet multiplies the two bodies' coefficients, keeps its contact parameters for the whole world and cannot give them
-back: what a run used is what its settings say.
+Bullet multiplies the coefficients of the two bodies; `pybullet_bodies.set_restitution_and_friction` sets them. It has
+one set of contact parameters for the whole world and cannot give them back: what a run used is what its settings say.
 
 Tuned, where something falls: rigid bodies in maximal coordinates, so that restitution acts on the speed before the
 step, and split impulses, which take back a share `contact_erp` of the overlap without adding speed. Tuned, where bodies
@@ -18,20 +18,30 @@ from typing import Any
 
 import numpy as np
 
-from reference.engines import mixing
+from reference.engines import mixing, pybullet_bodies
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.query import Query, Ray
-from reference.scene.scenario import Body, Box, Force, HalfSpace, Scenario, Sphere
+from reference.scene.scenario import Body, Box, Force, Scenario
 from reference.scene.settings import Move, Option, Settings
 from reference.scene.trajectory import Recorder, Trajectory
 
 STOCK_TIMESTEP = 1 / 240
-GROUND_EXTENT, GROUND_DEPTH = (100.0, 100.0), 1.0
-"""Half extents of the box that stands for a half-space, m: far larger than any way in the catalogue."""
+STOCK_REST_SPEED = 0.2
+"""Bullet's default for the relative speed below which it lets a contact rest, m/s."""
+WORLD = {
+    "contact_slop": "contactSlop",
+    "contact_erp": "contactERP",
+    "solver_iterations": "numSolverIterations",
+    "solver_residual": "solverResidualThreshold",
+    "cone_friction": "enableConeFriction",  # without it friction is limited along two axes, each by itself
+}
+"""Our options for the whole world, and what Bullet calls them."""
+BODY_A, BODY_B, POINT_A, POINT_B, NORMAL, DISTANCE = 1, 2, 5, 6, 7, 8
+"""Fields of a contact or closest point of Bullet's: bodies, a point on each, the normal from B to A, the distance."""
 FARTHEST = 1e6
-"""Distance beyond which two bodies need not be told apart, m."""
+"""Distance beyond which no two bodies lie, m: Bullet searches for closest points up to it."""
 
 
 class PyBullet(Engine):
@@ -53,22 +63,22 @@ class PyBullet(Engine):
         restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
         movable = [body for body in scenario.bodies if not body.immovable]
         boxes = any(isinstance(body.shape, Box) for body in movable)
-        damping: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
+        undamped: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
         # On a plane Bullet finds one more contact point of a box in each step; on a large box all four at once.
         ground: dict[str, Option] = {"ground": "box"} if boxes else {}
         firm: dict[str, Option] = {"solver_iterations": 200 if len(movable) == 1 else 100, "solver_residual": 0.0}
         if restitution == 0 and geometry.starts_in_contact(scenario):
-            return Settings(1e-3, options={"coordinates": "multibody", **damping, **ground, **firm})
+            return Settings(1e-3, options={"coordinates": "multibody", **undamped, **ground, **firm})
         options: dict[str, Option] = {
             "coordinates": "maximal",
-            **damping,
-            # Rebounds slower than this many steps of gravity are taken for rest. Without it micro-bounces go on and on.
+            **undamped,
+            # A rebound slower than this many steps of gravity is taken for rest. Without it micro-bounces never end.
             "rest_threshold_steps": 3.0,
-            # The share of the overlap that makes the mean error of a rebound vanish; see truth.at_step_apex_shift.
+            # The share of the overlap that makes the mean error of a rebound vanish; see truth.rebound_shift_at_step.
             "contact_erp": 1.0 - restitution,
             "split_impulse": True,
             # The gap at which a contact counts, in falls of one step from rest, g dt². A gap of several falls
-            # spoils a ball's rebound; with none, a box that has landed askew rocks from corner to corner for ever.
+            # spoils a ball's rebound; with none, a box that has landed askew rocks from corner to corner without end.
             "contact_gap_falls": 1.0 if boxes else 0.0,
             **ground,
             **(firm if boxes or len(movable) > 1 else {"solver_iterations": 50}),
@@ -76,9 +86,9 @@ class PyBullet(Engine):
         return Settings(1e-3, options=options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
-        """Bullet answers at the step; split impulses take overlap back without adding speed."""
+        """Bullet resolves an impact at the step; split impulses take overlap back without adding speed."""
         recovery = settings.number("contact_erp") if settings.options.get("split_impulse") is True else 0.0
-        return Method(AT_STEP, recovery, rest_speed=self._rest_speed(scenario, settings))
+        return Method(AT_STEP, recovery, rest_speed=_rest_speed(scenario, settings))
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A lower threshold of rest, and twice the solver's iterations."""
@@ -98,33 +108,33 @@ class PyBullet(Engine):
         bullet: Any = self.module()
         client = bullet.connect(bullet.DIRECT)
         try:
-            return [self._run(bullet, client, scenario, settings) for scenario in scenarios]
+            return [self._run(bullet, scenario, settings, {"physicsClientId": client}) for scenario in scenarios]
         finally:
             bullet.disconnect(client)
 
-    def _run(self, bullet: Any, client: int, scenario: Scenario, settings: Settings) -> Trajectory:
+    def _run(self, bullet: Any, scenario: Scenario, settings: Settings, here: dict[str, int]) -> Trajectory:
         self.check_friction(scenario)
         steps = self.check_settings(scenario, settings)
-        bullet.resetSimulation(physicsClientId=client)
-        self._set_world(bullet, client, scenario, settings)
-        coefficients = self._coefficients(scenario)
+        bullet.resetSimulation(**here)
+        self._set_world(bullet, scenario, settings, here)
+        fall = _gravity(scenario) * settings.timestep**2
         numbers = [
-            self._add_body(bullet, client, scenario, body, settings, *pair)
-            for body, pair in zip(scenario.bodies, coefficients, strict=True)
+            pybullet_bodies.add_body(bullet, body, settings, *coefficients, fall, here)
+            for body, coefficients in zip(scenario.bodies, self._restitution_and_friction(scenario), strict=True)
         ]
-        places = {number: place for place, number in enumerate(numbers)}
         for first, second in scenario.unlisted_pairs():
             apart = numbers[scenario.index(first)], numbers[scenario.index(second)]
-            bullet.setCollisionFilterPair(*apart, -1, -1, 0, physicsClientId=client)
+            bullet.setCollisionFilterPair(*apart, -1, -1, 0, **here)
+        places = {number: place for place, number in enumerate(numbers)}
         recorder = Recorder(self.name, scenario, settings)
-        recorder.sample(_state(bullet, client, numbers, scenario))
-        for number in range(1, steps + 1):
+        recorder.sample(_state(bullet, numbers, scenario, here))
+        for step in range(1, steps + 1):
             for force in scenario.forces:
-                _push(bullet, client, numbers[scenario.index(force.body)], force)
-            bullet.stepSimulation(physicsClientId=client)
-            if number % settings.sample_every == 0:
-                recorder.sample(_state(bullet, client, numbers, scenario))
-                for contact in bullet.getContactPoints(physicsClientId=client):
+                _push(bullet, numbers[scenario.index(force.body)], force, here)
+            bullet.stepSimulation(**here)
+            if step % settings.sample_every == 0:
+                recorder.sample(_state(bullet, numbers, scenario, here))
+                for contact in bullet.getContactPoints(**here):
                     _keep_contact(recorder, places, contact)
         return recorder.trajectory()
 
@@ -135,95 +145,32 @@ class PyBullet(Engine):
         here = {"physicsClientId": client}
         try:
             if isinstance(query, Ray):
-                self._place(bullet, query.body, here)
+                pybullet_bodies.stand(bullet, _fixed(query.body), here)
                 end = np.add(query.start, query.way).tolist()
                 ((number, _, share, _, _),) = bullet.rayTest(query.start, end, **here)
                 return float(share) if number >= 0 else math.inf
-            pair = [self._place(bullet, body, here) for body in (query.body_a, query.body_b)]
+            pair = [pybullet_bodies.stand(bullet, _fixed(body), here) for body in (query.body_a, query.body_b)]
             found = bullet.getClosestPoints(*pair, FARTHEST, **here)
             if not found:
                 raise RunFailed(f"Bullet finds no closest points of {query.body_a.name} and {query.body_b.name}")
-            return float(min(point[8] for point in found))
+            return float(min(point[DISTANCE] for point in found))
         finally:
             bullet.disconnect(client)
 
-    @staticmethod
-    def _place(bullet: Any, body: Body, here: dict[str, int]) -> int:
-        """Add a body that nothing moves, where it stands, and return its number."""
-        orientation = (*body.orientation[1:], body.orientation[0])  # x y z w
-        shape = _collision_shape(bullet, body, here)
-        return int(bullet.createMultiBody(0.0, shape, basePosition=body.position, baseOrientation=orientation, **here))
-
-    def _set_world(self, bullet: Any, client: int, scenario: Scenario, settings: Settings) -> None:
-        bullet.setGravity(*scenario.gravity, physicsClientId=client)
-        bullet.setTimeStep(settings.timestep, physicsClientId=client)
-        bullet.setPhysicsEngineParameter(deterministicOverlappingPairs=1, physicsClientId=client)
-        words = {
-            "contact_slop": "contactSlop",
-            "contact_erp": "contactERP",
-            "solver_iterations": "numSolverIterations",
-            "solver_residual": "solverResidualThreshold",
-            "cone_friction": "enableConeFriction",  # without it friction is limited along two axes, each by itself
-        }
-        chosen = {word: settings[option] for option, word in words.items() if option in settings.options}
+    def _set_world(self, bullet: Any, scenario: Scenario, settings: Settings, here: dict[str, int]) -> None:
+        bullet.setGravity(*scenario.gravity, **here)
+        bullet.setTimeStep(settings.timestep, **here)
+        bullet.setPhysicsEngineParameter(deterministicOverlappingPairs=1, **here)
+        chosen = {word: settings[option] for option, word in WORLD.items() if option in settings.options}
         if "split_impulse" in settings.options:
             chosen["useSplitImpulse"] = int(bool(settings["split_impulse"]))
-            chosen["splitImpulsePenetrationThreshold"] = (
-                0.0  # Bullet's own −0.04 m leaves small overlaps to the velocity
-            )
-            chosen["restitutionVelocityThreshold"] = self._rest_speed(scenario, settings)
+            # Bullet's own −0.04 m leaves small overlaps to the velocity
+            chosen["splitImpulsePenetrationThreshold"] = 0.0
+            chosen["restitutionVelocityThreshold"] = _rest_speed(scenario, settings)
         if chosen:
-            bullet.setPhysicsEngineParameter(**chosen, physicsClientId=client)
+            bullet.setPhysicsEngineParameter(**chosen, **here)
 
-    def _rest_speed(self, scenario: Scenario, settings: Settings) -> float:
-        """The relative speed, m/s, below which Bullet lets a contact rest; its default is 0.2."""
-        if "rest_threshold_steps" not in settings.options:
-            return 0.2
-        return settings.number("rest_threshold_steps") * settings.timestep * self._gravity(scenario)
-
-    @staticmethod
-    def _gravity(scenario: Scenario) -> float:
-        return float(np.linalg.norm(scenario.gravity))
-
-    def _add_body(
-        self,
-        bullet: Any,
-        client: int,
-        scenario: Scenario,
-        body: Body,
-        settings: Settings,
-        restitution: float,
-        friction: float,
-    ) -> int:
-        here = {"physicsClientId": client}
-        if isinstance(body.shape, HalfSpace) and settings.options.get("ground") == "box":
-            body = _as_box(body)
-        shape = _collision_shape(bullet, body, here)
-        number: int = bullet.createMultiBody(
-            0.0 if body.immovable else body.mass,
-            shape,
-            basePosition=body.position,
-            baseOrientation=(*body.orientation[1:], body.orientation[0]),  # x y z w
-            useMaximalCoordinates=settings["coordinates"] == "maximal",
-            **here,
-        )
-        bullet.changeDynamics(number, -1, restitution=restitution, lateralFriction=friction, **here)
-        if body.immovable:
-            return number
-        words = {
-            "linear_damping": "linearDamping",
-            "angular_damping": "angularDamping",
-        }
-        chosen = {word: settings[option] for option, word in words.items() if option in settings.options}
-        if "contact_gap_falls" in settings.options:
-            fall = self._gravity(scenario) * settings.timestep**2
-            chosen["contactProcessingThreshold"] = settings.number("contact_gap_falls") * fall
-        if chosen:
-            bullet.changeDynamics(number, -1, maxJointVelocity=1e9, **chosen, **here)  # or speeds are cut at 100 m/s
-        bullet.resetBaseVelocity(number, body.velocity, body.angular_velocity, **here)
-        return number
-
-    def _coefficients(self, scenario: Scenario) -> list[tuple[float, float]]:
+    def _restitution_and_friction(self, scenario: Scenario) -> list[tuple[float, float]]:
         """One restitution and friction per body such that every pair's product is what the scenario asks for."""
         restitution = mixing.factors(scenario, lambda pair: pair.restitution)
         friction = mixing.factors(scenario, lambda pair: pair.kinetic_friction)
@@ -234,49 +181,43 @@ class PyBullet(Engine):
         return list(zip(restitution, friction, strict=True))
 
 
-def _collision_shape(bullet: Any, body: Body, here: dict[str, int]) -> int:
-    shape = body.shape
-    if isinstance(shape, Sphere):
-        number: int = bullet.createCollisionShape(bullet.GEOM_SPHERE, radius=shape.radius, **here)
-    elif isinstance(shape, Box):
-        number = bullet.createCollisionShape(bullet.GEOM_BOX, halfExtents=shape.half_extents, **here)
-    else:
-        own_frame = geometry.rotate(geometry.opposite(np.array(body.orientation)), np.array(shape.normal))
-        number = bullet.createCollisionShape(bullet.GEOM_PLANE, planeNormal=own_frame.tolist(), **here)
-    return number
+def _rest_speed(scenario: Scenario, settings: Settings) -> float:
+    """The relative speed, m/s, below which Bullet lets a contact rest."""
+    if "rest_threshold_steps" not in settings.options:
+        return STOCK_REST_SPEED
+    return settings.number("rest_threshold_steps") * settings.timestep * _gravity(scenario)
 
 
-def _push(bullet: Any, client: int, number: int, force: Force) -> None:
+def _gravity(scenario: Scenario) -> float:
+    return float(np.linalg.norm(scenario.gravity))
+
+
+def _fixed(body: Body) -> Body:
+    """The body as one that nothing moves."""
+    return replace(body, mass=math.inf, velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
+
+
+def _push(bullet: Any, number: int, force: Force, here: dict[str, int]) -> None:
     """Let a force act in the next step, after which Bullet forgets it."""
-    centre, _ = bullet.getBasePositionAndOrientation(number, physicsClientId=client)
-    bullet.applyExternalForce(number, -1, force.force, centre, bullet.WORLD_FRAME, physicsClientId=client)
+    centre, _ = bullet.getBasePositionAndOrientation(number, **here)
+    bullet.applyExternalForce(number, -1, force.force, centre, bullet.WORLD_FRAME, **here)
 
 
 def _keep_contact(recorder: Recorder, places: Mapping[int, int], contact: Sequence[Any]) -> None:
-    """Of the fields, 1 and 2 are A and B, 5 and 6 the points on them, 7 the normal from B to A, 8 the distance."""
-    middle = [(on_a + on_b) / 2 for on_a, on_b in zip(contact[5], contact[6], strict=True)]
-    recorder.contact(places[contact[1]], places[contact[2]], middle, contact[7], contact[8])
+    """Keep a contact of Bullet's; its place is midway between the two surfaces."""
+    middle = [(on_a + on_b) / 2 for on_a, on_b in zip(contact[POINT_A], contact[POINT_B], strict=True)]
+    recorder.contact(places[contact[BODY_A]], places[contact[BODY_B]], middle, contact[NORMAL], contact[DISTANCE])
 
 
-def _as_box(body: Body) -> Body:
-    """A box so large that its upper face stands for the half-space's surface."""
-    normal = np.array(body.shape.normal)  # type: ignore[union-attr]
-    orientation = geometry.quaternion_between(np.array([0.0, 0.0, 1.0]), normal)
-    centre = np.array(body.position) - GROUND_DEPTH * normal
-    return replace(
-        body, shape=Box((*GROUND_EXTENT, GROUND_DEPTH)), position=tuple(centre), orientation=tuple(orientation)
-    )
-
-
-def _state(bullet: Any, client: int, numbers: list[int], scenario: Scenario) -> list[float]:
+def _state(bullet: Any, numbers: list[int], scenario: Scenario, here: dict[str, int]) -> list[float]:
     """The 13 numbers of every body; Bullet's quaternions are x y z w. What cannot move is where the scenario has it."""
     state: list[float] = []
     for number, body in zip(numbers, scenario.bodies, strict=True):
         if body.immovable:
-            state += (*body.position, *body.orientation, *body.velocity, *body.angular_velocity)
+            state += body.state()
             continue
-        position, (x, y, z, w) = bullet.getBasePositionAndOrientation(number, physicsClientId=client)
-        velocity, spin = bullet.getBaseVelocity(number, physicsClientId=client)
+        position, (x, y, z, w) = bullet.getBasePositionAndOrientation(number, **here)
+        velocity, spin = bullet.getBaseVelocity(number, **here)
         state += (*position, w, x, y, z, *velocity, *spin)
     return state
 

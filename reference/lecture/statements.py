@@ -47,7 +47,7 @@ STATEMENTS: tuple[Statement, ...] = (
     Statement(3, "Accuracy against computation", "response",
         slide="Collision response: computation v. accuracy; back up time v. after-the-fact.",
         right="Event-driven simulation goes back to the instant of contact, fixed time-stepping answers at the next "
-        "step. What the one costs and how far the other errs is the headline study of the lab.",
+        "step. What the first costs and how far the second errs is the headline study of the lab.",
         erratum="Backing up is half of the work: the rest of the step must then be integrated with the new velocity."),
     Statement(4, "Point against plane", "detection",
         slide="a x + b y + c z + d < 0 ⇒ collision; every time step, see if the point is on the wrong side.",

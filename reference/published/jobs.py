@@ -1,4 +1,4 @@
-"""Published cases as jobs: one case × engine, run as the lab's own catalogue is."""
+"""Published cases as jobs, one case × engine each, which run as those of the lab's own catalogue do."""
 
 from __future__ import annotations
 
@@ -8,14 +8,15 @@ from collections.abc import Sequence
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import CollisionsError
-from reference.published import published, published_cases, recorded
+from reference.published import recorded
 from reference.published.judging import compare_published, refusal
 from reference.published.results import PublishedJob, PublishedResult
+from reference.published.theirs import published, published_cases
 from reference.running.jobs import Work
 
 
 def plan(names: Sequence[str], engines: Sequence[str], implementation: str = "solutions") -> list[PublishedJob]:
-    """List the jobs that run these cases, all where none is named, in these engines; each once.
+    """List the jobs that run these cases, or all if no case is named, in these engines; each job once.
 
     Raises
     ------

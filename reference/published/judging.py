@@ -1,88 +1,28 @@
-"""Published figures against what an implementation says of them: rows with a verdict, each with its reason."""
+"""Published figures against an implementation's answers: rows with a verdict, each with its reason."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from reference.catalogue.family import Expectation
-from reference.comparison.compare import NOTHING_FINITE, Verdict, judge, verdict_of
+from reference.comparison.verdicts import NOTHING_FINITE, Verdict, judge, verdict_of
 from reference.engines.base import Engine
-from reference.errors import (
-    CannotExpress,
-    CollisionsError,
-    NeedsFunction,
-    RunFailed,
-    as_failed_run,
-)
-from reference.published import Answer, Answers, Figure, Published
-
-BY_HAND = "by hand"
-ENGINES = "engines"
-NOT_SET_UP = "it is not set up there"
-
-
-@dataclass(frozen=True)
-class PublishedRow:
-    """One published number and what one implementation says of it.
-
-    figure: its name; empty in a row that speaks of the whole case. place: in a figure with several numbers, from 1;
-    else 0. expected: as published. tolerance, reason: how near is near enough, and why. shift: what the implementation
-    is known to do to the number. note: why it deviates, or why there is no number.
-    """
-
-    case: str
-    engine: str
-    figure: str
-    place: int
-    verdict: Verdict
-    measured: float | None = None
-    expected: float | None = None
-    tolerance: float | None = None
-    reason: str = ""
-    shift: float = 0.0
-    note: str = ""
-
-    @property
-    def difference(self) -> float | None:
-        """Ours minus theirs; None where either is missing."""
-        return None if self.measured is None or self.expected is None else self.measured - self.expected
-
-
-def answer(case: Published, engine: Engine) -> Answers:
-    """What an engine says of a published case, the hand-written side by the case's own driver.
-
-    Raises
-    ------
-    CannotExpress
-        If the case is not run there; the message says why.
-    NeedsFunction
-        If the hand-written side lacks a function.
-    """
-    if by_hand(engine):
-        if case.by_hand is None:
-            raise CannotExpress(case.why_not.get(BY_HAND, NOT_SET_UP))
-        return case.by_hand(case, engine.implementation)
-    why = case.why_not.get(engine.name) or case.why_not.get(ENGINES)
-    if case.in_engine is None or engine.name in case.why_not:
-        raise CannotExpress(why or NOT_SET_UP)
-    engine.module()
-    return case.in_engine(case, engine)
-
-
-def by_hand(engine: Engine) -> bool:
-    """Whether this is the hand-written side."""
-    return engine.name == "handwritten"
+from reference.errors import CannotExpress, CollisionsError, NeedsFunction, RunFailed, as_failed_run
+from reference.published.answers import Answer, Answers
+from reference.published.case import Figure, Published, numbers_of
+from reference.published.drivers import answers_of
+from reference.published.results import PublishedRow
 
 
 def compare_published(case: Published, engine: Engine) -> tuple[tuple[PublishedRow, ...], Answers]:
-    """Ask an engine and judge what it says; whatever it raises becomes a row, but for `InvalidInput`."""
+    """Ask an engine and judge its answers; every error that it raises becomes a row, except `InvalidInput`."""
     try:
         with as_failed_run():
-            answers = {name: _plain(given) for name, given in answer(case, engine).items()}
+            answers = {name: _plain(given) for name, given in answers_of(case, engine).items()}
             return judged(case, engine.name, answers), answers
     except (NeedsFunction, CannotExpress, RunFailed) as error:
         return (refusal(case, engine.name, error),), {}
@@ -146,11 +86,6 @@ def _row(
     note = given.shift_reason if verdict is Verdict.KNOWN_DEVIATION else ""
     row = replace(blank, verdict=verdict, tolerance=tolerance, reason=reason, shift=shift, note=note)
     return replace(row, measured=measured) if math.isfinite(measured) else replace(row, note=NOTHING_FINITE)
-
-
-def numbers_of(figure: Figure) -> tuple[float, ...]:
-    """The numbers of a figure, one or several, as plain floats."""
-    return tuple(np.ravel(figure).tolist())
 
 
 def passes(rows: Sequence[PublishedRow]) -> bool:

@@ -1,31 +1,34 @@
-"""Recordings of published cases: what an engine said of them where it was installed, judged anew each time.
+"""Recordings of published cases: an engine's answers from a machine where it was installed, judged here and now.
 
-One file an engine, `recordings/ENGINE/published.json`. It holds an engine's answers, with what its method is known to
-allow, never a verdict. A fingerprint of the case's set-up says what an answer belongs to; where that has changed since,
-the recording is stale, and says so instead of answering.
+There is one file for each engine, `recordings/ENGINE/published.json`. It holds the engine's answers with the tolerances
+of its method, and never a verdict. A fingerprint of the case's set-up says which case an answer belongs to. Where that
+has changed since, the recording is stale, and a row says so instead of a number.
 """
 
 from __future__ import annotations
 
 import datetime
-import platform
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
 from reference.errors import InvalidInput
-from reference.published import Answer, Figure, Published, published, published_cases
-from reference.published.judging import PublishedRow, judged
-from reference.published.results import PublishedJob, PublishedResult
+from reference.published.answers import Answer
+from reference.published.case import Figure, Published
+from reference.published.judging import judged
+from reference.published.results import PublishedJob, PublishedResult, PublishedRow
+from reference.published.theirs import published, published_cases
+from reference.recording.files import FOLDER, MARK, Made, read_json, with_tuples, write_json
 from reference.recording.fingerprint import hashed
-from reference.recording.making import lines, machine, version_here
-from reference.recording.reading import FOLDER, MARK, Made, read, tuples
+from reference.recording.making import version_here
 
 SCHEMA, VERSION = "collisions-lab/published-recording", 1
 FILE = "published.json"
+_LINES_DOWN_TO = 3
+"""Depth of the file down to which each entry has a line of its own: that of the parts of a case."""
 
 
 def fingerprint(case: Published) -> str:
@@ -36,27 +39,26 @@ def fingerprint(case: Published) -> str:
 def write(
     results: Iterable[PublishedResult], folder: Path | None = None, today: datetime.date | None = None
 ) -> list[Path]:
-    """Write what engines have just said of all published cases, one file an engine, and return the files.
+    """Write the answers that engines have just given to published cases, one file for each engine; return the files.
 
     Raises
     ------
     InvalidInput
-        If an engine is none of the lab's, did not run here, crashed, or was asked only some of the cases.
+        If an engine is not the lab's own, did not run here, or crashed.
     """
     found: dict[str, list[PublishedResult]] = {}
     for result in results:
         if result.job.engine not in engine_names() or result.recording:
             raise InvalidInput(f"{result.job} did not run in an engine of the lab's own; only that is recorded")
         found.setdefault(result.job.engine, []).append(result)
-    day, written = (today or datetime.date.today()).isoformat(), []
+    written = []
     for name, own in found.items():
         version = next((result.version for result in own if result.version), "")
-        made = Made(load_engine(name).title, version, machine(), platform.python_version(), day)
+        made = Made.here(load_engine(name).title, version, today)
         cases = {result.job.case: _entry(result) for result in own}
         content = {"schema": SCHEMA, "version": VERSION, "made": asdict(made), "cases": cases}
         path = (folder or FOLDER) / name / FILE
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(lines(content, 3) + "\n", encoding="utf-8")
+        write_json(path, content, _LINES_DOWN_TO)
         written.append(path)
     return written
 
@@ -73,13 +75,13 @@ def _entry(result: PublishedResult) -> dict[str, Any]:
 
 
 def recall(job: PublishedJob, folder: Path | None = None) -> PublishedResult | None:
-    """What an engine said elsewhere, judged here and now; None where nothing of it was recorded.
+    """The result that an engine gave elsewhere, judged here and now; None where nothing of it was recorded.
 
     A case whose set-up is not that of the recording gets a row that says so, and no number.
     """
-    if job.engine not in engine_names():  # an engine file: nobody has recorded it
+    if job.engine not in engine_names():  # an engine file, which nobody has recorded
         return None
-    content = read((folder or FOLDER) / job.engine / FILE, SCHEMA, VERSION)
+    content = read_json((folder or FOLDER) / job.engine / FILE, SCHEMA, VERSION)
     if content is None:
         return None
     made, case = Made(**content["made"]), published(job.case)
@@ -112,7 +114,7 @@ def _rows(
     if entry["refused"]:
         verdict, note = entry["refused"]
         return (replace(blank, verdict=Verdict(verdict), note=note),), {}
-    answers = {name: Answer(**tuples(answer)) for name, answer in entry["answers"].items()}
+    answers = {name: Answer(**with_tuples(answer)) for name, answer in entry["answers"].items()}
     if not _fits(case, answers):
         why = "its recording is stale: other figures are asked since; collisions record makes a new one"
         return (replace(blank, note=why),), {}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from reference.published import Answer
-from reference.published.judging import PublishedRow
+from reference.comparison.verdicts import Verdict
+from reference.published.answers import Answer
 
 
 @dataclass(frozen=True)
@@ -20,9 +20,36 @@ class PublishedJob:
     def __str__(self) -> str:
         return f"{self.case} in {self.engine}"
 
-    def shared(self) -> PublishedJob:
-        """The job without what its result does not depend on: all of it counts."""
+    def without_remarks(self) -> PublishedJob:
+        """The job itself: nobody remarks on it."""
         return self
+
+
+@dataclass(frozen=True)
+class PublishedRow:
+    """One published number and what one implementation gives for it.
+
+    figure: its name; empty in a row that speaks of the whole case. place: in a figure with several numbers, from 1;
+    else 0. expected: as published. tolerance, reason: how near is near enough, and why. shift: how much the
+    implementation's method changes the number. note: why it deviates, or why there is no number.
+    """
+
+    case: str
+    engine: str
+    figure: str
+    place: int
+    verdict: Verdict
+    measured: float | None = None
+    expected: float | None = None
+    tolerance: float | None = None
+    reason: str = ""
+    shift: float = 0.0
+    note: str = ""
+
+    @property
+    def difference(self) -> float | None:
+        """Ours minus theirs; None where either is missing."""
+        return None if self.measured is None or self.expected is None else self.measured - self.expected
 
 
 @dataclass(frozen=True)

@@ -1,1 +1,1 @@
-"""What engines measured where they were installed: reading it, making it, and the hash that says what it belongs to."""
+"""Recordings of what engines measured: making and reading them, and the hash that says which run they belong to."""

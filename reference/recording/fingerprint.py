@@ -14,11 +14,11 @@ from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 
 DIGITS = 16
-"""Of a fingerprint; that two of some ten thousand agree by chance has odds of 10⁻¹¹."""
+"""Length of a fingerprint; two of some ten thousand agree by chance with a probability of 10⁻¹¹."""
 _SURE_DIGITS = 10
-"""Of a number in a fingerprint: two machines may round a sine differently in its sixteenth digit, not in its tenth."""
+"""Digits of a number that count: two machines may round a sine differently in its sixteenth digit, not in its tenth."""
 _NOTHING = 1e-14
-"""What is smaller is zero to a fingerprint: what is left of a difference of rounded numbers."""
+"""A smaller number counts as zero: it is left over from a difference of rounded numbers."""
 
 
 def fingerprint(case: Case, settings: Settings) -> str:
@@ -37,9 +37,9 @@ def hashed(value: Any) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Dataclasses as dictionaries that also say of what kind they are, and numbers without their last digits.
+    """Dataclasses as dictionaries that also name their class, and numbers without their last digits.
 
-    What may be left empty, and is, is left out.
+    A field whose default is an empty tuple is left out while it is empty, so that a new one changes no fingerprint.
     """
     if is_dataclass(value):
         every = ((field, getattr(value, field.name)) for field in fields(value))

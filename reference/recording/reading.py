@@ -1,19 +1,15 @@
-"""Recordings: what an engine measured where it was installed, for machines on which it is not.
+"""Reading recordings: what an engine measured where it was installed, judged here for machines on which it is missing.
 
-Two files an engine and family, beside each other in `recordings/ENGINE`. `FAMILY.json` holds the measured numbers of
-full runs, of the family's cases and of every point of its grid, and never a verdict: what theory says, and how near is
-near enough, is worked out anew each time. `FAMILY.npz` holds the poses for a replay, and the curve that is plotted. A
-fingerprint of the scenarios and the settings says what a number or a replay belongs to. Where either has changed since,
-the recording is stale, and says so instead of answering. `reference.recording.making` writes all this.
+What theory says, and how near is near enough, is worked out each time. A fingerprint of the scenarios and the settings
+says which run a number or a replay belongs to. Where either has changed since, the recording is stale, and a row says
+so instead of a number. `reference.recording.making` makes the recordings.
 """
 
 from __future__ import annotations
 
 import contextlib
-import functools
-import json
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,56 +17,33 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue
 from reference.comparison import curves
-from reference.comparison.compare import Number, Row, Verdict, judged
+from reference.comparison.compare import judged
+from reference.comparison.convergence import Errors
 from reference.comparison.curves import Series
-from reference.comparison.results import Errors, Job, JobResult
-from reference.comparison.shares import Share, Split
-from reference.engines import engine_names, load_engine
+from reference.comparison.error_split import Share, Split
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row, Verdict
+from reference.engines import load_engine
 from reference.engines.base import Engine
-from reference.errors import CollisionsError, InvalidInput, NotRecorded
+from reference.errors import CollisionsError, NotRecorded, listed
+from reference.recording.entries import Entry, case_of, name_of, names_of, timestep_of
+from reference.recording.files import MARK, Made, content_of, tracks_of, with_tuples
 from reference.recording.fingerprint import fingerprint
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
-from reference.viewer.poses import Poses, Track, pack, poses_of, read_tracks, unpack
-
-SCHEMA, VERSION = "collisions-lab/recording", 3
-FOLDER = Path(__file__).parent / "recordings"
-MARK = "*"
-"""Behind the title of an engine that did not run here."""
-
-
-@dataclass(frozen=True)
-class Made:
-    """Where and when a recording was made."""
-
-    engine: str
-    version: str
-    platform: str
-    python: str
-    date: str
-
-    def __str__(self) -> str:
-        where = f"Python {self.python}, {self.platform}"
-        return f"{self.engine} {self.version} was recorded on {self.date} ({where}); it is not run here"
-
-
-def keys_of(case: str, own: Settings, settings: Settings) -> tuple[str, ...]:
-    """What entries a case may have, run with some settings by a profile that has its own: of the family, of its grid.
-
-    A point of the grid has its timestep in its name.
-    """
-    return (case, f"{case} @ own") if settings == own else (f"{case} @ {settings.timestep:.6g} s",)
+from reference.viewer.poses import Poses, poses_of
+from reference.viewer.tracks import Track, pack, unpack
 
 
 def track_of(job: Job, engine: Engine, case: Case, settings: Settings, trajectory: Trajectory) -> Track:
-    """Poses and curve of a run, packed, with all that finds them again."""
-    key = keys_of(case.name, engine.settings(case.scenarios[0], job.profile), settings)[-1 if job.grid else 0]
-    track = pack(poses_of(trajectory), job.profile, key, fingerprint(case, settings))
+    """Poses and curve of a run, packed, with the entry and the fingerprint by which they are found again."""
+    name = name_of(case.name, engine.settings(case.scenarios[0], job.profile), settings, job.grid)
+    track = pack(poses_of(trajectory), job.profile, name, fingerprint(case, settings))
     return replace(track, curve=curves.pack(Series.of(catalogue()[job.family], trajectory)))
 
 
 def recall(job: Job, folder: Path | None = None) -> JobResult | None:
-    """What an engine measured elsewhere, judged here and now; None where nothing of it was recorded.
+    """The result that an engine gave elsewhere, judged here and now; None where nothing of it was recorded.
 
     A case whose scenarios or settings are not those of the recording gets a row that says so, and no number.
     """
@@ -91,7 +64,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         taken["settings"] if not moved else next((row.settings for row in rows), ""),
         made.version,
         _series(family, job, folder),
-        Errors(**tuples(taken["convergence"])) if taken["convergence"] and studied else None,
+        Errors(**with_tuples(taken["convergence"])) if taken["convergence"] and studied else None,
         _split(taken["split"]) if taken["split"] and studied else None,
         recording=f"{MARK} {made}",
         poses=tuple(_poses(family, job, folder)) if job.with_poses else (),
@@ -99,10 +72,9 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
 
 
 def _series(family: Family, job: Job, folder: Path | None) -> Series | None:
-    """The curve of a job's own case, or of the family's plotted one; None where that was not asked for or recorded."""
-    own = job.at or job.with_curve
-    plotted = [case for case in job.chosen(family) if own or case.name == family.curve.case]
-    if not plotted or job.grid:
+    """The curve of the case that the job plots; None where it plots none, or nothing of today's was recorded."""
+    plotted = [case for case in job.chosen(family) if job.plots(family, case)]
+    if not plotted:
         return None
     with contextlib.suppress(CollisionsError):  # the row says why
         return curves.unpack(_track(job, plotted[0], tracks_of(job.engine, job.family, folder)[0]).curve)
@@ -110,10 +82,11 @@ def _series(family: Family, job: Job, folder: Path | None) -> Series | None:
 
 
 def _is_current(case: Case, engine: Engine, job: Job, taken: Mapping[str, Any]) -> bool:
-    """Whether a case of the family was recorded with today's scenario and settings: what hangs on it is as it was."""
+    """Whether a case of the family was recorded with today's scenario and settings, and so its studies still hold."""
     with contextlib.suppress(CollisionsError):  # the row says why
         own = fingerprint(case, engine.settings(case.scenarios[0], job.profile))
-        return bool(taken["entries"].get(case.name, [""])[0] == own)
+        kept = taken["entries"].get(case.name)
+        return kept is not None and Entry.read(kept).fingerprint == own
     return False
 
 
@@ -132,10 +105,10 @@ def replay(job: Job, case: str, folder: Path | None = None) -> Poses:
 
 
 def _track(job: Job, case: Case, known: Mapping[tuple[str, str], Track]) -> Track:
-    """The recorded track of a case; `NotRecorded` where there is none of today's scenario and settings."""
+    """The recorded track of a case; `NotRecorded` where no track is of today's scenario and settings."""
     own = load_engine(job.engine).settings(case.scenarios[0], job.profile)
     settings = own.change(**dict(job.changes))
-    tracks = [known[job.profile, key] for key in keys_of(case.name, own, settings) if (job.profile, key) in known]
+    tracks = [known[job.profile, key] for key in names_of(case.name, own, settings) if (job.profile, key) in known]
     if not tracks:
         raise NotRecorded(f"{job}: no poses of {case.name} were recorded with these settings")
     for track in tracks:
@@ -159,13 +132,14 @@ def _rows(family: Family, case: Case, engine: Engine, job: Job, taken: Mapping[s
         settings = own.change(**dict(job.changes))
     except CollisionsError as error:
         return [replace(blank, note=str(error))]
-    takes = [taken["entries"][key] for key in keys_of(case.name, own, settings) if key in taken["entries"]]
-    take = next((take for take in takes if take[0] == fingerprint(case, settings)), None)
-    if take is None:
-        return [replace(blank, note=_why_not(case, engine, job, (own, settings), taken, bool(takes)))]
-    if len(take) == 3:
-        return [replace(blank, verdict=Verdict(take[1]), note=take[2])]
-    numbers = dict(zip(taken["quantities"], map(_number, take[1]), strict=True))
+    kept = taken["entries"]
+    entries = [Entry.read(kept[name]) for name in names_of(case.name, own, settings) if name in kept]
+    entry = next((entry for entry in entries if entry.fingerprint == fingerprint(case, settings)), None)
+    if entry is None:
+        return [replace(blank, note=_why_not(case, engine, job, own, settings, taken, is_stale=bool(entries)))]
+    if entry.verdict is not None:
+        return [replace(blank, verdict=entry.verdict, note=entry.note)]
+    numbers = dict(zip(taken["quantities"], entry.numbers, strict=True))
     missing = [quantity.name for quantity in family.quantities if quantity.name not in numbers]
     if missing:
         why = f"its recording is stale: it has no {', '.join(missing)}; collisions record makes a new one"
@@ -175,88 +149,30 @@ def _rows(family: Family, case: Case, engine: Engine, job: Job, taken: Mapping[s
 
 
 def _why_not(
-    case: Case, engine: Engine, job: Job, settings: tuple[Settings, Settings], taken: Mapping[str, Any], known: bool
+    case: Case,
+    engine: Engine,
+    job: Job,
+    own: Settings,
+    settings: Settings,
+    taken: Mapping[str, Any],
+    is_stale: bool,
 ) -> str:
-    """Why there is no number. settings: own ones and those asked for. known: whether there is one, a stale one."""
+    """Why there is no number. own, settings: the profile's settings, and the job's. is_stale: whether an old one is."""
     absent, changes = f"{engine.title} is not installed here", dict(job.changes)
-    if known and changes.keys() <= {"timestep"}:
+    if is_stale and changes.keys() <= {"timestep"}:
         return "its recording is stale: scenario or settings have changed since; collisions record makes a new one"
-    own, asked = settings
     steps = sorted({f"{1e3 * step:.3g}" for step in _timesteps(case.name, own, taken["entries"])}, key=float)
     if steps and changes.keys() == {"timestep"}:
-        listed = " and ".join(filter(None, [", ".join(steps[:-1]), steps[-1]]))
         many = "timesteps" if len(steps) > 1 else "a timestep"
-        return f"{absent}; it was recorded with {many} of {listed} ms, not of {1e3 * asked.timestep:.3g} ms"
+        asked = f"{1e3 * settings.timestep:.3g} ms"
+        return f"{absent}; it was recorded with {many} of {listed(steps)} ms, not of {asked}"
     wish = ", ".join(f"{name}={value}" for name, value in (*job.at, *job.changes))
     return f"{absent}, and {f'with {wish} nothing was recorded' if wish else 'this case was never recorded'}"
 
 
-def _timesteps(case: str, own: Settings, entries: Iterable[str]) -> Iterator[float]:
+def _timesteps(case: str, own: Settings, names: Iterable[str]) -> Iterator[float]:
     """The timesteps, s, at which a case was recorded."""
-    for entry in entries:
-        name, _, at = entry.partition(" @ ")
-        if name == case:
-            yield float(at.removesuffix(" s")) if at not in ("", "own") else own.timestep
-
-
-def _number(take: float | list[Any]) -> Number:
-    return Number(*take) if isinstance(take, list) else Number(take)
-
-
-def content_of(engine: str, family: str, folder: Path | None = None) -> dict[str, Any] | None:
-    """What the file of recorded numbers holds; None where there is none, as for an engine of somebody's own.
-
-    Raises
-    ------
-    InvalidInput
-        If it is no recording, or one of another version.
-    """
-    return _content((folder or FOLDER) / engine / f"{family}.json") if engine in engine_names() else None
-
-
-def tracks_of(
-    engine: str, family: str, folder: Path | None = None
-) -> tuple[dict[tuple[str, str], Track], dict[str, str]]:
-    """The recorded poses by profile and entry, and where and when they were made; nothing where there are none."""
-    return _tracks((folder or FOLDER) / engine / f"{family}.npz") if engine in engine_names() else ({}, {})
-
-
-_tracks = functools.lru_cache(8)(read_tracks)
-
-
-@functools.cache
-def _content(path: Path) -> dict[str, Any] | None:
-    return read(path, SCHEMA, VERSION)
-
-
-def read(path: Path, schema: str, version: int) -> dict[str, Any] | None:
-    """What a file of recorded numbers holds; None where there is none.
-
-    Raises
-    ------
-    InvalidInput
-        If it holds something else, or another version.
-    """
-    try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        return None
-    except ValueError as error:
-        raise InvalidInput(f"{str(path)!r} is no recording: {error}") from None
-    if not isinstance(content, dict) or (content.get("schema"), content.get("version")) != (schema, version):
-        raise InvalidInput(f"{str(path)!r} is no recording of version {version}; collisions record makes a new one")
-    return content
-
-
-def forget() -> None:
-    """Read the files anew when they are next asked for."""
-    _content.cache_clear()
-    _tracks.cache_clear()
-
-
-def tuples(values: Mapping[str, Any]) -> dict[str, Any]:
-    """The same values with tuples for lists, as they were before they went into a file."""
-    return {name: tuple(value) if isinstance(value, list) else value for name, value in values.items()}
+    return (timestep_of(name) or own.timestep for name in names if case_of(name) == case)
 
 
 def _split(values: Mapping[str, Any]) -> Split:

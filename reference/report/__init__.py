@@ -1,1 +1,1 @@
-"""Rows and studies to terminal, page, files and figures."""
+"""Rows and studies as tables in the terminal, as a page, as files and as figures."""

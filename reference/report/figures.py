@@ -1,7 +1,7 @@
 """Figures of the report: the trajectories of one case together, and error against timestep.
 
-Engines differ by colour and marker, profiles by line style, so that nothing hangs on colour alone. Text stays text,
-and no date or random name goes into the file: the same numbers give the same bytes.
+Engines differ by colour and marker and profiles by line style, so that colour is never the only difference. Text stays
+text, and the file holds no date and no random name: the same numbers give the same bytes.
 """
 
 from __future__ import annotations
@@ -13,22 +13,26 @@ from typing import TYPE_CHECKING, Any
 
 from reference.engines.profiles import TUNED
 from reference.report import numbers
-from reference.report.summary import Line, Section
+from reference.report.sections import Line, Section
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 WIDTH, HEIGHT = 5.8, 3.9
-"""Size of a figure, inches: two stand side by side on a desk, one fills a phone."""
+"""Size of a figure, inches: two fit side by side on a desktop screen, one fills a phone."""
 COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00", "dart": "#009e73"}
 _STROKES = {"handwritten": (5.0, 0.35), "pybullet": (3.2, 1.0), "mujoco": (1.9, 1.0), "dart": (0.8, 1.0)}
 """Width in points and opacity of tuned curves: where they coincide, each still shows on both sides of the next."""
 MARKERS = {"handwritten": "o", "pybullet": "s", "mujoco": "^", "dart": "D"}
+_OTHER_COLOUR, _OTHER_MARKER = "#cc79a7", "v"
+"""Those of an engine that is not the lab's own."""
 _MARKER_DISTANCE, _STAGGER = 0.4, 0.05
-"""Between the markers of a curve, and from one curve's first to the next one's, as shares of the axes' diagonal."""
+"""Between the markers of a curve, and between the first markers of two curves, as shares of the axes' diagonal."""
 _DASHES: dict[str, Any] = {"tuned": "-", "stock": (0, (1, 1.6))}
 _OTHER_DASHES = (0, (5, 2))
+_BELOW = 4
+"""How far below the smallest error above rounding, as a factor, errors of rounding are drawn."""
 STYLE: dict[Any, Any] = {
     "svg.fonttype": "none",
     "font.size": 10,
@@ -60,14 +64,14 @@ def trajectories(section: Section) -> str:
 def convergence(section: Section) -> str:
     """Error against timestep, log–log, with the measured orders in the legend, as SVG; empty where none was studied.
 
-    Errors that are rounding and nothing else would flatten all others: their line lies on the lower edge.
+    Errors that are only rounding would flatten all other lines, and so they are drawn along the lower edge.
     """
     study = section.family.convergence
     quantity = section.family.quantity(study.quantity)
     plotted = section.studied
     studies = [line.result.convergence for line in plotted if line.result.convergence]
     sizes = [error for errors in studies if errors.order is not None for error in errors.errors if error > 0]
-    edge = min(sizes, default=1e-15) / 4
+    edge = min(sizes, default=1e-15) / _BELOW
 
     def draw(axes: Axes, line: Line) -> str:
         errors = line.result.convergence
@@ -89,10 +93,10 @@ def _figure(
     labels: dict[str, str],
     lower_edge: float | None = None,
 ) -> str:
-    """Draw lines, tuned ones on top, with a legend below in the order of the tables; an SVG whose ids are its own."""
+    """Draw lines, tuned ones on top, with a legend below in the order of the tables, as an SVG with ids of its own."""
     if not lines:
         return ""
-    import matplotlib  # late: half a second that a table need not wait for
+    import matplotlib  # late: its import takes half a second, and a table needs none of it
     from matplotlib.figure import Figure
 
     with matplotlib.rc_context(STYLE | {"svg.hashsalt": name}):
@@ -114,19 +118,19 @@ def _figure(
 
 
 def as_svg(figure: Figure, name: str) -> str:
-    """The SVG element of a figure, with ids of its own, so that several figures stand in one page."""
+    """The SVG element of a figure, with ids of its own, so that one page can hold several figures."""
     text = io.StringIO()
     figure.savefig(text, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
     return _own_ids(text.getvalue(), name)
 
 
 def _label_with_powers(axes: Axes) -> None:
-    """Write the powers of ten on logarithmic axes as plain text: matplotlib's own typesetting takes half the time."""
+    """Write the powers of ten on logarithmic axes as plain text: matplotlib's typesetting would take half the time."""
     from matplotlib.ticker import LogFormatter
 
     class Powers(LogFormatter):
         def __call__(self, value: float, pos: int | None = None) -> str:
-            chosen = super().__call__(value, pos)  # which ticks deserve a label hangs on how many there are
+            chosen = super().__call__(value, pos)  # it labels fewer ticks where there are many
             return numbers.power_of_ten(value) if chosen else ""
 
     for axis in (axes.xaxis, axes.yaxis):
@@ -135,8 +139,8 @@ def _label_with_powers(axes: Axes) -> None:
 
 
 def marker(line: Line) -> dict[str, Any]:
-    """What a line's points look like: the engine's own shape, hollow where the settings are not tuned."""
-    style = {"marker": MARKERS.get(line.result.job.engine, "v"), "markersize": 5}
+    """How a line's points are drawn: with the engine's own shape, hollow where the settings are not tuned."""
+    style = {"marker": marker_of(line.result.job.engine), "markersize": 5}
     return style if line.tuned else style | {"markerfacecolor": "white"}
 
 
@@ -145,10 +149,20 @@ def staggered(number: int) -> dict[str, Any]:
     return {"markevery": (_STAGGER * number, _MARKER_DISTANCE)}
 
 
+def colour_of(engine: str) -> str:
+    """The colour of an engine's curves."""
+    return COLOURS.get(engine, _OTHER_COLOUR)
+
+
+def marker_of(engine: str) -> str:
+    """The shape of an engine's points, in matplotlib's words."""
+    return MARKERS.get(engine, _OTHER_MARKER)
+
+
 def line_style(line: Line, thin: bool = False, as_tuned: bool = False) -> dict[str, Any]:
     """The engine's colour and the profile's dashes; tuned curves are wide, so that those that coincide all show."""
     engine, profile = line.result.job.engine, TUNED if as_tuned else line.result.job.profile
-    style = {"color": COLOURS.get(engine, "#cc79a7"), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
+    style = {"color": colour_of(engine), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
     if thin or profile != TUNED:
         return style | {"linewidth": 1.3}
     width, opacity = _STROKES.get(engine, (1.5, 1.0))

@@ -1,92 +1,37 @@
-"""The files of a report: the page, its rows as JSON and CSV, timings and provenance apart, and the figures.
+"""Writing the files of a report: the page, the rows, timings and provenance apart, and the figures.
 
-`rows.json`, `rows.csv`, the figures and the page hold nothing but what was compared: the same code on the same machine
-writes the same bytes. How long it took, and what came from the cache, is in `timings.json`; when and on what it ran, in
-`provenance.json`.
+`rows.json`, `rows.csv`, the figures and the page hold only what was compared: the same code on the same machine writes
+the same bytes. How long it took, and which results came from the cache, is in `timings.json`; when and on which machine
+it ran, in `provenance.json`.
 """
 
 from __future__ import annotations
 
-import contextlib
-import csv
-import datetime
-import importlib.metadata
-import io
-import json
-import os
-import platform
-import shutil
-import tempfile
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict, fields
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import JobResult
-from reference.engines import load_engine
-from reference.errors import InvalidInput
-from reference.published.judging import PublishedRow
 from reference.published.results import PublishedResult
-from reference.report import figures, page, published_page
-from reference.report.published_figures import oblique_impacts
-from reference.report.published_summary import PublishedTables
+from reference.report import figures, page
+from reference.report.provenance import compared, engine_versions, machine, provenance
+from reference.report.published import page as published_page
+from reference.report.published.figures import oblique_impacts
+from reference.report.published.tables import PublishedTables
 from reference.report.replays import replay_of
-from reference.report.summary import Section, sections
+from reference.report.row_files import as_json, published_json, rows_csv, rows_json, run_of
+from reference.report.sections import Section, sections
+from reference.report.staging import PAGE
 
-ROWS, TIMINGS, PROVENANCE = "collisions-lab/rows", "collisions-lab/timings", "collisions-lab/provenance"
-PUBLISHED = "collisions-lab/published"
-SCHEMA_VERSION = 1
-R = TypeVar("R", Row, PublishedRow)
+PUBLISHED_PAGE = "published.html"
+TIMINGS, PROVENANCE = "collisions-lab/timings", "collisions-lab/provenance"
+IMPACTS = "P11"
+"""The published case that has figures."""
 STUDY_CAPTION = (
     "Error against timestep; the order is the slope of a straight line through a method's points. An error that is"
     " rounding lies on the lower edge, whatever its size. Where an error changes its sign on the way, or does not go"
     " away with the timestep, the slope is no order."
 )
-PAGE, PUBLISHED_PAGE = "index.html", "published.html"
-
-
-@contextlib.contextmanager
-def staged(out: Path) -> Iterator[Path]:
-    """Give a folder to write a report into; when all went well, move its files to `out`, the page last.
-
-    A file there is replaced in one go, by a whole one or not at all, and nothing else in `out` is touched. The folder
-    stands in `out` itself, so that an unwritable place is found before anything runs. Folders that are new are taken
-    away again if nothing came of it.
-
-    Raises
-    ------
-    InvalidInput
-        If `out` is no folder or cannot be written.
-    """
-    with _writable(out):
-        new = [folder for folder in (out, *out.parents) if not folder.exists()]
-        out.mkdir(parents=True, exist_ok=True)
-        stage = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=out))
-    try:
-        yield stage
-        with _writable(out):
-            _move(stage, out)
-    finally:
-        shutil.rmtree(stage, ignore_errors=True)
-        with contextlib.suppress(OSError):
-            for folder in new:
-                folder.rmdir()  # goes only when it is empty
-
-
-@contextlib.contextmanager
-def _writable(out: Path) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        raise InvalidInput(f"cannot write the report to {str(out)!r}: {error.strerror}; choose another --out") from None
-
-
-def _move(stage: Path, out: Path) -> None:
-    written = sorted(path.relative_to(stage) for path in stage.rglob("*") if path.is_file())
-    for name in sorted(written, key=lambda name: name == Path(PAGE)):
-        (out / name).parent.mkdir(exist_ok=True)
-        os.replace(stage / name, out / name)
 
 
 def write(results: Iterable[JobResult], folder: Path, published: Iterable[PublishedResult] = ()) -> None:
@@ -96,18 +41,14 @@ def write(results: Iterable[JobResult], folder: Path, published: Iterable[Publis
     ordered = [line.result for section in found for line in section.lines]
     drawn = {section.family.name: _figures(section) for section in found}
     (folder / "figures").mkdir()
-    for pictures in drawn.values():
-        for name, svg, _ in pictures:
-            _write(folder / "figures" / f"{name}.svg", svg)
-    versions = engine_versions(ordered)
-    in_page = {name: [(svg, caption) for _, svg, caption in pictures] for name, pictures in drawn.items()}
+    in_page = {name: _write_figures(pictures, folder) for name, pictures in drawn.items()}
     _write(folder / "rows.json", rows_json(ordered))
     _write(folder / "rows.csv", rows_csv(ordered))
-    _write(folder / "timings.json", _json(TIMINGS, {"seconds": [_timing(result) for result in ordered]}))
-    _write(folder / "provenance.json", _json(PROVENANCE, provenance(versions)))
+    _write(folder / "timings.json", as_json(TIMINGS, {"seconds": [_timing(result) for result in ordered]}))
+    _write(folder / "provenance.json", as_json(PROVENANCE, provenance(engine_versions(ordered))))
     address = PUBLISHED_PAGE if others else ""
     replays = {section.family.name: clip for section in found if (clip := replay_of(section)) is not None}
-    _write(folder / PAGE, page.render(found, in_page, _compared(ordered), _platform(), address, replays))
+    _write(folder / PAGE, page.render(found, in_page, compared(ordered), machine(), address, replays))
     if others:
         _write_published(others, folder)
 
@@ -115,78 +56,11 @@ def write(results: Iterable[JobResult], folder: Path, published: Iterable[Publis
 def _write_published(results: Sequence[PublishedResult], folder: Path) -> None:
     """The page of published cases and their rows."""
     tables = PublishedTables.of(results)
-    impacts = next((line for line in tables.lines if line.case.name == "P11"), None)
-    pictures = oblique_impacts(impacts) if impacts else []
-    for name, svg, _ in pictures:
-        _write(folder / "figures" / f"{name}.svg", svg)
-    drawn = {"P11": [(svg, caption) for _, svg, caption in pictures]}
-    _write(folder / "published.json", _json(PUBLISHED, {"rows": [asdict(row) for row in tables.rows]}))
+    impacts = next((line for line in tables.lines if line.case.name == IMPACTS), None)
+    in_page = {IMPACTS: _write_figures(oblique_impacts(impacts) if impacts else [], folder)}
+    _write(folder / "published.json", published_json(tables.rows))
     ordered = [cell.result for name in tables.engines for line in tables.lines if (cell := line.cells.get(name))]
-    _write(folder / PUBLISHED_PAGE, published_page.render(tables, drawn, _compared(ordered), _platform(), PAGE))
-
-
-def read_published(path: Path) -> list[PublishedRow]:
-    """Read the rows of a `published.json`; errors as in `read_rows`."""
-    return _rows_of(path, PUBLISHED, PublishedRow)
-
-
-def rows_json(results: Iterable[JobResult]) -> str:
-    """The rows and the convergence studies as JSON."""
-    results = list(results)
-    studies = [_of(result) | asdict(result.convergence) for result in results if result.convergence is not None]
-    splits = [_of(result) | asdict(result.split) for result in results if result.split is not None]
-    rows = [asdict(row) for result in results for row in result.rows]
-    return _json(ROWS, {"rows": rows, "convergence": studies, "splits": splits})
-
-
-def read_rows(path: Path) -> list[Row]:
-    """Read the rows of a `rows.json`.
-
-    Raises
-    ------
-    InvalidInput
-        If the file is not one, or of another version.
-    """
-    return _rows_of(path, ROWS, Row)
-
-
-def _rows_of(path: Path, schema: str, kind: type[R]) -> list[R]:
-    content = _read(path, schema)
-    try:
-        return [kind(**entry | {"verdict": Verdict(entry["verdict"])}) for entry in content["rows"]]
-    except (KeyError, TypeError, ValueError) as error:
-        raise InvalidInput(f"{path} holds a row that cannot be read: {error}") from None
-
-
-def rows_csv(results: Iterable[JobResult]) -> str:
-    """The rows as CSV, with the error beside what it is made of."""
-    names = [entry.name for entry in fields(Row)]
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow([*names, "error", "relative_error"])
-    for result in results:
-        for row in result.rows:
-            table.writerow([*(getattr(row, name) for name in names), row.error, row.relative_error])
-    return text.getvalue()
-
-
-def engine_versions(results: Iterable[JobResult]) -> dict[str, str]:
-    """Version of each engine that ran, by title."""
-    return {result.title: result.version for result in results if result.version}
-
-
-def provenance(versions: Mapping[str, str]) -> dict[str, Any]:
-    """When, on what and with which versions a report was made."""
-    packages = {name: importlib.metadata.version(name) for name in ("numpy", "matplotlib")}
-    return {
-        "made": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
-        "engines": dict(versions),
-        "packages": packages,
-        "python": platform.python_version(),
-        "platform": platform.platform(),
-        "processors": os.cpu_count(),
-        "seed": None,  # nothing is drawn at random
-    }
+    _write(folder / PUBLISHED_PAGE, published_page.render(tables, in_page, compared(ordered), machine(), PAGE))
 
 
 def _figures(section: Section) -> list[tuple[str, str, str]]:
@@ -199,45 +73,17 @@ def _figures(section: Section) -> list[tuple[str, str, str]]:
     return [picture for picture in pictures if picture[1]]
 
 
-def _of(result: JobResult) -> dict[str, Any]:
-    return {"family": result.job.family, "engine": result.job.engine, "profile": result.job.profile}
+def _write_figures(pictures: Iterable[tuple[str, str, str]], folder: Path) -> list[tuple[str, str]]:
+    """Write figures to files of their own, and return SVG and caption of each for the page."""
+    in_page = []
+    for name, svg, caption in pictures:
+        _write(folder / "figures" / f"{name}.svg", svg)
+        in_page.append((svg, caption))
+    return in_page
 
 
 def _timing(result: JobResult) -> dict[str, Any]:
-    return _of(result) | {"seconds": round(result.seconds, 3), "cached": result.cached}
-
-
-def _compared(results: Iterable[JobResult] | Iterable[PublishedResult]) -> list[str]:
-    """What ran, as a reader would say it: an engine with its version, our own code without."""
-    ran = {result.title: (load_engine(result.job.engine), result.version) for result in results if result.version}
-    return [
-        f"{title} {version}".strip() if engine.package else f"{title} code" for title, (engine, version) in ran.items()
-    ]
-
-
-def _platform() -> str:
-    own = importlib.metadata.version("collisions-lab")
-    return f"Collisions Lab {own}, Python {platform.python_version()} on {platform.system()} {platform.machine()}"
-
-
-def _json(schema: str, content: Mapping[str, Any]) -> str:
-    whole = {"schema": schema, "version": SCHEMA_VERSION, **content}
-    return json.dumps(whole, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def _read(path: Path, schema: str) -> dict[str, Any]:
-    try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InvalidInput(f"cannot read {str(path)!r}: {error.strerror}") from None
-    except ValueError as error:
-        raise InvalidInput(f"{str(path)!r} is not JSON: {error}") from None
-    found = (content.get("schema"), content.get("version")) if isinstance(content, dict) else (None, None)
-    if found != (schema, SCHEMA_VERSION):
-        said = f"{found[0]} version {found[1]}"
-        raise InvalidInput(f"{str(path)!r} is {said}; this program reads {schema} version {SCHEMA_VERSION}")
-    assert isinstance(content, dict)
-    return content
+    return run_of(result) | {"seconds": round(result.seconds, 3), "cached": result.cached}
 
 
 def _write(path: Path, text: str) -> None:

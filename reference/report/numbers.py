@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 
 _PREFIXES = ((1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
-_NOTHING = 1e-9
-"""A measured value below this is printed as zero."""
+_LEAST = 1e-9
+"""The least size that is printed: a measured value below it is zero, and a difference is below a power of ten."""
+_LEAST_PERCENT = 1e-4
+"""The least percentage that is printed, in percent; below it, only the power of ten is."""
 
 
 def percent(share: float) -> str:
-    """A signed share of one as percent: `+0.39 %`, `−36 %`; below 0.0001 % the power of ten that it stays below."""
+    """A signed share of one as percent: `+0.39 %`, `−36 %`; below 0.0001 % the next power of ten above it."""
     size = abs(share) * 100
     if size == 0:
         return "0 %"
-    if size < 1e-4:
+    if size < _LEAST_PERCENT:
         return f"{_below(size)} %"
     return f"{_sign(share)}{_few_digits(size)} %"
 
@@ -29,7 +31,7 @@ def deviation(value: float, unit: str) -> str:
 
 def quantity(value: float, unit: str) -> str:
     """A measured value in its unit: `0.81547 m`, `5.5 µm`."""
-    if abs(value) < _NOTHING:
+    if abs(value) < _LEAST:
         return f"0 {unit}".strip()
     sign = "−" if value < 0 else ""
     if abs(value) >= 0.1 or not unit:
@@ -43,11 +45,11 @@ def digits(value: float, count: int) -> str:
 
 
 def size(value: float, unit: str) -> str:
-    """A positive value with a prefix and two or three digits."""
+    """A positive value with a prefix and two or three digits; the limits are those at which rounding changes both."""
     if value == 0:
         return f"0 {unit}".strip()
     if not unit:
-        return _few_digits(value) if value >= 1e-9 else _below(value)
+        return _few_digits(value) if value >= _LEAST else _below(value)
     for factor, prefix in _PREFIXES:
         if value >= factor * (0.0995 if factor == 1 else 0.995):  # 0.51 m, not 510 mm
             return f"{_few_digits(value / factor)} {prefix}{unit}"

@@ -8,20 +8,15 @@ import jinja2
 from markupsafe import Markup
 
 from reference import lecture
-from reference.comparison.compare import Row
+from reference.comparison.verdicts import Row
 from reference.lecture import Statement
 from reference.report import numbers
-from reference.report.origins import origins
-from reference.report.summary import (
-    LEGEND,
-    MARKS,
-    Section,
-    columns,
-    error_of,
-    recordings,
-    verdict_line,
-)
-from reference.report.worst import furthest_from_theory, nearest_to_fail
+from reference.report.error_split import origins
+from reference.report.marks import LEGEND, MARKS, occurring
+from reference.report.overview import Overview, verdict_line
+from reference.report.row_text import error_of
+from reference.report.sections import Section, recordings
+from reference.report.worst_first import furthest_from_theory, nearest_to_fail
 from reference.viewer import page as viewer
 from reference.viewer.clip import Clip
 
@@ -40,19 +35,17 @@ def render(
     """Return the page.
 
     figures: by family, SVG texts with their captions. versions: what was compared, as in the opening sentence.
-    provenance: on what, as in the last one. published: the address of the page of published cases, if there is one.
-    replays: by family.
+    provenance: on which machine and with what, as in the last sentence. published: the address of the page of published
+    cases, if there is one. replays: by family.
     """
-    drawn = {name: [(Markup(svg), caption) for svg, caption in pairs] for name, pairs in figures.items()}  # our own SVG
     rows = [row for section in found for line in section.lines for row in line.result.rows]
-    seen = {row.verdict for row in rows}
     return (
         environment()
         .get_template("report.html.j2")
         .render(
             sections=found,
-            columns=columns(found),
-            figures=drawn,
+            overview=Overview.of(found),
+            figures=as_markup(figures),
             replays={name: Markup(viewer.fragment(clip)) for name, clip in (replays or {}).items()},
             replay_style=Markup(viewer.style() if replays else ""),
             replay_script=Markup(viewer.script() if replays else ""),
@@ -62,7 +55,7 @@ def render(
             statements=_statements(found),
             verdict_line=verdict_line(rows),
             marks=MARKS,
-            legend={verdict: text for verdict, text in LEGEND.items() if verdict in seen},
+            legend={verdict: LEGEND[verdict] for verdict in occurring(rows)},
             recordings=recordings(line.result for section in found for line in section.lines),
             nearest=[(*entry[:3], numbers.percent(entry[3]).lstrip("+")) for entry in nearest_to_fail(found, WORST)],
             furthest=furthest_from_theory(found, WORST),
@@ -73,8 +66,13 @@ def render(
     )
 
 
+def as_markup(figures: Mapping[str, Sequence[tuple[str, str]]]) -> dict[str, list[tuple[Markup, str]]]:
+    """The same figures with SVG texts that no template escapes, since we have drawn them ourselves."""
+    return {name: [(Markup(svg), caption) for svg, caption in pairs] for name, pairs in figures.items()}
+
+
 def environment() -> jinja2.Environment:
-    """Where the pages' templates are, and how they are read."""
+    """The pages' templates, and how they are read."""
     return jinja2.Environment(
         loader=jinja2.PackageLoader("reference.report"),
         autoescape=jinja2.select_autoescape(("html.j2",)),
@@ -85,7 +83,7 @@ def environment() -> jinja2.Environment:
 
 
 def _statements(found: Sequence[Section]) -> dict[str, tuple[list[Statement], list[Statement]]]:
-    """By family the statements that stand in the page for the first time, and those that stand above."""
+    """By family, the statements that appear on the page for the first time, and those that appear further up."""
     shown: set[int] = set()
     split = {}
     for section in found:

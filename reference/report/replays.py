@@ -6,14 +6,16 @@ from collections.abc import Iterable, Mapping
 
 from reference.catalogue.case import Case
 from reference.comparison.results import JobResult
-from reference.report.summary import Line, Section
-from reference.viewer.assembly import clip
+from reference.recording.entries import case_of
+from reference.report.sections import Line, Section
 from reference.viewer.clip import Clip
-from reference.viewer.poses import Poses, Track, unpack
+from reference.viewer.clip_making import clip
+from reference.viewer.poses import Poses
+from reference.viewer.tracks import Track, unpack
 
 
 def replay_of(section: Section) -> Clip | None:
-    """The plotted case of a family in its tuned implementations; None where nobody gave poses of it."""
+    """The plotted case of a family in its tuned implementations; None where none of them gave poses of it."""
     family = section.family
     case = family.case(family.curve.case)
     return case_clip(case, [line for line in section.lines if line.tuned], f"{family.title}: {case.name}")
@@ -22,9 +24,9 @@ def replay_of(section: Section) -> Clip | None:
 def case_clip(
     case: Case, lines: Iterable[Line], title: str, profiles: Mapping[str, Mapping[str, str]] | None = None
 ) -> Clip | None:
-    """One case in these implementations, the first of them drawn solid, other profiles than tuned at first hidden.
+    """One case in these implementations, the first of them drawn solid, profiles other than tuned hidden at first.
 
-    profiles: what a profile is called, by engine and profile, where its own name says too little.
+    profiles: other words for a profile, by engine and profile, where its own name says too little.
     """
     found: dict[str, Poses] = {}
     hidden = set()
@@ -41,5 +43,5 @@ def case_clip(
 
 
 def _track(result: JobResult, case: Case) -> Track | None:
-    """A result's poses of a case, whatever settings its key names."""
-    return next((track for track in result.poses if track.key.partition(" @ ")[0] == case.name), None)
+    """A result's poses of a case, with any settings."""
+    return next((track for track in result.poses if case_of(track.key) == case.name), None)

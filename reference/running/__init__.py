@@ -1,1 +1,1 @@
-"""Jobs in worker processes: which ones a question needs, how they run, and where their results are kept."""
+"""Jobs in worker processes: which jobs a study needs, how they run, and where their results are kept."""

@@ -1,4 +1,4 @@
-"""Whether an engine is installed here, tried in a worker process, which will need it anyway."""
+"""Whether an engine is installed here: it is imported in a worker process, which will need it anyway."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from reference.errors import EngineNotInstalled, RunFailed
 from reference.running.isolate import run_isolated
 
 PROBE_LIMIT = 60.0
-"""How long an engine may take to be imported, s."""
+"""How long the import of an engine may take, s."""
 
 
 @functools.cache

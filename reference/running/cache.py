@@ -1,10 +1,10 @@
-"""Results kept on disk, so that what ran once with the very same code, engine and settings need not run again.
+"""Results kept on disk, so that a job that ran with the very same code, engine and settings need not run again.
 
-A result is found again by a key: a hash of everything it hangs on. A changed line of code, another version of an engine
-or another machine make another key, and so a miss. Nothing is ever corrected by hand; `--fresh` runs everything anew.
+A result is found by a key: a hash of everything that it depends on. A changed line of code, another version of an
+engine or another machine gives another key, and so a miss. `--fresh` runs everything again.
 
-Not seen are files that hand-written code reads as it runs, and modules that it imports by a name put together at run
-time.
+The key does not see files that hand-written code reads as it runs, nor modules that it imports by a name put together
+at run time.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 import platformdirs
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import CollisionsError
@@ -39,11 +39,13 @@ SCHEMA = "collisions-lab result 1\n"
 VARIABLE = "COLLISIONS_CACHE"
 """Environment variable that names another folder."""
 MOST_BYTES = 64 * 2**20
-"""What the folder may hold; beyond it the results that were used longest ago go."""
+"""How much the folder may hold; beyond that, the results that were used longest ago are removed."""
 _KEPT, _UNFINISHED = ".result", ".unfinished"
+"""Suffixes of a kept result and of a file that is being written."""
 _ABANDONED = 3600.0
-"""Age, s, from which an unfinished file belongs to nobody any more."""
+"""Age, s, from which an unfinished file was left behind by a process that is gone."""
 _INCOMPLETE = (Verdict.CRASHED, Verdict.NOT_AVAILABLE)
+"""A result with one of these verdicts is not kept: the next run may give a number."""
 
 _log = logging.getLogger(__name__)
 
@@ -54,16 +56,16 @@ def default_folder() -> Path:
 
 
 class Cache:
-    """Results of jobs in a folder. Where it cannot be read or written, everything is a miss and nothing fails.
+    """Results of jobs in a folder. Where the folder cannot be read or written, everything is a miss and nothing fails.
 
-    fresh: nothing is taken from it, but what runs is put into it. most_bytes: what it may hold.
+    fresh: take nothing from the folder, but keep new results there. most_bytes: how much it may hold.
     """
 
     def __init__(self, folder: Path | None = None, fresh: bool = False, most_bytes: int = MOST_BYTES) -> None:
         self.folder, self.fresh, self.most_bytes = folder or default_folder(), fresh, most_bytes
 
     def get(self, job: Job) -> Any:
-        """The result of this job, if it ran before with all that is the same now; None otherwise."""
+        """The result of this job if it ran before under the same key; None otherwise."""
         key = None if self.fresh else key_of(job)
         if key is None:
             return None
@@ -77,7 +79,7 @@ class Cache:
             _log.info("the cache cannot be read: %s", error)
             return None
         result = _unpacked(content)
-        if result is None or result.job != _shared(job):
+        if result is None or result.job != _identity(job):
             _log.info("%s: what the cache holds is no result of it", job)
             return None
         _log.info("%s: from the cache, where it took %.1f s", job, result.seconds)
@@ -91,8 +93,8 @@ class Cache:
             return
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            kept: Any = result  # of either kind, with a job of its own kind
-            self._write(self._file(key), _packed(dataclasses.replace(kept, job=_shared(job))))
+            kept: Any = result  # of any kind, with a job of its own kind
+            self._write(self._file(key), _packed(dataclasses.replace(kept, job=_identity(job))))
             self._make_room()
         except OSError as error:
             _log.info("%s: not kept, the cache cannot be written: %s", job, error)
@@ -101,7 +103,7 @@ class Cache:
         return self.folder / f"{key}{_KEPT}"
 
     def _write(self, path: Path, content: bytes) -> None:
-        """Write a whole file or none, whoever else writes the same one."""
+        """Write a whole file or none, even if another process writes the same one."""
         handle, name = tempfile.mkstemp(_UNFINISHED, dir=self.folder)
         try:
             with os.fdopen(handle, "wb") as file:
@@ -113,10 +115,10 @@ class Cache:
             raise
 
     def _make_room(self) -> None:
-        """Drop what was used longest ago while there is too much, and what an interrupted write left long ago."""
+        """Remove the results used longest ago while there are too many, and files that an interrupted write left."""
         files, now = [], time.time()
         for path in self.folder.iterdir():
-            with contextlib.suppress(OSError):  # another process may have dropped it
+            with contextlib.suppress(OSError):  # another process may have removed it
                 status = path.stat()
                 if path.suffix == _KEPT:
                     files.append((status.st_mtime, status.st_size, path))
@@ -132,9 +134,9 @@ class Cache:
 
 
 def key_of(job: Job, once: bool = False) -> str | None:
-    """A hash of all that a job's result hangs on; None where that cannot be told, as for a missing engine.
+    """A hash of everything that a job's result depends on; None where it is unknown, as for a missing engine.
 
-    once: read packages once in a process, for a worker, which imports them once and never again.
+    once: read each package once in a process, for a worker, which imports it once and never again.
     """
     try:
         engine = load_engine(job.engine)
@@ -144,7 +146,7 @@ def key_of(job: Job, once: bool = False) -> str | None:
         if _reads_hand_written(job):
             parts = Implementation(job.implementation).sources
             code["implementation"] = " ".join(sources.digest(part, once) for part in parts)
-        known = [SCHEMA, dataclasses.asdict(_shared(job)), engine.version(), _surroundings(), code]
+        known = [SCHEMA, dataclasses.asdict(_identity(job)), engine.version(), _surroundings(), code]
     except (CollisionsError, OSError) as error:
         _log.info("%s: without cache: %s", job, error)
         return None
@@ -162,14 +164,14 @@ def _surroundings() -> dict[str, str]:
 
 
 def _reads_hand_written(job: Job) -> bool:
-    """Whether hand-written code has a part in it: an engine of ours that wraps a package runs that alone."""
+    """Whether hand-written code may take part: an engine of ours that wraps a package runs nothing else."""
     return job.engine.endswith(".py") or load_engine(job.engine).package is None
 
 
-def _shared(job: Job) -> Any:
-    """The job without what it does not hang on: a student's own code need not cost new runs of PyBullet."""
-    shared: Any = job.shared()
-    return shared if _reads_hand_written(job) else dataclasses.replace(shared, implementation="")
+def _identity(job: Job) -> Any:
+    """The job as far as its result depends on it: a student's own code must not cost new runs of PyBullet."""
+    identity: Any = job.without_remarks()
+    return identity if _reads_hand_written(job) else dataclasses.replace(identity, implementation="")
 
 
 def _packed(result: Result) -> bytes:
@@ -192,7 +194,7 @@ def _unpacked(content: bytes) -> Any:
 
 
 class _OwnData(pickle.Unpickler):
-    """Reads the lab's own plain data and nothing else: whatever lies in the folder, no code of it is run."""
+    """Reads the lab's own plain data and nothing else, so that no code runs whatever a file in the folder holds."""
 
     def find_class(self, module: str, name: str) -> Any:
         found = None

@@ -2,7 +2,8 @@
 
 `run_isolated` is called from the threads of any `concurrent.futures.Executor`, which only schedules. Each call takes
 an idle worker process, or starts one; a worker that died or went past its limit is replaced by a new one. Jobs and
-results are pickled over the worker's own pipes: this is for code that we trust not to attack us, only not to fail.
+results are pickled over the worker's own pipes. So this is for code that may fail, not for code that may attack us;
+`reference.running.worker` is what runs in the process.
 """
 
 from __future__ import annotations
@@ -16,20 +17,20 @@ import signal
 import subprocess
 import sys
 import threading
-import time
-from collections.abc import Callable, Iterator
-from typing import Any, BinaryIO, ParamSpec, TypeVar
+from collections.abc import Callable
+from typing import Any, ParamSpec, TypeVar
 
 from reference import checks
-from reference.errors import CollisionsError, RunFailed, WorkerCrashed, WorkerTimeout, one_line, place_of
+from reference.errors import RunFailed, WorkerCrashed, WorkerTimeout
+from reference.running.worker import read_message, too_long, write_message
 
 P = ParamSpec("P")
 T = TypeVar("T")
 
 _THREAD_LIMITS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
-_HEADER = 8  # bytes that hold a message's length
-_PARENT_INTERVAL = 1.0  # s between two looks at whether the parent still lives
-_GRACE = 1.0  # s that a worker past its limit has to say where it was, before it is killed
+"""Environment variables that keep linear algebra to one thread in each worker."""
+_GRACE = 1.0
+"""How long a worker past its limit has to say where it was, before it is killed, s."""
 
 _log = logging.getLogger(__name__)
 _workers: set[_Worker] = set()
@@ -54,7 +55,7 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
     WorkerCrashed
         If the process died, or was stopped by `stop_workers`.
     CollisionsError
-        As the function raised it; any other exception arrives as `RunFailed` with its last line.
+        As the function raised it. Any other exception arrives as `RunFailed` with its last line.
     """
     checks.positive("timeout", timeout)
     worker = _take()
@@ -73,7 +74,7 @@ def run_isolated(function: Callable[P, T], timeout: float, *arguments: P.args, *
 
 
 def stop_workers() -> None:
-    """Stop every worker process, idle or busy, whosever job it runs; that job fails with `WorkerCrashed`."""
+    """Stop every worker process, idle or busy; the job of a busy one fails with `WorkerCrashed`."""
     with _lock:
         idle, _idle[:] = list(_idle), []
         for worker in _workers:
@@ -120,7 +121,7 @@ class _Worker:
         environment = os.environ | dict.fromkeys(_THREAD_LIMITS, "1") | {"MPLBACKEND": "Agg"}
         environment["PYTHONPATH"] = os.pathsep.join(path for path in sys.path if path)
         self._process = subprocess.Popen(
-            [sys.executable, "-P", "-m", "reference.running.isolate"],
+            [sys.executable, "-P", "-m", "reference.running.worker"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -153,15 +154,15 @@ class _Worker:
         timer.start()
         self.between_jobs = False
         try:
-            _write(self._process.stdin, message)
-            answer = _read(self._process.stdout)
+            write_message(self._process.stdin, message)
+            answer = read_message(self._process.stdout)
         except (OSError, EOFError):
             answer = None
         finally:
             timer.cancel()
             timer.join()  # it fires before this line or never: an idle worker must not be killed
         if expired.is_set():
-            raise WorkerTimeout(_too_long(timeout))
+            raise WorkerTimeout(too_long(timeout))
         if answer is None and self.unwanted:
             raise WorkerCrashed("its process was stopped before it could answer")
         if answer is None:
@@ -198,91 +199,3 @@ def _describe_exit(code: int) -> str:
         with contextlib.suppress(ValueError):
             return signal.Signals(-code).name
     return f"exit code {code}"
-
-
-def _write(stream: BinaryIO | Any, message: bytes) -> None:
-    stream.write(len(message).to_bytes(_HEADER, "big") + message)
-    stream.flush()
-
-
-def _read(stream: BinaryIO | Any) -> bytes:
-    length = int.from_bytes(_read_exactly(stream, _HEADER), "big")
-    return _read_exactly(stream, length)
-
-
-def _read_exactly(stream: BinaryIO | Any, length: int) -> bytes:
-    data: bytes = stream.read(length)
-    if len(data) < length:
-        raise EOFError
-    return data
-
-
-def _too_long(timeout: float) -> str:
-    return f"no answer within {timeout:g} s; its process was stopped"
-
-
-def _portable(error: Exception) -> CollisionsError:
-    """Return an error that can be pickled and raised in the parent."""
-    if isinstance(error, CollisionsError):
-        with contextlib.suppress(Exception):
-            pickle.loads(pickle.dumps(error))
-            return error
-        return RunFailed(str(error))
-    return RunFailed(one_line(error) + place_of(error.__traceback__))
-
-
-class _OutOfTime(BaseException):
-    """Raised in a worker's Python code that has run for too long, wherever it is, past every `except Exception`."""
-
-
-@contextlib.contextmanager
-def _limited(seconds: float) -> Iterator[None]:
-    """Leave the block with `_OutOfTime` when the time is up; where the system has no such timer the parent kills."""
-    if not hasattr(signal, "setitimer"):
-        yield
-        return
-
-    def leave(*_: object) -> None:
-        raise _OutOfTime
-
-    signal.signal(signal.SIGALRM, leave)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-
-
-def _serve() -> None:
-    """Answer jobs until the parent closes the pipe."""
-    jobs, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
-    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)  # code that asks for input must not read the jobs
-    os.dup2(2, 1)  # an engine that prints must not write into the answers
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides when to stop
-    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
-    while True:
-        try:
-            message = _read(jobs)
-        except EOFError:
-            return
-        try:
-            function, arguments, named, timeout = pickle.loads(message)
-            with _limited(timeout):
-                value = function(*arguments, **named)
-            answer = pickle.dumps((True, value))
-        except _OutOfTime as error:
-            answer = pickle.dumps((False, WorkerTimeout(_too_long(timeout) + place_of(error.__traceback__))))
-        except Exception as error:
-            answer = pickle.dumps((False, _portable(error)))
-        _write(answers, answer)
-
-
-def _end_with(parent: int) -> None:
-    """End this process once its parent is gone, killed in the middle of a job; where the system tells (POSIX)."""
-    while os.getppid() == parent:
-        time.sleep(_PARENT_INTERVAL)
-    os._exit(1)
-
-
-if __name__ == "__main__":
-    _serve()

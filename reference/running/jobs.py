@@ -1,4 +1,4 @@
-"""Jobs through an executor: each in a worker process of its own, or out of the cache; a failure costs one job."""
+"""Runs jobs on an executor; a result comes from the cache, a worker process or a recording, or a row says why not."""
 
 from __future__ import annotations
 
@@ -29,8 +29,9 @@ _log = logging.getLogger(__name__)
 class Work(Generic[J, R]):
     """How one kind of job is done.
 
-    run: here and now, within a worker. recorded: what was measured elsewhere, None where nothing was. refused: the
-    result that says why there is none; s that it took. in_order: in which order to start jobs.
+    run: do the job here and now, within a worker. recorded: the result that was measured elsewhere, None where there is
+    no recording. refused: the result that says why there is no number, from the job, the error and how long it took, s.
+    in_order: the order in which to start jobs.
     """
 
     run: Callable[[J], R]
@@ -47,11 +48,10 @@ def recall(jobs: Iterable[Job], cache: Cache) -> list[Any]:
 def run_all(
     jobs: Sequence[J], work: Work[J, R], executor: Executor, timeout: float = TIME_LIMIT, cache: Cache | None = None
 ) -> Generator[R, None, None]:
-    """Run jobs through an executor and yield their results as they come; what fails comes as a row that says so.
+    """Run jobs on an executor and yield their results as they finish; a job that fails gives a row that says so.
 
-    What a cache has is taken from it, in the executor's threads, without a worker process.
-
-    Whoever leaves early, by closing the generator or by an interrupt, stops every worker process and waits for no job.
+    Results that a cache has are taken from it, in the executor's threads, without a worker process. Closing the
+    generator early, also by an interrupt, stops every worker process and waits for no job.
     """
     waiting: list[Future[R]] = []
     try:
@@ -63,17 +63,17 @@ def run_all(
 
 
 def _abandon(futures: Iterable[Future[R]]) -> None:
-    """Cancel the jobs that have not started and stop the workers of those that have, until none is left."""
+    """Cancel the jobs that have not started, and stop the workers of the others until no job is running."""
     running = {future for future in futures if not (future.cancel() or future.done())}
-    while running:  # again and again: a thread may be just about to start a worker
+    while running:  # repeatedly, because a thread may be about to start a worker
         stop_workers()
         running = wait(running, _STOP_INTERVAL).not_done
 
 
 def run_one(job: J, work: Work[J, R], timeout: float = TIME_LIMIT, cache: Cache | None = None) -> R:
-    """Run a job in a worker process, or take it from a cache; a crash or a hang becomes a row that says so.
+    """Run a job in a worker process, or take its result from a cache; a crash or a hang becomes a row that says so.
 
-    An engine that is not installed answers from its recording, or with a row that says how to get it.
+    For an engine that is not installed, the result comes from its recording, or is a row that says how to get it.
     """
     found: R | None = cache.get(job) if cache else None
     if found is not None:
@@ -96,5 +96,5 @@ def run_one(job: J, work: Work[J, R], timeout: float = TIME_LIMIT, cache: Cache 
 
 
 def _run_with_key(run: Callable[[J], R], job: J) -> tuple[str | None, R]:
-    """Run a job in a worker, which says what code it runs: it may have imported it before a file was changed."""
+    """Run a job in a worker, and return the key of the code that it runs: a file may have changed since its import."""
     return key_of(job, once=True), run(job)

@@ -1,11 +1,11 @@
-"""What the runner and the cache ask of a job and of its result, whichever catalogue these belong to."""
+"""What the runner and the cache need of a job and of its result, so that they know neither catalogue."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any, Protocol, Self
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 
 
 class Job(Protocol):
@@ -19,8 +19,8 @@ class Job(Protocol):
     def implementation(self) -> str:
         """Where the hand-written code comes from: a package, or the path of a `.py` file."""
 
-    def shared(self) -> Self:
-        """The job without what its result does not depend on."""
+    def without_remarks(self) -> Self:
+        """The job without remarks on it, which its result does not depend on."""
 
 
 class Row(Protocol):
@@ -28,7 +28,7 @@ class Row(Protocol):
 
     @property
     def verdict(self) -> Verdict:
-        """How the number stands to what is expected of it."""
+        """The verdict on the number."""
 
 
 class Result(Protocol):
@@ -52,4 +52,4 @@ class Result(Protocol):
 
     @property
     def seconds(self) -> float:
-        """What it took where it ran, s."""
+        """How long it took where it ran, s."""

@@ -1,7 +1,7 @@
-"""Like with like: where an engine answers from recordings, all of a comparison go to the nearest point of them.
+"""Comparing like with like: where one engine has only recordings, all jobs move to the nearest recorded point.
 
-An engine that is not installed here knows the points of its grid alone. To set beside it what others make of a value in
-between would compare two questions; so the question is moved, for all, and the jobs say so.
+The recordings of an engine that is not installed here hold the points of its grid alone. To run the other engines at a
+value in between would compare answers to two questions. So the question is moved for all of them, and the jobs say so.
 """
 
 from __future__ import annotations
@@ -14,12 +14,13 @@ from reference.catalogue.grid import nearest
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.engines import load_engine
-from reference.recording.reading import content_of
+from reference.errors import listed
+from reference.recording.files import content_of
 from reference.running.availability import absent
 
 
 def snapped(jobs: Sequence[Job]) -> list[Job]:
-    """The same jobs; those of a family moved to a recorded point if an engine that is asked has only its recordings."""
+    """The same jobs, those of a family moved to a recorded point if one of their engines has only recordings."""
     missing = {name: absent(name) for name in {job.engine for job in jobs if _movable(job)}}
     found: list[Job] = []
     for job in jobs:
@@ -40,14 +41,13 @@ def moved(job: Job, recorded: Iterable[str]) -> Job:
     if point.timestep is not None:
         changes["timestep"] = point.timestep
     titles = [load_engine(name).title for name in recorded]
-    who = " and ".join(filter(None, [", ".join(titles[:-1]), titles[-1]]))
     answers = "answer" if len(titles) > 1 else "answers"
-    words = f"{job.family}: {point.moved} for all, since {who} {answers} from recordings"
+    words = f"{job.family}: {point.moved} for all, since {listed(titles)} {answers} from recordings"
     at = tuple(point.at.items()) if job.at else ()
     return replace(job, at=at, changes=tuple(sorted(changes.items())), snapped=words)
 
 
 def _movable(job: Job) -> bool:
-    """Whether a recording could answer a job if it were moved: nothing but parameters and timestep are asked for."""
+    """Whether a recording could answer a job if it were moved: it sets parameters or the timestep, nothing else."""
     names = {name for name, _ in job.changes}
     return catalogue()[job.family].grid is not None and bool(job.at or names) and names <= {"timestep"}

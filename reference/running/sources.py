@@ -1,4 +1,4 @@
-"""What a piece of code is made of: the text of its files, and of what they import of one's own."""
+"""The source text that a piece of code is made of: its own files and those that they import, hashed."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ _LAB = {"labs", "reference", "solutions"}
 _HERE = Path(reference.__file__).resolve().parents[1]
 """The folder that they are in: a checkout, or the folder of all installed packages."""
 _ONE_AT_A_TIME = threading.Lock()
-"""Two threads that parse at once now and then end in "AST constructor recursion depth mismatch" (CPython 3.11)."""
+"""Two threads that parse at the same time sometimes raise "AST constructor recursion depth mismatch" (CPython 3.11)."""
 
 
 def digest(source: str, once: bool = False) -> str:
-    """A hash of a package, or of a `.py` file, and of all that its files import but for installed packages.
+    """A hash of a package or a `.py` file, and of everything that it imports except installed packages.
 
-    Nothing is imported: files are found as Python would find them, and read. once: packages only the first time in
-    this process, as Python does, which then goes on with what it has imported; a `.py` file always.
+    Nothing is imported: files are found as Python would find them, and read. once: read a package only the first time
+    in this process, since Python imports it only once as well; a `.py` file is always read.
     """
     whole, seen, waiting = hashlib.sha256(), set(), [source]
     while waiting:
@@ -40,7 +40,7 @@ def digest(source: str, once: bool = False) -> str:
 
 
 def _part(name: str) -> tuple[str, frozenset[str]]:
-    """A hash of the text of a package or a file, and the first names of what it imports of one's own."""
+    """A hash of the text of a package or a file, and the first names of the modules of one's own that it imports."""
     whole, names = hashlib.sha256(), frozenset[str]()
     for place, path in _files(name):
         text = path.read_bytes()
@@ -53,7 +53,7 @@ _first_part = functools.cache(_part)
 
 
 def _files(name: str) -> Iterator[tuple[Path, Path]]:
-    """All files of a package with its folder, or the one of a module; of the package where a part of it is named."""
+    """Each file of a package with the package's folder, or a module's own file; a part of a package counts as all."""
     for place in [Path(name).resolve()] if name.endswith(".py") else _places(name):
         for path in sorted(place.rglob("*.py")) if place.is_dir() else [place]:
             yield place, path
@@ -61,7 +61,7 @@ def _files(name: str) -> Iterator[tuple[Path, Path]]:
 
 @functools.cache
 def _imported(text: bytes) -> frozenset[str]:
-    """First names of what a text imports, wherever in it."""
+    """First names of the modules that a text imports, anywhere in it."""
     try:
         with _ONE_AT_A_TIME:
             nodes = list(ast.walk(ast.parse(text)))
@@ -83,9 +83,9 @@ def _is_own(name: str) -> bool:
 
 
 def _places(name: str) -> list[Path]:
-    """The folders of a package or the file of a module; none where there is no such thing or it is no Python."""
+    """The folders of a package or the file of a module; empty where there is none, or it is not written in Python."""
     try:
-        spec = importlib.util.find_spec(name.partition(".")[0])  # of a first name: nothing is imported on the way
+        spec = importlib.util.find_spec(name.partition(".")[0])  # looking up a first name imports nothing
     except (ImportError, ValueError):
         return []
     if spec is None:

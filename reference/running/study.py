@@ -1,4 +1,4 @@
-"""Many runs: jobs of one family × engine × profile, each isolated, scheduled by whatever executor one has."""
+"""A study of scenarios: which jobs it needs, one family × engine × profile each, and how one of them runs."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ import logging
 import time
 from collections.abc import Iterable, Mapping, Sequence
 
-import numpy as np
-
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Row, Verdict, compare_case, verdict_of
+from reference.comparison.compare import compare_case
+from reference.comparison.convergence import Errors, errors_against_timestep
 from reference.comparison.curves import Series
-from reference.comparison.question import Question
-from reference.comparison.results import Errors, Job, JobResult
-from reference.comparison.shares import split
+from reference.comparison.error_split import Split, split
+from reference.comparison.errors_by_settings import Question
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
@@ -25,10 +25,7 @@ from reference.recording import reading
 from reference.recording.reading import track_of
 from reference.running.jobs import Work
 from reference.scene.settings import Option
-from reference.viewer.poses import Track
-
-ROUNDING = 1e-9
-"""Errors below this share of the value are rounding: no order can be read off them."""
+from reference.viewer.tracks import Track
 
 _log = logging.getLogger(__name__)
 
@@ -45,14 +42,14 @@ def plan(
 ) -> list[Job]:
     """List the jobs that compare these families in these engines, each job once.
 
-    Where no profiles are named an engine runs in all that it has, and where no cases are, a family runs all of its own;
-    or, where parameters are given, one case `at` these values.
+    Where no profiles are named, an engine runs in all that it has. Where no cases are named, a family runs all of its
+    own, or one case `at` the given parameters.
 
     Raises
     ------
     UnknownName
-        If none of these engines has a profile that is asked for in any of these families, an engine has no setting
-        that is to be changed, or a family has no such case or parameter.
+        If none of these engines has a requested profile for any of these families, an engine lacks a setting that is
+        to be changed, or a family has no such case or parameter.
     InvalidInput
         If a case cannot be run with the changed settings, or a parameter is out of range.
     """
@@ -78,7 +75,7 @@ def plan(
 
 
 def _place(family: Family, at: Mapping[str, float], cases: Sequence[str]) -> dict[str, float]:
-    """All parameters of a family, with defaults for those that nobody named."""
+    """All parameters of a family, with defaults for those that are not given."""
     if family.grid is None:
         others = ", ".join(each.name for each in catalogue().values() if each.grid is not None)
         raise InvalidInput(f"{family.name} has no parameters that can be moved; these have: {others}")
@@ -91,7 +88,7 @@ def _place(family: Family, at: Mapping[str, float], cases: Sequence[str]) -> dic
 
 
 def _check(engine: Engine, profile: str, cases: Iterable[Case], changes: Mapping[str, Option]) -> None:
-    """Refuse settings that are no use before anything runs. What else an engine gets wrong, its own job will show."""
+    """Refuse settings that cannot be used, before anything runs. Other errors of an engine appear in its own job."""
     for case in cases:
         try:
             settings = engine.settings(case.scenarios[0], profile).change(**changes)
@@ -108,12 +105,12 @@ def _check(engine: Engine, profile: str, cases: Iterable[Case], changes: Mapping
 
 
 def longest_first(jobs: Iterable[Job]) -> list[Job]:
-    """Jobs in the order in which to start them, so that none is left over at the end while other processors idle."""
+    """Jobs in the order in which to start them, so that no long one runs alone at the end while processors idle."""
     return sorted(jobs, key=_steps, reverse=True)
 
 
 def _steps(job: Job) -> float:
-    """Steps that a job takes, times what moves in each: what its duration goes with, roughly."""
+    """Steps that a job takes times the bodies that move, roughly proportional to its duration."""
     engine, family = load_engine(job.engine), catalogue()[job.family]
     scenarios = [each for case in job.chosen(family) for each in case.scenarios]
     moving = sum(each.duration * sum(not body.immovable for body in each.bodies) for each in scenarios)
@@ -124,7 +121,7 @@ def _steps(job: Job) -> float:
 
 
 def _without_answer(job: Job, error: CollisionsError, seconds: float) -> JobResult:
-    """The result of a job that gave none: one row that says why."""
+    """The result of a job that failed as a whole: one row that says why."""
     engine = load_engine(job.engine)
     row = Row(job.family, ALL_CASES, engine.name, job.profile, "", "", verdict_of(error), note=str(error))
     description = catalogue()[job.family].profiles(engine).get(job.profile, job.profile)
@@ -132,13 +129,13 @@ def _without_answer(job: Job, error: CollisionsError, seconds: float) -> JobResu
 
 
 def run_job(job: Job) -> JobResult:
-    """Run a job here and now: every case, the plotted one, and error against timestep if it is asked for."""
+    """Run a job here and now: every case, with the curve, the poses and the studies that the job asks for."""
     start = time.perf_counter()
     family = catalogue()[job.family]
     implementation = Implementation(job.implementation)
     engine = load_engine(job.engine, implementation)
     version, has = engine.version(), family.profiles(engine)
-    engine.module()  # where it cannot be imported, nothing is asked of it
+    engine.module()  # raises where it cannot be imported, before any case is tried
     asked, rows = Question.of(family, engine), list[Row]()
     series, shown, tracks = None, "", list[Track]()
     for case in job.chosen(family):
@@ -147,15 +144,13 @@ def run_job(job: Job) -> JobResult:
         rows += found
         if case.name == family.curve.case or not shown:
             shown = settings.describe()
-        if trajectories and not job.grid and (job.at or job.with_curve or case.name == family.curve.case):
+        if trajectories and job.plots(family, case):
             series = Series.of(family, trajectories[0])
         if trajectories and job.with_poses:
             tracks.append(track_of(job, engine, case, settings, trajectories[0]))
         if case == asked.case:
             asked.remember(settings, trajectories)
-    convergence = _convergence(asked, family.convergence.factors, job) if job.with_studies else None
-    order = convergence.order if convergence else None
-    splits = split(asked, order) if job.with_studies and job.profile == TUNED and not job.changes else None
+    convergence, error_split = _studies(asked, family, job) if job.with_studies else (None, None)
     return JobResult(
         job,
         engine.title,
@@ -165,39 +160,21 @@ def run_job(job: Job) -> JobResult:
         version,
         series,
         convergence,
-        splits,
+        error_split,
         poses=tuple(tracks),
         functions=tuple(sorted(implementation.asked)),
         seconds=time.perf_counter() - start,
     )
 
 
+def _studies(asked: Question, family: Family, job: Job) -> tuple[Errors | None, Split | None]:
+    """Error against timestep; and the split of the error, which exists for unchanged tuned settings alone."""
+    settings = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
+    convergence = errors_against_timestep(asked, settings, family.convergence.factors)
+    if job.profile != TUNED or job.changes:
+        return convergence, None
+    return convergence, split(asked, convergence.order if convergence else None)
+
+
 SCENARIOS: Work[Job, JobResult] = Work(run_job, reading.recall, _without_answer, longest_first)
 """The jobs of the lab's own catalogue."""
-
-
-def _convergence(asked: Question, factors: Sequence[float], job: Job) -> Errors | None:
-    """Root mean square error for several timesteps; one that gives no such number leaves a gap."""
-    base = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
-    found = [base.change(timestep=base.timestep * factor) for factor in factors]
-    errors = {settings.timestep: asked.rms_error(settings) for settings in found}
-    known = {timestep: error for timestep, error in errors.items() if error is not None}
-    if not known:
-        return None
-    value = asked.quantity.expected_value(asked.case)
-    return Errors(tuple(known), tuple(known.values()), order_of(list(known), list(known.values()), value))
-
-
-def order_of(timesteps: Sequence[float], errors: Sequence[float], value: float) -> float | None:
-    """Slope of log error against log timestep, over the errors that stand above rounding; None with fewer than two."""
-    pairs = [(dt, error) for dt, error in zip(timesteps, errors, strict=True) if error > ROUNDING * abs(value)]
-    if len(pairs) < 2:
-        return None
-    steps, sizes = np.log(np.array(pairs)).T
-    return float(np.polyfit(steps, sizes, 1)[0])
-
-
-def verdict_counts(rows: Iterable[Row]) -> dict[Verdict, int]:
-    """How often each verdict occurs, in the order in which they are defined, zeros left out."""
-    found = [row.verdict for row in rows]
-    return {verdict: found.count(verdict) for verdict in Verdict if verdict in found}

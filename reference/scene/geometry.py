@@ -1,16 +1,18 @@
-"""Gaps between shapes, computed from the poses alone: the referee's own ruler, whatever an engine reports."""
+"""Gaps between shapes, computed from the poses alone: the referee's own ruler, which trusts no engine's report."""
 
 from __future__ import annotations
 
 import itertools
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.errors import InvalidInput
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Shape, Sphere
 
-Array = NDArray[np.float64]
+TOUCHING = 2e-6
+"""Two bodies with a smaller gap touch at the start, m. The catalogue's gaps keep clear of it, so that rounding does not
+decide: the cradle's 1 µm counts as touching, its 10 µm does not."""
 
 
 def rotate(orientation: Array, vector: Array) -> Array:
@@ -47,6 +49,11 @@ def quaternion_between(start: Array, end: Array) -> Array:
         axis = np.cross(start, end)
     quaternion = np.array([w, *axis])
     return np.asarray(quaternion / np.linalg.norm(quaternion))
+
+
+def upright_on(normal: Array) -> Array:
+    """Orientation, w x y z, of a body whose own z axis points along the unit normal (3,) of what it stands on."""
+    return quaternion_between(np.array([0.0, 0.0, 1.0]), normal)
 
 
 def separation(scenario: Scenario, body: str, plane: str, positions: Array, orientations: Array) -> Array:
@@ -114,10 +121,10 @@ def out_of_box(place: Array, orientation: Array, half_extents: Array) -> Array:
     return np.asarray(np.linalg.norm(np.maximum(beyond, 0.0), axis=-1) + np.minimum(np.max(beyond, axis=-1), 0.0))
 
 
-def touching(scenario: Scenario, tolerance: float = 1e-6) -> list[tuple[Body, Body]]:
-    """The pairs that collide and touch at the start, with a gap below the tolerance, m."""
+def touching(scenario: Scenario) -> list[tuple[Body, Body]]:
+    """The pairs that collide and touch at the start."""
     pairs = [(scenario.body(pair.body_a), scenario.body(pair.body_b)) for pair in scenario.pairs]
-    return [(a, b) for a, b in pairs if not (a.immovable and b.immovable) and abs(gap(a, b)) < tolerance]
+    return [(a, b) for a, b in pairs if not (a.immovable and b.immovable) and abs(gap(a, b)) < TOUCHING]
 
 
 def starts_in_contact(scenario: Scenario) -> bool:

@@ -14,7 +14,7 @@ from reference.scene.scenario import Body
 class Ray:
     """Which share of the way from `start` along `way`, both in m, a ray goes until it meets the body; infinity if none.
 
-    The ray ends where the way does. What it meets from inside a body is left open.
+    The ray ends where the way does. Its result is not defined if it starts inside the body.
     """
 
     body: Body

@@ -1,4 +1,4 @@
-"""A scenario: what is there, how it starts and how long it runs, in SI units and in no engine's words.
+"""A scenario: which bodies there are, how they start and how long they move, in SI units and in no engine's words.
 
 Conventions of the whole lab: right-handed, z up, quaternions w x y z, the contact normal points from B to A,
 and the coefficients of restitution and friction belong to a *pair* of bodies, never to one.
@@ -107,6 +107,10 @@ class Body:
         """1/mass, 1/kg; zero for an immovable body."""
         return 0.0 if self.immovable else 1 / self.mass
 
+    def state(self) -> tuple[float, ...]:
+        """The 13 numbers that a sample of a trajectory has: position, orientation, velocity, angular velocity."""
+        return (*self.position, *self.orientation, *self.velocity, *self.angular_velocity)
+
 
 @dataclass(frozen=True)
 class Pair:
@@ -137,7 +141,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Force:
-    """A constant force on a body, N, in the world frame. It acts at the centre of mass, so that nothing turns by it."""
+    """A constant force on a body, N, in the world frame. It acts at the centre of mass and turns nothing."""
 
     body: str
     force: Vector
@@ -186,7 +190,7 @@ class Scenario:
         return self.bodies[self.index(name)]
 
     def unlisted_pairs(self) -> list[tuple[str, str]]:
-        """Names of every two bodies that do not collide, whatever an engine does by default."""
+        """Names of every two bodies that do not collide; an engine that lets all bodies collide has to exclude them."""
         listed = {frozenset((pair.body_a, pair.body_b)) for pair in self.pairs}
         names = [body.name for body in self.bodies]
         return [two for two in itertools.combinations(names, 2) if frozenset(two) not in listed]

@@ -1,4 +1,4 @@
-"""Settings: how an implementation is to run a scenario, as plain data that anyone may change."""
+"""Settings: how an implementation is to run a scenario. They are plain data, and any of them may be changed."""
 
 from __future__ import annotations
 
@@ -75,9 +75,9 @@ class Settings:
 
 @dataclass(frozen=True)
 class Move:
-    """One setting to move, to see what share of an error it has.
+    """One setting to move, to see how much of an error is due to it.
 
-    kind: the share, `contact model` or `solver`. option: its name. value: what it is moved to.
+    kind: what the setting belongs to, `contact model` or `solver`. option: its name. value: what it is moved to.
     """
 
     kind: str

@@ -1,4 +1,4 @@
-"""A trajectory: what an implementation answered, in the lab's units and conventions, whoever ran it."""
+"""A trajectory: the result of a run, in the lab's units and conventions, the same for every implementation."""
 
 from __future__ import annotations
 
@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
-
-Array = NDArray[np.float64]
 
 
 def _read_only(values: NDArray[Any]) -> NDArray[Any]:
@@ -33,7 +32,7 @@ class Event:
     body: str
 
 
-@dataclass(frozen=True, eq=False)  # == of arrays is no yes or no
+@dataclass(frozen=True, eq=False)  # == of two arrays is not one truth value
 class Contacts:
     """The contacts that the implementation itself reported, one row each, n rows in all.
 
@@ -62,7 +61,7 @@ class Trajectory:
     """The states of all bodies at the sample times.
 
     times: (n,), s, increasing. positions: (n, b, 3), centres of mass, m. orientations: (n, b, 4), w x y z.
-    velocities: (n, b, 3), m/s. angular_velocities: (n, b, 3), rad/s, world frame. The bodies stand in the scenario's
+    velocities: (n, b, 3), m/s. angular_velocities: (n, b, 3), rad/s, world frame. The bodies are in the scenario's
     order. Arrays are read-only. What an engine hands over in another shape, or with times that do not increase, is a
     failed run.
     """

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from reference.arrays import Array
+
 View = tuple[float, float]
 """Azimuth and pitch, degrees."""
 FRONT: View = (-90.0, 0.0)

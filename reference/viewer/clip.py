@@ -1,6 +1,6 @@
-"""A clip: one scenario as one or several implementations ran it, small enough to stand in a page.
+"""A clip: one scenario as one or several implementations ran it, small enough for a page.
 
-`reference.viewer.assembly` makes it. Its JSON is the same for the same poses; `docs/viewer.md` says what is in it.
+`reference.viewer.clip_making` makes it. Its JSON is the same for the same poses; `docs/viewer.md` says what is in it.
 """
 
 from __future__ import annotations
@@ -12,10 +12,11 @@ from typing import Any
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.viewer import camera
 from reference.viewer.contacts import Touch
 from reference.viewer.packing import packed
-from reference.viewer.shapes import Array, Shape, written
+from reference.viewer.shapes import Shape, written
 
 SCHEMA, VERSION = "collisions-lab/replay", 1
 STEP, TURN = 1e-4, 5e-4
@@ -23,17 +24,17 @@ STEP, TURN = 1e-4, 5e-4
 FINENESS = 5e3
 """Steps across what is seen, at least."""
 DASHES: tuple[tuple[int, ...], ...] = ((), (9, 4), (2, 4), (11, 4, 2, 4), (16, 4), (5, 2), (6, 3, 1, 3, 1, 3))
-"""Of the looks: lines differ by these, and by a letter, not by their colours alone."""
+"""Dashes of each look: lines differ by these, and by a letter, not by their colours alone."""
 WIDTHS = (1.5, 4.0, 2.6, 1.4, 4.0, 2.5, 2.0)
-"""Of the looks' outlines, px: where they coincide, the first show on both sides of the next."""
+"""Width of each look's outlines, px: where two coincide, the earlier one shows on both sides of the later one."""
 SPEEDS = (0.25, 0.5, 1.0, 2.0)
 """Offered, as multiples of real time, or of the slow motion in which a short run is watched."""
 SHOWN_RATE = 60
 """Samples a second that a screen shows."""
-LEAST, MOST = 0.36, 0.75
+LEAST_RATIO, MOST_RATIO = 0.36, 0.75
 """Height over width of a picture."""
 LOOKS = {"handwritten": 0, "pybullet": 1, "mujoco": 2, "dart": 3}
-"""The look that an engine has in every replay; others take one that is free."""
+"""The look that an engine has in every replay; other runs take a free one."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +96,7 @@ class Clip:
     def ratio(self) -> float:
         """Height over width of its picture."""
         wide, high = camera.Picture(self.view, self.low, self.high, 1.0, 1.0, 0.0).extent
-        return min(MOST, max(LEAST, high / max(wide, 1e-9)))
+        return min(MOST_RATIO, max(LEAST_RATIO, high / max(wide, 1e-9)))
 
     def tags(self) -> list[str]:
         """A letter or two for each run, no two alike."""

@@ -1,9 +1,8 @@
-"""Where bodies touch in a replay, and what their impacts came to, from the poses alone.
+"""Where bodies touch in a replay, and the impulses of their impacts, from the poses alone.
 
-Whoever ran it, engines and hand-written code are asked in the same way: a pair touches where its gap is next to
-nothing; and the momentum that weight and forces do not account for came through the pairs that could just then touch.
-Sums of impulses along a chain or a tree of bodies follow from that. Where bodies lean on each other in a ring, as on
-two grounds at once, the smallest that will do is taken.
+Engines and hand-written code are treated alike. A pair touches where its gap is next to nothing. Momentum that weight
+and forces do not account for came through the pairs that could touch just then. In a chain or a tree of bodies the
+impulses follow from that. In a ring, as on two grounds at once, they do not, and the smallest impulses are taken.
 """
 
 from __future__ import annotations
@@ -13,14 +12,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.scene.scenario import Body, Scenario
 from reference.viewer.pair_gaps import Meeting, Places, meeting_of
 from reference.viewer.poses import Poses
-from reference.viewer.shapes import Array
 
-SUDDEN = 2.0, 0.02
-"""An impact changes a velocity by more than that many times what weight does in a sample, and by more than this share
-of the top speed."""
+SUDDEN_FALLS = 2.0
+"""An impact changes a velocity by more than so many times what weight changes in a sample, and"""
+SUDDEN_SHARE = 0.02
+"""by more than this share of the top speed."""
+LEAST_IMPULSE = 0.01
+"""Share of a pair's largest push below which a push is none."""
+SAME_NORMAL = 0.999
+"""Cosine of the angle, some 2.5°, by which a normal may turn while a contact stays the same."""
 MOST = 200
 """Contacts and impacts of a run that a replay has; what comes later is left out."""
 
@@ -69,7 +73,7 @@ def _contacts(meeting: Meeting, centre: Array) -> list[Touch]:
 
 def _moved(offset: Array, meeting: Meeting, first: int, sample: int) -> bool:
     far = float(np.linalg.norm(offset[sample] - offset[first]))
-    return far > meeting.close or float(meeting.normal[sample] @ meeting.normal[first]) < 0.999
+    return far > meeting.close or float(meeting.normal[sample] @ meeting.normal[first]) < SAME_NORMAL
 
 
 def _touch(first: int, last: int, body: Body, place: Array, normal: Array, impulse: Array | None = None) -> Touch:
@@ -111,8 +115,8 @@ def _gained(scenario: Scenario, body: Body, positions: Array, dt: float) -> Arra
 def _least(scenario: Scenario, places: Places, dt: float) -> float:
     """The least change of a velocity, m/s, between two samples that is an impact."""
     ways = [np.linalg.norm(np.diff(positions, axis=0), axis=-1) for positions, _ in places.values()]
-    weight, share = SUDDEN
-    return max(weight * float(np.linalg.norm(scenario.gravity)) * dt, share * float(np.max(ways)) / dt, 1e-9)
+    fall = float(np.linalg.norm(scenario.gravity)) * dt
+    return max(SUDDEN_FALLS * fall, SUDDEN_SHARE * float(np.max(ways)) / dt, 1e-9)
 
 
 def _could_touch(meeting: Meeting, sample: int) -> bool:
@@ -146,7 +150,7 @@ def _gathered(meeting: Meeting, impulses: Array, least: float) -> list[Touch]:
     """Impacts of a pair: impulses that push, those in neighbouring samples as one; not what weight alone does."""
     push = np.sum(impulses * meeting.normal, axis=-1)
     enough = least * min(meeting.body_a.mass, meeting.body_b.mass)
-    strong = np.flatnonzero(push > max(0.01 * float(push.max()), 1e-9))
+    strong = np.flatnonzero(push > max(LEAST_IMPULSE * float(push.max()), 1e-9))
     found = []
     for group in np.split(strong, np.flatnonzero(np.diff(strong) > 1) + 1):
         if group.size and push[group].max() > enough:

@@ -12,22 +12,27 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-FARTHEST = 1e9
-"""In steps: what lies beyond is kept as being there, so that sums of differences stay exact in any language."""
+from reference.arrays import Array
+
+MOST_STEPS = 1e9
+"""What lies beyond is kept as being there, so that sums of differences stay exact in any language."""
 
 
 def packed(values: Array, step: float) -> str:
     """Text for values (n, …), any unit, kept to `step` of it: column after column, each n numbers."""
     if not values.size:
         return ""
-    steps = np.rint(np.clip(values / step, -FARTHEST, FARTHEST)).astype(np.int64).reshape(len(values), -1)
-    twice = np.diff(steps, n=2, axis=0, prepend=np.zeros((2, steps.shape[1]), dtype=np.int64))
-    zigzag = np.where(twice < 0, -2 * twice - 1, 2 * twice)
+    steps = np.rint(np.clip(values / step, -MOST_STEPS, MOST_STEPS)).astype(np.int64).reshape(len(values), -1)
     content = bytearray()
-    for column in zigzag.T:
+    for column in second_differences(steps).T:
         content += _bytes(column.tolist())
     return base64.b64encode(content).decode("ascii")
+
+
+def second_differences(steps: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Second differences of whole steps (n, …), after two zeros, with zigzag: 0, −1, 1, −2 become 0, 1, 2, 3."""
+    twice = np.diff(steps, n=2, axis=0, prepend=np.zeros((2, *steps.shape[1:]), dtype=np.int64))
+    return np.where(twice < 0, -2 * twice - 1, 2 * twice)
 
 
 def _bytes(numbers: Iterable[int]) -> bytearray:

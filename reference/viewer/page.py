@@ -13,7 +13,7 @@ from reference.viewer.still import still
 FRAME_HEIGHT, FRAME_WIDTH = 430, 640
 """Least height and greatest width of the frame in a notebook, px."""
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
-"""What a page of ours may do: nothing but what stands in it."""
+"""What a page of ours may do: it loads nothing from elsewhere."""
 _ABOUT = (
     "<style>:is([data-jp-theme-light=true],.vscode-light) .replay-frame{color-scheme:light}"
     ":is([data-jp-theme-light=false],.vscode-dark,[theme=dark]) .replay-frame{color-scheme:dark}"

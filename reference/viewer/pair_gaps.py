@@ -8,11 +8,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array, Mask
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
-from reference.viewer.shapes import Array, vertices_of
+from reference.viewer.shapes import vertices_of
 
 Places = dict[str, tuple[Array, Array]]
 """Positions (n, 3) and orientations (n, 4) by the names of the bodies that move."""
@@ -88,7 +88,7 @@ def _on_plane(body: Body, plane: Body, pose: _Pose, _: _Pose) -> tuple[Array, Ar
     return gap, point, np.tile(normal, (len(gap), 1))
 
 
-def _middle(points: Array, chosen: NDArray[np.bool_]) -> Array:
+def _middle(points: Array, chosen: Mask) -> Array:
     """Mean (n, 3) of the chosen (n, p) of points (n, p, 3)."""
     weights = chosen / np.maximum(chosen.sum(axis=1, keepdims=True), 1)
     return np.asarray(np.einsum("np,npk->nk", weights, points))

@@ -7,14 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from reference import checks
+from reference.arrays import Array
 from reference.checks import Vector
 from reference.errors import InvalidInput
 from reference.scene.scenario import Box, HalfSpace, Sphere
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

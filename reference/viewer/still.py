@@ -12,11 +12,12 @@ from html import escape
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.scene import geometry
 from reference.scene.scenario import HalfSpace
 from reference.viewer.camera import Picture, basis
 from reference.viewer.clip import DASHES, WIDTHS, Clip, Run, Solid
-from reference.viewer.shapes import Array, Capsule, faces_of, vertices_of
+from reference.viewer.shapes import Capsule, faces_of, vertices_of
 
 WIDTH, MARGIN, LINE = 640, 16, 20
 POINTS = 90
@@ -76,7 +77,7 @@ def _drawn(clip: Clip, picture: Picture) -> Iterator[str]:
     for run in clip.runs[1:]:
         if run.shown:
             yield f'<g class="k{run.look}" stroke-width="{WIDTHS[run.look]}" stroke-dasharray="{_dash(run)}">'
-            yield from (part.text for part in _run(clip, run, picture, ""))
+            yield from (part.text for part in _run(clip, run, picture, None))
             yield "</g>"
 
 
@@ -84,12 +85,13 @@ def _dash(run: Run) -> str:
     return " ".join(map(str, DASHES[run.look])) or "none"
 
 
-def _run(clip: Clip, run: Run, picture: Picture, style: str) -> Iterator[_Part]:
-    """All that a run shows in its last frame."""
+def _run(clip: Clip, run: Run, picture: Picture, fill: str | None) -> Iterator[_Part]:
+    """All that a run shows in its last frame. fill: attributes of filled shapes; None for outlines."""
+    style = fill or ""
     solids = {solid.name: solid for solid in clip.solids}
     for name, pose in zip(run.bodies, run.poses[-1] if run.count else (), strict=False):
         turn = pose[3:] / max(float(np.linalg.norm(pose[3:])), 1e-9)
-        yield from _parts(solids[name], pose[:3], turn, picture, style)
+        yield from _parts(solids[name], pose[:3], turn, picture, fill)
     if run.count and run.points.size:
         points = picture.project(run.points[-1])
         for start, end in clip.springs:
@@ -98,7 +100,8 @@ def _run(clip: Clip, run: Run, picture: Picture, style: str) -> Iterator[_Part]:
             yield _Part(float(point[2]), f'<circle {style} cx="{point[0]:.1f}" cy="{point[1]:.1f}" r="3"/>')
 
 
-def _parts(solid: Solid, position: Array, turn: Array, picture: Picture, style: str) -> Iterator[_Part]:
+def _parts(solid: Solid, position: Array, turn: Array, picture: Picture, fill: str | None) -> Iterator[_Part]:
+    style = fill or ""
     points, radius = vertices_of(solid.shape)
     places = position + geometry.rotate(turn, points)
     seen, size = picture.project(places), radius * picture.scale
@@ -113,9 +116,9 @@ def _parts(solid: Solid, position: Array, turn: Array, picture: Picture, style: 
         normal = np.cross(places[face[1]] - places[face[0]], places[face[2]] - places[face[1]])
         if normal @ towards > 1e-3 * np.linalg.norm(normal):
             edges |= dict.fromkeys(tuple(sorted(pair)) for pair in zip(face, face[1:] + face[:1], strict=True))
-            if style:
+            if fill is not None:
                 yield _Part(float(seen[face, 2].mean()), f'<path {style} d="{_path(seen[face])}z"/>')
-    if edges and not style:  # an outline has each edge once, or its dashes would fill each other's gaps
+    if edges and fill is None:  # an outline has each edge once, or its dashes would fill each other's gaps
         yield _Part(0.0, f'<path d="{"".join(_path(seen[list(pair)]) for pair in edges)}"/>')
 
 

@@ -2,16 +2,11 @@
 
 from solutions.avoidance.approach import nearest_approach, time_to_collision
 from solutions.avoidance.directions import limited
+from solutions.avoidance.fields import repelling_force, sphere_force
 from solutions.avoidance.flock import alignment, cohesion, flock_step, separation
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
-from solutions.avoidance.obstacles import (
-    is_in_the_way,
-    repelling_force,
-    sphere_force,
-    steer_around,
-    tangent_point,
-)
+from solutions.avoidance.obstacles import is_in_the_way, steer_around, tangent_point
 from solutions.avoidance.orca import crowd_step, orca_half_plane
 from solutions.avoidance.steering import arrive, flee, seek, steering_force
 

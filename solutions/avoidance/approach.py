@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.avoidance.directions import in_space
-from solutions.checks import not_negative
-
-Array = NDArray[np.float64]
+from solutions.arrays import Array
+from solutions.checks import in_space, not_negative
 
 
 def nearest_approach(

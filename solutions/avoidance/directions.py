@@ -3,16 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.checks import finite, not_negative, vector
-
-Array = NDArray[np.float64]
-
-
-def in_space(name: str, value: ArrayLike) -> Array:
-    """Return vectors (..., 3); refuse other shapes, infinity and NaN."""
-    return finite(name, vector(name, value))
+from solutions.arrays import Array
+from solutions.checks import finite, not_negative
 
 
 def in_plane(name: str, value: ArrayLike) -> Array:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.avoidance.directions import limited
 from solutions.avoidance.neighbours import neighbour_pairs
 from solutions.checks import not_negative, positive
-
-Array = NDArray[np.float64]
 
 
 def separation(position: ArrayLike, first: ArrayLike, second: ArrayLike) -> Array:

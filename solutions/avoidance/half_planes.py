@@ -12,13 +12,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array, Integers
 from solutions.avoidance.directions import in_plane, limited, turned_left, unit_or_zero
 from solutions.checks import UNIT_TOLERANCE, not_negative
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 PARALLEL = 1e-12
 """Sine of the angle below which two borders count as parallel.
 
@@ -101,7 +100,7 @@ def _normals(normal: ArrayLike) -> Array:
     return n
 
 
-def _nearest(wish: Array, speed: Array, normal: Array, bound: Array, far: bool = False) -> tuple[Array, Index]:
+def _nearest(wish: Array, speed: Array, normal: Array, bound: Array, far: bool = False) -> tuple[Array, Integers]:
     """Velocity nearest to the wish, and the first half-plane that cannot be kept.
 
     That half-plane, k of m, cannot be kept together with those before it; the index is
@@ -148,7 +147,7 @@ def _stretch(normal: Array, bound: Array, speed: Array, along: Array, k: int) ->
     return np.maximum(low, -half), np.where(np.any(too_far, axis=-1), -np.inf, np.minimum(high, half))
 
 
-def _least_broken(v: Array, speed: Array, normal: Array, bound: Array, failed: Index) -> Array:
+def _least_broken(v: Array, speed: Array, normal: Array, bound: Array, failed: Integers) -> Array:
     """Velocity whose worst violation b_k − n_k·v is as small as possible.
 
     It starts from a velocity that keeps to all half-planes before `failed`, and takes

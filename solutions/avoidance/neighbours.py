@@ -9,16 +9,15 @@ import math
 from itertools import product
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array, Integers
 from solutions.checks import finite, positive
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 EPSILON = float(np.finfo(float).eps)
 
 
-def neighbour_pairs(position: ArrayLike, radius: float) -> tuple[Index, Index]:
+def neighbour_pairs(position: ArrayLike, radius: float) -> tuple[Integers, Integers]:
     """All pairs of points that are no further apart than a radius, each once (slide 1).
 
     The function does not look at all pairs, so it is fast for many points.
@@ -69,7 +68,7 @@ def _points(position: ArrayLike) -> Array:
     return finite("position", p)
 
 
-def _cells(p: Array, radius: float) -> tuple[Index, list[int]]:
+def _cells(p: Array, radius: float) -> tuple[Integers, list[int]]:
     """Number of each point's cell, and the steps to the rows around it that lie ahead.
 
     A step is added to the number of a cell, and rows ahead have higher numbers. A cell
@@ -87,7 +86,7 @@ def _cells(p: Array, radius: float) -> tuple[Index, list[int]]:
     return np.asarray(stride) @ place, [int(ahead) for ahead in around if ahead > 0]
 
 
-def _closed_up(cell: Array) -> Index:
+def _closed_up(cell: Array) -> Integers:
     """Number the occupied cells of an axis from 1.
 
     Any gap between them counts as one empty cell, however wide it is.
@@ -97,7 +96,7 @@ def _closed_up(cell: Array) -> Index:
     return np.asarray(np.cumsum(steps).astype(np.int64)[back])
 
 
-def _near(p: Array, radius: float, start: Index, stop: Index) -> tuple[Index, Index]:
+def _near(p: Array, radius: float, start: Integers, stop: Integers) -> tuple[Integers, Integers]:
     """Pairs within the radius, of each point with those from its start to its stop."""
     count = np.maximum(stop - start, 0)
     one = np.repeat(np.arange(len(p)), count)

@@ -7,14 +7,13 @@ collision avoidance"). All vectors lie in the plane, (..., 2).
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array, Integers
 from solutions.avoidance.directions import in_plane, turned_left, unit_or_zero
 from solutions.avoidance.half_planes import permitted_velocity
-from solutions.avoidance.neighbours import Index, neighbour_pairs
+from solutions.avoidance.neighbours import neighbour_pairs
 from solutions.checks import not_negative, positive
-
-Array = NDArray[np.float64]
 
 
 def orca_half_plane(
@@ -153,7 +152,7 @@ def _states(position: ArrayLike, velocity: ArrayLike) -> tuple[Array, Array]:
     return p, v
 
 
-def _who_may_meet(p: Array, radius: Array, speed: Array, horizon: float) -> tuple[Index, Index]:
+def _who_may_meet(p: Array, radius: Array, speed: Array, horizon: float) -> tuple[Integers, Integers]:
     """Pairs near enough to touch within the horizon.
 
     The largest radius and the highest speed decide, for two discs that fly straight at
@@ -202,7 +201,7 @@ def _leg_normal(from_centre: Array, towards: Array, reach: Array) -> Array:
     return np.asarray((side * cosine)[..., None] * left - sine[..., None] * ahead)
 
 
-def _in_rows(n: int, owner: Index, *values: Array) -> list[Array]:
+def _in_rows(n: int, owner: Integers, *values: Array) -> list[Array]:
     """Spread values (m, 2) over rows (n, longest, 2) by their owner.
 
     The places in a row that are left over are zero.

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.avoidance.directions import limited, unit_or_zero
 from solutions.checks import not_negative, positive
-
-Array = NDArray[np.float64]
 
 
 def seek(position: ArrayLike, target: ArrayLike, max_speed: ArrayLike) -> Array:

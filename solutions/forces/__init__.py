@@ -17,18 +17,8 @@ from solutions.forces.accumulator import (
     power_by_tag,
     total_force,
 )
-from solutions.forces.drag import (
-    STOKES_LIMIT,
-    StokesRegimeWarning,
-    buoyancy,
-    check_stokes_regime,
-    drag_motion,
-    relaxation_time,
-    reynolds_number,
-    spheroid_drag,
-    stokes_drag,
-    terminal_velocity,
-)
+from solutions.forces.drag import buoyancy, spheroid_drag, stokes_drag
+from solutions.forces.falling import drag_motion, relaxation_time, terminal_velocity, terminal_velocity_corrected
 from solutions.forces.gravity import (
     GRAVITATIONAL_CONSTANT,
     STANDARD_GRAVITY,
@@ -47,13 +37,15 @@ from solutions.forces.integrators import (
     velocity_verlet,
 )
 from solutions.forces.oscillators import damped_oscillator, damping_ratio, friction_oscillator, natural_frequency
-from solutions.forces.shapes import (
+from solutions.forces.reynolds import (
     LARGEST_REYNOLDS,
+    STOKES_LIMIT,
+    StokesRegimeWarning,
+    check_stokes_regime,
     drag_correction,
-    sphere_shape_factor,
-    spheroid_shape_factors,
-    terminal_velocity_corrected,
+    reynolds_number,
 )
+from solutions.forces.shapes import sphere_shape_factor, spheroid_shape_factors
 from solutions.forces.springs import damper_force, spring_damper_force, spring_energy, spring_force
 from solutions.forces.stability import stable_step
 from solutions.forces.wind import sample_field, wind_force

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import positive
 
-Array = NDArray[np.float64]
 Tag = Literal["position", "velocity", "interaction"]
 """What a force depends on, as slide 30 sorts the forces.
 

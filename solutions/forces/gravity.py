@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
 
-Array = NDArray[np.float64]
 GRAVITATIONAL_CONSTANT = 6.67430e-11
 """G, m³/(kg s²), CODATA 2018; its relative uncertainty is 2.2e-5."""
 STANDARD_GRAVITY = 9.80665

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from solutions.arrays import Array
+
 Acceleration = ArrayLike | Callable[[Array, Array], ArrayLike]
 """A constant acceleration (..., 3), m/s², or a function that returns it.
 

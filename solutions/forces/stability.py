@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive
-
-Array = NDArray[np.float64]
 
 
 def stable_step(

@@ -6,11 +6,11 @@ The field is sampled at the position of the body.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import not_negative, positive, vector
 
-Array = NDArray[np.float64]
 _CORNERS = np.array(list(np.ndindex(2, 2, 2)))
 
 

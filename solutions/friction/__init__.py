@@ -5,21 +5,10 @@ The package covers dry friction, friction in an impact, and contacts that rest.
 
 from solutions.friction.complementarity import complementarity_residual, solve_by_pivots, solve_by_sweeps
 from solutions.friction.cone import clamp_to_circle, clamp_to_square
-from solutions.friction.contacts import (
-    contact_jacobian,
-    inverse_mass_matrix,
-    resting_problem,
-    sequential_impulses,
-)
+from solutions.friction.contacts import contact_jacobian, inverse_mass_matrix, resting_problem, sequential_impulses
 from solutions.friction.cradle import propagate_impacts, simultaneous_impacts
 from solutions.friction.dry import friction_force, holds, sliding_motion
-from solutions.friction.impact import (
-    friction_impulse,
-    impact_energy,
-    point_inverse_mass,
-    sphere_grips,
-    sphere_impact,
-)
+from solutions.friction.impact import friction_impulse, impact_energy, point_inverse_mass, sphere_grips, sphere_impact
 from solutions.friction.support import (
     along_surface,
     apparent_force,

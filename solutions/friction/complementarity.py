@@ -6,11 +6,11 @@ The problem is to find f with A f + b ≥ 0, f ≥ 0 and f·(A f + b) = 0.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative
 
-Array = NDArray[np.float64]
 ROUNDING = 1e-10
 """Share of the largest number below which a number of Lemke's table counts as zero.
 

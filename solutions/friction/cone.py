@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import not_negative, unit, vector
 
-Array = NDArray[np.float64]
 SQUARE_TOLERANCE = 1e-6
 """How far the cosine of two axes at right angles may be from 0.
 

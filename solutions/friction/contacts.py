@@ -8,10 +8,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array
 from solutions.checks import finite, matrix, not_negative, unit, vector
 from solutions.friction.cone import clamp_to_circle
-
-Array = NDArray[np.float64]
 
 
 def contact_jacobian(

@@ -6,12 +6,11 @@ The result depends on whether the impacts follow one another or happen together.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, positive
 from solutions.friction.complementarity import solve_by_pivots
-
-Array = NDArray[np.float64]
 
 
 def propagate_impacts(

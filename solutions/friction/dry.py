@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
-
-Array = NDArray[np.float64]
 
 
 def holds(

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array, Booleans
 from solutions.checks import finite, in_unit_interval, matrix, not_negative, positive, unit, vector
 from solutions.friction.support import along_surface
 
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 SINGULAR = 1e-12
 """Share of the product of its rows' lengths below which det K counts as zero.
 
@@ -163,7 +162,7 @@ def sphere_grips(
     approach_speed: ArrayLike,
     restitution: ArrayLike,
     friction: ArrayLike,
-) -> Bools:
+) -> Booleans:
     """Whether a solid sphere grips the floor in an impact.
 
     Parameters

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
 from solutions.friction.dry import holds
-
-Array = NDArray[np.float64]
 
 
 def apparent_force(

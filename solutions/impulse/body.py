@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, matrix, not_negative, vector
 
-Array = NDArray[np.float64]
 ROUNDING = 1e-12
 """How far the diagonal of an inverse inertia may be below zero.
 

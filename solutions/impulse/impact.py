@@ -7,14 +7,14 @@ them.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, unit, vector
 from solutions.impulse.body import AnyBody, Arrays, checked, moved
 from solutions.impulse.momentum import contact_impulses
 from solutions.impulse.points import COLLIDING, classify_contact, normal_velocity, point_velocity
 
-Array = NDArray[np.float64]
 NO_LEVER = 1e-15
 """Sine of the angle between arm and normal up to which r × n counts as zero.
 

@@ -6,11 +6,10 @@ They say how hard a body is to turn.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
-
-Array = NDArray[np.float64]
 
 
 def sphere_inertia(mass: ArrayLike, radius: ArrayLike) -> Array:

@@ -7,11 +7,10 @@ L.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, matrix, not_negative, positive, unit, vector
-
-Array = NDArray[np.float64]
 
 
 def impulse_of_force(force: ArrayLike, time: ArrayLike) -> Array:

@@ -6,11 +6,11 @@ It is the normal of a face, or the direction across two edges.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import finite, vector
 
-Array = NDArray[np.float64]
 PARALLEL = 1e-9
 """Sine of the angle between two edges up to which they count as parallel.
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, not_negative, unit, vector
 
-Array = NDArray[np.float64]
 COLLIDING, RESTING, SEPARATING = -1, 0, 1
 """Results of `classify_contact`.
 

@@ -1,21 +1,14 @@
 """Spring meshes: what makes them up, how they move, where they rest (slide 28)."""
 
 from solutions.meshes.contact import mesh_plane_contact, mesh_sphere_contact
+from solutions.meshes.grids import cloth, lattice
+from solutions.meshes.matrices import edge_damping, edge_stiffness, mesh_matrix, mesh_product
+from solutions.meshes.mesh import SpringMesh, pin, spring_mesh
 from solutions.meshes.shape import limit_strain, static_shape
-from solutions.meshes.springs import (
-    edge_damping,
-    edge_directions,
-    edge_stiffness,
-    edge_strain,
-    mesh_energy,
-    mesh_forces,
-    mesh_matrix,
-    mesh_product,
-)
+from solutions.meshes.springs import edge_directions, edge_strain, mesh_energy, mesh_forces
 from solutions.meshes.stability import largest_eigenvalue, stable_timestep, timestep_bound, zero_energy_modes
-from solutions.meshes.stepping import amplitude_kept, conjugate_gradient, implicit_mesh_step, mesh_step
+from solutions.meshes.steps import amplitude_kept, conjugate_gradient, implicit_mesh_step, mesh_step
 from solutions.meshes.surface import bend_edges, surface_edges
-from solutions.meshes.topology import SpringMesh, cloth, lattice, pin, spring_mesh
 
 __all__ = [
     "SpringMesh",

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import in_unit_interval, not_negative, positive
 from solutions.detection import is_colliding, signed_distance
+from solutions.meshes.mesh import SpringMesh
 from solutions.meshes.springs import node_vectors
-from solutions.meshes.topology import Array, SpringMesh
 from solutions.response import kinematic_response
 
 UP = (0.0, 0.0, 1.0)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array
 from solutions.checks import not_negative
+from solutions.meshes.mesh import SpringMesh
 from solutions.meshes.springs import edge_directions, finite_vectors, mesh_forces, node_vectors, onto_nodes
-from solutions.meshes.topology import Array, SpringMesh
 
 ROUNDING = 1e-12
 """The share of a length that counts as rounding."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.meshes.springs import edge_damping, edge_stiffness, finite_vectors, mesh_matrix, mesh_product
-from solutions.meshes.topology import Array, SpringMesh
+from solutions.arrays import Array
+from solutions.meshes.matrices import dot, edge_damping, edge_stiffness, mesh_matrix, mesh_product
+from solutions.meshes.mesh import SpringMesh
+from solutions.meshes.springs import finite_vectors
 
 SEED = 28
 """Seed of the random vector from which a power iteration starts.
@@ -109,7 +111,7 @@ def largest_eigenvalue(
     x = _start(p.shape)
     for _ in range(max(1, iterations)):
         onto = scale * mesh_product(mesh, blocks, scale * x)
-        quotient = _dot(x, onto)
+        quotient = dot(x, onto)
         if np.all(_length(onto - quotient * x) <= tolerance * quotient):
             break
         x = onto / _not_zero(_length(onto))
@@ -171,7 +173,7 @@ def stable_timestep(
     x = _start(p.shape)
     for _ in range(max(1, iterations)):
         kx, cx = (scale * mesh_product(mesh, blocks, scale * x) for blocks in (stiffness, damping))
-        k, c = _dot(x, kx), _dot(x, cx)
+        k, c = dot(x, kx), dot(x, cx)
         dt = _quotient(4.0, c + np.sqrt(c * c + 4 * k))
         step = np.where(np.isinf(dt), 0.0, dt)
         onto = step * (step * kx + 2 * cx)
@@ -222,13 +224,8 @@ def _start(shape: tuple[int, ...]) -> Array:
     return np.broadcast_to(x / _length(x), shape)
 
 
-def _dot(a: Array, b: Array) -> Array:
-    """Scalar product over all nodes, (..., 1, 1)."""
-    return np.asarray(np.sum(a * b, axis=(-2, -1), keepdims=True))
-
-
 def _length(x: Array) -> Array:
-    return np.sqrt(_dot(x, x))
+    return np.sqrt(dot(x, x))
 
 
 def _not_zero(value: Array) -> Array:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solutions.meshes.topology import Integers
+from solutions.arrays import Integers
 
 
 def surface_edges(triangles: ArrayLike) -> Integers:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array, Integers
 from solutions.checks import finite, not_negative, vector
-from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, face_planes, size_of
+from solutions.polyhedra.surface import blocks, checked_mesh, face_planes, size_of
 
 FLAT = 1e-9
 """How far a vertex of a convex solid may be in front of a face, as a share of its size.

@@ -9,9 +9,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array, Integers
 from solutions.checks import finite, vector
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
-from solutions.polyhedra.surface import Array, Integers, blocks, checked_mesh, directed_edges, same_places
+from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, same_places
 
 
 def inside_by_parity(

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from solutions.arrays import Array
 from solutions.checks import finite
 
-Array = NDArray[np.float64]
 Sign = NDArray[np.int64]
 Numbers = NDArray[Any]
 """Floats, or Python's integers, which have as many digits as it takes."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite, vector
+from solutions.arrays import Array
+from solutions.checks import finite, matrix, vector
 from solutions.detection import signed_distance
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
-from solutions.polyhedra.surface import Array
 
 ROUNDING = 1e-15
 """Share of the largest coordinate within which a point counts as on a side.
@@ -166,9 +166,7 @@ def segment_meets_triangle(
 
 def _checked(start: ArrayLike, end: ArrayLike, triangle: ArrayLike) -> tuple[Array, Array, Array]:
     p, q = finite("start", vector("start", start)), finite("end", vector("end", end))
-    corners = finite("triangle", triangle)
-    if corners.shape[-2:] != (3, 3):
-        raise ValueError(f"triangle must have shape (..., 3, 3), not {corners.shape}")
+    corners = matrix("triangle", triangle)
     shape = np.broadcast_shapes(p.shape[:-1], q.shape[:-1], corners.shape[:-2])
     return (
         np.broadcast_to(p, (*shape, 3)),

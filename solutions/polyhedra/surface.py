@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array, Integers
 from solutions.checks import finite
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 PAIRS = 1 << 16
 """How many pairs, as of points and faces, are looked at in one go.
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from solutions.arrays import Array
 from solutions.checks import in_unit_interval, unit, vector
-
-Array = NDArray[np.float64]
 
 
 def kinematic_response(

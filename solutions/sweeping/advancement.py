@@ -14,11 +14,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import positive
-from solutions.sweeping.motion import extent, in_space, motion_bound, rotated
+from solutions.arrays import Array
+from solutions.checks import in_space, positive
+from solutions.sweeping.motion import extent, motion_bound, rotated
 from solutions.sweeping.nearest import point_set, separation_of_hulls
 
-Array = NDArray[np.float64]
 Pairs = NDArray[np.int64]
 Look = Callable[[Pairs, Array], tuple[Array, Array]]
 """A function of the numbers of some pairs, and of a time for each of them.

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import not_negative
-from solutions.sweeping.motion import extent, in_space, relative_motion
+from solutions.arrays import Array
+from solutions.checks import in_space, not_negative
+from solutions.sweeping.motion import extent, relative_motion
 from solutions.sweeping.rays import in_all, ray_box, time_between
 
-Array = NDArray[np.float64]
 PARALLEL = 1e-6
 """Sine of the angle below which two edges count as parallel.
 

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.checks import positive
+from solutions.arrays import Array
+from solutions.checks import in_space, positive
 from solutions.sweeping.advancement import TOLERANCE, Pairs, advance, flat, free_time
-from solutions.sweeping.motion import in_space
 from solutions.sweeping.nearest import nearest_on_triangle, triangles
-
-Array = NDArray[np.float64]
 
 
 def vertex_face_impact(

@@ -3,22 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.checks import finite, not_negative, unit, vector
-
-Array = NDArray[np.float64]
-
-
-def in_space(name: str, value: ArrayLike) -> Array:
-    """Return vectors (..., 3).
-
-    Raises
-    ------
-    ValueError
-        If one is not finite or does not have three components.
-    """
-    return finite(name, vector(name, value))
+from solutions.arrays import Array
+from solutions.checks import finite, in_space, not_negative, unit, vector
 
 
 def extent(name: str, value: ArrayLike) -> Array:

@@ -6,11 +6,11 @@ They belong to the point of the difference that is nearest to the origin.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.sweeping.motion import in_space
+from solutions.arrays import Array
+from solutions.checks import in_space
 
-Array = NDArray[np.float64]
 ROUNDS = 60
 """Largest number of rounds; boxes take about ten.
 

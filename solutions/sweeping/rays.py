@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from solutions.sweeping.motion import extent, in_space
-
-Array = NDArray[np.float64]
+from solutions.arrays import Array
+from solutions.checks import in_space
+from solutions.sweeping.motion import extent
 
 
 def ray_sphere(origin: ArrayLike, direction: ArrayLike, radius: ArrayLike) -> Array:

@@ -5,13 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from solutions.checks import finite
+from solutions.arrays import Array
+from solutions.checks import finite, in_space
 from solutions.detection import signed_distance
-from solutions.sweeping.motion import extent, in_space, relative_motion, within
+from solutions.sweeping.motion import extent, relative_motion, within
 from solutions.sweeping.nearest import nearest_on_triangle, triangles
 from solutions.sweeping.rays import ray_capsule, ray_sphere
-
-Array = NDArray[np.float64]
 
 
 def sweep_sphere_sphere(

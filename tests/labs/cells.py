@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
-CHECKS = (ROOT / "solutions" / "checks.py").read_text(encoding="utf-8")
-DETECTION = (ROOT / "solutions" / "detection.py").read_text(encoding="utf-8")
+SOLUTIONS = Path(__file__).parents[2] / "solutions"
+CELLS = (("arrays", "checks"), ("detection/planes", "detection/time_of_impact", "detection/sampling"))
+"""The modules of each cell: what is given, and what is written."""
+OURS = re.compile(r"^from (solutions|__future__)[\w.]* import .*\n", re.MULTILINE)
 STUB = """
 def signed_distance(point, normal, offset):
     \"\"\"Distance.\"\"\"
@@ -17,8 +19,8 @@ def signed_distance(point, normal, offset):
 
 def right_cells():
     """The solutions as the cells of a notebook that imports nothing of ours."""
-    imports = "from solutions.checks import finite, not_negative, positive, vector"
-    return [text.replace(imports, "").replace("from __future__ import annotations", "") for text in (CHECKS, DETECTION)]
+    texts = [[(SOLUTIONS / f"{name}.py").read_text(encoding="utf-8") for name in modules] for modules in CELLS]
+    return [OURS.sub("", "\n".join(text)) for text in texts]
 
 
 def said(capsys, call, *arguments, **named):

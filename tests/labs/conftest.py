@@ -1,11 +1,18 @@
-"""The desk of a notebook, with cells in the place of a kernel's."""
+"""What tests of the labs share: the desk of a notebook, a grader, one worker, and a machine without engines."""
 
 from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
 from labs import notebook
 from labs.desk import student_code
+from labs.grading.calling.remote import Grader
+from labs.grading.judging import pytest_run
 from reference.engines import engine_names, load_engine
 from reference.running.availability import absent
 from reference.running.isolate import stop_workers
@@ -32,18 +39,51 @@ def lab(cells, monkeypatch, tmp_path):
         desk._grader.close()
 
 
+@pytest.fixture(scope="module")
+def grader() -> Iterator[Grader]:
+    """A grader that the tests of a file share: starting one takes longer than most checks."""
+    with Grader() as found:
+        yield found
+
+
 @pytest.fixture
-def no_engine(tmp_path_factory, monkeypatch):
-    """None can be imported, neither here nor in a worker."""
+def one_grader(grader, monkeypatch) -> None:
+    """Let whatever is checked or graded during a test use the file's grader, which stays open."""
+    monkeypatch.setattr(pytest_run, "Grader", lambda: contextlib.nullcontext(grader))
+
+
+@pytest.fixture
+def one_worker(monkeypatch) -> None:
+    """Let one worker process do all runs: a second one takes longer to start than the runs of a test take."""
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)
+
+
+@contextlib.contextmanager
+def engines_missing(folder: Path) -> Iterator[None]:
+    """Let none be imported, neither here nor in a worker."""
 
     def forget() -> None:
         stop_workers()  # those that are idle have imported them already
         absent.cache_clear()
 
-    folder = tmp_path_factory.mktemp("blocked")
     for package in filter(None, (load_engine(name).package for name in engine_names())):
         (folder / f"{package}.py").write_text("raise ImportError('not today')\n", encoding="utf-8")
-    monkeypatch.syspath_prepend(str(folder))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(str(folder))
+        forget()
+        yield
     forget()
-    yield
-    forget()
+
+
+@pytest.fixture
+def no_engine(tmp_path_factory):
+    """No engine can be imported during this test."""
+    with engines_missing(tmp_path_factory.mktemp("blocked")):
+        yield
+
+
+@pytest.fixture(scope="module")
+def no_engine_here(tmp_path_factory):
+    """No engine can be imported during any test of this file, all of which share their workers."""
+    with engines_missing(tmp_path_factory.mktemp("blocked")):
+        yield

@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
-from reference.published import Figure, published
-from reference.published.judging import PublishedRow, compare_published
+from reference.published.case import Figure
+from reference.published.judging import compare_published
+from reference.published.results import PublishedRow
+from reference.published.theirs import published
 
 
 @pytest.fixture
 def judged() -> Callable[..., tuple[PublishedRow, ...]]:
     """Answer a case by hand, with parts of its set-up changed, and return its rows."""
 
-    def found(name: str, **changed: Figure) -> tuple[PublishedRow, ...]:
-        case = published(name)
-        rows, _ = compare_published(replace(case, setup={**case.setup, **changed}), load_engine("handwritten"))
-        return rows
+    return _by_hand
 
-    return found
+
+@functools.cache
+def _by_hand(name: str, **changed: Figure) -> tuple[PublishedRow, ...]:
+    case = published(name)
+    rows, _ = compare_published(replace(case, setup={**case.setup, **changed}), load_engine("handwritten"))
+    return rows
 
 
 @pytest.fixture

@@ -6,12 +6,12 @@ import math
 
 import pytest
 
-from reference.published import published
+from reference.published.theirs import published
 from solutions.response import bounce_along_normal
 
 
 @pytest.mark.statement(6, oracle="P1: ODE and Bullet as published by SimBenchmark")
-def test_p1_balls_answered_at_the_step_gain_and_lose_the_energy_that_two_engines_do(as_published):
+def test_p1_balls_resolved_at_the_step_change_energy_as_two_engines_do(as_published):
     as_published("P1")
 
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from reference.published import published
+from reference.published.theirs import published
 from solutions.polyhedra import orient2d
 
 

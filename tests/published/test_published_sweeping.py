@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from reference.published import published
+from reference.published.theirs import published
 from solutions.sweeping import sweep_boxes
 
 
@@ -15,7 +15,7 @@ def test_segments_boxes_and_rays_meet_as_in_box2d(as_published):
 @pytest.mark.statement(10, oracle="Box2D's unit test of the time of impact")
 def test_the_slabs_of_a_segment_swept_into_a_box_meet_when_box2d_says():
     case = published("P19")
-    half, still = case.values("box_half_extents"), np.zeros(3)
+    half, still = case.numbers("box_half_extents"), np.zeros(3)
     place, way = case.values("segment_place", "segment_way")
     slabs, _ = sweep_boxes([place, 0, 0], [way, 0, 0], [0, half[1], 0], still, still, [*half, 0], 1.0)
     assert slabs == case.expected["time_of_impact"]

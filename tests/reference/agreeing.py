@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from reference.comparison.compare import Row
 from reference.comparison.curves import NEAR, Series
+from reference.comparison.verdicts import Row
 
 
 def same(now: Row, then: Row) -> None:

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import functools
 import math
+from dataclasses import replace
 
 import pytest
 
+from reference.catalogue.case import Case
 from reference.catalogue.scenarios import catalogue
-from reference.catalogue.scenarios.response import DROPS, SPREAD
-from reference.comparison.compare import Row
+from reference.catalogue.scenarios.bouncing_ball import DROPS, SPREAD
+from reference.comparison.compare import compare_case
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row
+from reference.engines import load_engine
 from reference.running.study import run_job
 
 G = 9.81  # m/s²
@@ -19,11 +23,14 @@ SPEED = math.sqrt(2 * G)  # m/s: after 1 m
 # The mean of v/h = 2/t over fall times that spread evenly around that of 1 m, 1/s, by integration.
 MEAN_SPEED = 2 / SPREAD * math.log((FALL + SPREAD / 2) / (FALL - SPREAD / 2))
 ROLLING = tuple(case.name for case in catalogue()["sliding-ball"].cases)
+SOME_ROLLING = ("μ=0.1,v=2", "μ=0.6,v=5")
 SLIDES = tuple(case.name for case in catalogue()["sliding-slab"].cases)
 SLOPES = tuple(case.name for case in catalogue()["incline"].cases)
 BOUNCES = tuple(case.name for case in catalogue()["dropped-ball"].cases)
-SOME_SLIDES = ("μ=0.1,v=5", "μ=0.4,v=2,heading=30°", "μ=0.7,v=1")  # the longest, the turned one, the shortest
-NEAREST_SLOPES = ("μ=0.1,θ=3°", "μ=0.1,θ=10°", "μ=0.7,θ=30°", "μ=0.7,θ=40°", "μ=1,θ=40°")  # tan θ closest to μ
+SOME_SLIDES = ("μ=0.4,v=2,heading=30°", "μ=0.7,v=1")  # the turned one, the shortest
+NEAREST_SLOPES = ("μ=0.1,θ=10°", "μ=1,θ=40°")  # of those that slide and those that hold, one with tan θ close to μ
+CORNERS = tuple(case.name for case in catalogue()["corner"].cases)
+SOME_CORNERS = ("e=0.5", "e=0.8,later=0.0005", "e=0.5,later=0.02")  # both planes at once, half a step apart, and later
 TIMESTEP = {"pybullet": 1e-3, "mujoco": 1e-4}
 engines = pytest.mark.parametrize("name", ["pybullet", "mujoco"])
 all_three = pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco"])
@@ -44,6 +51,19 @@ def job(family: str, engine: str, profile: str, case: str, studies: bool = False
 def row(family: str, engine: str, profile: str, case: str, quantity: str, **changes: float) -> Row:
     rows = job(family, engine, profile, case, **changes).rows
     return next(found for found in rows if found.quantity == quantity)
+
+
+def tenth_of_drops(case: str) -> Case:
+    """Every tenth drop of a case: enough where what is asked is coarser than a step's share of the mean."""
+    whole = catalogue()["dropped-ball"].case(case)
+    return replace(whole, scenarios=whole.scenarios[::10])
+
+
+def rebound_of_a_tenth(engine: str, profile: str, case: str, **changes: float) -> Row:
+    few, found = tenth_of_drops(case), load_engine(engine)
+    settings = found.settings(few.scenarios[0], profile).change(**changes)
+    rows, _ = compare_case(catalogue()["dropped-ball"], few, found, profile, settings)
+    return next(row for row in rows if row.quantity == "rebound")
 
 
 def restitution(case: str) -> float:

@@ -7,8 +7,8 @@ import base64
 import numpy as np
 
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
-from reference.viewer.assembly import clip, mesh_clip
 from reference.viewer.clip import Clip
+from reference.viewer.clip_making import clip, mesh_clip
 from reference.viewer.poses import Poses
 
 GRAVITY, RATE, KEPT, HEIGHT = 9.81, 60, 0.5, 1.0

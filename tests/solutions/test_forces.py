@@ -47,7 +47,7 @@ def test_the_flight_is_the_parabola_of_exact_arithmetic(p, v, a, dt):
         assert velocity[axis] == pytest.approx(float(u + b * t), abs=1e-14)  # terms up to 50 m/s
 
 
-def test_a_ball_thrown_up_at_g_metres_a_second_is_back_after_two_seconds_with_its_speed_reversed():
+def test_a_ball_thrown_up_at_g_metres_a_second_returns_after_two_seconds():
     position, velocity = ballistic_motion((1.0, 0.0, 0.0), (3.0, 0.0, 10.0), (0.0, 0.0, -10.0), 2.0)
     assert position.tolist() == [7.0, 0.0, 0.0]
     assert velocity.tolist() == [3.0, 0.0, -10.0]
@@ -108,7 +108,7 @@ def test_a_step_moves_with_the_velocity_at_its_end():
 
 
 @given(VECTOR, VECTOR, VECTOR, st.floats(1e-3, 0.1), st.integers(1, 40))
-def test_after_n_steps_it_is_half_a_step_of_acceleration_ahead_of_the_parabola(p, v, a, dt, count):
+def test_semi_implicit_euler_ends_half_a_step_of_acceleration_too_far(p, v, a, dt, count):
     position, velocity = p, v
     for _ in range(count):
         position, velocity = semi_implicit_euler(position, velocity, a, dt)
@@ -123,11 +123,11 @@ def test_an_oscillator_neither_gains_nor_loses_energy_in_the_long_run():
     # With p″ = −p the step keeps p² + v² − dt p v exactly, so p² + v² stays within (1 + dt/2)/(1 − dt/2) of its start.
     dt, position, velocity = 0.1, np.array([1.0, 0.0, 0.0]), np.zeros(3)
     energies, kept = [], []
-    for _ in range(10_000):
+    for _ in range(3_000):
         position, velocity = semi_implicit_euler(position, velocity, -position, dt)
         energies.append(position @ position + velocity @ velocity)
         kept.append(position @ position + velocity @ velocity - dt * position @ velocity)
-    assert kept == pytest.approx(np.ones(10_000), abs=1e-11)  # 1e4 steps, each rounded by some 1e-16
+    assert kept == pytest.approx(np.ones(3_000), abs=1e-11)  # each step is rounded by some 1e-16
     assert max(energies) <= (1 + dt / 2) / (1 - dt / 2)
     assert min(energies) >= (1 - dt / 2) / (1 + dt / 2)
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.forces import (
@@ -50,7 +51,7 @@ def test_drag_is_six_pi_eta_r_v_against_the_motion_through_the_fluid():
 
 
 @given(VECTOR, VECTOR, POSITIVE, POSITIVE)
-def test_a_body_that_drifts_with_the_fluid_feels_no_drag_and_any_other_loses_energy_to_it(v, u, viscosity, factor):
+def test_a_body_feels_no_drag_only_when_it_drifts_with_the_fluid(v, u, viscosity, factor):
     assert not stokes_drag(u, u, viscosity, factor).any()
     assert stokes_drag(v, u, viscosity, factor) @ (v - u) <= 0
 
@@ -81,7 +82,7 @@ def test_the_reynolds_number_compares_inertia_with_viscosity():
 
 @pytest.mark.statement(26, oracle="fluids: Reynolds")
 def test_the_reynolds_number_is_that_of_the_package_fluids():
-    fluids = pytest.importorskip("fluids")
+    fluids = oracle("fluids")
     rng = np.random.default_rng(RNG_SEED)
     for v, radius, rho, eta in rng.uniform(0.1, 10, size=(20, 4)):
         theirs = fluids.Reynolds(V=v, D=2 * radius, rho=rho, mu=eta)
@@ -127,7 +128,7 @@ def test_the_warning_points_at_the_line_that_called_the_drag():
 @pytest.mark.statement(26, oracle="scipy brentq on the balance of weight, buoyancy and drag")
 @pytest.mark.parametrize("density", [2600.0, 900.0])
 def test_at_the_terminal_velocity_weight_buoyancy_and_drag_cancel(density):
-    optimize = pytest.importorskip("scipy.optimize")
+    optimize = oracle("scipy.optimize")
     radius, fluid, viscosity, volume = 1e-4, 1000.0, 0.05, 4 / 3 * math.pi * 1e-12
 
     def net(v):
@@ -160,7 +161,7 @@ def test_by_the_slide_a_bubble_sinks():
 
 @pytest.mark.statement(26, oracle="fluids: v_terminal by Stokes")
 def test_the_terminal_speed_is_that_of_the_package_fluids():
-    fluids = pytest.importorskip("fluids")
+    fluids = oracle("fluids")
     theirs = fluids.v_terminal(D=2e-5, rhop=2600.0, rho=1000.0, mu=1e-3, Method="Stokes")
     gravity = (0, 0, -9.80665)
     assert np.linalg.norm(terminal_velocity(1e-5, 2600.0, 1000.0, 1e-3, gravity)) == pytest.approx(
@@ -179,7 +180,7 @@ def test_a_fall_that_is_too_fast_for_stokes_warns_and_so_does_a_rise(density):
 @pytest.mark.statement(26, oracle="scipy solve_ivp DOP853")
 @pytest.mark.parametrize("wind", [STILL, np.array([1.0, -2.0, 0.5])])
 def test_the_motion_in_closed_form_is_what_the_forces_integrate_to(wind):
-    integrate = pytest.importorskip("scipy.integrate")
+    integrate = oracle("scipy.integrate")
     radius, density, fluid, viscosity = 1e-4, 2600.0, 1000.0, 0.05
     mass, factor = density * 4 / 3 * math.pi * radius**3, sphere_shape_factor(radius)
     constant = uniform_gravity(mass, DOWN) + buoyancy(mass / density, fluid, DOWN)
@@ -196,7 +197,7 @@ def test_the_motion_in_closed_form_is_what_the_forces_integrate_to(wind):
     assert v == pytest.approx(found.y[3:, -1], abs=1e-10)  # rtol over some dozens of steps
 
 
-def test_a_fall_from_rest_has_63_percent_of_its_speed_after_one_relaxation_time():
+def test_a_fall_reaches_63_percent_of_its_speed_in_one_relaxation_time():
     _, v = drag_motion(STILL, STILL, (0, 0, -2.0), 3.0, 3.0)
     assert v[2] == pytest.approx(-2 * (1 - math.exp(-1)), rel=1e-15, abs=0)
 
@@ -222,7 +223,7 @@ def test_a_fall_much_shorter_than_the_relaxation_time_is_free():
 
 @pytest.mark.statement(26, oracle="fluids: Clift")
 def test_the_drag_of_a_sphere_is_the_fit_of_clift_grace_and_weber():
-    drag = pytest.importorskip("fluids.drag")
+    drag = oracle("fluids.drag")
     # From 0.01 on: below, the package adds 3/16 to C_D where Oseen has 3/16 of 24
     reynolds = np.geomspace(0.011, 3.3e5, 400)
     theirs = np.array([drag.Clift(re) * re / 24 for re in reynolds])
@@ -253,13 +254,13 @@ def test_nothing_is_claimed_about_a_flow_that_has_turned_turbulent():
 @pytest.mark.statement(26, oracle="fluids: v_terminal by Clift")
 @pytest.mark.parametrize("radius", [3.5e-5, 5e-4, 5e-3])
 def test_a_fall_with_the_measured_drag_is_that_of_the_package_fluids(radius):
-    fluids = pytest.importorskip("fluids")
+    fluids = oracle("fluids")
     theirs = fluids.v_terminal(D=2 * radius, rhop=2600.0, rho=1000.0, mu=1e-3, Method="Clift")
     ours = terminal_velocity_corrected(radius, 2600.0, 1000.0, 1e-3, (0, -9.80665, 0))
     assert ours[1] == pytest.approx(-theirs, rel=1e-9, abs=0)  # the package solves to 1e-10 or so
 
 
-def test_the_corrected_fall_is_stokes_for_a_creeping_one_and_keeps_its_direction():
+def test_the_corrected_fall_of_a_creeping_sphere_is_the_stokes_fall():
     arguments = ([1e-6, 1e-6, 1e-6], [2000.0, 1000.0, 0.0], 1000.0, 1e-2, DOWN)
     # 3/16 of a Reynolds number of 4e-8
     assert terminal_velocity_corrected(*arguments) == pytest.approx(terminal_velocity(*arguments), rel=1e-7, abs=0)
@@ -309,7 +310,7 @@ def test_series_and_closed_form_of_the_shape_factors_meet(m):
 
 def check_against_carlson(a, b):
     """Oberbeck 1876: K_i = 16π/(χ + a_i² α_i), with the integrals χ = 2 R_F and α_i = 2/3 R_D of the squared axes."""
-    special = pytest.importorskip("scipy.special")
+    special = oracle("scipy.special")
     chi = 2 * special.elliprf(a * a, b * b, b * b)
     along = 2 / 3 * a * a * special.elliprd(b * b, b * b, a * a)
     across = 2 / 3 * b * b * special.elliprd(a * a, b * b, b * b)
@@ -334,7 +335,7 @@ def test_a_needle_is_half_as_hard_to_move_lengthwise_as_broadside():
 
 
 @given(RATIO, POSITIVE, POSITIVE)
-def test_the_shape_factor_grows_in_proportion_to_the_size_and_with_either_axis(ratio, across, factor):
+def test_the_shape_factor_is_proportional_to_the_size_of_the_spheroid(ratio, across, factor):
     factors = spheroid_shape_factors(ratio * across, across)
     scaled = spheroid_shape_factors(ratio * across * factor, across * factor)
     assert scaled == pytest.approx(factor * factors, rel=1e-12, abs=0)  # (a − b)(a + b) near a sphere
@@ -363,7 +364,7 @@ def test_drag_along_and_across_the_axis_has_its_own_factor(v, u, axis, ratio):
 
 
 @given(VECTOR, AXIS)
-def test_a_spheroid_with_equal_axes_has_the_drag_of_a_sphere_whichever_way_it_points(v, axis):
+def test_a_spheroid_with_equal_axes_has_the_drag_of_a_sphere(v, axis):
     drag = spheroid_drag(v, STILL, 2.0, spheroid_shape_factors(0.5, 0.5), axis)
     assert drag == pytest.approx(stokes_drag(v, STILL, 2.0, sphere_shape_factor(0.5)), abs=1e-12)  # up to 600 N
 
@@ -396,7 +397,7 @@ def test_a_wind_that_is_linear_in_space_is_sampled_exactly(x):
 
 @pytest.mark.statement(30, oracle="scipy: RegularGridInterpolator")
 def test_any_wind_is_sampled_as_by_scipys_interpolator():
-    interpolate = pytest.importorskip("scipy.interpolate")
+    interpolate = oracle("scipy.interpolate")
     rng = np.random.default_rng(RNG_SEED)
     field, x = rng.normal(size=(4, 5, 3, 3)), rng.uniform(0, 1, size=(50, 3)) * [3, 4, 2]
     theirs = interpolate.RegularGridInterpolator((range(4), range(5), range(3)), field)(x)

@@ -35,7 +35,7 @@ def fluid_force(installed):
 
 
 @pytest.mark.statement(26, oracle="mujoco: the ellipsoid model of a sphere")
-def test_mujocos_ellipsoid_model_of_a_sphere_is_stokes_drag_relative_to_the_wind(fluid_force):
+def test_mujocos_ellipsoid_model_of_a_sphere_is_stokes_drag_in_wind(fluid_force):
     rng = np.random.default_rng(2)
     for _ in range(5):
         v, wind = rng.normal(size=(2, 3))
@@ -44,7 +44,7 @@ def test_mujocos_ellipsoid_model_of_a_sphere_is_stokes_drag_relative_to_the_wind
         assert fluid_force("ellipsoid", (0.1, 0.1, 0.1), v, wind) == pytest.approx(ours, rel=1e-12, abs=0)
 
 
-def test_mujocos_box_model_gives_a_sphere_the_drag_of_a_box_with_the_same_inertia_which_is_too_little(fluid_force):
+def test_mujocos_box_model_gives_a_sphere_too_little_drag(fluid_force):
     v = (1.0, -2.0, 0.5)
     ours = stokes_drag(v, STILL, VISCOSITY, sphere_shape_factor(0.1))
     # 2/5 r² = 2/3 h² for a cube with the half side h; the model takes h for the radius: √(3/5), 22.5 % too little
@@ -59,7 +59,7 @@ def test_mujocos_box_model_gives_a_sphere_the_drag_of_a_box_with_the_same_inerti
         (0.1, 0.4, (-13.5, 9.9)),
     ],
 )
-def test_mujocos_ellipsoid_model_knows_no_direction_where_a_real_spheroid_does(fluid_force, along, across, excess):
+def test_mujocos_ellipsoid_drag_ignores_the_direction_of_a_spheroid(fluid_force, along, across, excess):
     factors = VISCOSITY * spheroid_shape_factors(along, across)
     axes = (across, across, along)
     theirs = -np.array([fluid_force("ellipsoid", axes, (0, 0, 1))[2], fluid_force("ellipsoid", axes, (1, 0, 0))[0]])

@@ -63,7 +63,7 @@ def test_what_is_no_number_is_neither_held_nor_at_rest_but_refused():
             call()
 
 
-def test_less_static_than_kinetic_friction_would_drive_a_body_back_against_its_push():
+def test_static_friction_below_kinetic_friction_is_refused():
     # 3 N break it away from 0.2 × 10 N, and 0.5 × 10 N would win over them
     with pytest.raises(ValueError, match=r"^static_friction less kinetic_friction must be zero or positive"):
         friction_force((3.0, 0.0, 0.0), ZERO, 10.0, 0.2, 0.5)
@@ -85,7 +85,7 @@ def test_kinetic_friction_knows_neither_the_speed_nor_the_push(push, velocity, n
 
 
 @given(VECTOR, NORMAL_FORCE, COEFFICIENTS)
-def test_a_body_at_rest_is_held_by_the_opposite_of_the_push_or_breaks_away_along_it(push, normal_force, coefficients):
+def test_friction_on_a_body_at_rest_opposes_the_push_even_when_it_fails(push, normal_force, coefficients):
     static, kinetic = coefficients
     size = math.sqrt(push @ push)
     assume(abs(size - static * normal_force) > 1e-12)  # within rounding of the limit
@@ -96,7 +96,7 @@ def test_a_body_at_rest_is_held_by_the_opposite_of_the_push_or_breaks_away_along
         assert force == pytest.approx(-kinetic * normal_force * push / size, abs=1e-12)  # up to 200 N
 
 
-def test_at_the_limit_the_push_is_cancelled_and_just_above_only_kinetic_friction_is_left():
+def test_a_push_above_the_limit_meets_only_kinetic_friction():
     assert friction_force((3.0, 4.0, 0.0), ZERO, 10.0, 0.5, 0.25).tolist() == [-3.0, -4.0, 0.0]
     above = friction_force((3.0, 4.0, 0.0), ZERO, 9.999999, 0.5, 0.25)
     assert above == pytest.approx([-1.5, -2.0, 0.0], abs=1e-6)  # N is 1e-6 short of 10
@@ -181,7 +181,7 @@ def test_a_block_at_rest_that_is_pushed_harder_breaks_away():
     assert slide(0.0, -6.0, 10.0, 0.5, 0.25, 2.0, 2.0) == (-3.5, -3.5, math.inf)
 
 
-def test_a_block_that_slides_up_a_steep_slope_stops_and_slides_back_with_less():
+def test_a_block_sliding_up_a_steep_slope_stops_and_slides_back_slower():
     # Up: (−6 − 2)/1 = −8 m/s² from 4 m/s, so 0.5 s and 1 m. Down: (−6 + 2)/1 = −4 m/s² for the other 0.5 s.
     assert slide(4.0, -6.0, 4.0, 0.5, 0.5, 1.0, 1.0) == (0.5, -2.0, 0.5)
 

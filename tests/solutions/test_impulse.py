@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.impulse import (
@@ -39,7 +40,7 @@ UP = (0.0, 0.0, 1.0)
 
 
 @pytest.mark.statement(14, oracle="arithmetic by hand")
-def test_the_rim_of_a_wheel_that_rolls_stands_still_below_and_goes_twice_as_fast_above():
+def test_a_rolling_wheel_rests_at_its_lowest_point_and_is_fastest_on_top():
     # 3 m/s along x, radius 0.5 m: it turns about y, towards +x at the top, with 6 rad/s.
     below, hub, above, front = ((0, 0, -0.5), (0, 0, 0), (0, 0, 0.5), (0.5, 0, 0))
     found = point_velocity((3, 0, 0), (0, 6, 0), (below, hub, above, front))
@@ -49,7 +50,7 @@ def test_the_rim_of_a_wheel_that_rolls_stands_still_below_and_goes_twice_as_fast
 @pytest.mark.statement(14, oracle="the places of a point a moment before and after")
 @given(VECTOR, VECTOR, VECTOR)
 def test_the_velocity_of_a_point_is_the_rate_of_its_place(velocity, omega, arm):
-    rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    rotation = oracle("scipy.spatial.transform").Rotation
     h = 1e-5
     after, before = (t * velocity + rotation.from_rotvec(t * omega).apply(arm) for t in (h, -h))
     # What central differences leave out is ω³ r h²/6 < 1e-5 × 17³ × 17 × 1e-5/6; rounding is 1e-15 × 17/h
@@ -57,7 +58,7 @@ def test_the_velocity_of_a_point_is_the_rate_of_its_place(velocity, omega, arm):
 
 
 @pytest.mark.erratum(14)
-def test_as_printed_the_place_of_a_point_would_not_depend_on_where_the_body_is():
+def test_as_printed_a_point_position_does_not_depend_on_the_body_position():
     # p_A = v_A + ω_A × r_A: of a wheel's hub that rolled 30 m in 10 s, 3 "m" for ever. It is the rate of the place.
     printed = point_velocity((3, 0, 0), (0, 6, 0), (0, 0, 0))
     places = [np.array([3.0 * time, 0, 0]) for time in (0, 10)]
@@ -81,7 +82,7 @@ def test_the_other_order_of_the_difference_calls_an_approach_a_separation():
 
 @pytest.mark.statement(15, oracle="an observer who moves along")
 @given(VECTOR, VECTOR, VECTOR, NORMAL)
-def test_two_points_part_alike_for_every_observer_and_with_the_bodies_exchanged(first, second, observer, normal):
+def test_two_points_separate_at_the_same_speed_for_every_observer(first, second, observer, normal):
     seen = normal_velocity(first - observer, second - observer, normal)
     assert seen == pytest.approx(normal_velocity(first, second, normal), abs=1e-13)  # roundings of numbers up to 35
     assert normal_velocity(second, first, -normal) == normal_velocity(first, second, normal)
@@ -107,7 +108,7 @@ def test_what_separates_or_grazes_already_has_the_velocity_that_it_will_have():
 
 
 @pytest.mark.erratum(12)
-def test_as_printed_a_mere_fraction_of_the_velocity_lets_the_bodies_go_on_into_each_other():
+def test_as_printed_restitution_lets_the_bodies_keep_approaching():
     assert as_printed.velocity_after_restitution(-4.0, 0.25) == -1.0
     assert classify_contact(as_printed.velocity_after_restitution(-4.0, 0.25)) == COLLIDING
     assert classify_contact(rebound_velocity(-4.0, 0.25)) == SEPARATING
@@ -171,7 +172,7 @@ def test_a_centre_in_the_plane_across_the_normal_cannot_turn_it():
 
 @pytest.mark.statement(17, oracle="right angles with both edges")
 @given(LONG, LONG, VECTOR, VECTOR)
-def test_the_normal_of_two_edges_is_a_unit_vector_square_to_both_that_points_to_a(edge_a, edge_b, a, b):
+def test_the_normal_of_two_edges_is_perpendicular_to_both_and_points_to_a(edge_a, edge_b, a, b):
     sine = np.linalg.norm(np.cross(edge_a, edge_b)) / np.linalg.norm(edge_a) / np.linalg.norm(edge_b)
     if sine < 1e-6:
         return  # (nearly) parallel: the next test
@@ -286,7 +287,7 @@ def test_a_force_that_jumps_is_sampled_twice_at_that_time():
 
 
 @pytest.mark.erratum(13)
-def test_an_impulse_is_no_force_the_same_one_comes_of_forces_a_hundred_times_apart():
+def test_forces_a_hundred_times_apart_can_give_the_same_impulse():
     change = (0.0, 0.0, 0.5)
     soft, hard = mean_force(change, 0.05), mean_force(change, 0.0005)
     assert hard == pytest.approx(100 * soft, rel=1e-14)
@@ -294,7 +295,7 @@ def test_an_impulse_is_no_force_the_same_one_comes_of_forces_a_hundred_times_apa
         assert impulse_of_force([force, force], [0, duration]) == pytest.approx(change, rel=1e-14)
 
 
-def test_a_ball_that_lies_on_the_floor_has_no_net_force_and_a_contact_force_of_its_weight():
+def test_the_floor_carries_a_resting_ball_with_a_force_equal_to_its_weight():
     assert mean_force((0, 0, 0), 2.0).tolist() == [0, 0, 0]
     assert mean_force((0, 0, 0), 2.0, (0, 0, -9.81)).tolist() == [0, 0, 9.81]
 
@@ -319,7 +320,7 @@ def test_an_impulse_at_the_end_of_an_arm_is_added_to_both_momenta():
 
 
 @pytest.mark.erratum(21)
-def test_as_printed_a_program_that_keeps_its_velocities_beside_p_and_l_never_rebounds():
+def test_as_printed_a_program_with_separate_velocities_never_rebounds():
     mass, velocity = 2.0, np.array([0.0, 0.0, -3.0])
     momentum, angular = apply_impulse_to_momenta(mass * velocity, (0, 0, 0), (0, 0, -1), (0, 0, 2 * 3 * mass))
     assert normal_velocity(velocity, (0, 0, 0), UP) == -3  # P has changed, v has not

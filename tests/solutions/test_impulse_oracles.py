@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from oracles import oracle
 
 from solutions.impulse import (
     Body,
@@ -37,7 +38,7 @@ def in_pymunk(pymunk, bodies, shapes, e):
 @pytest.mark.parametrize("e", [0.0, 0.5, 1.0])
 @pytest.mark.parametrize("angle", [0.0, 0.6, 2.5])
 def test_two_discs_leave_an_impact_as_in_pymunk(e, angle):
-    pymunk = pytest.importorskip("pymunk")
+    pymunk = oracle("pymunk")
     n = np.array([np.cos(angle), np.sin(angle), 0.0])
     masses, radii = (2.0, 0.5), (0.3, 0.2)
     velocities = (-1.5 * n + (0.2, -0.4, 0), 0.5 * n + (-0.3, 0.1, 0))
@@ -61,7 +62,7 @@ def test_two_discs_leave_an_impact_as_in_pymunk(e, angle):
 @pytest.mark.parametrize("e", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("place", [-0.4, 0.1, 0.45])
 def test_a_disc_that_strikes_a_box_off_its_centre_turns_it_as_in_pymunk(e, place):
-    pymunk = pytest.importorskip("pymunk")
+    pymunk = oracle("pymunk")
     turn, half, radius = 0.4, np.array([0.5, 0.25]), 0.1
     along, n = np.array([np.cos(turn), np.sin(turn), 0]), np.array([-np.sin(turn), np.cos(turn), 0])
     arm = place * along + half[1] * n  # of the box, B; the disc A is on its upper face
@@ -87,7 +88,7 @@ def test_a_disc_that_strikes_a_box_off_its_centre_turns_it_as_in_pymunk(e, place
 @pytest.mark.statement(20, oracle="MuJoCo's inverse mass matrix")
 @pytest.mark.parametrize("seed", range(5))
 def test_the_denominator_is_the_one_that_mujocos_mass_matrix_gives(seed):
-    mujoco = pytest.importorskip("mujoco")
+    mujoco = oracle("mujoco")
     rng = np.random.default_rng(seed)
     model = mujoco.MjModel.from_xml_string(
         "<mujoco><worldbody>"

@@ -79,7 +79,7 @@ def growth(mesh, position, dt):
         (("structural", "face", "space"), 6),
     ],
 )
-def test_a_cube_of_edges_alone_has_six_ways_to_collapse_and_its_internal_springs_take_them(kinds, modes):
+def test_a_cube_of_edges_alone_can_collapse_in_six_ways(kinds, modes):
     position, edges = lattice(2, 2, 2, 1.0, kinds)
     mesh = spring_mesh(position, edges, 50.0)
     assert zero_energy_modes(mesh, position) == modes
@@ -91,13 +91,13 @@ def test_a_cube_of_edges_alone_has_six_ways_to_collapse_and_its_internal_springs
 
 
 @given(st.integers(2, 4), st.integers(2, 4), st.integers(2, 4))
-def test_a_solid_with_its_internal_springs_has_the_six_motions_of_a_rigid_body_and_no_others(nx, ny, nz):
+def test_a_solid_with_internal_springs_has_only_the_six_rigid_motions(nx, ny, nz):
     position, edges = lattice(nx, ny, nz, 0.1)
     assert zero_energy_modes(spring_mesh(position, edges, 7.0), position) == 6
 
 
 @given(st.integers(2, 5), st.integers(2, 5))
-def test_a_flat_cloth_without_shear_springs_slips_row_by_row_and_column_by_column(rows, columns):
+def test_a_flat_cloth_without_shear_springs_slips_by_rows_and_columns(rows, columns):
     # Out of its plane nothing resists a small motion, not even bend springs: rows · columns ways. In the plane 2 r c
     # motions less r (c − 1) + c (r − 1) springs leave r + c; with the diagonals only the three of a rigid body.
     for kinds, in_plane in zip(KINDS, (rows + columns, 3, 3), strict=True):
@@ -132,7 +132,7 @@ def test_tension_makes_a_chain_resist_what_it_lets_happen_at_rest():
 
 @pytest.mark.statement(28, oracle="dense eigenvalues; simulation on both sides")
 @pytest.mark.parametrize(("kinds", "stated"), list(zip(KINDS, LECTURE, strict=True)))
-def test_every_kind_of_spring_shortens_the_step_of_a_ten_by_ten_cloth_to_the_stated_length(kinds, stated):
+def test_every_kind_of_spring_shortens_the_stable_step_of_a_cloth(kinds, stated):
     position, edges = cloth(10, 10, 1.0, kinds)
     mesh = spring_mesh(position, edges, 4.0, mass=9.0)
     unit = math.sqrt(9 / 4)
@@ -146,8 +146,8 @@ def test_every_kind_of_spring_shortens_the_step_of_a_ten_by_ten_cloth_to_the_sta
 
 
 @pytest.mark.statement(28, oracle="simulation on both sides of the limit")
-@pytest.mark.parametrize("kinds", KINDS)
-def test_a_cloth_vibrates_for_ever_just_below_the_limit_and_blows_up_just_above_it(kinds):
+@pytest.mark.parametrize("kinds", [KINDS[0], *(pytest.param(kinds, marks=pytest.mark.slow) for kinds in KINDS[1:])])
+def test_a_cloth_vibrates_just_below_the_limit_and_blows_up_just_above_it(kinds):
     position, edges = cloth(10, 10, 1.0, kinds)
     mesh = spring_mesh(position, edges, 1.0)
     kick = 1e-9 * np.random.default_rng(1).normal(size=position.shape) * (1, 1, 0)
@@ -166,7 +166,7 @@ def test_a_cloth_vibrates_for_ever_just_below_the_limit_and_blows_up_just_above_
 
 @pytest.mark.statement(29, oracle="eigenvalues of the matrix of one step")
 @given(SEED)
-def test_with_dampers_of_any_strength_the_step_grows_just_above_the_limit_and_not_below(seed):
+def test_a_damped_mesh_blows_up_just_above_the_limit_and_not_below(seed):
     mesh, position, _ = any_mesh(seed)
     limit = float(stable_timestep(mesh, position, tolerance=1e-6))
     # Motions that nothing holds have a double eigenvalue 1, which rounding splits by 1e-8. Above, the one at −1 grows
@@ -199,7 +199,7 @@ def test_the_step_found_by_adding_up_wastes_a_third_on_a_full_cloth():
 
 
 @given(SEED)
-def test_scaling_masses_stiffness_and_pinning_do_to_the_eigenvalue_what_they_must(seed):
+def test_the_eigenvalue_scales_with_stiffness_over_mass(seed):
     mesh, position, _ = any_mesh(seed)
     found = float(largest_eigenvalue(mesh, position, tolerance=1e-8))
     heavier = dataclasses.replace(mesh, mass=4 * mesh.mass, stiffness=9 * mesh.stiffness)
@@ -209,14 +209,14 @@ def test_scaling_masses_stiffness_and_pinning_do_to_the_eigenvalue_what_they_mus
     assert largest_eigenvalue(pin(mesh, [0]), position) <= found * (1 + 1e-6)
 
 
-def test_the_power_iteration_stops_after_the_rounds_it_is_given_and_is_never_above():
-    position, edges = cloth(6, 6, 1.0)
+def test_the_power_iteration_never_exceeds_the_largest_eigenvalue():
+    position, edges = cloth(4, 4, 1.0)
     mesh = spring_mesh(position, edges, 1.0, 0.1)
-    found = [float(largest_eigenvalue(mesh, position, 1e-12, rounds)) for rounds in (1, 5, 25, 2000)]
+    found = [float(largest_eigenvalue(mesh, position, 1e-12, rounds)) for rounds in (1, 5, 25, 1000)]
     exact = np.linalg.eigvalsh(mesh_matrix(mesh, edge_stiffness(mesh, position)))[-1]
     assert found == sorted(found)
-    assert found[-1] == pytest.approx(exact, rel=1e-9)  # 2000 rounds of a gap of a hundredth
-    steps = [float(stable_timestep(mesh, position, 1e-12, rounds)) for rounds in (1, 5, 25, 2000)]
+    assert found[-1] == pytest.approx(exact, rel=1e-9)  # 1000 rounds of a gap of some hundredths
+    steps = [float(stable_timestep(mesh, position, 1e-12, rounds)) for rounds in (1, 5, 25, 1000)]
     assert steps == sorted(steps, reverse=True)
 
 
@@ -249,15 +249,15 @@ def test_pinned_nodes_do_not_move_even_if_told_to(move, seed):
     assert v[~mesh.pinned].any(axis=-1).all()
 
 
-@pytest.mark.parametrize(("move", "tolerance"), [(mesh_step, 1e-12), (implicit_mesh_step, 1e-7)])
+@pytest.mark.parametrize(("move", "steps", "tolerance"), [(mesh_step, 20, 1e-12), (implicit_mesh_step, 3, 1e-7)])
 @given(seed=SEED)
-def test_a_free_mesh_keeps_its_momentum(move, tolerance, seed):
-    # Roundings of 20 steps; the implicit step to the tolerance of its solver, 1e-8 of dt times forces of some 100 N
+def test_a_free_mesh_keeps_its_momentum(move, steps, tolerance, seed):
+    # Roundings of these steps; the implicit step to the tolerance of its solver, 1e-8 of dt times forces of some 100 N
     mesh, position, rng = any_mesh(seed)
     mesh = dataclasses.replace(mesh, pinned=np.asarray(False))
     p, v = position + 0.1 * rng.normal(size=(6, 3)), rng.normal(size=(6, 3))
     before = mesh.mass @ v
-    for _ in range(20):
+    for _ in range(steps):
         p, v = move(mesh, p, v, NOTHING, 0.01)
     assert mesh.mass @ v == pytest.approx(before, abs=tolerance)
 
@@ -268,9 +268,9 @@ def test_a_free_mesh_keeps_its_angular_momentum_in_the_cheap_step(seed):
     mesh = dataclasses.replace(mesh, pinned=np.asarray(False))
     p, v = position + 0.1 * rng.normal(size=(6, 3)), rng.normal(size=(6, 3))
     before = mesh.mass @ np.cross(p, v)
-    for _ in range(50):
+    for _ in range(20):
         p, v = mesh_step(mesh, p, v, NOTHING, 0.01)
-    assert mesh.mass @ np.cross(p, v) == pytest.approx(before, abs=1e-11)  # exact but for roundings of 50 steps
+    assert mesh.mass @ np.cross(p, v) == pytest.approx(before, abs=1e-11)  # exact except for roundings of 20 steps
 
 
 @pytest.mark.parametrize("move", MOVES)
@@ -291,10 +291,12 @@ def test_an_undamped_mesh_neither_gains_nor_loses_energy_in_the_long_run():
     p, v = 1.05 * position, np.zeros_like(position)
     p = p + 0.05 * np.random.default_rng(2).normal(size=p.shape)
     dt = 0.2 * float(stable_timestep(mesh, position))
-    energies = []
-    for _ in range(4000):
+    path = []
+    for _ in range(3000):
         p, v = mesh_step(mesh, p, v, NOTHING, dt)
-        energies.append(mesh_energy(mesh, p) + kinetic_energy(mesh, v))
+        path.append((p, v))
+    positions, velocities = np.moveaxis(path, 1, 0)
+    energies = mesh_energy(mesh, positions) + kinetic_energy(mesh, velocities)
     early, late = np.mean(energies[:1000]), np.mean(energies[-1000:])
     # The energy swings by ω dt/2 = 0.2 of the fastest mode at most, about a mean that stays
     assert late == pytest.approx(early, rel=0.01)
@@ -307,15 +309,15 @@ def test_dampers_calm_a_mesh_down_and_leave_its_flight_alone():
     mesh = spring_mesh(position, edges, 100.0, 2.0)
     flight = np.array([3.0, 0.0, 1.0])
     p, v = 1.1 * position, np.tile(flight, (8, 1))
-    for _ in range(3000):
-        p, v = mesh_step(mesh, p, v, NOTHING, 0.005)
+    for _ in range(1500):
+        p, v = mesh_step(mesh, p, v, NOTHING, 0.01)
     # Each spring alone has c/k = 0.02 s, so a mode of ω² ≥ 100 rad²/s² decays at 0.01 ω² ≥ 1/s: e⁻¹⁵ after 15 s
     assert mesh_energy(mesh, p) < 1e-10
     assert v == pytest.approx(np.tile(flight, (8, 1)), abs=1e-5)
 
 
 @pytest.mark.statement(29, oracle="momentum")
-def test_the_slides_damping_on_every_node_stops_the_flight_that_dampers_along_the_springs_leave_alone():
+def test_the_slides_nodal_damping_stops_the_flight_of_the_whole_mesh():
     position, edges = lattice(2, 2, 2, 1.0)
     mesh = spring_mesh(position, edges, 100.0)
     p, v = position, np.tile((3.0, 0.0, 0.0), (8, 1))
@@ -366,10 +368,12 @@ def test_a_damped_oscillator_takes_the_step_of_backward_euler(stretch, rate, rat
     assert p[1] == pytest.approx([2 + stretch + dt * after, 0, 0], rel=1e-9)
 
 
+@pytest.fixture(scope="module")
 def hanging_cloth():
+    """A cloth held at two corners, flat and at rest, its shape at rest under gravity, and a hundred times its limit."""
     position, edges = cloth(6, 6, 0.1)
     mesh = spring_mesh(position, edges, 50.0, 0.02, 0.01, [0, 5])
-    return mesh, position, 100 * float(stable_timestep(mesh, position))
+    return mesh, position, static_shape(mesh, position, GRAVITY), 100 * float(stable_timestep(mesh, position))
 
 
 def total_energy(mesh, position, velocity):
@@ -378,13 +382,12 @@ def total_energy(mesh, position, velocity):
 
 
 @pytest.mark.statement(28, oracle="the energy of the shape at rest")
-def test_at_a_hundred_times_the_limit_the_implicit_step_only_loses_energy_and_the_cheap_one_is_gone():
-    mesh, position, dt = hanging_cloth()
-    rest = static_shape(mesh, position, GRAVITY)
+def test_the_implicit_step_only_loses_energy_at_100_times_the_limit(hanging_cloth):
+    mesh, _, rest, dt = hanging_cloth
     pushed = rest + np.where(mesh.pinned[:, None], 0, 1e-4 * np.random.default_rng(1).normal(size=rest.shape))
     p, v = pushed, np.zeros_like(rest)
     energies = [total_energy(mesh, p, v)]
-    for _ in range(40):
+    for _ in range(20):
         p, v = implicit_mesh_step(mesh, p, v, GRAVITY, dt)
         energies.append(total_energy(mesh, p, v))
     assert all(np.diff(energies) <= 1e-9 * abs(energies[0]))  # the solver's tolerance and the rounding of sums
@@ -395,16 +398,16 @@ def test_at_a_hundred_times_the_limit_the_implicit_step_only_loses_energy_and_th
 
 
 @pytest.mark.statement(28, oracle="the shape at rest, found by dynamic relaxation")
-def test_one_linearisation_throws_a_flat_cloth_far_in_a_long_step_and_it_still_comes_to_rest():
+def test_one_linearised_step_throws_a_flat_cloth_far_but_it_comes_to_rest(hanging_cloth):
     # At rest and flat it resists nothing across: within the first step of almost a second it falls free, g dt²
-    mesh, position, dt = hanging_cloth()
+    mesh, position, rest, dt = hanging_cloth
     p, v = implicit_mesh_step(mesh, position, np.zeros_like(position), GRAVITY, dt)
     assert -p[-1, 2] == pytest.approx(9.81 * dt**2, rel=1e-6)
     assert total_energy(mesh, p, v) > 1e4
     for _ in range(60):
         p, v = implicit_mesh_step(mesh, p, v, GRAVITY, dt)
     # Where springs are shortened the clamped K makes it creep: the last tenths of a millimetre take long
-    assert p == pytest.approx(static_shape(mesh, position, GRAVITY), abs=1e-3)
+    assert p == pytest.approx(rest, abs=1e-3)
 
 
 def test_the_implicit_step_slows_a_spin_and_keeps_the_momentum():
@@ -446,7 +449,7 @@ def test_conjugate_gradients_solve_what_elimination_solves(seed, dt):
     assert not x[mesh.pinned].any()
 
 
-def test_conjugate_gradients_need_as_many_rounds_as_there_are_different_eigenvalues():
+def test_conjugate_gradients_need_one_round_per_distinct_eigenvalue():
     # Two unit masses and one spring: 1 for five motions and 1 + 2 k for the stretching, so two rounds
     position = np.array([(0.0, 0, 0), (1, 0, 0)])
     mesh = spring_mesh(position, [(0, 1)], 10.0)
@@ -458,7 +461,7 @@ def test_conjugate_gradients_need_as_many_rounds_as_there_are_different_eigenval
         conjugate_gradient(mesh, blocks, right, 1e-12, iterations=1)
 
 
-def test_conjugate_gradients_of_many_are_refused_if_one_of_them_is_not_solved():
+def test_conjugate_gradients_refuse_a_batch_with_an_unsolved_system():
     position = np.array([(0.0, 0, 0), (1, 0, 0)])
     blocks = edge_stiffness(spring_mesh(position, [(0, 1)], 10.0), position)
     rights = np.stack([np.zeros((2, 3)), np.random.default_rng(3).normal(size=(2, 3))])
@@ -494,7 +497,7 @@ def test_many_meshes_at_once_are_the_same_as_one_after_another(move):
         assert velocities[at] == pytest.approx(velocity, abs=1e-13)
 
 
-def test_limits_and_modes_of_many_shapes_at_once_are_the_same_as_one_after_another():
+def test_limits_and_modes_of_a_batch_of_shapes_match_single_results():
     rng = np.random.default_rng(9)
     rest, edges = lattice(2, 2, 2, 1.0)
     mesh = spring_mesh(rest, edges, 10.0, 0.3, pinned=[3])

@@ -41,14 +41,14 @@ def at_distance(position, length):
 
 
 @given(SIZE, SIZE, st.sampled_from([("structural", 1.0), ("shear", np.sqrt(2)), ("bend", 2.0)]))
-def test_a_kind_of_spring_of_a_cloth_joins_all_nodes_that_its_length_apart_and_no_others(rows, columns, kind_length):
+def test_each_kind_of_cloth_spring_joins_all_nodes_its_length_apart(rows, columns, kind_length):
     kind, length = kind_length
     position, edges = cloth(rows, columns, 0.5, {kind})
     assert as_pairs(edges) == at_distance(position, 0.5 * length)
 
 
 @given(SIZE, SIZE, SIZE, st.sampled_from([("structural", 1), ("face", 2), ("space", 3)]))
-def test_a_kind_of_spring_of_a_lattice_joins_all_nodes_that_its_length_apart_and_no_others(nx, ny, nz, kind_square):
+def test_each_kind_of_lattice_spring_joins_all_nodes_its_length_apart(nx, ny, nz, kind_square):
     kind, square = kind_square
     position, edges = lattice(nx, ny, nz, 0.5, {kind})
     assert as_pairs(edges) == at_distance(position, 0.5 * np.sqrt(square))
@@ -76,7 +76,7 @@ def test_a_cube_has_twelve_edges_twelve_diagonals_of_faces_and_four_of_space():
 
 
 @given(SIZE, SIZE)
-def test_the_order_in_which_kinds_are_named_does_not_matter_and_all_are_the_default(rows, columns):
+def test_the_order_of_spring_kinds_does_not_matter_and_the_default_is_all(rows, columns):
     _, edges = cloth(rows, columns, 1.0, ["bend", "shear", "structural"])
     assert np.array_equal(edges, cloth(rows, columns, 1.0)[1])
     assert len(set(as_pairs(edges))) == len(edges)
@@ -142,7 +142,7 @@ def test_a_triangulated_cloth_has_the_springs_of_the_cloth_along_its_sides():
 
 
 @given(st.permutations(range(6)), st.permutations(range(8)), st.lists(st.integers(0, 2), min_size=8, max_size=8))
-def test_edges_do_not_depend_on_the_numbers_of_the_nodes_or_the_order_of_triangles_and_corners(nodes, order, turns):
+def test_edges_do_not_depend_on_node_numbers_or_on_triangle_order(nodes, order, turns):
     triangles = [np.roll(OCTAHEDRON[k], turn).tolist() for k, turn in zip(order, turns, strict=True)]
     renamed = np.array(nodes)[np.array(triangles)]
     for found in (surface_edges, bend_edges):
@@ -201,7 +201,7 @@ def test_pinning_adds_to_what_is_pinned_and_leaves_the_mesh_as_it_was():
     assert pin(mesh, []).pinned.tolist() == mesh.pinned.tolist()
 
 
-def test_nothing_can_be_written_into_a_mesh_and_it_keeps_no_array_of_its_maker():
+def test_a_mesh_is_read_only_and_copies_the_arrays_of_its_maker():
     position, edges = cloth(2, 2, 1.0)
     stiffness, mass = np.ones(len(edges)), np.ones(4)
     mesh = spring_mesh(position, edges, stiffness, 0.0, mass)

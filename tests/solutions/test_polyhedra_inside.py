@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.detection import side_of_plane
@@ -112,7 +113,7 @@ each_outline = pytest.mark.parametrize("outline", OUTLINES.values(), ids=OUTLINE
 
 @pytest.mark.statement(9, oracle="exact fractions, on a grid that meets all vertices and edges")
 @each_outline
-def test_parity_and_winding_number_are_right_on_a_grid_aligned_with_the_vertices(outline):
+def test_both_inside_tests_are_right_on_a_grid_aligned_with_the_vertices(outline):
     points, truth = grid_with_truth(outline)
     off = truth != 0
     assert np.sum(truth > 0) > 100
@@ -194,7 +195,7 @@ def test_of_cubes_that_fill_space_exactly_one_has_each_point():
 
 
 @pytest.mark.statement(9, oracle="solid angles of a cube")
-def test_on_a_cube_the_winding_number_is_the_part_of_a_small_ball_that_is_inside():
+def test_the_winding_number_on_a_cube_is_the_solid_angle_fraction_inside():
     vertices, faces = extruded(OUTLINES["square"], 4)
     where = [[2, 2, 2], [2, 1, 0], [2, 2, 0], [2, 0, 0], [0, 4, 1], [4, 4, 4], [5, 2, 2], [4, 4, 5]]
     # each is a sum of a dozen angles
@@ -214,7 +215,7 @@ def test_what_is_inside_does_not_depend_on_the_unit_of_length_at_all(scale):
     assert 50 < np.sum(inside) < 450
 
 
-def test_inside_out_the_winding_number_is_negative_and_both_ways_still_know_inside():
+def test_both_inside_tests_still_work_on_a_surface_turned_inside_out():
     vertices, faces = extruded(OUTLINES["U"])
     points, truth = grid_with_truth(OUTLINES["U"])
     points, truth = points[truth != 0], truth[truth != 0]
@@ -236,7 +237,7 @@ def test_an_open_mesh_has_no_plain_inside():
 
 
 @pytest.mark.erratum(9)
-def test_where_a_surface_encloses_a_point_twice_parity_and_winding_number_differ():
+def test_parity_and_winding_number_differ_where_a_surface_encloses_twice():
     vertices, faces = extruded(OUTLINES["square"], 4)
     both = np.concatenate([vertices, vertices + 2]), np.concatenate([faces, faces + len(vertices)])
     assert winding_number([3, 3, 3], *both) == pytest.approx(2, abs=1e-14)
@@ -271,7 +272,7 @@ def test_the_answer_does_not_depend_on_how_many_pairs_are_looked_at_at_once(monk
 
 
 @pytest.mark.statement(9, oracle="the six distances of a box")
-def test_within_a_box_the_depth_is_that_to_the_nearest_side_and_outside_the_largest_overhang():
+def test_the_depth_inside_a_box_is_the_distance_to_its_nearest_side():
     vertices, faces = extruded(OUTLINES["square"], 4)
     points = np.random.default_rng(1).uniform(-2, 6, (1000, 3))
     separation, face = convex_separation(points, vertices, faces)
@@ -291,7 +292,7 @@ def test_the_surface_belongs_to_a_convex_solid_and_a_tolerance_thickens_it():
 
 
 @pytest.mark.statement(9, oracle="the exact depth in a regular tetrahedron")
-def test_the_middle_of_a_regular_tetrahedron_is_as_deep_as_its_inscribed_ball():
+def test_the_centre_of_a_regular_tetrahedron_is_one_inradius_deep():
     vertices = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1.0]])
     faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]
     assert convex_separation([0, 0, 0], vertices, faces)[0] == pytest.approx(-1 / 3**0.5, rel=1e-15)
@@ -314,7 +315,7 @@ def test_the_convex_test_is_wrong_on_a_concave_solid():
 
 
 @pytest.mark.erratum(9)
-def test_counting_all_faces_that_a_ray_touches_is_wrong_where_it_meets_an_edge():
+def test_counting_all_touched_faces_fails_where_a_ray_meets_an_edge():
     vertices, faces = extruded(OUTLINES["square"], 4)
     # on the diagonal the ray up meets the edge between the two halves of the lid
     diagonal = [[1, 1, 2], [3, 3, 2], [1, 3, 2], [3, 1, 2]]
@@ -337,7 +338,7 @@ def test_only_the_square_is_convex_and_none_is_when_turned_inside_out(outline):
     assert not is_convex(vertices, faces[:, ::-1])
 
 
-def test_a_vertex_of_no_face_far_away_makes_nothing_convex_and_changes_no_volume():
+def test_a_vertex_without_a_face_does_not_change_convexity_or_volume():
     vertices, faces = extruded(OUTLINES["L"])
     with_another = np.concatenate([vertices, [[1e12, 0, 0]]])
     assert not is_convex(with_another, faces)
@@ -382,7 +383,7 @@ def test_nothing_is_inside_a_mesh_without_faces():
 @pytest.mark.statement(9, oracle="libigl's winding number")
 @each_outline
 def test_libigl_finds_the_same_winding_number(outline):
-    igl = pytest.importorskip("igl")
+    igl = oracle("igl")
     vertices, faces = extruded(outline)
     points = np.random.default_rng(2).uniform(-2, 8, (2000, 3))
     theirs = igl.winding_number(vertices, faces, points)
@@ -392,7 +393,7 @@ def test_libigl_finds_the_same_winding_number(outline):
 @pytest.mark.statement(9, oracle="shapely's point in polygon, on a prism")
 @each_outline
 def test_shapely_finds_the_same_points_within_the_outline(outline):
-    shapely = pytest.importorskip("shapely")
+    shapely = oracle("shapely")
     points = np.random.default_rng(3).uniform(-1, 8, (2000, 3))
     within = shapely.contains_xy(shapely.Polygon(outline), *points[:, :2].T) & (points[:, 2] > 0)
     assert np.array_equal(inside_by_parity(points, *extruded(outline)), within & (points[:, 2] < HEIGHT))
@@ -400,8 +401,8 @@ def test_shapely_finds_the_same_points_within_the_outline(outline):
 
 @pytest.mark.statement(9, oracle="trimesh's contains")
 def test_trimesh_finds_the_same_points_within_a_bent_torus():
-    trimesh = pytest.importorskip("trimesh")
-    pytest.importorskip("rtree")
+    trimesh = oracle("trimesh")
+    oracle("rtree")
     torus = trimesh.creation.torus(2.0, 0.7, major_sections=16, minor_sections=10)
     points = np.random.default_rng(4).uniform(-3, 3, (500, 3)) * [1, 1, 0.3]
     mine = inside_by_parity(points, torus.vertices, torus.faces)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from solutions import as_printed
 from solutions.response import kinematic_response, moving_plane_response
@@ -42,7 +43,7 @@ def test_without_restitution_the_body_slides_on_along_the_plane():
 
 @pytest.mark.statement(7, oracle="Newton's restitution, component by component")
 @given(VELOCITY, NORMAL, RESTITUTION)
-def test_what_comes_in_leaves_with_e_times_the_normal_speed_and_the_same_tangential_velocity(velocity, normal, e):
+def test_an_incoming_body_leaves_with_e_times_its_normal_speed(velocity, normal, e):
     before, after = velocity @ normal, kinematic_response(velocity, normal, e) @ normal
     assert after == pytest.approx(-e * before if before < 0 else before, abs=ROUNDING)
     along = velocity - before * normal
@@ -69,7 +70,7 @@ def test_answering_the_same_collision_twice_changes_nothing_more(velocity, norma
 
 @pytest.mark.statement(7, oracle="energy")
 @given(VELOCITY, NORMAL, RESTITUTION)
-def test_a_collision_takes_the_share_one_minus_e_squared_of_the_energy_along_the_normal(velocity, normal, e):
+def test_a_collision_takes_one_minus_e_squared_of_the_normal_energy(velocity, normal, e):
     approach = min(velocity @ normal, 0.0)
     after = kinematic_response(velocity, normal, e)
     lost = (velocity @ velocity - after @ after) / 2  # J per kg
@@ -125,7 +126,7 @@ def test_a_bouncing_ball_loses_height_as_e_to_the_power_two_n():
 @pytest.mark.statement(7, oracle="pymunk's impulse on a fixed or driven wall")
 @pytest.mark.parametrize("wall_speed", [0.0, 1.5, -0.5])
 def test_an_impulse_solver_in_the_plane_gives_the_same_velocity(wall_speed):
-    pymunk = pytest.importorskip("pymunk")
+    pymunk = oracle("pymunk")
     rng = np.random.default_rng(RNG_SEED)
     for _ in range(20):
         angle, e = rng.uniform(0, 6.28), rng.uniform(0.05, 1)
@@ -156,7 +157,7 @@ def test_a_racket_sends_a_ball_back_with_e_v_and_one_plus_e_of_its_own_speed():
     assert moving_plane_response((1.0, 0.0, -4.0), (0.0, 0.0, 2.0), UP, 0.5).tolist() == [1.0, 0.0, 5.0]
 
 
-def test_a_plane_that_sinks_as_fast_as_the_ball_or_slides_in_itself_does_nothing():
+def test_a_plane_that_sinks_with_the_ball_does_not_change_its_velocity():
     assert moving_plane_response((1.0, 0.0, -4.0), (0.0, 0.0, -4.0), UP, 0.5).tolist() == [1.0, 0.0, -4.0]
     assert moving_plane_response((1.0, 0.0, -4.0), (0.0, 0.0, -5.0), UP, 0.5).tolist() == [1.0, 0.0, -4.0]
     assert moving_plane_response((1.0, 0.0, 4.0), (9.0, 9.0, 0.0), UP, 0.5).tolist() == [1.0, 0.0, 4.0]
@@ -192,7 +193,7 @@ def test_a_plane_at_rest_is_the_ordinary_case(velocity, normal, e):
 
 
 @pytest.mark.erratum(7)
-def test_as_printed_a_point_still_behind_the_plane_is_thrown_back_in_and_never_leaves():
+def test_as_printed_a_point_behind_the_plane_is_thrown_back_in():
     dt, places = 0.01, {}
     for name, respond in (
         ("printed", as_printed.mirror_response),
@@ -209,7 +210,7 @@ def test_as_printed_a_point_still_behind_the_plane_is_thrown_back_in_and_never_l
 
 
 @pytest.mark.erratum(7)
-def test_as_printed_a_body_that_leaves_is_reflected_and_nothing_ever_loses_energy():
+def test_as_printed_a_leaving_body_is_reflected_and_no_energy_is_lost():
     assert as_printed.mirror_response((1.0, 0.0, 3.0), UP).tolist() == [1.0, 0.0, -3.0]
     assert as_printed.mirror_response((1.0, 0.0, -3.0), UP).tolist() == [1.0, 0.0, 3.0]
     assert kinematic_response((1.0, 0.0, -3.0), UP, 0.5).tolist() == [1.0, 0.0, 1.5]

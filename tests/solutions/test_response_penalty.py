@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from reference import truth
 from solutions import as_printed
@@ -35,13 +36,13 @@ def damping(ratio, mass=MASS, stiffness=STIFFNESS):
 
 
 @pytest.mark.statement(8, oracle="arithmetic by hand")
-def test_a_penalty_floor_pushes_with_k_d_and_the_more_the_faster_a_body_comes_in():
+def test_a_penalty_floor_pushes_harder_the_faster_a_body_comes_in():
     force = penalty_force([-0.25, -0.25, -0.25], [0.0, -2.0, 2.0], (0.6, 0.0, 0.8), 80.0, 5.0)
     assert force == pytest.approx(np.outer([20.0, 30.0, 10.0], (0.6, 0.0, 0.8)), abs=1e-14)  # rounding of tens
 
 
 @pytest.mark.statement(8, oracle="the sign of the force")
-def test_the_contact_never_pulls_unless_it_is_adhesive_and_never_acts_from_afar():
+def test_a_contact_pulls_only_if_adhesive_and_never_acts_at_a_distance():
     leaving = (-0.25, 6.0, UP, 80.0, 5.0)  # spring 20 N, dashpot −30 N
     assert penalty_force(*leaving).tolist() == [0.0, 0.0, 0.0]
     assert penalty_force(*leaving, adhesive=True).tolist() == [0.0, 0.0, -10.0]
@@ -68,7 +69,7 @@ def test_a_body_settles_where_the_spring_carries_its_weight():
     assert penalty_force(-depth, 0.0, UP, STIFFNESS)[2] == pytest.approx(MASS * G, rel=1e-15)
     position, velocity = np.array([0.0, 0.0, 0.01]), np.zeros(3)
     c, dt = damping(0.7), 1e-4
-    for _ in range(10_000):  # 1 s, some 80 times the decay time 1/(ζω)
+    for _ in range(4_000):  # 0.4 s, some 36 times the decay time 1/(ζω)
         force = penalty_force(position[2], velocity[2], UP, STIFFNESS, c)
         position, velocity = semi_implicit_euler(position, velocity, force / MASS - G * np.array(UP), dt)
     assert position[2] == pytest.approx(-depth, rel=1e-12)
@@ -80,7 +81,7 @@ def test_a_body_settles_where_the_spring_carries_its_weight():
 
 def impact(ratio, adhesive, speed=1.0, mass=MASS, stiffness=STIFFNESS):
     """Duration and restitution of an impact, by a solver of differential equations with an event at its end."""
-    integrate = pytest.importorskip("scipy.integrate")
+    integrate = oracle("scipy.integrate")
     c, omega = damping(ratio, mass, stiffness), math.sqrt(stiffness / mass)
 
     def force(state):
@@ -105,7 +106,7 @@ def impact(ratio, adhesive, speed=1.0, mass=MASS, stiffness=STIFFNESS):
 
 @pytest.mark.statement(8, oracle="scipy's solve_ivp, DOP853 with an event where the force ends")
 @pytest.mark.parametrize("ratio", RATIOS)
-def test_an_impact_that_cannot_pull_lasts_and_leaves_as_a_solver_of_differential_equations_says(ratio):
+def test_a_non_adhesive_impact_lasts_and_ends_as_an_ode_solver_says(ratio):
     time, e = impact(ratio, adhesive=False)
     c = damping(ratio)
     # The solver's tolerance of 1e-13 a step, over some ten steps
@@ -115,7 +116,7 @@ def test_an_impact_that_cannot_pull_lasts_and_leaves_as_a_solver_of_differential
 
 @pytest.mark.statement(8, oracle="scipy's solve_ivp, DOP853 with an event at the surface")
 @pytest.mark.parametrize("ratio", [0.0, 0.01, 0.3, 0.7])
-def test_an_adhesive_impact_lasts_and_leaves_as_a_solver_of_differential_equations_says(ratio):
+def test_an_adhesive_impact_lasts_and_ends_as_an_ode_solver_says(ratio):
     time, e = impact(ratio, adhesive=True)
     c = damping(ratio)
     assert penalty_contact_time(MASS, STIFFNESS, c, adhesive=True) == pytest.approx(time, rel=3e-12)
@@ -131,7 +132,7 @@ def test_the_restitution_is_the_closed_form_in_all_three_regimes(ratio):
     assert penalty_restitution(MASS, STIFFNESS, damping(ratio)) == pytest.approx(e, rel=near)
 
 
-def test_a_critically_damped_contact_leaves_one_over_e_squared_and_lasts_twice_one_over_omega():
+def test_a_critically_damped_contact_has_restitution_one_over_e_squared():
     c = 2 * math.sqrt(64.0 * 4.0)
     assert penalty_restitution(4.0, 64.0, c) == math.exp(-2)
     assert penalty_contact_time(4.0, 64.0, c) == 0.5
@@ -201,7 +202,7 @@ def test_the_formula_of_lammps_gives_the_adhesive_contact():
     assert penalty_damping(e, 4.0, 64.0, adhesive=True) == pytest.approx(32 * beta, rel=1e-15)
 
 
-def test_an_elastic_contact_needs_no_damping_and_a_dead_one_more_than_there_is():
+def test_a_contact_needs_no_damping_if_elastic_and_infinite_if_dead():
     assert penalty_damping([1.0, 0.0], 4.0, 64.0).tolist() == [0.0, math.inf]
     assert penalty_damping([1.0, 0.0], 4.0, 64.0, adhesive=True).tolist() == [0.0, 32.0]
 
@@ -232,25 +233,23 @@ def test_the_step_limit_is_where_the_spectral_radius_passes_one(ratio, mass, sti
 
 
 @pytest.mark.statement(8, oracle="simulations on both sides of the limit")
-@pytest.mark.parametrize("ratio", [0.0, 0.1, 0.5, 1.0, 3.0])
-def test_a_pressed_contact_rests_below_the_step_limit_and_shakes_itself_loose_above_it(ratio):
-    c = damping(ratio)
-    limit, depth = float(penalty_step_limit(MASS, STIFFNESS, c)), float(penalty_rest_depth(MASS, G, STIFFNESS))
-    largest = {}
-    for share in (0.98, 1.02):
-        position, velocity = np.array([0.0, 0.0, -depth * (1 - 1e-6)]), np.zeros(3)
-        largest[share] = 0.0
-        for _ in range(1000):
-            force = penalty_force(position[2], velocity[2], UP, STIFFNESS, c)
-            position, velocity = semi_implicit_euler(position, velocity, force / MASS - G * np.array(UP), share * limit)
-            largest[share] = max(largest[share], abs(position[2] / depth + 1))
+def test_a_pressed_contact_rests_only_below_the_step_limit():
+    c = damping(np.array([0.0, 0.1, 0.5, 1.0, 3.0]))
+    dt = np.array([[0.98], [1.02]]) * penalty_step_limit(MASS, STIFFNESS, c)  # two rows: below and above the limits
+    depth = float(penalty_rest_depth(MASS, G, STIFFNESS))
+    position, velocity, largest = np.zeros((2, 5, 3)), np.zeros((2, 5, 3)), np.zeros((2, 5))
+    position[..., 2] = -depth * (1 - 1e-6)
+    for _ in range(1000):
+        force = penalty_force(position[..., 2], velocity[..., 2], UP, STIFFNESS, c)
+        position, velocity = semi_implicit_euler(position, velocity, force / MASS - G * np.array(UP), dt)
+        largest = np.maximum(largest, np.abs(position[..., 2] / depth + 1))
     # Without damping the orbit of the step matrix is 1/√(1 − (ωΔt/2)²) = 5 times as wide as what it was nudged by
-    assert largest[0.98] <= 1e-5
+    assert np.all(largest[0] <= 1e-5)
     # Nudged by a millionth. How far it goes is up to the clamp: in the air nothing shakes, and a damped body hops on.
-    assert largest[1.02] > 0.01
+    assert np.all(largest[1] > 0.01)
 
 
-def test_the_limit_without_damping_is_two_over_omega_and_with_a_lot_of_it_two_m_over_c():
+def test_the_undamped_step_limit_is_two_over_omega():
     assert penalty_step_limit(4.0, 64.0) == 0.5
     assert penalty_step_limit(4.0, 64.0, 1e9) == pytest.approx(8e-9, rel=1e-12)
     assert penalty_step_limit(4.0, 64.0, 24.0) == pytest.approx(0.25, rel=1e-15)  # ζ = 3/4: √(1 + ζ²) = 5/4
@@ -260,7 +259,7 @@ def test_the_limit_without_damping_is_two_over_omega_and_with_a_lot_of_it_two_m_
 
 
 @pytest.mark.erratum(8)
-def test_as_printed_with_a_signed_distance_a_body_is_pulled_deeper_in_and_pushed_off_from_afar():
+def test_as_printed_a_signed_distance_makes_the_penalty_pull_a_body_deeper():
     inside, outside = (signed_distance((0, 0, z), UP, 0.0) for z in (-0.1, 0.1))
     assert as_printed.penalty_force(80.0, inside) == -8.0  # along N: into the floor
     assert as_printed.penalty_force(80.0, outside) == 8.0  # from 10 cm above it

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from oracles import oracle
 
 from reference import truth
 from solutions.detection import signed_distance, time_of_impact_exact, time_of_impact_interpolated
@@ -28,7 +29,7 @@ RESTITUTION, DURATION = st.floats(0, 0.95), st.floats(0, 5)
 
 def solved(s, u, a, e, duration):
     """Separation and velocity after a bouncing motion, by a solver of differential equations that stops at impacts."""
-    integrate = pytest.importorskip("scipy.integrate")
+    integrate = oracle("scipy.integrate")
 
     def plane(_, state):
         return state[0]
@@ -50,7 +51,7 @@ def solved(s, u, a, e, duration):
 
 @pytest.mark.statement(6, oracle="scipy's solve_ivp, DOP853 with an event at the plane")
 @pytest.mark.statement(3, oracle="scipy's solve_ivp, DOP853 with an event at the plane")
-def test_backing_up_to_the_impact_gives_the_state_that_a_solver_of_differential_equations_gives():
+def test_backing_up_to_the_impact_gives_the_state_of_an_ode_solver():
     rng = np.random.default_rng(1)
     for _ in range(20):
         s, u, e, dt = rng.uniform(0.01, 0.2), rng.uniform(-4, -2), rng.uniform(0.2, 1), 0.15
@@ -74,7 +75,7 @@ def test_a_step_that_ends_before_the_impact_is_free_flight(time):
     assert [part.tolist() for part in state] == [[1.0, 0.0, 5.0], [1.0, 0.0, -4.0]]
 
 
-def test_an_impact_at_the_first_or_last_instant_of_the_step_is_answered_in_it():
+def test_an_impact_at_the_first_or_last_instant_is_resolved_in_that_step():
     at_first = respond_at_impact((0, 0, 0), (0, 0, -2), (0, 0, 0), UP, 0.5, 0.0, 1.0)
     at_last = respond_at_impact((0, 0, 2), (0, 0, -2), (0, 0, 0), UP, 0.5, 1.0, 1.0)
     assert [part[2] for part in at_first] == [1.0, 1.0]
@@ -86,14 +87,14 @@ def test_a_ball_that_moves_away_at_the_said_time_of_impact_is_left_alone():
 
 
 @pytest.mark.statement(6, oracle="arithmetic by hand")
-def test_after_the_fact_the_ball_stays_behind_the_plane_with_the_answered_velocity():
+def test_response_at_step_reverses_the_ball_but_leaves_it_behind_the_plane():
     # z = 1 − 2 − 1 = −2 with −4 m/s on arrival; half of it upwards
     position, velocity = respond_at_step((0, 0, 1), (3, 0, -2), (0, 0, -2), UP, 0.0, 0.5, 1.0)
     assert position.tolist() == [3.0, 0.0, -2.0]
     assert velocity.tolist() == [3.0, 0.0, 2.0]
 
 
-def test_after_the_fact_a_ball_in_front_on_the_plane_or_on_its_way_out_is_left_alone():
+def test_response_at_step_ignores_a_ball_in_front_of_the_plane_or_leaving():
     position = [(0, 0, 2), (0, 0, 1), (0, 0, -3)]
     velocity = [(0, 0, -1), (0, 0, -1), (0, 0, 1)]
     after = respond_at_step(position, velocity, (0, 0, 0), UP, 0.0, 0.5, 1.0)
@@ -127,23 +128,25 @@ def dropped(policy, e, dt, height, steps):
 
 @pytest.mark.statement(3, oracle="e² h, and −(1 − e²) v Δt/2")
 @pytest.mark.statement(6, oracle="e² h, and −(1 − e²) v Δt/2")
-@pytest.mark.parametrize("e", [0.3, 0.6, 0.9])
-def test_after_the_fact_the_rebound_is_low_by_one_minus_e_squared_times_half_a_step_of_fall(e):
+def test_response_at_step_makes_the_rebound_height_too_low_on_average():
     # It turns at a depth d with the speed of that place: −d + e² (h + d). Over all phases the mean of d is v dt/2.
     dt, shots = 1e-3, 400
     h = 0.5
     phase = (np.arange(shots) + 0.5) / shots * dt
     height = G * (math.sqrt(2 * h / G) + phase - dt / 2) ** 2 / 2
+    e = np.array([0.3, 0.6, 0.9])
+    each, heights = np.repeat(e, shots), np.tile(height, 3)
     steps = 500  # 0.32 s of fall and some flight, before the second impact
     v = np.sqrt(2 * G * height)
-    shift = dropped("at the step", e, dt, height, steps) - e**2 * height
+    shift = dropped("at the step", each, dt, heights, steps) - each**2 * heights
     # Means over 400 phases, and v varies by 0.3 % over them
-    assert shift.mean() == pytest.approx(-(1 - e**2) * v.mean() * dt / 2, rel=0.005)
-    assert dropped("exact", e, dt, height, steps) == pytest.approx(e**2 * height, abs=1e-13)  # 500 roundings
+    expected = -(1 - e**2) * v.mean() * dt / 2
+    assert shift.reshape(3, shots).mean(axis=1) == pytest.approx(expected, rel=0.005)
+    assert dropped("exact", each, dt, heights, steps) == pytest.approx(each**2 * heights, abs=1e-13)  # 500 roundings
 
 
 @pytest.mark.statement(3, oracle="e² h, and the order of convergence")
-def test_the_exact_root_has_no_error_the_slides_t_one_of_second_order_and_the_step_one_of_first():
+def test_the_exact_root_has_no_error_and_the_slides_time_is_second_order():
     e, h, errors = 0.7, np.linspace(0.45, 0.55, 101), {}
     for policy in ("exact", "slide", "at the step"):
         sizes = []
@@ -159,19 +162,17 @@ def test_the_exact_root_has_no_error_the_slides_t_one_of_second_order_and_the_st
 
 @pytest.mark.statement(3, oracle="the closed form of the instants of impact")
 @pytest.mark.erratum(3)
-def test_backing_up_without_the_rest_of_the_step_delays_every_bounce_by_half_a_step_on_average():
-    dt, e, shots, late = 0.01, 0.9, 200, []
-    for height in np.linspace(0.9, 1.1, shots):
-        expected = truth.bounce_times(height, e, G, 2)
-        s, u, step = height, 0.0, 0
-        while u <= 0:  # up to the first impact, and then the step is cut off, as on the slide
-            time = float(time_of_impact_exact(s, u, -G))
-            past = min(time, dt)
-            s, u = s + u * past - G * past**2 / 2, u - G * past
-            step += 1
-            if time <= dt:
-                u = -e * u
-        late.append(step * dt + float(time_of_impact_exact(0.0, u, -G)) - expected[1])
+def test_dropping_the_rest_of_the_step_delays_bounces_by_half_a_step():
+    dt, e = 0.01, 0.9
+    s = np.linspace(0.9, 1.1, 200)
+    expected = np.array([truth.bounce_times(height, e, G, 2)[1] for height in s])
+    u, steps = np.zeros(200), np.zeros(200)
+    while np.any(falling := u <= 0):  # up to the first impact, and then the step is cut off, as on the slide
+        time = time_of_impact_exact(s, u, -G)
+        past = np.where(falling, np.minimum(time, dt), 0.0)
+        s, u, steps = s + u * past - G * past**2 / 2, u - G * past, steps + falling
+        u = np.where(falling & (time <= dt), -e * u, u)
+    late = steps * dt + time_of_impact_exact(0.0, u, -G) - expected
     assert min(late) > -1e-12  # never early
     assert max(late) < dt
     # Phases spread over some 2 steps by 200 heights: their mean is known to 0.4 %
@@ -192,7 +193,7 @@ def test_all_the_flights_together_last_as_long_as_their_sum(e):
 
 
 @given(HEIGHT, SPEED, GRAVITY, RESTITUTION)
-def test_the_end_of_bouncing_is_that_of_a_ball_let_fall_from_its_highest_point(s, u, g, e):
+def test_bouncing_ends_as_for_a_ball_dropped_from_its_highest_point(s, u, g, e):
     # Back in time to the apex, which lies at s + u²/(2g), and was u/g ago
     from_apex = truth.bounce_end(s + u * u / (2 * g), e, g)
     # Sums and a root of terms up to s + u²/g, over a speed; where all is tiny, √ of the smallest doubles
@@ -200,7 +201,7 @@ def test_the_end_of_bouncing_is_that_of_a_ball_let_fall_from_its_highest_point(s
     assert time_until_rest(s, u, -g, e) == pytest.approx(from_apex + u / g, abs=tolerance)
 
 
-def test_who_lies_on_the_plane_rests_now_and_who_is_elastic_or_flies_off_never():
+def test_a_body_on_the_plane_rests_now_and_an_elastic_one_never_rests():
     assert time_until_rest(0.0, 0.0, [-G, 0.0, 0.0], [0.5, 0.5, 1.0]).tolist() == [0.0, 0.0, 0.0]
     assert time_until_rest(0.0, 0.0, -G, 1.0) == 0.0
     never = [(1.0, 0.0, -G, 1.0), (0.0, 1.0, -G, 1.0), (1.0, -1.0, 0.0, 0.5), (1.0, 1.0, 0.0, 0.5)]
@@ -223,7 +224,7 @@ def test_a_ball_behind_the_plane_by_rounding_counts_as_on_it():
 
 
 @pytest.mark.statement(3, oracle="scipy's solve_ivp, DOP853, started again after every impact")
-def test_a_step_with_many_impacts_ends_where_a_solver_of_differential_equations_does():
+def test_a_step_with_many_impacts_ends_where_an_ode_solver_does():
     rng = np.random.default_rng(2)
     for _ in range(15):
         s, u, e, dt = rng.uniform(0.1, 1), rng.uniform(-3, 3), rng.uniform(0.75, 1), rng.uniform(1, 2)
@@ -235,7 +236,7 @@ def test_a_step_with_many_impacts_ends_where_a_solver_of_differential_equations_
 
 
 @given(st.floats(0.01, 20), st.floats(0.1, 30), st.floats(0.3, 1), st.integers(1, 12))
-def test_just_before_and_just_after_an_instant_of_impact_it_has_bounced_once_less_and_once_more(h, g, e, number):
+def test_one_bounce_more_is_counted_just_after_an_impact_than_just_before(h, g, e, number):
     time = truth.bounce_times(h, e, g, number)[-1]
     gap = 1e-9 * time
     early, late = (bounce_along_normal(h, 0.0, -g, e, time + shift) for shift in (-gap, gap))
@@ -279,7 +280,7 @@ def test_two_steps_one_after_the_other_are_one_long_step(s, u, g, e, dt, share):
         assert (then[0], then[1]) == pytest.approx((whole[0], whole[1]), abs=max(scale, 1e-10) * (1 + dt))
 
 
-def test_when_the_rounds_do_not_suffice_what_is_left_of_the_step_is_told_and_can_be_gone_on_with():
+def test_the_unused_part_of_a_step_is_returned_and_can_be_continued():
     whole = bounce_along_normal(1.0, 0.0, -G, 0.8, 2.5)
     part = bounce_along_normal(1.0, 0.0, -G, 0.8, 2.5, most_impacts=2)
     assert whole[2] > 3
@@ -295,7 +296,7 @@ def test_when_the_rounds_do_not_suffice_what_is_left_of_the_step_is_told_and_can
     assert enough[3] == 0
 
 
-def test_a_body_that_lies_on_the_plane_lies_there_after_the_step_and_is_struck_by_nothing():
+def test_a_body_lying_on_the_plane_stays_there_and_has_no_impact():
     assert [float(part) for part in bounce_along_normal(0.0, 0.0, -G, 0.5, 1.0)] == [0.0, 0.0, 0.0, 0.0]
     assert [float(part) for part in bounce_along_normal(0.0, 0.0, -G, 1.0, 1.0)] == [0.0, 0.0, 0.0, 0.0]
     assert [float(part) for part in bounce_along_normal(-1e-17, 0.0, -G, 0.5, 1.0)] == [0.0, 0.0, 0.0, 0.0]
@@ -314,7 +315,7 @@ def test_an_impact_at_the_last_instant_of_a_step_belongs_to_it():
     assert [float(part) for part in bounce_along_normal(1.0, 0.0, -8.0, 0.5, 0.5)] == [0.0, 2.0, 1.0, 0.0]
 
 
-def test_a_step_that_ends_with_the_last_float_before_an_impact_does_not_end_behind_the_plane():
+def test_a_step_ending_just_before_an_impact_does_not_end_behind_the_plane():
     # Rounding alone would put it 1e-16 m behind
     assert [float(part) for part in bounce_along_normal(1.99, -2.3, -9.81, 0.5, 0.4442775904403033)][::2] == [0.0, 0.0]
 
@@ -357,7 +358,7 @@ def test_a_body_that_came_to_rest_within_the_step_slides_on_over_the_plane():
     assert position[0, 2] > 5  # 1 s is not enough
 
 
-def test_a_step_cut_short_by_the_number_of_rounds_is_cut_short_along_the_plane_too():
+def test_a_step_cut_short_by_the_impact_limit_also_stops_along_the_plane():
     position, velocity, impacts, left = bounce_through_step((0, 0, 2), (1, 0, 0), (0, 0, -4), UP, 0.0, 0.5, 2.0, 1)
     assert position.tolist() == [1.0, 0.0, 0.0]
     assert velocity.tolist() == [1.0, 0.0, 2.0]

@@ -35,7 +35,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     """Measure in every process of the run."""
-    config.pluginmanager.register(_Measurement(config), "processor-time")
+    config.pluginmanager.register(_Measurement(config))
 
 
 class _Measurement:
@@ -73,7 +73,7 @@ class _Measurement:
     def pytest_testnodedown(self, node: Any) -> None:
         self._collection += getattr(node, "workeroutput", {}).get(_COLLECTION, 0.0)
 
-    @pytest.hookimpl(tryfirst=True)
+    @pytest.hookimpl(trylast=True)  # hypothesis takes most of a second for its own summary
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
         report = self._report()
         if path := self._config.getoption("--cpu-report"):
@@ -97,8 +97,8 @@ class _Measurement:
 
 
 def _folder(test: str) -> str:
-    """`tests/labs` for everything below that folder, `tests` for a file directly in it."""
-    return "/".join(PurePosixPath(test.partition("::")[0]).parent.parts[:2])
+    """`tests/labs` for everything below that folder, `tests` for a file directly in it, `.` for one outside."""
+    return "/".join(PurePosixPath(test.partition("::")[0]).parent.parts[:2]) or "."
 
 
 def used() -> float:

@@ -18,11 +18,12 @@ from labs.correct_functions import package_of_correct_functions
 from labs.grading.calling.calls import Call
 from labs.grading.phrases import gives_beside_physics
 from reference import lecture
-from reference.catalogue import scenarios
 from reference.catalogue.case import Case
 from reference.catalogue.family import Family
-from reference.comparison.compare import Row, Verdict, compare_case
+from reference.catalogue.scenarios import find
+from reference.comparison.compare import compare_case
 from reference.comparison.results import Job
+from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, NeedsFunction, RunFailed
@@ -102,7 +103,7 @@ def compared_with_theory(
 
     The message has the measured number, that of theory, and those that were recorded in the engines.
     """
-    found = scenarios.family(family)
+    found, _ = find(family)
     for name in cases:
         case = found.case(name)
         for row in _rows(code, found, replace(case, scenarios=case.scenarios[:1])):

@@ -12,13 +12,12 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from labs.grading.diagnosis.probes import Probe
 from labs.grading.errors import GraderFailed
+from reference.arrays import Array
 from reference.errors import CollisionsError, NeedsFunction, one_line
 
-Array = NDArray[np.float64]
 Failure = Literal["", "error", "shape", "kind", "unwritten"]
 TOLERANCE = 3e-5
 """In units of the scale: what some hundred roundings in single precision, 6e-8 each, may add up to."""

@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from labs.project_folders import AUTOGRADER
 from reference import lecture
+from reference.arrays import Array
 from reference.errors import InvalidInput
 
-Array = NDArray[np.float64]
 FOLDER = AUTOGRADER / "misconceptions"
 
 

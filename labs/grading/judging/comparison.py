@@ -16,10 +16,11 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from labs.grading.diagnosis.deviations import Answer, Array, Right, deviation_of, outputs
+from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, outputs
 from labs.grading.diagnosis.probes.probe import usual
 from labs.grading.diagnosis.words import called, compared, shown
 from labs.grading.phrases import gives, no_answer
+from reference.arrays import Array
 from reference.errors import UnknownName
 
 Formula = Callable[..., Any]

@@ -1,14 +1,15 @@
-"""Small fast balls shot at a thin wall: who passes through it unnoticed (slides 2, 9 and 10)."""
+"""Small fast balls shot at a thin wall: how many pass through it unnoticed (slides 2, 9 and 10)."""
 
 from __future__ import annotations
 
+from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
 from reference.engines.base import AT_STEP, Method
 from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RADIUS = 0.02
 """Radius of the ball, m: that of table tennis."""
@@ -18,7 +19,7 @@ CAUGHT = THICKNESS / 2 + RADIUS
 """Length of the way, m, on which a ball overlaps the wall and is still on its own side of the middle."""
 RESTITUTION = 0.5
 SHOTS = 53
-"""Shots in an ensemble, a prime: whatever the timestep, their phases within a step come out evenly spread."""
+"""Shots in an ensemble, a prime: their phases within a step are evenly spread for any timestep."""
 EARLIEST, SPREAD = 0.01, 0.1
 """First flight time, and what the flight times span, s: whole steps of 1/60 s and 4 ms, and of what divides these."""
 AFTER = 0.03
@@ -60,7 +61,7 @@ def _passed(trajectory: Trajectory) -> float:
 
 
 def _expect_passed(case: Case, settings: Settings, method: Method) -> Expectation:
-    # Over evenly spread phases a share is out by less than one ball; one more for rounding where a phase is an edge.
+    # Over evenly spread phases a share differs by less than one ball; one more for rounding where a phase is an edge.
     return Expectation(
         0.0, 0.5 / SHOTS, "not one ball of them all", _shift(case, settings, method), _WHY_THROUGH, 2 / SHOTS
     )
@@ -97,13 +98,13 @@ THIN_WALL = Family(
         " is still before the wall's middle, on a way of d/2 + r; beyond the middle the nearest way out is the far"
         " side, and the ball, which moves that way, is let go. So the share that passes is 1 − (d/2 + r)/(v dt) where"
         f" that is above zero: at 20 m/s none up to dt = {1000 * CAUGHT / 20:g} ms, and 70 % at PyBullet's stock"
-        " 1/240 s. At tuned timesteps nothing passes, and no setting but the timestep, or a continuous test, helps.",
+        " 1/240 s. At tuned timesteps nothing passes. Only a smaller timestep or a continuous test helps.",
         "PyBullet, stock, slows the ball in flight: its damping grows with the speed squared. The phases are then not"
-        " spread evenly, so its share may be off by some balls, and what comes back is slower.",
+        " spread evenly, so its share may differ by some balls, and those that come back are slower.",
         "MuJoCo, stock, has so soft a contact that a fast ball sinks in past the middle of the wall and is pushed out"
         " behind it, though it was noticed in time. A smaller timestep does not help there; a stiffer contact does.",
         "Hand-written code that solves for the instant of contact stops every ball, at any timestep: that is the"
-        " continuous test. Answering at the step, it lets through as many as theory says.",
+        " continuous test. If it responds at the step, it lets through as many as theory says.",
     ),
     cases=tuple(_case(speed) for speed in (5.0, 10.0, 20.0)),
     quantities=(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import TENTHS, Grid, Parameter
@@ -12,7 +13,7 @@ from reference.engines.base import EXACT, Method
 from reference.errors import RunFailed
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array, Trajectory
+from reference.scene.trajectory import Trajectory
 
 RADIUS = 0.1
 """Radius of the ball, m."""
@@ -66,14 +67,14 @@ CORNER = Family(
     about=f"A ball without weight flies into the corner of a floor and a wall, at {SPEED:g} m/s towards each. It meets"
     " both at once, or the wall a little after the floor.",
     expected="Each impact reverses the velocity along its own normal and keeps e of it. The two normals are"
-    " perpendicular, so neither impact disturbs the other, in whatever order: the ball leaves with −e v.",
+    " perpendicular, so neither impact disturbs the other, in either order: the ball leaves with −e v.",
     why=(
         "Without weight, impacts are all there is, and PyBullet is right to the last digit, whether the two come in"
         " one step or in two. MuJoCo's one-step contact takes a ten-thousandth of the overlap back as speed, and that"
         " is what is left of its error. DART's is not quite hard: 10⁻⁵ of the change of speed is missing, tuned and"
         " stock.",
-        "Stock, the other two lose the ball's speed: PyBullet by its damping and by contacts made before the walls are"
-        " reached, MuJoCo because it has no restitution. What is left of the speed there is what its soft contact"
+        "Stock, PyBullet and MuJoCo lose the ball's speed: PyBullet by its damping and by contacts made before the"
+        " walls are reached, MuJoCo because it has no restitution. The speed that is left is what its soft contact"
         " gives back.",
     ),
     cases=tuple(_corner(restitution, later) for restitution in (0.5, 0.8, 1.0) for later in (0.0, 0.0005, 0.02)),
@@ -183,7 +184,7 @@ TWO_WALLS = Family(
     title="Ball between two walls",
     topic="response",
     statements=(5, 6, 7, 12),
-    about=f"A ball without weight flies back and forth between two walls, {GAP:g} m apart but for the ball itself.",
+    about=f"A ball without weight flies back and forth between two walls and has {GAP:g} m of free way between them.",
     expected="Each impact keeps e of the speed, so every crossing takes 1/e of the time of the one before, and after n"
     " impacts eⁿ of the speed are left.",
     why=(
@@ -191,10 +192,10 @@ TWO_WALLS = Family(
         " gives a little overlap back as speed. Times are late by up to dt (1 + 1/e) an impact, at every speed: it is"
         " noticed at the end of its step, and the way back from behind the wall takes 1/e of what was overshot. In"
         " MuJoCo at e = 0.5 that little speed weighs more, since 12 s pass: the last impact is 5 ms early.",
-        "DART takes a rebound below 0.1 m/s for none, and so the last one at e = 0.5, of 0.0625 m/s, does not happen.",
+        "DART has no rebound below 0.1 m/s, so the last one at e = 0.5, of 0.0625 m/s, does not happen.",
         "Stock PyBullet makes contacts ahead of the wall and damps the flight: at e = 0.5 the ball is caught after a"
-        " bounce or two. Stock MuJoCo has no restitution and lets the ball creep off the wall. Neither has a fifth"
-        " impact, whatever e is.",
+        " bounce or two. Stock MuJoCo has no restitution and lets the ball creep off the wall. For no e does either"
+        " of them have a fifth impact.",
     ),
     cases=tuple(_between(restitution) for restitution in (0.5, 0.8, 1.0)),
     quantities=(

@@ -1,1 +1,1 @@
-"""The drivers of the hand-written side: step loops and queries that call the functions of an implementation."""
+"""Drivers of hand-written code: step loops and queries that call the functions of an implementation."""

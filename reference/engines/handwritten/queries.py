@@ -1,4 +1,4 @@
-"""The hand-written answers to questions of geometry: which function is asked for which shape."""
+"""Questions of geometry, answered by hand-written code: which function is called for which shapes."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from reference.engines.handwritten.stepping import Array
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.errors import CannotExpress
 from reference.scene import geometry
@@ -16,7 +16,7 @@ from reference.scene.scenario import Body, Box, HalfSpace, Sphere
 
 
 def answer(query: Query, implementation: Implementation) -> float:
-    """Ask the implementation's functions."""
+    """Answer with the implementation's functions."""
     return _ray(query, implementation) if isinstance(query, Ray) else _distance(query, implementation)
 
 
@@ -37,7 +37,7 @@ def _ray(query: Ray, implementation: Implementation) -> float:
 
 
 def _distance(query: Distance, implementation: Implementation) -> float:
-    """The distance of the cores, less the radii. Cores that overlap have none that these functions could tell."""
+    """The distance between the cores, less the radii. For cores that overlap these functions have no distance."""
     a, b = query.body_a, query.body_b
     radius = sum(body.shape.radius for body in (a, b) if isinstance(body.shape, Sphere))
     if isinstance(a.shape, HalfSpace) or isinstance(b.shape, HalfSpace):

@@ -1,6 +1,6 @@
-"""Step loops for single bodies, batch first: N scenarios of one kind run side by side in arrays (N, 3).
+"""Step loops for single bodies that move as points do, batch first: N scenarios of one kind run side by side.
 
-All physics is asked of the implementation's functions; the loops only say when.
+All physics comes from the implementation's functions; the loops only decide when to call them.
 """
 
 from __future__ import annotations
@@ -10,17 +10,45 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from reference.engines.handwritten.stepping import Array, Mask, policy_of, record, start, until
+from reference.arrays import Array, Mask
+from reference.engines.handwritten.stepping import checked_impact_times, policy_of, record, start
 from reference.engines.implementation import Implementation
 from reference.scene.scenario import Pair, Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Event, Trajectory
 
+Motion = Callable[..., tuple[Array, Array]]
+"""Takes positions and velocities (N, 3), accelerations and durations; returns the positions and velocities after."""
 
-class _Batch:
-    """The single movable body of each scenario and the plane below it, as arrays over the scenarios."""
 
-    def __init__(self, scenarios: Sequence[Scenario]) -> None:
+def bounce(
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
+) -> list[Trajectory]:
+    """Balls that fall on a plane, bounce and come to rest, without friction."""
+    balls = _Balls(scenarios, settings, implementation)
+    policies = {
+        "exact_root": balls.step_to_exact_roots,
+        "interpolated": balls.step_to_slides_times,
+        "at_step": balls.respond_then_step,
+    }
+    return record(engine, scenarios, settings, steps, balls.states, policy_of(policies, settings), balls.events)
+
+
+def slide(
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
+) -> list[Trajectory]:
+    """Boxes flat on a plane that slide in a straight line and stop, or hold."""
+    slabs = _Slabs(scenarios, settings, implementation)
+    policies = {"exact_root": slabs.step_exactly, "at_step": slabs.step_semi_implicitly}
+    return record(engine, scenarios, settings, steps, slabs.states, policy_of(policies, settings), slabs.events)
+
+
+class _Points:
+    """The single movable body of each of N scenarios and the plane below it, as arrays over the scenarios."""
+
+    def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
+        self.dt = settings.timestep
+        self.function = functools.cache(implementation.function)  # looked up when a step first needs it
         self.bodies = [next(body for body in scenario.bodies if not body.immovable) for scenario in scenarios]
         planes = [next(body for body in scenario.bodies if body.immovable) for scenario in scenarios]
         self.position = np.array([body.position for body in self.bodies])
@@ -35,7 +63,7 @@ class _Batch:
         self._moving = [scenario.bodies.index(body) for scenario, body in zip(scenarios, self.bodies, strict=True)]
 
     def states(self) -> Array:
-        """Of all bodies the 13 numbers that a sample keeps, (N, 2, 13)."""
+        """The 13 numbers of every body that a sample keeps, (N, 2, 13)."""
         states, every = self._start.copy(), np.arange(len(self._moving))
         states[every, self._moving, :3], states[every, self._moving, 7:10] = self.position, self.velocity
         return states
@@ -46,110 +74,125 @@ class _Batch:
             self.events[member].append(Event(float(time[member]), kind, self.bodies[member].name))
 
 
-def bounce(
-    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
-) -> list[Trajectory]:
-    """Balls that fall on a plane, bounce and come to rest; no friction. What a policy has no use for is not asked."""
-    function = functools.cache(implementation.function)
-    signed_distance, respond = function("signed_distance"), function("kinematic_response")
-    weight, fly = function("uniform_gravity"), function("ballistic_motion")
+class _Balls(_Points):
+    """Balls above planes: three ways to step them, and what the three share."""
 
-    batch, dt = _Batch(scenarios), settings.timestep
-    every_dt = np.full(len(scenarios), dt)
-    radius = np.array([body.shape.radius for body in batch.bodies])  # type: ignore[union-attr]
-    restitution = np.array([pair.restitution for pair in batch.pairs])
-    acceleration = weight(batch.mass, batch.gravity) / batch.mass[:, None]
-    normal_acceleration = np.sum(acceleration * batch.normal, axis=1)
-    along_plane = acceleration - normal_acceleration[:, None] * batch.normal  # what is left to a ball on the plane
-    rest_speed = settings.number("shortest_flight") * dt * -normal_acceleration / 2
-    resting = np.zeros(len(scenarios), dtype=bool)
+    def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
+        super().__init__(scenarios, settings, implementation)
+        self._signed_distance = self.function("signed_distance")
+        self._kinematic_response = self.function("kinematic_response")
+        self.radius = np.array([body.shape.radius for body in self.bodies])  # type: ignore[union-attr]
+        self.restitution = np.array([pair.restitution for pair in self.pairs])
+        self.free_acceleration = self.function("uniform_gravity")(self.mass, self.gravity) / self.mass[:, None]
+        self.normal_acceleration = np.sum(self.free_acceleration * self.normal, axis=1)
+        self.along_plane = self.free_acceleration - self.normal_acceleration[:, None] * self.normal
+        # A ball that leaves the plane at w is back after 2 w/g: below this w the flight is too short to be followed.
+        self.rest_speed = settings.number("shortest_flight") * self.dt * -self.normal_acceleration / 2
+        self.resting = np.zeros(len(scenarios), dtype=bool)
+        self.whole_step = np.full(len(scenarios), self.dt)
 
-    def separation(position: Array) -> Array:
-        return np.asarray(signed_distance(position, batch.normal, batch.offset - radius))
+    # The three policies
 
-    def after(move: Callable[..., tuple[Array, Array]], duration: Array) -> tuple[Array, Array]:
-        return move(batch.position, batch.velocity, np.where(resting[:, None], along_plane, acceleration), duration)
-
-    def answer(struck: Mask, time: Array) -> None:
-        answered = respond(batch.velocity, batch.normal, restitution)
-        batch.velocity = np.where(struck[:, None], answered, batch.velocity)
-        leaving = np.sum(batch.velocity * batch.normal, axis=1)
-        to_rest = struck & (leaving <= rest_speed)
-        batch.velocity = np.where(to_rest[:, None], batch.velocity - leaving[:, None] * batch.normal, batch.velocity)
-        resting[to_rest] = True
-        batch.report(struck, time, "impact")
-        batch.report(to_rest, time, "rest")
-
-    def until_exact_root(remaining: Array) -> Array:
-        normal_velocity = np.sum(batch.velocity * batch.normal, axis=1)
-        exact = function("time_of_impact_exact")
-        time = exact(separation(batch.position), normal_velocity, normal_acceleration)
-        return until("time_of_impact_exact", np.asarray(time))
-
-    def until_slides_t(remaining: Array) -> Array:
-        start = np.maximum(separation(batch.position), 0.0)  # left on the plane, it may be behind it by rounding
-        end = separation(after(fly, remaining)[0])
-        interpolated = function("time_of_impact_interpolated")
-        time = until("time_of_impact_interpolated", np.asarray(interpolated(start, end, 0.0, remaining)))
-        moves_away = np.sum(batch.velocity * batch.normal, axis=1) > 0  # and back within the step: a chord cannot tell
-        return np.where((start == 0) & moves_away, np.inf, time)
-
-    def step_through_impacts(time: float, until_impact: Callable[[Array], Array]) -> None:
-        remaining = every_dt
+    def step_to_exact_roots(self, time: float) -> None:
+        """Fly each ball to the root of its own parabola, let it bounce there, and fly on until the step is over."""
+        fly, time_of_impact = self.function("ballistic_motion"), self.function("time_of_impact_exact")
+        remaining = self.whole_step
         while True:
-            impact = np.where(resting, np.inf, until_impact(remaining))
-            struck = impact <= remaining
-            passed = np.minimum(impact, remaining)
-            batch.position, batch.velocity = after(fly, passed)
-            remaining = remaining - passed
+            roots = time_of_impact(self.separation(self.position), self.normal_velocity(), self.normal_acceleration)
+            impact = np.where(self.resting, np.inf, checked_impact_times("time_of_impact_exact", roots))
+            struck, remaining = self.move_to_impact(fly, impact, remaining)
             if not struck.any():
                 return
-            answer(struck, time + dt - remaining)
+            self.respond(struck, time + self.dt - remaining)
 
-    def respond_or_step(time: float) -> None:
-        approaching = np.sum(batch.velocity * batch.normal, axis=1) < 0
-        behind = function("is_colliding")(separation(batch.position)) & approaching & ~resting
-        answer(behind, np.full(len(scenarios), time))
-        supported = np.where((behind | resting)[:, None], along_plane, acceleration)
-        euler = function("semi_implicit_euler")
-        batch.position, batch.velocity = euler(batch.position, batch.velocity, supported, every_dt)
+    def step_to_slides_times(self, time: float) -> None:
+        """The same with the slide's T: where the chord between the separations now and after the rest of the step is 0.
 
-    policies: dict[str, Callable[[float], None]] = {
-        "exact_root": lambda time: step_through_impacts(time, until_exact_root),
-        "interpolated": lambda time: step_through_impacts(time, until_slides_t),
-        "at_step": respond_or_step,
-    }
-    return record(engine, scenarios, settings, steps, batch.states, policy_of(policies, settings), batch.events)
+        A ball that leaves the plane and is back within the step starts and ends on it; a chord cannot see that flight.
+        """
+        fly = self.function("ballistic_motion")
+        remaining = self.whole_step
+        while True:
+            before = np.maximum(
+                self.separation(self.position), 0.0
+            )  # left on the plane, it may be behind it by rounding
+            after = self.separation(self.moved(fly, self.resting, remaining)[0])
+            chords = self.function("time_of_impact_interpolated")(before, after, 0.0, remaining)
+            impact = checked_impact_times("time_of_impact_interpolated", chords)
+            leaves = (before == 0) & (self.normal_velocity() > 0)
+            impact = np.where(self.resting | leaves, np.inf, impact)
+            struck, remaining = self.move_to_impact(fly, impact, remaining)
+            if not struck.any():
+                return
+            self.respond(struck, time + self.dt - remaining)
+
+    def respond_then_step(self, time: float) -> None:
+        """Let every ball bounce that is behind its plane and approaches, then take a step of semi-implicit Euler."""
+        behind = self.function("is_colliding")(self.separation(self.position))
+        struck = behind & (self.normal_velocity() < 0) & ~self.resting
+        self.respond(struck, np.full(len(struck), time))
+        euler, supported = self.function("semi_implicit_euler"), struck | self.resting
+        self.position, self.velocity = self.moved(euler, supported, self.whole_step)
+
+    # What they share
+
+    def separation(self, position: Array) -> Array:
+        """Gap between each plane and its ball at a position (N, 3): (N,), m; negative behind the plane."""
+        return np.asarray(self._signed_distance(position, self.normal, self.offset - self.radius))
+
+    def normal_velocity(self) -> Array:
+        """Velocity along the plane's normal, (N,), m/s; negative when approaching."""
+        return np.asarray(np.sum(self.velocity * self.normal, axis=1))
+
+    def moved(self, motion: Motion, supported: Mask, duration: Array) -> tuple[Array, Array]:
+        """Positions and velocities after a while; to a ball that its plane supports, weight along the plane is left."""
+        acceleration = np.where(supported[:, None], self.along_plane, self.free_acceleration)
+        return motion(self.position, self.velocity, acceleration, duration)
+
+    def move_to_impact(self, fly: Motion, impact: Array, remaining: Array) -> tuple[Mask, Array]:
+        """Move each ball to its impact, or to the end of the step; return which ones strike and what remains, s."""
+        passed = np.minimum(impact, remaining)
+        self.position, self.velocity = self.moved(fly, self.resting, passed)
+        return impact <= remaining, remaining - passed
+
+    def respond(self, struck: Mask, time: Array) -> None:
+        """Give the balls that strike their velocities after the impact; one that leaves too slowly comes to rest."""
+        rebound = self._kinematic_response(self.velocity, self.normal, self.restitution)
+        self.velocity = np.where(struck[:, None], rebound, self.velocity)
+        leaving = self.normal_velocity()
+        to_rest = struck & (leaving <= self.rest_speed)
+        self.velocity = np.where(to_rest[:, None], self.velocity - leaving[:, None] * self.normal, self.velocity)
+        self.resting = self.resting | to_rest
+        self.report(struck, time, "impact")
+        self.report(to_rest, time, "rest")
 
 
-def slide(
-    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
-) -> list[Trajectory]:
-    """Boxes flat on a plane that slide in a straight line and stop, or hold."""
-    weight = implementation.function("uniform_gravity")
-    friction_force = implementation.function("friction_force")
-    sliding_motion = implementation.function("sliding_motion")
+class _Slabs(_Points):
+    """Boxes that lie flat on planes: two ways to step them."""
 
-    batch, dt = _Batch(scenarios), settings.timestep
-    pull = weight(batch.mass, batch.gravity)
-    normal_force = -np.sum(pull * batch.normal, axis=1)
-    push = pull + normal_force[:, None] * batch.normal
-    friction = [
-        np.array(values) for values in zip(*((p.static_friction, p.kinetic_friction) for p in batch.pairs), strict=True)
-    ]
+    def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
+        super().__init__(scenarios, settings, implementation)
+        weight = self.function("uniform_gravity")
+        self._friction_force, self._sliding_motion = self.function("friction_force"), self.function("sliding_motion")
+        pull = weight(self.mass, self.gravity)
+        self.normal_force = -np.sum(pull * self.normal, axis=1)
+        self.push = pull + self.normal_force[:, None] * self.normal
+        self.static_friction = np.array([pair.static_friction for pair in self.pairs])
+        self.kinetic_friction = np.array([pair.kinetic_friction for pair in self.pairs])
 
-    def step_exactly(time: float) -> None:
-        batch.position, batch.velocity, stop = sliding_motion(
-            batch.position, batch.velocity, push, normal_force, *friction, batch.mass, dt
+    def step_exactly(self, time: float) -> None:
+        """Slide through the step, and stop within it where friction has taken all speed."""
+        friction = self.static_friction, self.kinetic_friction
+        self.position, self.velocity, stop = self._sliding_motion(
+            self.position, self.velocity, self.push, self.normal_force, *friction, self.mass, self.dt
         )
-        batch.report(np.isfinite(stop), time + stop, "stop")
+        self.report(np.isfinite(stop), time + stop, "stop")
 
-    def step_semi_implicitly(time: float) -> None:
-        force = push + friction_force(push, batch.velocity, normal_force, *friction)
-        velocity = batch.velocity + force / batch.mass[:, None] * dt
-        reversed_ = (np.sum(velocity * batch.velocity, axis=1) <= 0) & np.any(batch.velocity != 0, axis=1)
-        batch.velocity = np.where(reversed_[:, None], 0.0, velocity)  # friction stops a body; it cannot push it back
-        batch.position = batch.position + batch.velocity * dt
-
-    policies: dict[str, Callable[[float], None]] = {"exact_root": step_exactly, "at_step": step_semi_implicitly}
-    return record(engine, scenarios, settings, steps, batch.states, policy_of(policies, settings), batch.events)
+    def step_semi_implicitly(self, time: float) -> None:
+        """Change the velocity by the force at the start of the step, then move with the new velocity."""
+        friction = self.static_friction, self.kinetic_friction
+        force = self.push + self._friction_force(self.push, self.velocity, self.normal_force, *friction)
+        velocity = self.velocity + force / self.mass[:, None] * self.dt
+        turns_back = (np.sum(velocity * self.velocity, axis=1) <= 0) & np.any(self.velocity != 0, axis=1)
+        self.velocity = np.where(turns_back[:, None], 0.0, velocity)  # friction stops a body; it cannot push it back
+        self.position = self.position + self.velocity * self.dt

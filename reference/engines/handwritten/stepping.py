@@ -1,19 +1,17 @@
-"""What every hand-written driver does around its step: choose the policy, step, sample, and hand out trajectories."""
+"""What every hand-written driver does around its step: choose the policy, take samples and make trajectories."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from reference.arrays import Array
 from reference.errors import InvalidInput, RunFailed
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Event, Trajectory
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 Step = Callable[[float], None]
 """Takes the time at which the step begins, s."""
 
@@ -26,24 +24,20 @@ def policy_of(policies: Mapping[str, Step], settings: Settings) -> Step:
     return policies[name]
 
 
-def until(name: str, answered: Array) -> Array:
-    """Return times of impact as a function of that name answered them, s; refuse what lies in the past or is none."""
-    wrong = answered[~(answered >= 0)]
+def checked_impact_times(name: str, times: Array) -> Array:
+    """Return times of impact, s, as the function of that name gave them; refuse those in the past and NaN."""
+    found = np.asarray(times)
+    wrong = found[~(found >= 0)]
     if wrong.size:
         raise RunFailed(
-            f"{name} answered {wrong.flat[0]:.6g} s: a time of impact is 0 or later, infinity where it is none"
+            f"{name} answered {wrong.flat[0]:.6g} s: a time of impact is 0 or later, infinity where there is no impact"
         )
-    return answered
+    return found
 
 
 def start(scenarios: Sequence[Scenario]) -> Array:
-    """Return the states that the bodies of scenarios with equally many start with, (N, bodies, 13)."""
-    return np.array(
-        [
-            [(*body.position, *body.orientation, *body.velocity, *body.angular_velocity) for body in scenario.bodies]
-            for scenario in scenarios
-        ]
-    )
+    """Return the states in which all bodies start, (N, bodies, 13); the scenarios have equally many bodies."""
+    return np.array([[body.state() for body in scenario.bodies] for scenario in scenarios])
 
 
 def record(
@@ -55,10 +49,10 @@ def record(
     step: Step,
     events: Sequence[Sequence[Event]],
 ) -> list[Trajectory]:
-    """Step, sample, and hand every scenario its own trajectory, cut after its own number of steps.
+    """Step all scenarios together, and return each one's own trajectory, cut after its own number of steps.
 
-    states: gives position, orientation, velocity and angular velocity of every body, (N, bodies, 13). events: one list
-    a scenario, to which the step adds.
+    states: returns position, orientation, velocity and angular velocity of every body, (N, bodies, 13). events: one
+    list for each scenario, to which the step adds.
     """
     every, now = settings.sample_every, states()
     samples = [now]
@@ -69,7 +63,7 @@ def record(
         if (number + 1) % every == 0:
             samples.append(now)
         if np.array_equal(now, before) and sum(map(len, events)) == known:
-            break  # forces hang on the state alone: where a step changes nothing, no later one will
+            break  # forces depend on the state alone: where one step changes nothing, no later one will
     samples += [now] * (1 + max(steps) // every - len(samples))
     times: Array = np.arange(len(samples), dtype=np.float64) * every * settings.timestep
     all_states = np.array(samples, dtype=np.float64)  # (samples, N, bodies, 13)

@@ -1,6 +1,6 @@
 """Step loops for a ball that strikes another ball, a plane or the face of a box, batch first.
 
-As in `drivers`, all physics is asked of the implementation's functions; the loops only say when.
+All physics comes from the implementation's functions; the loops only decide when to call them.
 """
 
 from __future__ import annotations
@@ -11,76 +11,85 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from reference.engines.handwritten.stepping import Array, Mask, policy_of, record, start
-from reference.engines.handwritten.supported import ball_and_other, face_towards, in_own_axes
+from reference.arrays import Array, Mask
+from reference.engines.handwritten.rigid_bodies import RigidBodies
+from reference.engines.handwritten.scenario_kind import ball_and_other, face_towards, in_own_axes
+from reference.engines.handwritten.stepping import policy_of, record, start
 from reference.engines.implementation import Implementation
 from reference.errors import NeedsFunction, RunFailed
 from reference.scene import geometry
-from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
+from reference.scene.scenario import Body, Box, HalfSpace, Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Event, Trajectory
 
 NEEDS_A_WORLD = "needs a rigid-body world (world)"
-_MEETS_AGAIN = f"{NEEDS_A_WORLD}: the two meet again after their impact, unless what was answered to it is wrong"
-_ROUNDING = 1e-9  # a gap or a speed below this, m or m/s, is none
-_MOST_IMPACTS = 100  # of one pair within one step; what falls back so fast comes to rest, and that is told apart
+_MEETS_AGAIN = f"{NEEDS_A_WORLD}: the two meet again after their impact, unless the result of the impact is wrong"
+_ROUNDING = 1e-9  # a gap or a speed below this, m or m/s, is rounding
+_MOST_IMPACTS = 100  # of one pair within one step; a ball that falls back so fast comes to rest, and is refused before
 
 
-class _Side:
-    """One of the two bodies of each scenario, as arrays over the N scenarios."""
-
-    def __init__(self, scenarios: Sequence[Scenario], bodies: Sequence[Body], implementation: Implementation) -> None:
-        self.bodies = bodies
-        self.place = [scenario.bodies.index(body) for scenario, body in zip(scenarios, bodies, strict=True)]
-        self.position = np.array([body.position for body in bodies])
-        self.orientation = np.array([body.orientation for body in bodies])
-        self.velocity = np.array([body.velocity for body in bodies])
-        self.spin = np.array([body.angular_velocity for body in bodies])
-        self.inverse_mass = np.array([body.inverse_mass for body in bodies])
-        self.inertia = np.array([_moments(body, implementation) for body in bodies])
-        falls = self.inverse_mass[:, None] > 0
-        self.acceleration = np.where(falls, [scenario.gravity for scenario in scenarios], 0.0)
-        self._world_inverse_inertia = implementation.function("world_inverse_inertia")
-
-    def at(self, arm: Array) -> tuple[Array, Array, Array, Array, Array]:
-        """What an impact needs to know: velocity, angular velocity, arm, inverse mass, inverse inertia."""
-        inverse_inertia = np.asarray(self._world_inverse_inertia(self.inertia, self.orientation))
-        return self.velocity, self.spin, arm, self.inverse_mass, inverse_inertia
-
-    def move(self, how: Callable[..., tuple[Array, Array]], duration: Array) -> None:
-        """Fly on, spinning about an axis that keeps its direction."""
-        self.position, self.velocity = map(np.asarray, how(self.position, self.velocity, self.acceleration, duration))
-        self.orientation = geometry.turned(self.orientation, self.spin * duration[:, None])
-
-    def take(self, struck: Mask, velocity: Array, spin: Array) -> None:
-        """Take new velocities where struck."""
-        self.velocity = np.where(struck[:, None], velocity, self.velocity)
-        self.spin = np.where(struck[:, None], spin, self.spin)
-
-    def state(self) -> Array:
-        """The 13 numbers that a sample keeps, (N, 13)."""
-        return np.concatenate([self.position, self.orientation, self.velocity, self.spin], axis=-1)
+def strike_ball(
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
+) -> list[Trajectory]:
+    """Two balls that strike each other, with friction and spin, and fly on."""
+    return _run(engine, _TwoBalls(scenarios, settings, implementation), settings, steps)
 
 
-def _moments(body: Body, implementation: Implementation) -> Array:
-    """Moments of inertia about the body's own axes, (3,), kg m²; infinite for what cannot be turned."""
-    if isinstance(body.shape, Sphere):
-        return np.asarray(implementation.function("sphere_inertia")(body.mass, body.shape.radius))
-    if isinstance(body.shape, Box):
-        return np.asarray(implementation.function("box_inertia")(body.mass, 2 * np.array(body.shape.half_extents)))
-    return np.full(3, np.inf)
+def strike_face(
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
+) -> list[Trajectory]:
+    """A ball that strikes a plane or straight on a face of a box, with friction and spin, and flies on.
+
+    A ball that meets a box again after the box has begun to turn, or that comes to rest on a plane, needs a rigid-body
+    world.
+    """
+    made = _run(engine, _BallAndFace(scenarios, settings, implementation), settings, steps)
+    for trajectory in made:
+        _check_that_they_part(trajectory)
+    return made
+
+
+def _run(engine: str, pairs: _Pairs, settings: Settings, steps: list[int]) -> list[Trajectory]:
+    policies = {"exact_root": pairs.step_through_impacts, "at_step": pairs.respond_then_step}
+    return record(engine, pairs.scenarios, settings, steps, pairs.states, policy_of(policies, settings), pairs.events)
 
 
 class _Pairs(ABC):
-    """A ball A and what it strikes, B, in each of the N scenarios."""
+    """A ball A and what it strikes, B, in each of N scenarios: two ways to step them, and what the two share."""
 
-    def __init__(self, scenarios: Sequence[Scenario], implementation: Implementation) -> None:
-        self.scenarios, self.function = scenarios, implementation.function
+    def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
+        self.scenarios, self.dt = scenarios, settings.timestep
+        self.function = functools.cache(implementation.function)  # looked up when a step first needs it
         both = [ball_and_other(scenario) for scenario in scenarios]
-        self.a, self.b = (_Side(scenarios, bodies, implementation) for bodies in zip(*both, strict=True))
+        self.a, self.b = (RigidBodies(scenarios, bodies, implementation) for bodies in zip(*both, strict=True))
         self.radius = np.array([ball.shape.radius for ball, _ in both])  # type: ignore[union-attr]
+        self.whole_step = np.full(len(scenarios), self.dt)
         self.events: list[list[Event]] = [[] for _ in scenarios]
         self._start = start(scenarios)
+
+    # The two policies
+
+    def step_through_impacts(self, time: float) -> None:
+        """Fly each pair to its next impact, resolve it there, and fly on until the step is over."""
+        remaining = self.whole_step
+        for _ in range(_MOST_IMPACTS):
+            impact = self.until_impact(remaining)
+            struck, passed = impact <= remaining, np.minimum(impact, remaining)
+            self.move(self.function("ballistic_motion"), passed)
+            remaining = remaining - passed
+            if not struck.any():
+                return
+            self.respond(struck, time + self.dt - remaining)
+        raise RunFailed(f"{_MOST_IMPACTS} impacts within one step of {self.dt:g} s: the response does not part the two")
+
+    def respond_then_step(self, time: float) -> None:
+        """Resolve the impact of every pair that overlaps and approaches, then take a step of semi-implicit Euler."""
+        struck = self.function("is_colliding")(self.gap()) & (self.normal_velocity() < 0) & ~self.out_of_reach()
+        if struck.any():
+            self.respond(struck, np.full(len(struck), time))
+        self.move(self.function("semi_implicit_euler"), self.whole_step)
+
+    # What depends on the shapes
 
     @abstractmethod
     def normal(self) -> Array:
@@ -94,48 +103,75 @@ class _Pairs(ABC):
     def until_impact(self, remaining: Array) -> Array:
         """Time until they next touch and approach, (N,), s; infinity where that is not within the remaining time."""
 
-    def approach(self) -> tuple[Array, Array]:
-        """Velocity and acceleration of A relative to B, along the normal, (N,) each; negative when approaching."""
-        normal, a, b = self.normal(), self.a, self.b
-        return np.vecdot(a.velocity - b.velocity, normal), np.vecdot(a.acceleration - b.acceleration, normal)
+    @abstractmethod
+    def out_of_reach(self) -> Mask:
+        """Whether A can no longer strike the surface of B that it flew at, (N,)."""
 
-    def answer(self, struck: Mask, time: Array) -> None:
+    # What they share
+
+    def normal_velocity(self) -> Array:
+        """Velocity of A relative to B along the normal, (N,), m/s; negative when approaching."""
+        return np.asarray(np.vecdot(self.a.velocity - self.b.velocity, self.normal()))
+
+    def normal_acceleration(self) -> Array:
+        """Acceleration of A relative to B along the normal, (N,), m/s²; negative when it pulls the two together."""
+        return np.asarray(np.vecdot(self.a.acceleration - self.b.acceleration, self.normal()))
+
+    def move(self, motion: Callable[..., tuple[Array, Array]], duration: Array) -> None:
+        """Move both bodies for a while (N,), s."""
+        self.a.move(motion, duration)
+        self.b.move(motion, duration)
+
+    def respond(self, struck: Mask, time: Array) -> None:
         """Give the bodies that strike each other their velocities after the impact."""
         normal = self.normal()
         arm = -self.radius[:, None] * normal  # to the point of the ball that touches, or is deepest inside
-        side_a, side_b = self.a.at(arm), self.b.at(self.a.position + arm - self.b.position)
-        velocity_a, spin_a, velocity_b, spin_b = self._answered(side_a, side_b, normal)
-        self.a.take(struck, velocity_a, spin_a)
-        self.b.take(struck, velocity_b, spin_b)
+        at_a, at_b = self.a.struck_at(arm), self.b.struck_at(self.a.position + arm - self.b.position)
+        velocity_a, spin_a, velocity_b, spin_b = self._after_impact(at_a, at_b, normal)
+        self.a.set_velocities(struck, velocity_a, spin_a)
+        self.b.set_velocities(struck, velocity_b, spin_b)
         for member in np.flatnonzero(struck).tolist():
             self.events[member].append(Event(float(time[member]), "impact", self.a.bodies[member].name))
+        self._refuse_rest(struck)
 
-    def _answered(self, side_a: tuple[Array, ...], side_b: tuple[Array, ...], normal: Array) -> tuple[Array, ...]:
+    def _refuse_rest(self, struck: Mask) -> None:
+        """Refuse a ball that leaves so slowly that it is back within two steps: it comes to rest, and may roll."""
+        pull = -self.normal_acceleration()
+        falls_back = struck & ~self.out_of_reach() & (pull > 0)
+        if np.any(falls_back & (self.normal_velocity() <= pull * self.dt)):
+            raise NeedsFunction(NEEDS_A_WORLD)
+
+    def _after_impact(self, at_a: tuple[Array, ...], at_b: tuple[Array, ...], normal: Array) -> tuple[Array, ...]:
+        """Velocity and angular velocity of A, then those of B, after an impact with or without friction."""
         restitution = np.array([scenario.pairs[0].restitution for scenario in self.scenarios])
         friction = np.array([scenario.pairs[0].kinetic_friction for scenario in self.scenarios])
         if not friction.any():
-            smooth: tuple[Array, ...] = self.function("collide")(side_a, side_b, normal, restitution)
+            smooth: tuple[Array, ...] = self.function("collide")(at_a, at_b, normal, restitution)
             return smooth
         point_velocity, point_inverse_mass = self.function("point_velocity"), self.function("point_inverse_mass")
-        slip = self.function("relative_velocity")(point_velocity(*side_a[:3]), point_velocity(*side_b[:3]))
+        slip = self.function("relative_velocity")(point_velocity(*at_a[:3]), point_velocity(*at_b[:3]))
         softness = sum(
             point_inverse_mass(inverse_mass, inverse_inertia, arm)
-            for _, _, arm, inverse_mass, inverse_inertia in (side_a, side_b)
+            for _, _, arm, inverse_mass, inverse_inertia in (at_a, at_b)
         )
         impulse = self.function("friction_impulse")(slip, normal, softness, restitution, friction)
-        rough: tuple[Array, ...] = self.function("apply_impulse")(side_a, side_b, impulse)
+        rough: tuple[Array, ...] = self.function("apply_impulse")(at_a, at_b, impulse)
         return rough
 
     def states(self) -> Array:
         """The states of all bodies as a sample keeps them, (N, 2, 13)."""
         states, every = self._start.copy(), np.arange(len(self._start))
-        for side in (self.a, self.b):
-            states[every, side.place] = side.state()
+        for bodies in (self.a, self.b):
+            states[every, bodies.place] = bodies.states()
         return states
 
 
-class _Balls(_Pairs):
+class _TwoBalls(_Pairs):
     """Two balls."""
+
+    def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
+        super().__init__(scenarios, settings, implementation)
+        self.other_radius = np.array([body.shape.radius for body in self.b.bodies])  # type: ignore[union-attr]
 
     def normal(self) -> Array:
         between = self.a.position - self.b.position
@@ -143,25 +179,24 @@ class _Balls(_Pairs):
 
     def gap(self) -> Array:
         between = np.linalg.norm(self.a.position - self.b.position, axis=1)
-        return np.asarray(between - self.radius - self._other_radius())
+        return np.asarray(between - self.radius - self.other_radius)
 
     def until_impact(self, remaining: Array) -> Array:
         a, b = self.a, self.b
         sweep = self.function("sweep_sphere_sphere")
-        time = sweep(a.position, a.velocity, self.radius, b.position, b.velocity, self._other_radius(), remaining)
-        return np.where(
-            self.approach()[0] < -_ROUNDING, time, np.inf
-        )  # to a sweep, what touches and parts is touching now
+        time = sweep(a.position, a.velocity, self.radius, b.position, b.velocity, self.other_radius, remaining)
+        approaching = self.normal_velocity() < -_ROUNDING  # a sweep also gives 0 for two that touch and part
+        return np.where(approaching, time, np.inf)
 
-    def _other_radius(self) -> Array:
-        return np.array([body.shape.radius for body in self.b.bodies])  # type: ignore[union-attr]
+    def out_of_reach(self) -> Mask:
+        return np.zeros(len(self.scenarios), dtype=bool)
 
 
-class _Faces(_Pairs):
-    """A ball over a plane, or over a face of a box, which it strikes once: then the box turns."""
+class _BallAndFace(_Pairs):
+    """A ball over a plane, or over a face of a box, which it can strike only once: after that the box turns."""
 
-    def __init__(self, scenarios: Sequence[Scenario], implementation: Implementation) -> None:
-        super().__init__(scenarios, implementation)
+    def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
+        super().__init__(scenarios, settings, implementation)
         faces = [_face(*ball_and_other(scenario)) for scenario in scenarios]
         self._normal = np.array([normal for normal, _ in faces])
         self._height = np.array([height for _, height in faces])
@@ -176,17 +211,12 @@ class _Faces(_Pairs):
         return np.asarray(self.function("signed_distance")(self.a.position, self._normal, offset))
 
     def until_impact(self, remaining: Array) -> Array:
-        velocity, acceleration = super().approach()
+        velocity = self.normal_velocity()
         velocity = np.where(np.abs(velocity) < _ROUNDING, 0.0, velocity)
-        time = self.function("time_of_impact_exact")(self.gap(), velocity, acceleration)
-        return np.where(self._lost(), np.inf, time)
+        time = self.function("time_of_impact_exact")(self.gap(), velocity, self.normal_acceleration())
+        return np.where(self.out_of_reach(), np.inf, time)
 
-    def approach(self) -> tuple[Array, Array]:
-        """As of any pair; a face that is lost nothing approaches any more."""
-        velocity, acceleration = super().approach()
-        return np.where(self._lost(), np.inf, velocity), acceleration
-
-    def _lost(self) -> Mask:
+    def out_of_reach(self) -> Mask:
         """Whether the face is no longer the nearest: the box turns, or a step has carried the ball past its middle."""
         return np.asarray(self.b.spin.any(axis=1) | (self.gap() + self.radius < -self._middle))
 
@@ -198,63 +228,6 @@ def _face(ball: Body, other: Body) -> tuple[Array, float]:
     assert isinstance(other.shape, Box)
     normal = face_towards(ball, other)
     return normal, float(np.abs(in_own_axes(other, normal)) @ np.array(other.shape.half_extents))
-
-
-def strike_ball(
-    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
-) -> list[Trajectory]:
-    """Two balls that strike each other, with friction and spin, and fly on."""
-    return _strike(engine, _Balls(scenarios, implementation), settings, steps)
-
-
-def strike_face(
-    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
-) -> list[Trajectory]:
-    """A ball that strikes a plane or straight on a face of a box, with friction and spin, and flies on.
-
-    Where a ball meets a box again that turns by then, or comes to rest on a plane, it takes a rigid-body world.
-    """
-    made = _strike(engine, _Faces(scenarios, implementation), settings, steps)
-    for trajectory in made:
-        _check_that_they_part(trajectory)
-    return made
-
-
-def _strike(engine: str, pairs: _Pairs, settings: Settings, steps: list[int]) -> list[Trajectory]:
-    function = functools.cache(pairs.function)  # what a policy has no use for is not asked
-    dt, every_dt = settings.timestep, np.full(len(pairs.scenarios), settings.timestep)
-
-    def answer(struck: Mask, time: Array) -> None:
-        pairs.answer(struck, time)
-        leaving, pressing = pairs.approach()
-        if np.any(struck & (pressing < 0) & (leaving <= -pressing * dt)):
-            raise NeedsFunction(NEEDS_A_WORLD)  # a flight of two steps at most: it comes to rest, and may roll
-
-    def move(how: Callable[..., tuple[Array, Array]], duration: Array) -> None:
-        pairs.a.move(how, duration)
-        pairs.b.move(how, duration)
-
-    def step_through_impacts(time: float) -> None:
-        remaining = every_dt
-        for _ in range(_MOST_IMPACTS):
-            impact = pairs.until_impact(remaining)
-            struck = impact <= remaining
-            passed = np.minimum(impact, remaining)
-            move(function("ballistic_motion"), passed)
-            remaining = remaining - passed
-            if not struck.any():
-                return
-            answer(struck, time + dt - remaining)
-        raise RunFailed(f"{_MOST_IMPACTS} impacts within one step of {dt:g} s: what was answered does not part the two")
-
-    def respond_or_step(time: float) -> None:
-        struck = function("is_colliding")(pairs.gap()) & (pairs.approach()[0] < 0)
-        if struck.any():
-            answer(struck, np.full(len(struck), time))
-        move(function("semi_implicit_euler"), every_dt)
-
-    policies = {"exact_root": step_through_impacts, "at_step": respond_or_step}
-    return record(engine, pairs.scenarios, settings, steps, pairs.states, policy_of(policies, settings), pairs.events)
 
 
 def _check_that_they_part(trajectory: Trajectory) -> None:

@@ -1,1 +1,1 @@
-"""How the engines run the published cases: a scenario of each, what is read from it, how near its method must come."""
+"""How the engines answer the published cases: each driver sets up a scenario, runs it and reads the figures from it."""

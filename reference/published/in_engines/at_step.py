@@ -1,8 +1,8 @@
-"""What a method that answers at the step does to a bounce: at most, and as a loop of three lines.
+"""What a method that resolves impacts at the step does to a bounce: bounds on it, and the bounce itself step by step.
 
-It falls by semi-implicit Euler, which lands at v²/(2g) = h + d − v dt/2 where it sees the floor at a depth d, from 0
-to v dt. The impact takes back a share c of the overlap, turns back a share w of the g dt that its step has added, and
-gives a share r of the overlap back as speed: see `Method`.
+Such a method falls by semi-implicit Euler. It sees the floor at a depth d, which is between 0 and v dt, and lands there
+with v²/(2g) = h + d − v dt/2. The impact takes back a share c of the overlap, turns back a share w of the g dt that its
+step has added, and gives a share r of the overlap back as speed: see `Method`.
 """
 
 from __future__ import annotations
@@ -14,18 +14,21 @@ from dataclasses import dataclass
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.engines.base import EXACT, Method
-from reference.scene.trajectory import Array
 
 
-def late(timestep: float) -> str:
+def why_late(timestep: float) -> str:
     """Why bounces may be off, with a timestep in s."""
     return f"each impact is met up to a step of {1e3 * timestep:g} ms late; what overlaps of up to v dt do, summed up"
 
 
 @dataclass(frozen=True)
 class Bounce:
-    """A dropped ball: gap, m, restitution, gravity, m/s², and the timestep of the engine that steps through it, s."""
+    """A dropped ball.
+
+    drop: the gap, m. gravity: m/s². timestep: of the engine that steps through the bounce, s.
+    """
 
     drop: float
     restitution: float
@@ -34,27 +37,27 @@ class Bounce:
 
     @property
     def speed(self) -> float:
-        """Of the first impact, m/s."""
+        """Speed of the first impact, m/s."""
         return truth.impact_speed(self.drop, self.gravity)
 
 
 def apexes_off(bounce: Bounce, method: Method, count: int) -> tuple[float, ...]:
     """By how much the first apexes may be off, m.
 
-    The rebound starts at −(1 − c) d, and its steps rise by u²/(2g) + u dt/2 with u = e v + w e g dt: in all the apex is
+    The rebound starts at −(1 − c) d, and its steps rise by u²/(2g) + u dt/2 with u = e v + w e g dt. In all the apex is
     off by e v dt (1 − e)/2 + w e² v dt for d = 0, and by −(1 − c − e/2 − e²/2) v dt + w e² v dt for d = v dt. A share r
-    of d as speed, r d/dt, adds up to 2 e r h; a softness s costs 2 e (1 + e) s h. What one apex is off, the next is by
-    e² of it.
+    of d as speed, r d/dt, adds up to 2 e r h; a softness s costs 2 e (1 + e) s h. The next apex takes over e² of the
+    error of the one before it.
     """
     if method.kind == EXACT:
         return (0.0,) * count
     e, overlap, height, off, found = bounce.restitution, bounce.speed * bounce.timestep, bounce.drop, 0.0, []
     for _ in range(count):
         at_once = (e - e * e) / 2 + method.weighed * e * e
-        late = at_once - (1 - method.recovery - e * e)
+        at_last = at_once - (1 - method.recovery - e * e)
         share = 2 * e * (method.speed_recovery + (1 + e) * method.softness)
-        off = e * e * off + max(abs(at_once), abs(late)) * overlap + share * height
-        off += 2 * bounce.gravity * bounce.timestep**2
+        off = e * e * off + max(abs(at_once), abs(at_last)) * overlap + share * height
+        off += 2 * bounce.gravity * bounce.timestep**2  # terms of second order in the step
         found.append(off)
         overlap, height = e * overlap, e * e * height
     return tuple(found)
@@ -63,12 +66,12 @@ def apexes_off(bounce: Bounce, method: Method, count: int) -> tuple[float, ...]:
 def times_off(bounce: Bounce, method: Method, count: int) -> tuple[float, ...]:
     """By how much the first impacts may be off, s.
 
-    Semi-implicit Euler is on a parabola that is faster by g dt/2 than its own velocity as it rises, and falls dt/2 too
-    soon. A ball that meets the floor at v is seen s late, 0 ≤ s ≤ dt, at v + g (s − dt/2). It is sent off with e times
+    Semi-implicit Euler moves on a parabola that is faster by g dt/2 than its own velocity as it rises, and falls dt/2
+    too soon. A ball that meets the floor at v is seen s late, 0 ≤ s ≤ dt, at v + g (s − dt/2). It leaves with e times
     that, and w e g dt, on a parabola that is faster by g dt/2, and is out of the overlap (1 − c) s/e later. There it is
-    faster than e v by g dt ((1 − e)/2 + w e) + g s (e − (1 − c)/e), and its flight is longer by 2/g of that. Shares
-    r of v as speed, and (1 + e) of a softness, come on top; so does e of what v was off before, and terms of second
-    order, g dt²/(e v).
+    faster than e v by g dt ((1 − e)/2 + w e) + g s (e − (1 − c)/e), and its flight is longer by 2/g of that. To this
+    are added shares r of v as speed and (1 + e) of a softness, e times the error that v had before, and terms of
+    second order, g dt²/(e v).
     """
     if method.kind == EXACT:
         return (0.0,) * count
@@ -93,9 +96,9 @@ def _reach(slope: float) -> Array:
 
 
 def end_off(bounce: Bounce, method: Method, least_speed: float) -> float:
-    """By how much the end of all bounces may be off, s: what is slower than `least_speed`, m/s, is rest.
+    """By how much the end of all bounces may be off, s: what is slower than `least_speed`, m/s, counts as rest.
 
-    The bounces from a speed u on last 2u/g (1 + e + e² + …). Those slower than what the method takes for rest are
+    The bounces from a speed u on last 2u/g (1 + e + e² + …). Those slower than the method's own speed of rest are
     missing, and those shorter than four steps, u < 2 g dt, are lost in the overlap.
     """
     if method.kind == EXACT:
@@ -108,9 +111,9 @@ def end_off(bounce: Bounce, method: Method, least_speed: float) -> float:
 def stepped(
     bounce: Bounce, answer: Callable[[float], float], steps: int, lift: float = 0.0
 ) -> list[tuple[float, float]]:
-    """Gap, m, and velocity, m/s, before each step and after the last: it falls, or answers where bodies touch.
+    """Gap, m, and velocity, m/s, before each step and after the last: a step resolves an impact or lets the ball fall.
 
-    answer: velocity before → velocity after. lift: what an impact takes back of the overlap at most, m.
+    answer: velocity before the impact → velocity after. lift: how much of the overlap an impact takes back at most, m.
     """
     gap, velocity, states = bounce.drop, 0.0, [(bounce.drop, 0.0)]
     for _ in range(steps):

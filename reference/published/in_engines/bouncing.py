@@ -5,17 +5,18 @@ from __future__ import annotations
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure
 from reference.engines.base import Engine
-from reference.published import Answer, Answers, Published
-from reference.published.in_engines.at_step import Bounce, apexes_off, end_off, late, stepped, times_off
-from reference.published.in_engines.scenes import FINE, at_least, ball_over_floor, gravity_of, tuned
+from reference.published.answers import Answer, Answers, answer_within
+from reference.published.case import Published
+from reference.published.in_engines.at_step import Bounce, apexes_off, end_off, stepped, times_off, why_late
+from reference.published.in_engines.scenes import AFTER_APEX, FINE, ball_over_floor, gravity_of, tuned
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Option, Settings
-from reference.scene.trajectory import Array
 
 DART_LIFT = 1e-3
-"""How fast DART takes back overlap, m/s; a constant of its source."""
+"""How fast DART takes back overlap, m/s; a constant of its source code."""
 MULTIBODY: dict[str, Option] = {
     "coordinates": "multibody",
     "linear_damping": 0.0,
@@ -24,23 +25,23 @@ MULTIBODY: dict[str, Option] = {
     "contact_erp": 0.0,
 }
 """Bullet's multibodies with nothing but the impact: no damping, no contact ahead of the touch, no push out."""
+SMALL = 0.02
+"""Radius of the ball where the case gives none, m."""
+AFTER_REST = 0.2
+"""How long a ball is watched after its last bounce, s, so that its rest is seen."""
+SECOND_ORDER = 1e-3
+"""How far the loop of three lines may be off an engine, as a share of the shift: a softness squared and the like."""
 
 
 def elastic_balls(case: Published, engine: Engine) -> Answers:
-    """P1: the balls do not touch each other, so one ball's energy counts for all."""
-    scenario = ball_over_floor(
-        case,
-        case.value("height") - case.value("radius"),
-        case.value("duration"),
-        1.0,
-        case.value("radius"),
-        case.value("mass"),
-    )
-    settings = [tuned(engine, scenario, timestep) for timestep in case.values("timesteps")]
+    """P1: the balls do not touch each other, so that one ball's energy counts for all."""
+    height, radius, mass, duration = case.values("height", "radius", "mass", "duration")
+    scenario = ball_over_floor(case, height - radius, duration, 1.0, radius, mass)
+    settings = [tuned(engine, scenario, timestep) for timestep in case.numbers("timesteps")]
     weighed = engine.method(scenario, settings[0]).weighed > 0
     columns = {"bullet" if weighed else "ode": settings}
     if engine.name == "pybullet":
-        columns["bullet"] = [Settings(timestep, options=MULTIBODY) for timestep in case.values("timesteps")]
+        columns["bullet"] = [Settings(timestep, options=MULTIBODY) for timestep in case.numbers("timesteps")]
     absent = Answer(None, reason=f"{engine.title} answers with the speed {'after' if weighed else 'before'} gravity")
     return dict.fromkeys(case.expected, absent) | {
         column: _energies(case, engine, scenario, column, chosen) for column, chosen in columns.items()
@@ -48,7 +49,7 @@ def elastic_balls(case: Published, engine: Engine) -> Answers:
 
 
 def _energies(case: Published, engine: Engine, scenario: Scenario, column: str, chosen: list[Settings]) -> Answer:
-    """One column, one number a timestep; and what the engine's own impact makes of it, by the loop of three lines."""
+    """One column, with a number for each timestep, and its shift: what the engine's own impact does to the number."""
     mass, gravity, drop = case.value("mass"), gravity_of(case), case.value("height") - case.value("radius")
     found, theory = [], []
     for settings in chosen:
@@ -61,7 +62,7 @@ def _energies(case: Published, engine: Engine, scenario: Scenario, column: str, 
         theory.append(squares[1])
     shift = np.subtract(theory, case.expected[column])
     reason = "the three lines that give the published number, with what the engine's own contact makes of an impact"
-    near = 1e-3 * np.abs(shift)  # the model's terms of second order, such as a softness squared
+    near = SECOND_ORDER * np.abs(shift)
     return Answer(tuple(found), None, "", tuple(shift.tolist()), reason, tuple(near.tolist()))
 
 
@@ -71,7 +72,7 @@ def _by_three_lines(
     """Gap and velocity before each step and after the last, (steps + 1, 2), as the engine's impacts would make them.
 
     The velocity before an impact may have the step's gravity in it (`weighed`), and its change falls short by a share
-    (`softness`). An impedance d leaves the share 1 − d of the weight to what acts without a contact.
+    (`softness`). With an impedance d the contact carries the share d of the weight, and the share 1 − d still acts.
     """
     method, fall = engine.method(scenario, settings), bounce.gravity * bounce.timestep
     leak = 1 - settings.number("impedance") if "impedance" in settings.options else 0.0
@@ -86,41 +87,40 @@ def _by_three_lines(
 
 def apexes(case: Published, engine: Engine) -> Answers:
     """P5: apexes of the gap, one after another."""
-    expected = case.expected["apexes"]
-    assert isinstance(expected, tuple)
-    drop, e, count = case.value("height") - case.value("radius"), case.value("restitution"), len(expected)
+    drop, e = case.value("height") - case.value("radius"), case.value("restitution")
+    count = len(case.expected_numbers("apexes"))
     end = float(truth.bounce_times(drop, e, gravity_of(case), count + 1)[-1])
     scenario = ball_over_floor(case, drop, end, e, case.value("radius"))
     settings = tuned(engine, scenario)
     heights = measure.apex_heights(engine.run(scenario, settings), "ball", "floor")[:count]
     bounce = Bounce(drop, e, gravity_of(case), settings.timestep)
     off = apexes_off(bounce, engine.method(scenario, settings), count)
-    return {"apexes": at_least(case, "apexes", tuple(heights.tolist()), off, late(settings.timestep))}
+    return {"apexes": answer_within(case, "apexes", tuple(heights.tolist()), off, why_late(settings.timestep))}
 
 
 def first_rebounds(case: Published, engine: Engine) -> Answers:
     """P6: rebound over drop, for two coefficients, at the timestep of the case."""
     drop, found, off = case.value("height") - case.value("radius"), [], []
-    for e in case.values("restitution"):
+    for e in case.numbers("restitution"):
         height, near = _first_apex(case, engine, drop, e, case.value("timestep"), case.value("radius"))
         found.append(height / drop)
         off.append(near / drop)
-    return {"ratio": at_least(case, "ratio", tuple(found), tuple(off), late(case.value("timestep")))}
+    return {"ratio": answer_within(case, "ratio", tuple(found), tuple(off), why_late(case.value("timestep")))}
 
 
 def measured_rebounds(case: Published, engine: Engine) -> Answers:
     """P26: rebounds with the apparent coefficients."""
-    both = zip(case.values("drop"), case.values("restitution"), strict=True)
+    both = zip(case.numbers("drop"), case.numbers("restitution"), strict=True)
     found, off = zip(*(_first_apex(case, engine, drop, e) for drop, e in both), strict=True)
-    return {"rebound": at_least(case, "rebound", found, off, late(FINE))}
+    return {"rebound": answer_within(case, "rebound", found, off, why_late(FINE))}
 
 
 def _first_apex(
-    case: Published, engine: Engine, drop: float, restitution: float, timestep: float = FINE, radius: float = 0.02
+    case: Published, engine: Engine, drop: float, restitution: float, timestep: float = FINE, radius: float = SMALL
 ) -> tuple[float, float]:
     """Height of the first rebound, m, and by how much the method may be off."""
     fall = truth.fall_time(drop, gravity_of(case))
-    scenario = ball_over_floor(case, drop, (1 + restitution) * fall + 0.05, restitution, radius)
+    scenario = ball_over_floor(case, drop, (1 + restitution) * fall + AFTER_APEX, restitution, radius)
     settings = tuned(engine, scenario, timestep)
     bounce = Bounce(drop, restitution, gravity_of(case), timestep)
     (off,) = apexes_off(bounce, engine.method(scenario, settings), 1)
@@ -128,7 +128,7 @@ def _first_apex(
 
 
 def thousand_steps(case: Published, engine: Engine) -> Answers:
-    """P12: the same steps in an engine, which answers when bodies touch, and not 2 cm before."""
+    """P12: the same steps in an engine, which resolves the impact when bodies touch, and not 2 cm before."""
     radius, timestep, steps = case.value("radius"), case.value("timestep"), int(case.value("steps"))
     bounce = Bounce(case.value("height") - radius, case.value("restitution"), gravity_of(case), timestep)
     scenario = ball_over_floor(case, bounce.drop, steps * timestep, bounce.restitution, radius)
@@ -144,7 +144,12 @@ def thousand_steps(case: Published, engine: Engine) -> Answers:
         "velocity": (trajectory.velocity("ball")[-1, 2], speed),
     }
     return {
-        name: Answer(float(value), shift=expected - case.expected[name], shift_reason=reason, shift_tolerance=1e-5)
+        name: Answer(
+            float(value),
+            shift=expected - case.expected[name],
+            shift_reason=reason,
+            shift_tolerance=case.tolerance[name],
+        )
         for name, (value, expected) in pairs.items()
     }
 
@@ -152,17 +157,18 @@ def thousand_steps(case: Published, engine: Engine) -> Answers:
 def impacts_and_rest(case: Published, engine: Engine) -> Answers:
     """P15: impacts, apexes and the end of the bounces."""
     drop, e, gravity = case.value("height"), case.value("restitution"), gravity_of(case)
-    scenario = ball_over_floor(case, drop, truth.bounce_end(drop, e, gravity) + 0.2, e)
+    scenario = ball_over_floor(case, drop, truth.bounce_end(drop, e, gravity) + AFTER_REST, e)
     settings = tuned(engine, scenario)
     method, trajectory = engine.method(scenario, settings), engine.run(scenario, settings)
     bounce = Bounce(drop, e, gravity, settings.timestep)
-    times = measure.impact_times(trajectory, "ball", "floor")[:6]
-    heights = measure.apex_heights(trajectory, "ball", "floor")[:4]
-    end, why = measure.rest_time(trajectory, "ball"), late(settings.timestep)
+    impacts, tops = len(case.expected_numbers("impacts")), len(case.expected_numbers("apexes"))
+    times = measure.impact_times(trajectory, "ball", "floor")[:impacts]
+    heights = measure.apex_heights(trajectory, "ball", "floor")[:tops]
+    end, why = measure.rest_time(trajectory, "ball"), why_late(settings.timestep)
     return {
-        "impacts": at_least(case, "impacts", tuple(times.tolist()), times_off(bounce, method, 6), why),
-        "apexes": at_least(case, "apexes", tuple(heights.tolist()), apexes_off(bounce, method, 4), why),
-        "rest": at_least(
+        "impacts": answer_within(case, "impacts", tuple(times.tolist()), times_off(bounce, method, impacts), why),
+        "apexes": answer_within(case, "apexes", tuple(heights.tolist()), apexes_off(bounce, method, tops), why),
+        "rest": answer_within(
             case,
             "rest",
             end,

@@ -1,8 +1,8 @@
-"""Published springs in the engine that has contacts which yield: MuJoCo's.
+"""Published springs in the one engine whose contacts yield, MuJoCo.
 
 Its contact sets the acceleration to −k r − c ṙ − (1 − d) g, with the separation r, negative inside, and an impedance d.
-The weight is carried by the contact for d → 1, and acts in full for d → 0: then the contact is a spring and a dashpot
-as in the textbooks, but for the share d of the weight. 10⁻⁴ is the least that MuJoCo takes.
+For d → 1 the contact carries the weight, and for d → 0 the weight acts in full: then the contact is a spring and a
+dashpot as in the textbooks, except for the share d of the weight.
 """
 
 from __future__ import annotations
@@ -12,17 +12,32 @@ import math
 import numpy as np
 
 from reference import truth
+from reference.arrays import Array
 from reference.catalogue import measure
 from reference.engines.base import Engine
-from reference.published import Answer, Answers, Published
+from reference.published.answers import Answer, Answers
+from reference.published.case import Published
 from reference.published.in_engines.scenes import ball_over_floor, gravity_of
+from reference.published.solid_sphere import mass_of
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Array
 
 LEAST_IMPEDANCE = 1e-4
+"""The least impedance that MuJoCo takes."""
 ABOVE = 1e-3
-"""Gap under a ball that is to come to rest, m: the spring profile is for what falls."""
+"""Gap under a ball that is to come to rest, m: the spring profile is for bodies that fall."""
+DECAYS = 25
+"""How often the slower part of a ball's motion dies away by e before its depth is read: 10⁻¹¹ of it is left."""
+FINE_SHARE = 0.02
+"""Timestep of a ball that comes to rest, as a share of the contact's 1/ω."""
+SPRING_STEP = 1e-4
+"""Timestep of the undamped spring, s: (ω dt)² is 10⁻⁶."""
+SUBSTEPS = 20
+"""Steps here for one of P3's own: each is then a 320th of the contact's 1/ω, where theirs is a 16th."""
+LAST_TOUCH = 0.6
+"""Share of a full swing within which a contact has let go, as `_let_go` says."""
+HALVINGS = 100
+"""How often the bracket of the instant of letting go is halved: down to rounding."""
 
 
 def spring(engine: Engine, scenario: Scenario, timestep: float, stiffness: float, impedance: float) -> Settings:
@@ -32,15 +47,15 @@ def spring(engine: Engine, scenario: Scenario, timestep: float, stiffness: float
 
 
 def rest_depths(case: Published, engine: Engine) -> Answers:
-    """P9: how deep a ball lies in the contact, 25 times the time in which its slower motion dies away by e."""
+    """P9: how deep a ball lies in the contact after its motion has died away."""
     found = []
-    columns = (case.values(name) for name in ("solref_first", "solref_second", "stiffness", "impedance"))
+    columns = (case.numbers(name) for name in ("solref_first", "solref_second", "stiffness", "impedance"))
     for first, second, stiffness, impedance in zip(*columns, strict=True):
         frequency = math.sqrt(stiffness)
         ratio = second if first > 0 else -second / (2 * frequency)
         decay = frequency * (ratio - math.sqrt(max(ratio**2 - 1, 0.0)))
-        scenario = ball_over_floor(case, ABOVE, 25 / decay, truth.spring_dashpot_restitution(ratio))
-        trajectory = engine.run(scenario, spring(engine, scenario, 0.02 / frequency, stiffness, impedance))
+        scenario = ball_over_floor(case, ABOVE, DECAYS / decay, truth.spring_dashpot_restitution(ratio))
+        trajectory = engine.run(scenario, spring(engine, scenario, FINE_SHARE / frequency, stiffness, impedance))
         found.append(-measure.rest_height(trajectory, "ball", "floor"))
     return {"depth": Answer(tuple(found))}
 
@@ -51,21 +66,21 @@ def undamped_spring(case: Published, engine: Engine) -> Answers:
     drop = case.value("height") - touch
     duration = math.sqrt(2 * drop / gravity_of(case)) + math.pi / math.sqrt(stiffness)
     scenario = ball_over_floor(case, drop, duration, 1.0, touch, case.value("mass"))
-    trajectory = engine.run(scenario, spring(engine, scenario, 1e-4, stiffness, LEAST_IMPEDANCE))
+    trajectory = engine.run(scenario, spring(engine, scenario, SPRING_STEP, stiffness, LEAST_IMPEDANCE))
     fastest = float(np.max(-trajectory.velocity("ball")[:, 2]))
     return {"lowest": Answer(float(np.min(trajectory.position("ball")[:, 2]))), "fastest": Answer(fastest)}
 
 
 def spring_and_dashpot(case: Published, engine: Engine) -> Answers:
-    """P3: the same spring and dashpot, but that MuJoCo's never pulls; in steps of a hundredth of its own time."""
+    """P3: the same spring and dashpot, except that MuJoCo's contact never pulls, in finer steps than the published."""
     radius, gravity = case.value("diameter") / 2, gravity_of(case)
-    stiffness = case.value("stiffness") / (case.value("density") * 4 / 3 * math.pi * radius**3)
+    stiffness = case.value("stiffness") / mass_of(radius, case.value("density"))
     logarithm = math.log(case.value("restitution"))
     ratio, drop = -logarithm / math.hypot(math.pi, logarithm), case.value("height") - radius
     restitution = truth.spring_dashpot_restitution(ratio)
-    times = np.array(case.values("steps")) * case.value("timestep")
+    times = np.array(case.numbers("steps")) * case.value("timestep")
     scenario = ball_over_floor(case, drop, times[-1], restitution, radius)
-    timestep = case.value("timestep") / 20
+    timestep = case.value("timestep") / SUBSTEPS
     trajectory = engine.run(scenario, spring(engine, scenario, timestep, stiffness, LEAST_IMPEDANCE))
     at, speed = np.rint(times / timestep).astype(int), truth.impact_speed(drop, gravity)
     after, gap, leaving = _let_go(speed, stiffness, ratio, gravity)
@@ -82,8 +97,8 @@ def spring_and_dashpot(case: Published, engine: Engine) -> Answers:
 def _let_go(speed: float, stiffness: float, ratio: float, gravity: float) -> tuple[float, float, float]:
     """When, s, where (gap, m) and how fast (m/s) a ball leaves a spring with a dashpot that never pulls.
 
-    From the rest depth g/k on, x = −g/k + exp(−ζ ω t) (a cos νt + b sin νt) with x(0) = 0 and ẋ(0) = −v. It leaves when
-    the force per mass, −ω² x − 2 ζ ω ẋ, is zero, which it is once within six tenths of a swing.
+    Measured from the surface, x = −g/k + exp(−ζ ω t) (a cos νt + b sin νt) with x(0) = 0 and ẋ(0) = −v. The ball leaves
+    when the force per mass, −ω² x − 2 ζ ω ẋ, is zero, which happens once within six tenths of a swing.
     """
     frequency = math.sqrt(stiffness)
     decay, swing = ratio * frequency, frequency * math.sqrt(1 - ratio**2)
@@ -96,8 +111,8 @@ def _let_go(speed: float, stiffness: float, ratio: float, gravity: float) -> tup
         place = gone * (a * cosine + b * sine)
         return place - a, -decay * place + gone * swing * (b * cosine - a * sine)
 
-    low, high = 0.0, 1.2 * math.pi / swing
-    for _ in range(100):
+    low, high = 0.0, LAST_TOUCH * 2 * math.pi / swing
+    for _ in range(HALVINGS):
         middle = (low + high) / 2
         place, velocity = state(middle)
         pushes = -stiffness * place - 2 * decay * velocity > 0
@@ -106,7 +121,7 @@ def _let_go(speed: float, stiffness: float, ratio: float, gravity: float) -> tup
 
 
 def _without_pull(case: Published, figure: str, found: Array, theory: Array, near: Array) -> Answer:
-    """Where the ball has been in the contact: what theory makes of a dashpot that never pulls."""
+    """Answer with the shift, once the ball has left the contact, that a dashpot which never pulls makes in theory."""
     shift = np.where(near > 0, theory - np.array(case.expected[figure]), 0.0)
     reason = "its contact never pulls: with the same dashpot the ball comes back with 0.902 of its speed, not 0.9"
     return Answer(tuple(found.tolist()), None, "", tuple(shift.tolist()), reason, tuple(near.tolist()))

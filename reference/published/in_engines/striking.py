@@ -10,18 +10,21 @@ import numpy as np
 from reference import truth
 from reference.catalogue import measure
 from reference.engines.base import Engine
-from reference.published import Answer, Answers, Published
-from reference.published.in_engines.at_step import Bounce, apexes_off, late
-from reference.published.in_engines.scenes import at_least, ball_over_floor, gravity_of, tuned
+from reference.published.answers import Answer, Answers, answer_within
+from reference.published.case import Published
+from reference.published.in_engines.at_step import Bounce, apexes_off, why_late
+from reference.published.in_engines.scenes import AFTER_APEX, ball_over_floor, gravity_of, tuned
 from reference.published.rigid_law import against_rigid_law
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 
 ONE_STEP = "its impact lasts a step: a mean force needs a contact that lasts, and the 15 ms are not its own"
 FLOOR = Body("floor", HalfSpace())
-SHORT, APPROACH = 1e-6, 100
-"""Timestep of an oblique impact, s, with an overlap of up to 4 µm for a ball of 2.5 mm; steps before it."""
+SHORT = 1e-6
+"""Timestep of an oblique impact, s: a ball of 2.5 mm at 3.9 m/s overlaps the floor by up to 4 µm."""
 OVERLAP = 1.6e-3
-"""What that makes of the lever arm, as a share."""
+"""By how much that overlap shortens the lever arm, as a share of it."""
+APPROACH = 100
+"""Steps before an oblique impact."""
 FLIGHT = 0.05
 """How long two balls fly before and after their impact, s."""
 
@@ -31,7 +34,7 @@ def textbook_bounce(case: Published, engine: Engine) -> Answers:
     drop, gravity, mass = case.value("height"), gravity_of(case), case.value("mass")
     e = math.sqrt(case.value("rebound") / drop) if "rebound" in case.setup else 1.0
     fall = truth.fall_time(drop, gravity)
-    scenario = ball_over_floor(case, drop, (1 + e) * fall + 0.05, e, mass=mass)
+    scenario = ball_over_floor(case, drop, (1 + e) * fall + AFTER_APEX, e, mass=mass)
     settings = tuned(engine, scenario)
     before, after, *_ = measure.flights(engine.run(scenario, settings), "ball", "floor")
     down, up = before.landing_speed, after.launch_speed
@@ -43,7 +46,9 @@ def textbook_bounce(case: Published, engine: Engine) -> Answers:
         "restitution": (up / down, off_speed / down),
     }
     asked = {
-        name: at_least(case, name, *found[name], late(settings.timestep)) for name in found if name in case.expected
+        name: answer_within(case, name, *found[name], why_late(settings.timestep))
+        for name in found
+        if name in case.expected
     }
     return asked | {name: Answer(None, reason=ONE_STEP) for name in case.expected if name not in found}
 
@@ -51,7 +56,7 @@ def textbook_bounce(case: Published, engine: Engine) -> Answers:
 def colliding_pair(case: Published, engine: Engine) -> Answers:
     """P27: two balls head-on, for each restitution: the ratio of the speeds after and before."""
     radius, speed, found = case.value("radius"), case.value("speed"), []
-    for e in case.values("restitution"):
+    for e in case.numbers("restitution"):
         balls = tuple(
             Body(
                 name,
@@ -69,16 +74,16 @@ def colliding_pair(case: Published, engine: Engine) -> Answers:
 
 
 def oblique_impacts(case: Published, engine: Engine) -> Answers:
-    """P11: tangent restitutions and spins. Where a rigid ball grips, a real one does not do what it does."""
-    restitution, _ = sweep(case, engine, case.values("angle"))
-    _, spin = sweep(case, engine, case.values("angle_of_spin"))
+    """P11: tangent restitutions and spins. Where a rigid ball grips, the measured one behaves differently."""
+    restitution, _ = sweep(case, engine, case.numbers("angle"))
+    _, spin = sweep(case, engine, case.numbers("angle_of_spin"))
     return against_rigid_law(case, restitution, spin, OVERLAP)
 
 
 def sweep(case: Published, engine: Engine, angles: Sequence[float]) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Tangent restitutions, and spins left, rad/s, of a ball that meets a floor at angles from the normal, degrees.
 
-    There is no gravity: in no time it does nothing. The first gap is a hundred steps wide.
+    There is no gravity: within 0.3 ms it would change nothing. The first gap is `APPROACH` steps wide.
     """
     scenarios = [_oblique(case, math.radians(angle)) for angle in angles]
     settings = engine.settings(scenarios[0], "tuned").change(timestep=SHORT, sample_every=APPROACH)

@@ -45,7 +45,7 @@ def made_up(tmp_path, monkeypatch) -> Path:
     return tmp_path
 
 
-def test_all_are_timed_in_turn_after_a_call_that_is_not_counted(made_up):
+def test_programs_are_timed_in_turn_after_a_first_call_that_is_not_counted(made_up):
     (bench,) = benches(made_up).values()
     calls = bench.ours.__globals__["CALLS"]
     measure(bench, repeats=3)
@@ -59,7 +59,7 @@ def test_a_rival_that_is_not_installed_is_named_and_the_others_are_timed(made_up
         assert 0 <= each.fastest <= each.median < math.inf
 
 
-def test_the_command_prints_a_table_of_what_is_asked_for(made_up):
+def test_the_command_prints_a_table_of_the_requested_benches(made_up):
     said = CliRunner().invoke(app, ["bench", "quick", "--repeats", "1"])
     assert said.exit_code == 0
     assert "quick: nothing. Goal: 0.5 s." in said.stdout
@@ -72,14 +72,14 @@ def test_an_unknown_bench_is_refused_with_the_known_ones(made_up):
     assert (said.exit_code, "Did you mean 'quick'?" in said.stderr) == (2, True)
 
 
-def test_where_the_project_has_no_benches_it_says_so(tmp_path, monkeypatch):
+def test_the_command_says_when_there_are_no_benches(tmp_path, monkeypatch):
     monkeypatch.setattr(timing, "BENCHES", tmp_path)
     said = CliRunner().invoke(app, ["bench"])
     assert (said.exit_code, "there is nothing to time" in said.stderr) == (2, True)
 
 
 @pytest.mark.parametrize("name", BENCHES)
-def test_every_bench_says_what_it_does_and_every_name_is_used_once(name):
+def test_every_bench_describes_itself_under_a_name_of_its_own(name):
     bench = benches()[name]
     assert isinstance(bench, Bench)
     assert bench.what
@@ -101,13 +101,14 @@ def grading(tmp_path):
     return timing._load(Path(timing.BENCHES) / "bench_grading.py")
 
 
-def test_what_is_graded_in_the_bench_has_full_marks_and_its_memory_is_counted(grading, tmp_path):
+@pytest.mark.slow
+def test_the_submission_of_the_bench_gets_full_marks_and_uses_memory(grading, tmp_path):
     run = grading.graded(grading.written(tmp_path))
     if sys.platform == "linux":
         assert run.memory > 30e6, "the interpreter with NumPy and pytest alone takes more"
 
 
-def test_the_others_are_asked_what_our_tests_ask(grading):
+def test_other_graders_get_the_calls_of_our_tests_as_asserts(grading):
     recorder = grading.Recorder()
     recorder.note("collide", (np.array([1.0, math.inf]), np.float32(0.5), (True, [2])), (np.array(3), -1.0))
     space = {"np": np, "inf": math.inf, "nan": math.nan, "collide": lambda *arguments: (3, -1.0)}
@@ -121,7 +122,7 @@ def test_the_others_are_asked_what_our_tests_ask(grading):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("who", ["otter", "nbgrader"])
-def test_the_others_give_the_solutions_full_marks(grading, who, monkeypatch):
+def test_other_graders_give_the_solutions_full_marks(grading, who, monkeypatch):
     monkeypatch.delenv("COLLISIONS_CACHE")
     try:
         grade = getattr(grading, who)()
@@ -130,7 +131,7 @@ def test_the_others_give_the_solutions_full_marks(grading, who, monkeypatch):
     grade()
 
 
-def test_a_program_that_fails_is_told_with_what_it_said(tmp_path):
+def test_a_program_that_fails_is_reported_with_its_output(tmp_path):
     with pytest.raises(RunFailed, match="ended with 3: no such lab"):
         run([sys.executable, "-c", "import sys; print('no such lab'); sys.exit(3)"], tmp_path)
     with pytest.raises(RunFailed, match="cannot be started"):
@@ -138,14 +139,14 @@ def test_a_program_that_fails_is_told_with_what_it_said(tmp_path):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="memory is counted on Linux alone")
-def test_memory_is_that_of_all_processes_together(tmp_path):
+def test_memory_is_summed_over_all_processes(tmp_path):
     grows = "import time; kept = bytearray(60_000_000); time.sleep(0.3)"
     parent = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {grows!r}])"
     assert 60e6 < run([sys.executable, "-c", grows], tmp_path).memory < 100e6
     assert run([sys.executable, "-c", f"kept = bytearray(40_000_000); {parent}"], tmp_path).memory > 100e6
 
 
-def test_an_environment_that_cannot_be_installed_is_not_there_and_says_why(tmp_path, monkeypatch):
+def test_an_environment_that_cannot_be_installed_says_why(tmp_path, monkeypatch):
     def refuse(command, folder):
         raise RunFailed("python ended with 1: No matching distribution found")
 

@@ -60,7 +60,7 @@ def asked(lab, monkeypatch):
 
 
 @pytest.mark.parametrize("topic", TOPICS)
-def test_without_engines_every_run_of_a_lesson_has_the_numbers_of_all_that_it_asks(topic, asked, no_engine):
+def test_without_engines_every_run_of_a_lesson_has_all_its_numbers(topic, asked, no_engine):
     for call, runs in asked(topic).items():
         assert runs, call
         for run in runs:
@@ -75,9 +75,7 @@ def test_without_engines_every_run_of_a_lesson_has_the_numbers_of_all_that_it_as
 
 @pytest.mark.parametrize("engine", case_runs.ENGINES)
 @pytest.mark.parametrize("topic", TOPICS)
-def test_what_is_recorded_of_the_runs_of_a_lesson_is_what_an_engine_that_is_here_measures(
-    topic, engine, asked, installed, monkeypatch
-):
+def test_recorded_runs_of_a_lesson_equal_runs_of_an_installed_engine(topic, engine, asked, installed, monkeypatch):
     installed(engine)
     monkeypatch.setattr(case_runs, "run_all", lambda jobs, *_: (recall(job) or run_job(job) for job in jobs))
     for call, runs in asked(topic).items():

@@ -12,7 +12,6 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-import nbformat
 import pytest
 from browser import Browser, needs_browser
 
@@ -38,6 +37,8 @@ pytestmark = [
 @pytest.fixture(scope="module")
 def page(tmp_path_factory) -> str:
     """A short notebook, run and exported."""
+    import nbformat  # noqa: PLC0415 - with all of Jupyter behind it, which only these slow tests need
+
     folder = tmp_path_factory.mktemp("notebook")
     cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
     nbformat.write(nbformat.v4.new_notebook(cells=cells), folder / "lab.ipynb")
@@ -88,14 +89,14 @@ def click(browser: Browser, title: str, selector: str, share: float = 0.5) -> No
         browser.mouse(kind, left + x + share * width, top + y + height / 2)
 
 
-def test_each_run_has_a_replay_that_waits(browser):
+def test_each_run_has_a_replay_that_waits_for_a_click(browser):
     assert len(titles(browser)) == 2
     for title in titles(browser):
         with browser.within(title):
             assert browser.run("found.is = [replay.frame, replay.toggle.title];")["is"] == [0, "Play"]
 
 
-def test_no_line_of_progress_is_left_and_no_gap_where_it_was(browser):
+def test_the_progress_line_leaves_no_text_and_no_gap(browser):
     found = browser.run("""const outputs = [...document.querySelectorAll(".jp-OutputArea-child")];
         found.left = outputs.map(it => it.textContent.trim()).filter(text => /^(running|checking)/.test(text));
         const bare = outputs.filter(it => !it.textContent.trim() && !it.querySelector("img, iframe"));
@@ -103,7 +104,7 @@ def test_no_line_of_progress_is_left_and_no_gap_where_it_was(browser):
     assert found == {"left": [], "gaps": []}
 
 
-def test_a_click_plays_it_to_its_end(browser, ball):
+def test_a_click_plays_the_replay_to_its_end(browser, ball):
     click(browser, ball, ".replay-bar button")
     with browser.within(ball):
         found = browser.run("""await until(() => replay.frame > 0); found.label = replay.toggle.title;
@@ -113,7 +114,7 @@ def test_a_click_plays_it_to_its_end(browser, ball):
     assert found["end"] == found["count"] - 1 > 10
 
 
-def test_a_click_on_the_bar_goes_there_and_keys_go_on_from_it(browser, ball):
+def test_a_click_on_the_bar_jumps_and_arrow_keys_step_from_there(browser, ball):
     click(browser, ball, ".replay-bar input")
     with browser.within(ball):
         found = browser.run("found.there = replay.frame; found.count = replay.clip.count;")
@@ -124,7 +125,7 @@ def test_a_click_on_the_bar_goes_there_and_keys_go_on_from_it(browser, ball):
         assert browser.run("found.then = replay.frame;")["then"] == found["there"] + 2
 
 
-def test_a_tick_takes_an_implementation_out_of_the_picture(browser, ball):
+def test_a_tick_removes_an_implementation_from_the_picture(browser, ball):
     with browser.within(ball):
         before = browser.run("found.ink = ink(canvas); found.shown = replay.clip.runs.map(run => run.shown);")
     assert len(before["shown"]) >= 2
@@ -136,7 +137,7 @@ def test_a_tick_takes_an_implementation_out_of_the_picture(browser, ball):
 
 
 @pytest.mark.parametrize("width", [420, 900])
-def test_it_fits_into_a_window_of_any_width(browser, ball, width):
+def test_the_replay_fits_a_window_of_any_width(browser, ball, width):
     browser.do("Emulation.setDeviceMetricsOverride", width=width, height=800, deviceScaleFactor=1, mobile=False)
     with browser.within(ball):
         found = browser.run("""await wait(0.3); found.inner = innerWidth; found.across = document.body.scrollWidth;
@@ -149,7 +150,7 @@ def test_it_fits_into_a_window_of_any_width(browser, ball, width):
     assert found["high"] >= 120  # px, of a picture in which a ball can still be seen to bounce
 
 
-def test_on_paper_there_is_the_still_alone(browser):
+def test_on_paper_only_the_still_picture_is_shown(browser):
     browser.media("print")
     found = browser.run("""found.frames = [...document.querySelectorAll("iframe")].map(it => it.clientHeight);
         found.stills = [...document.querySelectorAll("img[alt$='last frame']")].map(it => it.clientHeight > 200);""")
@@ -158,7 +159,7 @@ def test_on_paper_there_is_the_still_alone(browser):
 
 
 @pytest.mark.parametrize("light", ["true", "false"])
-def test_it_is_as_light_as_the_notebook_about_it(browser, ball, light):
+def test_the_replay_is_light_or_dark_like_its_notebook(browser, ball, light):
     browser.run(f'document.body.dataset.jpThemeLight = "{light}"; await wait(0.3);')
     with browser.within(ball):
         found = browser.run('found.dark = matchMedia("(prefers-color-scheme: dark)").matches;')

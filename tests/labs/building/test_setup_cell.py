@@ -9,18 +9,24 @@ from pathlib import Path
 from types import ModuleType, SimpleNamespace
 
 import pytest
-from IPython.core.inputtransformer2 import TransformerManager
 
 from labs import notebook
 from labs.building import notebooks
 
-SETUP = "".join(next(cell for cell in notebooks.student("detection")["cells"] if cell["cell_type"] == "code")["source"])
-PYTHON = TransformerManager().transform_cell(SETUP)  # as a kernel reads it
 ASKED = "Choose collisions-lab.zip"
 
 
+@pytest.fixture(scope="module")
+def setup_cell() -> str:
+    """The first cell of a notebook, as a kernel reads it."""
+    from IPython.core.inputtransformer2 import TransformerManager  # noqa: PLC0415 - not where other tests are collected
+
+    first = next(cell for cell in notebooks.student("detection")["cells"] if cell["cell_type"] == "code")
+    return TransformerManager().transform_cell("".join(first["source"]))
+
+
 @pytest.fixture
-def run(monkeypatch, tmp_path):
+def run(setup_cell, monkeypatch, tmp_path):
     """Runs the cell in a folder, and returns the first place where modules are then looked for."""
     began, commands = [], []
     monkeypatch.setattr(notebook.Lab, "begin", lambda self, topic: began.append(topic))
@@ -29,7 +35,7 @@ def run(monkeypatch, tmp_path):
     def cell(folder: Path) -> str:
         monkeypatch.chdir(folder)
         began.clear()
-        exec(PYTHON, {"get_ipython": lambda: SimpleNamespace(system=commands.append)})
+        exec(setup_cell, {"get_ipython": lambda: SimpleNamespace(system=commands.append)})
         assert began == ["detection"]
         return sys.path[0]
 
@@ -88,14 +94,14 @@ def test_an_installed_lab_needs_no_folder(run, tmp_path):
     assert run.commands == []
 
 
-def test_elsewhere_than_on_colab_nothing_is_asked_for_or_installed(run, tmp_path, capsys):
+def test_outside_colab_nothing_is_requested_or_installed(run, tmp_path, capsys):
     run(tree(tmp_path))
     assert ASKED not in capsys.readouterr().out
     assert run.commands == []
 
 
 @pytest.mark.parametrize("name", ["collisions-lab.zip", "collisions-lab (1).zip", "lab.ZIP"])
-def test_on_colab_the_archive_is_asked_for_whatever_it_is_called(name, run, colab, tmp_path, capsys):
+def test_on_colab_the_archive_is_requested_under_any_name(name, run, colab, tmp_path, capsys):
     colab[name] = archive()
     assert run(tmp_path) == str(tmp_path / "collisions-lab")
     assert ASKED in capsys.readouterr().out
@@ -103,7 +109,7 @@ def test_on_colab_the_archive_is_asked_for_whatever_it_is_called(name, run, cola
     assert command.startswith("pip install")
 
 
-def test_on_colab_it_is_asked_for_once(run, colab, tmp_path, capsys):
+def test_on_colab_the_archive_is_requested_once(run, colab, tmp_path, capsys):
     colab["collisions-lab.zip"] = archive()
     run(tmp_path)
     capsys.readouterr()
@@ -115,7 +121,7 @@ def test_on_colab_it_is_asked_for_once(run, colab, tmp_path, capsys):
 @pytest.mark.parametrize(
     "wrong", [{}, {"essay.pdf": b"%PDF"}, {"collisions-lab.zip": b"half of an arch"}, {"holiday.zip": archive("beach")}]
 )
-def test_on_colab_a_wrong_file_is_refused_in_plain_words_and_asked_for_again(wrong, run, colab, tmp_path):
+def test_on_colab_a_wrong_file_is_refused_and_requested_again(wrong, run, colab, tmp_path):
     colab.update(wrong)
     with pytest.raises(FileNotFoundError, match=r"not collisions-lab\.zip: run this cell again"):
         run(tmp_path)

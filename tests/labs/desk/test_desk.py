@@ -15,18 +15,18 @@ from labs.desk.predictions import Prediction
 from reference.engines.implementation import Implementation
 
 
-def test_a_lab_begins_by_saying_who_answers(lab, capsys):
+def test_a_lab_begins_by_saying_which_engines_answer(lab, capsys):
     out = said(capsys, lab.begin, "detection")
     assert "Detecting a collision" in out
     assert "PyBullet" in out
     assert "MuJoCo" in out
 
 
-def test_an_unknown_lab_is_a_line_and_no_traceback(lab, capsys):
+def test_an_unknown_lab_prints_one_line_without_a_traceback(lab, capsys):
     assert "lab.begin: unknown topic 'detektion'. Did you mean 'detection'?" in said(capsys, lab.begin, "detektion")
 
 
-def test_before_a_lab_has_begun_every_call_says_what_to_do(lab, capsys):
+def test_every_call_before_the_first_cell_says_to_run_it(lab, capsys):
     lab.topic = ""
     for call in (lab.check, lambda: lab.run("dropped-ball")):
         assert "which lab is this? Run the first cell" in said(capsys, call)
@@ -49,7 +49,7 @@ def test_a_prediction_is_kept_or_refused_in_words(lab, capsys, answer, named, wo
     assert words in said(capsys, lab.predict, "key", "How high?", answer, **named)
 
 
-def test_a_later_lab_uses_what_is_written_in_an_earlier_notebook_and_given_functions_for_the_rest(tmp_path):
+def test_a_later_lab_uses_earlier_notebooks_and_given_functions(tmp_path):
     own = "def is_colliding(separation, tolerance=0.0):\n    return separation < -5"
     write_notebook(tmp_path / "detection.ipynb", STUB, own)
     now = write_notebook(tmp_path / "now.ipynb", "pass")
@@ -59,19 +59,19 @@ def test_a_later_lab_uses_what_is_written_in_an_earlier_notebook_and_given_funct
     assert Implementation(found.source).function("signed_distance")([0, 0, 3], [0, 0, 2], -4) == 1  # given
 
 
-def test_what_the_lab_has_written_is_never_answered_by_given_functions(tmp_path):
+def test_given_functions_never_replace_those_of_the_lab_itself(tmp_path):
     found = student_code.collect("detection", write_notebook(tmp_path / "now.ipynb", "pass"))
     with pytest.raises(Exception, match="needs signed_distance"):
         Implementation(found.source).function("signed_distance")([0, 0, 3], [0, 0, 1], 0)
 
 
-def test_plots_and_experiments_of_a_notebook_are_not_run_with_it(tmp_path):
+def test_plots_and_experiments_of_a_notebook_are_not_run(tmp_path):
     text = "raise SystemExit\n\ndef is_colliding(separation, tolerance=0.0):\n    return separation < LIMIT"
     path = write_notebook(tmp_path / "now.ipynb", "LIMIT = -2", text, "import nothing_there")
     assert Implementation(student_code.collect("detection", path).source).function("is_colliding")(-3.0)
 
 
-def test_a_notebook_stands_for_an_implementation_on_the_command_line(tmp_path):
+def test_a_notebook_is_an_implementation_on_the_command_line(tmp_path):
     path = write_notebook(tmp_path / "detection.ipynb", *right_cells())
     assert student_code.named_implementation("solutions") == "solutions"
     assert Implementation(student_code.named_implementation(str(path))).function("is_colliding")(-1.0)
@@ -100,5 +100,5 @@ def test_an_earlier_notebook_that_cannot_be_read_is_named(lab, capsys, tmp_path)
     ("answer", "theory", "off"),
     [(-2.0, -1.0, "−100 %"), (0.3, 0.25, "+20 %"), (1e99, 1.0, ">1000 %"), (0.3, 1e-17, ""), (0.3, 0.0, "")],
 )
-def test_a_guess_is_off_by_a_share_of_theory_with_the_sign_of_the_difference(answer, theory, off):
+def test_a_guess_is_off_by_a_signed_share_of_theory(answer, theory, off):
     assert tables._off(Prediction("key", "?", answer), theory) == off

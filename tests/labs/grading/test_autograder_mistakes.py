@@ -1,6 +1,7 @@
 """Every known mistake loses points in the tests of its function, and what is right in other words loses none.
 
-The tests run here, without a worker: what they ask is what matters.
+The tests run here, without a worker: what they ask is what matters. A few functions and mistakes are tried in every run
+and all of them by `make verify`; `-m "" -k "impulse_magnitude and sign"` finds those of one function.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader, Remote
 from labs.grading.diagnosis.misconceptions import read_bank
 from labs.grading.diagnosis.recognition import diagnose
+from labs.grading.diagnosis.words import told
 from labs.grading.feedback.report import report
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.plugin import Functions
@@ -32,7 +34,29 @@ FOLDER = Path(__file__).parents[2] / "autograder"
 TOPICS = ("detection", "response", "friction", "impulse")
 WRITTEN = [entry for topic in TOPICS for entry in lecture.functions_of(topic) if entry.role == "written"]
 BANK = read_bank()
+
+
+def some(entries, start, step):
+    """All entries as parameters; those that are not in the sample are slow."""
+    sample = range(start, len(entries), step)
+    slow = pytest.mark.slow
+    return [
+        pytest.param(entry, id=name_of(entry), marks=() if place in sample else slow)
+        for place, entry in enumerate(entries)
+    ]
+
+
+def name_of(entry):
+    """`function` or `function/mistake`."""
+    return getattr(entry, "id", entry.name)
+
+
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
+
+
+@pytest.fixture(autouse=True)
+def cache_folder():
+    """No cache: nothing here runs a scenario in a worker."""
 
 
 class Here:
@@ -71,14 +95,19 @@ class Asked:
         pass
 
 
+def loaded(name, path):
+    """A file of tests as a module."""
+    spec = importlib.util.spec_from_file_location(name, path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
 def collected():
     found = {}
     for folder in ("visible", "hidden"):
         for topic in TOPICS:
-            path = FOLDER / folder / f"test_{topic}.py"
-            spec = importlib.util.spec_from_file_location(f"{folder}_{topic}", path)
-            module = importlib.util.module_from_spec(spec)
-            spec.loader.exec_module(module)
+            module = loaded(f"{folder}_{topic}", FOLDER / folder / f"test_{topic}.py")
             for name, test in vars(module).items():
                 marks = {mark.name: mark.args for mark in getattr(test, "pytestmark", ())} if callable(test) else {}
                 if name.startswith("test_") and "function" in marks:
@@ -119,69 +148,61 @@ def run_test(test, points, submission, seed=1):
     return points - sum(earned), said
 
 
-def test_every_function_that_a_student_writes_has_visible_and_hidden_tests():
-    for entry in WRITTEN:
-        assert {folder for folder, *_ in TESTS[entry.name]} == {"visible", "hidden"}, entry.name
+@pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
+def test_a_solution_passes_the_visible_and_hidden_tests_it_has(entry):
+    assert {folder for folder, *_ in TESTS[entry.name]} == {"visible", "hidden"}
+    assert lost(entry.name, Here()) == (0, [])
 
 
-@pytest.mark.parametrize("topic", TOPICS)
-def test_the_solutions_lose_no_point(topic):
-    for entry in lecture.functions_of(topic):
-        if entry.role == "written":
-            assert lost(entry.name, Here()) == (0, [])
+@pytest.mark.parametrize("entry", some(BANK, 0, 12))
+def test_a_mistake_is_recognised_and_explained_in_the_feedback(entry):
+    found = diagnose(entry.function, lambda _, *given: entry.formula(*given))
+    assert (found.verdict, found.mistakes[0].id) == ("named", entry.id), told(found)
+    sheet = Sheet(outcomes=[Outcome("test_x", 1, False, said="wrong", function=entry.function)])
+    sheet.diagnoses[entry.function] = found
+    feedback = " ".join("\n".join(report(sheet, [lecture.function(entry.function).topic])).split())
+    assert entry.rationale in feedback
+    assert entry.help in feedback
 
 
-def unnamed(bank):
-    """The entries whose rationale is not in what a student reads."""
-    found = []
-    for entry in bank:
-        sheet = Sheet(outcomes=[Outcome("test_x", 1, False, said="wrong", function=entry.function)])
-        sheet.diagnoses[entry.function] = diagnose(entry.function, lambda _, *given, own=entry: own.formula(*given))
-        told = " ".join("\n".join(report(sheet, [lecture.function(entry.function).topic])).split())
-        if entry.rationale not in told or entry.help not in told:
-            found.append(entry.id)
-    return found
-
-
-def test_mistakes_are_named_in_the_feedback():
-    assert unnamed(BANK[::24]) == []
+@pytest.mark.parametrize("entry", some(BANK, 5, 32))
+def test_a_mistake_loses_points(entry):
+    assert lost(entry.function, Here(**{entry.function: entry.formula}))[0] > 0
 
 
 @pytest.mark.slow
-def test_every_mistake_is_named_in_the_feedback():
-    assert unnamed(BANK) == []
-
-
-def unpunished(bank):
-    return [entry.id for entry in bank if not lost(entry.function, Here(**{entry.function: entry.formula}))[0]]
-
-
-def test_mistakes_lose_points():
-    assert unpunished(BANK[5::16]) == []
+@pytest.mark.parametrize("entry", BANK, ids=name_of)
+def test_a_mistake_loses_points_whatever_the_examples(entry):
+    for seed in range(2, 5):
+        assert lost(entry.function, Here(**{entry.function: entry.formula}), seed)[0] > 0, seed
 
 
 @pytest.mark.slow
-def test_every_mistake_loses_points():
-    assert unpunished(BANK) == []
+@pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
+def test_the_solution_loses_no_point_whatever_the_examples(entry):
+    for seed in range(2, 5):
+        assert lost(entry.name, Here(), seed) == (0, []), seed
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(2, 5))
-def test_every_mistake_loses_points_whatever_the_examples(seed):
-    def still(entry):
-        return lost(entry.function, Here(**{entry.function: entry.formula}), seed)[0]
-
-    assert [entry.id for entry in BANK if not still(entry)] == []
-    assert [entry.name for entry in WRITTEN if lost(entry.name, Here(), seed)[0]] == []
+EQUIVALENTS = loaded("equivalents", Path(__file__).parent / "diagnosis" / "test_equivalents.py")
+"""The tests of the diagnosis, which know how to say the solutions in other words."""
+ALTERNATIVES = {path.stem: EQUIVALENTS.handed_in(path) for path in EQUIVALENTS.alternatives()}
+"""What other people wrote by hand: the functions of each file."""
+BY_HAND = [(file, entry) for entry in WRITTEN for file, space in ALTERNATIVES.items() if entry.name in space]
 
 
-@pytest.mark.parametrize("path", sorted((FOLDER / "alternatives").glob("*.py")), ids=lambda path: path.stem)
-def test_other_answers_by_hand_lose_no_point(path):
-    space = {}
-    exec(compile(path.read_text(encoding="utf-8"), path, "exec"), space)
-    written = {entry.name: space[entry.name] for entry in WRITTEN if entry.name in space}
-    one_alone = path.stem == "single"
-    told = [line for name in written for line in lost(name, Here(**written), runs=not one_alone)[1]]
+@pytest.mark.parametrize(
+    ("file", "entry"),
+    [
+        pytest.param(file, entry, id=f"{entry.name}/{file}", marks=() if place % 4 == 0 else pytest.mark.slow)
+        for place, (file, entry) in enumerate(BY_HAND)
+    ],
+)
+def test_another_answer_by_hand_loses_no_point(file, entry):
+    space = ALTERNATIVES[file]
+    written = {other.name: space[other.name] for other in WRITTEN if other.name in space}
+    one_alone = file == "single"
+    told = lost(entry.name, Here(**written), runs=not one_alone)[1]
     if one_alone:  # what asks for several contacts is all that is lost, as the runs do
         told = [line for line in told if "one call" not in line.split(":")[0] and "at once" not in line.split(":")[0]]
     assert told == []
@@ -195,54 +216,31 @@ def as_single_precision(value):
     return tuple(map(as_single_precision, value)) if isinstance(value, tuple) else np.asarray(value, dtype=np.float32)
 
 
-def told_of(entries, said):
-    """What is said to the solutions' own answers in another form."""
-
-    def answering(name):
-        right = getattr(Here(), name)
-        return lambda *arguments, **named: said(right(*arguments, **named))
-
-    return [line for entry in entries for line in lost(entry.name, Here(**{entry.name: answering(entry.name)}))[1]]
-
-
 @pytest.mark.parametrize("form", [as_lists, as_single_precision])
-def test_lists_and_single_precision_lose_no_point(form):
-    assert told_of(WRITTEN[2::5], form) == []
+@pytest.mark.parametrize("entry", some(WRITTEN, 2, 12))
+def test_lists_and_single_precision_lose_no_point(entry, form):
+    right = getattr(Here(), entry.name)
+    answering = {entry.name: lambda *arguments, **named: form(right(*arguments, **named))}
+    assert lost(entry.name, Here(**answering))[1] == []
+
+
+def told_in_other_words(entry, kinds):
+    """What is said to a solution in other words."""
+    otherwise = EQUIVALENTS.said_otherwise(entry.name, kinds)
+    return lost(entry.name, Here(**{entry.name: lambda *arguments: otherwise(entry.name, *arguments)}))[1]
+
+
+@pytest.mark.parametrize("entry", WRITTEN[1::12], ids=name_of)
+def test_a_solution_in_other_words_loses_no_point(entry):
+    assert told_in_other_words(entry, ("commuted", "differences turned", "branches turned", "roots")) == []
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("form", [as_lists, as_single_precision])
-def test_lists_and_single_precision_of_every_function_lose_no_point(form):
-    assert told_of(WRITTEN, form) == []
-
-
-def equivalents():
-    """How the diagnosis' own tests say the solutions in other words."""
-    path = Path(__file__).parent / "diagnosis" / "test_diagnosis_equivalents.py"
-    spec = importlib.util.spec_from_file_location("equivalents", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def told_of_rewritten(entries, kinds):
-    otherwise, told = equivalents().said_otherwise, []
-    for entry in entries:
-        said = otherwise(entry.name, kinds)
-        function = {entry.name: lambda *arguments, said=said, name=entry.name: said(name, *arguments)}
-        told += lost(entry.name, Here(**function))[1]
-    return told
-
-
-def test_the_solutions_in_other_words_lose_no_point():
-    assert told_of_rewritten(WRITTEN[1::7], ["commuted", "differences turned", "branches turned", "roots"]) == []
-
-
-@pytest.mark.slow
-def test_each_way_of_saying_the_solutions_in_other_words_loses_no_point():
-    for kind in equivalents().KINDS:
+@pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
+def test_a_solution_in_each_other_wording_loses_no_point(entry):
+    for kind in EQUIVALENTS.KINDS:
         if kind != "single precision":  # of which there is a test of its own
-            assert told_of_rewritten(WRITTEN, [kind]) == []
+            assert told_in_other_words(entry, (kind,)) == [], kind
 
 
 # Hostile submissions, asked by the real tests

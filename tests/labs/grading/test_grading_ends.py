@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[3]
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the nursery needs Linux")
 
 
-def test_a_nursery_that_says_nothing_is_killed_with_all_that_it_has():
+def test_a_silent_nursery_is_killed_with_all_its_processes():
     with Grader(Limits(call=2.0)) as own:
         own.host._control.settimeout(0.5)  # type: ignore[attr-defined]
         remote = Remote(Submission("lab.py", "import os\ndef parent(): return os.getppid()"), own)
@@ -39,21 +39,21 @@ def test_a_nursery_that_says_nothing_is_killed_with_all_that_it_has():
             os.kill(nursery, 0)
 
 
-def test_a_fault_of_the_graders_costs_no_points(tmp_path):
-    (tmp_path / "lab.py").write_text("def rebound_velocity(v, e): return -e * v")
+def test_a_fault_of_the_grader_costs_no_points(tmp_path):
+    (tmp_path / "lab.py").write_text("def is_colliding(separation, tolerance=0.0): return separation < -tolerance")
     with Grader(least=Tier.NETWORK, without=("limits",)) as lesser, pytest.raises(GraderFailed, match="below"):
         grade(tmp_path / "lab.py", None, ["visible"], lesser)
 
 
 def test_a_nursery_that_is_killed_makes_no_grade(tmp_path):
     kills = "os.kill(os.getppid(), 9); time.sleep(4)"  # else it may answer before the nursery is gone
-    (tmp_path / "lab.py").write_text(f"import os, time\ndef rebound_velocity(v, e): {kills}")
+    (tmp_path / "lab.py").write_text(f"import os, time\ndef is_colliding(separation, tolerance=0.0): {kills}")
     with Grader(without=("seccomp", "landlock", "user")) as open_grader, pytest.raises(GraderFailed, match="nursery"):
         grade(tmp_path / "lab.py", None, ["visible"], open_grader)
 
 
 @pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
-def test_nothing_is_left_of_a_grader_that_is_ended(ending, tmp_path):
+def test_a_grader_that_is_ended_leaves_nothing(ending, tmp_path):
     code = """
 import os, signal, sys, time
 from labs.grading.calling.remote import Remote
@@ -100,7 +100,7 @@ def test_two_graders_hide_their_process_until_both_are_closed():
     assert system_calls.prctl(system_calls.GET_DUMPABLE) == before
 
 
-def test_nothing_of_one_submission_is_there_for_the_next():
+def test_a_submission_finds_nothing_of_the_one_before():
     leaves = "import builtins, numpy as np\nbuiltins.left = np.left = 1\ndef f(): return hasattr(builtins, 'left')"
     finds = "import builtins, numpy as np\ndef f(): return hasattr(builtins, 'left') or hasattr(np, 'left')"
     with Grader() as own:

@@ -13,7 +13,7 @@ from labs.grading.calling import scenario_runs
 from labs.grading.calling.calls import Call, Patience
 from labs.grading.calling.load_failures import Failures
 from labs.grading.calling.processes import Ended, Limits
-from labs.grading.calling.remote import Grader, Remote
+from labs.grading.calling.remote import Remote
 from labs.grading.diagnosis.deviations import AGAINST_INFINITY, Answer, Right, deviation_of, outputs
 from labs.grading.errors import FunctionRaised, UnreadableSubmission
 from labs.grading.judging.grade import grade
@@ -66,12 +66,12 @@ def begun(process: Said, patience: float = 10.0) -> Call:
 
 
 @pytest.mark.parametrize("rows", [np.zeros((2**40, 0)), np.zeros(6_000_000, np.int8), [0] * 150_000])
-def test_an_answer_is_counted_before_it_is_taken_apart(rows):
+def test_a_huge_answer_is_refused_before_it_is_unpacked(rows):
     with within(LONG):
         assert outputs(rows, 2) is None
 
 
-def test_numbers_of_one_hash_are_not_gathered():
+def test_numbers_with_one_hash_take_no_time():
     places = [place * (2**61 - 1) for place in range(60_000)]
     call = begun(Said(("loaded", ["f"], []), ("answer", 1, "value", 0.0, [*places, 0], 5.0, "")))
     with within(LONG):
@@ -79,7 +79,7 @@ def test_numbers_of_one_hash_are_not_gathered():
     assert call.changed == (0,)  # the first is 0 times the prime
 
 
-def test_thousands_of_statements_that_failed_cost_nothing_at_an_error():
+def test_thousands_of_failed_statements_take_no_time_at_an_error():
     failed = [([f"a{number}"], "E", "m" * 50, 1) for number in range(10_000)]
     same = [(["x"], "E", f"{number}", 1) for number in range(10_000)]
     text = "name 'x' is not defined" + "'a'" * 500_000
@@ -104,14 +104,14 @@ def test_no_number_stands_for_infinity(off):
 
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("value", [1e308, -1e308, np.longdouble("1e4000"), np.float16(6e4), 5e-324])
-def test_the_largest_numbers_are_wrong_like_any_other(value):
+def test_the_largest_numbers_are_wrong_like_any_other_number(value):
     found = deviation_of(Answer(np.array([value, 1.0])), Right((np.array([2.0, 1.0]),), (1e-3,)))
     assert not found.right
     assert np.isfinite(found.total)
 
 
 @pytest.mark.parametrize("value", [np.zeros((20_000, 1)), (np.zeros(3), [[0.0]] * 100), np.zeros((1, 1, 1, 3))])
-def test_an_answer_that_would_fill_the_memory_of_a_driver_ends_the_run(value):
+def test_an_answer_that_would_fill_the_memory_ends_the_run(value):
     with pytest.raises(RunFailed, match="where there is one contact"):
         scenario_runs._arrays(value)
     assert scenario_runs._arrays(([1.0, 2.0, 3.0], np.zeros((1, 3, 3))))[1].shape == (1, 3, 3)
@@ -128,12 +128,12 @@ def test_an_answer_that_would_fill_the_memory_of_a_driver_ends_the_run(value):
         b"9" * 2000,
     ],
 )
-def test_what_pack_does_not_write_is_no_message(body):
+def test_a_message_that_would_fill_the_memory_is_refused(body):
     with pytest.raises(messages.Refused):
         messages.unpack(body)
 
 
-def test_what_foreseen_calls_wait_is_the_submissions_time():
+def test_the_submission_pays_for_the_time_of_foreseen_calls():
     class Deaf(Said):
         def send(self, message: bytes, seconds: float) -> None:
             time.sleep(0.2)
@@ -149,27 +149,27 @@ def test_what_foreseen_calls_wait_is_the_submissions_time():
     assert patience.left < 9.85
 
 
-def test_words_that_are_left_out_of_feedback_pay_nothing(tmp_path):
+def test_words_that_are_left_out_of_feedback_earn_nothing(grader, tmp_path):
     silent = """
 def made(text):
     found = {"text": text}
     exec(compile("def f(*arguments): raise Exception(text)", "elsewhere", "exec"), found)
     return found["f"]
-point_velocity = made("point_velocity = submission.point_velocity")
-rebound_velocity = made("rebound_velocity = submission.rebound_velocity")
+is_colliding = made("is_colliding = submission.is_colliding")
+signed_distance = made("signed_distance = submission.signed_distance")
 """
     (tmp_path / "lab.py").write_text(silent)
-    found = grade(tmp_path / "lab.py", ["impulse"], ["visible"])
+    found = grade(tmp_path / "lab.py", ["detection"], ["visible"], grader)
     assert found.sheet.earned == 0
     assert all(outcome.said or all(part.said for part in outcome.parts) for outcome in found.sheet.outcomes)
 
 
-def test_a_link_is_followed_neither_with_topics_nor_without(tmp_path):
-    (tmp_path / "right.py").write_text("def rebound_velocity(v, e): return -e * v")
+def test_no_link_is_followed_with_topics_or_without(grader, tmp_path):
+    (tmp_path / "right.py").write_text("def is_colliding(separation, tolerance=0.0): return separation < -tolerance")
     (tmp_path / "lab.py").symlink_to(tmp_path / "right.py")
     with pytest.raises(UnreadableSubmission, match="symbolic link"):
-        grade(tmp_path / "lab.py")
-    found = grade(tmp_path / "lab.py", ["impulse"], ["visible"])
+        grade(tmp_path / "lab.py", grader=grader)
+    found = grade(tmp_path / "lab.py", ["detection"], ["visible"], grader)
     assert found.sheet.earned == 0
     assert all("symbolic link" in outcome.said for outcome in found.sheet.outcomes)
 
@@ -182,7 +182,7 @@ def test_many_statements_in_many_cells_are_read_in_seconds(tmp_path):
         assert read(tmp_path / "lab.ipynb", ["f"]).text.count("f=1") == 19_000
 
 
-def test_examples_hang_on_the_file_of_the_test_as_well(tmp_path):
+def test_examples_also_depend_on_the_file_of_the_test(tmp_path):
     class Item:
         def __init__(self, path: Path, submission: Path) -> None:
             self.path, self.config = path, self
@@ -198,11 +198,12 @@ def test_examples_hang_on_the_file_of_the_test_as_well(tmp_path):
     assert len(seeds) == 4
 
 
-def test_the_tier_is_that_of_the_processes_that_ran_though_the_submission_does_not_load(tmp_path):
-    with Grader(Limits(call=0.3)) as own:
-        (tmp_path / "lab.py").write_text("def wait():\n    while True: pass\nrebound_velocity = wait()\n")
-        found = grade(tmp_path / "lab.py", ["impulse"], ["visible"], own)
-        with Remote(Submission("lab.py", ""), own).fresh() as call:
-            assert call.sealing is not None
-            assert found.sheet.tier == call.sealing.tier.title
+def test_a_grade_has_its_tier_though_the_submission_does_not_load(grader, tmp_path, monkeypatch):
+    monkeypatch.setattr(grader, "limits", Limits(call=0.3))
+    loops = "import time\ndef wait():\n    while True: time.sleep(0.01)\nis_colliding = wait()\n"
+    (tmp_path / "lab.py").write_text(loops)
+    found = grade(tmp_path / "lab.py", ["detection"], ["visible"], grader)
+    with Remote(Submission("lab.py", ""), grader).fresh() as call:
+        assert call.sealing is not None
+        assert found.sheet.tier == call.sealing.tier.title
     assert found.sheet.earned == 0

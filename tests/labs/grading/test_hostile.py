@@ -93,16 +93,19 @@ def lair() -> Iterator[Lair]:
 
 
 @pytest.fixture(scope="module")
-def grader() -> Iterator[Grader]:
-    with Grader() as found:
-        yield found
+def sealed(grader) -> Grader:
+    """A grader whose processes this kernel seals in."""
+    if grader_tier(grader) < Tier.NETWORK:
+        pytest.skip("this kernel cannot seal a process in")
+    return grader
 
 
 def hidden_test(text: str, grader: Grader, limits: Limits = PATIENT) -> str:
     """What a test says to a submission of that text; empty where every answer is right."""
     expected = {call: -call[1] * call[0] for call in CALLS}  # in a frame of the grader, where attacks look for it
     grader.limits = limits
-    with Remote(Submission("hostile.py", text), grader).fresh() as call:
+    # Closed, so that the process which is ready for another test does not go on attacking.
+    with Remote(Submission("hostile.py", text), grader) as remote, remote.fresh() as call:
         try:
             for velocity, restitution in CALLS:
                 answer = call("rebound_velocity", velocity, restitution)
@@ -122,29 +125,27 @@ def says(attack: Path) -> str:
 
 
 @pytest.mark.parametrize("attack", ATTACKS, ids=lambda attack: attack.stem)
-def test_an_attack_is_not_paid_harms_nothing_and_is_told_why(attack, lair, grader):
-    if grader_tier(grader) < Tier.NETWORK:
-        pytest.skip("this kernel cannot seal a process in")
-    told = hidden_test(lair.filled(attack), grader, limits_for(attack))
+def test_an_attack_earns_nothing_harms_nothing_and_hears_why(attack, lair, sealed):
+    told = hidden_test(lair.filled(attack), sealed, limits_for(attack))
     assert re.search(says(attack), told), told
     assert all(character.isprintable() or character in "\n\t" for character in told)
     assert lair.listing() == lair.before
     assert not lair.heard()
-    assert hidden_test(SECRET.replace("expected", "rebound_velocity"), grader) == ""  # the next student is graded
+    assert hidden_test(SECRET.replace("expected", "rebound_velocity"), sealed) == ""  # the next student is graded
 
 
 @pytest.mark.parametrize(
     ("name", "without"),
     [("reads_tests", ("landlock", "seccomp")), ("takes_rights_back", ("landlock", "seccomp"))],
 )
-def test_the_same_attack_is_paid_where_files_are_not_sealed(name, without, lair):
+def test_an_attack_on_files_pays_where_files_are_not_sealed(name, without, lair):
     attack = Path(__file__).parent / "hostile" / f"{name}.py"
     with Grader(without=without) as open_grader:
         assert grader_tier(open_grader) == Tier.LIMITS
         assert hidden_test(lair.filled(attack), open_grader) == ""
 
 
-def test_the_same_attack_is_heard_where_the_network_is_not_sealed(lair):
+def test_an_attack_by_socket_is_heard_where_the_network_is_open(lair):
     attack = Path(__file__).parent / "hostile" / "sockets.py"
     with Grader(without=("landlock", "seccomp", "namespace")) as open_grader:
         hidden_test(lair.filled(attack), open_grader)
@@ -155,7 +156,7 @@ def test_the_same_attack_is_heard_where_the_network_is_not_sealed(lair):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("measure", ["landlock", "user"])
-def test_no_attack_is_paid_where_one_measure_is_missing_that_another_covers(measure, lair):
+def test_no_attack_pays_without_a_measure_that_another_covers(measure, lair):
     with Grader(without=(measure,)) as lesser:
         assert grader_tier(lesser) == Tier.NETWORK
         for attack in ATTACKS:
@@ -167,14 +168,14 @@ def test_no_attack_is_paid_where_one_measure_is_missing_that_another_covers(meas
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.geteuid() != 0, reason="the tests above ran as an ordinary user already")
-def test_attacks_are_no_better_off_where_the_grader_is_an_ordinary_user():
+def test_attacks_gain_nothing_if_the_grader_is_an_ordinary_user():
     nobody = {"user": 65534, "group": 65534, "extra_groups": []}
     packages = os.pathsep.join(path for path in sys.path if path)
     environment = {"PATH": os.environ["PATH"], "PYTHONPATH": packages, "PYTHONDONTWRITEBYTECODE": "1"}
     usable = [each for each in (sys.executable, *SYSTEM_PYTHONS) if can_run(each, nobody, environment)]
     if not usable:
         pytest.skip("no interpreter that an ordinary user may run")
-    command = [usable[0], "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", "not_paid_harms", str(Path(__file__))]
+    command = [usable[0], "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", "harms_nothing", str(Path(__file__))]
     ran = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False, **nobody)
     assert ran.returncode == 0, ran.stdout[-2000:]
     assert f"{len(ATTACKS)} passed" in ran.stdout

@@ -100,13 +100,13 @@ def test_the_instants_of_impact_are_exact_however_the_ball_is_sampled(sampling, 
 
 
 @given(SAMPLINGS, RESTITUTION)
-def test_the_restitution_of_each_impact_is_read_from_the_flights_on_both_sides(sampling, restitution):
+def test_restitution_is_read_from_the_flights_on_both_sides(sampling, restitution):
     made, _ = three_impacts(sampling, restitution)
     assert measure.restitution_coefficients(made, "ball", "floor") == pytest.approx([restitution] * 3, abs=EXACT)
 
 
 @pytest.mark.parametrize(("phase", "left_out"), [(0.05, 1), (0.25, 1), (0.5, 0), (0.75, 0), (0.95, 1)])
-def test_two_impacts_with_an_unseen_flight_between_them_are_not_taken_for_one(phase, left_out):
+def test_two_impacts_with_an_unseen_flight_are_two(phase, left_out):
     # The last flight that is seen lasts little more than a sample interval. Whether the one before it, longer by 1/e,
     # holds two samples or only one hangs on the phase.
     made, _ = bouncing(sampled(4.0, 0.02, phase, 0.0), 0.8)
@@ -115,7 +115,7 @@ def test_two_impacts_with_an_unseen_flight_between_them_are_not_taken_for_one(ph
     assert found == pytest.approx([0.8] * len(found), abs=EXACT)
 
 
-def test_a_pair_of_flights_is_left_out_only_where_the_body_is_seen_off_the_plane_between_them():
+def test_pair_of_flights_is_left_out_only_if_seen_off_the_plane():
     # Two samples before, one or none inside a hop of 0.1 s, and two after it, of a ball that keeps its speed
     times = np.array([0.3, 0.35, 0.5, 0.6, 0.7])
     hop = np.array([0.4, 0.55])  # when it leaves the plane and when it is back
@@ -243,7 +243,7 @@ def hop(times, launch, rise_pull, fall_pull, top):
     return top - pull * since**2 / 2, -pull * since
 
 
-def test_under_drag_each_end_of_a_flight_and_its_apex_are_read_from_the_samples_next_to_it():
+def test_under_drag_flights_are_read_from_the_nearest_samples():
     # 5 % off gravity on the way up, 3 % on the way down. The parabola of two samples 9 and 19 ms away from an instant
     # is out by 0.03 g · 9 ms · 19 ms/2 = 3e-5 m there; one from the other end of the flight is out by centimetres.
     launch, times = 0.2, 0.2 + np.arange(0.003, 1.0, 0.01)
@@ -262,7 +262,7 @@ def test_under_drag_each_end_of_a_flight_and_its_apex_are_read_from_the_samples_
 
 
 @pytest.mark.parametrize("backwards", [False, True])
-def test_a_hop_that_is_below_the_surface_by_the_parabola_of_either_end_is_no_flight(backwards):
+def test_hop_below_the_surface_is_no_flight(backwards):
     # The parabola of a pair of samples τ from the apex tops 0.05 · 0.95 g τ²/2 below the true apex: 2 cm for 0.3 s
     times = np.arange(0, 0.301, 0.01)
     gap, velocity = 0.01 - 0.95 * G * times**2 / 2, -0.95 * G * times
@@ -348,7 +348,7 @@ def test_the_instant_of_rest_that_was_solved_for_is_taken_as_it_is(kind):
     assert measure.rest_time(made, "ball") == 0.605
 
 
-def test_a_rest_at_the_very_sample_that_still_shows_the_speed_before_it_is_taken_as_it_is():
+def test_rest_at_a_sample_that_still_shows_speed_is_taken_as_it_is():
     velocity = np.where(np.arange(len(TIMES)) <= 40, 1.0, 0.0)[:, None] * (1.0, 0.0, 0.0)
     made = trajectory(TIMES, upright(0 * TIMES), velocity, events=[Event(float(TIMES[40]), "rest", "ball")])
     assert measure.rest_time(made, "ball") == TIMES[40]
@@ -381,7 +381,7 @@ def test_the_residual_speed_is_the_largest_within_the_window():
     assert measure.residual_speed(made, "ball", 9.0) == 7.0
 
 
-def test_the_drift_is_the_farthest_from_where_the_window_began_and_not_the_way_gone():
+def test_drift_is_the_farthest_from_the_start_of_the_window():
     times = np.arange(11) / 10
     position = np.zeros((11, 3))
     position[:, 0] = [0, 9, 1, 1, 1, 1, 2, 4, 0, 1, 1]
@@ -463,7 +463,7 @@ def test_the_energy_of_a_spinning_box_is_that_of_its_points():
         assert energies[at] == pytest.approx(kinetic + potential, abs=1e-12)  # some 30 J, rounded a few dozen times
 
 
-def test_a_spinning_ball_has_two_fifths_of_the_energy_of_one_that_moves_as_fast_as_its_rim():
+def test_spinning_ball_has_two_fifths_of_its_rims_energy():
     made = scenario(Sphere(0.5), mass=2.0, gravity=(0.0, 0.0, 0.0))
     spinning = trajectory([0, 1], (0, 0, 1), (0, 0, 0), made=made, spin=(0.0, 6.0, 0.0))
     moving = trajectory([0, 1], (0, 0, 1), (3, 0, 0), made=made)

@@ -7,7 +7,8 @@ import pytest
 
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.tunnelling import CAUGHT, SHOTS, passing_share
-from reference.comparison.compare import Verdict, compare_case
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, EXACT, Method
 from reference.scene.settings import Settings
@@ -48,9 +49,13 @@ def test_an_exact_method_lets_nothing_pass_and_a_step_method_what_is_derived():
     assert (at_step.value, at_step.shift) == (0.0, pytest.approx(1 - 0.025 / 0.04))
 
 
+SLOWER = ((10, 4e-3), (20, 2e-3), (5, 4e-3))
+SHOWN = [(20, 4e-3), (20, 1e-3), *(pytest.param(*each, marks=pytest.mark.slow) for each in SLOWER)]
+
+
 @pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
-@pytest.mark.parametrize(("speed", "timestep"), [(10, 4e-3), (20, 4e-3), (20, 2e-3), (5, 4e-3), (20, 1e-3)])
-def test_with_a_coarse_timestep_an_engine_lets_pass_the_share_that_is_derived(name, speed, timestep, installed):
+@pytest.mark.parametrize(("speed", "timestep"), SHOWN)
+def test_coarse_timestep_lets_the_derived_share_pass(name, speed, timestep, installed):
     engine, case = installed(name), FAMILY.case(f"v={speed}")
     settings = engine.settings(case.scenarios[0], "tuned").change(timestep=timestep)
     rows, _ = compare_case(FAMILY, case, engine, "tuned", settings)
@@ -61,9 +66,7 @@ def test_with_a_coarse_timestep_an_engine_lets_pass_the_share_that_is_derived(na
 
 
 @pytest.mark.parametrize(("profile", "timestep", "share"), [("tuned", 0.01, 0.0), ("stock", 0.01, 0.75)])
-def test_solving_for_the_instant_stops_every_ball_and_answering_at_the_step_those_that_a_step_catches(
-    profile, timestep, share
-):
+def test_solving_for_the_instant_stops_every_ball(profile, timestep, share):
     engine, case = load_engine("handwritten"), FAMILY.case("v=10")
     settings = engine.settings(case.scenarios[0], profile).change(timestep=timestep)
     rows, _ = compare_case(FAMILY, case, engine, profile, settings)

@@ -45,7 +45,7 @@ def test_what_never_runs_straight_has_no_more_points_than_are_allowed():
     assert len(corners(TIMES, np.random.default_rng(0).normal(size=len(TIMES)))) == MOST_POINTS
 
 
-def test_a_packed_curve_comes_back_with_its_times_and_seven_digits_of_its_values():
+def test_packed_curve_keeps_its_times_and_seven_digits():
     curve = Series((0.0, 1.234567, 9.999999), (0.1, -123.4567, 1e-7))
     assert unpack(pack(curve)) == curve
     assert unpack(pack(Series((), ()))) == Series((), ())

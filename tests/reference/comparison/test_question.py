@@ -8,7 +8,7 @@ import pytest
 
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.compare import compare_case
-from reference.comparison.question import Question
+from reference.comparison.errors_by_settings import Question
 from reference.engines import load_engine
 
 DROPPED = catalogue()["dropped-ball"]

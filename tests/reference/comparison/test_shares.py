@@ -11,10 +11,10 @@ import pytest
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.scenarios import catalogue
-from reference.comparison import shares
-from reference.comparison.question import Question
+from reference.comparison import error_split
+from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
+from reference.comparison.errors_by_settings import Question
 from reference.comparison.results import Job
-from reference.comparison.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.errors import CannotExpress, NeedsFunction, RunFailed
@@ -23,6 +23,7 @@ from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Move, Option, Settings
 from reference.scene.trajectory import Trajectory
 
+slow = pytest.mark.slow
 TRUE = 10.0
 TUNED = Settings(0.01, 2, {"stiffness": 4.0, "iterations": 8, "drag": 0.0, "idle": 1.0})
 STOCK = Settings(0.04, 1, {"stiffness": 1.0, "drag": 0.5})
@@ -31,7 +32,7 @@ Error = Callable[[Settings], float]
 
 
 def split(family: Family, engine: Engine, order: float | None = None) -> Split | None:
-    return shares.split(Question.of(family, engine), order)
+    return error_split.split(Question.of(family, engine), order)
 
 
 def off(settings: Settings, order: int = 1) -> float:
@@ -132,7 +133,7 @@ def test_an_order_that_is_not_clearly_two_counts_as_one(measured):
     assert sizes(found)["discretisation: timestep"] == pytest.approx(0.03, abs=1e-14)
 
 
-def test_taken_for_first_order_an_error_of_second_order_is_overstated_by_half():
+def test_second_order_error_taken_for_first_is_overstated_by_half():
     found = split(family(), MadeUp(lambda settings: off(settings, 2)), None)
     assert sizes(found)["discretisation: timestep"] == pytest.approx(0.03 * 0.75 * 2, abs=1e-14)
 
@@ -268,7 +269,7 @@ def test_a_run_whose_quantity_is_no_finite_number_gives_none(number):
     assert split(replace(made, quantities=(ends,)), MadeUp()) is None
 
 
-def test_a_move_whose_run_fails_is_left_out_and_its_share_stays_in_the_remainder():
+def test_move_whose_run_fails_stays_in_the_remainder():
     found = split(family(), MadeUp(fails_when(lambda settings: settings["stiffness"] == 16.0)))
     assert [share.kind for share in found.shares if share.kind != DEFAULTS] == [
         DISCRETISATION,
@@ -291,7 +292,7 @@ def test_options_that_only_work_together_are_moved_together():
     assert sum(share.size for share in found) == pytest.approx(off(STOCK) - off(TUNED), abs=1e-14)
 
 
-def test_where_stock_gives_no_number_the_first_step_has_no_size_and_those_after_it_have():
+def test_first_step_has_no_size_where_stock_gives_no_number():
     found = defaults(split(family(), MadeUp(fails_when(lambda settings: settings["drag"] == 0.5))))
     assert found[0].moved == "stiffness 1 → 4, iterations unset → 8, drag 0.5 → 0"
     assert (found[0].before, found[0].size) == (None, None)
@@ -310,18 +311,18 @@ def split_of(
 
 
 def test_only_the_tuned_profile_as_it_stands_is_split():
-    assert split_of("sliding-slab", "handwritten", "stock") is None
-    assert split_of("sliding-slab", "handwritten", changes={"timestep": 2e-3}) is None
-    assert split_of("sliding-slab", "handwritten") is not None
-    case = catalogue()["sliding-slab"].convergence.case
-    assert run_job(Job("sliding-slab", "handwritten", "tuned", (case,))).split is None, "no studies were asked for"
+    assert split_of("parting-ball", "handwritten", "stock") is None
+    assert split_of("parting-ball", "handwritten", changes={"timestep": 2e-3}) is None
+    assert split_of("parting-ball", "handwritten") is not None
+    case = catalogue()["parting-ball"].convergence.case
+    assert run_job(Job("parting-ball", "handwritten", "tuned", (case,))).split is None, "no studies were asked for"
 
 
 def test_what_needs_a_function_that_is_not_there_is_not_split():
     assert split_of("stack", "handwritten") is None
 
 
-def test_the_hand_written_slabs_stock_error_is_that_of_its_policy_and_tuned_there_is_none():
+def test_stock_error_of_a_slab_by_hand_is_its_policys():
     found = split_of("sliding-slab", "handwritten")
     (policy,) = defaults(found)
     parameters = catalogue()["sliding-slab"].case(found.case).parameters
@@ -332,8 +333,8 @@ def test_the_hand_written_slabs_stock_error_is_that_of_its_policy_and_tuned_ther
     assert all(abs(size) < 1e-9 for size in sizes(found).values())  # of a stop that is solved for
 
 
-@pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
-def test_the_error_of_a_rolling_balls_way_is_discretisation_to_within_a_hundredth(name, installed):
+@pytest.mark.parametrize("name", ["pybullet", *(pytest.param(name, marks=slow) for name in ("mujoco", "dart"))])
+def test_rolling_error_is_discretisation_to_a_hundredth(name, installed):
     engine = installed(name)
     found = sizes(split(catalogue()["rolling-ball"], engine))
     case = catalogue()["rolling-ball"].case(catalogue()["rolling-ball"].convergence.case)

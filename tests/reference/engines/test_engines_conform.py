@@ -8,17 +8,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from engine_grid import (
+    CELLS,
     DAMPING,
-    DURATION,
-    KINDS,
     ROUNDING,
     SCENARIOS,
     arrays,
     cells_of,
     each_engine,
     every_cell,
+    fast_and_slow,
     flies_exactly,
     is_damped,
+    is_often,
     same,
     setup,
 )
@@ -33,7 +34,7 @@ from reference.scene.settings import Settings
 
 
 @every_cell
-def test_a_trajectory_starts_at_time_zero_with_exactly_the_scenarios_own_state(cell, trajectory):
+def test_trajectory_starts_with_the_scenarios_own_state(cell, trajectory):
     bodies = SCENARIOS[cell.scenario].bodies
     assert trajectory.times[0] == 0
     assert np.array_equal(trajectory.positions[0], [body.position for body in bodies])
@@ -45,7 +46,7 @@ def test_a_trajectory_starts_at_time_zero_with_exactly_the_scenarios_own_state(c
 
 
 @every_cell
-def test_samples_come_every_so_many_steps_and_the_last_one_when_the_scenario_ends(cell, trajectory):
+def test_samples_come_at_intervals_and_at_the_scenarios_end(cell, trajectory):
     _, scenario, settings = setup(cell)
     interval = settings.timestep * settings.sample_every
     np.testing.assert_allclose(trajectory.times, interval * np.arange(len(trajectory.times)), rtol=1e-12)
@@ -67,7 +68,7 @@ def test_a_trajectory_says_what_it_came_from(cell, trajectory):
 
 
 @every_cell
-def test_the_same_run_gives_the_same_numbers_and_leaves_scenario_and_settings_alone(cell, trajectory):
+def test_same_run_gives_the_same_numbers_and_changes_no_input(cell, trajectory):
     engine, scenario, settings = setup(cell)
     before = pickle.dumps((scenario, settings))
     again = engine.run(scenario, settings)
@@ -75,7 +76,7 @@ def test_the_same_run_gives_the_same_numbers_and_leaves_scenario_and_settings_al
     assert same(again, trajectory)
 
 
-@cells_of(*(name for name, scenario in SCENARIOS.items() if any(body.immovable for body in scenario.bodies)))
+@fast_and_slow([cell for cell in CELLS if any(body.immovable for body in SCENARIOS[cell.scenario].bodies)], is_often)
 def test_what_is_immovable_does_not_move(cell, trajectory):
     fixed = [place for place, body in enumerate(SCENARIOS[cell.scenario].bodies) if body.immovable]
     for values in (trajectory.positions, trajectory.orientations):
@@ -84,7 +85,7 @@ def test_what_is_immovable_does_not_move(cell, trajectory):
     assert not trajectory.angular_velocities[:, fixed].any()
 
 
-@cells_of("thrown-ball")
+@fast_and_slow([cell for cell in CELLS if cell.scenario == "thrown-ball"], is_often)
 def test_many_scenarios_at_once_give_what_each_gives_alone(cell, installed):
     engine = installed(cell.engine)
     first = SCENARIOS["dropped-ball"]
@@ -121,15 +122,18 @@ def test_the_changed_timestep_shows_in_the_flight_itself(cell, installed):
     lower = (fine.position("thrown") - coarse.position("thrown"))[:, 2]
     expected = 0 * fine.times if flies_exactly(cell) else GRAVITY * fine.times * settings.timestep / 2  # g t dt/2 each
     # Drag is taken in steps too: it adds a first-order term of its own, a share 0.04 (1 + 2 v) t of this one.
-    np.testing.assert_allclose(lower, expected, rtol=DAMPING * 13 * DURATION if is_damped(cell) else 1e-6, atol=1e-10)
+    np.testing.assert_allclose(
+        lower, expected, rtol=DAMPING * 13 * scenario.duration if is_damped(cell) else 1e-6, atol=1e-10
+    )
 
 
-@pytest.mark.parametrize("cell", KINDS, ids=str)
-def test_tuned_comes_first_and_stock_last_and_each_says_what_it_is(cell):
-    found = load_engine(cell.engine).profiles(SCENARIOS[cell.scenario])
-    assert [*found][:1] == ["tuned"]
-    assert [*found][-1:] == ["stock"]
-    assert all(line.strip() for line in found.values())
+@each_engine
+def test_tuned_comes_first_and_stock_last_and_each_says_what_it_is(name):
+    for scenario in SCENARIOS.values():
+        found = load_engine(name).profiles(scenario)
+        assert [*found][:1] == ["tuned"], scenario.name
+        assert [*found][-1:] == ["stock"], scenario.name
+        assert all(line.strip() for line in found.values()), scenario.name
 
 
 @every_cell
@@ -142,16 +146,17 @@ def test_every_profile_says_when_it_answers_in_one_of_four_ways(cell):
     assert method.rest_speed >= 0
 
 
-@pytest.mark.parametrize("cell", KINDS, ids=str)
-def test_a_profile_that_there_is_not_is_refused_with_those_there_are(cell):
-    engine, scenario = load_engine(cell.engine), SCENARIOS[cell.scenario]
-    with pytest.raises(UnknownName) as refused:
-        engine.settings(scenario, "tunde")
-    assert refused.value.choices == tuple(engine.profiles(scenario))
-    assert "tunde" in str(refused.value)
+@each_engine
+def test_a_profile_that_there_is_not_is_refused_with_those_there_are(name):
+    engine = load_engine(name)
+    for scenario in SCENARIOS.values():
+        with pytest.raises(UnknownName) as refused:
+            engine.settings(scenario, "tunde")
+        assert refused.value.choices == tuple(engine.profiles(scenario)), scenario.name
+        assert "tunde" in str(refused.value)
 
 
-@every_cell
+@cells_of("thrown-ball")  # settings are the same kind of thing whatever the scenario
 def test_a_setting_that_there_is_not_is_refused_with_those_there_are(cell):
     _, _, settings = setup(cell)
     with pytest.raises(UnknownName) as refused:
@@ -164,9 +169,9 @@ def test_a_timestep_longer_than_the_scenario_is_refused(cell, installed):
     installed(cell.engine)
     engine, scenario, settings = setup(cell)
     with pytest.raises(InvalidInput, match="longer than"):
-        engine.run(scenario, settings.change(timestep=1.01 * DURATION))
+        engine.run(scenario, settings.change(timestep=1.01 * scenario.duration))
     with pytest.raises(InvalidInput, match="1e\\+08 is the most"):  # it would end in some hours
-        engine.run(scenario, settings.change(timestep=1e-9 * DURATION))
+        engine.run(scenario, settings.change(timestep=1e-9 * scenario.duration))
 
 
 @each_engine

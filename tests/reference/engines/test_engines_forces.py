@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from engine_grid import DAMPING, DURATION, ENGINES, SCENARIOS
+from engine_grid import DAMPING, ENGINES, SCENARIOS
 
 from reference.engines import load_engine
 from reference.errors import CannotExpress
@@ -27,7 +27,7 @@ def test_constant_forces_add_up_and_give_a_free_body_their_sum_over_its_mass(nam
         # v grows by F/m dt in every step, to rounding. Bullet, stock, brakes the ball's 5.4 m/s by 0.04 (1 + v) v a
         # second.
         speed = np.linalg.norm([3, -2, 4]) + 0.1
-        near = DAMPING * (1 + speed) * speed * DURATION if (name, profile) == ("pybullet", "stock") else 1e-12
+        near = DAMPING * (1 + speed) * speed * PUSHED.duration if (name, profile) == ("pybullet", "stock") else 1e-12
         np.testing.assert_allclose(pushed.velocity("thrown"), expected, atol=near)
         # A force at the centre turns nothing, but for rounding of where the centre is.
         assert np.abs(pushed.angular_velocity("thrown")).max() < 1e-12

@@ -7,10 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from catalogue_rows import ROLLING, SPEED, TIMESTEP, G, engines, fast_and_slow, job
+from catalogue_rows import ROLLING, SOME_ROLLING, SPEED, TIMESTEP, G, engines, fast_and_slow, job
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict, compare_case
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import Verdict
 
 # Rolling
 
@@ -19,9 +20,9 @@ ON_SLOPES = tuple(case.name for case in catalogue()["rolling-ball"].cases)
 SOME_ON_SLOPES = ("μ=0.1,θ=10°", "μ=0.1,θ=20°", "μ=0.3,θ=40°")  # rolls, just slips, just rolls
 
 
-@pytest.mark.parametrize("case", ROLLING)
+@fast_and_slow("case", SOME_ROLLING, ROLLING)
 @engines
-def test_a_ball_that_slid_rolls_with_five_sevenths_of_its_speed_in_both_engines(name, case, installed):
+def test_ball_that_slid_rolls_with_five_sevenths_of_its_speed(name, case, installed):
     installed(name)
     parameters = catalogue()["sliding-ball"].case(case).parameters
     speed, friction = parameters["speed"], parameters["friction"]
@@ -43,7 +44,7 @@ def test_a_ball_that_slid_rolls_with_five_sevenths_of_its_speed_in_both_engines(
 
 @fast_and_slow("case", SOME_ON_SLOPES, ON_SLOPES)
 @engines
-def test_a_ball_let_go_on_a_slope_rolls_or_slips_in_both_engines_as_theory_says(name, case, installed):
+def test_ball_on_a_slope_rolls_or_slips_in_both_engines(name, case, installed):
     installed(name)
     parameters = catalogue()["rolling-ball"].case(case).parameters
     friction, slope = parameters["friction"], parameters["slope"]
@@ -69,11 +70,12 @@ def test_balls_on_slopes_are_on_both_sides_of_rolling():
 
 
 SPINNING = tuple(case.name for case in catalogue()["spinning-ball"].cases)
+SOME_SPINNING = ("ω=20,μ=0.3,e=0.5", "ω=5,μ=0.1,e=0.8", "ω=60,μ=0.1,e=0.5")  # two that grip, and one that slips
 
 
-@pytest.mark.parametrize("case", SPINNING)
+@fast_and_slow("case", SOME_SPINNING, SPINNING)
 @engines
-def test_a_spinning_ball_grips_with_two_sevenths_of_its_spin_or_slips_with_mu_times_the_impulse(name, case, installed):
+def test_spinning_ball_grips_with_two_sevenths_of_its_spin_or_slips(name, case, installed):
     installed(name)
     parameters = catalogue()["spinning-ball"].case(case).parameters
     surface, friction = 0.1 * parameters["spin"], parameters["friction"]
@@ -97,7 +99,7 @@ def test_a_spinning_ball_grips_with_two_sevenths_of_its_spin_or_slips_with_mu_ti
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
-def test_wherever_in_a_step_a_gripping_ball_strikes_mujoco_is_off_by_no_more_than_its_short_lever_arm(installed):
+def test_gripping_ball_in_mujoco_is_off_by_its_short_lever_arm(installed):
     engine, family = installed("mujoco"), catalogue()["spinning-ball"]
     case, found = family.case("ω=20,μ=0.3,e=0.5"), []
     settings = engine.settings(case.scenarios[0], "tuned")
@@ -123,5 +125,7 @@ def test_spinning_balls_grip_and_slip():
     assert (len(gripping), sum(gripping)) == (12, 10)
 
 
-def test_every_slope_named_here_is_in_the_catalogue():
+def test_every_case_named_here_is_in_the_catalogue():
     assert set(SOME_ON_SLOPES) <= set(ON_SLOPES)
+    assert set(SOME_SPINNING) <= set(SPINNING)
+    assert set(SOME_ROLLING) <= set(ROLLING)

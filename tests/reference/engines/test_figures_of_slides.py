@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 import pytest
-from catalogue_rows import NEAREST_SLOPES, SLIDES, SLOPES, SOME_SLIDES, G, engines, fast_and_slow, row
+from catalogue_rows import NEAREST_SLOPES, SLIDES, SLOPES, SOME_SLIDES, G, engines, fast_and_slow, row, slow
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 
 # Sliding
@@ -61,7 +61,7 @@ def test_the_incline_has_cases_on_both_sides():
 def test_the_hand_written_slab_holds_or_slides_as_theory_says_on_all_slopes():
     engine, family = load_engine("handwritten"), catalogue()["incline"]
     scenarios = [case.scenarios[0] for case in family.cases]
-    runs = engine.run_many(scenarios, engine.settings(scenarios[0], "tuned"))
+    runs = engine.run_many(scenarios, engine.settings(scenarios[0], "tuned").change(timestep=5e-3))
     for case, trajectory in zip(family.cases, runs, strict=True):
         moves, way = (family.quantity(name).measure(trajectory) for name in ("moves", "way"))
         check_slope(case.name, moves, way, 1e-9)  # each step is exact; only rounding is left
@@ -89,8 +89,8 @@ def test_mujocos_creep_goes_with_the_timestep(installed):
 # The incline's way is that of its 3 s, whatever the timestep
 
 
-@pytest.mark.parametrize("timestep", [7e-3, 1e-3, 3e-4])
-def test_the_way_in_three_seconds_does_not_hang_on_whether_the_timestep_divides_them(timestep):
+@pytest.mark.parametrize("timestep", [7e-3, 6e-3, pytest.param(1e-3, marks=slow), pytest.param(3e-4, marks=slow)])
+def test_way_in_three_seconds_is_independent_of_the_timestep(timestep):
     found = row("incline", "handwritten", "tuned", "μ=0.3,θ=20°", "way", timestep=timestep)
     assert found.verdict is Verdict.PASS
 

@@ -3,25 +3,40 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from catalogue_rows import ROLLING, SLIDES, G, engines, job, row
+from catalogue_rows import (
+    CORNERS,
+    ROLLING,
+    SLIDES,
+    SOME_CORNERS,
+    SOME_ROLLING,
+    G,
+    engines,
+    fast_and_slow,
+    job,
+    rebound_of_a_tenth,
+    row,
+    tenth_of_drops,
+)
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
+from reference.comparison.errors_by_settings import Question
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 
 # Stock settings fail where they must
 
 
-def test_stock_pybullet_gets_worse_as_the_timestep_shrinks_until_nothing_bounces(installed):
+def test_stock_pybullet_gets_worse_as_the_timestep_shrinks(installed):
     installed("pybullet")
-    found = job("dropped-ball", "pybullet", "stock", "e=0.5", studies=True).convergence
-    assert found.timesteps == pytest.approx([4 / 240, 2 / 240, 1 / 240, 0.5 / 240])
-    assert np.all(np.diff(found.errors) > 0)
-    assert found.order < 0
-    dead = row("dropped-ball", "pybullet", "stock", "e=0.5", "rebound", timestep=5e-4)
+    family, engine, few = catalogue()["dropped-ball"], load_engine("pybullet"), tenth_of_drops("e=0.5")
+    question, settings = Question.of(replace(family, cases=(few,)), engine), engine.settings(few.scenarios[0], "stock")
+    timesteps = [4 / 240, 2 / 240, 1 / 240, 0.5 / 240]
+    assert np.all(np.diff([question.rms_error(settings.change(timestep=dt)) for dt in timesteps]) > 0)
+    dead = rebound_of_a_tenth("pybullet", "stock", "e=0.5", timestep=5e-4)
     assert dead.measured < 0.05 * 0.5**2  # a twentieth of the height that it should reach
     assert dead.verdict is Verdict.FAIL
 
@@ -29,13 +44,13 @@ def test_stock_pybullet_gets_worse_as_the_timestep_shrinks_until_nothing_bounces
 @pytest.mark.parametrize("case", ["e=0.2", "e=0.8", "e=1"])
 def test_stock_mujoco_does_not_bounce_whatever_e_was_meant(case, installed):
     installed("mujoco")
-    found = row("dropped-ball", "mujoco", "stock", case, "rebound")
+    found = rebound_of_a_tenth("mujoco", "stock", case)
     assert found.measured < 1e-3  # of the drop height
     assert found.verdict is Verdict.FAIL
 
 
 @pytest.mark.parametrize("case", [case for case in SLIDES if "heading" in case])
-def test_stock_mujoco_slides_a_fifth_too_far_at_thirty_degrees_to_its_pyramid(case, installed):
+def test_stock_mujoco_slides_a_fifth_too_far_at_thirty_degrees(case, installed):
     installed("mujoco")
     found = row("sliding-slab", "mujoco", "stock", case, "stopping_distance")
     assert found.relative_error > 0.2
@@ -49,7 +64,7 @@ def test_stock_mujoco_slides_right_along_an_axis_of_its_pyramid(installed):
     assert found.measured == pytest.approx(2**2 / (2 * 0.4 * G) - 2 * 2e-3 / 2, rel=1e-3)  # v0 dt/2 short, to 0.1 %
 
 
-@pytest.mark.parametrize("case", ["μ=0.1,v=2", "μ=0.1,v=5", "μ=0.2,v=5", "μ=0.4,v=5"])
+@fast_and_slow("case", ("μ=0.4,v=5",), ("μ=0.1,v=2", "μ=0.1,v=5", "μ=0.2,v=5", "μ=0.4,v=5"))
 def test_stock_pybullet_shortens_long_slides_by_more_than_a_twentieth(case, installed):
     installed("pybullet")
     found = row("sliding-slab", "pybullet", "stock", case, "stopping_distance")
@@ -66,7 +81,7 @@ def test_stock_mujoco_creeps_down_a_slope_that_holds(installed):
 # What stock settings make of all this
 
 
-@pytest.mark.parametrize("case", ROLLING)
+@fast_and_slow("case", SOME_ROLLING, ROLLING)
 def test_stock_pybullet_rolls_too_slowly_by_seven_to_forty_three_percent(case, installed):
     installed("pybullet")
     found = row("sliding-ball", "pybullet", "stock", case, "rolling_speed")
@@ -74,8 +89,8 @@ def test_stock_pybullet_rolls_too_slowly_by_seven_to_forty_three_percent(case, i
     assert found.verdict is Verdict.FAIL
 
 
-@pytest.mark.parametrize("case", ROLLING)
-def test_stock_mujoco_hops_as_it_slides_and_yet_rolls_at_nearly_the_right_speed(case, installed):
+@fast_and_slow("case", SOME_ROLLING, ROLLING)
+def test_stock_mujoco_hops_and_rolls_at_nearly_the_right_speed(case, installed):
     installed("mujoco")
     found = {entry.quantity: entry for entry in job("sliding-ball", "mujoco", "stock", case).rows}
     assert found["rolling_speed"].verdict is Verdict.PASS  # 0.1 %
@@ -84,7 +99,7 @@ def test_stock_mujoco_hops_as_it_slides_and_yet_rolls_at_nearly_the_right_speed(
     assert late.measured is None or late.error > 0.02  # s: while it is in the air, nothing slows its slip
 
 
-def test_stock_pybullet_loses_over_half_of_what_a_fast_spin_should_give_and_stock_mujoco_does_not_rebound(installed):
+def test_stock_engines_lose_over_half_of_a_fast_spins_effect(installed):
     installed("pybullet")
     found = row("spinning-ball", "pybullet", "stock", "ω=60,μ=0.3,e=0.5", "speed_along")
     assert found.relative_error == pytest.approx(-0.54, abs=0.02)
@@ -95,7 +110,7 @@ def test_stock_pybullet_loses_over_half_of_what_a_fast_spin_should_give_and_stoc
         )
 
 
-@pytest.mark.parametrize("case", [case.name for case in catalogue()["corner"].cases])
+@fast_and_slow("case", SOME_CORNERS, CORNERS)
 @engines
 def test_stock_settings_lose_speed_in_a_corner(name, case, installed):
     installed(name)
@@ -104,7 +119,7 @@ def test_stock_settings_lose_speed_in_a_corner(name, case, installed):
     assert kept.verdict is Verdict.FAIL
 
 
-def test_on_stock_pybullets_half_space_a_flat_box_tumbles_and_with_a_box_for_ground_it_does_not(installed):
+def test_on_stock_pybullets_half_space_a_flat_box_tumbles(installed):
     installed("pybullet")
     assert row("box-flat", "pybullet", "stock", "e=0.5", "lean").measured > 1.0  # rad
     assert math.degrees(row("box-flat", "pybullet", "stock", "e=0", "lean").measured) == pytest.approx(5, abs=0.5)

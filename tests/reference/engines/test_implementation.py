@@ -133,7 +133,7 @@ def test_a_file_that_is_not_there_is_refused_with_its_path(tmp_path):
         Implementation(str(tmp_path / "folder.py")).function("holds")
 
 
-def test_an_import_that_fails_inside_an_implementation_is_not_taken_for_a_missing_topic(package):
+def test_import_that_fails_inside_is_not_a_missing_topic(package):
     mine = Implementation(package("friction", "import no_such_library"))
     with pytest.raises(ModuleNotFoundError, match="no_such_library"):
         mine.function("holds")

@@ -78,7 +78,7 @@ def test_a_distance_is_what_the_closed_form_says_in_whatever_order(name, what, i
         assert engine.query(asked) == pytest.approx(expected + short, abs=NEAR[name])
 
 
-def test_dart_takes_a_face_for_the_nearest_unless_a_pair_of_edges_is_nearer_by_a_fiftieth(installed):
+def test_dart_prefers_a_face_unless_edges_are_nearer_by_a_fiftieth(installed):
     engine, rng, excess = installed("dart"), np.random.default_rng(3), []
     for _ in range(100):
         quaternions = rng.normal(size=(2, 4))
@@ -100,9 +100,7 @@ def test_dart_takes_a_face_for_the_nearest_unless_a_pair_of_edges_is_nearer_by_a
     ("detector", "casts_rays", "measures"),
     [("dart", True, True), ("fcl", False, True), ("bullet", True, False), ("ode", False, False)],
 )
-def test_of_darts_detectors_its_own_alone_answers_both_questions_and_knows_depths(
-    detector, casts_rays, measures, installed, monkeypatch
-):
+def test_only_darts_own_detector_answers_both_questions(detector, casts_rays, measures, installed, monkeypatch):
     engine = installed("dart")
     monkeypatch.setitem(dart_engine.DETECTORS, "dart", dart_engine.DETECTORS[detector])
     assert (engine.query(RAYS["a box"][0]) == pytest.approx(0.375)) is casts_rays

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import pytest
 
-from reference.comparison.compare import NOTHING_FINITE, Verdict
+from reference.comparison.verdicts import NOTHING_FINITE, Verdict
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import EngineNotInstalled, NeedsFunction
-from reference.published import Answer, Published, published, said
-from reference.published.judging import NOT_SET_UP, compare_published, judged, passes
+from reference.published.answers import Answer, as_answers
+from reference.published.case import Published
+from reference.published.drivers import DRIVERS, NOT_SET_UP, Drivers
+from reference.published.judging import compare_published, judged, passes
+from reference.published.theirs import published
 
 CASE = Published(
     number=99,
@@ -31,7 +33,7 @@ HAND, PYBULLET = load_engine("handwritten"), load_engine("pybullet")
 
 
 def rows_of(speed=2.0, times=(1.0, 3.0)):
-    return judged(CASE, "handwritten", said(speed=speed, times=times))
+    return judged(CASE, "handwritten", as_answers(speed=speed, times=times))
 
 
 def test_every_number_has_a_row_with_the_difference_and_the_reason():
@@ -78,7 +80,7 @@ def test_the_numbers_of_a_figure_may_deviate_one_by_one():
     assert not passes(rows)
 
 
-def test_a_figure_that_is_not_asked_or_has_no_answer_says_so_and_has_no_number():
+def test_figure_without_an_answer_says_so_and_has_no_number():
     rows = judged(CASE, "mujoco", {"times": Answer(None, reason="it keeps no time")})
     assert [row.verdict for row in rows] == [Verdict.CANNOT_EXPRESS] * 3
     assert [row.note for row in rows] == ["it was not asked", "it keeps no time", "it keeps no time"]
@@ -92,16 +94,21 @@ def test_a_number_that_is_none_fails(value):
     assert (row.verdict, row.measured, row.note) == (Verdict.FAIL, None, NOTHING_FINITE)
 
 
-def asked(engine, **changes):
-    rows, _ = compare_published(replace(CASE, **changes), engine)
+def asked(engine, **drivers):
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setitem(DRIVERS, CASE.name, Drivers(**drivers))
+        rows, _ = compare_published(CASE, engine)
     return [(row.verdict, row.note) for row in rows]
 
 
 def test_a_case_that_is_not_run_somewhere_says_why():
     assert asked(HAND) == [(Verdict.CANNOT_EXPRESS, NOT_SET_UP)]
-    assert asked(HAND, why_not={"by hand": "no step does it"}) == [(Verdict.CANNOT_EXPRESS, "no step does it")]
-    assert asked(PYBULLET, why_not={"engines": "no fluid"}) == [(Verdict.CANNOT_EXPRESS, "no fluid")]
-    only = {"in_engine": lambda *_: said(speed=2.0, times=(1.0, 3.0)), "why_not": {"pybullet": "no springs"}}
+    assert asked(HAND, why_not_in={"handwritten": "no step does it"}) == [(Verdict.CANNOT_EXPRESS, "no step does it")]
+    assert asked(PYBULLET, why_not="no fluid") == [(Verdict.CANNOT_EXPRESS, "no fluid")]
+    only = {
+        "in_engines": lambda *_: as_answers(speed=2.0, times=(1.0, 3.0)),
+        "why_not_in": {"pybullet": "no springs"},
+    }
     assert asked(PYBULLET, **only) == [(Verdict.CANNOT_EXPRESS, "no springs")]
 
 
@@ -113,7 +120,7 @@ def test_whatever_a_driver_raises_becomes_a_row():
     ((verdict, note),) = asked(HAND, by_hand=lambda *_: 1 / 0)
     assert verdict is Verdict.CRASHED
     assert note.startswith("ZeroDivisionError: division by zero, at line ")
-    ((verdict, note),) = asked(HAND, by_hand=lambda *_: said(speed=2.0, times=(1.0, 2.0, 3.0)))
+    ((verdict, note),) = asked(HAND, by_hand=lambda *_: as_answers(speed=2.0, times=(1.0, 2.0, 3.0)))
     assert verdict is Verdict.CRASHED
     assert note.startswith("ValueError")
 
@@ -126,10 +133,10 @@ def test_an_engine_that_is_not_installed_is_asked_nothing(monkeypatch):
     with pytest.raises(EngineNotInstalled, match="it is not here"):
         compare_published(published("P13"), PYBULLET)
     # But why a case cannot be said to it is known without it
-    assert asked(PYBULLET, why_not={"engines": "no fluid"}) == [(Verdict.CANNOT_EXPRESS, "no fluid")]
+    assert asked(PYBULLET, why_not="no fluid") == [(Verdict.CANNOT_EXPRESS, "no fluid")]
 
 
-def test_the_hand_written_side_answers_with_the_implementation_that_is_asked_for(tmp_path):
+def test_hand_written_side_uses_the_implementation_requested(tmp_path):
     file = tmp_path / "mine.py"
     case, mine = published("P5"), load_engine("handwritten", Implementation(str(file)))
     file.write_text(ALL)

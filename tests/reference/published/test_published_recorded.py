@@ -8,12 +8,13 @@ from dataclasses import replace
 
 import pytest
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.errors import EngineNotInstalled, InvalidInput, UnknownName
-from reference.published import published, recorded
+from reference.published import recorded
 from reference.published.jobs import PUBLISHED, plan, run_job
 from reference.published.recorded import FILE, fingerprint, recall, write
 from reference.published.results import PublishedJob
+from reference.published.theirs import published
 from reference.running import jobs
 from reference.running.cache import Cache
 from reference.running.jobs import run_one
@@ -41,7 +42,7 @@ def edited(folder, change) -> None:
     path.write_text(json.dumps(content), encoding="utf-8")
 
 
-def test_a_plan_has_every_case_in_every_engine_once_and_refuses_what_there_is_not():
+def test_plan_has_every_case_in_every_engine_once():
     assert len(plan((), ("handwritten", "mujoco"))) == 2 * 27
     assert plan(("p15", "P15"), ("dart",)) == [PublishedJob("P15", "dart")]
     with pytest.raises(UnknownName, match="unknown published case 'P99'"):
@@ -50,7 +51,7 @@ def test_a_plan_has_every_case_in_every_engine_once_and_refuses_what_there_is_no
         plan((), ("havok",))
 
 
-def test_a_job_in_a_worker_gives_what_it_gives_here_and_is_then_taken_from_the_cache(tmp_path, results):
+def test_job_in_a_worker_equals_one_here_and_is_then_cached(tmp_path, results):
     cache = Cache(tmp_path)
     first = run_one(JOBS[0], PUBLISHED, cache=cache)
     again = run_one(JOBS[0], PUBLISHED, cache=cache)
@@ -60,7 +61,7 @@ def test_a_job_in_a_worker_gives_what_it_gives_here_and_is_then_taken_from_the_c
     assert cache.get(replace(JOBS[0], case="P15")) is None
 
 
-def test_what_was_said_comes_back_with_the_same_rows_and_says_that_it_is_a_recording(folder, results):
+def test_recorded_answers_come_back_with_the_same_rows(folder, results):
     for job, result in zip(JOBS, results, strict=True):
         found = recall(job, folder)
         assert found.rows == result.rows
@@ -142,7 +143,7 @@ def test_a_file_that_is_no_recording_of_this_version_is_refused(folder, change):
         recall(JOBS[0], folder)
 
 
-def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
+def test_missing_engine_answers_from_its_recording_uncached(folder, monkeypatch, tmp_path):
     def missing(*_):
         raise EngineNotInstalled("it is not here")
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import Job
+from reference.comparison.verdicts import Row, Verdict
 from reference.recording.reading import recall
 
 
@@ -24,7 +24,7 @@ def test_the_mean_rebounds_are_those_of_the_table(profile, percent):
         assert off == pytest.approx(share, abs=0.006 if abs(share) > 0.01 else 0.0006)  # the last digit
 
 
-def test_the_bounces_end_two_percent_early_and_stock_a_lively_ball_rests_ten_percent_late():
+def test_bounces_end_early_and_stock_rests_late():
     tuned, stock = (recorded("ball-to-rest", profile, "rest_time") for profile in ("tuned", "stock"))
     assert tuned["e=0.5"].relative_error == pytest.approx(-0.020, abs=5e-4)
     assert stock["e=0.9"].relative_error == pytest.approx(0.098, abs=5e-4)
@@ -50,7 +50,7 @@ def test_a_stack_of_ten_stands_as_stated():
 
 
 @pytest.mark.parametrize(("profile", "speed", "spin"), [("tuned", 0.0005, 0.0017), ("stock", 0.009, 0.032)])
-def test_a_spinning_ball_has_too_much_speed_and_spin_by_what_its_lever_arm_is_short(profile, speed, spin):
+def test_short_lever_arm_leaves_a_spinning_ball_too_fast(profile, speed, spin):
     gripping = [case for case in recorded("spinning-ball", profile, "speed_along") if "ω=60,μ=0.1" not in case]
     for quantity, most in (("speed_along", speed), ("surface_speed", spin)):
         found = recorded("spinning-ball", profile, quantity)

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import datetime
 import json
+import shutil
 from dataclasses import replace
 
 import pytest
 
+from reference.catalogue.family import Family
 from reference.catalogue.grid import Parameter
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
-from reference.comparison.results import Job
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
-from reference.recording import reading
+from reference.recording import files, reading
 from reference.recording.fingerprint import fingerprint
 from reference.recording.making import jobs_of, why_stale, write
 from reference.recording.reading import recall, replay
@@ -29,16 +31,58 @@ JOBS = [Job("incline", "handwritten", profile, with_studies=True, with_poses=Tru
 CASE = "μ=0.1,θ=10°"
 
 
+def small_incline() -> Family:
+    """Three of its cases: one that holds, one that slides, and the plotted and studied one, half a second long."""
+    whole = catalogue()["incline"]
+    cases = [whole.case(name) for name in ("μ=0.1,θ=3°", CASE, whole.curve.case)]
+    assert whole.convergence.case == whole.curve.case
+    short = [replace(case, scenarios=(replace(case.scenarios[0], duration=0.5),)) for case in cases]
+    return replace(whole, cases=tuple(short), convergence=replace(whole.convergence, factors=(2.0, 1.0)))
+
+
+def small_cradle() -> Family:
+    """Its first case and its last two, the first and last of which are no points of its grid, and a small grid."""
+    whole = catalogue()["cradle"]
+    moved = Parameter("balls", "", (4.0, 5.0), 5.0), Parameter("gap", "m", (0.0, 1e-4, 1e-3), 0.0)
+    grid = replace(whole.grid, parameters=moved, timesteps=(1e-3, 2e-3))
+    return replace(whole, cases=whole.cases[:1] + whole.cases[-2:], grid=grid)
+
+
+SMALL = {"incline": small_incline(), "cradle": small_cradle()}
+
+
+@pytest.fixture(autouse=True)
+def _small_families(monkeypatch):
+    for name, family in SMALL.items():
+        monkeypatch.setitem(catalogue(), name, family)
+
+
+def run_small(jobs: list[Job]) -> list[JobResult]:
+    with pytest.MonkeyPatch.context() as patched:
+        for name, family in SMALL.items():
+            patched.setitem(catalogue(), name, family)
+        return [run_job(job) for job in jobs]
+
+
 @pytest.fixture(scope="module")
 def results():
-    return [run_job(job) for job in JOBS]
+    return run_small(JOBS)
+
+
+@pytest.fixture(scope="module")
+def written(results, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("incline")
+    files = [folder / "handwritten" / f"incline.{kind}" for kind in ("json", "npz")]
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setitem(catalogue(), "incline", SMALL["incline"])
+        assert write(results, folder, DAY) == files
+    return folder
 
 
 @pytest.fixture
-def folder(tmp_path, results):
-    files = [tmp_path / "handwritten" / f"incline.{kind}" for kind in ("json", "npz")]
-    assert write(results, tmp_path, DAY) == files
-    return tmp_path
+def folder(written, tmp_path):
+    """A copy that a test may change."""
+    return shutil.copytree(written, tmp_path, dirs_exist_ok=True)
 
 
 def edited(folder, change) -> None:
@@ -47,7 +91,7 @@ def edited(folder, change) -> None:
     content = json.loads(path.read_text(encoding="utf-8"))
     change(content)
     path.write_text(json.dumps(content), encoding="utf-8")
-    reading.forget()
+    files.forget()
 
 
 def test_what_was_measured_comes_back_with_the_same_rows_studies_and_curve(folder, results):
@@ -176,12 +220,12 @@ def test_a_file_that_is_no_recording_is_refused_by_name(content, tmp_path):
     path = tmp_path / "handwritten" / "incline.json"
     path.parent.mkdir()
     path.write_text(content, encoding="utf-8")
-    reading.forget()
+    files.forget()
     with pytest.raises(InvalidInput, match=r"incline\.json' is no recording"):
         recall(JOBS[0], tmp_path)
 
 
-def test_a_fingerprint_changes_with_all_that_a_number_hangs_on_and_with_nothing_else():
+def test_fingerprint_changes_with_all_that_a_number_depends_on():
     engine, case = load_engine("handwritten"), catalogue()["incline"].case(CASE)
     scenario = case.scenarios[0]
     settings = engine.settings(scenario, "tuned")
@@ -200,12 +244,12 @@ def test_a_fingerprint_changes_with_all_that_a_number_hangs_on_and_with_nothing_
     assert fingerprint(replace(case, name="other"), settings) == prints[0]
 
 
-def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
+def test_missing_engine_answers_from_its_recording_uncached(folder, monkeypatch, tmp_path):
     def missing(*_):
         raise EngineNotInstalled("it is not here")
 
     monkeypatch.setattr(jobs, "run_isolated", missing)
-    monkeypatch.setattr(reading, "FOLDER", folder)
+    monkeypatch.setattr(files, "FOLDER", folder)
     cache = Cache(tmp_path / "cache")
     found = run_one(JOBS[0], SCENARIOS, cache=cache)
     assert found.recording
@@ -220,22 +264,16 @@ def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(
 
 @pytest.fixture(scope="module")
 def cradle(tmp_path_factory):
-    """The whole recording, cases, grid and poses, of a family that is made small."""
-    folder, whole = tmp_path_factory.mktemp("cradle"), catalogue()["cradle"]
-    moved = Parameter("balls", "", (4.0, 5.0), 5.0), Parameter("gap", "m", (0.0, 1e-4, 1e-3), 0.0)
-    grid = replace(whole.grid, parameters=moved, timesteps=(1e-3, 2e-3))
-    small = replace(
-        whole, cases=whole.cases[:1] + whole.cases[-2:], grid=grid
-    )  # the first and last are no points of it
-    catalogue()["cradle"] = small
-    jobs = [replace(job, with_studies=False) for job in jobs_of(small, "handwritten")]
-    results = [run_job(job) for job in jobs]
-    write(results, folder, DAY)
-    yield folder, results
-    catalogue()["cradle"] = whole
+    """The whole recording of a small family: cases, grid and poses."""
+    folder = tmp_path_factory.mktemp("cradle")
+    results = run_small([replace(job, with_studies=False) for job in jobs_of(SMALL["cradle"], "handwritten")])
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setitem(catalogue(), "cradle", SMALL["cradle"])
+        write(results, folder, DAY)
+    return folder, results
 
 
-def test_every_case_and_point_of_a_grid_comes_back_at_every_timestep_with_the_same_rows(cradle):
+def test_every_grid_case_comes_back_with_the_same_rows(cradle):
     folder, results = cradle
     for result in results:
         found = recall(result.job, folder)
@@ -259,7 +297,7 @@ def test_parameters_at_a_point_of_the_grid_find_it_and_between_two_nothing(cradl
     assert "with balls=4.0, gap=0.0002, timestep=0.002 nothing was recorded" in row.note
 
 
-def test_a_familys_own_case_is_found_at_a_timestep_of_the_grid_point_of_it_or_not_with_its_curve_and_poses(cradle):
+def test_recorded_case_is_found_at_its_grid_timestep(cradle):
     folder, _ = cradle
     rows = recall(Job("cradle", "handwritten", "tuned", changes=(("timestep", 2e-3),)), folder).rows
     assert {row.case for row in rows} == {"3 touching", "5, 1 mm apart", "5, 1 mm apart, two struck"}

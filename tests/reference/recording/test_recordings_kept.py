@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import random
 from dataclasses import replace
 
@@ -10,16 +11,17 @@ import pytest
 from agreeing import same, same_curve
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import Verdict
-from reference.comparison.results import Job
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
 from reference.published import recorded
 from reference.published.jobs import plan
 from reference.published.jobs import run_job as published_now
+from reference.recording.files import FOLDER
 from reference.recording.making import OTHER_VERSION, jobs_of, why_stale
-from reference.recording.reading import FOLDER, recall, replay
+from reference.recording.reading import recall, replay
 from reference.running.study import run_job
-from reference.viewer.poses import LENGTH, TURN, unpack
+from reference.viewer.tracks import LENGTH, TURN, unpack
 
 ENGINES = tuple(name for name in engine_names() if load_engine(name).package is not None)
 JOBS = [
@@ -51,9 +53,16 @@ A cradle that touches or a rod whose end is met at a step's edge may go the othe
 """
 
 
-@pytest.mark.parametrize("job", JOBS, ids=str)
+@functools.cache
+def recalled(job: Job) -> JobResult | None:
+    return recall(job)
+
+
+@pytest.mark.parametrize(
+    "job", [job if job.profile == "tuned" else pytest.param(job, marks=pytest.mark.slow) for job in JOBS], ids=str
+)
 def test_every_run_is_recorded_and_none_of_it_is_stale(job):
-    found = recall(job)
+    found = recalled(job)
     assert found is not None, "not recorded; collisions record does it"
     stale = {row.case: row.note for row in found.rows if row.verdict is Verdict.NOT_AVAILABLE}
     assert not stale, "collisions record makes a new one"
@@ -62,7 +71,7 @@ def test_every_run_is_recorded_and_none_of_it_is_stale(job):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_every_point_of_every_grid_and_every_replay_is_recorded_and_none_is_stale(engine):
+def test_every_grid_point_and_replay_is_recorded_and_fresh(engine):
     stale = {family.name: why_stale(family, engine) for family in catalogue().values()}
     # An engine may be newer here than the one that was recorded.
     assert {name: why for name, why in stale.items() if why and not why.startswith(OTHER_VERSION)} == {}
@@ -84,7 +93,7 @@ def test_every_published_case_is_recorded_and_none_is_stale_or_fails(name):
 
 
 def test_recorded_tuned_numbers_agree_with_theory_as_live_ones_do():
-    rows = [row for job in JOBS if job.profile == "tuned" for row in recall(job).rows]
+    rows = [row for job in JOBS if job.profile == "tuned" for row in recalled(job).rows]
     assert not [row for row in rows if row.verdict in (Verdict.FAIL, Verdict.CRASHED)]
 
 
@@ -103,14 +112,31 @@ def test_a_replay_starts_where_its_scenario_does_and_lasts_as_long():
 @pytest.mark.parametrize("job", [job for job in JOBS if job.profile == "tuned"], ids=str)
 def test_a_live_engine_measures_what_was_recorded(job, installed):
     installed(job.engine)
-    live, recorded = run_job(job), recall(job)
-    for now, then in zip(live.rows, recorded.rows, strict=True):
+    live = run_job(replace(job, with_studies=False))
+    for now, then in zip(live.rows, recall(job).rows, strict=True):
         same(now, then)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_live_engine_says_of_published_cases_what_was_recorded_and_allows_as_much(engine, installed):
+@pytest.mark.parametrize("family", ["rolling-ball", "struck-rod"])
+def test_a_live_study_finds_the_recorded_errors_and_shares(family, engine, installed):
+    installed(engine)
+    job = Job(family, engine, "tuned", (catalogue()[family].convergence.case,), with_studies=True)
+    live, then = run_job(job), recall(job)
+    assert live.convergence.timesteps == then.convergence.timesteps
+    near = 1e-6 * max(then.convergence.errors)  # as above, rounding that adds up
+    assert live.convergence.errors == pytest.approx(then.convergence.errors, abs=near)
+    assert [(share.kind, share.moved) for share in live.split.shares] == [
+        (share.kind, share.moved) for share in then.split.shares
+    ]
+    found, wanted = ([share.size for share in result.split.shares] for result in (live, then))
+    assert found == pytest.approx(wanted, abs=near)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ENGINES)
+def test_live_engine_answers_published_cases_as_recorded(engine, installed):
     installed(engine)
     for job in plan((), (engine,)):
         live, kept = published_now(job), recorded.recall(job)
@@ -140,7 +166,7 @@ def _point(job: Job, drawn: random.Random) -> Job:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_live_engine_measures_what_was_recorded_at_points_of_the_grids_and_goes_the_same_way(engine, installed):
+def test_live_engine_measures_what_was_recorded_on_the_grids(engine, installed):
     installed(engine)
     for job in points(engine, POINTS):
         live, recorded = run_job(job), recall(job)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import pickle
 import re
 import subprocess
 import sys
@@ -14,15 +15,28 @@ from pathlib import Path
 
 import pytest
 
-from reference.comparison.compare import ALL_CASES, Row, Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.errors import InvalidInput
-from reference.report import files
-from reference.report.files import read_rows, rows_csv, rows_json, staged, write
+from reference.report.files import write
+from reference.report.row_files import read_rows, rows_csv, rows_json
+from reference.report.staging import staged
 from reference.running.jobs import run_all, run_one
 from reference.running.study import SCENARIOS, run_job
 
-GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",), with_studies=True)
+GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
+STUDIED = Job("parting-ball", "handwritten", "tuned", ("v=0.1",), with_studies=True)
+JOBS = [
+    GOOD,
+    replace(GOOD, profile="stock"),
+    Job("sliding-slab", "handwritten", "stock", ("μ=0.7,v=1",)),
+    replace(GOOD, profile="slide", cases=("e=0.5", "e=0.8")),
+    STUDIED,
+    replace(STUDIED, profile="stock"),
+]
+"""Quick ones: some with their plotted case, two with studies."""
+BY_TABLE = (0, 3, 1, 2, 4, 5)
+"""Their order in a report: family by family as they are taught, tuned first and stock last."""
 ENOUGH = 60.0  # s: any honest job here takes one, on a busy machine too
 ENGINE_FILE = """
 import os, time
@@ -63,9 +77,8 @@ def odd_job(folder: Path, title: str, body: str = "pass", package: str | None = 
 
 @pytest.fixture(scope="module")
 def results() -> list[JobResult]:
-    """Real results, quick ones: one with its plotted case, and studies."""
-    jobs = [GOOD, replace(GOOD, profile="stock"), Job("sliding-slab", "handwritten", "stock", ("μ=0.7,v=1",))]
-    return [*map(run_job, jobs), run_job(Job("ball-to-rest", "handwritten", "slide", ("e=0.5", "e=0.8")))]
+    """Real results."""
+    return [run_job(job) for job in JOBS]
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +95,7 @@ def content(folder: Path) -> dict[str, bytes]:
 # What is written
 
 
-def test_a_report_is_a_page_with_rows_timings_provenance_and_figures_beside_it(report):
+def test_report_is_a_page_with_its_files_beside_it(report):
     assert {name.replace(os.sep, "/") for name in content(report)} == {
         "index.html",
         "rows.json",
@@ -90,7 +103,8 @@ def test_a_report_is_a_page_with_rows_timings_provenance_and_figures_beside_it(r
         "timings.json",
         "provenance.json",
         "figures/ball-to-rest-trajectories.svg",
-        "figures/ball-to-rest-convergence.svg",
+        "figures/parting-ball-trajectories.svg",
+        "figures/parting-ball-convergence.svg",
     }
 
 
@@ -141,8 +155,7 @@ def test_lines_end_alike_on_every_system(report):
 
 
 def test_rows_that_were_written_are_read_back_as_they_were(report, results):
-    by_table = [results[0], results[3], results[1], results[2]]  # tuned, slide, stock, then the other family
-    rows = [row for result in by_table for row in result.rows]
+    rows = [row for place in BY_TABLE for row in results[place].rows]
     read = read_rows(report / "rows.json")
     assert read == rows
     assert [row.settings for row in read] == [row.settings for row in rows]  # which equality leaves out
@@ -165,7 +178,7 @@ def test_rows_hold_numbers_that_every_reader_of_json_knows(report):
         raise AssertionError(f"{name} is not JSON")
 
     data = json.loads((report / "rows.json").read_text(encoding="utf-8"), parse_constant=refuse)
-    assert len(data["rows"]) == 4 + 4 + 8 + 4
+    assert len(data["rows"]) == 4 + 8 + 4 + 4 + 5 + 5
     assert data["rows"][0].keys() == {field.name for field in fields(Row)}
 
 
@@ -176,8 +189,8 @@ def test_names_stand_in_the_rows_as_they_are_written(report):
 def test_convergence_studies_stand_beside_the_rows(report, results):
     studies = json.loads((report / "rows.json").read_text(encoding="utf-8"))["convergence"]
     assert [(it["engine"], it["profile"]) for it in studies] == [("handwritten", "tuned"), ("handwritten", "stock")]
-    for study, result in zip(studies, results[:2], strict=True):
-        assert study["family"] == "ball-to-rest"
+    for study, result in zip(studies, results[4:], strict=True):
+        assert study["family"] == "parting-ball"
         assert study["timesteps"] == list(result.convergence.timesteps)
         assert study["errors"] == list(result.convergence.errors)
         assert study["order"] == result.convergence.order
@@ -206,7 +219,7 @@ GIVEN = '{"family": "f", "case": "c", "engine": "e", "profile": "p", "quantity":
         (GIVEN + ', "verdict": "pass", "measured": "much"}', "measured is 'much'"),
     ],
 )
-def test_a_file_that_holds_no_rows_is_refused_with_its_name_and_what_is_wrong(text, said, tmp_path):
+def test_file_without_rows_is_refused_by_its_name(text, said, tmp_path):
     path = tmp_path / "rows.json"
     is_row = '"verdict"' in text
     whole = f'{{"schema": "collisions-lab/rows", "version": 1, "rows": [{text}]}}' if is_row else text
@@ -252,33 +265,27 @@ def test_commas_quotes_and_line_breaks_stay_in_their_cell():
 
 # The same comparison, the same bytes
 
-TWICE = """
+ELSEWHERE = """
+import pickle
 import sys
 from pathlib import Path
 from reference.report.files import write
-from reference.comparison.results import Job
 from reference.running.study import run_job
 
-jobs = [
-    Job("sliding-slab", "handwritten", "stock", ("μ=0.7,v=1",)),
-    Job("ball-to-rest", "handwritten", "stock", ("e=0.8",)),
-    Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",), with_studies=True),
-]
-write([run_job(job) for job in (jobs if sys.argv[2] == "forwards" else reversed(jobs))], Path(sys.argv[1]))
+write([run_job(job) for job in reversed(pickle.loads(Path(sys.argv[1]).read_bytes()))], Path(sys.argv[2]))
 """
 
 
-def test_another_process_writes_the_same_bytes_in_whatever_order_the_results_come(tmp_path):
-    processes = []
-    for seed, order in (("1", "forwards"), ("2", "backwards")):
-        (tmp_path / order).mkdir()
-        environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONUTF8": "1"}
-        command = [sys.executable, "-c", TWICE, str(tmp_path / order), order]
-        processes.append(subprocess.Popen(command, env=environment))
-    assert [process.wait(ENOUGH) for process in processes] == [0, 0]
-    first, second = (content(tmp_path / order) for order in ("forwards", "backwards"))
+def test_another_process_writes_the_same_bytes_in_any_order(report, tmp_path):
+    jobs, out = tmp_path / "jobs", tmp_path / "out"
+    jobs.write_bytes(pickle.dumps(JOBS))
+    out.mkdir()
+    environment = os.environ | {"PYTHONHASHSEED": "1", "PYTHONUTF8": "1"}  # sets come in another order
+    command = [sys.executable, "-c", ELSEWHERE, str(jobs), str(out)]
+    subprocess.run(command, env=environment, timeout=ENOUGH, check=True)
+    first, second = content(report), content(out)
     assert first.keys() == second.keys()
-    assert len(first) == 7
+    assert len(first) == 8
     differing = {name for name in first if first[name] != second[name]}
     assert differing <= {"timings.json", "provenance.json"}
 
@@ -335,14 +342,14 @@ def test_a_report_that_is_broken_off_leaves_no_new_folder_behind(tmp_path):
     assert os.listdir(tmp_path / "a") == []
 
 
-def test_the_page_is_replaced_last_so_that_it_never_speaks_of_files_that_are_not_there_yet(earlier, monkeypatch):
+def test_page_is_replaced_last(earlier, monkeypatch):
     moved, replace_one = [], os.replace
 
     def watched(source: Path, target: Path) -> None:
         moved.append(target.relative_to(earlier).as_posix())
         replace_one(source, target)
 
-    monkeypatch.setattr("reference.report.files.os.replace", watched)
+    monkeypatch.setattr("reference.report.staging.os.replace", watched)
     with staged(earlier) as folder:
         (folder / "zebras").mkdir()
         for name in ("index.html", "a.json", "zebras/index.html", "z.json"):
@@ -362,7 +369,7 @@ def test_a_second_report_replaces_the_first(report, results, tmp_path):
     assert content(out).items() >= timeless.items()
 
 
-def test_a_folder_that_is_a_file_or_below_one_or_has_an_impossible_name_is_refused(tmp_path):
+def test_folder_that_cannot_be_made_is_refused(tmp_path):
     occupied = tmp_path / "occupied"
     occupied.write_text("mine")
     for out in (occupied, occupied / "deeper", occupied / "still" / "deeper", tmp_path / ("long" * 100)):
@@ -372,7 +379,7 @@ def test_a_folder_that_is_a_file_or_below_one_or_has_an_impossible_name_is_refus
     assert os.listdir(tmp_path) == ["occupied"]
 
 
-def test_something_in_the_way_of_a_file_is_refused_and_nothing_is_left_behind(tmp_path):
+def test_something_in_the_way_of_a_file_is_refused_cleanly(tmp_path):
     out = tmp_path / "out"
     (out / "index.html").mkdir(parents=True)
     (out / "index.html" / "mine").write_text("mine")
@@ -420,7 +427,7 @@ SAID = {
 
 
 @pytest.mark.parametrize("title", SAID)
-def test_a_run_without_an_answer_is_one_row_of_a_report_that_is_finished_all_the_same(title, with_odd_ones, results):
+def test_run_without_an_answer_is_one_row_of_a_finished_report(title, with_odd_ones, results):
     out, found = with_odd_ones
     (result,) = (result for result in found if result.title == title)
     verdict, message = SAID[title]
@@ -461,4 +468,4 @@ def test_a_number_that_is_none_never_gets_into_the_rows():
     bad = Row("f", "c", "e", "tuned", "q", "m", Verdict.PASS)
     object.__setattr__(bad, "measured", float("nan"))  # which a row refuses when it is made
     with pytest.raises(ValueError, match="not JSON compliant"):
-        files.rows_json([JobResult(GOOD, "", "", (bad,))])
+        rows_json([JobResult(GOOD, "", "", (bad,))])

@@ -141,7 +141,7 @@ def test_a_size_has_a_prefix_that_keeps_its_digits_few(value, unit, text):
 
 
 @given(share=finite)
-def test_a_percentage_says_the_share_to_two_digits_with_its_sign_or_a_power_of_ten_above_it(share):
+def test_percentage_has_two_digits_and_its_sign(share):
     text = percent(share)
     number, _, unit = text.partition(" ")
     assert unit == "%"
@@ -159,7 +159,7 @@ def test_a_percentage_says_the_share_to_two_digits_with_its_sign_or_a_power_of_t
 
 
 @given(value=finite, unit=units)
-def test_a_measured_value_says_five_digits_or_two_of_a_small_one_and_its_sign(value, unit):
+def test_measured_value_has_five_digits_and_its_sign(value, unit):
     text = quantity(value, unit)
     sign, said, digits = read(text, unit)
     if said == 0:
@@ -185,7 +185,7 @@ def test_a_size_says_two_digits_of_the_value_or_what_it_stays_below(value, unit)
 
 
 @given(value=positive, unit=units)
-def test_a_deviation_is_a_size_with_a_sign_and_changes_that_alone_with_its_direction(value, unit):
+def test_deviation_is_a_size_with_a_sign(value, unit):
     up, down, bare = deviation(value, unit), deviation(-value, unit), size(value, unit)
     if bare.startswith("<"):
         assert up == down == bare
@@ -203,5 +203,5 @@ def test_no_number_is_printed_as_a_program_would(value, unit):
 @pytest.mark.parametrize(
     ("value", "text"), [(1.0, "10⁰"), (1e-3, "10⁻³"), (2e-12, "2·10⁻¹²"), (9.4e4, "9·10⁴"), (0.96e-3, "10⁻³")]
 )
-def test_a_value_on_a_logarithmic_axis_has_one_digit_which_is_not_said_where_it_is_one(value, text):
+def test_value_on_a_logarithmic_axis_has_one_digit(value, text):
     assert power_of_ten(value) == text

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
 from reference.comparison.results import Job, JobResult
-from reference.comparison.shares import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Share, Split
-from reference.report.origins import origins
-from reference.report.summary import sections
+from reference.report.error_split import origins
+from reference.report.sections import sections
 
 STOCK = (
     Share(DEFAULTS, "damping unset → 0", -0.30, -0.10, -0.20),
@@ -29,7 +29,7 @@ def origin(*shares: Share, family: str = "ball-to-rest", case: str = "e=0.5", qu
     return found
 
 
-def test_every_move_with_an_effect_names_its_setting_and_the_errors_before_and_after():
+def test_every_move_with_an_effect_names_its_setting_and_errors():
     # The time of rest at e = 0.5 is 1.3546 s: -0.3 s are -22 % of it, -0.1 s are -7.4 %, -0.2 s are -15 %.
     first = origin(*STOCK, *TUNED).steps[0]
     assert (first.kind, first.moved) == ("defaults", "damping unset → 0")

@@ -11,16 +11,16 @@ from html.parser import HTMLParser
 import pytest
 from rich.console import Console
 
-from reference.comparison.compare import Verdict
+from reference.comparison.verdicts import Verdict
 from reference.errors import InvalidInput
-from reference.published import published
 from reference.published.jobs import run_job
 from reference.published.results import PublishedJob
-from reference.report import files
-from reference.report.published_figures import oblique_impacts
-from reference.report.published_page import set_up
-from reference.report.published_summary import PublishedTables, figure, label
-from reference.report.published_terminal import print_published
+from reference.published.theirs import published
+from reference.report import files, row_files
+from reference.report.published.figures import oblique_impacts
+from reference.report.published.page import set_up
+from reference.report.published.tables import PublishedTables, figure, label
+from reference.report.published.terminal import print_published
 
 NAMES = ("P11", "P15", "P22", "P23", "P24")
 
@@ -79,7 +79,7 @@ def test_a_cell_shows_the_worst_mark_and_how_many_numbers_agree(tables, results)
     assert recorded.recordings == ["* made elsewhere"]
 
 
-def test_the_sentence_counts_the_cases_that_come_out_elsewhere_and_names_the_others(tables, results):
+def test_sentence_counts_the_cases_found_elsewhere(tables, results):
     assert tables.sentence.startswith("4 of 5 published cases come out as published")
     (exception,) = tables.exceptions
     assert exception.startswith("P11: hand-written: known deviation: a real contact yields sideways")
@@ -98,7 +98,7 @@ def test_the_terminal_fits_in_eighty_columns_and_has_a_line_a_case(tables):
     assert "4 of 5 published cases come out" in said
 
 
-def test_with_cases_every_number_is_printed_with_theirs_the_difference_and_what_is_accepted(tables):
+def test_with_cases_every_number_is_printed_beside_theirs(tables):
     said = printed(tables, with_cases=True)
     assert max(map(len, said.splitlines())) <= 80
     assert re.search(r"^impacts 1, s +0\.45152 +published", said, re.MULTILINE)
@@ -154,7 +154,7 @@ def test_the_page_is_whole_and_needs_nothing_beside_it(text):
     assert "\x00" not in text
 
 
-def test_the_report_and_the_page_lead_to_each_other_and_only_where_there_is_one(folder, text, tmp_path):
+def test_report_and_published_page_link_to_each_other(folder, text, tmp_path):
     assert 'href="published.html"' in (folder / "index.html").read_text(encoding="utf-8")
     assert 'href="index.html"' in text
     files.write([], tmp_path)
@@ -174,16 +174,16 @@ def test_measured_impacts_are_drawn_beside_the_rigid_law_in_two_figures(tables, 
 
 
 def test_the_rows_are_read_back_as_they_were_written(folder, tables):
-    assert files.read_published(folder / "published.json") == tables.rows
+    assert row_files.read_published(folder / "published.json") == tables.rows
 
 
 def test_rows_of_another_version_are_refused(folder, tmp_path):
     content = json.loads((folder / "published.json").read_text(encoding="utf-8"))
     (tmp_path / "published.json").write_text(json.dumps(content | {"version": 2}), encoding="utf-8")
     with pytest.raises(InvalidInput, match="reads collisions-lab/published version 1"):
-        files.read_published(tmp_path / "published.json")
+        row_files.read_published(tmp_path / "published.json")
     with pytest.raises(InvalidInput, match="reads collisions-lab/rows version 1"):
-        files.read_rows(folder / "published.json")
+        row_files.read_rows(folder / "published.json")
 
 
 def test_figures_are_labelled_with_what_they_belong_to_and_their_unit(results):

@@ -8,10 +8,13 @@ import math
 import pytest
 
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Row, Verdict
-from reference.comparison.results import Errors, Job, JobResult
-from reference.report import summary
-from reference.report.summary import LEGEND, MARKS, Cell, Line, Section, columns, sections, verdict_line
+from reference.comparison.convergence import Errors
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
+from reference.report import row_text
+from reference.report.marks import LEGEND, MARKS
+from reference.report.overview import columns, verdict_line
+from reference.report.sections import Cell, Line, Section, sections
 
 REST = catalogue()["ball-to-rest"]
 WORST_FIRST = (
@@ -70,7 +73,7 @@ def test_every_verdict_has_its_own_mark_of_one_character_and_a_legend():
     assert all(LEGEND.values())
 
 
-def test_a_cell_counts_the_rows_that_agree_known_deviations_included_of_those_that_are_judged():
+def test_cell_counts_agreeing_rows_known_deviations_included():
     verdicts = (Verdict.PASS, Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.SHOWN)
     assert Cell(tuple(map(row, verdicts))).count == "3/4"
 
@@ -88,7 +91,7 @@ def test_a_failure_without_a_number_counts_as_one_that_was_judged():
     assert (cell.count, cell.worst) == ("0/1", "")
 
 
-def test_a_cell_that_is_only_shown_counts_nothing_and_shows_its_largest_value():
+def test_cell_that_is_only_shown_counts_nothing():
     cell = Cell(tuple(row(Verdict.SHOWN, measured, unit="m") for measured in (0.002, -0.0031, 0.001)))
     assert (cell.count, cell.worst) == ("", "3.1 mm")
 
@@ -111,22 +114,22 @@ def test_a_yes_or_no_has_no_error():
     assert (cell.count, cell.worst) == ("1/2", "")
 
 
-def test_an_error_is_in_percent_where_there_is_a_scale_that_is_not_zero_and_in_its_unit_elsewhere():
-    assert summary.error_of(row(measured=1.02)) == "+2 %"
-    assert summary.error_of(row(measured=1.02, scale=4.0)) == "+0.5 %"
-    assert summary.error_of(row(measured=1.02, scale=None)) == "+20 ms"
-    assert summary.error_of(row(measured=1e-3, expected=0.0, scale=0.0)) == "+1 ms"
-    assert summary.error_of(row(Verdict.SHOWN, -0.02)) == "20 ms"
-    assert summary.error_of(row(Verdict.FAIL, None)) == ""
+def test_error_is_in_percent_where_its_scale_is_not_zero():
+    assert row_text.error_of(row(measured=1.02)) == "+2 %"
+    assert row_text.error_of(row(measured=1.02, scale=4.0)) == "+0.5 %"
+    assert row_text.error_of(row(measured=1.02, scale=None)) == "+20 ms"
+    assert row_text.error_of(row(measured=1e-3, expected=0.0, scale=0.0)) == "+1 ms"
+    assert row_text.error_of(row(Verdict.SHOWN, -0.02)) == "20 ms"
+    assert row_text.error_of(row(Verdict.FAIL, None)) == ""
 
 
-def test_what_is_left_of_a_known_deviation_is_the_error_without_the_shift_and_without_a_sign():
+def test_rest_of_a_known_deviation_is_unsigned_and_unshifted():
     known = row(Verdict.KNOWN_DEVIATION, 1.29, shift=0.3)
-    assert summary.left_of(known) == "1 %"
+    assert row_text.left_of(known) == "1 %"
     assert Cell((row(), known)).left == "left 1 %"
     in_its_unit = row(Verdict.KNOWN_DEVIATION, 1.31, shift=0.3, scale=None)
     assert Cell((in_its_unit,)).left == "left 10 ms"
-    assert summary.left_of(row(Verdict.CRASHED, None)) == ""
+    assert row_text.left_of(row(Verdict.CRASHED, None)) == ""
 
 
 def test_what_is_left_is_that_of_the_largest_known_deviation():
@@ -169,7 +172,7 @@ def test_a_quantity_has_the_rows_of_its_own_name():
     assert (cells["rest_time"].rows, cells["drift"].rows) == ((time,), (drift,))
 
 
-def test_a_line_finds_the_row_of_a_case_or_the_one_that_says_why_there_is_none():
+def test_line_finds_the_row_of_a_case_or_the_reason_for_none():
     own, crashed = row(), without_number(Verdict.CRASHED, case="e=0.8")
     found = line(own, crashed)
     assert found.row("e=0.5", "rest_time") is own
@@ -217,7 +220,7 @@ def test_families_come_in_the_order_of_teaching_and_only_those_that_ran():
     assert sections([]) == []
 
 
-def test_lines_come_by_engine_in_the_order_of_the_tables_tuned_first_and_stock_last():
+def test_lines_come_by_engine_tuned_first_and_stock_last():
     asked = [
         ("z.py", "tuned"),
         ("mujoco", "stock"),
@@ -243,7 +246,7 @@ def test_lines_come_by_engine_in_the_order_of_the_tables_tuned_first_and_stock_l
     ]
 
 
-def test_columns_are_all_lines_that_occur_each_once_in_the_order_of_the_fullest_section():
+def test_columns_follow_the_fullest_section():
     two = [result(engine=engine) for engine in ("handwritten", "mujoco")]
     three = [result(engine=engine, family="incline") for engine in ("pybullet", "mujoco", "toy.py")]
     assert columns(sections(two + three)) == [
@@ -261,14 +264,14 @@ def test_a_section_finds_a_line_by_its_title():
     assert found.line("PyBullet, tuned") is None
 
 
-def test_a_section_shows_the_cases_that_ran_in_the_familys_order_and_all_where_none_has_a_number():
+def test_section_shows_its_cases_in_the_familys_order():
     assert section(result(row(case="e=0.9"), row(case="e=0.5"))).cases == ("e=0.5", "e=0.9")
     assert section(result(without_number(Verdict.CRASHED))).cases == tuple(case.name for case in REST.cases)
     mixed = section(result(row(case="e=0.8")), result(without_number(Verdict.CRASHED), engine="mujoco"))
     assert mixed.cases == ("e=0.8",)
 
 
-def test_the_expected_value_is_that_of_any_line_that_has_one_or_else_what_theory_says_without_a_run():
+def test_expected_value_is_any_lines_or_theorys():
     time = REST.quantity("rest_time")
     crashed, fine = result(without_number(Verdict.CRASHED)), result(row(), engine="mujoco")
     assert section(crashed, fine).expected("e=0.5", time) == "1 s"
@@ -277,7 +280,7 @@ def test_the_expected_value_is_that_of_any_line_that_has_one_or_else_what_theory
     assert section(crashed).expected("e=0.5", REST.quantity("drift")) == "0 m"
 
 
-def test_a_remark_is_made_once_with_the_lines_and_the_number_of_cases_that_it_speaks_of():
+def test_remark_is_made_once_with_its_lines_and_cases():
     late = [row(Verdict.KNOWN_DEVIATION, case=case, note="half a step late") for case in ("e=0.5", "e=0.8")]
     found = section(
         result(*late),
@@ -290,7 +293,7 @@ def test_a_remark_is_made_once_with_the_lines_and_the_number_of_cases_that_it_sp
     ]
 
 
-def test_a_reason_for_a_tolerance_is_given_once_with_the_lines_that_it_holds_for():
+def test_reason_for_a_tolerance_is_given_once_with_its_lines():
     rounding, step = row(reason="rounding only"), row(reason="a step late")
     found = section(
         result(rounding, rounding),

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import Job, JobResult
-from reference.report.summary import sections
-from reference.report.worst import furthest_from_theory, nearest_to_fail
+from reference.comparison.verdicts import Row, Verdict
+from reference.report.sections import sections
+from reference.report.worst_first import furthest_from_theory, nearest_to_fail
 
 
 def row(measured: float, verdict: Verdict = Verdict.PASS, profile: str = "tuned", **more) -> Row:
@@ -51,7 +51,7 @@ def test_a_failure_has_used_up_more_than_its_limit():
     assert used(row(13.0, Verdict.FAIL)) == pytest.approx([3.0])
 
 
-def test_rows_without_limit_or_number_and_those_of_other_profiles_are_left_out():
+def test_rows_without_limit_or_number_are_left_out():
     shown = row(3.0, Verdict.SHOWN, expected=None, tolerance=None)
     nothing = Row("ball-to-rest", "e=0.5", "handwritten", "tuned", "", "", Verdict.NEEDS)
     yes_or_no = row(10.0, tolerance=0.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import io
 import itertools
 from collections.abc import Iterable
@@ -13,10 +14,11 @@ from rich.console import Console
 
 from reference import lecture
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.compare import ALL_CASES, Row, Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.engines import engine_names, load_engine
-from reference.report.summary import LEGEND, MARKS, sections
+from reference.report.marks import LEGEND, MARKS
+from reference.report.sections import sections
 from reference.report.terminal import print_comparison
 from reference.running.study import run_job
 
@@ -33,6 +35,10 @@ MEASURED = {
     Verdict.FAIL: WILD,
     Verdict.SHOWN: WILD,
 }
+WORDIEST = ("cradle", "tipping-box")
+"""The longest name of a case, and the longest title of a quantity."""
+ALL = tuple(catalogue())
+slow = pytest.mark.slow
 with_and_without_cases = pytest.mark.parametrize("with_cases", [False, True])
 
 
@@ -46,10 +52,10 @@ def words(text: str) -> str:
     return " ".join(text.split())
 
 
-def grid(verdict: Verdict) -> list[JobResult]:
-    """Every family, engine, profile, case and quantity with one verdict, and in turn the numbers that it may have."""
+def grid(verdict: Verdict, families: tuple[str, ...] = ALL) -> tuple[JobResult, ...]:
+    """Every engine, profile, case and quantity with one verdict, and in turn the numbers that it may have."""
     values, found = itertools.cycle(MEASURED.get(verdict, (None,))), []
-    for family in catalogue().values():
+    for family in (catalogue()[name] for name in families):
         for name in engine_names():
             engine = load_engine(name)
             for profile, described in engine.profiles(family.cases[0].scenarios[0]).items():
@@ -63,7 +69,13 @@ def grid(verdict: Verdict) -> list[JobResult]:
                         row = replace(row, expected=-1.23456, tolerance=1.0, shift=0.001)
                     rows.append(row)
                 found.append(JobResult(Job(family.name, name, profile), engine.title, described, tuple(rows)))
-    return found
+    return tuple(found)
+
+
+@functools.cache
+def of_catalogue(verdict: Verdict, families: tuple[str, ...] = ALL, with_cases: bool = False) -> str:
+    """What is printed of a grid."""
+    return printed(grid(verdict, families), with_cases)
 
 
 def without_answer(verdict: Verdict, note: str, engine: str = "mujoco", title: str = "MuJoCo") -> JobResult:
@@ -80,19 +92,31 @@ def real() -> list[JobResult]:
 # Width
 
 
-@pytest.mark.parametrize("verdict", Verdict)
-@pytest.mark.parametrize("with_cases", [False, pytest.param(True, marks=pytest.mark.slow)])
-def test_nothing_of_the_catalogue_is_too_wide_for_80_columns_or_cut_off(verdict, with_cases):
-    text = printed(grid(verdict), with_cases)
+@pytest.mark.parametrize(
+    ("verdict", "families", "with_cases"),
+    [
+        pytest.param(verdict, families, with_cases, id=f"{verdict.name.lower()}-{name}", marks=() if fast else slow)
+        for verdict in Verdict
+        for families, with_cases, name, fast in (
+            (ALL, False, "all", verdict in (Verdict.PASS, Verdict.FAIL, Verdict.NEEDS)),  # short, long, and words
+            (WORDIEST, True, "wordiest with cases", True),
+            (ALL, True, "all with cases", False),
+        )
+    ],
+)
+def test_nothing_of_the_catalogue_is_too_wide_for_80_columns_or_cut_off(verdict, families, with_cases):
+    text = of_catalogue(verdict, families, with_cases)
     assert max(map(cell_len, text.splitlines())) <= WIDTH
     assert text.count(CUT) == text.count(f"{CUT} needs")
     assert (CUT in text) == (verdict is Verdict.NEEDS)
 
 
-@with_and_without_cases
-def test_every_name_of_the_catalogue_is_printed_whole(with_cases):
-    text = printed(grid(Verdict.PASS), with_cases)
-    for family in catalogue().values():
+@pytest.mark.parametrize(
+    ("families", "with_cases"), [(ALL, False), (WORDIEST, True), pytest.param(ALL, True, marks=slow)]
+)
+def test_every_name_of_the_catalogue_is_printed_whole(families, with_cases):
+    text = of_catalogue(Verdict.PASS, families, with_cases)
+    for family in (catalogue()[name] for name in families):
         assert family.title in text
         assert words(family.expected) in words(text)
         for number in family.statements:
@@ -103,6 +127,13 @@ def test_every_name_of_the_catalogue_is_printed_whole(with_cases):
             assert word in text
     for name in engine_names():
         assert f"{load_engine(name).title}, tuned" in text
+
+
+def test_the_wordiest_families_have_the_longest_names():
+    families = catalogue().values()
+    named = max(families, key=lambda family: max(len(case.name) for case in family.cases))
+    titled = max(families, key=lambda family: max(len(quantity.title) for quantity in family.quantities))
+    assert (named.name, titled.name) == WORDIEST
 
 
 @with_and_without_cases
@@ -116,7 +147,7 @@ def test_long_notes_are_broken_into_lines(with_cases):
 # What is said
 
 
-def test_the_overview_has_a_line_for_every_implementation_with_counts_and_worst_errors(real):
+def test_overview_has_counts_and_worst_errors_for_every_implementation(real):
     text = printed(real)
     for title in ("hand-written, tuned", "hand-written, slide", "hand-written, stock"):
         (line,) = (line for line in text.splitlines() if line.startswith(title))
@@ -126,7 +157,7 @@ def test_the_overview_has_a_line_for_every_implementation_with_counts_and_worst_
     assert text.rstrip().endswith("4 of 4 checks of tuned settings agree with theory, 0 fail.")
 
 
-def test_with_cases_every_quantity_has_a_table_with_what_each_implementation_measured(real):
+def test_with_cases_every_quantity_has_a_table(real):
     lines = printed(real, with_cases=True).splitlines()
     headings = [line.partition("  ")[0] for line in lines if line.rstrip().endswith("verdict")]
     assert headings == [quantity.title for quantity in catalogue()["ball-to-rest"].quantities]
@@ -203,14 +234,14 @@ def test_several_families_end_in_one_screen_of_marks_with_a_line_each(real):
 
 
 def test_the_catalogue_fits_one_screen_of_marks():
-    lines = printed(grid(Verdict.PASS)).splitlines()
+    lines = of_catalogue(Verdict.PASS).splitlines()
     start = next(place for place, text in enumerate(lines) if text.startswith("at a glance"))
     for place, name in enumerate(catalogue(), start + 1):
         assert lines[place].startswith(name)
 
 
-def test_where_the_screen_is_too_narrow_the_tuned_settings_come_first_in_a_table_of_their_own():
-    lines = printed(grid(Verdict.PASS)).splitlines()
+def test_narrow_screen_puts_tuned_settings_in_a_table_of_their_own():
+    lines = of_catalogue(Verdict.PASS).splitlines()
     starts = [place for place, text in enumerate(lines) if text.startswith("at a glance")]
     tuned, others = (words(lines[start]).split()[3:] for start in starts)
     assert set(tuned) == {"tuned"}
@@ -241,7 +272,7 @@ def test_the_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
 # What waits for a rigid-body world
 
 
-def test_a_scenario_that_needs_a_world_shows_so_in_its_table_below_it_at_a_glance_and_in_the_last_line():
+def test_scenario_that_needs_a_world_shows_so_in_the_terminal():
     both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
     jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
     text = printed([run_job(job) for job in jobs])

@@ -12,14 +12,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from reference.comparison.compare import Row, Verdict
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row, Verdict
 from reference.running import cache, sources
 from reference.running.cache import Cache, default_folder, key_of
 from reference.running.jobs import recall, run_all, run_one
 from reference.running.study import SCENARIOS, run_job
 
-JOB = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
+JOB = Job("sliding-slab", "handwritten", "tuned", ("μ=0.7,v=1",))
 OWN_CODE = """
 import numpy as np
 from solutions import *
@@ -44,7 +44,7 @@ def files(folder: Path) -> list[Path]:
 
 
 def a_row(verdict: Verdict) -> Row:
-    return Row("ball-to-rest", "e=0.5", "handwritten", "tuned", "rest_time", "s", verdict)
+    return Row("sliding-slab", "μ=0.7,v=1", "handwritten", "tuned", "creep", "m", verdict)
 
 
 # What is found again
@@ -74,11 +74,11 @@ def test_nothing_is_found_in_a_cache_that_has_it_not(cache_folder):
     [
         {"family": "dropped-ball"},
         {"engine": "mujoco"},
-        {"profile": "slide"},
+        {"profile": "stock"},
         {"cases": ()},
         {"changes": (("timestep", 2e-3),)},
         {"with_studies": True},
-        {"at": (("restitution", 0.5),)},
+        {"at": (("friction", 0.5),)},
         {"grid": True},
         {"with_poses": True},
     ],
@@ -278,7 +278,7 @@ def test_a_folder_that_cannot_be_written_costs_nothing_but_the_cache(tmp_path, r
 
 
 def test_a_second_run_takes_from_the_cache_what_the_first_one_put_there():
-    jobs = [JOB, dataclasses.replace(JOB, profile="slide")]
+    jobs = [JOB, dataclasses.replace(JOB, profile="stock")]
     keeps = Cache()
     assert recall(jobs, keeps) == []
     with ThreadPoolExecutor(2) as executor:

@@ -95,7 +95,7 @@ def test_a_job_that_asks_for_input_gets_none_and_takes_no_other_job():
     assert work("1 + 1") == 2
 
 
-def test_each_worker_has_one_thread_for_linear_algebra_and_draws_on_no_screen():
+def test_each_worker_has_one_thread_and_draws_on_no_screen():
     for name, value in [("OMP_NUM_THREADS", "1"), ("OPENBLAS_NUM_THREADS", "1"), ("MPLBACKEND", "Agg")]:
         assert work(f"__import__('os').environ[{name!r}]") == value
 
@@ -143,7 +143,7 @@ def test_an_unknown_name_survives_pickling():
     assert isinstance(copy, InvalidInput)
 
 
-def test_an_error_of_the_lab_that_cannot_travel_arrives_as_a_failed_run_with_its_text():
+def test_error_that_cannot_travel_arrives_as_a_failed_run():
     own = "from reference.errors import CollisionsError\nclass Own(CollisionsError): pass\nraise Own('lost its way')"
     with pytest.raises(RunFailed) as caught:
         run_isolated(exec, LIMIT, own, {})
@@ -246,7 +246,7 @@ def test_a_job_that_is_interrupted_half_way_takes_its_worker_with_it(monkeypatch
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(isolate, "_read", interrupt)
+        patched.setattr(isolate, "read_message", interrupt)
         with pytest.raises(KeyboardInterrupt):
             work("1 + 1")
     assert not alive(before)
@@ -301,8 +301,8 @@ def test_stopping_ends_a_busy_worker_and_its_job_says_so_at_once(tmp_path, caplo
     assert worker_pid() != pid
 
 
-def test_a_worker_that_is_stopped_while_it_hands_in_its_answer_takes_no_other_job(monkeypatch):
-    before, answered = worker_pid(), isolate._read
+def test_worker_stopped_while_answering_takes_no_other_job(monkeypatch):
+    before, answered = worker_pid(), isolate.read_message
 
     def stopped_just_then(stream):
         answer = answered(stream)
@@ -310,7 +310,7 @@ def test_a_worker_that_is_stopped_while_it_hands_in_its_answer_takes_no_other_jo
         return answer
 
     with monkeypatch.context() as patched:
-        patched.setattr(isolate, "_read", stopped_just_then)
+        patched.setattr(isolate, "read_message", stopped_just_then)
         assert work("1 + 1") == 2
     assert isolate._workers == set()
     assert not alive(before)

@@ -72,7 +72,7 @@ def test_a_text_that_is_no_python_has_a_hash_all_the_same(folder):
     assert digest(str(path)) != before
 
 
-def test_packages_are_read_once_where_a_process_has_imported_them_and_files_always(folder):
+def test_packages_are_read_once_and_files_always(folder):
     package, file = digest("kit_of_mine", once=True), digest(str(folder / "mine.py"), once=True)
     for name in ("kit_of_mine/part.py", "mine.py"):
         with (folder / name).open("a", encoding="utf-8") as text:

@@ -172,7 +172,7 @@ def test_a_restitution_from_zero_to_one_is_accepted(restitution):
     assert Pair("ball", "floor", restitution=restitution).restitution == restitution
 
 
-def test_where_nothing_is_said_a_body_stands_unturned_at_the_origin_and_a_pair_neither_bounces_nor_rubs():
+def test_body_defaults_to_the_origin_and_a_pair_to_no_contact_law():
     body, pair = Body("ball", Sphere(1.0), mass=1.0), Pair("ball", "floor")
     assert (body.position, body.velocity, body.angular_velocity) == ((0.0, 0.0, 0.0),) * 3
     assert body.orientation == (1.0, 0.0, 0.0, 0.0)
@@ -180,7 +180,7 @@ def test_where_nothing_is_said_a_body_stands_unturned_at_the_origin_and_a_pair_n
     assert HalfSpace().normal == (0.0, 0.0, 1.0)
 
 
-def test_static_friction_may_equal_kinetic_friction_and_does_so_where_it_is_not_given():
+def test_static_friction_defaults_to_kinetic_friction():
     assert Pair("ball", "floor", kinetic_friction=0.3).static_friction == 0.3
     assert Pair("ball", "floor", kinetic_friction=0.3, static_friction=0.3).static_friction == 0.3
     assert Pair("ball", "floor", kinetic_friction=0.3, static_friction=0.4).static_friction == 0.4

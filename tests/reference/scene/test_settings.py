@@ -150,7 +150,7 @@ def test_settings_that_differ_are_not_equal(change):
     assert SETTINGS.change(**change) != SETTINGS
 
 
-def test_settings_change_neither_by_hand_nor_with_the_options_they_were_made_from():
+def test_settings_cannot_be_changed_from_outside():
     options = dict(OPTIONS)
     made = Settings(1e-3, options=options)
     options["stiffness"] = 0.0

@@ -58,7 +58,7 @@ def test_a_body_has_its_own_column_of_the_arrays():
         ("angular_velocities", (COUNT, 2, 4), (COUNT, 2, 3)),
     ],
 )
-def test_an_array_of_the_wrong_shape_is_a_failed_run_that_names_the_right_one(name, wrong, expected):
+def test_array_of_the_wrong_shape_is_a_failed_run(name, wrong, expected):
     with pytest.raises(RunFailed) as caught:
         trajectory(**{name: np.ones(wrong)})
     assert str(caught.value) == f"toy: {name} has shape {wrong}; expected {expected}"
@@ -70,7 +70,7 @@ def test_a_trajectory_has_at_least_two_samples(count):
         Trajectory(SCENARIO, SETTINGS, "toy", **arrays(count))
 
 
-def test_two_samples_make_a_trajectory_and_without_contacts_its_table_of_them_is_empty():
+def test_two_samples_make_a_trajectory_without_contacts():
     made = Trajectory(SCENARIO, SETTINGS, "toy", **arrays(2))
     assert len(made.times) == 2
     shapes = {name: values.shape for name, values in vars(made.contacts).items()}
@@ -115,7 +115,7 @@ COPIES = pytest.mark.parametrize("copy", [lambda made: made, lambda made: pickle
 
 @COPIES
 @pytest.mark.parametrize("name", list(arrays()))
-def test_what_an_implementation_answered_cannot_be_changed_not_even_after_pickling(name, copy):
+def test_answer_cannot_be_changed_even_after_pickling(name, copy):
     made = copy(trajectory())
     with pytest.raises(ValueError, match="read-only"):
         getattr(made, name)[0] = 7.0
@@ -135,7 +135,7 @@ def test_nor_can_the_contacts_that_it_reported(entry, copy):
         setattr(contacts, entry.name, values)
 
 
-def test_a_trajectory_is_only_itself_since_arrays_do_not_compare_to_one_yes_or_no():
+def test_trajectory_equals_only_itself():
     made, copy = trajectory(), trajectory()
     assert made == made
     assert made != copy

@@ -16,18 +16,8 @@ from reference.errors import InvalidInput
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
-from reference.viewer.poses import (
-    FARTHEST,
-    LENGTH,
-    RATE,
-    TURN,
-    Poses,
-    pack,
-    poses_of,
-    read_tracks,
-    unpack,
-    write_tracks,
-)
+from reference.viewer.poses import FARTHEST, RATE, Poses, poses_of
+from reference.viewer.tracks import LENGTH, TURN, pack, read_tracks, unpack, write_tracks
 
 SPIN = 20.0
 FALLING = Scenario(

@@ -10,8 +10,8 @@ from clips import BALL, EVIL, bouncing, chain, three_engines
 from numpy.testing import assert_allclose
 
 from reference.viewer import page
-from reference.viewer.assembly import clip
 from reference.viewer.clip import TURN
+from reference.viewer.clip_making import clip
 
 pytestmark = [needs_browser, pytest.mark.slow]
 
@@ -194,7 +194,7 @@ def test_dragging_turns_the_view_and_a_click_plays(browser, alone):
 # Many, shut in, broken
 
 
-def test_of_twenty_on_a_page_one_plays_and_what_is_out_of_sight_stops_and_costs_nothing(browser):
+def test_of_twenty_replays_one_plays_and_hidden_ones_stop(browser):
     browser.open(
         page.html([*(three_engines(f"Ball {place}") for place in range(19)), chain()], "Twenty"),
         height=1700,

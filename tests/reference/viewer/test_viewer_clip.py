@@ -12,12 +12,12 @@ from numpy.testing import assert_allclose
 
 from reference.errors import InvalidInput, UnknownName
 from reference.scene.scenario import Box, HalfSpace, Sphere
-from reference.viewer.assembly import clip, mesh_clip
 from reference.viewer.camera import OBLIQUE, basis
 from reference.viewer.clip import DASHES, FINENESS, LOOKS, STEP, TURN, Clip, Run, Solid
-from reference.viewer.framing import framed
+from reference.viewer.clip_making import clip, mesh_clip
 from reference.viewer.packing import packed
 from reference.viewer.page import html
+from reference.viewer.picture_bounds import framed
 from reference.viewer.poses import Poses
 from reference.viewer.shapes import Capsule, Convex, faces_of, vertices_of, written
 
@@ -71,7 +71,7 @@ def test_what_is_small_is_kept_more_finely():
     assert read(small)["step"] <= 1.001e-3 / FINENESS
 
 
-def test_what_flies_off_is_kept_at_the_far_end_and_does_not_make_all_else_small():
+def test_body_that_flies_off_does_not_shrink_the_picture():
     poses = bouncing("MuJoCo")
     away = poses.positions.copy()
     away[30:, 0, 0] = 1e300
@@ -85,7 +85,7 @@ def test_the_same_poses_make_the_same_bytes():
     assert html([three_engines()]) == html([three_engines()])
 
 
-def test_five_seconds_of_three_implementations_and_four_bodies_fit_the_budget():
+def test_five_seconds_of_three_implementations_fit_the_budget():
     rng, count = np.random.default_rng(1), 301
     names = tuple(f"ball {i}" for i in range(4))
     scenario, _ = flying(Sphere(0.1), (0.0, 0.0, 0.0))
@@ -135,7 +135,7 @@ def test_a_turn_that_is_not_finite_ends_a_run_too():
     assert clip(BALL, {"handwritten": replaced(poses, orientations=broken)}).runs[0].count == 10
 
 
-def test_runs_of_unequal_length_stand_in_one_clip_which_is_as_long_as_the_longest():
+def test_runs_of_unequal_length_share_a_clip_as_long_as_the_longest():
     made = clip(BALL, {"handwritten": bouncing(count=20), "pybullet": bouncing("PyBullet", count=61)})
     assert (made.count, [run["count"] for run in read(made)["runs"]]) == (61, [20, 61])
 
@@ -211,7 +211,7 @@ def test_a_motion_in_a_plane_is_seen_from_its_side():
     assert chain().view == (-90.0, 0.0)
 
 
-def test_a_motion_along_a_slanting_line_is_seen_from_its_side_with_the_vertical_upright():
+def test_slanting_motion_is_seen_from_its_side():
     scenario, poses = flying(Sphere(0.1), (0.0, 0.0, 0.0))
     azimuth, pitch = clip(scenario, {"it": poses}).view
     right, up, towards = basis((azimuth, pitch))

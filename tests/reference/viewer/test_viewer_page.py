@@ -20,13 +20,13 @@ from reference.recording.reading import recall
 from reference.report import files
 from reference.report import page as report_page
 from reference.report.replays import replay_of
-from reference.report.summary import sections
+from reference.report.sections import sections
 from reference.running.study import run_job
 from reference.scene.scenario import Box
 from reference.viewer import page
-from reference.viewer.assembly import clip
 from reference.viewer.clip import DASHES, Clip, Run, Solid
-from reference.viewer.framing import framed
+from reference.viewer.clip_making import clip
+from reference.viewer.picture_bounds import framed
 from reference.viewer.shapes import Capsule
 from reference.viewer.still import still
 
@@ -100,7 +100,7 @@ def test_hostile_names_make_no_element_and_end_no_script(made):
         assert all(it["title"] == EVIL for it in data)
 
 
-def test_the_script_that_is_sent_is_the_source_without_its_comments_and_indents():
+def test_sent_script_is_the_source_without_comments_and_indents():
     source = resources.files("reference.viewer").joinpath("replay.js").read_text(encoding="utf-8")
     sent = page.script()
     assert len(sent) < 22_000
@@ -201,7 +201,7 @@ def written(results: list[JobResult]) -> str:
     return report_page.render(found, {section.family.name: () for section in found}, [], "here", replays=replays)
 
 
-def test_a_report_has_a_replay_of_each_scenario_that_gave_poses_and_the_script_once(results):
+def test_report_has_a_replay_of_each_scenario_with_poses(results):
     silent = [replace(result, poses=()) for result in results if result.job.family == "struck-rod"]
     text = written([*(result for result in results if result.job.family == "ball-to-rest"), *silent])
     assert text.count(page.script()) == 1
@@ -233,7 +233,7 @@ def test_the_replay_of_a_section_is_its_plotted_case(results):
     assert (made.count, made.rate) == (track.count, track.rate)
 
 
-def test_an_engine_that_is_not_here_is_replayed_from_its_recording_and_says_so():
+def test_missing_engine_is_replayed_from_its_recording():
     result = recall(Job("cradle", "pybullet", "tuned", ("5 touching",), with_poses=True))
     assert result is not None
     made = replay_of(sections([result])[0])

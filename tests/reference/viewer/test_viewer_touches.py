@@ -55,7 +55,7 @@ def test_a_free_flight_has_no_contact():
     assert touches(BALL, bouncing(count=26)) == []  # it lands at 0.45 s, sample 27
 
 
-def test_what_lies_still_touches_for_as_long_as_it_lies_and_no_impact_is_made_of_its_weight():
+def test_body_at_rest_touches_without_impacts_of_its_weight():
     scenario = replace(BALL, bodies=(BALL.bodies[0], replace(BALL.bodies[1], position=(0.0, 0.0, 0.1))))
     found = touches(scenario, still((0.0, 0.0, 0.1), names=("ball",)))
     assert found == [Touch(0, 29, "ball", (0.0, 0.0, -0.1), (0.0, 0.0, 1.0))]
@@ -89,7 +89,7 @@ def test_an_impact_at_the_very_start_is_found_from_the_velocities_there():
     assert (impact.first, impact.impulse) == (0, (-6.0, 0.0, 0.0))
 
 
-def test_an_impulse_that_goes_through_a_chain_of_balls_is_found_at_each_contact():
+def test_impulse_through_a_chain_of_balls_is_found_at_each_contact():
     scenario, poses = of_family("cradle", "5 touching")
     found = impacts(touches(scenario, poses))
     assert [touch.body for touch in found] == ["ball 1", "ball 2", "ball 3", "ball 4"]

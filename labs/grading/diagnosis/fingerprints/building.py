@@ -14,11 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.diagnosis.deviations import Array, Deviation, Right, ask, deviation_of, outputs
+from labs.grading.diagnosis.deviations import Deviation, Right, ask, deviation_of, outputs
 from labs.grading.diagnosis.fingerprints.inherited_mistakes import inherited
 from labs.grading.diagnosis.fingerprints.reading import BETWEEN, FOLDER, SCHEMA, VERSION, known, read
 from labs.grading.diagnosis.misconceptions import Misconception, read_bank
 from labs.grading.diagnosis.probes import Probe, probed, probes
+from reference.arrays import Array
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput
 

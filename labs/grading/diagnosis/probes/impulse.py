@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from labs.grading.diagnosis.probes import impulse_bodies
-from labs.grading.diagnosis.probes.probe import YES_OR_NO, Array, Draw, Probe, edge, made, refused, usual
+from labs.grading.diagnosis.probes.probe import YES_OR_NO, Draw, Probe, edge, made, refused, usual
+from reference.arrays import Array
 
 X, Y, UP, LEANS = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3]
 REST = [0.0, 0.0, 0.0]

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.diagnosis.probes.probe import Arguments, Array, Draw, Probe, edge, made, refused, usual
+from labs.grading.diagnosis.probes.probe import Arguments, Draw, Probe, edge, made, refused, usual
+from reference.arrays import Array
 
 UP, LEANS, REST = [0.0, 0.0, 1.0], [1 / 3, 2 / 3, 2 / 3], [0.0, 0.0, 0.0]
 NO_TURN = np.zeros((3, 3))

@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from reference.arrays import Array
+
 Group = Literal["usual", "edge", "many", "refused"]
 GROUPS: tuple[Group, ...] = get_args(Group)
 Arguments = tuple[Any, ...]

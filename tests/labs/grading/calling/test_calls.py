@@ -1,4 +1,4 @@
-"""What is made of a process's answers, forged ones too, and how long it is waited for."""
+"""What becomes of a process's answers, forged ones too, and how long it is waited for."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from stand_ins import LOADED, PATIENT, SEALED, Scripted, begun, value
 
 from labs.grading.calling import calls
 from labs.grading.calling.calls import Call, Patience
-from labs.grading.calling.processes import Ended, Limits
+from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Remote
 from labs.grading.errors import (
     FunctionMissing,
@@ -29,42 +30,6 @@ from labs.grading.worker import messages
 from labs.grading.worker.tier import Tier
 from reference.errors import InvalidInput, NeedsFunction
 
-PATIENT = Limits(printed=50)
-
-
-class Scripted:
-    """In place of a test's process: says what it is told to, whatever it is asked."""
-
-    number = 0
-
-    def __init__(self, *said: object) -> None:
-        self._said = list(said)
-        self.asked: list[object] = []
-        self.sent: list[bytes] = []
-        self.waits: list[float] = []
-        self.over = False
-
-    def start(self, limits: Limits) -> Scripted:
-        return self
-
-    def send(self, message: bytes, seconds: float) -> None:
-        self.sent.append(message)
-
-    def exchange(self, message: bytes, seconds: float) -> bytes:
-        self.asked.append(messages.unpack(message[messages.HEADER :]) if message else None)
-        self.waits.append(seconds)
-        said = self._said.pop(0)
-        if isinstance(said, Exception):
-            raise said
-        return messages.pack(said)[messages.HEADER :]
-
-    gone, ended = False, Ended(3)
-
-    def end(self, process: object = None) -> None:
-        self.over = True
-
-
-SEALED, LOADED = ("sealed", 3, []), ("loaded", ["f"], [])
 PAIR = np.zeros(2)  # compared with anything, it is neither true nor false
 
 
@@ -88,7 +53,7 @@ def test_a_forged_answer_is_no_answer(forged):
         call("f", 1.0)
 
 
-def test_odd_parts_of_an_answer_are_left_out():
+def test_malformed_parts_of_an_answer_are_ignored():
     process = Scripted(
         SEALED,
         ("loaded", ["f", PAIR, 1], [PAIR, (PAIR, "E", "m", 1), (["g"], "E", "m", -1), (["h"], "E", "m", 10**30)]),
@@ -115,19 +80,7 @@ def test_a_submission_that_forges_its_own_loading_cannot_be_called(forged):
 # In the order of a call's life
 
 
-def begun(*said, limits=PATIENT, patience=10.0, loaded=LOADED, text=""):
-    """A call whose process has loaded, and then says this."""
-    process = Scripted(SEALED, loaded, *said)
-    call = Call(Submission("lab.py", text), limits, Patience(patience), contextlib.nullcontext)
-    assert call.begin(process, Tier.NETWORK) is None
-    return call, process
-
-
-def value(number, found, changed=(), printed=""):
-    return "answer", number, "value", 0.0, list(changed), found, printed
-
-
-def test_the_text_is_sent_once_and_a_call_by_its_number_name_and_arguments():
+def test_the_text_is_sent_once_and_each_call_with_number_and_arguments():
     call, process = begun(value(1, 5.0), value(2, 6.0), text="x = 1\n")
     assert (call("f", 1.0, [2]), call("g", b=3.0)) == (5.0, 6.0)
     text, printed = messages.unpack(process.sent[0][messages.HEADER :])
@@ -136,7 +89,7 @@ def test_the_text_is_sent_once_and_a_call_by_its_number_name_and_arguments():
     assert (call.defines("f"), call.defines("g"), call.gone) == (True, False, False)
 
 
-def test_what_one_call_printed_and_wrote_to_is_not_said_of_the_next():
+def test_output_and_changed_arguments_belong_to_one_call_alone():
     call, _ = begun(value(1, 5.0, [1, 0, 2], "one\x1b"), value(2, 6.0), ("answer", 3, "missing", ""))
     call("f", 1.0, named=2.0)
     assert (call.changed, call.printed) == ((0, 1), "one␛")
@@ -144,7 +97,7 @@ def test_what_one_call_printed_and_wrote_to_is_not_said_of_the_next():
     assert (call.changed, call.printed) == ((), "")
 
 
-def test_a_failure_to_start_is_the_graders():
+def test_a_failure_to_start_is_a_fault_of_the_grader():
     class Broken(Scripted):
         def send(self, message: bytes, seconds: float) -> None:
             raise OSError("full")
@@ -173,7 +126,7 @@ def test_nothing_is_run_below_the_least_tier(tier):
             assert len(process.asked) == 1, "it was not told to run the text"
 
 
-def test_a_process_that_is_not_shut_in_enough_is_ended_at_once():
+def test_a_process_below_the_least_tier_is_ended_at_once():
     process = Scripted(("sealed", int(Tier.LIMITS), []))
     grader = SimpleNamespace(limits=PATIENT, least=Tier.NETWORK, host=process)
     with pytest.raises(GraderFailed), Remote(Submission("lab.py", ""), grader).fresh():
@@ -181,13 +134,13 @@ def test_a_process_that_is_not_shut_in_enough_is_ended_at_once():
     assert process.over
 
 
-def test_a_process_that_does_not_say_how_far_it_is_shut_in_is_not_shut_in():
+def test_a_process_that_names_no_tier_is_not_trusted():
     call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
     with pytest.raises(GraderFailed):
         call.begin(Scripted(("sealed", 3), LOADED), Tier.LIMITS)
 
 
-def test_a_submission_that_could_not_be_loaded_says_so_whatever_is_asked_or_foreseen():
+def test_a_submission_that_could_not_be_loaded_says_so_at_every_call():
     call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
     unloadable, process = NoAnswer("as before"), Scripted()
     assert call.begin(process, Tier.NETWORK, unloadable) is unloadable
@@ -201,83 +154,10 @@ def test_a_submission_that_could_not_be_loaded_says_so_whatever_is_asked_or_fore
 # Foreseen
 
 
-def numbers_sent(process):
-    return [messages.unpack(each)[1:3] for each in split(process.sent[-1])]
-
-
-def split(requests):
-    found = []
-    while requests:
-        end = messages.HEADER + messages.length(requests[: messages.HEADER])
-        found.append(requests[messages.HEADER : end])
-        requests = requests[end:]
-    return found
-
-
-def test_foreseen_calls_go_out_together_and_only_their_answers_are_waited_for():
-    several = [(1.0,), (2.0,), (3.0,)]
-    call, process = begun(*(value(number, 10.0 * number) for number in range(1, 5)))
-    call.foresee("f", several)
-    assert numbers_sent(process) == [(1, "f"), (2, "f"), (3, "f")]
-    assert [call("f", *each) for each in several] == [10.0, 20.0, 30.0]
-    assert process.asked[2:] == [None] * 3
-    assert call("f", 4.0) == 40.0
-    assert process.asked[-1] == ("call", 4, "f", (4.0,), [])
-
-
-@pytest.mark.parametrize(
-    "other",
-    [lambda call, x: call("g", x), lambda call, x: call("f", float("1.0")), lambda call, x: call("f", x, e=1.0),
-     lambda call, x: call("f", x, x), lambda call, x: call("f")],
-)  # fmt: skip
-def test_a_call_that_was_not_foreseen_never_gets_the_answer_to_one_that_was(other):
-    """Not even where the arguments are equal: they could have been written to meanwhile."""
-    x = float("1.0")
-    call, process = begun(value(1, 10.0), value(2, 20.0), value(3, 30.0))
-    call.foresee("f", [(x,), (x,)])
-    assert other(call, x) == 30.0
-    assert process.asked[2:4] == [None, None]
-    assert process.asked[4] is not None
-
-
-def test_a_forged_number_is_found_among_foreseen_answers_too():
-    call, _ = begun(value(2, 10.0))
-    several = [(1.0,), (2.0,)]
-    call.foresee("f", several)
-    with pytest.raises(NoAnswer):
-        call("f", *several[0])
-
-
-def test_no_more_is_sent_ahead_than_a_pipe_holds():
-    call, process = begun(*(value(number, 0.0) for number in (1, 2, 3, 5, 6, 7)))  # 4 was too long
-    several = [(np.zeros(1000),) for _ in range(6)]  # some 10 700 bytes each
-    call.foresee("f", several)
-    assert len(split(process.sent[-1])) == 3
-    assert len(process.sent[-1]) <= calls._AHEAD < len(process.sent[-1]) * 4 / 3
-    assert [call("f", *each) for each in several] == [0.0] * 6
-    assert [each is None for each in process.asked[2:]] == [True] * 3 + [False] * 3
-
-
-def test_nothing_is_foreseen_twice_or_once_the_process_is_lost():
-    call, process = begun(value(1, 0.0), value(9, 0.0))
-    call.foresee("f", several := [(1.0,)])
-    call.foresee("f", [(2.0,)])
-    assert len(process.sent) == 2
-    assert call("f", *several[0]) == 0.0
-    with pytest.raises(NoAnswer):
-        call("f", 3.0)
-    assert process.over
-    call.foresee("f", [(4.0,)])
-    assert len(process.sent) == 2
-
-
 def test_a_call_that_cannot_be_sent_is_the_callers_mistake():
     call, _ = begun()
     with pytest.raises(InvalidInput, match="f cannot be called with an object of type"):
         call("f", object())
-
-
-# Time
 
 
 @pytest.fixture
@@ -299,14 +179,17 @@ def slow(process, clock, seconds):
     process.exchange = later
 
 
-def test_the_limits_are_those_of_the_page_on_grading():
+# Time
+
+
+def test_the_limits_are_those_in_the_documentation():
     limits, page = Limits(), (Path(__file__).parents[4] / "docs" / "grading.md").read_text(encoding="utf-8")
     times = f"each call {limits.call:g} s, a test {limits.test:g} s and a submission {limits.submission / 60:g} min"
     assert times in page
     assert f"take more than {limits.memory / 2**30:g} GiB" in page
 
 
-def test_a_call_is_waited_for_as_long_as_call_test_and_submission_have_left(clock):
+def test_a_call_may_take_what_call_test_and_submission_have_left(clock):
     call, process = begun(*(value(n, 0.0) for n in range(1, 6)), limits=Limits(call=5.0, test=8.0), patience=12.0)
     slow(process, clock, 3.0)
     for _ in range(3):
@@ -328,7 +211,7 @@ def test_a_call_is_waited_for_as_long_as_call_test_and_submission_have_left(cloc
         (Limits(call=5.0, test=4.0), 2.5, r"within 2\.5 s \(the submission's time is up\) and was stopped"),
     ],
 )
-def test_whose_time_is_up_is_said(limits, patience, words, clock):
+def test_a_timeout_names_the_limit_that_was_reached(limits, patience, words, clock):
     call, process = begun(TimeoutError(), limits=limits, patience=patience)
     with pytest.raises(OutOfTime, match=words):
         call("f")
@@ -364,7 +247,7 @@ def test_whose_time_is_up_is_said(limits, patience, words, clock):
         (messages.Refused("a message\nof 9 bytes"), NoAnswer, "f gave no answer: a message of 9 bytes"),
     ],
 )  # fmt: skip
-def test_what_goes_wrong_is_said_in_a_line(said, error, words):
+def test_each_failure_of_a_call_is_described_in_one_line(said, error, words):
     answer = ("answer", 1, *said, "") if isinstance(said, tuple) else said
     call, _ = begun(answer, loaded=("loaded", ["f"], [(["rate", "f_2"], "KeyError", "'k'", 2)]))
     with pytest.raises(error) as raised:
@@ -372,7 +255,7 @@ def test_what_goes_wrong_is_said_in_a_line(said, error, words):
     assert str(raised.value) == words
 
 
-def test_a_function_whose_definition_failed_says_how_and_where_any_failed_that_may_have_been_it():
+def test_a_function_whose_definition_failed_says_how_and_where():
     missing = [("answer", number, "missing", "") for number in (1, 2)]
     call, _ = begun(*missing, loaded=("loaded", [], [(["g"], "KeyError", "'k'", 2), ([], "OSError", "no", 7)]))
     with pytest.raises(FunctionRaised) as raised:
@@ -384,7 +267,7 @@ def test_a_function_whose_definition_failed_says_how_and_where_any_failed_that_m
         call("f")
 
 
-def test_an_error_of_the_function_costs_the_call_alone_and_a_lie_the_process():
+def test_an_exception_costs_the_call_and_a_forged_answer_the_process():
     call, process = begun(("answer", 1, "raised", "E", "m", None, ""), value(2, 5.0), ("answer", 3, "value", ""))
     with pytest.raises(FunctionRaised):
         call("f")
@@ -394,7 +277,7 @@ def test_an_error_of_the_function_costs_the_call_alone_and_a_lie_the_process():
     assert process.over
 
 
-def test_steady_is_what_two_processes_answer_bit_by_bit():
+def test_an_answer_is_steady_if_two_processes_agree_bit_by_bit():
     for other, steady in ((0.0, True), (-0.0, False), (np.float64(0.0), False)):
         call, process = begun(value(1, 0.0))
         again, beside = begun(value(1, other))
@@ -407,7 +290,7 @@ def test_steady_is_what_two_processes_answer_bit_by_bit():
         assert process.asked[-1] == beside.asked[-1] == ("call", 1, "f", (1.0,), [("e", 2.0)])
 
 
-def test_a_driver_gets_what_is_defined_and_is_told_what_is_not():
+def test_a_driver_gets_defined_functions_and_hears_which_are_missing():
     call, _ = begun(value(1, 5.0))
     code = call.implementation()
     assert code.function("f")(1.0, e=2.0) == 5.0

@@ -54,7 +54,7 @@ def found_for(function, earlier, own=()):
     return inherited("f", function, earlier, PROBES, answers, deviations, deviations_of)
 
 
-def test_every_mistake_of_what_it_uses_is_inherited_once_with_all_where_it_may_come_from(made_up):
+def test_mistakes_of_a_used_function_are_inherited_with_their_origins(made_up):
     found = found_for(made_up.outer, {"inner": (made_up.inner, BANK)}, [lambda x: 2.0 * x])
     assert [ids for ids, _ in found] == [["inner/three times", "inner/again"], ["inner/four times"]]
     np.testing.assert_allclose(
@@ -64,18 +64,18 @@ def test_every_mistake_of_what_it_uses_is_inherited_once_with_all_where_it_may_c
     assert made_up.outer(1.0) == 3.0
 
 
-def test_nothing_is_inherited_from_what_is_not_used_nor_from_itself(made_up):
+def test_nothing_is_inherited_from_unused_functions_or_from_itself(made_up):
     assert found_for(made_up.other, {"inner": (made_up.inner, BANK)}) == []
     assert found_for(made_up.inner, {"inner": (made_up.inner, BANK)}) == []
 
 
-def test_a_use_on_a_limit_alone_is_none(made_up):
+def test_a_use_at_an_edge_case_alone_does_not_count(made_up):
     assert uses(made_up.outer, made_up.inner, PROBES)
     assert not uses(made_up.other, made_up.inner, PROBES)
     assert not uses(made_up.outer, made_up.inner, PROBES[2:])
 
 
-def test_a_function_is_replaced_throughout_its_package_and_there_alone_and_put_back(made_up):
+def test_a_function_is_replaced_in_its_package_alone_and_put_back(made_up):
     right, user, other = made_up.inner, sys.modules["made_up.user"], sys.modules["made_up_too"]
     with contextlib.suppress(ZeroDivisionError), replaced(right, abs):
         assert (made_up.inner, user.inner, other.inner) == (abs, abs, right)

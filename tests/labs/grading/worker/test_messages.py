@@ -60,7 +60,7 @@ def same(sent, arrived) -> bool:
 
 @given(PLAIN)
 @settings(max_examples=50)
-def test_every_plain_value_arrives_as_it_was_sent(value):
+def test_every_plain_value_arrives_as_sent(value):
     assert same(value, there_and_back(value))
 
 
@@ -74,7 +74,7 @@ def test_a_nan_keeps_its_payload_and_an_infinity_its_sign(payload, negative):
 
 
 @pytest.mark.parametrize("array", [np.arange(12.0).reshape(3, 4).T, np.arange(10)[::-2], np.broadcast_to(1.0, (2, 3))])
-def test_a_view_arrives_as_an_array_of_its_own_that_can_be_written_to(array):
+def test_a_view_arrives_as_a_writable_array_of_its_own(array):
     arrived = there_and_back(array)
     np.testing.assert_array_equal(arrived, array, strict=True)
     arrived[...] = 0
@@ -117,7 +117,7 @@ class Array(np.ndarray):
     ids=lambda value: value if isinstance(value, str) and len(value) < 60 else "",
 )
 @pytest.mark.parametrize("wrapped", [False, True])
-def test_anything_else_is_refused_by_the_name_of_its_type(value, named, wrapped):
+def test_any_other_value_is_refused_with_the_name_of_its_type(value, named, wrapped):
     with pytest.raises(Refused, match=named):
         pack((value,) if wrapped else value)
 
@@ -189,7 +189,7 @@ def test_bytes_that_are_no_message_are_refused(body):
 
 
 @given(st.binary(max_size=200))
-def test_no_bytes_make_anything_but_a_plain_value_or_a_refusal(body):
+def test_any_bytes_give_a_plain_value_or_are_refused(body):
     try:
         value = unpack(body)
     except Refused:
@@ -230,16 +230,16 @@ PARTS = st.sampled_from(
 
 
 @given(st.lists(PARTS, min_size=1, max_size=4))
-def test_no_json_makes_anything_but_a_plain_value_or_a_refusal(parts):
+def test_any_json_gives_a_plain_value_or_is_refused(parts):
     with contextlib.suppress(Refused):
         pack(unpack(json.dumps(parts).encode()))
 
 
-def test_a_number_too_large_for_a_float_arrives_as_infinity_and_nothing_else():
+def test_a_number_too_large_for_a_float_arrives_as_infinity():
     assert unpack(b"1e999") == math.inf
 
 
-def test_a_length_above_the_limit_is_refused_before_anything_is_read():
+def test_a_length_above_the_limit_is_refused_before_reading():
     assert messages.length(pack(1.0)[:HEADER]) == len(b"1.0")
     with pytest.raises(Refused, match="at most"):
         messages.length((MESSAGE_LIMIT + 1).to_bytes(HEADER, "big"))
@@ -333,19 +333,19 @@ def test_an_array_without_bytes_has_as_many_rows_as_the_limit_and_no_more(rows):
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )
-def test_a_message_is_refused_for_the_reason_that_is_told(parts, why):
+def test_a_message_is_refused_with_the_reason(parts, why):
     with pytest.raises(Refused, match=re.escape(why)) as refused:
         unpack(json.dumps(parts).encode())
     assert str(refused.value).startswith("not a message: ")
 
 
-def test_what_is_just_allowed_arrives():
+def test_values_just_within_the_limits_arrive():
     assert unpack(json.dumps(array_of("|b1", [2], b"\0\1")).encode()).tolist() == [False, True]
     assert unpack(json.dumps(array_of("<U1", [1], (0x10FFFF).to_bytes(4, "little"))).encode())[0] == chr(0x10FFFF)
     assert unpack(json.dumps(array_of("<U1", [2], bytes(8))).encode()).tolist() == ["", ""]
 
 
-def test_a_type_is_told_with_where_it_is_from_and_cut_short():
+def test_a_refused_type_is_named_with_its_module_and_cut_short():
     with pytest.raises(Refused, match=r"^an object of type collections\.OrderedDict$"):
         pack(OrderedDict())
     with pytest.raises(Refused) as refused:

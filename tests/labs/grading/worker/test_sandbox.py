@@ -51,7 +51,7 @@ def judged(program: bytes, architecture: int, number: int, argument: int = 0, th
 
 @pytest.mark.parametrize("machine", [X86, ARM], ids=["x86-64", "ARM"])
 @pytest.mark.parametrize("files", [True, False])
-def test_the_filter_allows_what_computing_needs_and_nothing_that_reaches_out(machine, files):
+def test_the_filter_allows_computing_and_nothing_that_reaches_out(machine, files):
     name, architecture = machine
     column, program = [X86, ARM].index(machine), seccomp.program(name, files)
     for group, answer in ((NEEDED, ALLOWED), (DENIED, FAILED | errno.EPERM)):
@@ -64,7 +64,7 @@ def test_the_filter_allows_what_computing_needs_and_nothing_that_reaches_out(mac
 
 
 @pytest.mark.parametrize("machine", [X86, ARM], ids=["x86-64", "ARM"])
-def test_the_filter_denies_what_nobody_has_thought_of(machine):
+def test_the_filter_denies_every_system_call_that_is_not_listed(machine):
     name, architecture = machine
     program = seccomp.program(name, files=True)
     allowed = [number for number in range(1200) if judged(program, architecture, number) == ALLOWED]
@@ -77,7 +77,7 @@ def test_the_filter_denies_what_nobody_has_thought_of(machine):
 
 
 @pytest.mark.parametrize("machine", [X86, ARM], ids=["x86-64", "ARM"])
-def test_files_open_for_reading_alone(machine):
+def test_files_open_only_for_reading(machine):
     name, architecture = machine
     program = seccomp.program(name, files=True)
     opened = {X86: (257, 2), ARM: (56,)}[machine]
@@ -89,7 +89,7 @@ def test_files_open_for_reading_alone(machine):
 
 
 @pytest.mark.parametrize("machine", [X86, ARM], ids=["x86-64", "ARM"])
-def test_a_descriptor_can_be_asked_about_but_not_be_made_to_signal(machine):
+def test_a_descriptor_can_be_queried_but_cannot_send_signals(machine):
     name, architecture = machine
     number, program = (72, 25)[[X86, ARM].index(machine)], seccomp.program(name, files=True)
     assert [judged(program, architecture, number, command) == ALLOWED for command in range(12)] == [
@@ -100,7 +100,7 @@ def test_a_descriptor_can_be_asked_about_but_not_be_made_to_signal(machine):
 @pytest.mark.skipif(
     not (sys.platform == "linux" and seccomp.available() and landlock.version()), reason="this kernel has less"
 )
-def test_a_file_that_may_be_read_cannot_be_emptied_where_landlock_is_old(tmp_path):
+def test_a_readable_file_cannot_be_emptied_under_an_old_landlock(tmp_path):
     (tmp_path / "module.py").write_text("1")
     code = """
 import os, sys
@@ -126,7 +126,7 @@ print(len(open(sys.argv[1] + "/module.py").read()))
 
 
 @pytest.mark.skipif(sys.platform != "linux" or not landlock.version(), reason="no Landlock in this kernel")
-def test_landlock_seals_files_with_every_version_of_its_interface(tmp_path):
+def test_every_version_of_landlock_seals_files(tmp_path):
     (tmp_path / "readable").mkdir()
     (tmp_path / "readable" / "file").write_text("1")
     (tmp_path / "secret").write_text("2")

@@ -1,0 +1,122 @@
+"""Verdicts: whether a measured number agrees with what is expected of it, and the row that says so."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from reference import checks
+from reference.catalogue.family import Expectation
+from reference.engines.profiles import TUNED
+from reference.errors import (
+    CannotExpress,
+    EngineNotInstalled,
+    NeedsFunction,
+    RunFailed,
+    WorkerCrashed,
+    WorkerTimeout,
+)
+
+ALL_CASES = "all"
+"""The case that a row names when it speaks of a whole run."""
+NOTHING_FINITE = "no finite number: what is asked for did not happen before the run ended"
+
+
+class Verdict(StrEnum):
+    """Whether a measured number agrees with what is expected of it, or why there is no number."""
+
+    PASS = "pass"
+    KNOWN_DEVIATION = "known deviation"
+    FAIL = "fail"
+    CANNOT_EXPRESS = "cannot express"
+    NEEDS = "needs"
+    NOT_AVAILABLE = "not available"
+    CRASHED = "crashed"
+    SHOWN = "shown"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One number of one case in one implementation and profile.
+
+    expected, shift, tolerance, reason: as in `Expectation`. scale: as in `Quantity`. spread: standard deviation over an
+    ensemble. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
+    """
+
+    family: str
+    case: str
+    engine: str
+    profile: str
+    quantity: str
+    unit: str
+    verdict: Verdict
+    measured: float | None = None
+    spread: float | None = None
+    expected: float | None = None
+    tolerance: float | None = None
+    reason: str = ""
+    shift: float = 0.0
+    note: str = ""
+    scale: float | None = None
+    settings: str = field(default="", compare=False)
+
+    def __post_init__(self) -> None:
+        for name in ("measured", "spread", "expected", "tolerance", "shift", "scale"):
+            if (value := getattr(self, name)) is not None:
+                checks.finite(f"{self.family}/{self.case}, {self.quantity}: {name}", value)
+
+    @property
+    def why(self) -> str:
+        """The verdict with its note."""
+        return why(self.verdict, self.note)
+
+    @property
+    def error(self) -> float | None:
+        """Measured minus expected, in the row's unit; None where either is missing."""
+        if self.measured is None or self.expected is None:
+            return None
+        return self.measured - self.expected
+
+    @property
+    def relative_error(self) -> float | None:
+        """The error as a share of the scale; None where the quantity has none, or it is zero."""
+        if self.error is None or not self.scale:
+            return None
+        return self.error / self.scale
+
+
+def why(verdict: Verdict, note: str) -> str:
+    """A verdict with its note; a note that opens with the verdict's own word needs no more: `needs …`."""
+    return note if note.startswith(verdict) else f"{verdict}: {note}"
+
+
+def judge(measured: float, expectation: Expectation) -> Verdict:
+    """Judge a number: it passes within its tolerance of theory, and deviates as known within that of theory + shift."""
+    if not math.isfinite(measured):
+        return Verdict.FAIL
+    if abs(measured - expectation.value) <= expectation.tolerance:
+        return Verdict.PASS
+    deviation = abs(measured - expectation.value - expectation.shift)
+    if expectation.shift and deviation <= expectation.shift_tolerance:
+        return Verdict.KNOWN_DEVIATION
+    return Verdict.FAIL
+
+
+def verdict_of(error: Exception) -> Verdict:
+    """The verdict on a run that gave no trajectory because of this error."""
+    kinds: tuple[tuple[type[Exception], Verdict], ...] = (
+        (NeedsFunction, Verdict.NEEDS),
+        (CannotExpress, Verdict.CANNOT_EXPRESS),
+        (EngineNotInstalled, Verdict.NOT_AVAILABLE),
+        (WorkerTimeout, Verdict.CRASHED),
+        (WorkerCrashed, Verdict.CRASHED),
+        (RunFailed, Verdict.CRASHED),
+    )
+    return next(verdict for kind, verdict in kinds if isinstance(error, kind))
+
+
+def failures(rows: Sequence[Row]) -> list[Row]:
+    """The rows that count against a comparison: tuned ones that failed."""
+    return [row for row in rows if row.profile == TUNED and row.verdict is Verdict.FAIL]

@@ -1,0 +1,22 @@
+"""A box so large that its upper face stands for a half-space, for engines that do better on a box."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from reference.scene import geometry
+from reference.scene.scenario import Body, Box, HalfSpace
+
+EXTENT, DEPTH = 100.0, 1.0
+"""Half extents of the box, m: far larger than any way in the catalogue."""
+
+
+def ground_box(body: Body) -> Body:
+    """The box whose upper face is the surface of a body that is a half-space."""
+    assert isinstance(body.shape, HalfSpace)
+    normal = np.array(body.shape.normal)
+    centre = np.array(body.position) - DEPTH * normal
+    orientation = geometry.upright_on(normal)
+    return replace(body, shape=Box((EXTENT, EXTENT, DEPTH)), position=tuple(centre), orientation=tuple(orientation))

@@ -1,0 +1,149 @@
+"""What kind a scenario is, which says the driver that can run it: a point over a plane, two bodies, a row of balls."""
+
+from __future__ import annotations
+
+from enum import Enum
+from itertools import pairwise
+
+import numpy as np
+
+from reference.arrays import Array
+from reference.scene import geometry
+from reference.scene.scenario import Body, HalfSpace, Scenario, Sphere
+
+_ROUNDING = 1e-9  # a length (m), speed (m/s) or sine below this is zero
+
+
+class Kind(Enum):
+    """The kinds of scenario, one for each driver.
+
+    BOUNCE: a ball over a plane that nothing makes spin. SLIDE: a box that slides as a point does. BALLS: two balls that
+    strike each other. FACE: a ball that strikes a plane, or straight on a face of a box. Both may spin and rub. ROW:
+    balls in a line, without weight.
+    """
+
+    BOUNCE = "bounce"
+    SLIDE = "slide"
+    BALLS = "balls"
+    FACE = "face"
+    ROW = "row"
+
+
+def kind(scenario: Scenario) -> Kind | None:
+    """Return the kind of a scenario, or None if it needs a rigid-body world."""
+    if not scenario.pairs:
+        return None
+    if _is_row(scenario):
+        return Kind.ROW
+    if len(scenario.bodies) != 2 or geometry.starts_in_contact(scenario):
+        return _over_a_plane(scenario)
+    return _over_a_plane(scenario) or _strikes(scenario)
+
+
+def _over_a_plane(scenario: Scenario) -> Kind | None:
+    """One body over one plane that moves as a point does, without turning."""
+    movable = [body for body in scenario.bodies if not body.immovable]
+    fixed = [body for body in scenario.bodies if body.immovable]
+    if len(movable) != 1 or len(fixed) != 1 or not isinstance(fixed[0].shape, HalfSpace):
+        return None
+    body, normal = movable[0], np.array(fixed[0].shape.normal)
+    if any(body.angular_velocity):
+        return None
+    if isinstance(body.shape, Sphere):
+        along = [np.linalg.norm(np.cross(vector, normal)) for vector in (body.velocity, scenario.gravity)]
+        return None if max(along) > _ROUNDING and _friction(scenario) > 0 else Kind.BOUNCE
+    place = np.array([body.position]), np.array([body.orientation])
+    gap = geometry.separation(scenario, body.name, fixed[0].name, *place)[0]
+    flat = abs(gap) < _ROUNDING and _stands_on_a_face(body, normal) and not _may_tip(scenario, body, normal)
+    return Kind.SLIDE if flat and _slides_straight(scenario, body, normal) else None
+
+
+def _is_row(scenario: Scenario) -> bool:
+    """Whether all bodies are smooth balls on one line, move along it alone, and collide with their neighbours."""
+    balls = scenario.bodies
+    if not all(isinstance(ball.shape, Sphere) and not ball.immovable for ball in balls):
+        return False
+    if any(scenario.gravity) or _friction(scenario) > 0:
+        return False
+    along = np.array(balls[-1].position) - np.array(balls[0].position)
+    across = [np.cross(np.subtract(ball.position, balls[0].position), along) for ball in balls]
+    across += [np.cross(ball.velocity, along) for ball in balls]
+    neighbours = {frozenset((a.name, b.name)) for a, b in pairwise(balls)}
+    listed = {frozenset((pair.body_a, pair.body_b)) for pair in scenario.pairs}
+    return len(balls) > 2 and float(np.max(np.abs(across))) < _ROUNDING and listed == neighbours
+
+
+def _strikes(scenario: Scenario) -> Kind | None:
+    """A ball that flies at another one, at a plane, or straight at a face of a box that does not turn."""
+    ball, other = ball_and_other(scenario)
+    pair = scenario.pairs[0]
+    if not isinstance(ball.shape, Sphere) or pair.static_friction != pair.kinetic_friction:
+        return None
+    if isinstance(other.shape, Sphere):
+        one_falls = any(scenario.gravity) and ball.immovable != other.immovable
+        return None if one_falls else Kind.BALLS  # seen from either ball, the other flies straight
+    straight = isinstance(other.shape, HalfSpace) or _straight_at_a_face(scenario, ball, other)
+    return Kind.FACE if straight else None
+
+
+def ball_and_other(scenario: Scenario) -> tuple[Body, Body]:
+    """Return the two bodies, a ball first if there is one."""
+    first, second = scenario.bodies
+    return (first, second) if isinstance(first.shape, Sphere) else (second, first)
+
+
+def face_towards(ball: Body, box: Body) -> Array:
+    """Normal out of the face of the box, (3,), beyond which the ball lies farthest."""
+    along = in_own_axes(box, np.subtract(ball.position, box.position))
+    nearest = int(np.argmax(np.abs(along) - np.array(box.shape.half_extents)))  # type: ignore[union-attr]
+    return geometry.rotate(np.array(box.orientation), np.sign(along[nearest]) * np.eye(3)[nearest])
+
+
+def _straight_at_a_face(scenario: Scenario, ball: Body, box: Body) -> bool:
+    """Whether the motion stays in a plane of symmetry of the box: then its spin after the impact stays constant."""
+    normal = face_towards(ball, box)
+    pull = np.array(scenario.gravity) if ball.immovable != box.immovable else np.zeros(3)
+    across = [np.cross(vector, normal) for vector in (np.subtract(ball.velocity, box.velocity), pull)]
+    place = np.abs(in_own_axes(box, np.subtract(ball.position, box.position)))
+    beyond = place > np.array(box.shape.half_extents)  # type: ignore[union-attr]
+    beside = np.sort(place[~beyond])
+    over_the_face = beyond.sum() == 1 and beside[0] < _ROUNDING
+    return over_the_face and not any(box.angular_velocity) and float(np.max(np.abs(across))) < _ROUNDING
+
+
+def _friction(scenario: Scenario) -> float:
+    pair = scenario.pairs[0]
+    return max(pair.kinetic_friction, pair.static_friction or 0.0)
+
+
+def _stands_on_a_face(body: Body, normal: Array) -> bool:
+    """Whether the normal lies along one of the body's own axes."""
+    return bool(np.sort(_along_own_axes(body, normal))[1] < _ROUNDING)
+
+
+def _may_tip(scenario: Scenario, body: Body, normal: Array) -> bool:
+    """Whether friction could turn a standing box over an edge.
+
+    Friction, at most μ N, acts a height h below the centre. The normal force balances its moment h μ N by moving up to
+    μ h ahead, and that must lie within the face whichever way the friction points.
+    """
+    up, extents = int(np.argmax(_along_own_axes(body, normal))), np.array(body.shape.half_extents)  # type: ignore[union-attr]
+    return bool(_friction(scenario) * extents[up] > np.delete(extents, up).min())
+
+
+def _along_own_axes(body: Body, direction: Array) -> Array:
+    """Sizes of a direction's components along the body's own axes, (3,)."""
+    return np.asarray(np.abs(in_own_axes(body, direction)))
+
+
+def in_own_axes(body: Body, vector: Array) -> Array:
+    """A vector of the world in the body's own axes, (3,)."""
+    return geometry.rotate(geometry.opposite(np.array(body.orientation)), vector)
+
+
+def _slides_straight(scenario: Scenario, body: Body, normal: Array) -> bool:
+    """Whether its weight presses the body onto the plane and pulls, if at all, along the way that it slides."""
+    velocity, gravity = np.array(body.velocity), np.array(scenario.gravity)
+    pull = gravity - (gravity @ normal) * normal
+    leaves = abs(velocity @ normal) > _ROUNDING or gravity @ normal > 0
+    return not leaves and bool(np.linalg.norm(np.cross(velocity, pull)) < _ROUNDING)

@@ -1,0 +1,1 @@
+"""How hand-written code answers the published cases: each driver asks an implementation's functions by name."""

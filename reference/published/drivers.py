@@ -1,0 +1,100 @@
+"""Which function answers which published case, by hand and in the engines, or why no function does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from reference.engines.base import Engine
+from reference.engines.implementation import Implementation
+from reference.errors import CannotExpress
+from reference.published.answers import Answers
+from reference.published.by_hand import (
+    avoidance,
+    bounces,
+    forces,
+    friction,
+    impulse,
+    polyhedra,
+    sliding,
+    springs,
+    sweeping,
+)
+from reference.published.case import Published
+from reference.published.in_engines import bouncing, plate, questions, rolling, striking
+from reference.published.in_engines import sliding as sliding_in_engines
+from reference.published.in_engines import springs as springs_in_engines
+
+HANDWRITTEN = "handwritten"
+"""The engine that runs the functions of an implementation."""
+NOT_SET_UP = "it is not set up there"
+NO_FLUID = "no scenario has a fluid"
+NO_SPRINGS = dict.fromkeys(("pybullet", "dart"), "its contacts have no spring and no dashpot that one could set")
+
+
+@dataclass(frozen=True)
+class Drivers:
+    """How one case is answered.
+
+    by_hand: by an implementation's functions. in_engines: by an engine that runs it. why_not: why no engine runs it.
+    why_not_in: the same of single engines, by name.
+    """
+
+    by_hand: Callable[[Published, Implementation], Answers] | None = None
+    in_engines: Callable[[Published, Engine], Answers] | None = None
+    why_not: str = NOT_SET_UP
+    why_not_in: Mapping[str, str] = field(default_factory=dict)
+
+
+DRIVERS = {
+    "P1": Drivers(bounces.elastic_balls, bouncing.elastic_balls),
+    "P2": Drivers(sliding.box_under_balls, plate.plate),
+    "P3": Drivers(springs.spring_and_dashpot, springs_in_engines.spring_and_dashpot, why_not_in=NO_SPRINGS),
+    "P4": Drivers(friction.begins_to_roll, rolling.set_sliding),
+    "P5": Drivers(bounces.apexes, bouncing.apexes),
+    "P6": Drivers(bounces.first_rebound, bouncing.first_rebounds),
+    "P7": Drivers(sliding.stopping, sliding_in_engines.stopping_box),
+    "P8": Drivers(sliding.stopping, sliding_in_engines.stopping_box),
+    "P9": Drivers(springs.rest_depths, springs_in_engines.rest_depths, why_not_in=NO_SPRINGS),
+    "P10": Drivers(sliding.ramp, sliding_in_engines.ramp),
+    "P11": Drivers(friction.oblique_impacts, striking.oblique_impacts),
+    "P12": Drivers(bounces.thousand_steps, bouncing.thousand_steps),
+    "P13": Drivers(friction.rolls_down, rolling.down_a_slope),
+    "P14": Drivers(forces.free_flight, sliding_in_engines.free_flight),
+    "P15": Drivers(bounces.impacts_and_rest, bouncing.impacts_and_rest),
+    "P16": Drivers(forces.dry_oscillator, why_not="no scenario has a spring that ties a body to a place"),
+    "P17": Drivers(friction.spinning_ball, rolling.spinning_ball),
+    "P18": Drivers(springs.undamped_spring, springs_in_engines.undamped_spring, why_not_in=NO_SPRINGS),
+    "P19": Drivers(sweeping.box2d, questions.rays_and_distance),
+    "P20": Drivers(forces.glycerol, why_not=NO_FLUID),
+    "P21": Drivers(impulse.textbook_bounce, striking.textbook_bounce),
+    "P22": Drivers(impulse.elastic_bounce, striking.textbook_bounce),
+    "P23": Drivers(avoidance.half_plane, why_not="no engine steers; it moves what is steered"),
+    "P24": Drivers(polyhedra.neighbouring_points, why_not="no engine says on which side of a line a point lies"),
+    "P25": Drivers(forces.sand_grain, why_not=NO_FLUID),
+    "P26": Drivers(bounces.rebounds, bouncing.measured_rebounds),
+    "P27": Drivers(impulse.colliding_pair, striking.colliding_pair),
+}
+
+
+def answers_of(case: Published, engine: Engine) -> Answers:
+    """What an engine answers to a published case, the hand-written one by its implementation's functions.
+
+    Raises
+    ------
+    CannotExpress
+        If the case is not run there; the message says why.
+    NeedsFunction
+        If the implementation lacks a function.
+    """
+    drivers = DRIVERS.get(case.name, Drivers())
+    if why := drivers.why_not_in.get(engine.name):
+        raise CannotExpress(why)
+    if engine.name == HANDWRITTEN:
+        if drivers.by_hand is None:
+            raise CannotExpress(NOT_SET_UP)
+        return drivers.by_hand(case, engine.implementation)
+    if drivers.in_engines is None:
+        raise CannotExpress(drivers.why_not)
+    engine.module()
+    return drivers.in_engines(case, engine)

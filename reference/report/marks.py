@@ -1,0 +1,48 @@
+"""How a verdict is marked in every table, and what the mark means."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from reference.comparison.verdicts import Verdict
+from reference.running.protocol import Row
+
+MARKS = {
+    Verdict.PASS: "✓",
+    Verdict.KNOWN_DEVIATION: "≈",
+    Verdict.FAIL: "✗",
+    Verdict.CANNOT_EXPRESS: "∅",
+    Verdict.NEEDS: "…",
+    Verdict.NOT_AVAILABLE: "–",
+    Verdict.CRASHED: "!",
+    Verdict.SHOWN: "·",
+}
+LEGEND = {
+    Verdict.PASS: "within the tolerance of theory",
+    Verdict.KNOWN_DEVIATION: "off by what the method is known to do, for a tested reason; “left” is what remains then",
+    Verdict.FAIL: "neither; counted for tuned settings, only shown for all others",
+    Verdict.CANNOT_EXPRESS: "the engine has no words for it",
+    Verdict.NEEDS: "a function that is not written yet",
+    Verdict.NOT_AVAILABLE: "the engine is not installed here",
+    Verdict.CRASHED: "the run died, hung or gave no usable state",
+    Verdict.SHOWN: "theory has no figure; the largest value is shown",
+}
+SEVERITY = (
+    Verdict.CRASHED,
+    Verdict.FAIL,
+    Verdict.NEEDS,
+    Verdict.CANNOT_EXPRESS,
+    Verdict.NOT_AVAILABLE,
+    Verdict.KNOWN_DEVIATION,
+    Verdict.PASS,
+    Verdict.SHOWN,
+)
+"""The worst first: where one mark is shown for many verdicts, it is that of the worst."""
+AGREES = (Verdict.PASS, Verdict.KNOWN_DEVIATION)
+"""The verdicts of numbers that agree with theory or differ from it as their method predicts."""
+
+
+def occurring(rows: Iterable[Row]) -> list[Verdict]:
+    """The verdicts that occur in rows of any kind, in the order in which they are defined."""
+    found = {row.verdict for row in rows}
+    return [verdict for verdict in Verdict if verdict in found]

@@ -1,0 +1,66 @@
+"""The report's first table: every scenario × every implementation at a glance, and the sentence that sums it up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from reference.comparison.verdicts import Row, Verdict
+from reference.engines.profiles import TUNED
+from reference.report.marks import AGREES
+from reference.report.sections import Line, Section
+
+
+@dataclass(frozen=True)
+class Overview:
+    """One row for each scenario and one column for each implementation; `Line.whole` is what a cell shows.
+
+    titles: of the columns.
+    """
+
+    sections: tuple[Section, ...]
+    titles: tuple[str, ...]
+
+    @classmethod
+    def of(cls, found: Sequence[Section]) -> Overview:
+        """The table of all sections, with every implementation that occurs in one of them."""
+        return cls(tuple(found), tuple(columns(found)))
+
+    @property
+    def rows(self) -> Iterator[tuple[Section, list[tuple[str, Line | None]]]]:
+        """Each scenario with its cells by column title; None where it has no such implementation."""
+        for section in self.sections:
+            yield section, [(title, section.line(title)) for title in self.titles]
+
+    def in_two_parts(self) -> tuple[Overview, Overview]:
+        """The columns of tuned settings, which count, and all others, for a terminal that is too narrow for both."""
+        counting = {line.title for section in self.sections for line in section.lines if line.tuned}
+        tuned = tuple(title for title in self.titles if title in counting)
+        others = tuple(title for title in self.titles if title not in tuned)
+        return replace(self, titles=tuned), replace(self, titles=others)
+
+
+def columns(found: Sequence[Section]) -> list[str]:
+    """Titles of all implementations that occur, in the order of the tables."""
+    fullest_first = sorted(found, key=lambda section: -len(section.lines))
+    return list(dict.fromkeys(line.title for section in fullest_first for line in section.lines))
+
+
+def verdict_line(rows: Sequence[Row]) -> str:
+    """One sentence on how many checks of the tuned settings agree with theory."""
+    tuned = [row for row in rows if row.profile == TUNED and row.verdict is not Verdict.SHOWN]
+    agreeing = sum(row.verdict in AGREES for row in tuned)
+    known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in tuned)
+    failed = sum(row.verdict is Verdict.FAIL for row in tuned)
+    waiting = sum(row.verdict is Verdict.NEEDS for row in tuned)
+    without = len(tuned) - agreeing - failed - waiting
+    judged = len(tuned) - waiting
+    parts = [f"{agreeing} of {judged} checks of tuned settings agree with theory"]
+    if known:
+        parts.append(f"{known} of them off by what the method is known to do")
+    parts.append(f"{failed} fail{'s' if failed == 1 else ''}")
+    if without:
+        parts.append(f"{without} gave no answer")
+    if waiting:
+        parts.append(f"{waiting} {'case waits' if waiting == 1 else 'cases wait'} for hand-written functions")
+    return ", ".join(parts) + "."

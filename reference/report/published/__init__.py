@@ -1,0 +1,1 @@
+"""The report on other people's cases: tables, page, terminal and figure."""

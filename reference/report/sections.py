@@ -1,0 +1,249 @@
+"""The rows of a comparison gathered for the tables: a section for each family, a line for each implementation, cells.
+
+The page and the terminal print the same cells; only this module decides which error and which mark represent many rows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+from reference.catalogue.case import Case
+from reference.catalogue.family import Family, Quantity
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.convergence import ROUNDING
+from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Row, Verdict
+from reference.engines import engine_names
+from reference.engines.profiles import STOCK, TUNED
+from reference.report import numbers
+from reference.report.marks import AGREES, MARKS, SEVERITY
+from reference.report.row_text import error_of, left_of
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One cell of a table, for the rows of one quantity in one implementation, or of all quantities."""
+
+    rows: tuple[Row, ...]
+
+    @cached_property
+    def verdict(self) -> Verdict:
+        """The worst verdict among the rows."""
+        return min((row.verdict for row in self.rows), key=SEVERITY.index)
+
+    @property
+    def mark(self) -> str:
+        """One character for the verdict."""
+        return MARKS[self.verdict]
+
+    @property
+    def judged(self) -> int:
+        """How many rows have an expectation, or should have had one."""
+        return sum(row.verdict is not Verdict.SHOWN for row in self.rows)
+
+    @property
+    def agreeing(self) -> int:
+        """How many rows agree with theory, known deviations included."""
+        return sum(row.verdict in AGREES for row in self.rows)
+
+    @property
+    def count(self) -> str:
+        """`5/6` of the rows agree; "" where no row is judged, the verdict where no row has a number."""
+        if all(row.measured is None and row.verdict is not Verdict.FAIL for row in self.rows):
+            return str(self.verdict)
+        return f"{self.agreeing}/{self.judged}" if self.judged else ""
+
+    @cached_property
+    def worst(self) -> str:
+        """The largest error of the rows with a number, or the largest value where nothing is expected."""
+        measured = [row for row in self.rows if row.measured is not None and row.tolerance != 0]  # 0: yes or no
+        return error_of(max(measured, key=_badness)) if measured else ""
+
+    @cached_property
+    def left(self) -> str:
+        """What is left of the largest known deviation without the shift that the method makes."""
+        known = [row for row in self.rows if row.verdict is Verdict.KNOWN_DEVIATION]
+        return f"left {left_of(max(known, key=_badness))}" if known else ""
+
+
+@dataclass(frozen=True)
+class Line:
+    """One engine and profile in a family's tables."""
+
+    result: JobResult
+    family: Family
+
+    @property
+    def title(self) -> str:
+        """Engine and profile, as in every table: `PyBullet, tuned`."""
+        return f"{self.result.title}, {self.result.job.profile}"
+
+    @property
+    def tuned(self) -> bool:
+        """Whether this line's verdicts count."""
+        return self.result.job.profile == TUNED
+
+    @property
+    def note(self) -> str:
+        """Why there is no number at all; empty where there are numbers."""
+        if any(row.quantity for row in self.result.rows):
+            return ""
+        return "; ".join(dict.fromkeys(row.why for row in self.result.rows))
+
+    @cached_property
+    def cells(self) -> tuple[Cell, ...]:
+        """One cell for each quantity. A case without any number counts in each of them."""
+        return tuple(
+            Cell(tuple(row for row in self.result.rows if row.quantity in (quantity.name, "")))
+            for quantity in self.family.quantities
+        )
+
+    @cached_property
+    def whole(self) -> Cell:
+        """All rows of this line, quantities together."""
+        return Cell(self.result.rows)
+
+    @property
+    def _studied_unit(self) -> str:
+        return self.family.quantity(self.family.convergence.quantity).unit
+
+    @cached_property
+    def errors(self) -> list[tuple[str, str]]:
+        """The studied timesteps, each with its error, as text."""
+        study, unit = self.result.convergence, self._studied_unit
+        if study is None:
+            return []
+        pairs = zip(study.timesteps, study.errors, strict=True)
+        return [(numbers.size(timestep, "s"), numbers.size(error, unit)) for timestep, error in pairs]
+
+    @property
+    def order(self) -> str:
+        """The measured order of convergence, or why there is none."""
+        study = self.result.convergence
+        if study is None or len(study.errors) < 2:
+            return "too few timesteps"
+        if study.order is None:
+            *_, second, largest = sorted(study.errors)
+            alone = largest > ROUNDING and largest > second / ROUNDING
+            return f"{'one timestep alone' if alone else 'rounding'}, {numbers.size(largest, self._studied_unit)}"
+        return f"order {study.order:.2f}".replace("-0.00", "0.00").replace("-", "−")
+
+    def row(self, case: str, quantity: str) -> Row | None:
+        """The row of one case and quantity, or the one that says why there is none."""
+        for row in self.result.rows:
+            if row.case == case and row.quantity in (quantity, ""):
+                return row
+        return self.result.rows[0] if self.note else None
+
+
+@dataclass(frozen=True)
+class Section:
+    """A family and its lines, in the order of the tables."""
+
+    family: Family
+    lines: tuple[Line, ...]
+
+    @cached_property
+    def _asked(self) -> dict[str, Case]:
+        """The cases that were requested, by name, and the family's own."""
+        moved = (case for line in self.lines if line.result.job.at for case in line.result.job.chosen(self.family))
+        return {case.name: case for case in (*self.family.cases, *moved)}
+
+    @cached_property
+    def cases(self) -> tuple[str, ...]:
+        """The cases that were run, in the family's order; all of them where no line has any number."""
+        run = {row.case for line in self.lines for row in line.result.rows}
+        names = tuple(self._asked)
+        return tuple(name for name in names if name in run) or names
+
+    @property
+    def studied(self) -> list[Line]:
+        """The lines with errors at several timesteps."""
+        return [line for line in self.lines if line.result.convergence is not None]
+
+    def line(self, title: str) -> Line | None:
+        """The line of that engine and profile; None where the family has none."""
+        return next((line for line in self.lines if line.title == title), None)
+
+    def expected(self, case: str, quantity: Quantity) -> str:
+        """What theory says of a quantity in one case; empty where it has no figure."""
+        rows = (line.row(case, quantity.name) for line in self.lines)
+        compared = next((row.expected for row in rows if row is not None and row.expected is not None), None)
+        value = quantity.theory(self._asked[case]) if compared is None else compared
+        return "" if value is None else numbers.quantity(value, quantity.unit)
+
+    def remarks(self) -> list[tuple[str, list[str]]]:
+        """Each note on a row, once, with the lines that it belongs to and the number of cases in each."""
+        found: dict[str, dict[str, int]] = {}
+        for line in self.lines:
+            for row in line.result.rows:
+                if row.note:
+                    cases = found.setdefault(row.why, {})
+                    cases[line.title] = cases.get(line.title, 0) + 1
+        return [(note, [_times(title, count) for title, count in cases.items()]) for note, cases in found.items()]
+
+    def tolerances(self, quantity: str) -> list[tuple[str, list[str]]]:
+        """Each reason for a tolerance of a quantity, once, with the lines to which it applies."""
+        found: dict[str, dict[str, None]] = {}
+        for line in self.lines:
+            for row in line.result.rows:
+                if row.quantity == quantity and row.reason:
+                    found.setdefault(row.reason, {})[line.title] = None
+        return [(reason, list(titles)) for reason, titles in found.items()]
+
+
+def sections(results: Iterable[JobResult]) -> list[Section]:
+    """Gather results by family, in the catalogue's order; engines in the order of the tables, tuned first."""
+    results, families = _with_own_titles(list(results)), catalogue()
+    engines = engine_names()
+
+    def place(result: JobResult) -> tuple[object, ...]:
+        name = result.job.engine
+        return engines.index(name) if name in engines else len(engines), name
+
+    def tuned_first(result: JobResult) -> int:
+        return {TUNED: 0, STOCK: 2}.get(result.job.profile, 1)
+
+    found = []
+    for family in families.values():
+        own = [result for result in results if result.job.family == family.name]
+        own.sort(key=lambda result: (*place(result), tuned_first(result)))
+        if own:
+            found.append(Section(family, tuple(Line(result, family) for result in own)))
+    return found
+
+
+def _with_own_titles(results: Sequence[JobResult]) -> list[JobResult]:
+    """The results; where engines of two files share a title, each title has its file's name behind it, or its path."""
+    engines: dict[str, dict[str, None]] = {}
+    for result in results:
+        engines.setdefault(result.title, {})[result.job.engine] = None
+
+    def title(result: JobResult) -> str:
+        alike = engines[result.title]
+        files = {Path(engine).name for engine in alike}
+        own = Path(result.job.engine).name if len(files) == len(alike) else result.job.engine
+        return f"{result.title} ({own})" if len(alike) > 1 else result.title
+
+    return [replace(result, title=title(result)) for result in results]
+
+
+def recordings(results: Iterable[JobResult]) -> list[str]:
+    """What was not run here but recorded elsewhere, each recording once, and what was moved to a recorded point."""
+    results = list(results)
+    notes = [result.recording for result in results] + [result.job.snapped for result in results]
+    return list(dict.fromkeys(note for note in notes if note))
+
+
+def _badness(row: Row) -> tuple[int, float]:
+    error = row.relative_error if row.relative_error is not None else row.error
+    size = abs(error) if error is not None else abs(row.measured or 0.0)
+    return -SEVERITY.index(row.verdict), size if math.isfinite(size) else math.inf
+
+
+def _times(title: str, count: int) -> str:
+    return title if count == 1 else f"{title} ({count}×)"

@@ -1,0 +1,19 @@
+"""Detecting a collision with a plane (slides 2, 4, 5 and 9).
+
+These functions say where a point is, when it meets a plane, and what a step may miss.
+"""
+
+from solutions.detection.planes import is_colliding, side_of_plane, signed_distance
+from solutions.detection.sampling import missing_probability, overlap_interval, substeps_needed
+from solutions.detection.time_of_impact import time_of_impact_exact, time_of_impact_interpolated
+
+__all__ = [
+    "is_colliding",
+    "missing_probability",
+    "overlap_interval",
+    "side_of_plane",
+    "signed_distance",
+    "substeps_needed",
+    "time_of_impact_exact",
+    "time_of_impact_interpolated",
+]

@@ -1,0 +1,107 @@
+"""The signed distance of a point from a plane, and the side it is on (slide 4)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.arrays import Array
+from solutions.checks import finite, not_negative, vector
+
+
+def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> Array:
+    """Distance of a point from the plane n·p + d = 0, negative behind it (slide 4).
+
+    The normal points to the front of the plane. It may have any length: the result is a
+    distance in metres in any case.
+
+    Parameters
+    ----------
+    point : (..., 3), m
+    normal : (..., 3), any length but zero
+    offset : (...), d in n·p + d = 0; m when the normal has unit length
+
+    Returns
+    -------
+    (...), m
+
+    Raises
+    ------
+    ValueError
+        If a normal is zero: a plane without a direction has no sides. If a point or a
+        normal does not have three components.
+
+    Notes
+    -----
+    From the point, go the distance s against the unit normal n/‖n‖. You arrive on the
+    plane if the new point satisfies the plane's equation:
+
+        n·(p − s n/‖n‖) + d = 0
+
+    Because n·n = ‖n‖², this is n·p − s ‖n‖ + d = 0, and so
+
+        s = (n·p + d)/‖n‖
+
+    The slide's a x + b y + c z + d is the numerator. It is the distance only when
+    ‖n‖ = 1; the division by ‖n‖ makes it one for every n.
+    """
+    point, normal = vector("point", point), vector("normal", normal)
+    length = np.linalg.norm(normal, axis=-1)
+    if np.any(length == 0):
+        raise ValueError("normal is zero: the plane has no direction")
+    return np.asarray((np.vecdot(normal, point) + offset) / length)
+
+
+def is_colliding(
+    separation: ArrayLike,
+    tolerance: ArrayLike = 0.0,
+) -> NDArray[np.bool_]:
+    """Whether a point is behind the plane by more than a tolerance (slide 4).
+
+    Parameters
+    ----------
+    separation : (...), signed distance, m
+    tolerance : (...), m, not negative
+        With 0 a point exactly on the plane is not colliding, as on the slide.
+
+    Returns
+    -------
+    (...), bool
+
+    Raises
+    ------
+    ValueError
+        If a separation is not finite (a NaN would never collide), or a tolerance is
+        negative.
+    """
+    return np.asarray(finite("separation", separation) < -not_negative("tolerance", tolerance))
+
+
+def side_of_plane(
+    separation: ArrayLike,
+    tolerance: ArrayLike = 0.0,
+) -> NDArray[np.int64]:
+    """Side of a plane on which a point is: 1 in front, 0 on it, −1 behind (slide 4).
+
+    Parameters
+    ----------
+    separation : (...), signed distance, m
+    tolerance : (...), m, not negative
+        A point is on the plane up to and including this distance, on either side.
+
+    Returns
+    -------
+    (...), 1, 0 or −1
+
+    Raises
+    ------
+    ValueError
+        If a separation is not finite, or a tolerance is negative.
+
+    Notes
+    -----
+    The slide knows two sides, and its strict < puts a point that touches the plane
+    among those in front.
+    """
+    s, tolerance = finite("separation", separation), not_negative("tolerance", tolerance)
+    return np.asarray((s > tolerance).astype(np.int64) - (s < -tolerance))

@@ -1,0 +1,118 @@
+"""When a point meets a plane, by the slide's interpolation and exactly (slide 5)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.arrays import Array
+from solutions.checks import finite, not_negative
+
+
+def time_of_impact_interpolated(
+    separation_0: ArrayLike,
+    separation_1: ArrayLike,
+    t: ArrayLike,
+    dt: ArrayLike,
+) -> Array:
+    """Time at which a separation that changes at a steady rate is zero (slide 5).
+
+    Parameters
+    ----------
+    separation_0 : (...), m, at the start of the step, not negative
+        For a body that was left on the plane and that rounding put just behind it, pass
+        0.
+    separation_1 : (...), m, at the end of the step
+    t : (...), s, start of the step
+    dt : (...), s, length of the step
+
+    Returns
+    -------
+    (...), s
+        Infinity where the step does not end behind the plane. A point that starts on
+        the plane and goes through it has T = t. A point that starts behind the plane
+        met it in an earlier step and gets infinity.
+
+    Raises
+    ------
+    ValueError
+        If a separation or t is not finite, or dt is negative.
+
+    Notes
+    -----
+    At a steady rate, the separation at a time τ after the start of the step is
+    s0 + (s1 − s0) τ/Δt. It is zero at τ = Δt s0/(s0 − s1), so that
+
+        T = t + Δt s0/(s0 − s1)
+
+    The slide writes T = t + Δt d1/(d1 + d2) with the magnitudes d1 and d2. With signed
+    distances, d1 = s0 and d2 = −s1, which gives the same formula.
+
+    Under gravity the true path is a parabola, and the straight line between its two
+    ends lies below it by up to g Δt²/8. The line therefore meets the plane too early: T
+    is early by up to g Δt²/(8 v), where v is the speed at which the body arrives.
+    """
+    s0, s1 = finite("separation_0", separation_0), finite("separation_1", separation_1)
+    t, dt = finite("t", t), not_negative("dt", dt)
+    crosses = (s0 >= 0) & (s1 < 0)
+    fraction = s0 / np.where(crosses, s0 - s1, 1.0)
+    return np.where(crosses, t + dt * fraction, np.inf)
+
+
+def time_of_impact_exact(
+    separation: ArrayLike,
+    normal_velocity: ArrayLike,
+    normal_acceleration: ArrayLike,
+) -> Array:
+    """Time until a separation with constant acceleration next falls through zero.
+
+    The separation is s + u t + a t²/2, with t counted from now.
+
+    Parameters
+    ----------
+    separation : (...), s, m
+        A body on the plane, or by rounding just behind it, counts as on it.
+    normal_velocity : (...), u, m/s, positive when moving away
+    normal_acceleration : (...), a, m/s², negative towards the plane
+
+    Returns
+    -------
+    (...), s from now
+        Infinity where the body never comes down to the plane. A body on the plane that
+        moves away gets the time of its return. A body on the plane that moves in gets
+        0, and so does one that lies there and is pressed on. A body that turns round
+        exactly on the plane touches it; within rounding of this case, rounding decides.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite.
+
+    Notes
+    -----
+    At each root of s + u t + a t²/2 = 0 the velocity u + a t is +√(u² − 2 a s) or
+    −√(u² − 2 a s). A body that falls through zero moves in, so that the minus sign
+    holds:
+
+        u + a t = −√(u² − 2 a s)
+
+    When u ≥ 0 the body rises first, and only a < 0 brings it back. Solving for t gives
+
+        t = (u + √(u² − 2 a s))/(−a)
+
+    When u < 0, u and the root have opposite signs, and their sum would lose digits
+    where they are nearly equal. Multiply the numerator and the denominator by
+    √(u² − 2 a s) − u; the numerator becomes −2 a s, and
+
+        t = 2 s/(√(u² − 2 a s) − u)
+
+    In both forms no two nearly equal numbers are subtracted outside the root.
+    """
+    s = np.maximum(finite("separation", separation), 0.0)
+    u, a = finite("normal_velocity", normal_velocity), finite("normal_acceleration", normal_acceleration)
+    discriminant = u * u - 2 * a * s
+    root = np.sqrt(np.maximum(discriminant, 0.0))
+    rising = u >= 0
+    denominator = np.where(rising, -a, root - u)
+    arrives = (discriminant >= 0) & (denominator > 0)
+    return np.where(arrives, np.where(rising, u + root, 2 * s) / np.where(arrives, denominator, 1.0), np.inf)

@@ -1,0 +1,212 @@
+"""A fall through a fluid: the motion and the terminal velocity (slide 26)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.arrays import Array
+from solutions.checks import finite, not_negative, positive, vector
+from solutions.forces.reynolds import LARGEST_REYNOLDS, check_stokes_regime, drag_correction, reynolds_number
+
+
+def relaxation_time(
+    mass: ArrayLike,
+    shape_factor: ArrayLike,
+    viscosity: ArrayLike,
+) -> Array:
+    """Time in which drag takes away all but 1/e of a velocity.
+
+    Parameters
+    ----------
+    mass : (...), m, kg, above zero
+    shape_factor : (...), K, m, above zero
+    viscosity : (...), η, Pa s, above zero
+
+    Returns
+    -------
+    (...), τ, s
+        The fluid that moves along with the body, which is its added mass, is left out.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not positive.
+
+    Notes
+    -----
+    With drag alone, m dv/dt = −K η v. The velocity is then v0 e^(−t/τ) with
+
+        τ = m/(K η)
+    """
+    return np.asarray(
+        positive("mass", mass) / (positive("shape_factor", shape_factor) * positive("viscosity", viscosity))
+    )
+
+
+def terminal_velocity(
+    radius: ArrayLike,
+    density: ArrayLike,
+    fluid_density: ArrayLike,
+    viscosity: ArrayLike,
+    gravity: ArrayLike,
+) -> Array:
+    """Velocity at which a sphere falls steadily through a fluid at rest (slide 26).
+
+    Parameters
+    ----------
+    radius : (...), r, m, above zero
+    density : (...), ρ_s, of the sphere, kg/m³, not negative
+    fluid_density : (...), ρ_f, kg/m³, not negative
+    viscosity : (...), η, Pa s, above zero
+    gravity : (..., 3), g, m/s²
+
+    Returns
+    -------
+    (..., 3), m/s, relative to the fluid
+        It is along gravity for a sphere that is denser than the fluid, and against
+        gravity for a lighter one: a bubble rises.
+
+    Raises
+    ------
+    ValueError
+        If radius or viscosity is not positive, a density is negative, or gravity does
+        not have three components.
+
+    Warns
+    -----
+    StokesRegimeWarning
+        Where the Reynolds number of this fall is above `STOKES_LIMIT`.
+        `terminal_velocity_corrected` still holds there.
+
+    Notes
+    -----
+    In a steady fall the forces are in balance. The slide sets m g = 6πr η v, the weight
+    equal to the drag, and forgets the buoyancy. With it, the weight of the sphere less
+    that of the displaced fluid equals the drag:
+
+        (4/3) πr³ (ρ_s − ρ_f) g = 6πr η v_t
+
+    Dividing by 6πr η gives
+
+        v_t = 2 (ρ_s − ρ_f) r² g/(9 η)
+    """
+    r, eta, rho = positive("radius", radius), positive("viscosity", viscosity), not_negative("density", density)
+    excess = rho - not_negative("fluid_density", fluid_density)
+    found = np.asarray((2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity))
+    check_stokes_regime(reynolds_number(found, np.zeros(3), r, fluid_density, eta))
+    return found
+
+
+def drag_motion(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    terminal: ArrayLike,
+    relaxation: ArrayLike,
+    dt: ArrayLike,
+) -> tuple[Array, Array]:
+    """State after a time dt under constant forces and linear drag, exactly.
+
+    Parameters
+    ----------
+    position : (..., 3), p0, m
+    velocity : (..., 3), v0, m/s
+    terminal : (..., 3), v_t, terminal velocity as seen from the ground, m/s
+        In a wind, it is the velocity of the wind plus the terminal velocity relative to
+        the wind.
+    relaxation : (...), τ, s, above zero and finite
+    dt : (...), t, s
+
+    Returns
+    -------
+    position, velocity : (..., 3) each, m, m/s
+
+    Raises
+    ------
+    ValueError
+        If relaxation is not positive or not finite, or a vector does not have three
+        components.
+
+    Notes
+    -----
+    The difference between the velocity and the terminal velocity decays, because at v_t
+    all forces are in balance and the drag is linear: dv/dt = −(v − v_t)/τ. The solution
+    of this equation, and its integral over time, are
+
+        v = v_t + (v0 − v_t) e^(−t/τ)
+        p = p0 + v_t t + (v0 − v_t) τ (1 − e^(−t/τ))
+
+    From rest this is a fall with the velocity v_t (1 − e^(−t/τ)).
+    """
+    p, v, last = vector("position", position), vector("velocity", velocity), vector("terminal", terminal)
+    tau = finite("relaxation", positive("relaxation", relaxation))[..., None]
+    time = np.asarray(dt, dtype=float)[..., None]
+    lost = -np.expm1(-time / tau)
+    return p + last * time + (v - last) * tau * lost, v + (last - v) * lost
+
+
+def terminal_velocity_corrected(
+    radius: ArrayLike,
+    density: ArrayLike,
+    fluid_density: ArrayLike,
+    viscosity: ArrayLike,
+    gravity: ArrayLike,
+    correction: Callable[[Array], Array] = drag_correction,
+) -> Array:
+    """Velocity of steady fall of a sphere with its measured drag.
+
+    It holds also where Stokes' law does not.
+
+    Parameters
+    ----------
+    radius : (...), r, m, above zero
+    density : (...), ρ_s, of the sphere, kg/m³, not negative
+    fluid_density : (...), ρ_f, kg/m³, not negative
+    viscosity : (...), η, Pa s, above zero
+    gravity : (..., 3), m/s²
+    correction : function φ of the Reynolds number (...)
+        It returns the true drag over Stokes' drag.
+
+    Returns
+    -------
+    (..., 3), m/s, relative to the fluid
+        It is along gravity for a sphere that is denser than the fluid, and against
+        gravity for a lighter one.
+
+    Raises
+    ------
+    ValueError
+        If the fall is faster than the correction is known for. If radius or viscosity
+        is not positive, a density is negative, or gravity does not have three
+        components.
+
+    Notes
+    -----
+    Stokes' law predicts a fall with some Reynolds number S. In a steady fall the drag
+    equals the weight less the buoyancy, so the true drag is Stokes' drag at S. The true
+    drag at the Reynolds number Re is φ(Re) times Stokes' drag at Re, and Stokes' drag
+    is proportional to Re. Therefore
+
+        Re φ(Re) = S
+
+    The left side grows with Re, and φ ≥ 1, so Re is between 0 and S. Halving this
+    interval sixty times finds Re to the last digit but one.
+    """
+    r, rho, eta = (
+        positive("radius", radius),
+        not_negative("fluid_density", fluid_density),
+        positive("viscosity", viscosity),
+    )
+    excess = not_negative("density", density) - rho
+    stokes = (2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity)
+    target = 2 * r * rho * np.linalg.norm(stokes, axis=-1) / eta
+    low, high = np.zeros_like(target), np.minimum(target, LARGEST_REYNOLDS)
+    if np.any(high * correction(high) < target):
+        raise ValueError(f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}")
+    for _ in range(60):
+        middle = (low + high) / 2
+        slower = middle * correction(middle) < target
+        low, high = np.where(slower, middle, low), np.where(slower, high, middle)
+    return np.asarray(stokes * np.where(target > 0, high / np.where(target > 0, target, 1.0), 1.0)[..., None])

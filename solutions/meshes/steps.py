@@ -1,0 +1,216 @@
+"""How a mesh moves: a cheap step with a limit, and a dear one without (slide 28)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.arrays import Array
+from solutions.checks import positive
+from solutions.forces import semi_implicit_euler
+from solutions.meshes.matrices import dot, edge_damping, edge_stiffness, mesh_product
+from solutions.meshes.mesh import SpringMesh
+from solutions.meshes.springs import finite_vectors, mesh_forces, node_vectors
+
+
+def mesh_step(
+    mesh: SpringMesh,
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: ArrayLike,
+    dt: ArrayLike,
+) -> tuple[Array, Array]:
+    """State after one step of semi-implicit Euler.
+
+    The step computes the forces first, then the velocities, then the positions. It is
+    stable for a dt below `stable_timestep`. Above that limit the shortest wave of the
+    mesh grows with every step.
+
+    Parameters
+    ----------
+    position, velocity : (..., n, 3), m and m/s
+    acceleration : due to everything else, such as gravity
+        Broadcast to (..., n, 3), m/s².
+    dt : (...), s, positive
+
+    Returns
+    -------
+    position, velocity : (..., n, 3) each, m and m/s
+        Pinned nodes stay where they are and have no velocity.
+
+    Raises
+    ------
+    ValueError
+        If dt is not positive, or an array does not fit the mesh.
+
+    Notes
+    -----
+    With the force f of springs and dampers at the start of the step, the mass m of a
+    node and the other acceleration a, the step is
+
+        v' = v + (f/m + a) dt,    p' = p + v' dt
+    """
+    v = _held(mesh, node_vectors(mesh, "velocity", velocity))
+    a = mesh.inverse_mass[:, None] * mesh_forces(mesh, position, v)
+    a = a + _held(mesh, np.asarray(acceleration, dtype=float))
+    return semi_implicit_euler(position, v, a, positive("dt", dt)[..., None])
+
+
+def conjugate_gradient(
+    mesh: SpringMesh,
+    blocks: ArrayLike,
+    right: ArrayLike,
+    tolerance: float = 1e-8,
+    iterations: int | None = None,
+) -> Array:
+    """Solution x of (M + B) x = r for the free nodes, by conjugate gradients.
+
+    M holds the masses of the nodes, and B is the matrix of the mesh with the given
+    blocks. M + B must be positive definite: use clamped blocks.
+
+    Parameters
+    ----------
+    blocks : (..., m, 3, 3), one block for each edge, kg
+    right : (..., n, 3), r
+        The values at pinned nodes have no influence.
+    tolerance : largest size of the residual, relative to r
+    iterations : largest number of rounds
+        The default is ten times the number of unknowns, as rounding costs some rounds.
+
+    Returns
+    -------
+    (..., n, 3), x
+        Zero at pinned nodes.
+
+    Raises
+    ------
+    RuntimeError
+        If the residual is still too large after the last round.
+    ValueError
+        If the right side does not fit the mesh, or is not finite at a free node: no
+        residual would reveal that.
+
+    Notes
+    -----
+    Every round moves x along a direction d that is conjugate to the directions d' of
+    all earlier rounds,
+
+        dᵀ(M + B) d' = 0
+
+    and it moves x until the residual has no part along d. A conjugate direction does
+    not undo what the earlier rounds have achieved. So n unknowns need at most n rounds,
+    except for rounding.
+    """
+    mass = np.where(mesh.pinned, 1.0, mesh.mass)[:, None]
+    residual = finite_vectors(mesh, "right", _held(mesh, node_vectors(mesh, "right", right)))
+    x, direction, square = np.zeros_like(residual), residual, dot(residual, residual)
+    enough = tolerance**2 * square
+    for _ in range(30 * len(mass) if iterations is None else iterations):
+        going = square > enough
+        if not np.any(going):
+            return x
+        onto = _held(mesh, mass * direction + mesh_product(mesh, blocks, direction))
+        curvature = dot(direction, onto)
+        length = np.where(going, square / np.where(going, curvature, 1.0), 0.0)
+        x, residual = x + length * direction, residual - length * onto
+        before, square = square, np.where(going, dot(residual, residual), square)
+        direction = residual + square / np.where(going, before, np.inf) * direction
+    if np.any(square > enough):
+        share = np.sqrt(np.max(square[square > enough] / enough[square > enough])) * tolerance
+        raise RuntimeError(f"conjugate gradients: a residual of {share:.1e} of the right side is left")
+    return x
+
+
+def implicit_mesh_step(
+    mesh: SpringMesh,
+    position: ArrayLike,
+    velocity: ArrayLike,
+    acceleration: ArrayLike,
+    dt: ArrayLike,
+    tolerance: float = 1e-8,
+) -> tuple[Array, Array]:
+    """State after one step of backward Euler, linearised once (Baraff and Witkin 1998).
+
+    Vibrations do not grow, however long dt is, but they lose amplitude in every step,
+    and high frequencies disappear at once (`amplitude_kept`). Momentum is conserved to
+    the tolerance; angular momentum is not.
+
+    Parameters
+    ----------
+    position, velocity : (..., n, 3), m and m/s
+    acceleration : due to everything else, such as gravity
+        Broadcast to (..., n, 3), m/s².
+    dt : (...), s, positive
+    tolerance : of the conjugate gradients
+
+    Returns
+    -------
+    position, velocity : (..., n, 3) each, m and m/s
+        Pinned nodes stay where they are and have no velocity. A flat cloth, which
+        resists nothing across its plane, falls freely until the next step.
+
+    Raises
+    ------
+    RuntimeError
+        If the conjugate gradients do not reach the tolerance.
+    ValueError
+        If dt is not positive, an array does not fit the mesh, or the forces are not
+        finite.
+
+    Notes
+    -----
+    Backward Euler takes the forces at the end of the step. They are not known yet, so
+    the function expands them about the start of the step, with the stiffness K and the
+    damping C of the whole mesh:
+
+        f(p + dt v', v') ≈ f − dt K v' − C (v' − v)
+
+    Insert this in M (v' − v) = dt (f(p + dt v', v') + M a), and write dt K v' with
+    v' = v + (v' − v). Everything that contains the unknown v' − v moves to the left:
+
+        (M + dt C + dt² K)(v' − v) = dt (f + M a − dt K v),    p' = p + dt v'
+
+    K is clamped, because shortened springs would make the matrix indefinite. A
+    vibration of frequency ω keeps the share 1/√(1 + ω² dt²) of its amplitude in each
+    step. As the forces are linearised only once, a step knows only the directions that
+    the springs have at its start. That is why a flat cloth falls freely in its first
+    step.
+    """
+    p, v = node_vectors(mesh, "position", position), _held(mesh, node_vectors(mesh, "velocity", velocity))
+    step = positive("dt", dt)[..., None, None]
+    stiffness, damping = edge_stiffness(mesh, p), edge_damping(mesh, p)
+    mass = np.where(mesh.pinned, 0.0, mesh.mass)[:, None]
+    force = mesh_forces(mesh, p, v) + mass * np.asarray(acceleration, dtype=float)
+    right = step * (force - step * mesh_product(mesh, stiffness, v))
+    v = v + conjugate_gradient(mesh, step[..., None] * (damping + step[..., None] * stiffness), right, tolerance)
+    return p + step * v, v
+
+
+def amplitude_kept(frequency: ArrayLike, dt: ArrayLike) -> Array:
+    """Share of the amplitude that one step of backward Euler keeps of a free vibration.
+
+    The vibration is undamped, and its frequency is ω.
+
+    Parameters
+    ----------
+    frequency : (...), ω, rad/s
+    dt : (...), s
+
+    Returns
+    -------
+    (...), from 0 to 1
+
+    Notes
+    -----
+    Write the vibration as a complex number z that turns at the rate dz/dt = iω z.
+    Backward Euler takes the rate at the end of the step, z' = z + iω dt z', so
+    z' = z/(1 − iω dt). The size of this factor is
+
+        1/√(1 + ω² dt²)
+    """
+    return np.asarray(1 / np.hypot(1, np.asarray(frequency, dtype=float) * np.asarray(dt, dtype=float)))
+
+
+def _held(mesh: SpringMesh, vector: Array) -> Array:
+    """The vectors, with those of pinned nodes set to zero."""
+    return np.where(mesh.pinned[:, None], 0.0, vector)

@@ -1,0 +1,145 @@
+"""`collisions compare`: what it prints, what it ends with, and what it takes from the cache."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from odd_engine import CRASH, NAN, NO_WORDS, RAISE
+from program import QUICK, SLIDE, TUNED, collisions
+
+from labs.cli import jobs
+
+TOY = str(Path(__file__).parents[2] / "reference" / "toy_engine.py")
+WRONG = "right = kinematic_response\ndef kinematic_response(v, n, e):\n    return right(v, n, 0.9 * e)\n"
+MISSING = "del kinematic_response\n"
+
+pytestmark = pytest.mark.usefixtures("one_worker")
+
+
+def test_a_comparison_in_which_all_agree_ends_with_0():
+    said = collisions("compare", *QUICK)
+    assert said.code == 0
+    for title in ("Ball coming to rest", "hand-written, tuned", "hand-written, slide", "hand-written, stock"):
+        assert title in said.text
+    assert said.text.endswith("4 of 4 checks of tuned settings agree with theory, 0 fail.")
+    assert "3 runs, " in said.error
+
+
+def test_with_cases_the_numbers_are_printed():
+    assert "e=0.5 1.3546 s expected hand-written, tuned 1.3546 s" in collisions("compare", *TUNED, "--cases").text
+
+
+def test_a_tuned_verdict_that_fails_ends_with_1(homework):
+    said = collisions("compare", *TUNED, "--implementation", homework(WRONG))
+    assert said.code == 1
+    assert "✗ fail" in said.text
+    assert said.text.endswith("3 of 4 checks of tuned settings agree with theory, 1 fails.")  # it rests too early
+
+
+def test_a_stock_verdict_that_fails_is_shown_and_not_counted(homework):
+    said = collisions("compare", *QUICK, "--profile", "stock", "--implementation", homework(WRONG))
+    assert said.code == 0
+    assert "✗ fail" in said.text
+    assert said.text.endswith("0 of 0 checks of tuned settings agree with theory, 0 fail.")
+
+
+def test_a_setting_that_makes_an_engine_wrong_fails(installed):
+    installed("pybullet")
+    # A slide of 0.15 s loses some percent of its speed to so much damping, in 1/s; 0.1 % of the way is accepted.
+    said = collisions("compare", SLIDE, "--engine", "pybullet", "--profile", "tuned", "--set", "linear_damping=0.5")
+    assert said.code == 1
+    assert "✗ 0/1" in said.text
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        (CRASH, "its process died (exit code 3)"),
+        (RAISE, "ZeroDivisionError: [bold]by the moon[/]"),
+        (NAN, "are not finite from t = 0.01 s on"),
+    ],
+    ids=["crash", "exception", "NaN"],
+)
+def test_a_run_without_a_usable_answer_ends_with_3_beside_the_others(body, said, odd):
+    ended = collisions("compare", *TUNED, "--engine", odd(body))
+    assert ended.code == 3
+    assert f"an odd one, tuned: crashed: {said}" in ended.text or said in ended.text
+    assert "hand-written, tuned ✓ 1/1" in ended.text
+    assert "gave no answer." in ended.text
+
+
+def test_a_run_that_hangs_is_stopped_and_ends_with_3(odd, monkeypatch):
+    # 1 s: whatever the limit, it hangs for longer; what it is here only makes the test quick.
+    monkeypatch.setattr(jobs, "TIME_LIMIT", 1.0)
+    ended = collisions("compare", QUICK[0], "--profile", "tuned", "--engine", odd("time.sleep(600)"))
+    assert ended.code == 3
+    assert "an odd one, tuned: crashed: no answer within 1 s" in ended.text
+
+
+def test_a_tuned_failure_counts_for_more_than_a_crash(odd, homework):
+    ended = collisions("compare", *TUNED, "--engine", odd(RAISE), "--implementation", homework(WRONG))
+    assert ended.code == 1
+
+
+def test_an_engine_that_is_not_installed_costs_nothing_beside_others(odd):
+    missing = odd(package="no_such_package")
+    beside = collisions("compare", *TUNED, "--engine", missing)
+    assert beside.code == 0
+    alone = collisions("compare", QUICK[0], "--profile", "tuned", "--engine", missing)
+    assert alone.code == 3
+    for ended in (beside, alone):
+        assert "an odd one is not installed here" in ended.text
+        assert "pip install no_such_package" in ended.text
+
+
+def test_a_scenario_that_no_engine_can_express_is_not_compared(odd):
+    speechless = odd(NO_WORDS)
+    assert collisions("compare", QUICK[0], "--profile", "tuned", "--engine", speechless).code == 3
+    beside = collisions("compare", *TUNED, "--engine", speechless)
+    assert (beside.code, "cannot express: an odd one has no words for it" in beside.text) == (0, True)
+
+
+def test_an_unwritten_function_is_named_and_costs_nothing_beside_engines(homework):
+    ours = ("compare", "dropped-ball/e=0.5", "--profile", "tuned", "--engine", "handwritten")
+    unfinished = ("--implementation", homework(MISSING))
+    beside = collisions(*ours, "--engine", TOY, *unfinished)
+    assert beside.code == 0
+    assert "a toy, tuned ✓ 1/1" in beside.text
+    alone = collisions(*ours, *unfinished)
+    assert alone.code == 3
+    for ended in (beside, alone):
+        assert "hand-written, tuned: needs kinematic_response (response, step 1)" in ended.text
+
+
+def test_a_file_that_is_no_engine_is_refused(tmp_path):
+    for name, text in (("empty.py", ""), ("other.py", "ENGINE = 3\n"), ("broken.py", "def (\n")):
+        (tmp_path / name).write_text(text)
+        refused = collisions("compare", QUICK[0], "--engine", tmp_path / name)
+        assert refused.code == 2, name
+        assert name in refused.error
+        assert "Traceback" not in refused.error
+
+
+# The cache
+
+
+def test_a_second_run_comes_from_the_cache_and_prints_the_same():
+    first, second, anew = (collisions("compare", *TUNED, *more) for more in ((), (), ("--fresh",)))
+    assert "from the cache" not in first.errors + anew.errors
+    assert "1 run, 1 of them from the cache" in second.errors
+    assert first.output == second.output == anew.output
+
+
+def test_a_comparison_takes_what_the_cache_has_and_runs_the_rest():
+    collisions("compare", *TUNED)
+    assert re.search(r"3 runs, 1 of them from the cache", collisions("compare", *QUICK).errors)
+
+
+def test_changed_homework_is_run_and_not_taken_from_the_cache(homework):
+    command = ("compare", *TUNED, "--implementation", homework("# a thought\n"))
+    collisions(*command)
+    assert "1 of them from the cache" in collisions(*command).errors
+    homework("# a second thought\n")
+    assert "from the cache" not in collisions(*command).errors

@@ -1,0 +1,26 @@
+"""`collisions record`: what is recorded, and what is not."""
+
+from __future__ import annotations
+
+import pytest
+from program import collisions
+
+pytestmark = pytest.mark.usefixtures("one_worker")
+
+
+def test_only_stale_recordings_are_made_and_their_sizes_printed(tmp_path, installed):
+    installed("mujoco")
+    wish = "record", "parting-ball", "--engine", "mujoco", "--only-stale", "--out", tmp_path
+    first, again = collisions(*wish), collisions(*wish)
+    assert first.text.startswith("parting-ball in MuJoCo: never recorded kB of numbers + poses MuJoCo parting-ball ")
+    assert sorted(path.name for path in (tmp_path / "mujoco").iterdir()) == ["parting-ball.json", "parting-ball.npz"]
+    assert (again.code, again.text) == (0, "All recordings are of today's scenarios and settings.")
+    refused = collisions("record", "parting-ball/v=0.1")
+    assert (refused.code, "'parting-ball/v=0.1' is one case" in refused.error) == (2, True)
+
+
+@pytest.mark.parametrize("name", ["handwritten", "mine.py"])
+def test_hand_written_code_and_engine_files_are_not_recorded(name, tmp_path):
+    refused = collisions("record", "parting-ball", "--engine", name, "--out", tmp_path)
+    assert refused.code == 2
+    assert f"'{name}' is not recorded; these engines are: pybullet, mujoco, dart" in refused.error

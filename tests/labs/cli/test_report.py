@@ -1,0 +1,158 @@
+"""`collisions report`: what it writes, where, what it refuses, and what it ends with."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from program import QUICK, SLIDE, Said, collisions, files_in
+
+from reference.catalogue.scenarios import catalogue
+from reference.engines import engine_names
+from reference.report.row_files import read_published, read_rows
+
+WRONG = """
+right = sliding_motion
+
+def sliding_motion(position, velocity, *rest):
+    return right(position, 0.9 * velocity, *rest)
+"""
+
+
+class Written(NamedTuple):
+    """A report. said: what the program printed. cache: where its runs are kept."""
+
+    folder: Path
+    said: Said
+    cache: Path
+
+
+def report(out: Path, *more: str) -> Said:
+    return collisions("report", "--only", SLIDE, "--engine", "handwritten", "--jobs", "1", "--out", out, *more)
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory) -> Written:
+    """A report that several tests look at."""
+    folder, cache = tmp_path_factory.mktemp("written") / "new [draft]" / "report", tmp_path_factory.mktemp("kept")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("COLLISIONS_CACHE", str(cache))
+        return Written(folder, report(folder), cache)
+
+
+def test_a_report_is_written_to_its_folder_and_names_the_page(written):
+    said, out = written.said, written.folder
+    assert said.code == 0
+    assert "4 of 4 checks of tuned settings agree with theory, 0 fail." in said.text
+    assert f"Open {out / 'index.html'} in a browser." in said.output
+    names = {"index.html", "rows.json", "rows.csv", "timings.json", "provenance.json", "figures"}
+    assert set(os.listdir(out)) == names
+    assert len(read_rows(out / "rows.json")) == 2 * 4
+    studied = {it["profile"] for it in json.loads((out / "rows.json").read_text(encoding="utf-8"))["convergence"]}
+    assert studied == {"tuned", "stock"}, "a report always shows error against timestep"
+
+
+def test_a_report_from_the_cache_is_the_same_report(written, tmp_path, monkeypatch):
+    monkeypatch.setenv("COLLISIONS_CACHE", str(written.cache))
+    assert report(tmp_path).code == 0
+    first, second = files_in(written.folder), files_in(tmp_path)
+    assert first.keys() == second.keys()
+    for name in first.keys() - {"timings.json", "provenance.json"}:
+        assert second[name] == first[name], name
+    cached = [[it["cached"] for it in json.loads(files["timings.json"])["seconds"]] for files in (first, second)]
+    assert [set(found) for found in cached] == [{False}, {True}]
+
+
+def test_a_report_replaces_an_earlier_one_unless_it_is_refused(tmp_path, homework):
+    out = tmp_path / "out"
+    out.mkdir()
+    for name in ("index.html", "notes.txt"):
+        (out / name).write_text("earlier")
+    before = files_in(out)
+    assert report(out, "--implementation", "nobody").code == 2
+    assert files_in(out) == before
+    assert report(out, "--implementation", homework(WRONG)).code == 1
+    after = files_in(out)
+    assert after["notes.txt"] == b"earlier"
+    assert b", 2 fail." in after["index.html"]
+
+
+def test_a_report_with_a_crashed_engine_is_finished_and_ends_with_3(written, tmp_path, odd, monkeypatch):
+    monkeypatch.setenv("COLLISIONS_CACHE", str(written.cache))
+    said = report(tmp_path / "out", "--engine", odd("raise RuntimeError('<script>x</script>')"))
+    assert said.code == 3
+    page = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
+    assert "crashed: RuntimeError: &lt;script&gt;x&lt;/script&gt;" in page
+
+
+# What is refused
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--only", "balltorest"], "unknown scenario 'balltorest'. Did you mean 'ball-to-rest'?"),
+        (["--engine", "mojoco"], "unknown engine 'mojoco'. Did you mean 'mujoco'?"),
+        (["--only", QUICK[0], "--engine", "handwritten", "--implementation", "nobody"], "no implementation 'nobody'"),
+        (["--jobs", "0"], "Invalid value for '--jobs' / '-j'"),
+    ],
+    ids=lambda value: value[-1] if isinstance(value, list) else "",
+)
+def test_a_refused_report_leaves_no_folder(arguments, said, tmp_path):
+    refused = collisions("report", "--out", tmp_path / "new" / "report", *arguments)
+    assert (refused.code, said in refused.error) == (2, True)
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_report_that_cannot_be_written_is_refused_before_any_run(tmp_path):
+    occupied = tmp_path / "occupied"
+    occupied.write_text("mine")
+    for out in (occupied, occupied / "below", tmp_path / ("long" * 100)):
+        refused = collisions("report", "--only", QUICK[0], "--engine", "handwritten", "--out", out)
+        assert refused.code == 2
+        assert "cannot write the report to" in refused.error
+        assert "choose another --out" in refused.error
+        assert "run" not in refused.error.partition("Error:")[0]
+    assert occupied.read_text() == "mine"
+    assert os.listdir(tmp_path) == ["occupied"]
+
+
+# All of it
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(1200)
+def test_in_the_whole_report_every_tuned_verdict_agrees(tmp_path, installed, capsys):
+    for name in engine_names():
+        installed(name)
+    start = time.monotonic()
+    said = collisions("report", "--out", tmp_path / "report")
+    with capsys.disabled():
+        print(f"\nthe whole report took {time.monotonic() - start:.0f} s")
+    assert said.code == 0
+    rows = read_rows(tmp_path / "report" / "rows.json")
+    tuned = [row for row in rows if row.profile == "tuned" and row.expected is not None]
+    families = set(catalogue())
+    waiting = {"corner", "two-walls", "sliding-ball", "rolling-ball", "box-flat", "box-on-edge", "stack"}  # for a world
+    assert {(row.family, row.engine) for row in tuned} == {
+        (family, name)
+        for name in engine_names()
+        for family in (families - waiting if name == "handwritten" else families)
+    }
+    assert {str(row.verdict) for row in tuned} <= {"pass", "known deviation"}
+    assert re.search(rf"^{len(tuned)} of {len(tuned)} checks of tuned settings agree with theory", said.text)
+    assert not [row for row in rows if str(row.verdict) in ("crashed", "not available", "cannot express")]
+    needs = [row for row in rows if str(row.verdict) == "needs"]
+    assert {(row.engine, row.note) for row in needs} == {("handwritten", "needs a rigid-body world (world)")}
+    assert "49 cases wait for hand-written functions" in " ".join(said.text.split())
+    assert len(needs) == 2 * 49  # in both of its profiles
+    assert len(os.listdir(tmp_path / "report" / "figures")) == 2 * len(catalogue()) + 2
+    others = {str(row.verdict) for row in read_published(tmp_path / "report" / "published.json")}
+    assert others == {"pass", "known deviation", "cannot express"}
+    size = (tmp_path / "report" / "index.html").stat().st_size
+    assert size < 3_000_000  # bytes: what any mail takes, and a phone on the move loads

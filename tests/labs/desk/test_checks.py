@@ -1,0 +1,138 @@
+"""`lab.check` in a notebook: what it says of functions that are right, wrong, gone or not written, and to nbgrader."""
+
+from __future__ import annotations
+
+import pytest
+from cells import STUB, right_cells, said
+
+from labs.building.points import points_of
+from labs.grading.calling.processes import Limits
+from reference.errors import UnknownName
+
+
+@pytest.fixture
+def lab(lab, grader):
+    """The desk, with the grader of all tests of this file in the place of its own."""
+    lab._grader = grader
+    yield lab
+    lab._grader = None
+
+
+def test_the_desk_starts_its_grader_once_and_keeps_it(lab):
+    lab._grader = None
+    with lab._started_grader() as own:
+        assert lab._started_grader() is own
+
+
+def test_a_check_takes_each_function_as_its_last_cell_defines_it(lab, cells, capsys):
+    assert "· signed_distance  to do" in said(capsys, lab.check, "signed_distance")
+    cells += ["import numpy as np", STUB]
+    assert "· signed_distance  to do" in said(capsys, lab.check, "signed_distance")
+    cells.append("def signed_distance(point, normal, offset):\n    return np.vecdot(point, normal) + offset")
+    wrong = said(capsys, lab.check, "signed_distance")
+    assert "✗ signed_distance" in wrong
+    assert "It is one only" in wrong
+    assert "defined" not in wrong  # three times, as is right in a kernel
+    cells += right_cells()
+    assert "✓ signed_distance is right" in said(capsys, lab.check, "signed_distance")
+    assert "is_colliding" not in said(capsys, lab.check, "signed_distance")
+
+
+def test_an_endless_loop_in_a_check_prints_one_line(lab, cells, capsys, grader, monkeypatch):
+    monkeypatch.setattr(grader, "limits", Limits(call=0.4, test=1.0))
+    cells.append("def is_colliding(separation, tolerance=0.0):\n    while True:\n        pass")
+    assert "gave no answer within" in said(capsys, lab.check, "is_colliding")
+
+
+def test_given_functions_are_not_checked_and_unknown_ones_are_refused(lab, capsys):
+    assert "there is nothing of it to check" in said(capsys, lab.check, "sphere_inertia")
+    assert "Did you mean 'is_colliding'?" in said(capsys, lab.check, "is_coliding")
+
+
+def test_a_misspelt_function_is_compared_with_those_of_this_lab_alone(lab, capsys):
+    told = said(capsys, lab.check, "is_coliding")
+    assert "Did you mean 'is_colliding'?" in told
+    assert "orca_half_plane" not in told
+
+
+def test_a_corrected_mistake_is_not_reported_again(lab, cells, capsys):
+    cells += [*right_cells(), "def is_colliding(separation, tolerance=0.0)\n    return separation < -tolerance"]
+    assert "expected ':'" in said(capsys, lab.check, "is_colliding")
+    cells.append("def is_colliding(separation, tolerance=0.0):\n    return separation < -tolerance")
+    assert "✓ is_colliding is right" in (told := said(capsys, lab.check, "is_colliding"))
+    assert "expected" not in told
+    cells.append("x = = 3")
+    assert "cannot read" not in said(capsys, lab.check, "is_colliding")
+
+
+def test_a_check_says_which_function_no_executed_cell_defines(lab, cells, capsys):
+    assert "No cell that defines is_colliding has been run" in said(capsys, lab.check, "is_colliding")
+    assert "No cell that defines a function of this lab has been run" in said(capsys, lab.check)
+    cells += right_cells()
+    assert "has been run" not in said(capsys, lab.check)
+
+
+def test_a_function_may_be_named_without_quotes(lab, cells, capsys):
+    def is_colliding():
+        pass
+
+    cells += right_cells()
+    assert "✓ is_colliding is right" in said(capsys, lab.check, is_colliding)
+
+
+def test_a_cell_is_named_by_the_number_the_kernel_gave_it(lab, cells, capsys):
+    cells += [*right_cells(), "1", "def is_colliding(separation, tolerance=0.0):\n    return 1 / 0"]
+    assert "cell [4], line 2" in (told := said(capsys, lab.check, "is_colliding"))
+    assert "code cell" not in told
+
+
+HALF_RIGHT = "def side_of_plane(separation, tolerance=0.0):\n    return np.sign(separation)"
+
+
+def test_nbgrader_gets_the_points_of_a_checked_function_as_a_value(lab, cells, monkeypatch):
+    cells += right_cells()
+    assert lab.check("side_of_plane") is None  # for a person the words are all
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    assert lab.check("side_of_plane") == points_of("side_of_plane")
+    cells.append(HALF_RIGHT)
+    assert 0 < lab.check("side_of_plane") < points_of("side_of_plane")
+    cells.append("def side_of_plane(separation, tolerance=0.0):\n    raise NotImplementedError")
+    assert lab.check("side_of_plane") == 0
+
+
+def test_a_failed_check_raises_for_nbgrader_which_gives_no_points(lab, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    with pytest.raises(UnknownName, match="no_such"):
+        lab.check("no_such")
+
+
+def test_validating_says_right_or_not(lab, cells, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "validate")
+    cells += right_cells()
+    assert lab.check("side_of_plane") is None
+    cells.append(HALF_RIGHT)
+    assert lab.check("side_of_plane") == 0
+
+
+class Shell:
+    """A kernel that has run cells. user_ns: what they left behind."""
+
+    def __init__(self, **user_ns):
+        self.user_ns = user_ns
+
+
+def test_a_function_that_the_kernel_lost_is_named(lab, cells, capsys, monkeypatch):
+    cells += right_cells()
+    monkeypatch.setattr("IPython.get_ipython", lambda: Shell(signed_distance=1))
+    told = said(capsys, lab.check, "is_colliding")
+    assert "is_colliding is not there any more: deleted, or its cell ended in an error." in told
+    assert "not there any more" not in said(capsys, lab.check, "signed_distance")
+
+
+def test_a_check_says_where_to_see_what_a_function_prints(lab, cells, capsys):
+    printing = "def is_colliding(separation, tolerance=0.0):\n    print(separation)\n    return separation < -tolerance"
+    cells += [*right_cells(), printing]
+    assert "What is_colliding prints is not shown here" in said(capsys, lab.check)
+    assert "What is_colliding prints" not in said(capsys, lab.check, "signed_distance")
+    cells += [printing.replace("print(separation)", "pass")]
+    assert "prints" not in said(capsys, lab.check, "is_colliding")

@@ -1,0 +1,207 @@
+"""Processes of tests: how far they are shut in, when they end, and what they leave behind."""
+
+from __future__ import annotations
+
+import os
+import signal
+import statistics
+import subprocess
+import sys
+import textwrap
+import time
+from pathlib import Path
+
+import pytest
+from stand_ins import PATIENT, calls_until_it_fails
+
+from labs.grading.calling.processes import Limits
+from labs.grading.calling.remote import Grader, Remote
+from labs.grading.errors import (
+    GraderFailed,
+    OutOfTime,
+    ProcessDied,
+    StudentError,
+)
+from labs.grading.submission.reading import Submission
+from labs.grading.worker import landlock, seccomp
+from labs.grading.worker.tier import Tier
+
+linux = pytest.mark.skipif(sys.platform != "linux", reason="the nursery needs Linux")
+
+
+@linux
+def test_a_process_of_a_test_holds_nothing_of_the_grader(of):
+    text = """
+    import os, sys
+    def modules(): return sorted({name.partition(".")[0] for name in sys.modules})
+    def around(): return [os.getcwd(), dict(os.environ) == {}, sys.path, sys.argv[1:2]]
+    """
+    with of(text).fresh() as call:
+        loaded = set(call("modules"))
+        assert loaded.isdisjoint({"labs", "reference", "solutions", "tests", "pytest", "matplotlib", "site"})
+        folder, bare, path, _ = call("around")
+        assert bare
+        assert not any("site-packages" in each for each in path)
+        assert Path(folder).parent.name.startswith("grading-")
+    assert call.ended is not None
+    assert not Path(folder).exists()
+
+
+@linux
+@pytest.mark.parametrize(
+    ("options", "tier", "words"),
+    [
+        ({}, Tier.NETWORK, ""),
+        pytest.param({"without": ["landlock"]}, Tier.NETWORK, "no Landlock", marks=pytest.mark.slow),
+        ({"without": ["seccomp"]}, Tier.FILES, "other processes of its user"),
+        ({"without": ["landlock", "seccomp"]}, Tier.LIMITS, "what its user may open"),
+        pytest.param({"without": ["limits"]}, Tier.PROCESS, "not limited", marks=pytest.mark.slow),
+        ({"sandboxed": False}, Tier.PROCESS, "only a time limit"),
+    ],
+)
+def test_a_result_names_the_tier_of_its_process_and_what_is_missing(options, tier, words):
+    if not (landlock.version() and seccomp.available()):
+        pytest.skip("this kernel has less to begin with")
+    with Grader(PATIENT, **options) as lesser:
+        with Remote(Submission("lab.py", "def f(): return 1"), lesser).fresh() as call:
+            assert call("f") == 1
+            assert call.sealing.tier == tier
+            assert words in "; ".join(call.sealing.missing)
+        lesser.least = Tier(min(tier + 1, Tier.NETWORK))
+        if tier < Tier.NETWORK:
+            with (
+                pytest.raises(GraderFailed, match=rf"this machine offers '{tier.title}'"),
+                Remote(Submission("lab.py", ""), lesser).fresh(),
+            ):
+                pass
+
+
+def test_without_the_nursery_a_hang_or_a_death_costs_one_test():
+    text = "import os, time\ndef hang(): time.sleep(600)\ndef die(): os._exit(3)\ndef f(): return 1"
+    with Grader(Limits(call=0.3), sandboxed=False) as lesser:
+        remote = Remote(Submission("lab.py", text), lesser)
+        for name, error in (("hang", OutOfTime), ("die", ProcessDied)):
+            with remote.fresh() as call, pytest.raises(error):
+                call(name)
+        with remote.fresh() as call:
+            assert call("f") == 1
+
+
+@linux
+def test_no_process_outlives_its_test_even_if_it_may_fork():
+    text = """
+    import os, time
+    def detach():
+        reading, writing = os.pipe()
+        if os.fork() == 0:
+            os.setsid()
+            if os.fork() == 0:
+                os.write(writing, str(os.getpid()).encode())
+                time.sleep(600)
+            os._exit(0)
+        return int(os.read(reading, 20))
+    """
+    with Grader(PATIENT, without=("limits", "seccomp")) as lesser:
+        with Remote(Submission("lab.py", textwrap.dedent(text)), lesser).fresh() as call:
+            stray = call("detach")
+            os.kill(stray, 0)  # it is there
+        assert call.ended is not None  # which waits for the end of all that it started
+        with pytest.raises(ProcessLookupError):
+            os.kill(stray, 0)
+        assert call.ended.strays >= 1
+
+
+@linux
+def test_a_grader_survives_its_nursery_but_a_nursery_not_its_grader():
+    with Grader(PATIENT) as own:
+        remote = Remote(Submission("lab.py", "import os\ndef parent(): return os.getppid()"), own)
+        with remote.fresh() as call:
+            nursery = call("parent")
+            os.kill(nursery, signal.SIGKILL)
+            with pytest.raises(GraderFailed, match="nursery"):  # no fault of the submission's
+                calls_until_it_fails(call, "parent")
+        with remote.fresh() as call:
+            another = call("parent")
+            time.sleep(0.2)  # the process for the next test has said that it is ready
+            os.kill(another, signal.SIGKILL)
+            with pytest.raises(GraderFailed, match="nursery"):
+                calls_until_it_fails(call, "parent")
+            time.sleep(0.2)  # it has ended as well
+        with remote.fresh() as call:
+            third = call("parent")
+        assert len({nursery, another, third}) == 3
+    with pytest.raises(ProcessLookupError):
+        os.kill(third, 0)
+
+
+@linux
+def test_the_process_for_the_next_test_is_ready_and_knows_nothing(of):
+    remote = of("import time\ntime.sleep(0.3)\nseen = []\ndef f(x):\n    seen.append(x)\n    return len(seen)")
+    with remote.fresh() as call:
+        assert call("f", 7) == 1
+        time.sleep(0.5)
+    began = time.perf_counter()
+    with remote.fresh() as call:
+        assert call("f", 8) == 1
+    assert time.perf_counter() - began < 0.3, "it loads while the test before it runs"
+    remote.close()
+
+
+@linux
+def test_tests_leave_no_file_descriptor_open(of):
+    before = len(os.listdir("/proc/self/fd"))
+    with of("def f(): return 1") as remote:
+        for _ in range(5):
+            with remote.fresh() as call:
+                call("f")
+    assert len(os.listdir("/proc/self/fd")) == before
+
+
+@linux
+def test_closing_a_submission_ends_all_its_processes():
+    text = "import os, time\ndef process(): return os.getpid()\ndef busy(): time.sleep(60)"
+    with Grader(Limits(call=0.2)) as own:
+        processes = []
+        with Remote(Submission("lab.py", text), own) as remote:
+            for _ in range(36):  # more than the host leaves unheard
+                with remote.fresh() as call:
+                    processes.append(call("process"))
+                    if len(processes) > 34:
+                        with pytest.raises(StudentError):
+                            call("busy")
+        for process in processes:
+            with pytest.raises(ProcessLookupError):
+                os.kill(process, 0)
+
+
+@linux
+def test_a_process_that_ends_during_foreseen_calls_costs_its_test_alone(of):
+    text = "import os\ndef f(x): return os._exit(3) if x > 1 else x"
+    remote = of(text)
+    with remote.fresh() as call:
+        several = [(float(x),) for x in range(4)]
+        call.foresee("f", several)
+        assert [call("f", *several[0]), call("f", *several[1])] == [0.0, 1.0]
+        for arguments in several[2:]:
+            with pytest.raises(StudentError, match="exit code 3"):
+                call("f", *arguments)
+        call.foresee("f", several)
+    with remote.fresh() as call:
+        assert call("f", 1.0) == 1.0
+
+
+@linux
+def test_a_test_costs_a_fraction_of_starting_python_with_numpy(of):
+    remote = of("def f(): return 1")
+    took = []
+    for _ in range(9):
+        began = time.perf_counter()
+        with remote.fresh() as call:
+            call("f")
+        took.append(time.perf_counter() - began)
+    began = time.perf_counter()
+    subprocess.run([sys.executable, "-I", "-c", "import numpy"], check=True)
+    # The fork, the sealing and a call take some 8 ms where the import takes 100; on a busy machine both grow alike.
+    assert statistics.median(took) < (time.perf_counter() - began) / 3
+    assert call.ended is not None
+    assert call.ended.memory < 60e6  # bytes: an interpreter with NumPy, most of it shared with the nursery

@@ -1,0 +1,117 @@
+"""A submission in the lab's scenarios: whose functions run, what counts as right, and what is told."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from labs.grading.calling import scenario_runs
+from labs.grading.calling.scenario_runs import MOST_CALLS, SINGLE, Mixed, compared_with_theory, with_solutions
+from reference.comparison.compare import compare_case
+from reference.comparison.verdicts import Verdict
+from reference.engines.implementation import Implementation
+from reference.errors import NeedsFunction, RunFailed
+from solutions.response import kinematic_response
+
+
+def submission(**functions):
+    """A submission that defines these."""
+    own = SimpleNamespace(function=functions.__getitem__)
+    call = SimpleNamespace(implementation=lambda: own, defines=lambda name: name in functions)
+    return SimpleNamespace(process=lambda: call)
+
+
+def half(velocity, normal, restitution):
+    return kinematic_response(velocity, normal, restitution / 2)
+
+
+def test_a_wrong_run_is_reported_beside_theory_and_the_engines():
+    right = with_solutions(submission(kinematic_response=kinematic_response), "response")
+    compared_with_theory(right, "dropped-ball", ["e=0.2"], ["rebound"])
+    wrong = with_solutions(submission(kinematic_response=half), "response")
+    with pytest.raises(AssertionError) as raised:
+        compared_with_theory(wrong, "dropped-ball", ["e=0.2"], ["rebound"])
+    lines = str(raised.value).splitlines()
+    assert lines[:3] == [
+        "Dropped ball: bounce heights, e=0.2: first rebound ÷ drop height", "gives   0.01", "physics 0.04",
+    ]  # fmt: skip
+    assert lines[3].startswith("engines PyBullet 0.04")
+    assert lines[3].endswith(" (recorded)")
+    assert lines[3].count("0.0") == 3
+    compared_with_theory(wrong, "dropped-ball", ["e=0"], ["rebound"])
+    with pytest.raises(AssertionError, match=r"e=0\.2"):
+        compared_with_theory(wrong, "dropped-ball", ["e=0", "e=0.2"], ["rebound"])
+
+
+def test_lists_are_as_good_as_arrays():
+    listed = submission(kinematic_response=lambda *given: kinematic_response(*given).tolist())
+    compared_with_theory(with_solutions(listed, "response"), "dropped-ball", ["e=0.2"], ["rebound"])
+
+
+def test_a_run_takes_only_functions_of_the_topic_from_the_submission():
+    code = Mixed(
+        call=submission(kinematic_response=half, is_colliding=None, ballistic_motion=None).process(), topic="response"
+    )
+    assert code.function("is_colliding")(-1.0)  # of detection: the right one
+    np.testing.assert_allclose(
+        code.function("kinematic_response")(np.array([0, 0, -2.0]), np.array([0, 0, 1.0]), 1.0), [0, 0, 1]
+    )
+    assert Mixed(topic="response").function("is_colliding")(-1.0)
+
+
+def test_a_run_of_too_many_calls_is_stopped():
+    code = with_solutions(submission(kinematic_response=lambda *_: 1.0), "response")
+    for _ in range(MOST_CALLS + 1):
+        code.function("kinematic_response")()
+    with pytest.raises(RunFailed, match="comes to no end"):
+        code.function("is_colliding")(0.0)
+
+
+def test_a_run_is_skipped_if_other_topics_have_no_answers_yet(monkeypatch):
+    monkeypatch.setattr(Implementation, "function", lambda self, name: (_ for _ in ()).throw(NeedsFunction("needs it")))
+    with pytest.raises(pytest.skip.Exception, match="needs right answers of other topics"):
+        with_solutions(submission(), "response")
+
+
+@pytest.mark.parametrize(
+    ("changes", "right"),
+    [
+        ({"verdict": Verdict.PASS}, True),
+        ({"verdict": Verdict.KNOWN_DEVIATION}, True),
+        ({"measured": 2.0 * (1 + 0.9 * SINGLE)}, True),
+        ({"measured": 2.0 * (1 - 0.9 * SINGLE)}, True),
+        ({"measured": 2.0 * (1 + 1.1 * SINGLE)}, False),
+        ({"measured": 2.0 * (1 - 1.1 * SINGLE)}, False),
+        ({"measured": 2.0 + 9 * SINGLE, "scale": 10.0}, True),
+        ({"measured": 0.9e-3 * SINGLE, "expected": 0.0}, True),
+        ({"measured": 1.1e-3 * SINGLE, "expected": 0.0}, False),
+        ({"measured": None}, False),
+        ({"measured": 2.0, "expected": None}, False),
+    ],
+)
+def test_a_run_is_right_within_single_precision_of_theory(changes, right, monkeypatch):
+    def rows(*given):
+        (first, *_), timing = compare_case(*given)
+        return [
+            replace(first, **{"verdict": Verdict.FAIL, "expected": 2.0, "scale": None, "measured": 3.0, **changes})
+        ], timing
+
+    monkeypatch.setattr(scenario_runs, "compare_case", rows)
+    if right:
+        compared_with_theory(Implementation("solutions"), "dropped-ball", ["e=0.2"], ["rebound"])
+    else:
+        with pytest.raises(AssertionError, match=r"bounce heights, e=0\.2") as raised:
+            compared_with_theory(Implementation("solutions"), "dropped-ball", ["e=0.2"], ["rebound"])
+        assert ("physics says nothing" in str(raised.value)) == ("expected" in changes and changes["expected"] is None)
+
+
+def test_a_run_that_fails_names_the_reason():
+    def broken(*_):
+        raise NeedsFunction("needs kinematic_response")
+
+    code = with_solutions(submission(kinematic_response=broken), "response")
+    with pytest.raises(AssertionError, match=r"^Dropped ball: bounce heights, e=0\.2: .*needs kinematic_response"):
+        compared_with_theory(code, "dropped-ball", ["e=0.2"], ["rebound"])

@@ -1,0 +1,277 @@
+"""A mistake is named by its numbers; what is not certain is not said."""
+
+from __future__ import annotations
+
+import importlib
+import re
+
+import numpy as np
+import pytest
+
+from labs.grading.diagnosis import fingerprints
+from labs.grading.diagnosis.misconceptions import read_bank
+from labs.grading.diagnosis.probes import probed
+from labs.grading.diagnosis.recognition import diagnose
+from labs.grading.diagnosis.words import called, told
+from labs.grading.phrases import no_answer
+from reference import lecture
+from reference.errors import UnknownName
+from solutions import as_printed
+from solutions.impulse import collide, impulse_magnitude, point_velocity
+from solutions.response import kinematic_response
+
+BANK = read_bank()
+
+KINDS = ("colliding", "resting", "separating")
+
+TOPICS = ("detection", "response", "friction", "impulse")
+
+pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
+
+
+def of(function):
+    """A submission of one function."""
+    return lambda _, *arguments: function(*arguments)
+
+
+def bounce(v, n, e):
+    """Right for one contact or many, without checks of its input."""
+    return v - (1 + np.asarray(e))[..., None] * np.minimum(np.sum(v * n, axis=-1), 0)[..., None] * n
+
+
+# What the slides print
+
+
+@pytest.mark.parametrize(
+    ("function", "printed", "name"),
+    [
+        ("kinematic_response", lambda v, n, e: as_printed.mirror_response(v, n), "the slide's mirror"),
+        (
+            "time_of_impact_interpolated",
+            lambda s0, s1, t, dt: as_printed.time_of_impact(t, dt, s0, s1),
+            "the slide's magnitudes",
+        ),
+        (
+            "penalty_force",
+            lambda s, u, n, k, c=0.0, adhesive=False: as_printed.penalty_force(k, s)[..., None] * n,
+            "the slide's spring",
+        ),
+        ("rebound_velocity", as_printed.velocity_after_restitution, "not turned round, no guard"),
+        (
+            "classify_contact",
+            lambda u, limit=0.0: np.select([as_printed.contact_kind(u, limit) == kind for kind in KINDS], [-1, 0, 1]),
+            "the slide's tests",
+        ),
+        ("contact_impulses", lambda j, n: (np.asarray(j)[..., None] * n,) * 2, "+J to both"),
+        ("point_velocity", lambda v, w, r: r + np.cross(w, r), "a place"),
+    ],
+    ids=lambda value: "" if callable(value) else value,
+)
+def test_a_wrong_formula_of_the_slides_is_named(function, printed, name):
+    found = diagnose(function, of(printed))
+    assert [entry.id for entry in found.mistakes] == [f"{function}/{name}"]
+
+
+# One function at a time
+
+
+def test_a_right_answer_without_input_checks_hears_about_them():
+    found = diagnose("kinematic_response", of(bounce))
+    assert found.right
+    assert found.accepted == ("a normal that is not of unit length", "a restitution above 1")
+    assert "It should refuse, with a ValueError" in told(found)
+
+
+def test_a_right_answer_with_input_checks_hears_nothing_else():
+    assert told(diagnose("kinematic_response", of(kinematic_response))) == "kinematic_response: right on every probe."
+
+
+def test_the_mistake_is_named_with_a_hint_and_the_simplest_example():
+    found = diagnose("kinematic_response", of(lambda v, n, e: bounce(v, n, 1 + 0 * np.asarray(e))))
+    text = told(found)
+    assert found.mistakes[0].id == "kinematic_response/always perfect"
+    assert "Every bounce is perfect" in text
+    assert (
+        "kinematic_response(velocity=(0, 0, -2), normal=(0, 0, 1), restitution=0.5), straight down on the floor" in text
+    )
+    assert "gives   (0, 0, 2)\n  physics (0, 0, 1)" in text
+
+
+def test_a_mistake_is_named_if_the_function_takes_one_contact_only():
+    def single(velocity, normal, restitution):
+        if velocity @ normal < 0:
+            velocity = velocity - restitution * (velocity @ normal) * normal
+        return velocity
+
+    found = diagnose("kinematic_response", of(single))
+    assert found.mistakes[0].id == "kinematic_response/e for 1 + e"
+    assert "With several cases in one call it ends in an error" in told(found)
+
+
+def test_a_function_that_is_right_for_one_contact_only_hears_so():
+    found = diagnose("point_velocity", of(lambda v, w, r: point_velocity(v.reshape(3), w.reshape(3), r.reshape(3))))
+    assert found.verdict == "one at a time"
+    assert not found.mistakes
+
+
+def test_writing_into_arguments_is_noticed_if_the_numbers_are_right():
+    def in_place(velocity, normal, restitution):
+        after = bounce(velocity, normal, restitution)
+        velocity *= 2
+        return after
+
+    found = diagnose("kinematic_response", of(in_place))
+    assert (found.verdict, found.changes_input, found.right) == ("right", True, False)
+    assert "It writes into its arguments" in told(found)
+
+
+def test_a_change_of_arguments_reported_by_the_process_counts():
+    class Elsewhere:
+        changed = (0,)
+
+        def __call__(self, _, *arguments):
+            return kinematic_response(*arguments)
+
+    assert diagnose("kinematic_response", Elsewhere()).changes_input
+
+
+def test_a_function_that_calls_a_wrong_one_is_not_blamed(monkeypatch):
+    entry = next(entry for entry in BANK if entry.id == "point_velocity/component by component")
+    monkeypatch.setattr("solutions.impulse.impact.point_velocity", entry.formula)
+    found = diagnose("collide", of(collide))
+    assert found.mistakes[0].origins == (entry.id,)
+    assert "It answers as if it were right itself and used a wrong point_velocity" in " ".join(told(found).split())
+
+
+def test_a_stub_counts_as_unwritten():
+    def stub(*arguments):
+        raise NotImplementedError("your turn")
+
+    found = diagnose("collide", of(stub))
+    assert (found.verdict, found.counterexample) == ("unwritten", None)
+    assert told(found) == "collide: not written yet."
+
+
+def test_an_error_everywhere_is_shown_with_its_input():
+    found = diagnose("signed_distance", of(lambda point, normal, offset: point.no_such_thing))
+    assert found.verdict == "crashes"
+    assert "AttributeError" in told(found)
+
+
+@pytest.mark.parametrize("value", [None, "up", {"a": 1}, [[1, 2], [3]], np.zeros(2, complex), np.zeros((3, 1))])
+def test_a_value_that_is_no_answer_has_the_wrong_shape(value):
+    found = diagnose("point_velocity", of(lambda *_: value))
+    assert found.verdict == "shape"
+    assert not found.mistakes
+
+
+def test_one_output_instead_of_two_has_the_wrong_shape():
+    found = diagnose("contact_impulses", of(lambda j, n: np.asarray(j)[..., None] * n))
+    assert "gives   one array instead of 2 arrays" in told(found)
+
+
+@pytest.mark.parametrize(
+    ("value", "count", "printed", "words"),
+    [
+        (None, 1, "", "nothing (None): is a return missing?"),
+        (None, 2, "3\n", "nothing (None): it prints, and has to return"),
+        ("never", 1, "", "the text 'never' instead of a number or an array"),
+        ((1.0, 2.0), 3, "", "2 things instead of 3"),
+        ([1.0, [2.0]], 1, "", "a list that is not a number or an array of numbers"),
+    ],
+)
+def test_a_value_that_is_no_answer_is_described_in_words(value, count, printed, words):
+    assert no_answer(value, count, printed) == words
+
+
+def test_truth_values_are_shown_as_true_and_false():
+    found = diagnose("holds", of(lambda push, n, mu: np.sum(push, axis=-1) ** 2 > (mu * np.asarray(n)) ** 2))
+    assert re.search(r"gives   (False|True)\n  physics (False|True)", told(found))
+
+
+def test_a_constant_answer_is_no_known_mistake():
+    """It is as well that of `never holds` as of any other mistake that happens to say no in the usual cases."""
+    found = diagnose("holds", of(lambda push, n, mu: np.linalg.norm(push, axis=-1) == np.asarray(mu) * n))
+    assert not found.mistakes
+
+
+def test_an_unknown_mistake_gets_an_example_only():
+    found = diagnose("point_velocity", of(lambda v, w, r: 1.37 * v + np.cross(w, r)))
+    assert (found.verdict, found.mistakes) == ("unknown", ())
+    assert "in a way that the lab does not know" in told(found)
+    assert "velocity=(1, 2, 3)" in told(found)
+
+
+def test_a_known_mistake_with_another_at_the_edges_is_only_likely():
+    """Against the push where there is none: 0/0."""
+
+    def divides_by_zero(push, v, normal_force, static, kinetic):
+        speed, size = np.linalg.norm(v, axis=-1)[..., None], np.linalg.norm(push, axis=-1)[..., None]
+        mu_n = np.asarray(kinetic * np.asarray(normal_force))[..., None]
+        held = size <= (static * np.asarray(normal_force))[..., None]
+        broken = -mu_n * push / size
+        return np.where(speed > 0, mu_n * v / speed, np.where(held & (size > 0), -push, broken))
+
+    found = diagnose("friction_force", of(divides_by_zero))
+    assert found.verdict == "likely"
+    assert found.mistakes[0].id == "friction_force/along the velocity"
+    text = " ".join(told(found).split())
+    assert "Something else is wrong besides: friction_force(" in text
+    assert "gives (nan, nan, nan)" in text.partition("Something else")[2]
+
+
+def test_several_explanations_are_listed_and_none_is_chosen():
+    """The two mistakes differ in touching alone, where this one has no answer."""
+
+    def without_touching(separation, tolerance=0.0):
+        if np.any(separation == 0):
+            raise ZeroDivisionError("float division by zero")
+        return np.broadcast_to(separation < 0, np.broadcast(separation, tolerance).shape)
+
+    found = diagnose("is_colliding", of(without_touching))
+    assert found.verdict == "several"
+    assert [known.id for known in found.mistakes] == [
+        "is_colliding/tolerance left out",
+        "is_colliding/tolerance left out, touching counts",
+    ]
+    assert "do not say which it is" in " ".join(told(found).split())
+
+
+def test_one_wrong_number_is_no_known_mistake():
+    """Right but for a single probe: no known mistake explains that alone."""
+
+    def nearly(a, b, n, e):
+        right = impulse_magnitude(a, b, n, e)
+        return right + 1 if np.ndim(right) == 0 and np.array_equal(a[0], [0, 0, -1]) else right
+
+    found = diagnose("impulse_magnitude", of(nearly))
+    assert not found.mistakes
+
+
+def test_a_function_without_probes_is_refused():
+    with pytest.raises(UnknownName, match="no_such"):
+        diagnose("no_such", of(kinematic_response))
+    for entry in lecture.FUNCTIONS.values():
+        if entry.role == "written" and entry not in probed():
+            with pytest.raises(UnknownName, match=f"function with probes '{entry.name}'"):
+                diagnose(entry.name, of(kinematic_response))
+
+
+def test_an_example_without_fingerprints_has_no_parameter_names():
+    assert called(("normal_velocity", "restitution"), (-2.0, 0.5)) == "normal_velocity=-2, restitution=0.5"
+    assert called((), (-2.0, [0.5, 1.0]), "no_such") == "no_such(-2, (0.5, 1))"
+
+
+def test_matrices_are_shown_briefly():
+    assert called((), (np.diag([2.0, 1.0]), np.ones((2, 2)), np.eye(1), np.full((2, 2), np.inf)), "f") == (
+        "f(diag(2, 1), ((1, 1), (1, 1)), ((1)), ((inf, inf), (inf, inf)))"
+    )
+
+
+@pytest.mark.parametrize("topic", TOPICS)
+def test_the_names_of_parameters_are_those_of_the_solutions(topic):
+    module = importlib.import_module(f"solutions.{topic}")
+    for entry in lecture.functions_of(topic):
+        if entry.role == "written":
+            code = getattr(module, entry.name).__code__
+            assert fingerprints.known(entry.name).parameters == code.co_varnames[: code.co_argcount]

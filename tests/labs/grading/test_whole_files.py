@@ -1,0 +1,162 @@
+"""Whole files, graded by the real tests in the real worker: right, untouched, wrong, and never ending."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import pytest
+from submissions import solved, stubs
+
+from labs.grading.calling.processes import Limits
+from labs.grading.feedback import report
+from labs.grading.judging.grade import Grade, grade
+from labs.grading.judging.score_sheet import Sheet
+from reference import lecture
+
+TOPICS = ("detection", "response", "friction", "impulse")
+THREE_MISTAKES = """
+import numpy as np
+
+def point_velocity(velocity, angular_velocity, arm):
+    return velocity + np.cross(arm, angular_velocity)
+
+def normal_velocity(point_velocity_a, point_velocity_b, normal):
+    return np.sum((point_velocity_a - point_velocity_b) * normal, axis=-1)
+
+def rebound_velocity(normal_velocity, restitution):
+    return -restitution * np.asarray(normal_velocity)
+
+def apply_impulse(body_a, body_b, impulse):
+    (va, wa, ra, ma, ia), (vb, wb, rb, mb, ib) = body_a, body_b
+    return va + ma * impulse, wa + ia @ np.cross(ra, impulse), vb + mb * impulse, wb + ib @ np.cross(rb, impulse)
+"""
+
+ENDLESS = """
+def is_colliding(separation, tolerance=0.0):
+    while True:
+        pass
+
+def side_of_plane(separation, tolerance=0.0):
+    return (separation > tolerance) * 1 - (separation < -tolerance) * 1
+"""
+
+
+def nurseries() -> set[str]:
+    """The numbers of the processes that a grader of this process has started; none where the system lists none."""
+    children = Path(f"/proc/{os.getpid()}/task/{os.getpid()}/children")
+    found = children.read_text().split() if children.exists() else []
+    return {child for child in found if b"nursery" in Path(f"/proc/{child}/cmdline").read_bytes()}
+
+
+@pytest.fixture(scope="module")
+def graded_alone(tmp_path_factory) -> tuple[Grade, set[str]]:
+    """A grade, by a grader that it starts itself, and the processes which that one leaves."""
+    path, before = tmp_path_factory.mktemp("three") / "three.py", nurseries()
+    path.write_text(THREE_MISTAKES)
+    return grade(path), nurseries() - before
+
+
+@pytest.fixture(scope="module")
+def three(graded_alone) -> Grade:
+    return graded_alone[0]
+
+
+def text_of(sheet: Sheet, *topics: str) -> str:
+    return "\n".join(report.report(sheet, topics))
+
+
+def joined(text: str) -> str:
+    return " ".join(text.split())
+
+
+# Right, to do, wrong
+
+
+def test_the_solutions_score_full_marks(grader, tmp_path):
+    found = grade(solved(tmp_path, "detection"), grader=grader).content()
+    assert found["got"] == found["possible"] > 40
+    assert [entry["verdict"] for entry in found["functions"]] == ["right"] * 8
+    assert found["complaints"] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("topic", TOPICS)
+def test_the_solutions_of_every_topic_score_full_marks(topic, grader, tmp_path):
+    found = grade(solved(tmp_path, topic), [topic], grader=grader)
+    assert [line for outcome in found.sheet.outcomes for line in outcome.lines()] == []
+    assert [sum(part.points for part in outcome.parts) for outcome in found.sheet.outcomes] == [
+        outcome.points for outcome in found.sheet.outcomes
+    ]
+
+
+def test_untouched_stubs_score_nothing_and_are_listed_as_to_do(grader, tmp_path):
+    found = grade(stubs(tmp_path, "detection"), grader=grader)
+    names = [entry.name for entry in lecture.functions_of("detection")]
+    assert found.sheet.earned == 0
+    text = text_of(found.sheet, "detection")
+    assert re.findall(r"· (\w+)  to do", text) == names
+    assert "8 functions to write. Begin with signed_distance (detection, step 1, slide 4). A distance" in joined(text)
+    assert not found.sheet.complaints
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("topic", TOPICS[1:])
+def test_untouched_stubs_of_every_topic_score_nothing(topic, grader, tmp_path):
+    found = grade(stubs(tmp_path, topic), grader=grader)
+    assert found.sheet.earned == 0
+    assert {diagnosis.verdict for diagnosis in found.sheet.diagnoses.values()} == {"unwritten"}
+
+
+def test_mistakes_are_named_and_right_functions_earn_their_points(three):
+    text = joined(text_of(three.sheet, "impulse"))
+    assert "r × ω turns the point the other way round. Hint: A wheel turns to the left" in text
+    assert "Points that move apart already are turned round as well" in text
+    assert "+J went to both bodies, as the slide prints it: momentum is not conserved." in text
+    points = {entry["name"]: (entry["got"], entry["possible"]) for entry in three.content()["functions"]}
+    assert points["normal_velocity"] == (4, 4)
+    assert points["relative_velocity"] == (0, 4)
+    assert all(got < possible for name, (got, possible) in points.items() if name != "normal_velocity")
+
+
+def test_a_student_sees_the_call_the_answer_and_what_physics_says(three):
+    text = text_of(three.sheet, "impulse")
+    assert "rebound_velocity(normal_velocity=2, restitution=0.5)\n        gives   -1\n        physics 2\n" in text
+    assert all(len(line) <= 80 for line in text.splitlines())
+
+
+def test_the_smallest_example_that_gains_momentum_is_small(three):
+    said = next(
+        part.said for outcome in three.sheet.outcomes for part in outcome.parts if part.reason == "momentum is kept"
+    )
+    assert said.startswith("the two together gain a momentum of [2. 2. 2.] kg m/s\nfor body_a=((1, 1, 1), (1, 1, 1)")
+
+
+def test_a_hidden_test_reveals_no_number(three):
+    hidden = [outcome for outcome in three.sheet.outcomes if outcome.hidden and not outcome.passed]
+    said = {part.said for outcome in hidden for part in outcome.parts if not part.passed}
+    assert hidden
+    assert said <= {"the answer is wrong", "the function is not written yet", "the function raised an exception"}
+
+
+@pytest.mark.slow
+def test_grading_again_gives_the_same_grade(three, grader, tmp_path):
+    (tmp_path / "three.py").write_text(THREE_MISTAKES)
+    assert grade(tmp_path / "three.py", grader=grader).content() == three.content()
+
+
+def test_a_function_that_never_returns_is_stopped_and_the_rest_is_graded(grader, tmp_path, monkeypatch):
+    monkeypatch.setattr(grader, "limits", Limits(call=0.6))
+    (tmp_path / "lab.py").write_text(ENDLESS)
+    found = grade(tmp_path / "lab.py", grader=grader)
+    assert found.sheet.diagnoses["is_colliding"].verdict == "too slow"
+    text = joined(text_of(found.sheet, "detection"))
+    assert "✓ side_of_plane" in text
+    assert "gave no answer within 0.6 s and was stopped → Does every loop in it come to an end" in text
+    hidden = [outcome for outcome in found.sheet.outcomes if outcome.hidden and outcome.function == "is_colliding"]
+    assert [outcome.parts[0].said for outcome in hidden] == ["the function took too long"]
+
+
+def test_no_process_is_left_once_a_grade_is_made(graded_alone):
+    assert graded_alone[1] == set()
