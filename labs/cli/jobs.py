@@ -53,7 +53,7 @@ Implementations = Annotated[
 Workers = Annotated[
     int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; one a processor if not given.")
 ]
-Fresh = Annotated[bool, typer.Option("--fresh", help="Run everything anew, and keep that in the cache instead.")]
+Fresh = Annotated[bool, typer.Option("--fresh", help="Run everything again, and keep the new results in the cache.")]
 
 
 def planned(
