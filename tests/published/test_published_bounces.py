@@ -11,7 +11,7 @@ from solutions.response import bounce_along_normal
 
 
 @pytest.mark.statement(6, oracle="P1: ODE and Bullet as published by SimBenchmark")
-def test_p1_balls_resolved_at_the_step_change_energy_as_two_engines_do(as_published):
+def test_p1_balls_resolved_at_the_step_gain_the_energy_of_two_engines(as_published):
     as_published("P1")
 
 
@@ -27,7 +27,7 @@ def test_p6_the_first_rebound_is_the_square_of_the_restitution(as_published):
 
 
 @pytest.mark.statement(6, oracle="P12: Jolt")
-def test_p12_a_thousand_steps_of_a_ball_that_is_answered_at_the_step(as_published):
+def test_p12_a_thousand_steps_of_a_ball_that_is_resolved_at_the_step(as_published):
     as_published("P12")
 
 
@@ -42,5 +42,5 @@ def test_p15_the_impacts_the_apexes_and_the_end_of_a_bouncing_ball(as_published)
     assert bounce_along_normal(height, 0.0, -g, e, case.expected["rest"] + 1e-5)[2] == math.inf
 
 
-def test_p26_balls_with_the_apparent_restitution_rebound_as_the_rules_ask(as_published):
+def test_p26_balls_with_the_apparent_restitution_rebound_as_prescribed(as_published):
     as_published("P26")

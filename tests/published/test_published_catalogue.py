@@ -18,12 +18,12 @@ KINDS = {"verification", "validation", "cross-engine"}
 CASES = published_cases().values()
 
 
-def test_all_twenty_seven_cases_are_there_in_the_order_of_their_numbers():
+def test_the_catalogue_lists_all_twenty_seven_cases_in_order():
     assert list(published_cases()) == [f"P{number}" for number in range(1, 28)]
     assert {case.kind for case in CASES} == KINDS
 
 
-def test_each_published_case_states_its_source_and_its_tolerance():
+def test_each_case_has_a_title_a_source_and_a_tolerance_with_its_reason():
     for case in CASES:
         assert case.title, case.name
         assert case.source, case.name
@@ -33,7 +33,7 @@ def test_each_published_case_states_its_source_and_its_tolerance():
         assert case.expected.keys() == case.tolerance.keys(), case.name
 
 
-def test_each_figure_has_a_tolerance_and_a_label_for_each_of_its_numbers():
+def test_each_figure_has_a_tolerance_and_a_label_for_every_number():
     for case in CASES:
         assert case.units.keys() | case.labels.keys() <= case.expected.keys(), case.name
         for figure, expected in case.expected.items():
@@ -44,7 +44,7 @@ def test_each_figure_has_a_tolerance_and_a_label_for_each_of_its_numbers():
             assert np.all(np.array(numbers_of(case.tolerance[figure])) >= 0)
 
 
-def test_each_case_is_answered_by_hand_and_in_the_engines_or_says_why_not():
+def test_each_case_runs_by_hand_and_in_the_engines_or_says_why_not():
     engines = [name for name in engine_names() if name != "handwritten"]
     assert list(DRIVERS) == list(published_cases())
     for case in CASES:
@@ -55,7 +55,7 @@ def test_each_case_is_answered_by_hand_and_in_the_engines_or_says_why_not():
         assert case.origin in ("", *engines), case.name
 
 
-def test_a_name_that_there_is_not_is_refused_with_those_there_are():
+def test_an_unknown_case_is_refused_with_the_list_of_known_ones():
     with pytest.raises(UnknownName, match=r"unknown published case 'P28'\. .*P1, P2"):
         published("P28")
 

@@ -68,7 +68,7 @@ def test_the_friction_force_in_small_steps_sticks_where_siconos_does():
 
 
 @pytest.mark.statement(26, oracle="P20: the viscosity of glycerol from a falling sphere")
-def test_the_fall_of_a_sphere_gives_the_viscosity_of_glycerol(as_published):
+def test_the_viscosity_of_glycerol_follows_from_the_fall_of_a_sphere(as_published):
     viscosity = as_published("P20")["viscosity"][0]
     case = published("P20")
     mass, radius, fluid, speed = case.values("mass", "radius", "fluid_density", "speed")
@@ -96,7 +96,7 @@ def test_a_sand_grain_sinks_a_little_slower_than_stokes_says(as_published):
 
 
 @pytest.mark.statement(26, oracle="P25: the documentation of fluids, with its own drag correlation")
-def test_a_grain_with_baratis_correlation_sinks_as_fluids_published():
+def test_with_baratis_correlation_the_grain_sinks_exactly_as_in_fluids():
     drag = oracle("fluids.drag")
     case = published("P25")
     names = ("radius", "density", "fluid_density", "viscosity")

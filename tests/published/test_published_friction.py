@@ -21,7 +21,7 @@ def test_a_sphere_slides_spins_up_and_rolls_as_in_lammps(as_published):
 
 
 @pytest.mark.statement(16, oracle="P11: Kharaz' measured impacts")
-def test_measured_sliding_spheres_keep_the_velocity_of_the_rigid_law(judged):
+def test_only_measured_spheres_that_slide_keep_the_speed_of_the_rigid_law(judged):
     rows = [row for row in judged("P11") if row.figure == "tangent_restitution"]
     assert [row.verdict for row in rows] == [Verdict.KNOWN_DEVIATION] * 3 + [Verdict.PASS] * 4
     # A rigid sphere that grips keeps 5/7 at every angle; the measured dip is not in any rigid law
@@ -30,13 +30,13 @@ def test_measured_sliding_spheres_keep_the_velocity_of_the_rigid_law(judged):
 
 
 @pytest.mark.statement(16, oracle="P11: Kharaz' measured impacts")
-def test_measured_sliding_spheres_spin_as_the_rigid_law_predicts(judged):
+def test_only_measured_spheres_that_slide_spin_as_the_rigid_law_says(judged):
     rows = [row for row in judged("P11") if row.figure == "spin"]
     assert {row.verdict for row in rows[3:]} == {Verdict.PASS}
     assert all(row.difference < 0 for row in rows[:3])
 
 
-def test_a_sphere_grips_at_the_angles_of_the_rigid_law(judged):
+def test_a_sphere_by_hand_follows_the_rigid_law_to_rounding(judged):
     case = published("P11")
     e, mu = case.values("restitution", "friction")
     for figure, angles in (("tangent_restitution", "angle"), ("spin", "angle_of_spin")):

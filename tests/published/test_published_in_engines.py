@@ -99,7 +99,7 @@ def test_the_fast_suite_runs_every_case_in_some_engine():
 
 
 @each_engine
-def test_a_case_that_an_engine_cannot_run_is_one_row_that_says_why(name, installed):
+def test_a_case_that_an_engine_cannot_run_is_one_row_with_the_reason(name, installed):
     installed(name)
     refused = [case for case in published_cases().values() if case not in run_by(name) and case.name not in SLOW]
     assert len(refused) == {"pybullet": 8, "mujoco": 5, "dart": 8}[name]
@@ -111,7 +111,7 @@ def test_a_case_that_an_engine_cannot_run_is_one_row_that_says_why(name, install
 
 @pytest.mark.slow
 @each_engine
-def test_a_plate_that_is_pushed_from_under_balls(name, installed):
+def test_a_plate_is_pushed_from_under_balls_as_published(name, installed):
     installed(name)
     found = rows(published("P2"), name)
     asked = [row for row in found if row.figure != "square_cone_error"]
@@ -147,19 +147,19 @@ def energies_as_published(case: Published, name: str) -> None:
 
 
 @each_engine
-def test_an_elastic_bounce_resolved_at_the_step_gains_the_published_energy(name, installed):
+def test_an_elastic_impact_at_the_step_makes_the_published_energy(name, installed):
     installed(name)
     energies_as_published(coarse((1e-2,)), name)
 
 
 @pytest.mark.slow
 @each_engine
-def test_it_does_so_at_every_timestep_that_was_published(name, installed):
+def test_it_makes_the_published_energy_at_every_timestep(name, installed):
     installed(name)
     energies_as_published(published("P1"), name)
 
 
-def test_bullets_default_multibody_is_far_from_the_published_energy(installed):
+def test_bullets_own_multibody_is_far_from_the_numbers_published_for_it(installed):
     # Contacts form ahead of the touch, overlap comes back as speed, and every velocity is damped.
     engine, case = installed("pybullet"), published("P1")
     scenario = scenes.ball_over_floor(case, 4.9, 20.0, 1.0, 0.1, 10.0)
@@ -207,7 +207,7 @@ def by_steps(bounce: Bounce, weighed: float, duration: float) -> Trajectory:
 
 @pytest.mark.parametrize("weighed", [0.0, 1.0])
 @pytest.mark.parametrize("e", [0.5, 0.9])
-def test_a_step_changes_a_bounce_by_no_more_than_a_sharp_bound(e, weighed):
+def test_the_bound_on_what_a_step_does_to_a_bounce_is_reached_not_passed(e, weighed):
     """Over drops that meet the floor at all phases of a step, three flights each."""
     g, dt, most = 9.81, 1e-3, np.zeros((2, 3))
     method = Method(AT_STEP, weighed=weighed)
@@ -229,14 +229,14 @@ def test_a_step_changes_a_bounce_by_no_more_than_a_sharp_bound(e, weighed):
     assert np.all(most > 0.7)  # extremes of later impacts do not all fall together
 
 
-def test_a_contact_without_gravity_ends_with_the_theoretical_restitution():
+def test_without_gravity_a_contact_ends_at_the_speed_and_depth_of_theory():
     for ratio in (0.02, 0.3, 0.8):
         _, gap, speed = springs._let_go(2.5, 4e4, ratio, 0.0)
         assert speed == pytest.approx(2.5 * truth.spring_dashpot_restitution(ratio), rel=1e-12)
         assert gap == pytest.approx(-truth.spring_dashpot_exit_depth(ratio, 2.5, 4e4), rel=1e-10)
 
 
-def test_with_gravity_an_undamped_contact_gives_back_the_speed_that_it_got():
+def test_with_gravity_an_undamped_contact_returns_the_approach_speed():
     time, gap, speed = springs._let_go(2.5, 4e4, 0.0, 9.81)
     assert (gap, speed) == pytest.approx((0.0, 2.5), abs=1e-12)
     # Half a swing about the depth of rest g/k, and twice the arc from there to the surface.

@@ -14,7 +14,7 @@ def grid(case):
     return np.array(setup["first"]) + np.stack([i, j], axis=-1) * setup["unit"], np.sign(j - i)
 
 
-def test_the_plain_test_in_doubles_gets_the_published_number_of_signs_wrong(as_published):
+def test_plain_doubles_get_the_published_number_of_signs_wrong(as_published):
     as_published("P24")
 
 

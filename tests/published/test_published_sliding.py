@@ -8,7 +8,7 @@ from reference.published.theirs import published
 
 
 @pytest.mark.statement(24, oracle="P2: SimBenchmark's plate under twenty-five balls")
-def test_p2_a_plate_slips_from_under_its_balls_as_published(as_published):
+def test_p2_a_plate_slides_from_under_its_balls_as_published(as_published):
     found = as_published("P2")
     # By hand the balls roll: 2/7 of the plate's acceleration; fifty sweeps leave 1e-12 of that
     assert found["ball_acceleration"][0] == pytest.approx(2 / 7 * found["box_acceleration"][0], rel=1e-10)

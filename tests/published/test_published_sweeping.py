@@ -13,7 +13,7 @@ def test_segments_boxes_and_rays_meet_as_in_box2d(as_published):
 
 
 @pytest.mark.statement(10, oracle="Box2D's unit test of the time of impact")
-def test_the_slabs_of_a_segment_swept_into_a_box_meet_when_box2d_says():
+def test_the_slab_test_finds_the_time_of_box2d_for_a_segment_and_a_box():
     case = published("P19")
     half, still = case.numbers("box_half_extents"), np.zeros(3)
     place, way = case.values("segment_place", "segment_way")

@@ -58,12 +58,12 @@ def test_the_grid_finds_the_pairs_that_a_tree_finds_each_once(dimensions, spread
     st.sampled_from([0.5, 1.0, math.sqrt(2), 2.0, 3.0, 100.0]),
     st.sampled_from([0.0, 0.5, -7.0, 1e6]),
 )
-def test_points_on_cell_borders_are_paired_as_by_brute_force(lattice, radius, shift):
+def test_points_on_borders_of_cells_are_paired_as_by_brute_force(lattice, radius, shift):
     position = lattice + shift  # whole and half numbers: distances are exact, many of them equal to the radius
     assert np.array_equal(np.stack(neighbour_pairs(position, radius), axis=1), brute_force(position, radius))
 
 
-def test_points_are_neighbours_up_to_exactly_one_radius_apart():
+def test_points_exactly_a_radius_apart_are_still_neighbours():
     place = [[0.0, 0.0], [1.0, 0.0], [0.0, np.nextafter(1.0, 2.0)]]
     assert np.stack(neighbour_pairs(place, 1.0), axis=1).tolist() == [[0, 1]]
     assert len(neighbour_pairs([[0.0, 0.0, 0.0], [2.0, 3.0, 6.0]], 7.0)[0]) == 1
@@ -100,7 +100,7 @@ def test_clusters_any_distance_apart_are_found_in_the_same_memory(dimensions, sp
 @given(
     st.floats(1e-6, 1e6), st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=2, max_size=20), st.integers(0, 99)
 )
-def test_points_that_rounding_puts_on_either_side_of_a_border_are_not_lost(radius, steps, seed):
+def test_points_that_rounding_moves_across_a_border_are_not_lost(radius, steps, seed):
     # Whole multiples of the radius, each coordinate moved by one or two spacings, far from the origin
     rng = np.random.default_rng(seed)
     position = np.array(steps) * radius + 1e4 * radius
@@ -108,7 +108,7 @@ def test_points_that_rounding_puts_on_either_side_of_a_border_are_not_lost(radiu
     assert np.array_equal(np.stack(neighbour_pairs(position, radius), axis=1), brute_force(position, radius))
 
 
-def test_neighbours_do_not_depend_on_point_order_or_scene_position():
+def test_neighbours_depend_neither_on_the_order_nor_on_the_place():
     rng = np.random.default_rng(RNG_SEED)
     position = rng.uniform(-3, 3, (200, 3))
     pairs = {frozenset(pair) for pair in zip(*neighbour_pairs(position, 1.0), strict=True)}
@@ -180,7 +180,7 @@ def test_separation_adds_no_momentum_to_the_flock(lattice, radius):
     assert np.abs(push.sum(axis=0)).max(initial=0.0) < 1e-13 * (1 + np.abs(push).sum())
 
 
-def test_boids_at_the_same_place_do_not_push_each_other_and_give_no_nan():
+def test_boids_at_the_same_place_do_not_push_each_other():
     position = np.array([[1.0, 1.0, 1.0]] * 3 + [[1.0, 1.0, 1.5]])
     push = separation(position, *neighbour_pairs(position, 1.0))
     assert push.tolist() == [[0.0, 0.0, -2.0]] * 3 + [[0.0, 0.0, 6.0]]
@@ -231,7 +231,7 @@ def test_no_boid_is_faster_or_changes_faster_than_it_may():
 
 @pytest.mark.statement(1, oracle="rotation, translation, Galilean boost and renumbering of the scene")
 @given(st.integers(0, 1000))
-def test_a_flock_behaves_the_same_when_shifted_turned_or_renumbered(seed):
+def test_a_flock_turns_moves_and_renumbers_with_the_scene(seed):
     rng = np.random.default_rng(seed)
     position, velocity = rng.uniform(-2, 2, (2, 40, 3))
     turn, shift, order = rotation(rng), rng.normal(size=3), rng.permutation(40)
@@ -251,7 +251,7 @@ def test_a_flock_behaves_the_same_when_shifted_turned_or_renumbered(seed):
 @pytest.mark.statement(
     1, oracle="linear theory: everybody sees everybody, so differences decay as (1 − w n/(n − 1) dt)"
 )
-def test_alignment_alone_brings_all_boids_to_their_mean_velocity():
+def test_alignment_alone_approaches_the_mean_velocity_at_its_weight():
     rng = np.random.default_rng(RNG_SEED)
     count, rate, dt, steps = 20, 0.8, 0.05, 40
     position, velocity = rng.uniform(0, 0.1, (count, 3)), rng.normal(size=(count, 3))
@@ -262,7 +262,7 @@ def test_alignment_alone_brings_all_boids_to_their_mean_velocity():
     assert np.abs(velocity - mean - decay * start).max() < 1e-13  # rounding of 40 steps with numbers of order 1
 
 
-def test_two_boids_rest_where_separation_and_cohesion_balance():
+def test_two_boids_come_to_rest_where_separation_balances_cohesion():
     position, velocity = np.array([[0.0, 0.0], [0.4, 0.3]]), np.zeros((2, 2))
     for _ in range(800):
         position, velocity = flock_step(position, velocity, 0.05, 5.0, (1.0, 1.0, 0.25), 10.0, 100.0)

@@ -59,7 +59,7 @@ def test_reaching_the_surface_costs_a_third_of_strength_times_reach():
 
 
 @given(st.floats(-5, 10), st.floats(0, 50), st.floats(0.1, 5))
-def test_the_field_is_full_inside_and_falls_to_zero_at_its_reach(separation, strength, reach):
+def test_the_field_falls_from_full_strength_inside_to_zero_at_its_reach(separation, strength, reach):
     force = repelling_force(separation, UP, strength, reach)
     assert force[0] == force[1] == 0
     assert 0 <= force[2] <= strength
@@ -95,12 +95,12 @@ def test_the_field_of_a_sphere_points_away_from_its_centre():
     assert np.abs(moved - force @ turn.T).max() < 1e-13  # shifted coordinates are rounded once more
 
 
-def test_the_force_at_the_exact_centre_of_a_sphere_is_zero():
+def test_at_the_centre_of_a_sphere_the_force_is_zero():
     assert sphere_force(EAST, EAST, 1.0, 5.0, 1.0).tolist() == [0.0, 0.0, 0.0]
 
 
 @pytest.mark.statement(1, oracle="energy: F0 R/3 (1 − s/R)³ of the field becomes motion away from the wall")
-def test_a_field_lets_nobody_fly_along_a_wall():
+def test_a_field_pushes_away_a_body_that_flies_along_a_wall():
     strength, reach, start = 2.0, 1.0, 0.4
     wall = (0.0, 1.0, 0.0)
 
@@ -117,7 +117,7 @@ def test_a_field_lets_nobody_fly_along_a_wall():
 
 
 @pytest.mark.statement(1, oracle="balance of the two forces, solved by hand")
-def test_a_flier_heading_straight_at_an_obstacle_stops_short_of_its_goal():
+def test_head_on_a_flier_stops_short_of_its_goal():
     strength, reach, pull = 4.0, 2.0, 1.0
     centre, radius = np.zeros(3), 1.0
 
@@ -131,7 +131,7 @@ def test_a_flier_heading_straight_at_an_obstacle_stops_short_of_its_goal():
     assert abs(path[3, -1]) < 1e-7  # integrator's error is left
 
 
-def test_half_a_millimetre_to_the_side_resolves_the_obstacle_deadlock():
+def test_half_a_millimetre_aside_the_deadlock_of_one_obstacle_dissolves():
     def force(position):
         return sphere_force(position, np.zeros(3), 1.0, 4.0, 2.0) + EAST
 
@@ -139,7 +139,7 @@ def test_half_a_millimetre_to_the_side_resolves_the_obstacle_deadlock():
 
 
 @pytest.mark.statement(1, oracle="brentq for the place where the pull balances two fields")
-def test_two_obstacles_make_a_trap_in_front_of_a_gap_that_is_wide_enough():
+def test_two_obstacles_trap_a_flier_before_a_gap_that_is_wide_enough():
     brentq = oracle("scipy.optimize").brentq
     posts = np.array([[0.0, 1.5, 0.0], [0.0, -1.5, 0.0]])  # radius 1: the gap is 1 m wide
 
@@ -157,7 +157,7 @@ def test_two_obstacles_make_a_trap_in_front_of_a_gap_that_is_wide_enough():
 
 
 @pytest.mark.statement(1, oracle="symmetry")
-def test_the_forces_of_two_obstacles_cancel_halfway_between_them():
+def test_halfway_between_two_obstacles_their_forces_cancel():
     for gap in (2.0, 0.2, 0.0, -0.5):  # the last two leave no way through at all
         posts = np.array([[0.0, 1.0 + gap / 2, 0.0], [0.0, -1.0 - gap / 2, 0.0]])
         each = sphere_force(np.zeros(3), posts, 1.0, 4.0, 2.0)
@@ -166,7 +166,7 @@ def test_the_forces_of_two_obstacles_cancel_halfway_between_them():
 
 
 @pytest.mark.erratum(1)
-def test_a_field_moves_the_goal_unless_it_has_a_finite_range():
+def test_only_a_field_without_a_range_moves_the_goal():
     goal, obstacle = np.zeros(3), 3.0 * EAST
 
     def at_rest(field):
@@ -232,7 +232,7 @@ def test_vectors_without_three_numbers_are_refused_by_name(call, names):
 
 @pytest.mark.statement(1, oracle="a tangent touches the sphere at a right angle to its radius")
 @given(POINT, POINT, POINT, RADIUS)
-def test_the_line_to_the_tangent_point_touches_the_sphere_at_a_right_angle(position, heading, centre, radius):
+def test_the_line_to_the_tangent_point_meets_its_radius_at_a_right_angle(position, heading, centre, radius):
     distance = np.linalg.norm(centre - position)
     assume(distance > radius)
     point = tangent_point(position, heading, centre, radius)
@@ -251,7 +251,7 @@ def test_from_five_metres_a_sphere_of_three_is_touched_after_four():
 
 @pytest.mark.statement(1, oracle="the other points of the circle of tangent points, sampled")
 @given(POINT, POINT, POINT, RADIUS)
-def test_of_all_tangent_points_it_is_the_one_that_asks_for_the_smallest_turn(position, heading, centre, radius):
+def test_the_tangent_point_is_the_one_with_the_smallest_turn(position, heading, centre, radius):
     towards = centre - position
     distance, size = np.linalg.norm(towards), np.linalg.norm(heading)
     assume(distance > 1.001 * radius)
@@ -277,7 +277,7 @@ def test_the_tangent_point_turns_and_moves_with_the_scene():
     assert np.abs(there - (here @ turn.T + shift)).max() < 1e-12  # metres, rounded some hundred times
 
 
-def test_a_heading_that_names_no_side_gives_the_left_as_seen_from_above():
+def test_a_heading_that_favours_no_side_gives_the_left_seen_from_above():
     ahead = np.array([5.0, 0.0, 0.0])
     for heading in (EAST, -EAST, np.zeros(3), EAST + 1e-12 * UP):  # at it, away from it, at rest, all but at it
         assert tangent_point(np.zeros(3), heading, ahead, 3.0) == pytest.approx([3.2, 2.4, 0.0], abs=1e-15)
@@ -289,7 +289,7 @@ def test_a_sphere_straight_above_or_below_is_passed_on_the_side_of_x():
         assert point == pytest.approx(3.2 * vertical + 2.4 * EAST, abs=1e-15)
 
 
-def test_the_tangent_point_from_inside_is_the_nearest_surface_point():
+def test_from_inside_the_tangent_point_is_the_nearest_surface_point():
     centre = np.array([1.0, 2.0, 3.0])
     assert tangent_point(centre + 0.5 * NORTH, EAST, centre, 2.0) == pytest.approx(centre + 2 * NORTH, abs=1e-15)
     assert tangent_point(centre, EAST, centre, 2.0) == pytest.approx(centre + 2 * UP, abs=1e-15)
@@ -297,7 +297,7 @@ def test_the_tangent_point_from_inside_is_the_nearest_surface_point():
     assert tangent_point(on_the_surface, NORTH, centre, 2.0) == pytest.approx(on_the_surface, abs=1e-15)
 
 
-def test_the_tangent_point_has_its_digits_where_the_sphere_is_almost_touched():
+def test_the_tangent_point_keeps_its_digits_next_to_the_sphere():
     gap = 2.0**-40
     point = tangent_point(np.zeros(3), NORTH, (1 + gap) * EAST, 1.0)
     with localcontext() as context:
@@ -323,7 +323,7 @@ def test_a_way_that_only_touches_the_sphere_is_free():
     assert is_in_the_way(np.zeros(3), 10 * EAST, 5 * EAST + UP, np.nextafter(1.0, 2.0))
 
 
-def test_being_in_the_way_does_not_depend_on_the_scale_of_the_scene():
+def test_whether_the_way_is_blocked_does_not_depend_on_the_scale():
     for scale in (1e-3, 0.5, 1.0, 1e3):
         assert is_in_the_way(np.zeros(3), scale * EAST, 0.5 * scale * EAST, 0.1 * scale)
         assert not is_in_the_way(np.zeros(3), scale * EAST, scale * (0.5 * EAST + 0.2 * UP), 0.1 * scale)
@@ -334,7 +334,7 @@ def test_at_the_goal_only_a_sphere_around_it_is_in_the_way():
 
 
 @given(POINT, POINT, POINT, RADIUS)
-def test_what_is_in_the_way_is_what_a_walk_along_it_runs_into(position, goal, centre, radius):
+def test_a_sphere_is_in_the_way_if_a_walk_along_it_runs_into_it(position, goal, centre, radius):
     walk = position + np.linspace(0, 1, 2001)[:, None] * (goal - position)
     nearest = np.linalg.norm(walk - centre, axis=1).min()
     stride = np.linalg.norm(goal - position) / 2000
@@ -345,7 +345,7 @@ def test_what_is_in_the_way_is_what_a_walk_along_it_runs_into(position, goal, ce
 
 @pytest.mark.statement(1, oracle="tangent_point, whose formula is another")
 @given(POINT, POINT, POINT, POINT, RADIUS)
-def test_the_direction_around_a_sphere_is_the_one_to_its_tangent_point(position, velocity, goal, centre, radius):
+def test_the_direction_around_a_sphere_leads_to_its_tangent_point(position, velocity, goal, centre, radius):
     to_goal, towards = goal - position, centre - position
     direction = steer_around(position, velocity, goal, centre, radius)
     if not is_in_the_way(position, goal, centre, radius):
@@ -360,7 +360,7 @@ def test_the_direction_around_a_sphere_is_the_one_to_its_tangent_point(position,
     assert direction == pytest.approx(way / np.linalg.norm(way), abs=1e-10)  # k as small as 4 % of r: some digits go
 
 
-def test_at_rest_or_head_on_the_side_of_the_goal_is_taken_and_then_the_left():
+def test_at_rest_or_head_on_it_takes_the_side_of_the_goal():
     centre = 5 * EAST
     below = (10.0, 0.0, -1.0)
     for velocity in (np.zeros(3), EAST, -EAST):
@@ -376,7 +376,7 @@ def test_obstacles_behind_and_beyond_the_goal_do_not_turn_the_flier():
         assert steer_around(np.zeros(3), NORTH, 4 * EAST, centre, 2.0).tolist() == [1.0, 0.0, 0.0]
 
 
-def test_steering_inside_the_sphere_leads_straight_out():
+def test_inside_the_sphere_the_way_leads_straight_out():
     assert steer_around(0.5 * NORTH, EAST, 9 * EAST, np.zeros(3), 2.0).tolist() == [0.0, 1.0, 0.0]
     assert steer_around(np.zeros(3), NORTH, 9 * EAST, np.zeros(3), 2.0).tolist() == [1.0, 0.0, 0.0]
     assert steer_around(np.zeros(3), NORTH, np.zeros(3), np.zeros(3), 2.0).tolist() == [0.0, 0.0, 0.0]
@@ -386,7 +386,7 @@ def test_on_the_surface_the_way_around_is_along_it():
     assert steer_around(-EAST, UP, 9 * EAST, np.zeros(3), 1.0).tolist() == [0.0, 0.0, 1.0]
 
 
-def test_at_the_goal_there_is_nowhere_to_go():
+def test_at_the_goal_the_direction_is_zero():
     assert steer_around(EAST, NORTH, EAST, 9 * EAST, 1.0).tolist() == [0.0, 0.0, 0.0]
 
 
@@ -435,14 +435,14 @@ def test_bodies_that_part_or_move_together_are_nearest_now():
 
 
 @given(POINT, POINT, POINT, POINT, RADIUS, RADIUS)
-def test_the_nearest_approach_is_the_same_for_a_and_for_b(xa, va, xb, vb, ra, rb):
+def test_exchanging_two_bodies_changes_no_time_between_them(xa, va, xb, vb, ra, rb):
     assert nearest_approach(xa, va, xb, vb, ra, rb)[0] == nearest_approach(xb, vb, xa, va, rb, ra)[0]
     assert time_to_collision(xa, va, ra, xb, vb, rb) == time_to_collision(xb, vb, rb, xa, va, ra)
 
 
 @pytest.mark.statement(1, oracle="brentq on the distance between the surfaces")
 @given(POINT, POINT, POINT, POINT, RADIUS, RADIUS)
-def test_spheres_collide_when_their_distance_falls_to_the_sum_of_their_radii(xa, va, xb, vb, ra, rb):
+def test_spheres_collide_when_their_distance_is_the_sum_of_their_radii(xa, va, xb, vb, ra, rb):
     brentq = oracle("scipy.optimize").brentq
     time = float(time_to_collision(xa, va, ra, xb, vb, rb))
     nearest, separation = (float(x) for x in nearest_approach(xa, va, xb, vb, ra, rb))
@@ -468,14 +468,14 @@ def test_spheres_that_overlap_or_touch_and_approach_collide_now():
     assert time_to_collision(EAST, NORTH, 0.5, EAST, NORTH, 0.0) == 0
 
 
-def test_spheres_that_touch_but_do_not_approach_never_meet():
+def test_spheres_that_touch_and_do_not_approach_never_meet():
     touching = (np.zeros(3), 1.0, 2 * EAST, 1.0)
     for velocity in (-EAST, UP, np.zeros(3)):
         assert time_to_collision(touching[0], velocity, touching[1], touching[2], np.zeros(3), touching[3]) == math.inf
     assert time_to_collision(np.zeros(3), EAST, 1.0, 5 * EAST, EAST, 1.0) == math.inf
 
 
-def test_spheres_that_just_graze_meet_and_slightly_farther_ones_do_not():
+def test_spheres_that_just_graze_meet():
     def meeting(aside):
         return time_to_collision(np.zeros(3), EAST, 1.0, 5 * EAST + aside * UP, np.zeros(3), 1.0)
 

@@ -36,7 +36,7 @@ def meets_within(towards, reach, u, horizon):
 
 @pytest.mark.statement(1, oracle="the definition: discs meet within the horizon just inside the border, not outside")
 @given(VECTOR, VECTOR, VECTOR, RADIUS, RADIUS, st.floats(0.5, 8))
-def test_the_half_plane_lies_half_way_to_the_nearest_safe_velocity(va, vb, towards, ra, rb, tau):
+def test_a_takes_half_the_way_to_the_nearest_velocity_without_collision(va, vb, towards, ra, rb, tau):
     reach, distance = ra + rb, np.linalg.norm(towards)
     assume(distance > 1.01 * reach)
     point, normal = orca_half_plane((0, 0), va, ra, towards, vb, rb, tau, 0.1)
@@ -126,7 +126,7 @@ def test_head_on_each_turns_to_its_right_by_the_angle_of_the_cone():
     assert point == pytest.approx(np.array([1.0, 0.0]) + 0.6 * normal, abs=1e-15)
 
 
-def test_a_velocity_too_slow_to_meet_in_time_is_judged_by_the_round_end():
+def test_the_round_end_of_the_cone_judges_a_slow_relative_velocity():
     # u = (1/2, 0): they would meet after 8 s, beyond the horizon of 4 s. Centre of the disc 5/4, its radius 1/4.
     point, normal = orca_half_plane((0, 0), (0.5, 0), 0.5, (5, 0), (0, 0), 0.5, 4.0, 0.1)
     assert normal == pytest.approx([-1.0, 0.0], abs=1e-15)
@@ -134,7 +134,7 @@ def test_a_velocity_too_slow_to_meet_in_time_is_judged_by_the_round_end():
 
 
 @given(VECTOR, VECTOR, st.floats(1e-3, 1), ANGLE, RADIUS, RADIUS, st.floats(0.02, 0.5))
-def test_discs_that_overlap_just_touch_after_one_step_if_each_does_its_half(va, vb, share, angle, ra, rb, dt):
+def test_overlapping_discs_just_touch_after_one_step_of_both_halves(va, vb, share, angle, ra, rb, dt):
     reach = ra + rb
     towards = share * reach * np.array([math.cos(angle), math.sin(angle)])
     assume(np.linalg.norm(towards) <= reach)
@@ -146,7 +146,7 @@ def test_discs_that_overlap_just_touch_after_one_step_if_each_does_its_half(va, 
     assert abs(normal @ after) == pytest.approx(reach, abs=1e-12)
 
 
-def test_discs_that_touch_are_not_to_approach_any_more():
+def test_discs_that_touch_may_not_approach_further():
     point, normal = orca_half_plane((0, 0), (1, 0), 0.5, (1, 0), (-1, 0), 0.5, 5.0, 0.1)
     assert normal == pytest.approx([-1.0, 0.0], abs=1e-15)
     assert point == pytest.approx([0.0, 0.0], abs=1e-15)
@@ -156,7 +156,7 @@ def test_discs_that_touch_are_not_to_approach_any_more():
     assert (point - (0, 1)) @ normal == pytest.approx((10 - math.sqrt(101)) / 2, abs=1e-14)
 
 
-def test_discs_at_one_place_get_an_answer_and_leave_it_on_either_side():
+def test_discs_at_one_place_leave_it_in_opposite_directions():
     point, normal = orca_half_plane((2, 3), (0, 0), 0.5, (2, 3), (0, 0), 0.5, 5.0, 0.5)
     assert normal.tolist() == [1.0, 0.0]
     assert point.tolist() == [1.0, 0.0]
@@ -166,14 +166,14 @@ def test_discs_at_one_place_get_an_answer_and_leave_it_on_either_side():
     assert position.tolist() == [[2.5, 3.0], [1.5, 3.0]]
 
 
-def test_overlapping_discs_about_to_coincide_are_sent_apart():
+def test_overlapping_discs_whose_velocities_would_exchange_them_are_parted():
     # u = x/dt: the centre of B would be reached in one step, the centre of the disc of velocities
     point, normal = orca_half_plane((0, 0), (8, 0), 0.5, (0.8, 0), (0, 0), 0.5, 5.0, 0.1)
     assert normal.tolist() == [-1.0, 0.0]
     assert point == pytest.approx([3.0, 0.0], abs=1e-15)  # R/dt = 10, half of it back
 
 
-def test_points_without_a_size_at_one_place_get_a_finite_half_plane():
+def test_two_points_at_one_place_have_a_finite_half_plane():
     for va in ((0.0, 0.0), (1.0, 2.0)):
         for plane in orca_half_plane((1, 1), va, 0.0, (1, 1), (0, 0), 0.0, 2.0, 0.1):
             assert np.all(np.isfinite(plane))
@@ -270,7 +270,7 @@ def test_the_permitted_velocity_is_the_one_that_slsqp_finds():
 
 @pytest.mark.statement(1, oracle="scipy's linear programme, with the speed limit as a polygon around the disc")
 @pytest.mark.parametrize("scenes", [20, pytest.param(60, marks=pytest.mark.slow)])
-def test_the_worst_violation_is_least_where_no_velocity_is_permitted(scenes):
+def test_where_nothing_is_permitted_the_worst_violation_is_least(scenes):
     linprog = oracle("scipy.optimize").linprog
     rng = np.random.default_rng(RNG_SEED)
     corner = np.linspace(0, 2 * np.pi, 2000, endpoint=False)
@@ -295,7 +295,7 @@ def test_the_worst_violation_is_least_where_no_velocity_is_permitted(scenes):
 
 
 @pytest.mark.statement(1, oracle="navground 0.7, which runs RVO2's programme, in single precision")
-def test_among_many_neighbours_the_chosen_velocity_is_that_of_navground():
+def test_among_many_neighbours_navground_chooses_the_same_velocity():
     core = oracle("navground.core")
     rng = np.random.default_rng(RNG_SEED)
     feasible = blocked = 0
@@ -327,24 +327,24 @@ def test_without_half_planes_only_the_speed_limit_counts():
     assert permitted_velocity((0.3, 0.4), 0.0, empty, empty).tolist() == [0.0, 0.0]
 
 
-def test_a_half_plane_that_is_kept_already_changes_nothing():
+def test_a_half_plane_that_the_wish_obeys_changes_nothing():
     assert permitted_velocity((1.0, 0.0), 2.0, [(0.0, 0.0)], [(1.0, 0.0)]).tolist() == [1.0, 0.0]
     assert permitted_velocity((0.0, 1.0), 2.0, [(0.0, 0.0)], [(1.0, 0.0)]).tolist() == [0.0, 1.0]
 
 
-def test_a_forbidden_velocity_moves_to_the_nearest_border_or_corner():
+def test_a_wish_behind_borders_moves_to_the_foot_or_to_the_corner():
     down, left = (0.0, -1.0), (-1.0, 0.0)
     assert permitted_velocity((0.5, 1.0), 5.0, [(0.0, 0.25)], [down]).tolist() == [0.5, 0.25]
     assert permitted_velocity((2.0, 1.0), 5.0, [(0.0, 0.25), (0.5, 0.0)], [down, left]).tolist() == [0.5, 0.25]
 
 
-def test_between_two_opposite_borders_that_leave_no_room_the_middle_is_taken():
+def test_between_two_opposite_borders_without_room_it_takes_the_middle():
     # v_x ≥ 1 and v_x ≤ −0.5: whoever breaks both alike stands at 0.25
     found = permitted_velocity((0.0, 0.7), 5.0, [(1.0, 0.0), (-0.5, 0.0)], [(1.0, 0.0), (-1.0, 0.0)])
     assert found[0] == pytest.approx(0.25, abs=1e-15)
 
 
-def test_a_border_beyond_the_speed_limit_is_approached_at_the_speed_limit():
+def test_a_border_beyond_the_speed_limit_is_approached_at_the_limit():
     assert permitted_velocity((0.0, 1.0), 1.0, [(3.0, 0.0)], [(1.0, 0.0)]) == pytest.approx([1.0, 0.0], abs=1e-15)
 
 
@@ -370,13 +370,13 @@ def test_two_half_planes_that_share_a_border_leave_the_border():
             assert permitted_velocity(wish, 1.5, *both) == pytest.approx(foot, abs=1e-12)
 
 
-def test_of_parallel_half_planes_that_cannot_be_kept_the_farthest_counts():
+def test_of_parallel_half_planes_out_of_reach_the_farthest_counts():
     blocked = [(3.0, 0.0), (3.0, 0.0), (2.0, 0.0)], [(1.0, 0.0), (1.0, 0.0), (1.0, 0.0)]
     assert permitted_velocity((0.0, 1.0), 1.0, *blocked) == pytest.approx([1.0, 0.0], abs=1e-15)
 
 
 @given(st.integers(0, 500), ANGLE)
-def test_the_permitted_velocity_turns_with_the_scene(seed, angle):
+def test_the_permitted_velocity_turns_with_the_scene_in_any_order(seed, angle):
     rng = np.random.default_rng(seed)
     point, normal = scene(rng, 6, 0.5)
     wish = rng.normal(size=2)
@@ -442,7 +442,7 @@ def test_a_crowd_that_crosses_a_circle_arrives_without_a_collision(count):
     assert np.linalg.norm(path[-1] + start, axis=1).max() < 0.2
 
 
-def test_a_symmetric_ring_without_a_turn_jams_at_its_centre():
+def test_a_symmetric_ring_jams_at_its_centre_without_a_collision():
     start = ring(3, 4.0)
     path = walk(start, -start, 20.0)
     assert least_gap(path) >= -1e-9
@@ -451,7 +451,7 @@ def test_a_symmetric_ring_without_a_turn_jams_at_its_centre():
     assert np.linalg.norm(path[-1] + start, axis=1).min() > 3.0
 
 
-def test_two_who_meet_a_hair_off_head_on_pass_each_other_on_mirrored_paths():
+def test_two_discs_almost_head_on_pass_on_mirrored_paths():
     start = np.array([[-5.0, 0.0], [5.0, 1e-3]])
     path = walk(start, -start[:, :1] * [1.0, 0.0], 20.0)
     middle = start.mean(axis=0)
@@ -462,7 +462,7 @@ def test_two_who_meet_a_hair_off_head_on_pass_each_other_on_mirrored_paths():
     assert np.linalg.norm(path[-1] + start, axis=1).max() < 0.1
 
 
-def test_two_who_start_from_rest_exactly_head_on_stop_in_front_of_each_other():
+def test_two_discs_exactly_head_on_stop_in_front_of_each_other():
     start = np.array([[-5.0, 0.0], [5.0, 0.0]])
     path = walk(start, -start, 30.0)
     assert np.all(path[:, :, 1] == 0.0)  # nothing names a side
@@ -479,7 +479,7 @@ def test_a_crowd_that_overlaps_comes_apart():
     assert least_gap(position[None]) >= -1e-9
 
 
-def test_who_is_alone_or_out_of_reach_takes_the_wish():
+def test_a_disc_alone_or_out_of_reach_follows_its_wish():
     position, velocity = np.array([[0.0, 0.0], [100.0, 0.0]]), np.zeros((2, 2))
     wish = np.array([[1.0, 0.0], [0.0, -0.5]])
     after, moving = crowd_step(position, velocity, wish, 0.5, 1.5, 4.0, 0.1)
@@ -489,7 +489,7 @@ def test_who_is_alone_or_out_of_reach_takes_the_wish():
 
 
 @given(st.integers(0, 200), ANGLE)
-def test_a_crowd_behaves_alike_however_it_is_numbered_and_turned(seed, angle):
+def test_a_crowd_turns_and_renumbers_with_the_scene(seed, angle):
     rng = np.random.default_rng(seed)
     position = 1.2 * np.argwhere(np.ones((4, 4))) + rng.uniform(-0.05, 0.05, (16, 2))  # none overlaps
     velocity, wish = rng.normal(size=(2, 16, 2)) * 0.1
@@ -514,7 +514,7 @@ def test_discs_of_different_sizes_and_speeds_keep_clear_of_each_other():
         assert distance[~np.eye(16, dtype=bool)].min() >= -1e-9
 
 
-def test_a_crowd_step_leaves_what_enters_as_it_was_and_refuses_nonsense():
+def test_a_crowd_step_changes_no_input_and_refuses_nonsense():
     position, velocity, wish = np.random.default_rng(RNG_SEED).normal(size=(3, 6, 2))
     before = [array.copy() for array in (position, velocity, wish)]
     crowd_step(position, velocity, wish, 0.5, 0.7, 2.0, 0.1)
@@ -536,7 +536,7 @@ def test_a_crowd_step_leaves_what_enters_as_it_was_and_refuses_nonsense():
             crowd_step(*args)
 
 
-def test_a_batch_of_wishes_speeds_or_borders_matches_single_results():
+def test_many_wishes_speeds_or_borders_are_each_solved_as_if_alone():
     wishes, speeds = np.array([(0.5, 1.0), (2.0, 0.0), (-1.0, -1.0)]), np.array([0.4, 1.0, 3.0])
     point, normal = [(0.0, 0.25), (0.5, 0.0)], [(0.0, -1.0), (-1.0, 0.0)]
     moved = np.array([(0.0, 0.0), (0.1, 0.2), (-0.3, 0.4)])[:, None] + point

@@ -49,7 +49,7 @@ def test_a_limit_of_zero_stops_and_an_infinite_one_lets_pass():
 
 
 @pytest.mark.statement(1, oracle="a 3-4-5 triangle, and the angle to the target")
-def test_one_who_seeks_wants_full_speed_towards_the_target():
+def test_a_body_that_seeks_wants_full_speed_towards_the_target():
     assert seek((1.0, 1.0), (4.0, 5.0), 2.0) == pytest.approx([1.2, 1.6], abs=1e-15)
     assert seek((0.0, 0.0, 0.0), (0.0, 0.0, -0.1), 2.0).tolist() == [0.0, 0.0, -2.0]
     rng = np.random.default_rng(RNG_SEED)
@@ -61,7 +61,7 @@ def test_one_who_seeks_wants_full_speed_towards_the_target():
 
 
 @given(st.one_of(st.tuples(SPACE, SPACE), st.tuples(PLANE, PLANE)), st.floats(0, 100))
-def test_one_who_flees_wants_the_opposite_and_gets_farther_away(places, speed):
+def test_a_body_that_flees_wants_the_opposite_and_gets_farther_away(places, speed):
     position, target = places
     assert np.array_equal(flee(position, target, speed), -seek(position, target, speed))
     before = np.linalg.norm(position - target)
@@ -76,7 +76,7 @@ def test_at_the_target_neither_seeking_nor_fleeing_has_a_direction():
 
 
 @pytest.mark.erratum(1)
-def test_who_seeks_as_it_is_widely_copied_flees():
+def test_as_widely_copied_a_body_that_seeks_flees():
     position, target = np.array([0.0, 0.0]), np.array([3.0, 4.0])
     assert as_printed.seek(position, target, 5.0) == pytest.approx([-3.0, -4.0], abs=1e-15)
     assert as_printed.seek(position, target, 5.0) == pytest.approx(flee(position, target, 5.0), abs=1e-15)
@@ -94,7 +94,7 @@ def test_who_seeks_as_it_is_widely_copied_flees():
 # The force
 
 
-def test_the_force_reaches_the_desired_velocity_in_the_response_time():
+def test_the_force_reaches_the_wanted_velocity_in_the_response_time():
     force = steering_force((1.0, 0.0), (3.0, -1.0), 2.0, 0.5, 100.0)
     assert force.tolist() == [8.0, -4.0]
     assert (np.array([1.0, 0.0]) + force / 2.0 * 0.5).tolist() == [3.0, -1.0]
@@ -115,7 +115,7 @@ def test_a_velocity_approaches_the_wanted_one_exponentially():
 # Arriving
 
 
-def test_who_arrives_slows_down_in_step_with_the_distance():
+def test_a_body_that_arrives_slows_in_proportion_to_the_distance():
     at = np.array([[8.0, 0.0], [4.0, 0.0], [2.0, 0.0], [1.0, 0.0], [0.0, 0.0]])
     wanted = arrive(at, (0.0, 0.0), 3.0, 4.0)
     assert np.abs(wanted[:, 0]) == pytest.approx([3.0, 3.0, 1.5, 0.75, 0.0], rel=1e-15, abs=0)
@@ -132,7 +132,7 @@ def test_beyond_the_slowing_radius_arriving_is_seeking(position, target, speed, 
 
 @pytest.mark.statement(1, oracle="solve_ivp; the oscillator x″ + x′/τ + v_max x/(R τ) = 0 is critical at R = 4 v_max τ")
 @pytest.mark.parametrize("share", [1.0, 1.5, 4.0])
-def test_a_slowing_radius_of_four_response_lengths_prevents_overshoot(share):
+def test_a_slowing_radius_of_four_response_lengths_avoids_overshoot(share):
     speed, tau = 2.0, 0.25
     radius = share * 4 * speed * tau
     path = flight(
@@ -157,7 +157,7 @@ def test_with_a_shorter_slowing_radius_it_overshoots():
 
 
 @pytest.mark.statement(1, oracle="solve_ivp; braking from v_max within R takes m v_max²/R")
-def test_a_force_too_weak_to_brake_makes_the_body_overshoot():
+def test_a_body_overshoots_only_if_its_force_is_too_weak_to_brake():
     speed, tau, radius, mass = 4.0, 0.05, 8.0, 3.0
 
     def farthest(force):

@@ -36,7 +36,7 @@ def rotation(rng: np.random.Generator) -> np.ndarray:
 
 
 @pytest.mark.statement(4, oracle="a 3-4-5 triangle")
-def test_the_distance_from_a_plane_is_measured_along_the_unit_normal():
+def test_distance_from_a_plane_is_measured_along_the_unit_normal():
     # 3-4-5: the normal has length 5 and the plane 3x + 4z = 10 stands 2 m from the origin.
     assert signed_distance((0.0, 0.0, 0.0), (3.0, 0.0, 4.0), -10.0) == -2.0
     assert signed_distance((3.0, 7.0, 4.0), (3.0, 0.0, 4.0), -10.0) == 3.0
@@ -57,7 +57,7 @@ def test_the_signed_distance_is_what_exact_arithmetic_gives(point, normal, offse
 
 
 @given(POINT, DIRECTION, METRES)
-def test_moving_back_by_the_signed_distance_ends_on_the_plane(point, normal, offset):
+def test_going_back_by_the_signed_distance_ends_on_the_plane(point, normal, offset):
     unit = np.array(normal) / np.linalg.norm(normal)
     distance = signed_distance(point, normal, offset)
     foot = np.array(point) - distance * unit
@@ -78,7 +78,7 @@ def test_no_point_of_the_plane_is_nearer_than_the_distance():
 
 
 @given(POINT, DIRECTION, METRES, st.floats(1e-2, 1e2))
-def test_the_normal_sets_the_sign_of_the_distance_but_not_its_length(point, normal, offset, factor):
+def test_only_the_direction_of_the_normal_matters(point, normal, offset, factor):
     plane = np.array(normal)
     here = signed_distance(point, plane, offset)
     tolerance = 1e-12 * (1e3 / np.linalg.norm(normal) + abs(here))  # rounding of terms up to 1e3 over the length
@@ -107,7 +107,7 @@ def test_a_plane_whose_normal_is_zero_is_refused_even_as_one_of_many():
 # Colliding
 
 
-def test_a_point_collides_only_once_it_is_behind_the_plane():
+def test_a_point_exactly_on_the_plane_is_not_colliding():
     behind = -np.finfo(float).smallest_subnormal
     assert is_colliding([1.0, 0.0, -0.0, behind, -1.0]).tolist() == [False, False, False, True, True]
 
@@ -118,7 +118,7 @@ def test_overlap_up_to_the_tolerance_is_not_a_collision():
     assert is_colliding(-0.5, [0.25, 0.5, 0.75]).tolist() == [True, False, False]
 
 
-def test_a_point_behind_the_plane_collides_and_its_mirror_image_does_not():
+def test_a_point_behind_the_plane_collides_but_not_its_mirror_image():
     normal, offset = (0.0, 0.6, 0.8), 1.0
     point = np.array([5.0, -3.0, -1.0])  # 1.6 m behind
     mirrored = point - 2 * signed_distance(point, normal, offset) * np.array(normal)
@@ -148,7 +148,7 @@ def test_halfway_down_is_half_the_step():
 
 @pytest.mark.statement(5, oracle="the definition, on the plane")
 @given(BEHIND, STEP_START, STEP)
-def test_a_point_exactly_on_the_plane_and_moving_through_meets_it_at_once(after, t, dt):
+def test_a_point_that_starts_on_the_plane_and_goes_through_meets_it_at_once(after, t, dt):
     assert time_of_impact_interpolated(0.0, after, t, dt) == t
 
 
@@ -161,12 +161,12 @@ def test_a_point_that_ends_exactly_on_the_plane_has_not_gone_through():
     assert time_of_impact_interpolated(1.0, 0.0, 0.0, 0.1) == math.inf
 
 
-def test_a_point_that_starts_behind_the_plane_was_there_before_the_step():
+def test_a_point_that_starts_behind_the_plane_has_no_time_of_impact():
     assert np.all(np.isinf(time_of_impact_interpolated([-1.0, -1.0, -1e-300], [-2.0, 1.0, -1.0], 0.0, 0.1)))
 
 
 @given(ABOVE, BEHIND, STEP_START, STEP, st.floats(-1e3, 1e3))
-def test_the_slides_t_moves_along_with_the_clock_and_knows_no_unit_of_length(before, after, t, dt, later):
+def test_the_slides_t_moves_with_the_clock_and_not_with_the_unit_of_length(before, after, t, dt, later):
     here = time_of_impact_interpolated(before, after, t, dt)
     shifted = time_of_impact_interpolated(before, after, t + later, dt)
     assert shifted - later == pytest.approx(here, abs=1e-11)  # times up to 2e3 s, rounded some ten times
@@ -174,7 +174,7 @@ def test_the_slides_t_moves_along_with_the_clock_and_knows_no_unit_of_length(bef
 
 
 @given(st.floats(0.1, 20), st.floats(0.5, 20), st.floats(1e-4, 2e-2), st.floats(1e-3, 0.999))
-def test_the_slides_time_is_early_by_at_most_g_dt_squared_over_8_v(gravity, speed, dt, share):
+def test_under_gravity_the_slides_t_is_early_by_up_to_g_dt_squared_over_8_v(gravity, speed, dt, share):
     height = share * speed * dt
     end = height - speed * dt - gravity * dt**2 / 2
     early = time_of_impact_exact(height, -speed, -gravity) - time_of_impact_interpolated(height, end, 0.0, dt)
@@ -225,7 +225,7 @@ def test_the_fall_onto_a_plane_takes_the_time_that_sixty_digits_give(s, u, a):
 
 
 @given(st.floats(1e-12, 1e6), st.floats(-1e6, -1e-9), UPWARDS)
-def test_a_body_slowed_on_its_way_meets_the_plane_only_if_fast_enough(s, u, a):
+def test_a_body_that_is_braked_meets_the_plane_only_if_fast_enough(s, u, a):
     discriminant = Fraction(u) ** 2 - 2 * Fraction(a) * Fraction(s)
     # Within rounding of u² from grazing, float arithmetic cannot tell a touch from a miss.
     assume(abs(discriminant) > 4 * EPSILON * Fraction(u) ** 2)
@@ -239,7 +239,7 @@ def test_a_body_slowed_on_its_way_meets_the_plane_only_if_fast_enough(s, u, a):
 
 
 @pytest.mark.parametrize(("s", "u", "a"), [(1e-9, -100.0, -9.81), (1e-12, -1e3, -9.81), (1e-9, -100.0, 9.81)])
-def test_the_time_to_close_a_small_gap_at_high_speed_keeps_its_digits(s, u, a):
+def test_a_small_gap_closed_at_high_speed_keeps_its_digits(s, u, a):
     expected = float(exact_time(s, u, a))
     school = (-u - math.sqrt(u * u - 2 * a * s)) / a
     assert abs(school / expected - 1) > 1e-5  # u and the root agree in all but the last few digits
@@ -266,7 +266,7 @@ def test_a_ball_thrown_up_from_the_plane_returns_after_two_u_over_g():
     assert time_of_impact_exact(0.0, 3.0, -2.0) == 3.0
 
 
-def test_a_body_on_the_plane_that_moves_or_is_pressed_inward_meets_it_now():
+def test_a_body_on_the_plane_that_moves_in_or_is_pressed_on_meets_it_now():
     assert np.array_equal(time_of_impact_exact(0.0, [-1.0, -1.0, -1.0, 0.0], [-9.81, 0.0, 9.81, -9.81]), np.zeros(4))
 
 
@@ -280,7 +280,7 @@ def test_a_body_just_behind_the_plane_by_rounding_counts_as_on_it():
     [(1.0, 0.0, 0.0), (1.0, 2.0, 0.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 2.0, 3.0), (0.0, 0.0, 3.0)],
     ids=["hovers", "coasts away", "lies without weight", "drifts off", "is driven off", "is lifted off"],
 )
-def test_what_never_comes_down_has_no_time_of_impact(s, u, a):
+def test_a_body_that_never_comes_down_has_no_time_of_impact(s, u, a):
     assert time_of_impact_exact(s, u, a) == math.inf
 
 
@@ -288,13 +288,13 @@ def test_without_acceleration_the_gap_closes_at_a_steady_rate():
     assert time_of_impact_exact(3.0, -4.0, 0.0) == 0.75
 
 
-def test_a_body_touches_the_plane_if_it_turns_round_on_it_but_not_above_it():
+def test_a_body_that_turns_round_exactly_on_the_plane_touches_it():
     assert time_of_impact_exact(1.0, -2.0, 2.0) == 1.0  # u² = 2 a s exactly
     assert time_of_impact_exact(1.0, -2.0, 2.0 + 1e-9) == math.inf
 
 
 @given(st.floats(1e-3, 1e3), st.floats(-1e2, 1e2), st.floats(-1e2, -1e-2), st.floats(0.01, 0.99))
-def test_seen_from_later_on_the_way_the_impact_comes_that_much_sooner(s, u, a, share):
+def test_starting_later_on_the_way_brings_the_impact_that_much_nearer(s, u, a, share):
     whole = float(time_of_impact_exact(s, u, a))
     past = share * whole
     rest = time_of_impact_exact(s + u * past + a * past**2 / 2, u + a * past, a)
@@ -304,7 +304,7 @@ def test_seen_from_later_on_the_way_the_impact_comes_that_much_sooner(s, u, a, s
 
 
 @given(st.floats(1e-3, 1e3), st.floats(-1e2, -1e-3), st.floats(1e-3, 1e3))
-def test_without_acceleration_both_ways_to_the_time_of_impact_agree(s, u, dt):
+def test_without_acceleration_both_times_of_impact_agree(s, u, dt):
     end = s + u * dt
     assume(end < -1e-3)
     # The end of the step is a difference: its rounding, as a share of s − s1 = −u dt, is that of s + |u| dt
@@ -313,7 +313,7 @@ def test_without_acceleration_both_ways_to_the_time_of_impact_agree(s, u, dt):
 
 
 @pytest.mark.statement(5, oracle="scipy's solve_ivp, DOP853 with an event at the plane")
-def test_an_ode_solver_that_watches_the_plane_stops_at_the_same_time():
+def test_solve_ivp_with_an_event_at_the_plane_stops_at_the_same_time():
     integrate = oracle("scipy.integrate")
 
     def plane(_, state):
@@ -348,7 +348,7 @@ def test_an_ode_solver_that_watches_the_plane_stops_at_the_same_time():
         (lambda: time_of_impact_exact(1.0, -1.0, math.nan), "normal_acceleration must be finite, not nan"),
     ],
 )
-def test_a_motion_without_numbers_is_refused_instead_of_passing_through(call, message):
+def test_a_motion_that_is_not_finite_is_refused(call, message):
     with pytest.raises(ValueError, match=message):
         call()
 
@@ -357,7 +357,7 @@ def test_a_motion_without_numbers_is_refused_instead_of_passing_through(call, me
 
 
 @pytest.mark.erratum(4)
-def test_as_printed_a_touching_point_does_not_collide():
+def test_as_printed_the_left_side_of_the_plane_equation_is_no_distance():
     plane = (0.0, 0.0, 2.0, -4.0)  # z = 2, written with a normal of length 2
     touching, inside = (7.0, -3.0, 2.0), (0.0, 0.0, 1.5)
     assert not as_printed.point_plane_collision(touching, plane)
@@ -425,7 +425,7 @@ def test_one_plane_serves_many_points_and_one_point_many_planes():
     assert time_of_impact_interpolated(1.0, [-1.0, 1.0], [1.0, 2.0], 1.0).tolist() == [1.5, math.inf]
 
 
-def test_whole_numbers_do():
+def test_whole_numbers_are_accepted():
     assert signed_distance([1, 2, 3], [0, 0, 2], -2) == 2.0
     assert is_colliding(-1)
     assert time_of_impact_interpolated(1, -3, 0, 1) == 0.25

@@ -28,14 +28,14 @@ def test_a_point_in_front_on_or_behind_the_plane():
 
 
 @pytest.mark.statement(4, oracle="the definition, at the edges of the tolerance")
-def test_up_to_and_with_the_tolerance_a_point_is_on_the_plane():
+def test_a_point_within_the_tolerance_or_at_its_edge_is_on_the_plane():
     s = np.array([0.25, np.nextafter(0.25, 1), -0.25, np.nextafter(-0.25, -1)])
     assert side_of_plane(s, 0.25).tolist() == [0, 1, 0, -1]
     assert side_of_plane(0.5, [0.25, 0.5, 0.75]).tolist() == [1, 0, 0]
 
 
 @given(DISTANCE, st.floats(0, 5))
-def test_turning_the_plane_round_swaps_its_sides_and_behind_means_colliding(s, tolerance):
+def test_turning_the_plane_round_swaps_its_sides(s, tolerance):
     assert side_of_plane(-s, tolerance) == -side_of_plane(s, tolerance)
     assert (side_of_plane(s, tolerance) == -1) == is_colliding(s, tolerance)
 
@@ -65,7 +65,7 @@ def test_the_overlap_starts_and_ends_when_exact_arithmetic_says(x, u, r, w, dt):
 
 @pytest.mark.statement(2, oracle="a look at a thousand instants of the step")
 @given(DISTANCE, VELOCITY, RADIUS, THICKNESS, DURATION)
-def test_the_bodies_overlap_at_every_instant_of_the_interval_and_no_other(x, u, r, w, dt):
+def test_ball_and_slab_overlap_exactly_within_the_interval(x, u, r, w, dt):
     start, end = overlap_interval(x, u, r, w, dt)
     times = np.linspace(0, dt, 1001)
     outside = np.maximum(x + u * times - r, -(w + r) - (x + u * times))  # how far the ball is from the slab
@@ -76,7 +76,7 @@ def test_the_bodies_overlap_at_every_instant_of_the_interval_and_no_other(x, u, 
 
 
 @pytest.mark.statement(2, oracle="pymunk's swept query of a circle against a box")
-def test_a_swept_query_of_another_engine_finds_the_same_first_touch():
+def test_a_swept_query_of_pymunk_finds_the_same_first_touch():
     pymunk = oracle("pymunk")
     rng = np.random.default_rng(3)
     space = pymunk.Space()
@@ -91,25 +91,25 @@ def test_a_swept_query_of_another_engine_finds_the_same_first_touch():
             assert start == pytest.approx(hit.alpha, abs=1e-12)  # some ten roundings of numbers of order one
 
 
-def test_a_fast_ball_overlaps_a_thin_wall_only_in_the_middle_of_a_step():
+def test_a_fast_ball_overlaps_a_thin_wall_only_within_the_step():
     # 20 m/s over 10 ms are 0.2 m; wall 10 mm and radius 20 mm: 50 mm of overlap, 2.5 ms
     start, end = overlap_interval(0.07, -20.0, 0.02, 0.01, 0.01)
     assert (start, end) == (pytest.approx(0.0025, rel=1e-14), pytest.approx(0.005, rel=1e-14))
 
 
-def test_a_ball_at_constant_distance_overlaps_for_the_whole_step_or_never():
+def test_a_ball_that_keeps_its_distance_overlaps_always_or_never():
     start, end = overlap_interval([0.5, 0.25, 0.0, -1.25, -1.5], 0.0, 0.25, 1.0, 2.0)
     assert start.tolist() == [math.inf, 0.0, 0.0, 0.0, math.inf]
     assert end.tolist() == [-math.inf, 2.0, 2.0, 2.0, -math.inf]
 
 
-def test_a_ball_that_already_overlaps_has_an_interval_starting_at_zero():
+def test_the_interval_of_a_ball_that_overlaps_begins_with_the_step():
     start, end = overlap_interval(-0.5, [-1.0, 1.0, 0.0], 0.25, 1.0, 10.0)
     assert start.tolist() == [0.0, 0.0, 0.0]
     assert end.tolist() == [0.75, 0.75, 10.0]
 
 
-def test_a_touch_at_the_first_or_last_instant_is_a_zero_interval():
+def test_a_touch_at_either_end_of_the_step_is_an_interval_of_no_length():
     arrives = overlap_interval(1.25, -1.0, 0.25, 1.0, 1.0)
     leaves = overlap_interval(0.25, 1.0, 0.25, 1.0, 1.0)
     out_behind = overlap_interval(-1.25, -1.0, 0.25, 1.0, 1.0)
@@ -117,19 +117,19 @@ def test_a_touch_at_the_first_or_last_instant_is_a_zero_interval():
     assert overlap_interval(np.nextafter(1.25, 2), -1.0, 0.25, 1.0, 1.0)[0] == math.inf
 
 
-def test_a_point_meets_a_sheet_for_an_instant_but_stays_in_a_half_space():
+def test_a_point_meets_a_sheet_for_an_instant_and_stays_in_a_half_space():
     assert tuple(map(float, overlap_interval(1.0, -2.0, 0.0, 0.0, 1.0))) == (0.5, 0.5)
     assert tuple(map(float, overlap_interval(1.0, -2.0, 0.0, math.inf, 1.0))) == (0.5, 1.0)
     assert tuple(map(float, overlap_interval(-7.0, 2.0, 0.0, math.inf, 9.0))) == (0.0, 3.5)
 
 
-def test_a_step_without_length_asks_only_where_they_are_now():
+def test_a_step_of_no_length_looks_only_at_where_they_are():
     start, end = overlap_interval([0.0, 1.0], -1.0, 0.25, 1.0, 0.0)
     assert start.tolist() == [0.0, math.inf]
     assert end.tolist() == [0.0, -math.inf]
 
 
-def test_at_a_crawl_it_does_not_arrive():
+def test_a_ball_at_a_crawl_does_not_arrive():
     assert overlap_interval(1.0, -5e-324, 0.0, 1.0, 1e6)[0] == math.inf  # and no overflow is reported
 
 
@@ -151,7 +151,7 @@ SPEED, STEP, SIZE = st.floats(0.1, 100), st.floats(1e-4, 1e-1), st.floats(0.0, 0
 
 @pytest.mark.statement(9, oracle="a count over evenly spread phases, and the continuous test")
 @pytest.mark.parametrize(("speed", "thickness", "radius"), [(20.0, 0.01, 0.02), (20.0, 0.0, 0.01), (5.0, 0.1, 0.0)])
-def test_the_missing_share_is_what_a_count_over_all_phases_of_a_step_gives(speed, thickness, radius):
+def test_the_missing_share_is_a_count_over_all_phases_of_a_step(speed, thickness, radius):
     dt, shots = 0.01, 100_000
     way = speed * dt
     first = way * (np.arange(shots) + 0.5) / shots  # of the centre from the face, at the last look before the ball's
@@ -165,7 +165,7 @@ def test_the_missing_share_is_what_a_count_over_all_phases_of_a_step_gives(speed
 
 
 @given(SPEED, SIZE, SIZE, STEP)
-def test_no_ball_is_missed_if_a_step_is_shorter_than_the_overlap(v, w, r, dt):
+def test_no_ball_is_missed_as_long_as_a_step_is_shorter_than_the_overlap(v, w, r, dt):
     share = missing_probability(v, w, r, dt)
     assert 0 <= share <= 1
     assert (share == 0) == (v * dt <= w + 2 * r) or share < 1e-15
@@ -183,7 +183,7 @@ def test_a_table_tennis_ball_and_a_thin_wall():
     assert missing_probability(1.0, math.inf, 0.0, 0.1) == 0.0
 
 
-def test_an_engine_stops_fewer_balls_than_an_overlap_test_detects():
+def test_pushing_out_the_nearest_way_stops_fewer_balls_than_are_seen():
     # What the comparison's thin wall expects of an engine: only w/2 + r of the way turns the ball back.
     speed, dt = 20.0, 0.01
     seen = missing_probability(speed, tunnelling.THICKNESS, tunnelling.RADIUS, dt)
@@ -196,7 +196,7 @@ def test_an_engine_stops_fewer_balls_than_an_overlap_test_detects():
 
 @pytest.mark.statement(9, oracle="positions at the ends of the parts, over many phases")
 @given(SPEED, st.floats(1e-3, 0.5), SIZE, st.floats(1e-3, 1))
-def test_substeps_needed_is_the_smallest_number_that_misses_no_ball(speed, thickness, radius, dt):
+def test_the_substeps_needed_are_enough_and_one_less_is_not(speed, thickness, radius, dt):
     parts = int(substeps_needed(speed, thickness, radius, dt))
     assume(parts < 500)
     caught, way = thickness + 2 * radius, speed * dt

@@ -47,7 +47,7 @@ def test_the_flight_is_the_parabola_of_exact_arithmetic(p, v, a, dt):
         assert velocity[axis] == pytest.approx(float(u + b * t), abs=1e-14)  # terms up to 50 m/s
 
 
-def test_a_ball_thrown_up_at_g_metres_a_second_returns_after_two_seconds():
+def test_a_ball_thrown_up_at_g_metres_per_second_is_back_in_two_seconds():
     position, velocity = ballistic_motion((1.0, 0.0, 0.0), (3.0, 0.0, 10.0), (0.0, 0.0, -10.0), 2.0)
     assert position.tolist() == [7.0, 0.0, 0.0]
     assert velocity.tolist() == [3.0, 0.0, -10.0]
@@ -108,7 +108,7 @@ def test_a_step_moves_with_the_velocity_at_its_end():
 
 
 @given(VECTOR, VECTOR, VECTOR, st.floats(1e-3, 0.1), st.integers(1, 40))
-def test_semi_implicit_euler_ends_half_a_step_of_acceleration_too_far(p, v, a, dt, count):
+def test_after_n_steps_it_is_half_a_step_ahead_of_the_parabola(p, v, a, dt, count):
     position, velocity = p, v
     for _ in range(count):
         position, velocity = semi_implicit_euler(position, velocity, a, dt)

@@ -87,7 +87,7 @@ def test_without_forces_nothing_accelerates_and_no_power_flows():
     assert power_by_tag([], *START) == {"position": 0, "velocity": 0, "interaction": 0}
 
 
-def test_an_infinite_mass_is_not_accelerated_and_has_no_say_in_the_energy():
+def test_an_infinite_mass_is_not_accelerated_and_has_no_energy():
     held = np.array([math.inf, 2.0])
     assert acceleration_of([SPRING], held)(*START)[0].tolist() == [0, 0, 0]
     still = (START[0], START[1] * [[0], [1]])
@@ -151,7 +151,7 @@ def test_what_is_conservative_keeps_its_mechanical_energy():
     assert mechanical == pytest.approx(np.full(1001, mechanical[0]), abs=1e-9)  # RK4: 1000 steps of (ω dt)⁵
 
 
-def test_mutual_gravity_fits_the_accumulator_and_keeps_the_centre_of_mass():
+def test_gravity_between_bodies_shifts_no_centre_of_mass():
     attraction = Force("attraction", "position", lambda p, v: mutual_gravity(MASS * 1e10, p))
     p, v = run(velocity_verlet, [attraction], 1e-3, 500, MASS * 1e10)
     centre, drift = (p * MASS[:, None]).sum(1), (v[0] * MASS[:, None]).sum(0)
@@ -180,7 +180,7 @@ def test_friction_is_an_interaction_whose_work_is_mu_n_over_the_way():
     )
 
 
-def test_an_impulse_is_no_forces_work_and_stands_in_the_residual():
+def test_an_impulse_is_the_work_of_no_force_and_appears_in_the_residual():
     p, v = run(velocity_verlet, [WEIGHT], 1e-2, 20)
     v[10:, 0, 2] += 3.0
     for k in range(10, 20):

@@ -51,7 +51,7 @@ def test_drag_is_six_pi_eta_r_v_against_the_motion_through_the_fluid():
 
 
 @given(VECTOR, VECTOR, POSITIVE, POSITIVE)
-def test_a_body_feels_no_drag_only_when_it_drifts_with_the_fluid(v, u, viscosity, factor):
+def test_drag_only_takes_energy_and_none_from_a_body_that_drifts_along(v, u, viscosity, factor):
     assert not stokes_drag(u, u, viscosity, factor).any()
     assert stokes_drag(v, u, viscosity, factor) @ (v - u) <= 0
 
@@ -90,7 +90,7 @@ def test_the_reynolds_number_is_that_of_the_package_fluids():
 
 
 @pytest.mark.statement(26, oracle="the excess of the measured drag in the lecture's erratum")
-def test_stokes_is_right_to_two_percent_where_the_warning_begins():
+def test_stokes_law_is_right_to_two_percent_where_the_warning_begins():
     assert STOKES_LIMIT == 0.1
     assert drag_correction(STOKES_LIMIT) - 1 == pytest.approx(0.018, abs=5e-4)
     assert drag_correction(1.0) - 1 == pytest.approx(0.13, abs=5e-3)
@@ -197,7 +197,7 @@ def test_the_motion_in_closed_form_is_what_the_forces_integrate_to(wind):
     assert v == pytest.approx(found.y[3:, -1], abs=1e-10)  # rtol over some dozens of steps
 
 
-def test_a_fall_reaches_63_percent_of_its_speed_in_one_relaxation_time():
+def test_a_fall_has_63_percent_of_its_speed_after_one_relaxation_time():
     _, v = drag_motion(STILL, STILL, (0, 0, -2.0), 3.0, 3.0)
     assert v[2] == pytest.approx(-2 * (1 - math.exp(-1)), rel=1e-15, abs=0)
 
@@ -243,7 +243,7 @@ def test_in_a_creeping_flow_the_correction_is_oseens(reynolds):
     assert drag_correction(reynolds) == pytest.approx(1 + 3 / 16 * reynolds, abs=3e-5)
 
 
-def test_nothing_is_claimed_about_a_flow_that_has_turned_turbulent():
+def test_a_turbulent_flow_is_refused():
     assert drag_correction(LARGEST_REYNOLDS) > 1000
     with pytest.raises(ValueError, match=r"reynolds must be at most 338000, not 338001"):
         drag_correction([1.0, 338001.0])
@@ -260,7 +260,7 @@ def test_a_fall_with_the_measured_drag_is_that_of_the_package_fluids(radius):
     assert ours[1] == pytest.approx(-theirs, rel=1e-9, abs=0)  # the package solves to 1e-10 or so
 
 
-def test_the_corrected_fall_of_a_creeping_sphere_is_the_stokes_fall():
+def test_a_creeping_fall_needs_no_correction():
     arguments = ([1e-6, 1e-6, 1e-6], [2000.0, 1000.0, 0.0], 1000.0, 1e-2, DOWN)
     # 3/16 of a Reynolds number of 4e-8
     assert terminal_velocity_corrected(*arguments) == pytest.approx(terminal_velocity(*arguments), rel=1e-7, abs=0)
@@ -335,7 +335,7 @@ def test_a_needle_is_half_as_hard_to_move_lengthwise_as_broadside():
 
 
 @given(RATIO, POSITIVE, POSITIVE)
-def test_the_shape_factor_is_proportional_to_the_size_of_the_spheroid(ratio, across, factor):
+def test_the_shape_factor_is_proportional_to_size_and_grows_with_each_axis(ratio, across, factor):
     factors = spheroid_shape_factors(ratio * across, across)
     scaled = spheroid_shape_factors(ratio * across * factor, across * factor)
     assert scaled == pytest.approx(factor * factors, rel=1e-12, abs=0)  # (a − b)(a + b) near a sphere
@@ -364,7 +364,7 @@ def test_drag_along_and_across_the_axis_has_its_own_factor(v, u, axis, ratio):
 
 
 @given(VECTOR, AXIS)
-def test_a_spheroid_with_equal_axes_has_the_drag_of_a_sphere(v, axis):
+def test_the_drag_of_a_spheroid_with_equal_axes_is_that_of_a_sphere(v, axis):
     drag = spheroid_drag(v, STILL, 2.0, spheroid_shape_factors(0.5, 0.5), axis)
     assert drag == pytest.approx(stokes_drag(v, STILL, 2.0, sphere_shape_factor(0.5)), abs=1e-12)  # up to 600 N
 
@@ -421,7 +421,7 @@ def test_wind_pushes_with_the_square_of_the_relative_velocity():
 
 @pytest.mark.erratum(30)
 @given(VECTOR, VECTOR)
-def test_wind_knows_the_velocity_and_not_the_place_alone(v, wind):
+def test_the_force_of_wind_depends_on_the_relative_velocity(v, wind):
     assert not wind_force(wind, wind, 0.1, 0.47, 1.2).any()
     assert wind_force(v, wind, 0.1, 0.47, 1.2) @ (v - wind) <= 0
 
@@ -489,7 +489,7 @@ def test_numbers_without_meaning_are_refused_by_name(call, named):
         call()
 
 
-def test_many_bodies_in_a_fluid_at_once_are_the_same_as_one_after_another():
+def test_many_bodies_in_a_fluid_at_once_are_as_one_after_another():
     rng = np.random.default_rng(RNG_SEED)
     v, u, gravity = rng.normal(size=(3, 4, 5, 3))
     one, two, three, four = rng.uniform(0.5, 1, size=(4, 4, 5))

@@ -35,7 +35,7 @@ def fluid_force(installed):
 
 
 @pytest.mark.statement(26, oracle="mujoco: the ellipsoid model of a sphere")
-def test_mujocos_ellipsoid_model_of_a_sphere_is_stokes_drag_in_wind(fluid_force):
+def test_mujocos_ellipsoid_model_of_a_sphere_is_stokes_drag(fluid_force):
     rng = np.random.default_rng(2)
     for _ in range(5):
         v, wind = rng.normal(size=(2, 3))
@@ -59,7 +59,7 @@ def test_mujocos_box_model_gives_a_sphere_too_little_drag(fluid_force):
         (0.1, 0.4, (-13.5, 9.9)),
     ],
 )
-def test_mujocos_ellipsoid_drag_ignores_the_direction_of_a_spheroid(fluid_force, along, across, excess):
+def test_mujocos_ellipsoid_model_has_one_drag_for_all_directions(fluid_force, along, across, excess):
     factors = VISCOSITY * spheroid_shape_factors(along, across)
     axes = (across, across, along)
     theirs = -np.array([fluid_force("ellipsoid", axes, (0, 0, 1))[2], fluid_force("ellipsoid", axes, (1, 0, 0))[0]])

@@ -39,7 +39,7 @@ def test_the_earth_pulls_the_moon_with_the_force_of_the_text_books():
 
 
 @pytest.mark.statement(25, oracle="arithmetic on a 2-3-6-7 triangle")
-def test_gravity_pulls_body_1_to_body_2_and_falls_with_distance_squared():
+def test_the_pull_points_to_the_other_body_and_obeys_the_inverse_square():
     force = universal_gravity(3.0, 5.0, (1.0, 1.0, 1.0), (3.0, 4.0, 7.0))
     # Ten roundings
     assert force == pytest.approx(GRAVITATIONAL_CONSTANT * 15 / 49 * np.array([2, 3, 6]) / 7, rel=1e-15, abs=0)
@@ -68,14 +68,14 @@ def test_bodies_at_the_same_place_do_not_pull_each_other(softening):
     assert universal_gravity(1e12, 1e12, (1.0, 2.0, 3.0), (1.0, 2.0, 3.0), softening).tolist() == [0, 0, 0]
 
 
-def test_softening_makes_the_energy_of_coincident_points_finite():
+def test_only_softening_bounds_the_energy_of_points_at_one_place():
     assert universal_gravity_energy(2.0, 3.0, ORIGIN, ORIGIN) == -math.inf
     assert universal_gravity_energy(2.0, 3.0, ORIGIN, ORIGIN, 0.5) == -GRAVITATIONAL_CONSTANT * 12
     assert universal_gravity_energy(0.0, 3.0, ORIGIN, ORIGIN) == 0
 
 
 @pytest.mark.statement(25, oracle="Plummer's formula for the greatest pull")
-def test_a_softened_pull_is_strongest_at_the_softening_length_over_root_two():
+def test_a_softened_pull_is_strongest_at_its_length_over_root_two():
     distance = np.linspace(0.01, 3, 300)[:, None] * [1.0, 0, 0]
     pull = universal_gravity(1.0, 1e10, ORIGIN, distance, 1.0)[:, 0]
     assert distance[np.argmax(pull), 0] == pytest.approx(1 / math.sqrt(2), abs=0.01)  # the distances' spacing
@@ -230,7 +230,7 @@ def test_masses_and_lengths_without_meaning_are_refused_by_name(call, named):
         call()
 
 
-def test_a_place_that_is_no_number_is_not_taken_for_any():
+def test_a_place_of_nan_gives_a_force_of_nan():
     assert np.isnan(universal_gravity(1.0, 1.0, (math.nan, 0, 0), ORIGIN)).all()
 
 

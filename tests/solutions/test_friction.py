@@ -24,14 +24,14 @@ ZERO = np.zeros(3)
 # What static friction can hold
 
 
-def test_a_push_exactly_at_the_limit_is_held_and_the_next_one_above_is_not():
+def test_a_push_exactly_at_the_limit_is_held():
     # 3-4-5, and 0.5 × 10: numbers without rounding
     assert holds((3.0, 4.0, 0.0), 10.0, 0.5)
     assert not holds((3.0, 4.0, 0.0), np.nextafter(10.0, 0.0), 0.5)
     assert not holds((3.0, 4.0, 0.0), 10.0, np.nextafter(0.5, 0.0))
 
 
-def test_what_is_not_pushed_is_held_even_on_ice_and_even_without_weight():
+def test_a_body_that_is_not_pushed_is_held_even_on_ice():
     assert holds(ZERO, 10.0, 0.0)
     assert holds(ZERO, 0.0, 0.5)
 
@@ -49,7 +49,7 @@ def test_a_block_holds_on_a_slope_up_to_the_angle_of_friction(friction, slope):
     assert holds(push, weight * math.cos(slope), friction) == (slope < angle)
 
 
-def test_what_is_no_number_is_neither_held_nor_at_rest_but_refused():
+def test_values_that_are_not_finite_are_refused():
     nothing = (math.nan, 0.0, 0.0)
     for call, name in (
         (lambda: holds(nothing, 1.0, 0.5), "push"),
@@ -63,7 +63,7 @@ def test_what_is_no_number_is_neither_held_nor_at_rest_but_refused():
             call()
 
 
-def test_static_friction_below_kinetic_friction_is_refused():
+def test_less_static_than_kinetic_friction_is_refused():
     # 3 N break it away from 0.2 × 10 N, and 0.5 × 10 N would win over them
     with pytest.raises(ValueError, match=r"^static_friction less kinetic_friction must be zero or positive"):
         friction_force((3.0, 0.0, 0.0), ZERO, 10.0, 0.2, 0.5)
@@ -73,19 +73,19 @@ def test_static_friction_below_kinetic_friction_is_refused():
 # The force
 
 
-def test_kinetic_friction_acts_against_the_sliding_velocity_with_mu_k_n():
+def test_kinetic_friction_is_mu_k_n_against_the_sliding_velocity():
     force = friction_force(ZERO, (3.0, -4.0, 0.0), 10.0, 0.75, 0.5)
     assert force == pytest.approx([-3, 4, 0], abs=1e-15)  # a quotient and a product of numbers near 1
 
 
 @given(VECTOR, SLIDING, NORMAL_FORCE, COEFFICIENTS, st.floats(1e-3, 1e3))
-def test_kinetic_friction_knows_neither_the_speed_nor_the_push(push, velocity, normal_force, coefficients, factor):
+def test_kinetic_friction_depends_on_neither_speed_nor_push(push, velocity, normal_force, coefficients, factor):
     force = friction_force(push, velocity, normal_force, *coefficients)
     assert friction_force(ZERO, factor * velocity, normal_force, *coefficients) == pytest.approx(force, abs=1e-12)
 
 
 @given(VECTOR, NORMAL_FORCE, COEFFICIENTS)
-def test_friction_on_a_body_at_rest_opposes_the_push_even_when_it_fails(push, normal_force, coefficients):
+def test_a_body_at_rest_is_held_or_breaks_away_along_the_push(push, normal_force, coefficients):
     static, kinetic = coefficients
     size = math.sqrt(push @ push)
     assume(abs(size - static * normal_force) > 1e-12)  # within rounding of the limit
@@ -96,14 +96,14 @@ def test_friction_on_a_body_at_rest_opposes_the_push_even_when_it_fails(push, no
         assert force == pytest.approx(-kinetic * normal_force * push / size, abs=1e-12)  # up to 200 N
 
 
-def test_a_push_above_the_limit_meets_only_kinetic_friction():
+def test_at_the_limit_friction_drops_from_the_push_to_the_kinetic_value():
     assert friction_force((3.0, 4.0, 0.0), ZERO, 10.0, 0.5, 0.25).tolist() == [-3.0, -4.0, 0.0]
     above = friction_force((3.0, 4.0, 0.0), ZERO, 9.999999, 0.5, 0.25)
     assert above == pytest.approx([-1.5, -2.0, 0.0], abs=1e-6)  # N is 1e-6 short of 10
 
 
 @given(VECTOR, st.one_of(st.just(ZERO), SLIDING), NORMAL_FORCE, COEFFICIENTS, st.integers(-20, 20))
-def test_friction_grows_as_all_the_forces_do_in_newtons_and_in_meganewtons(push, velocity, press, coefficients, power):
+def test_friction_scales_with_all_the_forces(push, velocity, press, coefficients, power):
     force, factor = friction_force(push, velocity, press, *coefficients), 2.0**power
     found = friction_force(factor * push, velocity, factor * press, *coefficients)
     # A power of two, up to 1e6 and down to 1e-6, rounds nothing that is not next to zero
@@ -181,7 +181,7 @@ def test_a_block_at_rest_that_is_pushed_harder_breaks_away():
     assert slide(0.0, -6.0, 10.0, 0.5, 0.25, 2.0, 2.0) == (-3.5, -3.5, math.inf)
 
 
-def test_a_block_sliding_up_a_steep_slope_stops_and_slides_back_slower():
+def test_a_block_that_slides_up_a_steep_slope_slides_back_more_slowly():
     # Up: (−6 − 2)/1 = −8 m/s² from 4 m/s, so 0.5 s and 1 m. Down: (−6 + 2)/1 = −4 m/s² for the other 0.5 s.
     assert slide(4.0, -6.0, 4.0, 0.5, 0.5, 1.0, 1.0) == (0.5, -2.0, 0.5)
 
@@ -274,7 +274,7 @@ def test_two_steps_one_after_the_other_are_one_long_step(
 
 
 @given(SLIDING, LINE, LINE, NORMAL_FORCE, COEFFICIENTS, MASS, DURATION, st.integers(0, 99))
-def test_turning_and_shifting_the_whole_scene_turns_and_shifts_the_motion(
+def test_turning_and_shifting_the_scene_turns_and_shifts_the_motion(
     direction, speed, push, normal_force, coefficients, mass, dt, seed
 ):
     rng = np.random.default_rng(seed)

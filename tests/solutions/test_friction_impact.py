@@ -62,7 +62,7 @@ def test_an_immovable_body_does_not_give_way():
     assert np.array_equal(point_inverse_mass(0.0, np.zeros((3, 3)), (1.0, 2.0, 3.0)), np.zeros((3, 3)))
 
 
-def test_friction_impulse_refuses_a_pivoted_body_struck_along_its_arm():
+def test_a_body_on_a_pivot_that_cannot_be_stopped_is_refused():
     # K r = 0: whether rounding leaves the determinant at 1e-18, 0 or −1e-18 must not decide between nonsense and a word
     for seed in range(50):
         arm = np.random.default_rng(seed).normal(size=3)
@@ -158,7 +158,7 @@ def modes(u, k, e, mu):
 
 @pytest.mark.statement(16, oracle="trying grip, slip forwards and slip backwards")
 @given(ARM, ARM, st.floats(0.02, 1), SPEED, SLIP, RESTITUTION, FRICTION)
-def test_an_impact_in_the_plane_takes_a_mode_whose_conditions_hold(
+def test_in_the_plane_the_impact_takes_a_mode_whose_conditions_hold(
     arm_x, arm_z, inertia, speed, slip, restitution, friction
 ):
     k, u = plane_matrix(arm_x, arm_z, inertia), np.array([slip, 0.0, -speed])
@@ -192,7 +192,7 @@ def test_any_two_bodies_part_at_e_times_the_approach_within_the_cone(seed, resti
 
 
 @given(st.integers(0, 10_000), RESTITUTION, FRICTION)
-def test_the_same_impact_named_the_other_way_round_or_turned_is_the_same(seed, restitution, friction):
+def test_exchanging_the_bodies_or_turning_the_scene_turns_the_impulse(seed, restitution, friction):
     rng = np.random.default_rng(seed)
     n, turn = np.linalg.qr(rng.normal(size=(3, 3)))[0][0], np.linalg.qr(rng.normal(size=(3, 3)))[0]
     k, u = point_inverse_mass(*body(seed)), rng.normal(size=3)
@@ -203,7 +203,7 @@ def test_the_same_impact_named_the_other_way_round_or_turned_is_the_same(seed, r
     assert turned == pytest.approx(turn @ j, abs=1e3 * scale)
 
 
-def test_a_grazing_contact_gets_no_impulse_even_with_coupled_slip():
+def test_a_grazing_contact_gets_no_impulse_even_if_slip_is_coupled():
     # Stopping the slip of this rod would take a push along the normal one way, and a pull the other
     k = plane_matrix(-0.4, -0.3, 1 / 12)
     wanted = [np.linalg.solve(k, (-slip, 0.0, 0.0)) for slip in (0.5, -0.5)]
@@ -213,7 +213,7 @@ def test_a_grazing_contact_gets_no_impulse_even_with_coupled_slip():
         assert friction_impulse((slip, 0.0, 1e-300), UP, k, 0.5, 10.0).tolist() == [0, 0, 0]
 
 
-def test_friction_opposes_the_remaining_slip_when_an_impact_reverses_it():
+def test_friction_opposes_the_slip_that_is_left_after_a_reversal():
     # The rod of the energy below: the normal impulse alone turns its slip of +1/2 m/s to about −0.49 m/s
     k = plane_matrix(-0.4, -0.3, 1 / 12)
     assert (np.array([0.5, 0, -1]) + k @ friction_impulse((0.5, 0, -1.0), UP, k, 1.0, 0.0))[0] < -0.48
@@ -229,7 +229,7 @@ def test_friction_opposes_the_remaining_slip_when_an_impact_reverses_it():
 
 
 @given(st.integers(0, 10_000), RESTITUTION, st.integers(0, 20), st.integers(-20, 20), st.integers(-20, 20))
-def test_the_units_of_mass_and_speed_change_nothing_but_the_numbers(seed, restitution, tenths, mass, speed):
+def test_units_of_mass_and_speed_change_only_the_numbers(seed, restitution, tenths, mass, speed):
     k, u, friction = point_inverse_mass(*body(seed)), np.random.default_rng(seed).normal(size=3), tenths / 10
     j = friction_impulse(u, UP, k, restitution, friction)
     # Powers of two, up to 1e6 and down to 1e-6, round nothing
@@ -238,7 +238,7 @@ def test_the_units_of_mass_and_speed_change_nothing_but_the_numbers(seed, restit
     assert impact_energy(u * 2.0**speed, found, k * 2.0**-mass) == impact_energy(u, j, k) * 2.0 ** (mass + 2 * speed)
 
 
-def test_a_light_ball_rebounds_from_a_far_heavier_one_as_from_a_wall():
+def test_a_ball_against_a_very_heavy_one_acts_as_against_a_wall():
     light = point_inverse_mass(1.0, np.eye(3) / 0.4, -UP)
     heavy = point_inverse_mass(1e-6, np.eye(3) / 0.4e6, UP)
     for slip, grips in ((3.0, True), (4.0, False)):  # 7/2 × 1/2 × 2 × 1 is the limit
@@ -249,7 +249,7 @@ def test_a_light_ball_rebounds_from_a_far_heavier_one_as_from_a_wall():
         assert (abs((u + (light + heavy) @ j)[0]) < 1e-14) == grips
 
 
-def test_a_separating_contact_gets_no_impulse_and_no_warning():
+def test_parting_bodies_are_left_alone_without_a_warning():
     # n·K(n + 2 x) = 2 − 2: no matter, nothing is to be moved
     k = np.array([[2.0, 0, -1], [0, 1, 0], [-1, 0, 2]])
     with np.errstate(all="raise"):
@@ -263,7 +263,7 @@ def test_without_friction_only_the_normal_takes_part(seed, speed, restitution):
     assert j == pytest.approx((1 + restitution) * speed / k[2, 2] * UP, rel=1e-13)
 
 
-def test_friction_in_space_only_roughly_opposes_the_remaining_slip():
+def test_in_space_friction_is_only_nearly_opposite_to_the_slip_left():
     off = []
     for seed in range(400):
         k, u = point_inverse_mass(*body(seed)), np.random.default_rng(seed).normal(size=3)
@@ -298,7 +298,7 @@ def rod(velocity, spin, impulse):
 
 
 @pytest.mark.statement(16, oracle="exact fractions")
-def test_newtons_restitution_with_coulomb_friction_can_make_energy_honestly():
+def test_newtons_restitution_with_coulomb_friction_can_create_energy():
     # A rod falls at 1 m/s, aslant, its end slides at 1/2 m/s, and the normal impulse turns that slip round. Friction
     # keeps it from being turned, so that in all it has pushed along the first slip; e = 1 gives the whole speed back.
     zero, one = Fraction(0), Fraction(1)
@@ -324,7 +324,7 @@ def test_newtons_restitution_with_coulomb_friction_can_make_energy_honestly():
 
 
 @given(st.integers(0, 10_000))
-def test_with_e_zero_and_grip_no_energy_is_made(seed):
+def test_with_zero_restitution_and_grip_no_energy_is_created(seed):
     k, u = point_inverse_mass(*body(seed)), np.random.default_rng(seed).normal(size=3)
     u[2] = -abs(u[2])
     assume(np.linalg.solve(k, -u)[2] > 1e-3)  # some bodies would have to be pulled to stop dead
@@ -414,6 +414,6 @@ def test_many_impacts_at_once_are_the_same_as_one_after_another():
         (lambda: impact_energy(UP[:2], UP, np.eye(3)), "velocity"),
     ],
 )
-def test_what_is_no_impact_is_refused_by_name(call, name):
+def test_an_invalid_impact_is_refused_by_name(call, name):
     with pytest.raises(ValueError, match=f"^{name}"):
         call()

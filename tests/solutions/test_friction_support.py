@@ -39,7 +39,7 @@ ANGLE = st.floats(0.0, 1.5)
 
 @pytest.mark.statement(24, oracle="the balance of forces on an incline")
 @given(ANGLE, st.floats(0.1, 100))
-def test_a_block_on_an_incline_needs_friction_of_m_g_sin_theta(slope, mass):
+def test_an_incline_supports_m_g_cos_theta_and_friction_m_g_sin_theta(slope, mass):
     n = np.array([math.sin(slope), 0.0, math.cos(slope)])
     force = apparent_force(mass, DOWN, STILL, STILL)
     # a handful of roundings of the weight
@@ -48,7 +48,7 @@ def test_a_block_on_an_incline_needs_friction_of_m_g_sin_theta(slope, mass):
 
 
 @pytest.mark.statement(24, oracle="the balance of forces, by hand")
-def test_pushing_a_crate_from_above_loads_it_and_pulling_unloads_it():
+def test_pushing_down_on_a_crate_adds_to_its_support_force():
     # 3-4-5: 10 N at 6 N down and 8 N along, on 2 kg in 10 m/s²
     force = apparent_force(2.0, (0.0, 0.0, -10.0), [[8.0, 0.0, -6.0], [8.0, 0.0, 6.0]], STILL)
     assert normal_force(force, UP).tolist() == [26.0, 14.0]
@@ -64,19 +64,19 @@ def test_a_crate_slides_when_its_lorry_brakes_harder_than_mu_g():
         assert holds(along_surface(force, UP), normal_force(force, UP), 0.5) == held
 
 
-def test_in_a_lift_the_normal_force_is_m_g_plus_a_and_none_in_free_fall():
+def test_in_a_lift_the_normal_force_is_m_times_g_plus_a():
     lifts = np.outer([2.0, -2.0, -G, -2 * G], UP)
     pressed = normal_force(apparent_force(3.0, DOWN, STILL, lifts), UP)
     assert pressed == pytest.approx([3 * (G + 2), 3 * (G - 2), 0.0, 0.0], abs=1e-14)  # rounding of 35 N
 
 
-def test_what_is_lifted_off_is_not_pulled_back():
+def test_a_body_that_is_lifted_off_is_not_pulled_back():
     assert normal_force((0.0, 0.0, 5.0), UP) == 0
     assert not holds(X, normal_force((1.0, 0.0, 5.0), UP), 10.0)
 
 
 @given(VECTOR, st.integers(0, 99))
-def test_what_presses_and_what_pushes_along_make_up_the_force(force, seed):
+def test_normal_and_tangential_parts_add_up_to_the_force(force, seed):
     n = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0][0]
     across = along_surface(force, n)
     assert across @ n == pytest.approx(0, abs=1e-14)  # rounding of 17 N
@@ -85,7 +85,7 @@ def test_what_presses_and_what_pushes_along_make_up_the_force(force, seed):
 
 
 @pytest.mark.statement(24, oracle="MuJoCo's contact forces")
-def test_mujoco_has_the_same_normal_force_under_a_pushed_block_on_a_slope(installed):
+def test_mujoco_finds_the_same_normal_force_under_a_pushed_block(installed):
     mujoco = installed("mujoco").module()
     slope = math.radians(20)
     gravity = (G * math.sin(slope), 0.0, -G * math.cos(slope))
@@ -117,7 +117,7 @@ def test_a_block_stays_on_the_steepest_slope_and_on_none_steeper():
             assert holds(along_surface(DOWN, n), normal_force(DOWN, n), friction) == held
 
 
-def test_a_block_rests_on_a_slope_of_exactly_the_friction_angle():
+def test_at_exactly_the_angle_of_friction_a_block_rests():
     # 3-4-5: sin 0.6, cos 0.8, so that 6 N pull at a weight of 10 N and 8 N press it on, without rounding
     n = np.array([0.6, 0.0, 0.8])
     force = apparent_force(1.0, (0.0, 0.0, -10.0), STILL, STILL)
@@ -142,14 +142,14 @@ def test_a_growing_push_breaks_a_crate_away_when_it_reaches_mu_n():
 
 
 @pytest.mark.statement(24, oracle="arithmetic by hand")
-def test_a_lifting_push_breaks_away_sooner_and_a_steep_downward_one_never():
+def test_a_lifting_push_breaks_away_sooner_and_a_steep_press_never():
     # 2 t = 0.5 (20 − t), and 2 t = 0.5 (20 + t); from above at 0.5 × 4 t = 2 t + …: never
     times = break_away_time((0, 0, -20.0), [[2.0, 0, 1.0], [2.0, 0, -1.0], [2.0, 0, -4.0]], UP, 0.5)
     assert times == pytest.approx([4.0, 20 / 3, np.inf], rel=1e-14)
 
 
 @given(VECTOR, VECTOR, st.floats(0.05, 2), st.integers(-20, 20), st.integers(-20, 20))
-def test_the_units_of_force_and_time_do_not_change_when_it_breaks_away(force, rate, friction, newtons, seconds):
+def test_units_of_force_and_time_do_not_change_when_it_breaks_away(force, rate, friction, newtons, seconds):
     # Powers of two, up to 1e6 and down to 1e-6, round nothing
     force = force * [0.1, 0.1, 1]
     time = break_away_time(force, rate, UP, friction)
@@ -169,7 +169,7 @@ def test_a_body_that_is_not_held_breaks_away_now():
     assert break_away_time(STILL, [(0.5, 0, -1.0), (0.6, 0, -1.0), (0, 0, 1.0)], UP, 0.5).tolist() == [np.inf, 0, 0]
 
 
-def test_break_away_time_keeps_its_digits_if_press_and_push_end_together():
+def test_the_instant_of_breaking_away_keeps_its_digits():
     # N = 20 − t, and the push along x is 3 + rate t, which ends nearly when N does; b² − a c cancels to half its digits
     for friction, rate in ((0.5, -3 / 20 + 1e-9), (0.3, -3 / 20 - 1e-8), (1.5, -3 / 20 + 1e-12), (0.7, -3 / 20)):
         mu, exact = Fraction(friction), Fraction(rate)
@@ -179,7 +179,7 @@ def test_break_away_time_keeps_its_digits_if_press_and_push_end_together():
 
 
 @given(VECTOR, st.floats(0.05, 2), st.integers(0, 99))
-def test_at_the_limit_itself_breaking_away_and_holding_agree(force, friction, seed):
+def test_at_the_limit_breaking_away_and_holding_agree(force, friction, seed):
     # Scaled to the limit as well as rounding allows: F_t² − μ²N² is then a rounding of either sign
     n = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0][0]
     across = along_surface(force, n)
@@ -193,7 +193,7 @@ def test_at_the_limit_itself_breaking_away_and_holding_agree(force, friction, se
 
 @pytest.mark.statement(24, oracle="scipy's brentq on the cone")
 @given(VECTOR, VECTOR, st.floats(0.05, 2), st.integers(0, 99))
-def test_before_the_instant_it_is_held_and_after_it_not(force, rate, friction, seed):
+def test_a_body_is_held_until_it_breaks_away_and_not_after(force, rate, friction, seed):
     optimize = oracle("scipy.optimize")
     n = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0][0]
     assume(np.linalg.norm(rate) > 0.1)
@@ -221,7 +221,7 @@ def test_before_the_instant_it_is_held_and_after_it_not(force, rate, friction, s
     ("mass", "stiffness", "speed", "static", "kinetic"),
     [(1.0, 100.0, 0.1, 0.5, 0.3), (2.0, 50.0, 1.0, 0.6, 0.1), (0.5, 10.0, 0.02, 0.41, 0.4)],
 )
-def test_a_block_pulled_by_a_spring_sticks_and_slips_as_the_ode_predicts(mass, stiffness, speed, static, kinetic):
+def test_a_block_drawn_by_a_spring_sticks_and_slips_as_in_solve_ivp(mass, stiffness, speed, static, kinetic):
     integrate = oracle("scipy.integrate")
     press = mass * G
 
@@ -242,7 +242,7 @@ def test_a_block_pulled_by_a_spring_sticks_and_slips_as_the_ode_predicts(mass, s
     assert stick == pytest.approx(missing / speed, abs=1e-8)
 
 
-def test_without_a_difference_of_the_two_frictions_the_block_does_not_stick():
+def test_with_equal_coefficients_of_friction_the_block_does_not_stick():
     stick, slip = stick_slip_times(1.0, 4.0, [0.1, 5.0], 10.0, 0.3, 0.3)
     assert stick.tolist() == [0.0, 0.0]
     assert slip == pytest.approx([math.pi, math.pi], rel=1e-15)
@@ -258,7 +258,7 @@ def test_a_faster_drive_sticks_for_a_smaller_share_of_the_time():
 
 @pytest.mark.statement(24, oracle="the nearest point of the circle")
 @given(VECTOR, st.floats(0, 20))
-def test_friction_answers_with_the_nearest_force_that_its_circle_has(force, limit):
+def test_the_circle_gives_the_nearest_force_within_it(force, limit):
     force = force * [1, 1, 0]
     given_ = clamp_to_circle(force, limit)
     assert np.linalg.norm(given_) <= limit * (1 + 1e-15)
@@ -269,7 +269,7 @@ def test_friction_answers_with_the_nearest_force_that_its_circle_has(force, limi
     assert np.cross(force, given_) == pytest.approx(np.zeros(3), abs=1e-12)  # the direction stays
 
 
-def test_friction_without_a_limit_gives_all_and_without_weight_nothing():
+def test_friction_is_complete_without_a_limit_and_zero_without_weight():
     assert clamp_to_circle((3.0, 4.0, 0.0), [np.inf, 5.0, 2.5, 0.0]).tolist() == [
         [3.0, 4.0, 0.0],
         [3.0, 4.0, 0.0],
@@ -280,7 +280,7 @@ def test_friction_without_a_limit_gives_all_and_without_weight_nothing():
 
 
 @pytest.mark.statement(24, oracle="geometry of the square")
-def test_a_friction_pyramid_is_root_two_too_strong_on_the_diagonal():
+def test_a_pyramid_is_root_two_too_strong_along_its_diagonal():
     assert clamp_to_square((9.0, 0.0, 0.0), 2.0, X, Y).tolist() == [2.0, 0.0, 0.0]
     assert clamp_to_square((9.0, -9.0, 0.0), 2.0, X, Y).tolist() == [2.0, -2.0, 0.0]
     assert clamp_to_square((1.0, -1.5, 0.0), 2.0, X, Y).tolist() == [1.0, -1.5, 0.0]
@@ -295,14 +295,14 @@ def test_a_friction_pyramid_is_root_two_too_strong_on_the_diagonal():
 
 
 @given(VECTOR, st.floats(0.1, 10), st.floats(0, 6))
-def test_turning_the_pyramid_axes_changes_friction_by_at_most_root_two(force, limit, angle):
+def test_turning_the_axes_changes_the_pyramid_by_at_most_root_two(force, limit, angle):
     force = force * [1, 1, 0]
     x = np.array([math.cos(angle), math.sin(angle), 0.0])
     size = np.linalg.norm(clamp_to_square(force, limit, x, np.cross(UP, x)))
     assert np.linalg.norm(clamp_to_circle(force, limit)) - 1e-12 <= size <= math.sqrt(2) * limit * (1 + 1e-14)
 
 
-def test_under_a_pyramid_a_body_that_slides_askew_curves_and_stops_short():
+def test_under_a_pyramid_an_oblique_slide_curves_and_stops_short():
     path = {}
     for name in ("circle", "square"):
         p, v, dt = np.zeros(3), np.array([3.0, 1.0, 0.0]), 1e-3
@@ -374,6 +374,6 @@ def test_as_printed_static_friction_sets_an_unpushed_block_in_motion():
         (lambda: sliding_motion(X, X, X, 1.0, 0.5, 0.1, 1.0, -1.0), "dt"),
     ],
 )
-def test_what_is_no_support_is_refused_by_name(call, name):
+def test_an_invalid_support_is_refused_by_name(call, name):
     with pytest.raises(ValueError, match=f"^{name}"):
         call()

@@ -40,7 +40,7 @@ UP = (0.0, 0.0, 1.0)
 
 
 @pytest.mark.statement(14, oracle="arithmetic by hand")
-def test_a_rolling_wheel_rests_at_its_lowest_point_and_is_fastest_on_top():
+def test_the_rim_of_a_rolling_wheel_is_still_below_and_twice_as_fast_above():
     # 3 m/s along x, radius 0.5 m: it turns about y, towards +x at the top, with 6 rad/s.
     below, hub, above, front = ((0, 0, -0.5), (0, 0, 0), (0, 0, 0.5), (0.5, 0, 0))
     found = point_velocity((3, 0, 0), (0, 6, 0), (below, hub, above, front))
@@ -58,7 +58,7 @@ def test_the_velocity_of_a_point_is_the_rate_of_its_place(velocity, omega, arm):
 
 
 @pytest.mark.erratum(14)
-def test_as_printed_a_point_position_does_not_depend_on_the_body_position():
+def test_as_printed_the_place_of_a_point_ignores_where_the_body_is():
     # p_A = v_A + ω_A × r_A: of a wheel's hub that rolled 30 m in 10 s, 3 "m" for ever. It is the rate of the place.
     printed = point_velocity((3, 0, 0), (0, 6, 0), (0, 0, 0))
     places = [np.array([3.0 * time, 0, 0]) for time in (0, 10)]
@@ -74,7 +74,7 @@ def test_a_car_that_catches_up_sees_the_other_come_towards_it():
 
 
 @pytest.mark.erratum(15)
-def test_the_other_order_of_the_difference_calls_an_approach_a_separation():
+def test_the_reversed_difference_calls_an_approach_a_separation():
     behind, ahead, normal = (30.0, 0, 0), (20.0, 0, 0), np.array([-1.0, 0, 0])
     assert classify_contact(normal @ relative_velocity(behind, ahead)) == COLLIDING
     assert classify_contact(normal @ relative_velocity(ahead, behind)) == SEPARATING
@@ -82,7 +82,7 @@ def test_the_other_order_of_the_difference_calls_an_approach_a_separation():
 
 @pytest.mark.statement(15, oracle="an observer who moves along")
 @given(VECTOR, VECTOR, VECTOR, NORMAL)
-def test_two_points_separate_at_the_same_speed_for_every_observer(first, second, observer, normal):
+def test_exchanging_the_bodies_or_the_observer_changes_no_normal_velocity(first, second, observer, normal):
     seen = normal_velocity(first - observer, second - observer, normal)
     assert seen == pytest.approx(normal_velocity(first, second, normal), abs=1e-13)  # roundings of numbers up to 35
     assert normal_velocity(second, first, -normal) == normal_velocity(first, second, normal)
@@ -99,16 +99,16 @@ def test_the_normal_velocity_is_the_rate_at_which_the_gap_opens(v_a, v_b, p_a, p
 
 
 @pytest.mark.statement(12, oracle="arithmetic by hand")
-def test_what_closes_at_four_metres_a_second_parts_at_e_times_that():
+def test_bodies_that_close_at_four_metres_per_second_part_at_e_times_that():
     assert rebound_velocity(-4.0, (0, 0.25, 1)).tolist() == [0, 1, 4]
 
 
-def test_what_separates_or_grazes_already_has_the_velocity_that_it_will_have():
+def test_separating_or_grazing_bodies_keep_their_velocity():
     assert rebound_velocity((3.0, 1e-3, 0.0), 0.5).tolist() == [3, 1e-3, 0]
 
 
 @pytest.mark.erratum(12)
-def test_as_printed_restitution_lets_the_bodies_keep_approaching():
+def test_as_printed_a_fraction_of_the_velocity_lets_bodies_interpenetrate():
     assert as_printed.velocity_after_restitution(-4.0, 0.25) == -1.0
     assert classify_contact(as_printed.velocity_after_restitution(-4.0, 0.25)) == COLLIDING
     assert classify_contact(rebound_velocity(-4.0, 0.25)) == SEPARATING
@@ -119,7 +119,7 @@ def test_as_printed_restitution_lets_the_bodies_keep_approaching():
     ("u_n", "kind"),
     [(-0.2, COLLIDING), (-0.1, RESTING), (-0.05, RESTING), (0.0, RESTING), (0.1, RESTING), (0.2, SEPARATING)],
 )
-def test_a_contact_is_of_the_kind_that_its_normal_velocity_says(u_n, kind):
+def test_the_normal_velocity_decides_the_kind_of_a_contact(u_n, kind):
     assert classify_contact(u_n, 0.1) == kind
 
 
@@ -128,12 +128,12 @@ def test_without_a_threshold_only_a_grazing_contact_rests():
 
 
 @given(st.floats(-10, 10), st.floats(0, 1))
-def test_running_backwards_what_collides_separates_and_what_rests_rests(u_n, threshold):
+def test_run_backwards_colliding_bodies_separate_and_resting_ones_rest(u_n, threshold):
     assert classify_contact(-u_n, threshold) == -classify_contact(u_n, threshold)
 
 
 @pytest.mark.erratum(21)
-def test_as_printed_what_rests_is_moving_away_and_what_moves_away_is_resting():
+def test_as_printed_resting_and_separating_are_exchanged():
     approaching, still, leaving = 2.0, 0.0, -2.0  # V_rel of the slide, with n from A to B
     printed = as_printed.contact_kind((approaching, still, leaving), 0.1).tolist()
     assert printed == ["colliding", "separating", "resting"]
@@ -142,7 +142,7 @@ def test_as_printed_what_rests_is_moving_away_and_what_moves_away_is_resting():
 
 
 @pytest.mark.erratum(21)
-def test_as_printed_with_the_normal_from_b_to_a_what_approaches_is_resting():
+def test_as_printed_with_the_normal_from_b_to_a_an_approach_is_resting():
     assert as_printed.contact_kind(-2.0, 0.1) == "resting"
     assert classify_contact(-2.0, 0.1) == COLLIDING
 
@@ -151,7 +151,7 @@ def test_as_printed_with_the_normal_from_b_to_a_what_approaches_is_resting():
 
 
 @pytest.mark.statement(17, oracle="a corner on a table, by hand")
-def test_the_normal_of_a_table_points_to_the_cube_on_it_whoever_is_a():
+def test_the_normal_of_a_table_points_to_the_cube_whichever_is_body_a():
     table, cube = (0.0, 0, 0), (5.0, 1, 0.7)
     for printed in ((0, 0, 2), (0, 0, -0.5)):
         assert point_plane_normal(printed, cube, table).tolist() == [0, 0, 1]
@@ -287,7 +287,7 @@ def test_a_force_that_jumps_is_sampled_twice_at_that_time():
 
 
 @pytest.mark.erratum(13)
-def test_forces_a_hundred_times_apart_can_give_the_same_impulse():
+def test_forces_a_hundred_times_apart_give_the_same_impulse():
     change = (0.0, 0.0, 0.5)
     soft, hard = mean_force(change, 0.05), mean_force(change, 0.0005)
     assert hard == pytest.approx(100 * soft, rel=1e-14)
@@ -295,14 +295,14 @@ def test_forces_a_hundred_times_apart_can_give_the_same_impulse():
         assert impulse_of_force([force, force], [0, duration]) == pytest.approx(change, rel=1e-14)
 
 
-def test_the_floor_carries_a_resting_ball_with_a_force_equal_to_its_weight():
+def test_a_ball_on_the_floor_has_a_contact_force_of_its_weight():
     assert mean_force((0, 0, 0), 2.0).tolist() == [0, 0, 0]
     assert mean_force((0, 0, 0), 2.0, (0, 0, -9.81)).tolist() == [0, 0, 9.81]
 
 
 @pytest.mark.statement(16, oracle="Newton's third law")
 @given(st.floats(-10, 10), NORMAL)
-def test_what_a_gets_along_the_normal_b_gets_against_it(j, normal):
+def test_a_receives_the_impulse_along_the_normal_and_b_its_opposite(j, normal):
     on_a, on_b = contact_impulses(j, normal)
     assert (on_a + on_b).tolist() == [0, 0, 0]
     assert on_a @ normal == pytest.approx(j, abs=1e-14)  # a unit vector to a few 1e-16, times 10
@@ -320,7 +320,7 @@ def test_an_impulse_at_the_end_of_an_arm_is_added_to_both_momenta():
 
 
 @pytest.mark.erratum(21)
-def test_as_printed_a_program_with_separate_velocities_never_rebounds():
+def test_as_printed_velocities_beside_p_and_l_never_rebound():
     mass, velocity = 2.0, np.array([0.0, 0.0, -3.0])
     momentum, angular = apply_impulse_to_momenta(mass * velocity, (0, 0, 0), (0, 0, -1), (0, 0, 2 * 3 * mass))
     assert normal_velocity(velocity, (0, 0, 0), UP) == -3  # P has changed, v has not
@@ -328,7 +328,7 @@ def test_as_printed_a_program_with_separate_velocities_never_rebounds():
     assert normal_velocity(recomputed, (0, 0, 0), UP) == 3
 
 
-def test_momenta_cannot_tell_of_the_motion_of_an_immovable_body():
+def test_momenta_do_not_describe_the_motion_of_an_immovable_body():
     velocity, spin = velocities_from_momenta((1, 2, 3), (1, 2, 3), 0.0, np.zeros((3, 3)))
     assert velocity.tolist() == [0, 0, 0]
     assert spin.tolist() == [0, 0, 0]

@@ -51,7 +51,7 @@ def run(move, mesh, position, velocity, dt, count):
 @pytest.mark.statement(28, oracle="scipy's solve_ivp")
 @pytest.mark.statement(29, oracle="scipy's solve_ivp")
 @pytest.mark.parametrize("move", [mesh_step, implicit_mesh_step])
-def test_both_steps_converge_to_the_ode_path_at_their_own_order(move):
+def test_both_steps_converge_on_the_differential_equation_in_first_order(move):
     integrate = oracle("scipy.integrate")
     mesh, position, velocity = small_cloth(0.05)
     free = ~mesh.pinned[:, None]
@@ -185,7 +185,7 @@ def test_a_cloth_moves_for_a_second_as_mujocos_tendons_move_it(damping, installe
 
 @pytest.mark.statement(28, oracle="MuJoCo, a flex of edges")
 @pytest.mark.statement(29, oracle="MuJoCo, a flex of edges")
-def test_a_wobbling_solid_moves_like_a_mujoco_flex_with_the_same_edges(installed):
+def test_a_solid_flies_and_wobbles_as_mujocos_flex_of_the_same_edges(installed):
     installed("mujoco")
     mujoco = load_engine("mujoco").module()
     position, edges = lattice(3, 3, 3, 0.1)
@@ -249,7 +249,7 @@ def test_an_undamped_cloth_in_the_plane_moves_as_pymunks_springs_move_it():
 
 
 @pytest.mark.statement(29, oracle="pymunk's DampedSpring")
-def test_a_damped_cloth_in_the_plane_converges_to_the_motion_in_pymunk():
+def test_a_damped_cloth_converges_on_the_motion_of_pymunks_dampers():
     # pymunk takes 1 − exp(−c dt Σ1/m) of a spring's own rate, one spring after another: the same to first order
     mesh, position, velocity = upright_cloth(0.2)
     apart = []

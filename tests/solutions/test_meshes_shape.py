@@ -59,7 +59,7 @@ def hanging_chain():
 
 @SOME
 @given(SEED)
-def test_it_finds_the_hanging_chain_from_any_shape(hanging_chain, seed):
+def test_the_hanging_chain_is_found_from_any_shape(hanging_chain, seed):
     mesh, position, expected = hanging_chain
     guess = position + np.where(mesh.pinned[:, None], 0, np.random.default_rng(seed).uniform(-0.4, 0.4, (5, 3)))
     # A net force of 1e-10 weights or of the first imbalance, some 100 N; over springs of 200 N/m
@@ -79,7 +79,7 @@ def test_a_chain_between_two_pins_hangs_in_the_curve_of_constant_pull():
     assert np.diff(slopes) == pytest.approx(np.full(10, 0.1 * 9.81 / pull[0, 0]), rel=1e-6)
 
 
-def test_a_cloth_that_hangs_from_two_corners_is_as_symmetric_as_it_is_held():
+def test_a_cloth_that_hangs_from_two_corners_is_symmetric():
     position, edges = cloth(6, 6, 0.1)
     mesh = spring_mesh(position, edges, 50.0, 0.1, 0.01, [0, 5])
     shape = static_shape(mesh, position, GRAVITY)
@@ -93,7 +93,7 @@ def test_a_cloth_that_hangs_from_two_corners_is_as_symmetric_as_it_is_held():
 
 
 @pytest.mark.statement(28, oracle="Euler and Bernoulli's order of magnitude; a mechanism that hangs plumb")
-def test_internal_springs_hold_a_cantilever_up_that_hangs_down_without_them():
+def test_without_internal_springs_a_cantilever_hangs_down():
     ends = {}
     for kinds in (("structural",), ("structural", "face", "space")):
         position, edges = lattice(6, 2, 2, 0.1, kinds)
@@ -107,7 +107,7 @@ def test_internal_springs_hold_a_cantilever_up_that_hangs_down_without_them():
     assert -0.03 < braced[2] < -0.0075
 
 
-def test_a_mesh_at_rest_stays_unchanged_and_an_unheld_one_is_refused():
+def test_a_mesh_at_rest_stays_and_one_that_nothing_holds_is_refused():
     position, edges = cloth(3, 3, 0.1)
     mesh = spring_mesh(position, edges, 50.0)
     assert np.array_equal(static_shape(mesh, position, (0, 0, 0)), position)
@@ -127,7 +127,7 @@ def test_without_weight_a_mesh_relaxes_to_the_lengths_of_its_springs():
     assert edge_strain(mesh, found) == pytest.approx(np.zeros(28), abs=1e-7)
 
 
-def test_the_static_shape_stops_at_the_requested_share_of_the_weight():
+def test_the_search_stops_at_the_given_share_of_weight_or_first_force():
     position, edges = lattice(2, 2, 2, 0.1)
     for pull, scale in ((NOTHING, 1.0), (GRAVITY, 9.81)):
         mesh = spring_mesh(position, edges, 50.0, pinned=[0] if pull is GRAVITY else [])
@@ -145,7 +145,7 @@ def test_a_chain_hangs_from_a_node_of_infinite_mass():
     assert np.array_equal(static_shape(anchored, position, GRAVITY), static_shape(mesh, position, GRAVITY))
 
 
-def test_static_shapes_of_a_batch_of_meshes_match_single_results():
+def test_shapes_at_rest_of_many_meshes_are_as_one_after_another():
     rng = np.random.default_rng(4)
     mesh, position = chain(4)
     guesses = position + np.where(mesh.pinned[:, None], 0, rng.uniform(-0.3, 0.3, (3, 4, 3)))
@@ -174,7 +174,7 @@ def test_no_spring_of_a_hanging_chain_stays_longer_than_the_limit(seed):
 
 @SOME
 @given(SEED)
-def test_strain_limiting_keeps_the_centre_of_mass_and_adds_no_spin(seed):
+def test_limiting_moves_no_centre_of_mass_and_adds_no_spin(seed):
     rng = np.random.default_rng(seed)
     rest, edges = lattice(2, 2, 2, 1.0)
     mesh = spring_mesh(rest, edges, 1.0, mass=rng.uniform(0.1, 5, 8))
@@ -188,7 +188,7 @@ def test_strain_limiting_keeps_the_centre_of_mass_and_adds_no_spin(seed):
     assert mesh.mass @ limited == pytest.approx(mesh.mass @ stretched, abs=1e-10)
 
 
-def test_one_stretched_spring_is_drawn_together_at_once_by_inverse_masses():
+def test_one_stretched_spring_is_corrected_at_once_by_inverse_masses():
     mesh = spring_mesh([(0, 0, 0), (1, 0, 0)], [(0, 1)], 1.0, mass=[1.0, 3.0])
     found = limit_strain(mesh, [(0, 0, 0), (2, 0, 0)], 0.2, iterations=1)
     assert found == pytest.approx(np.array([(0.6, 0, 0), (1.8, 0, 0)]))  # 0.8 too long: 3/4 for the light end
@@ -205,7 +205,7 @@ def test_two_springs_that_meet_share_the_round_and_do_not_overshoot():
     assert found[1] == pytest.approx([1.4, 0, 0])
 
 
-def test_strain_limiting_leaves_springs_within_the_limit_alone():
+def test_springs_within_the_limit_are_left_alone():
     mesh = SpringMesh([(0, 1), (1, 2), (2, 3)], [1.0, 1.0, 0.0], 1.0, 0.0, np.ones(4), False)
     position = np.array([(0, 0, 0), (1.1, 0, 0), (0.4, 0, 0), (5.0, 0, 0)])
     assert np.array_equal(limit_strain(mesh, position), position)
@@ -222,7 +222,7 @@ def test_pins_that_are_too_far_apart_stay_and_some_spring_is_too_long():
     assert edge_strain(mesh, found).max() >= 1
 
 
-def test_strain_limiting_of_a_batch_of_meshes_matches_single_results():
+def test_strain_limiting_of_many_meshes_is_as_one_after_another():
     rng = np.random.default_rng(12)
     rest, edges = cloth(3, 3, 1.0)
     mesh = spring_mesh(rest, edges, 1.0, pinned=[0])
@@ -233,7 +233,7 @@ def test_strain_limiting_of_a_batch_of_meshes_matches_single_results():
 
 
 @pytest.mark.statement(28, oracle="the limit itself")
-def test_a_soft_cloth_limited_after_every_step_hangs_without_stretching():
+def test_a_soft_cloth_limited_in_every_step_hangs_without_stretching():
     position, edges = cloth(4, 4, 0.1)
     mesh = spring_mesh(position, edges, 5.0, 0.05, 0.01, [0, 3])  # by itself it would stretch by a third
     p, v, dt = position, np.zeros_like(position), 0.005
@@ -250,7 +250,7 @@ def test_a_soft_cloth_limited_after_every_step_hangs_without_stretching():
 
 
 @given(SEED, st.floats(0, 1), st.floats(0, 2))
-def test_a_node_behind_a_plane_is_moved_back_reversed_and_slowed(seed, e, mu):
+def test_a_node_behind_a_plane_is_put_back_reversed_and_slowed(seed, e, mu):
     rng = np.random.default_rng(seed)
     mesh = spring_mesh(rng.normal(size=(8, 3)), [(0, 1)], 1.0, pinned=[0])
     p, v, normal = rng.normal(size=(8, 3)), rng.normal(size=(8, 3)), rng.normal(size=3)
@@ -275,7 +275,7 @@ def test_a_node_behind_a_plane_is_moved_back_reversed_and_slowed(seed, e, mu):
 
 
 @given(SEED, st.floats(0, 1), st.floats(0, 1))
-def test_a_sphere_is_to_a_node_the_plane_that_touches_it_there(seed, e, mu):
+def test_a_sphere_acts_on_a_node_as_its_tangent_plane_does(seed, e, mu):
     rng = np.random.default_rng(seed)
     mesh = spring_mesh(rng.normal(size=(8, 3)), [(0, 1)], 1.0, pinned=[0])
     p, v, centre = rng.normal(size=(8, 3)), rng.normal(size=(8, 3)), 0.3 * rng.normal(size=3)
@@ -303,7 +303,7 @@ def test_a_node_on_the_surface_is_not_within_it():
         assert velocity.tolist() == [[0, 0, -1]]
 
 
-def test_a_resting_node_slides_to_a_stop_within_v_squared_over_two_mu_g():
+def test_a_resting_node_slides_for_its_speed_squared_over_two_mu_g():
     mesh = spring_mesh([(0, 0, 0)], np.zeros((0, 2)), 1.0)
     p, v, dt = np.zeros((1, 3)), np.array([(2.0, 0, 0)]), 1e-3
     for _ in range(1000):
@@ -328,7 +328,7 @@ def test_a_cloth_comes_to_rest_on_a_sphere_and_no_node_is_within():
     assert p[:, 2].min() < 0.25
 
 
-def test_contacts_of_many_meshes_at_once_are_the_same_as_one_after_another():
+def test_contacts_of_many_meshes_at_once_are_as_one_after_another():
     rng = np.random.default_rng(13)
     mesh = spring_mesh(*cloth(2, 2, 1.0), 1.0, pinned=[3])
     p, v, centre = (rng.normal(size=(5, *shape)) for shape in ((4, 3), (4, 3), (1, 3)))
@@ -353,7 +353,7 @@ def test_contacts_of_many_meshes_at_once_are_the_same_as_one_after_another():
         (mesh_sphere_contact, ((0, 0, 0), 1.0, -0.5), "restitution must be from 0 to 1, not -0.5"),
     ],
 )
-def test_contact_with_what_cannot_be_is_refused(contact, arguments, complaint):
+def test_an_invalid_contact_is_refused(contact, arguments, complaint):
     mesh = spring_mesh(*cloth(2, 2, 1.0), 1.0)
     with pytest.raises(ValueError, match=complaint):
         contact(mesh, np.zeros((4, 3)), np.zeros((4, 3)), *arguments)

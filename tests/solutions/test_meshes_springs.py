@@ -65,7 +65,7 @@ def turn(rng):
 
 @pytest.mark.statement(29, oracle="the formula spring by spring")
 @given(SEED)
-def test_the_force_on_every_node_is_the_sum_over_its_springs_one_by_one(seed):
+def test_the_force_on_every_node_is_the_sum_over_its_springs(seed):
     mesh, position, velocity, _ = any_mesh(seed)
     assert mesh_forces(mesh, position, velocity) == pytest.approx(
         spring_by_spring(mesh, position, velocity), abs=ROUNDING
@@ -122,7 +122,7 @@ def test_the_scene_can_be_moved_and_turned_as_a_whole(seed):
 
 
 @given(SEED)
-def test_the_numbers_of_nodes_and_the_order_and_sense_of_edges_do_not_matter(seed):
+def test_renumbering_nodes_or_reversing_edges_changes_no_force(seed):
     mesh, position, velocity, rng = any_mesh(seed)
     name, order = rng.permutation(6), rng.permutation(12)
     swapped = np.where(rng.random((12, 1)) < 0.5, mesh.edges, mesh.edges[:, ::-1])
@@ -134,7 +134,7 @@ def test_the_numbers_of_nodes_and_the_order_and_sense_of_edges_do_not_matter(see
 
 
 @given(SEED)
-def test_a_pinned_node_is_told_what_its_springs_pull_with(seed):
+def test_the_force_on_a_pinned_node_is_the_pull_of_its_springs(seed):
     mesh, position, velocity, _ = any_mesh(seed)
     free = SpringMesh(mesh.edges, mesh.rest_length, mesh.stiffness, mesh.damping, mesh.mass, np.zeros(6, dtype=bool))
     assert np.array_equal(mesh_forces(mesh, position, velocity), mesh_forces(free, position, velocity))
@@ -151,7 +151,7 @@ def test_an_edge_of_no_length_has_no_direction_and_no_force():
     assert edge_strain(mesh, together).tolist() == [-1]
 
 
-def test_a_spring_of_no_rest_length_pulls_like_hookes_and_has_no_strain():
+def test_a_spring_of_no_rest_length_obeys_hooke_and_has_no_strain():
     mesh = SpringMesh([(0, 1)], 0.0, 10.0, 0.0, np.ones(2), False)
     assert mesh_forces(mesh, [(3, 4, 0), (0, 0, 0)], np.zeros((2, 3)))[0] == pytest.approx([-30, -40, 0])
     assert edge_strain(mesh, [(3, 4, 0), (0, 0, 0)]).tolist() == [0]
@@ -211,7 +211,7 @@ def test_the_product_edge_by_edge_is_that_of_the_whole_matrix(seed):
     assert mesh_product(mesh, blocks, velocity).ravel() == pytest.approx(whole, abs=ROUNDING)
 
 
-def test_the_mesh_product_equals_the_matrix_even_for_asymmetric_blocks():
+def test_the_product_is_right_for_blocks_that_are_not_symmetric():
     mesh, _, vector, rng = any_mesh(1)
     blocks = rng.normal(size=(12, 3, 3))
     assert mesh_product(mesh, blocks, vector).ravel() == pytest.approx(mesh_matrix(mesh, blocks) @ vector.ravel())
@@ -220,7 +220,7 @@ def test_the_mesh_product_equals_the_matrix_even_for_asymmetric_blocks():
     assert turned.tolist() == [[5, 0, 0], [-5, 0, 0]]
 
 
-def test_a_shortened_spring_buckles_though_the_clamped_stiffness_denies_it():
+def test_a_shortened_spring_buckles_except_with_clamped_stiffness():
     # Half its length: g = 1 − L0/L = −1, so a push sideways grows with 10 N/m where the clamp says 0
     mesh = SpringMesh([(0, 1)], 1.0, 10.0, 0.0, np.ones(2), False)
     position = [(0, 0, 0), (0.5, 0, 0)]
@@ -245,7 +245,7 @@ def test_at_no_length_only_a_spring_of_no_rest_length_is_stiff(rest_length, stif
 
 
 @given(SEED)
-def test_the_clamped_stiffness_never_gives_energy_away(seed):
+def test_the_clamped_stiffness_has_no_negative_eigenvalue(seed):
     mesh, position, _, _ = any_mesh(seed)
     assert np.linalg.eigvalsh(mesh_matrix(mesh, edge_stiffness(mesh, position)))[0] > -ROUNDING
     assert np.linalg.eigvalsh(mesh_matrix(mesh, edge_damping(mesh, position)))[0] > -ROUNDING

@@ -79,7 +79,7 @@ def growth(mesh, position, dt):
         (("structural", "face", "space"), 6),
     ],
 )
-def test_a_cube_of_edges_alone_can_collapse_in_six_ways(kinds, modes):
+def test_internal_springs_remove_the_six_ways_a_cube_can_collapse(kinds, modes):
     position, edges = lattice(2, 2, 2, 1.0, kinds)
     mesh = spring_mesh(position, edges, 50.0)
     assert zero_energy_modes(mesh, position) == modes
@@ -91,13 +91,13 @@ def test_a_cube_of_edges_alone_can_collapse_in_six_ways(kinds, modes):
 
 
 @given(st.integers(2, 4), st.integers(2, 4), st.integers(2, 4))
-def test_a_solid_with_internal_springs_has_only_the_six_rigid_motions(nx, ny, nz):
+def test_a_braced_solid_has_only_the_six_motions_of_a_rigid_body(nx, ny, nz):
     position, edges = lattice(nx, ny, nz, 0.1)
     assert zero_energy_modes(spring_mesh(position, edges, 7.0), position) == 6
 
 
 @given(st.integers(2, 5), st.integers(2, 5))
-def test_a_flat_cloth_without_shear_springs_slips_by_rows_and_columns(rows, columns):
+def test_without_shear_springs_a_flat_cloth_slips_along_rows_and_columns(rows, columns):
     # Out of its plane nothing resists a small motion, not even bend springs: rows · columns ways. In the plane 2 r c
     # motions less r (c − 1) + c (r − 1) springs leave r + c; with the diagonals only the three of a rigid body.
     for kinds, in_plane in zip(KINDS, (rows + columns, 3, 3), strict=True):
@@ -121,7 +121,7 @@ def test_a_mesh_without_springs_resists_nothing():
     assert timestep_bound(mesh) == np.inf
 
 
-def test_tension_makes_a_chain_resist_what_it_lets_happen_at_rest():
+def test_tension_makes_a_chain_resist_sideways_motion():
     chain = spring_mesh([(x, 0, 0) for x in range(4)], [(0, 1), (1, 2), (2, 3)], 1.0, pinned=[0, 3])
     assert zero_energy_modes(chain, [(x, 0, 0) for x in range(4)]) == 4  # both inner nodes, sideways
     assert zero_energy_modes(chain, [(2.0 * x, 0, 0) for x in range(4)]) == 0
@@ -132,7 +132,7 @@ def test_tension_makes_a_chain_resist_what_it_lets_happen_at_rest():
 
 @pytest.mark.statement(28, oracle="dense eigenvalues; simulation on both sides")
 @pytest.mark.parametrize(("kinds", "stated"), list(zip(KINDS, LECTURE, strict=True)))
-def test_every_kind_of_spring_shortens_the_stable_step_of_a_cloth(kinds, stated):
+def test_every_kind_of_spring_shortens_the_step_to_the_stated_length(kinds, stated):
     position, edges = cloth(10, 10, 1.0, kinds)
     mesh = spring_mesh(position, edges, 4.0, mass=9.0)
     unit = math.sqrt(9 / 4)
@@ -147,7 +147,7 @@ def test_every_kind_of_spring_shortens_the_stable_step_of_a_cloth(kinds, stated)
 
 @pytest.mark.statement(28, oracle="simulation on both sides of the limit")
 @pytest.mark.parametrize("kinds", [KINDS[0], *(pytest.param(kinds, marks=pytest.mark.slow) for kinds in KINDS[1:])])
-def test_a_cloth_vibrates_just_below_the_limit_and_blows_up_just_above_it(kinds):
+def test_a_cloth_vibrates_below_the_limit_and_blows_up_above_it(kinds):
     position, edges = cloth(10, 10, 1.0, kinds)
     mesh = spring_mesh(position, edges, 1.0)
     kick = 1e-9 * np.random.default_rng(1).normal(size=position.shape) * (1, 1, 0)
@@ -166,7 +166,7 @@ def test_a_cloth_vibrates_just_below_the_limit_and_blows_up_just_above_it(kinds)
 
 @pytest.mark.statement(29, oracle="eigenvalues of the matrix of one step")
 @given(SEED)
-def test_a_damped_mesh_blows_up_just_above_the_limit_and_not_below(seed):
+def test_with_any_dampers_a_motion_grows_just_above_the_limit(seed):
     mesh, position, _ = any_mesh(seed)
     limit = float(stable_timestep(mesh, position, tolerance=1e-6))
     # Motions that nothing holds have a double eigenvalue 1, which rounding splits by 1e-8. Above, the one at −1 grows
@@ -199,7 +199,7 @@ def test_the_step_found_by_adding_up_wastes_a_third_on_a_full_cloth():
 
 
 @given(SEED)
-def test_the_eigenvalue_scales_with_stiffness_over_mass(seed):
+def test_scaling_and_pinning_change_the_largest_eigenvalue_as_derived(seed):
     mesh, position, _ = any_mesh(seed)
     found = float(largest_eigenvalue(mesh, position, tolerance=1e-8))
     heavier = dataclasses.replace(mesh, mass=4 * mesh.mass, stiffness=9 * mesh.stiffness)
@@ -209,7 +209,7 @@ def test_the_eigenvalue_scales_with_stiffness_over_mass(seed):
     assert largest_eigenvalue(pin(mesh, [0]), position) <= found * (1 + 1e-6)
 
 
-def test_the_power_iteration_never_exceeds_the_largest_eigenvalue():
+def test_the_power_iteration_approaches_the_eigenvalue_from_below():
     position, edges = cloth(4, 4, 1.0)
     mesh = spring_mesh(position, edges, 1.0, 0.1)
     found = [float(largest_eigenvalue(mesh, position, 1e-12, rounds)) for rounds in (1, 5, 25, 1000)]
@@ -238,7 +238,7 @@ def test_two_nodes_swing_with_the_exact_frequency_of_the_step(share, mass_1, mas
 
 @pytest.mark.parametrize("move", MOVES)
 @given(seed=SEED)
-def test_pinned_nodes_do_not_move_even_if_told_to(move, seed):
+def test_pinned_nodes_do_not_move_even_with_a_velocity(move, seed):
     mesh, position, rng = any_mesh(seed)
     mesh = pin(mesh, [2])
     p, v = move(mesh, position, rng.normal(size=(6, 3)), GRAVITY, 0.01)
@@ -285,7 +285,7 @@ def test_a_mesh_that_flies_together_falls_like_a_stone(move):
     assert p - position == pytest.approx(np.tile((1, 2, 3 - 9.81 * 1.01 / 2), (8, 1)), abs=1e-6)
 
 
-def test_an_undamped_mesh_neither_gains_nor_loses_energy_in_the_long_run():
+def test_an_undamped_mesh_keeps_its_energy_in_the_long_run():
     position, edges = lattice(2, 2, 2, 1.0)
     mesh = spring_mesh(position, edges, 100.0)
     p, v = 1.05 * position, np.zeros_like(position)
@@ -304,7 +304,7 @@ def test_an_undamped_mesh_neither_gains_nor_loses_energy_in_the_long_run():
 
 
 @pytest.mark.statement(29, oracle="exponential decay of a damped oscillator")
-def test_dampers_calm_a_mesh_down_and_leave_its_flight_alone():
+def test_dampers_stop_vibrations_and_leave_the_flight_alone():
     position, edges = lattice(2, 2, 2, 1.0)
     mesh = spring_mesh(position, edges, 100.0, 2.0)
     flight = np.array([3.0, 0.0, 1.0])
@@ -317,7 +317,7 @@ def test_dampers_calm_a_mesh_down_and_leave_its_flight_alone():
 
 
 @pytest.mark.statement(29, oracle="momentum")
-def test_the_slides_nodal_damping_stops_the_flight_of_the_whole_mesh():
+def test_the_slides_damping_on_every_node_also_stops_the_flight():
     position, edges = lattice(2, 2, 2, 1.0)
     mesh = spring_mesh(position, edges, 100.0)
     p, v = position, np.tile((3.0, 0.0, 0.0), (8, 1))
@@ -344,7 +344,7 @@ def test_a_node_of_infinite_mass_is_an_anchor(move):
 
 @pytest.mark.statement(28, oracle="eigenvalues of backward Euler, 1/(1 ± iω dt)")
 @given(st.floats(-4, 4).map(lambda power: 10**power), st.integers(1, 5))
-def test_backward_euler_keeps_of_a_vibration_what_is_stated(share, count):
+def test_backward_euler_damps_a_vibration_by_the_stated_factor(share, count):
     # Along the edge the spring is linear, so that one linearisation is exact: of v² + ω²x², 1/(1 + ω²dt²) a step
     mesh = spring_mesh([(0, 0, 0), (1, 0, 0)], [(0, 1)], 2.0, mass=[1.0, 1.0])
     frequency, dt = 2.0, share / 2
@@ -382,7 +382,7 @@ def total_energy(mesh, position, velocity):
 
 
 @pytest.mark.statement(28, oracle="the energy of the shape at rest")
-def test_the_implicit_step_only_loses_energy_at_100_times_the_limit(hanging_cloth):
+def test_at_a_hundred_times_the_limit_the_implicit_step_only_loses_energy(hanging_cloth):
     mesh, _, rest, dt = hanging_cloth
     pushed = rest + np.where(mesh.pinned[:, None], 0, 1e-4 * np.random.default_rng(1).normal(size=rest.shape))
     p, v = pushed, np.zeros_like(rest)
@@ -398,7 +398,7 @@ def test_the_implicit_step_only_loses_energy_at_100_times_the_limit(hanging_clot
 
 
 @pytest.mark.statement(28, oracle="the shape at rest, found by dynamic relaxation")
-def test_one_linearised_step_throws_a_flat_cloth_far_but_it_comes_to_rest(hanging_cloth):
+def test_a_flat_cloth_thrown_far_by_one_long_step_still_comes_to_rest(hanging_cloth):
     # At rest and flat it resists nothing across: within the first step of almost a second it falls free, g dt²
     mesh, position, rest, dt = hanging_cloth
     p, v = implicit_mesh_step(mesh, position, np.zeros_like(position), GRAVITY, dt)
@@ -423,7 +423,7 @@ def test_the_implicit_step_slows_a_spin_and_keeps_the_momentum():
     assert v.sum(axis=0) == pytest.approx([0, 0, 0], abs=1e-6)  # the solver's tolerance
 
 
-def test_without_the_clamp_a_shortened_spring_makes_the_matrix_indefinite():
+def test_without_the_clamp_a_short_spring_makes_the_matrix_indefinite():
     # dt² k (L0/L − 1) above the mass: Baraff and Witkin's matrix has a negative eigenvalue, and no minimum to find
     mesh = SpringMesh([(0, 1)], 1.0, 100.0, 0.0, np.ones(2), [True, False])
     position, dt = [(0, 0, 0), (0.5, 0, 0)], 0.2
@@ -461,7 +461,7 @@ def test_conjugate_gradients_need_one_round_per_distinct_eigenvalue():
         conjugate_gradient(mesh, blocks, right, 1e-12, iterations=1)
 
 
-def test_conjugate_gradients_refuse_a_batch_with_an_unsolved_system():
+def test_conjugate_gradients_fail_if_one_of_many_is_not_solved():
     position = np.array([(0.0, 0, 0), (1, 0, 0)])
     blocks = edge_stiffness(spring_mesh(position, [(0, 1)], 10.0), position)
     rights = np.stack([np.zeros((2, 3)), np.random.default_rng(3).normal(size=(2, 3))])
@@ -497,7 +497,7 @@ def test_many_meshes_at_once_are_the_same_as_one_after_another(move):
         assert velocities[at] == pytest.approx(velocity, abs=1e-13)
 
 
-def test_limits_and_modes_of_a_batch_of_shapes_match_single_results():
+def test_limits_and_modes_of_many_shapes_are_as_one_after_another():
     rng = np.random.default_rng(9)
     rest, edges = lattice(2, 2, 2, 1.0)
     mesh = spring_mesh(rest, edges, 10.0, 0.3, pinned=[3])
@@ -531,7 +531,7 @@ def test_what_is_not_finite_is_refused_where_it_would_leave_no_trace(wrong):
     assert not np.isfinite(mesh_step(mesh, position, np.zeros_like(position), (0, 0, wrong), 0.1)[0]).any(axis=0)[2]
 
 
-def test_a_search_that_is_given_no_rounds_takes_one():
+def test_a_search_with_no_rounds_takes_one():
     position, edges = cloth(2, 2, 1.0)
     mesh = spring_mesh(position, edges, 1.0)
     assert largest_eigenvalue(mesh, position, iterations=0) == largest_eigenvalue(mesh, position, iterations=1)

@@ -41,14 +41,14 @@ def at_distance(position, length):
 
 
 @given(SIZE, SIZE, st.sampled_from([("structural", 1.0), ("shear", np.sqrt(2)), ("bend", 2.0)]))
-def test_each_kind_of_cloth_spring_joins_all_nodes_its_length_apart(rows, columns, kind_length):
+def test_each_kind_of_spring_of_a_cloth_joins_nodes_its_length_apart(rows, columns, kind_length):
     kind, length = kind_length
     position, edges = cloth(rows, columns, 0.5, {kind})
     assert as_pairs(edges) == at_distance(position, 0.5 * length)
 
 
 @given(SIZE, SIZE, SIZE, st.sampled_from([("structural", 1), ("face", 2), ("space", 3)]))
-def test_each_kind_of_lattice_spring_joins_all_nodes_its_length_apart(nx, ny, nz, kind_square):
+def test_each_kind_of_spring_of_a_lattice_joins_nodes_its_length_apart(nx, ny, nz, kind_square):
     kind, square = kind_square
     position, edges = lattice(nx, ny, nz, 0.5, {kind})
     assert as_pairs(edges) == at_distance(position, 0.5 * np.sqrt(square))
@@ -70,13 +70,13 @@ def test_a_lattice_is_numbered_with_z_fastest():
     assert position[[1, 3, 6]].tolist() == [[0, 0, 0.1], [0, 0.1, 0], [0.1, 0, 0]]
 
 
-def test_a_cube_has_twelve_edges_twelve_diagonals_of_faces_and_four_of_space():
+def test_a_cube_has_twelve_edges_and_sixteen_diagonals():
     assert [len(lattice(2, 2, 2, 1.0, {kind})[1]) for kind in ("structural", "face", "space")] == [12, 12, 4]
     assert len(lattice(2, 2, 2, 1.0)[1]) == 28
 
 
 @given(SIZE, SIZE)
-def test_the_order_of_spring_kinds_does_not_matter_and_the_default_is_all(rows, columns):
+def test_the_order_of_kinds_does_not_matter_and_all_are_the_default(rows, columns):
     _, edges = cloth(rows, columns, 1.0, ["bend", "shear", "structural"])
     assert np.array_equal(edges, cloth(rows, columns, 1.0)[1])
     assert len(set(as_pairs(edges))) == len(edges)
@@ -101,7 +101,7 @@ def test_a_single_node_is_a_cloth_without_springs():
         (lattice, (2, 2, 2, 1.0, ("shear",)), "structural, face, space, not 'shear'"),
     ],
 )
-def test_a_cloth_that_cannot_be_is_refused(make, arguments, complaint):
+def test_an_impossible_cloth_is_refused(make, arguments, complaint):
     with pytest.raises(ValueError, match=complaint):
         make(*arguments)
 
@@ -126,7 +126,7 @@ def test_bend_springs_that_would_double_another_are_left_out():
     assert bend_edges([(0, 1, 2), (0, 2, 1)]).tolist() == []  # two sides of one triangle
 
 
-def test_a_triangulated_cloth_has_the_springs_of_the_cloth_along_its_sides():
+def test_a_triangulated_cloth_has_the_springs_along_its_sides():
     rows, columns = 4, 5
     node = np.arange(rows * columns).reshape(rows, columns)
     a, b, c, d = (corner.ravel() for corner in (node[:-1, :-1], node[:-1, 1:], node[1:, :-1], node[1:, 1:]))
@@ -142,7 +142,7 @@ def test_a_triangulated_cloth_has_the_springs_of_the_cloth_along_its_sides():
 
 
 @given(st.permutations(range(6)), st.permutations(range(8)), st.lists(st.integers(0, 2), min_size=8, max_size=8))
-def test_edges_do_not_depend_on_node_numbers_or_on_triangle_order(nodes, order, turns):
+def test_renumbering_nodes_or_reordering_triangles_changes_no_edges(nodes, order, turns):
     triangles = [np.roll(OCTAHEDRON[k], turn).tolist() for k, turn in zip(order, turns, strict=True)]
     renamed = np.array(nodes)[np.array(triangles)]
     for found in (surface_edges, bend_edges):
@@ -159,7 +159,7 @@ def test_edges_do_not_depend_on_node_numbers_or_on_triangle_order(nodes, order, 
         ([(0, 1, 2), (0, 1, 3), (1, 0, 4)], r"more than two share the edge \[0, 1\]"),
     ],
 )
-def test_a_surface_that_cannot_be_is_refused(triangles, complaint):
+def test_an_impossible_surface_is_refused(triangles, complaint):
     with pytest.raises(ValueError, match=complaint):
         bend_edges(triangles)
 
@@ -201,7 +201,7 @@ def test_pinning_adds_to_what_is_pinned_and_leaves_the_mesh_as_it_was():
     assert pin(mesh, []).pinned.tolist() == mesh.pinned.tolist()
 
 
-def test_a_mesh_is_read_only_and_copies_the_arrays_of_its_maker():
+def test_a_mesh_is_read_only_and_shares_no_array_with_its_maker():
     position, edges = cloth(2, 2, 1.0)
     stiffness, mass = np.ones(len(edges)), np.ones(4)
     mesh = spring_mesh(position, edges, stiffness, 0.0, mass)
@@ -244,7 +244,7 @@ PAIR = {
         ({"pinned": [True, False, True]}, "shape"),
     ],
 )
-def test_a_mesh_that_cannot_be_is_refused(wrong, complaint):
+def test_an_impossible_mesh_is_refused(wrong, complaint):
     with pytest.raises(ValueError, match=complaint):
         SpringMesh(**PAIR | wrong)
 
@@ -259,6 +259,6 @@ def test_a_mesh_that_cannot_be_is_refused(wrong, complaint):
         ([(0, 0, 0), (1, 0, 0)], [-1], "from 0 to 1, not -1"),
     ],
 )
-def test_positions_and_pins_that_cannot_be_are_refused(position, pinned, complaint):
+def test_impossible_positions_and_pins_are_refused(position, pinned, complaint):
     with pytest.raises(ValueError, match=complaint):
         spring_mesh(position, [(0, 1)], 1.0, pinned=pinned)

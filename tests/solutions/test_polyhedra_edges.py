@@ -67,7 +67,7 @@ CUBE_FACES = np.array([*LOW_Z, *HIGH_Z, *LOW_Y, *HIGH_Y, *LOW_X, *HIGH_X])
 
 @pytest.mark.statement(9, oracle="exact fractions")
 @given(points(2, 3))
-def test_left_and_right_of_a_line_are_as_fractions_say(three):
+def test_exact_fractions_give_the_same_side_of_a_line(three):
     a, b, c = three
     u, v = minus(b, a), minus(c, a)
     assert orient2d(a, b, c) == sign(u[0] * v[1] - u[1] * v[0])
@@ -75,7 +75,7 @@ def test_left_and_right_of_a_line_are_as_fractions_say(three):
 
 @pytest.mark.statement(9, oracle="exact fractions")
 @given(points(3, 4))
-def test_front_and_back_of_a_face_are_as_fractions_say(four):
+def test_exact_fractions_give_the_same_side_of_a_face(four):
     assert orient3d(*four) == exact_orient3d(*four)
 
 
@@ -95,7 +95,7 @@ def test_two_corners_swapped_turn_the_face_round(four):
     assert orient3d(a, b, c, d) == -orient3d(b, a, c, d) == -orient3d(a, b, d, c) == orient3d(b, c, a, d)
 
 
-def test_signs_are_right_at_both_ends_of_the_floats_and_come_in_batches():
+def test_signs_are_right_at_both_ends_of_the_range_of_floats():
     tiny, huge = 5e-324, 1e100
     assert orient2d([0, 0], [tiny, 0], [0, tiny]) == 1
     assert orient2d([0, 0], [huge, 0], [1, -tiny]) == -1
@@ -108,7 +108,7 @@ def test_signs_are_right_at_both_ends_of_the_floats_and_come_in_batches():
         orient2d([0, 0], [1, 0], [1, 1, 1])
 
 
-def test_the_smallest_triangles_there_are_have_their_sign():
+def test_the_smallest_possible_triangles_have_the_right_sign():
     # neighbouring Fibonacci numbers span an area of exactly one unit in the last place squared
     fibonacci = [0, 1]
     while len(fibonacci) < 77:
@@ -127,7 +127,7 @@ def test_the_smallest_triangles_there_are_have_their_sign():
 
 @pytest.mark.statement(9, oracle="the definition, in fractions")
 @given(points(3, 2, COARSE), st.tuples(*[COARSE] * 3).filter(any), COARSE)
-def test_a_segment_meets_a_plane_where_fractions_say(ends, normal, offset):
+def test_exact_fractions_give_the_same_point_of_a_plane(ends, normal, offset):
     s0, s1 = (dot(map(Fraction, p), map(Fraction, normal)) + Fraction(offset) for p in ends)
     t = segment_plane(*ends, normal, offset)
     if s0 * s1 > 0:
@@ -136,7 +136,7 @@ def test_a_segment_meets_a_plane_where_fractions_say(ends, normal, offset):
         assert t == pytest.approx(float(s0 / (s0 - s1)) if s0 != s1 else 0.0, abs=1e-15)  # a quotient of roundings
 
 
-def test_a_segment_in_the_plane_meets_it_at_once_and_one_beside_it_never():
+def test_a_segment_in_the_plane_meets_it_at_its_start():
     assert segment_plane(
         [[0, 0, 0], [0, 0, 1], [0, 0, 1]], [[1, 0, 0], [1, 0, 1], [0, 0, 0]], [0, 0, 2], 0
     ).tolist() == [
@@ -173,7 +173,7 @@ def exact_meeting(p, q, triangle):
 
 @pytest.mark.statement(9, oracle="exact fractions, by clipping")
 @given(points(3, 5, COARSE))
-def test_a_segment_meets_a_triangle_where_fractions_say(five):
+def test_exact_fractions_give_the_same_point_of_a_triangle(five):
     p, q, *triangle = five
     assume(any(cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]))))
     expected = exact_meeting(p, q, triangle)
@@ -200,7 +200,7 @@ def test_whether_they_meet_is_exact_for_any_floats(five):
 FLAT = np.array([[0, 0, 0], [4, 0, 0], [0, 4, 0.0]])
 
 
-def test_a_segment_in_the_triangle_plane_enters_at_a_side_or_at_its_start():
+def test_in_its_plane_a_triangle_is_met_at_a_side_or_at_the_start():
     start = [[-1, 1, 0], [1, 1, 0], [-1, 1, 0], [-2, 2, 0], [5, 5, 0], [-1, 5, 0], [-4, 0, 0]]
     end = [[1, 1, 0], [9, 9, 0], [-2, 1, 0], [2, -2, 0], [9, 9, 0], [5, -1, 0], [4, 0, 0]]
     t, weights = segment_triangle(start, end, FLAT)
@@ -213,7 +213,7 @@ def test_a_segment_in_the_triangle_plane_enters_at_a_side_or_at_its_start():
 
 @pytest.mark.statement(9, oracle="exact fractions, by clipping")
 @given(st.integers(0, 2**32), st.permutations(range(3)), st.lists(st.integers(-3, 3), min_size=4, max_size=4))
-def test_a_segment_on_or_parallel_to_a_side_begins_where_fractions_say(seed, order, way):
+def test_exact_fractions_give_the_same_point_along_or_beside_a_side(seed, order, way):
     # sides with 24 digits: small multiples are exact, so the segment is in the plane, cross products are not
     rng = np.random.default_rng(seed)
     e, f = rng.normal(size=(2, 3)).astype(np.float32).astype(float) * 2.0 ** rng.integers(-20, 21)
@@ -244,7 +244,7 @@ def test_a_segment_on_or_parallel_to_a_side_begins_where_fractions_say(seed, ord
         ),
     ],
 )
-def test_a_segment_and_a_triangle_agree_on_the_point_where_they_meet(scale, lift):
+def test_a_segment_meets_a_triangle_at_one_point_at_any_angle(scale, lift):
     rng = np.random.default_rng(8)
     corners = rng.normal(size=(150, 3, 3))
     a, b, c = np.moveaxis(corners, 1, 0)
@@ -271,7 +271,7 @@ def test_in_the_plane_a_segment_passes_a_corner_or_only_touches_a_side():
             assert segment_triangle(q, p, FLAT[list(order)])[0] == back
 
 
-def test_a_segment_may_be_a_point_but_never_meets_a_triangle_without_area():
+def test_a_point_is_a_segment_and_nothing_meets_a_flat_triangle():
     assert segment_meets_triangle([1, 1, 0], [1, 1, 0], FLAT)
     assert not segment_meets_triangle([3, 3, 0], [3, 3, 0], FLAT)
     assert not segment_meets_triangle([1, 1, 1], [1, 1, 1], FLAT)
@@ -304,7 +304,7 @@ def test_two_boxes_intersect_when_their_intervals_do_on_all_axes(low_a, size_a, 
     assert polyhedra_intersect(b, CUBE_FACES, a, CUBE_FACES[:, ::-1]) == expected
 
 
-def test_a_cube_within_another_intersects_it_though_no_edge_meets_a_face():
+def test_a_cube_within_another_intersects_it_without_meeting_edges():
     small = CUBE / 4 + 0.3
     assert not len(edges_through_faces(small, CUBE_FACES, CUBE, CUBE_FACES)[1])
     assert polyhedra_intersect(small, CUBE_FACES, CUBE, CUBE_FACES)
@@ -333,7 +333,7 @@ def test_a_bar_through_a_cube_meets_two_of_its_sides_with_four_edges():
     assert {tuple(pair) for pair in diagonals.tolist()} == {(0, 3), (4, 7)}
 
 
-def test_a_bar_through_a_cube_is_found_without_any_vertex_inside():
+def test_a_bar_through_a_cube_is_found_by_its_own_edges_alone():
     bar = (CUBE - 0.5) * [4, 0.1, 0.1] + [0.5, 0.75, 0.2]  # beside the diagonals of the sides across x
     assert len(edges_through_faces(bar, CUBE_FACES, CUBE, CUBE_FACES)[1])
     assert not len(edges_through_faces(CUBE, CUBE_FACES, bar, CUBE_FACES)[1])
@@ -341,7 +341,7 @@ def test_a_bar_through_a_cube_is_found_without_any_vertex_inside():
     assert polyhedra_intersect(CUBE, CUBE_FACES, bar, CUBE_FACES)
 
 
-def test_edges_and_faces_that_meet_are_found_whichever_corner_comes_first():
+def test_edges_meet_faces_whichever_corner_comes_first():
     spike = np.array([[6, 6, 6], [-3, 0, 0], [0, -3, 0], [0, 0, -3.0]])
     sides = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
     crumb = (CUBE - 0.5) / 4 + [-0.75, -0.75, 0.6]  # on a side of the spike, far from its point
@@ -360,7 +360,7 @@ def faults(report):
     return {name: np.asarray(found).tolist() for name, found in vars(report).items() if len(found)}
 
 
-def test_a_cube_bounds_a_solid_and_so_does_a_heap_of_its_loose_triangles():
+def test_a_cube_bounds_a_solid_even_as_loose_triangles():
     report = mesh_report(CUBE, CUBE_FACES)
     assert report.bounds_a_solid
     assert report.is_watertight
@@ -371,7 +371,7 @@ def test_a_cube_bounds_a_solid_and_so_does_a_heap_of_its_loose_triangles():
     assert mesh_report(np.zeros((0, 3)), np.zeros((0, 3), dtype=int)).bounds_a_solid
 
 
-def test_each_fault_is_found_and_no_other():
+def test_each_fault_of_a_mesh_is_found_and_no_other():
     lost = CUBE_FACES[1:]
     assert faults(mesh_report(CUBE, lost)) == {"open_edges": [[0, 2], [0, 6], [2, 6]]}
     turned = np.concatenate([CUBE_FACES[:1, ::-1], lost])
@@ -384,7 +384,7 @@ def test_each_fault_is_found_and_no_other():
     assert faults(mesh_report(CUBE, idle)) == {"degenerate_faces": [12]}
 
 
-def test_two_cubes_through_each_other_cross_and_two_apart_do_not():
+def test_faces_cross_only_in_cubes_that_intersect():
     def two(shift):
         return mesh_report(np.concatenate([CUBE, CUBE + shift]), np.concatenate([CUBE_FACES, CUBE_FACES + 8]))
 
@@ -394,7 +394,7 @@ def test_two_cubes_through_each_other_cross_and_two_apart_do_not():
     assert np.all((through.crossing_faces < 12) == [True, False])
 
 
-def test_faces_sharing_a_corner_or_edge_cross_only_if_they_share_more():
+def test_faces_that_share_a_corner_cross_only_if_they_share_more():
     corners = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 1, 1], [1, 1, -1], [-1, -1, 1], [-1, -2, 1], [1, 0.5, 0]])
 
     def crossing(one, other):
@@ -416,7 +416,7 @@ def test_faces_sharing_a_corner_or_edge_cross_only_if_they_share_more():
         assert len(mesh_report(flat, beside).crossing_faces) == 0
 
 
-def test_pairs_found_do_not_depend_on_how_many_are_looked_at_at_once(monkeypatch):
+def test_pairs_do_not_depend_on_the_size_of_a_block(monkeypatch):
     both = np.concatenate([CUBE, CUBE + 0.37]), np.concatenate([CUBE_FACES, CUBE_FACES + 8])
     crossing, pairs = mesh_report(*both).crossing_faces, edges_through_faces(CUBE, CUBE_FACES, CUBE + 0.37, CUBE_FACES)
     assert len(crossing)

@@ -113,7 +113,7 @@ each_outline = pytest.mark.parametrize("outline", OUTLINES.values(), ids=OUTLINE
 
 @pytest.mark.statement(9, oracle="exact fractions, on a grid that meets all vertices and edges")
 @each_outline
-def test_both_inside_tests_are_right_on_a_grid_aligned_with_the_vertices(outline):
+def test_parity_and_winding_number_are_right_on_a_grid_through_vertices(outline):
     points, truth = grid_with_truth(outline)
     off = truth != 0
     assert np.sum(truth > 0) > 100
@@ -135,7 +135,7 @@ def test_both_ways_are_right_on_a_solid_turned_at_random(outline):
 @pytest.mark.statement(9, oracle="the side from which a step of 1e-9 of the size was made")
 @each_outline
 @pytest.mark.parametrize("turned", [False, True])
-def test_a_billionth_of_the_size_off_the_surface_both_ways_know_the_side(outline, turned):
+def test_both_ways_are_right_a_billionth_off_the_surface(outline, turned):
     move = bent(3) if turned else np.asarray
     vertices, faces = extruded(outline)
     vertices = np.asarray(move(vertices), dtype=float)
@@ -168,7 +168,7 @@ def test_next_to_vertices_and_edges_both_ways_are_right(outline):
 
 @pytest.mark.statement(9, oracle="exact fractions")
 @given(st.sampled_from(sorted(OUTLINES)), COORDINATE, COORDINATE, COORDINATE, st.floats(-1e-12, 1e-12))
-def test_a_point_ever_so_little_off_the_grid_is_known_by_parity(name, x, y, z, off):
+def test_parity_is_right_for_points_just_off_the_grid(name, x, y, z, off):
     # exact arithmetic: even a millionth of a millionth beside a vertical edge the parity is right
     point = (x + off, y - off / 3, z)
     truth = exact_side_of_solid(OUTLINES[name], point)
@@ -195,7 +195,7 @@ def test_of_cubes_that_fill_space_exactly_one_has_each_point():
 
 
 @pytest.mark.statement(9, oracle="solid angles of a cube")
-def test_the_winding_number_on_a_cube_is_the_solid_angle_fraction_inside():
+def test_on_a_cube_the_winding_number_is_the_solid_angle_inside():
     vertices, faces = extruded(OUTLINES["square"], 4)
     where = [[2, 2, 2], [2, 1, 0], [2, 2, 0], [2, 0, 0], [0, 4, 1], [4, 4, 4], [5, 2, 2], [4, 4, 5]]
     # each is a sum of a dozen angles
@@ -203,7 +203,7 @@ def test_the_winding_number_on_a_cube_is_the_solid_angle_fraction_inside():
 
 
 @pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
-def test_what_is_inside_does_not_depend_on_the_unit_of_length_at_all(scale):
+def test_inside_does_not_depend_on_the_unit_of_length(scale):
     vertices, faces = extruded(OUTLINES["comb"])
     vertices, points = bent(7)(vertices), bent(7)(np.random.default_rng(7).uniform(-0.5, [7, 4, 3], (500, 3)))
     # a power of two changes no digit
@@ -215,7 +215,7 @@ def test_what_is_inside_does_not_depend_on_the_unit_of_length_at_all(scale):
     assert 50 < np.sum(inside) < 450
 
 
-def test_both_inside_tests_still_work_on_a_surface_turned_inside_out():
+def test_inside_out_the_winding_number_is_negative():
     vertices, faces = extruded(OUTLINES["U"])
     points, truth = grid_with_truth(OUTLINES["U"])
     points, truth = points[truth != 0], truth[truth != 0]
@@ -237,7 +237,7 @@ def test_an_open_mesh_has_no_plain_inside():
 
 
 @pytest.mark.erratum(9)
-def test_parity_and_winding_number_differ_where_a_surface_encloses_twice():
+def test_parity_and_winding_number_differ_where_enclosed_twice():
     vertices, faces = extruded(OUTLINES["square"], 4)
     both = np.concatenate([vertices, vertices + 2]), np.concatenate([faces, faces + len(vertices)])
     assert winding_number([3, 3, 3], *both) == pytest.approx(2, abs=1e-14)
@@ -245,7 +245,7 @@ def test_parity_and_winding_number_differ_where_a_surface_encloses_twice():
     assert not inside_by_parity([3, 3, 3], *both)
 
 
-def test_a_heap_of_loose_triangles_and_faces_without_area_change_nothing():
+def test_loose_triangles_and_faces_without_area_change_nothing():
     vertices, faces = extruded(OUTLINES["comb"])
     points, truth = grid_with_truth(OUTLINES["comb"])
     points, truth = points[truth != 0], truth[truth != 0]
@@ -256,7 +256,7 @@ def test_a_heap_of_loose_triangles_and_faces_without_area_change_nothing():
     assert np.array_equal(inside_by_winding(points, vertices, idle), truth > 0)
 
 
-def test_the_answer_does_not_depend_on_how_many_pairs_are_looked_at_at_once(monkeypatch):
+def test_inside_does_not_depend_on_the_size_of_a_block(monkeypatch):
     vertices, faces = extruded(OUTLINES["U"])
     points = np.random.default_rng(5).uniform(-1, 6, (50, 2, 3))
     before = inside_by_parity(points, vertices, faces), winding_number(points, vertices, faces)
@@ -272,7 +272,7 @@ def test_the_answer_does_not_depend_on_how_many_pairs_are_looked_at_at_once(monk
 
 
 @pytest.mark.statement(9, oracle="the six distances of a box")
-def test_the_depth_inside_a_box_is_the_distance_to_its_nearest_side():
+def test_within_a_box_the_depth_is_that_to_the_nearest_side():
     vertices, faces = extruded(OUTLINES["square"], 4)
     points = np.random.default_rng(1).uniform(-2, 6, (1000, 3))
     separation, face = convex_separation(points, vertices, faces)
@@ -283,7 +283,7 @@ def test_the_depth_inside_a_box_is_the_distance_to_its_nearest_side():
     assert np.array_equal(inside_by_parity(points, vertices, faces), separation < 0)  # none is on the surface
 
 
-def test_the_surface_belongs_to_a_convex_solid_and_a_tolerance_thickens_it():
+def test_the_surface_belongs_to_a_convex_solid():
     vertices, faces = extruded(OUTLINES["square"], 4)
     points = [[4, 2, 2], [4, 4, 4], [4.25, 2, 2], [4.5, 2, 2], [2, 2, 2]]
     assert inside_convex(points, vertices, faces).tolist() == [True, True, False, False, True]
@@ -292,7 +292,7 @@ def test_the_surface_belongs_to_a_convex_solid_and_a_tolerance_thickens_it():
 
 
 @pytest.mark.statement(9, oracle="the exact depth in a regular tetrahedron")
-def test_the_centre_of_a_regular_tetrahedron_is_one_inradius_deep():
+def test_a_tetrahedron_is_as_deep_as_its_inscribed_ball():
     vertices = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1.0]])
     faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]
     assert convex_separation([0, 0, 0], vertices, faces)[0] == pytest.approx(-1 / 3**0.5, rel=1e-15)
@@ -315,7 +315,7 @@ def test_the_convex_test_is_wrong_on_a_concave_solid():
 
 
 @pytest.mark.erratum(9)
-def test_counting_all_touched_faces_fails_where_a_ray_meets_an_edge():
+def test_counting_touched_faces_is_wrong_where_a_ray_meets_an_edge():
     vertices, faces = extruded(OUTLINES["square"], 4)
     # on the diagonal the ray up meets the edge between the two halves of the lid
     diagonal = [[1, 1, 2], [3, 3, 2], [1, 3, 2], [3, 1, 2]]
@@ -325,7 +325,7 @@ def test_counting_all_touched_faces_fails_where_a_ray_meets_an_edge():
 
 
 @each_outline
-def test_only_the_square_is_convex_and_none_is_when_turned_inside_out(outline):
+def test_of_the_solids_only_the_square_is_convex(outline):
     vertices, faces = extruded(outline)
     for first in range(len(faces)):  # whichever face comes first
         assert is_convex(vertices, np.roll(faces, first, axis=0)) == (outline is OUTLINES["square"])
@@ -338,7 +338,7 @@ def test_only_the_square_is_convex_and_none_is_when_turned_inside_out(outline):
     assert not is_convex(vertices, faces[:, ::-1])
 
 
-def test_a_vertex_without_a_face_does_not_change_convexity_or_volume():
+def test_a_distant_vertex_of_no_face_changes_nothing():
     vertices, faces = extruded(OUTLINES["L"])
     with_another = np.concatenate([vertices, [[1e12, 0, 0]]])
     assert not is_convex(with_another, faces)

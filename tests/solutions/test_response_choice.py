@@ -66,7 +66,7 @@ def penalty(stiffness):
 TWO_DIGITS = 0.03
 
 
-def test_backing_up_is_exact_or_second_order_and_the_step_is_first_order():
+def test_backing_up_is_more_accurate_than_resolving_at_the_step():
     assert rebound_error(backed_up("exact"), 1e-3)[0] < 3e-14
     assert rebound_error(backed_up("slide"), 1e-3)[0] == pytest.approx(1.9e-6, rel=TWO_DIGITS)
     assert rebound_error(at_the_step, 1e-3)[0] == pytest.approx(0.0037, rel=TWO_DIGITS)
@@ -94,7 +94,7 @@ def test_the_figures_measured_here_are_those_of_the_page(figure):
         pytest.param(1e4, 1e-4, 0.038, 0.028, 292, marks=pytest.mark.slow),
     ],
 )
-def test_gravity_shifts_a_soft_contact_and_the_step_shifts_a_stiff_one(stiffness, dt, error, depth, contact_steps):
+def test_gravity_shifts_a_soft_penalty_contact_and_the_step_a_stiff_one(stiffness, dt, error, depth, contact_steps):
     found, deepest = rebound_error(penalty(stiffness), dt)
     assert found == pytest.approx(error, rel=TWO_DIGITS)
     assert deepest == pytest.approx(depth, rel=TWO_DIGITS)
@@ -108,7 +108,7 @@ def test_the_step_limits_of_the_page():
     assert penalty_step_limit(1.0, 1.0, [0.0, 2.0]) == pytest.approx([2, 0.83], rel=TWO_DIGITS)
 
 
-def test_answered_at_the_step_a_resting_body_sinks_or_jitters():
+def test_resolved_at_the_step_a_resting_body_sinks_or_jitters():
     depths = []
     for e in (0.0, 0.5):
         position, velocity = np.zeros(3), np.zeros(3)
@@ -120,7 +120,7 @@ def test_answered_at_the_step_a_resting_body_sinks_or_jitters():
     assert velocity[2] > 1e-3  # of the second one: not still
 
 
-def test_a_resting_penalty_body_sinks_slightly_into_the_floor():
+def test_at_rest_only_the_penalty_body_lies_a_little_in_the_floor():
     assert [float(part) for part in bounce_along_normal(0.0, 0.0, -G, 0.5, 1.0)][:2] == [0.0, 0.0]
     position, velocity = np.zeros(3), np.zeros(3)
     damping = penalty_damping(0.5, 1.0, 1e5)
@@ -132,7 +132,7 @@ def test_a_resting_penalty_body_sinks_slightly_into_the_floor():
     assert abs(velocity[2]) < 1e-15
 
 
-def test_a_stack_of_penalty_contacts_sags_and_asks_for_a_shorter_step():
+def test_a_stack_of_penalty_contacts_sags_and_needs_a_shorter_step():
     sags, limits, slowest = [], [], []
     for count in (1, 5, 10):
         difference = np.eye(count) - np.eye(count, k=-1)  # overlap of each body with the one below

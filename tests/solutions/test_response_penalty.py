@@ -36,13 +36,13 @@ def damping(ratio, mass=MASS, stiffness=STIFFNESS):
 
 
 @pytest.mark.statement(8, oracle="arithmetic by hand")
-def test_a_penalty_floor_pushes_harder_the_faster_a_body_comes_in():
+def test_a_penalty_floor_pushes_with_k_d_plus_its_damping():
     force = penalty_force([-0.25, -0.25, -0.25], [0.0, -2.0, 2.0], (0.6, 0.0, 0.8), 80.0, 5.0)
     assert force == pytest.approx(np.outer([20.0, 30.0, 10.0], (0.6, 0.0, 0.8)), abs=1e-14)  # rounding of tens
 
 
 @pytest.mark.statement(8, oracle="the sign of the force")
-def test_a_contact_pulls_only_if_adhesive_and_never_acts_at_a_distance():
+def test_only_an_adhesive_contact_pulls_and_none_acts_from_afar():
     leaving = (-0.25, 6.0, UP, 80.0, 5.0)  # spring 20 N, dashpot −30 N
     assert penalty_force(*leaving).tolist() == [0.0, 0.0, 0.0]
     assert penalty_force(*leaving, adhesive=True).tolist() == [0.0, 0.0, -10.0]
@@ -51,12 +51,12 @@ def test_a_contact_pulls_only_if_adhesive_and_never_acts_at_a_distance():
 
 
 @given(st.floats(-1, 1), st.floats(-10, 10), st.floats(0, 1e4), st.floats(0, 1e2))
-def test_the_force_is_that_of_its_definition(s, v, k, c):
+def test_the_penalty_force_is_that_of_its_definition(s, v, k, c):
     expected = max(0.0, -k * s - c * v) if s < 0 else 0.0
     assert penalty_force(s, v, UP, k, c).tolist() == [0.0, 0.0, pytest.approx(expected, rel=1e-14, abs=1e-300)]
 
 
-def test_without_damping_it_is_the_slides_spring_with_a_direction():
+def test_without_damping_the_force_is_the_slides_spring_with_a_direction():
     assert penalty_force(-0.25, -3.0, UP, 80.0).tolist() == [0.0, 0.0, 20.0]
 
 
@@ -106,7 +106,7 @@ def impact(ratio, adhesive, speed=1.0, mass=MASS, stiffness=STIFFNESS):
 
 @pytest.mark.statement(8, oracle="scipy's solve_ivp, DOP853 with an event where the force ends")
 @pytest.mark.parametrize("ratio", RATIOS)
-def test_a_non_adhesive_impact_lasts_and_ends_as_an_ode_solver_says(ratio):
+def test_an_impact_that_cannot_pull_ends_as_in_solve_ivp(ratio):
     time, e = impact(ratio, adhesive=False)
     c = damping(ratio)
     # The solver's tolerance of 1e-13 a step, over some ten steps
@@ -116,7 +116,7 @@ def test_a_non_adhesive_impact_lasts_and_ends_as_an_ode_solver_says(ratio):
 
 @pytest.mark.statement(8, oracle="scipy's solve_ivp, DOP853 with an event at the surface")
 @pytest.mark.parametrize("ratio", [0.0, 0.01, 0.3, 0.7])
-def test_an_adhesive_impact_lasts_and_ends_as_an_ode_solver_says(ratio):
+def test_an_adhesive_impact_ends_as_in_solve_ivp(ratio):
     time, e = impact(ratio, adhesive=True)
     c = damping(ratio)
     assert penalty_contact_time(MASS, STIFFNESS, c, adhesive=True) == pytest.approx(time, rel=3e-12)
@@ -132,7 +132,7 @@ def test_the_restitution_is_the_closed_form_in_all_three_regimes(ratio):
     assert penalty_restitution(MASS, STIFFNESS, damping(ratio)) == pytest.approx(e, rel=near)
 
 
-def test_a_critically_damped_contact_has_restitution_one_over_e_squared():
+def test_a_critically_damped_contact_lasts_for_two_over_omega():
     c = 2 * math.sqrt(64.0 * 4.0)
     assert penalty_restitution(4.0, 64.0, c) == math.exp(-2)
     assert penalty_contact_time(4.0, 64.0, c) == 0.5
@@ -180,7 +180,7 @@ def test_mujocos_spring_contact_leaves_the_same_speed(ratio, installed):
 
 @pytest.mark.statement(8, oracle="the closed form inverted by another bisection")
 @given(st.floats(0.001, 1), MASSES, STIFFNESSES)
-def test_the_damping_for_a_wanted_restitution_is_that_of_another_bisection(e, mass, stiffness):
+def test_another_bisection_finds_the_same_damping(e, mass, stiffness):
     c = penalty_damping(e, mass, stiffness)
     # Both halve until nothing is left to halve; near e = 1, ζ is known to some ε/(1 − e)
     ratio = truth.damping_ratio(e)
@@ -202,7 +202,7 @@ def test_the_formula_of_lammps_gives_the_adhesive_contact():
     assert penalty_damping(e, 4.0, 64.0, adhesive=True) == pytest.approx(32 * beta, rel=1e-15)
 
 
-def test_a_contact_needs_no_damping_if_elastic_and_infinite_if_dead():
+def test_an_elastic_contact_needs_no_damping_and_a_dead_one_infinite():
     assert penalty_damping([1.0, 0.0], 4.0, 64.0).tolist() == [0.0, math.inf]
     assert penalty_damping([1.0, 0.0], 4.0, 64.0, adhesive=True).tolist() == [0.0, 32.0]
 
@@ -249,7 +249,7 @@ def test_a_pressed_contact_rests_only_below_the_step_limit():
     assert np.all(largest[1] > 0.01)
 
 
-def test_the_undamped_step_limit_is_two_over_omega():
+def test_the_step_limit_falls_from_two_over_omega_to_two_m_over_c():
     assert penalty_step_limit(4.0, 64.0) == 0.5
     assert penalty_step_limit(4.0, 64.0, 1e9) == pytest.approx(8e-9, rel=1e-12)
     assert penalty_step_limit(4.0, 64.0, 24.0) == pytest.approx(0.25, rel=1e-15)  # ζ = 3/4: √(1 + ζ²) = 5/4
@@ -259,7 +259,7 @@ def test_the_undamped_step_limit_is_two_over_omega():
 
 
 @pytest.mark.erratum(8)
-def test_as_printed_a_signed_distance_makes_the_penalty_pull_a_body_deeper():
+def test_as_printed_a_signed_distance_pulls_the_body_deeper_in():
     inside, outside = (signed_distance((0, 0, z), UP, 0.0) for z in (-0.1, 0.1))
     assert as_printed.penalty_force(80.0, inside) == -8.0  # along N: into the floor
     assert as_printed.penalty_force(80.0, outside) == 8.0  # from 10 cm above it
@@ -267,7 +267,7 @@ def test_as_printed_a_signed_distance_makes_the_penalty_pull_a_body_deeper():
 
 
 @pytest.mark.erratum(8)
-def test_as_printed_without_damping_the_body_bounces_for_ever():
+def test_as_printed_without_damping_the_body_bounces_forever():
     dt, z, v, apexes = 1e-5, 0.05, 0.0, []
     for _ in range(80_000):
         force = as_printed.penalty_force(STIFFNESS, max(0.0, -z))  # depth and direction put right
@@ -281,7 +281,7 @@ def test_as_printed_without_damping_the_body_bounces_for_ever():
 
 
 @pytest.mark.erratum(8)
-def test_a_damped_contact_without_clamp_holds_the_body_back_on_its_way_out():
+def test_without_the_clamp_a_damped_contact_holds_the_body_back():
     # Depth 1 mm, 1 m/s outwards: 5 N of spring against the dashpot's 23 N
     c = damping(0.3)
     assert penalty_force(-1e-3, 1.0, UP, STIFFNESS, c, adhesive=True)[2] < -17
@@ -356,7 +356,7 @@ def test_one_ball_meets_many_floors():
     assert penalty_damping([1.0, 1.0], 4.0, [[1.0], [4.0]]).shape == (2, 2)
 
 
-def test_asking_a_contact_changes_none_of_the_inputs():
+def test_penalty_functions_change_none_of_their_inputs():
     scene = contacts((6,))
     kept = [array.copy() for array in scene]
     for array in scene:

@@ -51,7 +51,7 @@ def solved(s, u, a, e, duration):
 
 @pytest.mark.statement(6, oracle="scipy's solve_ivp, DOP853 with an event at the plane")
 @pytest.mark.statement(3, oracle="scipy's solve_ivp, DOP853 with an event at the plane")
-def test_backing_up_to_the_impact_gives_the_state_of_an_ode_solver():
+def test_backing_up_to_the_impact_ends_in_the_state_of_solve_ivp():
     rng = np.random.default_rng(1)
     for _ in range(20):
         s, u, e, dt = rng.uniform(0.01, 0.2), rng.uniform(-4, -2), rng.uniform(0.2, 1), 0.15
@@ -75,26 +75,26 @@ def test_a_step_that_ends_before_the_impact_is_free_flight(time):
     assert [part.tolist() for part in state] == [[1.0, 0.0, 5.0], [1.0, 0.0, -4.0]]
 
 
-def test_an_impact_at_the_first_or_last_instant_is_resolved_in_that_step():
+def test_an_impact_at_either_end_of_the_step_is_resolved_in_it():
     at_first = respond_at_impact((0, 0, 0), (0, 0, -2), (0, 0, 0), UP, 0.5, 0.0, 1.0)
     at_last = respond_at_impact((0, 0, 2), (0, 0, -2), (0, 0, 0), UP, 0.5, 1.0, 1.0)
     assert [part[2] for part in at_first] == [1.0, 1.0]
     assert [part[2] for part in at_last] == [0.0, 1.0]
 
 
-def test_a_ball_that_moves_away_at_the_said_time_of_impact_is_left_alone():
+def test_a_ball_that_moves_away_at_the_time_of_impact_is_left_alone():
     assert respond_at_impact((0, 0, 1), (0, 0, 2), (0, 0, 0), UP, 0.5, 0.25, 1.0)[1].tolist() == [0.0, 0.0, 2.0]
 
 
 @pytest.mark.statement(6, oracle="arithmetic by hand")
-def test_response_at_step_reverses_the_ball_but_leaves_it_behind_the_plane():
+def test_resolved_after_the_step_the_ball_stays_behind_the_plane():
     # z = 1 − 2 − 1 = −2 with −4 m/s on arrival; half of it upwards
     position, velocity = respond_at_step((0, 0, 1), (3, 0, -2), (0, 0, -2), UP, 0.0, 0.5, 1.0)
     assert position.tolist() == [3.0, 0.0, -2.0]
     assert velocity.tolist() == [3.0, 0.0, 2.0]
 
 
-def test_response_at_step_ignores_a_ball_in_front_of_the_plane_or_leaving():
+def test_resolved_after_the_step_other_balls_are_left_alone():
     position = [(0, 0, 2), (0, 0, 1), (0, 0, -3)]
     velocity = [(0, 0, -1), (0, 0, -1), (0, 0, 1)]
     after = respond_at_step(position, velocity, (0, 0, 0), UP, 0.0, 0.5, 1.0)
@@ -128,7 +128,7 @@ def dropped(policy, e, dt, height, steps):
 
 @pytest.mark.statement(3, oracle="e² h, and −(1 − e²) v Δt/2")
 @pytest.mark.statement(6, oracle="e² h, and −(1 − e²) v Δt/2")
-def test_response_at_step_makes_the_rebound_height_too_low_on_average():
+def test_resolved_after_the_step_the_rebound_is_low_by_the_derived_mean():
     # It turns at a depth d with the speed of that place: −d + e² (h + d). Over all phases the mean of d is v dt/2.
     dt, shots = 1e-3, 400
     h = 0.5
@@ -146,7 +146,7 @@ def test_response_at_step_makes_the_rebound_height_too_low_on_average():
 
 
 @pytest.mark.statement(3, oracle="e² h, and the order of convergence")
-def test_the_exact_root_has_no_error_and_the_slides_time_is_second_order():
+def test_the_exact_root_has_no_error_and_the_other_policies_have_orders():
     e, h, errors = 0.7, np.linspace(0.45, 0.55, 101), {}
     for policy in ("exact", "slide", "at the step"):
         sizes = []
@@ -201,7 +201,7 @@ def test_bouncing_ends_as_for_a_ball_dropped_from_its_highest_point(s, u, g, e):
     assert time_until_rest(s, u, -g, e) == pytest.approx(from_apex + u / g, abs=tolerance)
 
 
-def test_a_body_on_the_plane_rests_now_and_an_elastic_one_never_rests():
+def test_a_body_on_the_plane_rests_now_and_an_elastic_one_never():
     assert time_until_rest(0.0, 0.0, [-G, 0.0, 0.0], [0.5, 0.5, 1.0]).tolist() == [0.0, 0.0, 0.0]
     assert time_until_rest(0.0, 0.0, -G, 1.0) == 0.0
     never = [(1.0, 0.0, -G, 1.0), (0.0, 1.0, -G, 1.0), (1.0, -1.0, 0.0, 0.5), (1.0, 1.0, 0.0, 0.5)]
@@ -224,7 +224,7 @@ def test_a_ball_behind_the_plane_by_rounding_counts_as_on_it():
 
 
 @pytest.mark.statement(3, oracle="scipy's solve_ivp, DOP853, started again after every impact")
-def test_a_step_with_many_impacts_ends_where_an_ode_solver_does():
+def test_a_step_with_many_impacts_ends_in_the_state_of_solve_ivp():
     rng = np.random.default_rng(2)
     for _ in range(15):
         s, u, e, dt = rng.uniform(0.1, 1), rng.uniform(-3, 3), rng.uniform(0.75, 1), rng.uniform(1, 2)
@@ -236,7 +236,7 @@ def test_a_step_with_many_impacts_ends_where_an_ode_solver_does():
 
 
 @given(st.floats(0.01, 20), st.floats(0.1, 30), st.floats(0.3, 1), st.integers(1, 12))
-def test_one_bounce_more_is_counted_just_after_an_impact_than_just_before(h, g, e, number):
+def test_an_instant_of_impact_adds_one_bounce(h, g, e, number):
     time = truth.bounce_times(h, e, g, number)[-1]
     gap = 1e-9 * time
     early, late = (bounce_along_normal(h, 0.0, -g, e, time + shift) for shift in (-gap, gap))
@@ -280,7 +280,7 @@ def test_two_steps_one_after_the_other_are_one_long_step(s, u, g, e, dt, share):
         assert (then[0], then[1]) == pytest.approx((whole[0], whole[1]), abs=max(scale, 1e-10) * (1 + dt))
 
 
-def test_the_unused_part_of_a_step_is_returned_and_can_be_continued():
+def test_a_step_cut_short_reports_the_rest_and_can_be_continued():
     whole = bounce_along_normal(1.0, 0.0, -G, 0.8, 2.5)
     part = bounce_along_normal(1.0, 0.0, -G, 0.8, 2.5, most_impacts=2)
     assert whole[2] > 3
@@ -296,7 +296,7 @@ def test_the_unused_part_of_a_step_is_returned_and_can_be_continued():
     assert enough[3] == 0
 
 
-def test_a_body_lying_on_the_plane_stays_there_and_has_no_impact():
+def test_a_body_at_rest_on_the_plane_stays_and_has_no_impact():
     assert [float(part) for part in bounce_along_normal(0.0, 0.0, -G, 0.5, 1.0)] == [0.0, 0.0, 0.0, 0.0]
     assert [float(part) for part in bounce_along_normal(0.0, 0.0, -G, 1.0, 1.0)] == [0.0, 0.0, 0.0, 0.0]
     assert [float(part) for part in bounce_along_normal(-1e-17, 0.0, -G, 0.5, 1.0)] == [0.0, 0.0, 0.0, 0.0]
@@ -315,12 +315,12 @@ def test_an_impact_at_the_last_instant_of_a_step_belongs_to_it():
     assert [float(part) for part in bounce_along_normal(1.0, 0.0, -8.0, 0.5, 0.5)] == [0.0, 2.0, 1.0, 0.0]
 
 
-def test_a_step_ending_just_before_an_impact_does_not_end_behind_the_plane():
+def test_a_step_that_ends_one_float_before_an_impact_stays_in_front():
     # Rounding alone would put it 1e-16 m behind
     assert [float(part) for part in bounce_along_normal(1.99, -2.3, -9.81, 0.5, 0.4442775904403033)][::2] == [0.0, 0.0]
 
 
-def test_an_elastic_ball_bounces_a_thousand_times_and_is_as_high_as_before():
+def test_an_elastic_ball_bounces_a_thousand_times_to_its_first_height():
     # Flights of exactly 1 s, and a step that ends at the top of one
     after = bounce_along_normal(1.0, 0.0, -8.0, 1.0, 1000.0)
     assert [float(part) for part in after] == [1.0, 0.0, 1000.0, 0.0]
@@ -358,7 +358,7 @@ def test_a_body_that_came_to_rest_within_the_step_slides_on_over_the_plane():
     assert position[0, 2] > 5  # 1 s is not enough
 
 
-def test_a_step_cut_short_by_the_impact_limit_also_stops_along_the_plane():
+def test_a_step_cut_short_is_cut_short_along_the_plane_too():
     position, velocity, impacts, left = bounce_through_step((0, 0, 2), (1, 0, 0), (0, 0, -4), UP, 0.0, 0.5, 2.0, 1)
     assert position.tolist() == [1.0, 0.0, 0.0]
     assert velocity.tolist() == [1.0, 0.0, 2.0]

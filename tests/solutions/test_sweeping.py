@@ -96,7 +96,7 @@ def test_relative_motion_is_the_difference_of_the_two_paths():
 
 @pytest.mark.statement(10, oracle="exact fractions")
 @given(VECTOR, VECTOR, COARSE_POSITIVE)
-def test_a_ray_meets_a_sphere_if_and_only_if_the_quadratic_has_a_root_ahead(x, u, r):
+def test_a_ray_meets_a_sphere_where_the_quadratic_has_a_root_ahead(x, u, r):
     a, b, c = (
         Fraction(value)
         for value in (
@@ -122,20 +122,20 @@ def test_two_balls_touch_when_the_gap_is_used_up_by_both():
     assert time == 2.0  # (10 − 2)/(3 + 1), exact in binary
 
 
-def test_balls_that_overlap_touch_graze_part_or_keep_their_distance():
+def test_balls_in_every_special_position_have_the_right_time():
     x = [[1, 0, 0], [2, 0, 0], [2, 0, 0], [-3, 2, 0], [-3, 2.001, 0], [5, 0, 0], [5, 0, 0], [0, 0, 0]]
     u = [[1, 0, 0], [1, 0, 0], [0, 0, 0], [1, 0, 0], [1, 0, 0], [1, 0, 0], [0, 0, 0], [0, 0, 0]]
     time = sweep_sphere_sphere(x, u, 1.25, [0, 0, 0], [0, 0, 0], 0.75, 10.0)
     assert time.tolist() == [0, 0, 0, 3, INFINITE, INFINITE, INFINITE, 0]
 
 
-def test_a_touch_counts_at_the_end_of_the_step_but_not_after_it():
+def test_a_touch_exactly_at_the_end_of_the_step_counts():
     balls = ([0, 0, 0], [1, 0, 0], 1.0, [4, 0, 0], [0, 0, 0], 1.0)
     assert sweep_sphere_sphere(*balls, [2.0, np.nextafter(2, 0), 0.0]).tolist() == [2, INFINITE, INFINITE]
     assert sweep_sphere_plane([0, 0, 3], [0, 0, -1], 1.0, [0, 0, 1], 0, [2.0, 1.999]).tolist() == [2, INFINITE]
 
 
-def test_points_without_size_meet_when_they_move_straight_at_each_other():
+def test_points_meet_when_they_move_straight_at_each_other():
     time = sweep_sphere_sphere([0, 0, 0], [1, 1, 0], 0.0, [2, 2, 0], [0, 0, 0], 0.0, 5.0)
     assert time == pytest.approx(2.0, rel=1e-15)  # the rounding of a square root
     assert sweep_sphere_sphere([1, 1, 1], [0, 0, 0], 0.0, [1, 1, 1], [0, 0, 0], 0.0, 5.0) == 0.0
@@ -152,7 +152,7 @@ def test_a_crawl_arrives_after_any_number_of_seconds_or_never():
     assert ray_box([2, 0, 0], [-1e-310, 0, 0], [1, 1, 1]) == (INFINITE, -INFINITE)  # after all numbers: never
 
 
-def test_without_an_end_of_the_step_whatever_is_ahead_is_found():
+def test_an_endless_step_finds_everything_ahead():
     still = [0, 0, 0]
     assert sweep_sphere_sphere([1e9, 0, 0], [-1, 0, 0], 1, still, still, 1, INFINITE) == 1e9 - 2
     assert sweep_sphere_plane([0, 0, 1e9], [0, 0, -1], 1, [0, 0, 1], 0, INFINITE) == 1e9 - 1
@@ -180,7 +180,7 @@ def test_a_ball_meets_a_plane_when_its_nearest_point_does(x, u, r, offset):
 
 
 @pytest.mark.statement(10, oracle="many looks and scipy's brentq")
-def test_a_ball_touches_a_triangle_when_their_distance_is_its_radius():
+def test_a_ball_touches_a_triangle_when_the_distance_is_its_radius():
     oracle("scipy")
     rng = np.random.default_rng(2)
     found = []
@@ -220,7 +220,7 @@ def test_the_grown_triangle_is_met_where_its_face_edges_and_corners_are(x, u, r,
 
 
 @pytest.mark.statement(10, oracle="the same shape as a ball or a capsule")
-def test_a_triangle_without_area_is_met_like_its_segment_or_point():
+def test_a_triangle_without_area_is_met_as_a_segment_or_a_point():
     rng = np.random.default_rng(3)
     x, a, b = rng.uniform(-1, 1, (3, 500, 3))
     x = 3 * x
@@ -242,7 +242,7 @@ def test_the_order_of_the_corners_does_not_matter(order, x, u):
 
 @pytest.mark.statement(10, oracle="points of the seam, chosen beforehand")
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
-def test_nothing_slips_through_the_seam_of_two_triangles_not_even_a_point(scale):
+def test_not_even_a_point_slips_through_the_seam_of_two_triangles(scale):
     rng = np.random.default_rng(11)
     a, b, c, d = scale * rng.normal(size=(4, 4000, 3))
     x, share = a + scale * rng.normal(size=(4000, 3)), rng.uniform(0.05, 0.95, (4000, 1))
@@ -261,7 +261,7 @@ def test_nothing_slips_through_the_seam_of_two_triangles_not_even_a_point(scale)
 
 
 @pytest.mark.statement(10, oracle="pymunk's segment queries")
-def test_pymunk_finds_the_same_first_points_of_circles_boxes_and_capsules():
+def test_pymunk_finds_the_same_points_of_circles_boxes_and_capsules():
     pymunk = oracle("pymunk")
     rng = np.random.default_rng(4)
     body, hits = pymunk.Space().static_body, 0
@@ -288,7 +288,7 @@ def test_pymunk_finds_the_same_first_points_of_circles_boxes_and_capsules():
 
 
 @pytest.mark.statement(10, oracle="many looks and scipy's brentq")
-def test_a_ray_enters_a_capsule_one_radius_away_from_its_segment():
+def test_a_ray_enters_a_capsule_where_the_distance_is_the_radius():
     oracle("scipy")
     rng = np.random.default_rng(5)
     for _ in range(40):
@@ -299,7 +299,7 @@ def test_a_ray_enters_a_capsule_one_radius_away_from_its_segment():
         assert (time if time <= 2 else INFINITE) == pytest.approx(true, abs=1e-11)  # brentq's tolerance, near a graze
 
 
-def test_rays_along_a_capsule_meet_its_end_and_those_from_within_are_in_it():
+def test_rays_along_a_capsule_meet_its_end():
     a, b = [0, 0, 0], [2, 0, 0]
     assert ray_capsule([-3, 0, 0], [1, 0, 0], a, b, 1.0) == 2.0
     assert ray_capsule([5, 0, 0], [-1, 0, 0], a, b, 1.0) == 2.0
@@ -329,7 +329,7 @@ def exact_overlap(x, u, half, dt):
 
 @pytest.mark.statement(10, oracle="exact fractions")
 @given(VECTOR, VECTOR, SIZES, SIZES, VECTOR, VECTOR)
-def test_two_boxes_overlap_from_when_to_when_exact_arithmetic_says(x, u, half_a, half_b, xb, ub):
+def test_exact_fractions_give_the_same_overlap_of_two_boxes(x, u, half_a, half_b, xb, ub):
     exact = exact_overlap(x, u, np.add(half_a, half_b), 3.0)
     wanted = (INFINITE, -INFINITE) if exact is None else tuple(map(float, exact))
     found = sweep_boxes(np.add(x, xb), np.add(u, ub), half_a, xb, ub, half_b, 3.0)
@@ -339,7 +339,7 @@ def test_two_boxes_overlap_from_when_to_when_exact_arithmetic_says(x, u, half_a,
 
 @pytest.mark.statement(10, oracle="the slab test of boxes along the axes")
 @given(VECTOR, VECTOR, SIZES, SIZES)
-def test_turned_boxes_that_are_not_turned_overlap_as_boxes_along_the_axes(x, u, half_a, half_b):
+def test_oriented_boxes_that_are_not_turned_are_boxes_along_the_axes(x, u, half_a, half_b):
     quarter = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
     plain = sweep_boxes(x, u, half_a, [0, 0, 0], [0, 0, 0], half_b, 3.0)
     assert sweep_oriented_boxes(x, u, np.eye(3), half_a, np.eye(3), half_b, 3.0) == plain
@@ -349,7 +349,7 @@ def test_turned_boxes_that_are_not_turned_overlap_as_boxes_along_the_axes(x, u, 
 
 @pytest.mark.statement(10, oracle="scipy's linear programs: have the two boxes a point in common?")
 @pytest.mark.parametrize("count", [15, pytest.param(40, marks=pytest.mark.slow)])
-def test_two_turned_boxes_share_a_point_only_within_their_interval(count):
+def test_two_turned_boxes_share_a_point_exactly_within_the_interval(count):
     linprog = oracle("scipy.optimize").linprog
     random = oracle("scipy.spatial.transform").Rotation.random
     rotations = random(2 * count, 6).as_matrix().reshape(count, 2, 3, 3)
@@ -375,7 +375,7 @@ def test_two_turned_boxes_share_a_point_only_within_their_interval(count):
     assert count / 4 < hits < count
 
 
-def test_boxes_edge_to_edge_are_separated_only_by_an_edge_cross_product():
+def test_only_a_cross_product_of_edges_parts_boxes_edge_to_edge():
     # Two cubes turned by 45°, about x and about y: edge along x of one over edge along y of the other.
     c = math.sqrt(0.5)
     about_x, about_y = np.array([[1, 0, 0], [0, c, -c], [0, c, c]]), np.array([[c, 0, c], [0, 1, 0], [-c, 0, c]])
@@ -385,7 +385,7 @@ def test_boxes_edge_to_edge_are_separated_only_by_an_edge_cross_product():
 
 
 @pytest.mark.parametrize("angle", [1e-12, 1e-9, 1e-7, 0.9e-6, 1.1e-6, 1e-5])
-def test_a_tiny_turn_changes_the_overlap_by_at_most_the_corner_motion(angle):
+def test_a_tiny_turn_changes_the_overlap_only_as_it_moves_a_corner(angle):
     rng = np.random.default_rng(14)
     x, u, axis = rng.uniform(-3, 3, (3, 300, 3))
     u = 0.3 * u - x
@@ -404,7 +404,7 @@ def test_a_tiny_turn_changes_the_overlap_by_at_most_the_corner_motion(angle):
 
 @pytest.mark.statement(10, oracle="a change of the unit of length")
 @pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
-def test_times_do_not_depend_on_the_unit_of_length_at_all(scale):
+def test_times_do_not_depend_on_the_unit_of_length(scale):
     rng = np.random.default_rng(15)
     x, a, b, c = rng.uniform(-1, 1, (4, 500, 3)) * [[[3]], [[1]], [[1]], [[1]]]
     u, r, half = 0.3 * rng.normal(size=(500, 3)) - x, rng.uniform(0, 0.5, 500), rng.uniform(0, 0.5, (500, 3))
@@ -463,7 +463,7 @@ def test_rods_and_sheets_without_thickness_are_boxes_too():
         ),
     ],
 )
-def test_a_sweep_without_sense_is_refused_by_name_and_value(call, complaint):
+def test_an_invalid_sweep_is_refused_by_name_and_value(call, complaint):
     with pytest.raises(ValueError, match=complaint):
         call()
 

@@ -93,7 +93,7 @@ def test_no_meeting_is_missed_and_none_is_late(kind):
 @KINDS
 @pytest.mark.statement(10, oracle="ipctk's tight inclusion, and scipy's non-negative least squares")
 @pytest.mark.parametrize("count", [500, pytest.param(50_000, marks=pytest.mark.slow)])
-def test_whatever_ipctk_hits_is_hit_here_unless_the_features_stay_apart(kind, count):
+def test_every_hit_of_ipctk_is_found_unless_the_features_stay_apart(kind, count):
     ipctk = oracle("ipctk")
     query = queries(kind, count, 2)
     found = IMPACT[kind](*query)
@@ -140,7 +140,7 @@ MORE = pytest.param(100_000, marks=pytest.mark.slow)
 @pytest.mark.parametrize("flat", [False, True])
 @pytest.mark.parametrize("count", [1_000, MORE])
 @pytest.mark.statement(10, oracle="steps of eighths that meet exactly half-way")
-def test_no_exact_meeting_at_a_corner_an_edge_or_within_is_missed_or_late(kind, flat, count):
+def test_no_exact_meeting_is_missed_or_late(kind, flat, count):
     # every number is a multiple of 1/32 below 4: no rounding, so that not even the last digit may be late
     assert np.all(IMPACT[kind](*exact_meeting(kind, count, 5, flat)) <= 0.5)
 
@@ -148,7 +148,7 @@ def test_no_exact_meeting_at_a_corner_an_edge_or_within_is_missed_or_late(kind, 
 @KINDS
 @pytest.mark.parametrize("count", [300, pytest.param(1_000, marks=pytest.mark.slow)])
 @pytest.mark.statement(10, oracle="ipctk's tight inclusion")
-def test_every_ipctk_hit_is_found_here_within_its_tolerance(kind, count):
+def test_exact_steps_that_ipctk_hits_are_hit_no_later(kind, count):
     ipctk = oracle("ipctk")
     ccd = ipctk.TightInclusionCCD(TOLERANCE, 1000)
     ask = ccd.point_triangle_ccd if kind == "vertex-face" else ccd.edge_edge_ccd
@@ -165,7 +165,7 @@ def test_every_ipctk_hit_is_found_here_within_its_tolerance(kind, count):
 @KINDS
 @pytest.mark.slow
 @pytest.mark.statement(10, oracle="steps made so that the features meet at a known time")
-def test_of_many_more_meetings_none_is_missed_and_none_is_late(kind):
+def test_no_meeting_of_many_more_is_missed_and_none_is_late(kind):
     query, time = meeting(kind, 200_000, 7)
     assert np.all(IMPACT[kind](*query) <= time)
 
@@ -173,7 +173,7 @@ def test_of_many_more_meetings_none_is_missed_and_none_is_late(kind):
 @KINDS
 @pytest.mark.parametrize("count", [60, pytest.param(200, marks=pytest.mark.slow)])
 @pytest.mark.statement(10, oracle="the exact sign of the cubic in fractions")
-def test_at_the_time_given_the_four_points_are_about_to_be_coplanar(kind, count):
+def test_the_four_points_are_almost_coplanar_at_the_time_of_impact(kind, count):
     query, _ = meeting(kind, count, 3)
     found = IMPACT[kind](*query, tolerance=1e-7)
     ahead = 0
@@ -225,7 +225,7 @@ DEGENERATE = {
 
 @pytest.mark.statement(10, oracle="closed form for each degenerate step")
 @pytest.mark.parametrize(("kind", "first", "second", "way", "expected"), DEGENERATE.values(), ids=DEGENERATE)
-def test_degenerate_steps_have_their_answer(kind, first, second, way, expected):
+def test_degenerate_steps_have_the_right_time(kind, first, second, way, expected):
     first, second = np.array(first, dtype=float), np.array(second, dtype=float)
     found = float(IMPACT[kind](first, second, first + way, second))
     assert found <= expected
@@ -260,7 +260,7 @@ def test_coarse_steps_are_never_called_free_while_the_features_touch(kind, data)
 
 
 @pytest.mark.statement(10, oracle="scipy's non-negative least squares")
-def test_the_nearest_point_of_a_triangle_is_the_one_that_least_squares_find():
+def test_least_squares_find_the_same_nearest_point_of_a_triangle():
     nnls = oracle("scipy.optimize").nnls
     rng = np.random.default_rng(4)
     points, triangles = rng.uniform(-1, 1, (300, 3)), rng.uniform(-1, 1, (300, 3, 3))
@@ -298,7 +298,7 @@ def test_from_any_height_the_nearest_point_of_a_triangle_is_the_foot(scale, heig
 
 @pytest.mark.statement(10, oracle="gaps left beforehand beside a face")
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
-def test_a_narrow_gap_is_never_overrated_and_underrated_by_rounding_alone(scale):
+def test_a_narrow_gap_is_never_overestimated(scale):
     rng = np.random.default_rng(13)
     turn, other = rotated(np.eye(3), rng.normal(size=(2, 200, 1, 3))).mT
     normal = turn[:, :, 0]
@@ -317,7 +317,7 @@ def test_a_narrow_gap_is_never_overrated_and_underrated_by_rounding_alone(scale)
 
 
 @pytest.mark.statement(10, oracle="scipy's linear programs and quadratic minimum over the weights")
-def test_two_hulls_are_apart_by_the_distance_of_their_nearest_points():
+def test_the_separation_of_two_hulls_is_between_their_nearest_points():
     optimize = oracle("scipy.optimize")
     rng = np.random.default_rng(5)
     apart = 0
@@ -339,7 +339,7 @@ def test_two_hulls_are_apart_by_the_distance_of_their_nearest_points():
     assert 20 < apart < 60
 
 
-def test_the_hulls_of_single_points_and_of_bodies_that_touch_or_coincide():
+def test_hulls_of_points_and_of_touching_bodies_have_their_separation():
     separation, normal = separation_of_hulls([[3.0, 0, 4]], [[0.0, 0, 0]])
     assert separation == 5.0
     assert normal == pytest.approx([0.6, 0, 0.8], abs=1e-15)
@@ -376,7 +376,7 @@ def test_no_point_of_a_turning_body_ever_moves_faster_than_its_bound(v, w, n):
     assert speeds.max() <= bound + 1e-13  # rounding
 
 
-def test_the_bound_of_a_rod_that_turns_across_is_reached_by_its_end():
+def test_the_end_of_a_rod_that_turns_across_reaches_its_bound():
     assert motion_bound([1, 0, 0], [0, 0, 3], 2.0, [1, 0, 0]) == 7.0
     assert motion_bound([1, 0, 0], [3, 0, 0], 2.0, [1, 0, 0]) == 1.0  # turning about n moves nothing along it
     assert motion_bound([-1, 0, 0], [0, 0, 0], 2.0, [1, 0, 0]) == -1.0
@@ -467,7 +467,7 @@ def test_bodies_that_do_not_turn_meet_when_rays_and_axes_say():
 
 
 @pytest.mark.statement(10, oracle="the slab test and the rays, which know no turning")
-def test_boxes_meeting_face_to_face_are_neither_missed_nor_late():
+def test_flat_boxes_face_to_face_are_neither_missed_nor_late():
     rng = np.random.default_rng(10)
     x, v, half_a, half_b = (rng.integers(low, high, (400, 3)) / 4 for low, high in ((-12, 13),) * 2 + ((0, 5),) * 2)
     true, _ = sweep_boxes(x, v, half_a, STILL, STILL, half_b, 1.0)  # sheets, segments and points among them
@@ -483,7 +483,7 @@ def test_boxes_meeting_face_to_face_are_neither_missed_nor_late():
         assert np.all(ours[hit] >= expected[hit] - 1e-4)  # 1e-6 m at the slowest approach of some 1e-2 m/s
 
 
-def test_bodies_that_overlap_part_or_stand_still_have_their_answer():
+def test_bodies_that_overlap_part_or_stand_still_have_the_right_time():
     def sweep(x, v, w=STILL, dt=1.0):
         return sweep_convex(CUBE, x, v, w, 0.0, CUBE, STILL, STILL, STILL, 0.0, dt)
 
@@ -498,7 +498,7 @@ def test_bodies_that_overlap_part_or_stand_still_have_their_answer():
     )
 
 
-def test_what_comes_within_the_tolerance_at_the_very_end_of_the_step_touches():
+def test_bodies_within_the_tolerance_at_the_end_of_the_step_touch():
     # after 1.75 s half the tolerance is left, exactly
     for dt, expected in ((1.75, 1.75), (1.5, math.inf)):
         balls = ([STILL], [2, 0, 0], [-1, 0, 0], STILL, 0.0, [STILL], STILL, STILL, STILL, 0.0)
@@ -562,6 +562,6 @@ def test_many_pairs_at_once_are_the_same_as_one_at_a_time():
         ),
     ],
 )
-def test_an_advancement_without_sense_is_refused_by_name_and_value(call, complaint):
+def test_an_invalid_advancement_is_refused_by_name_and_value(call, complaint):
     with pytest.raises(ValueError, match=complaint):
         call()
