@@ -58,7 +58,7 @@ def place(tmp_path) -> Path:
     return folder
 
 
-def test_an_installed_wheel_compares_and_grades_and_says_that_it_has_no_tests(place, tmp_path):
+def test_an_installed_wheel_compares_and_says_that_it_has_no_tests(place, tmp_path):
     build = [sys.executable, "-m", "pip", "wheel", "--no-deps", "--quiet", "--wheel-dir", str(tmp_path), str(ROOT)]
     built = subprocess.run(build, capture_output=True, text=True, check=False)
     if built.returncode:

@@ -150,7 +150,7 @@ def test_the_slides_spring_throws_the_mass_away_from_rest():
 
 @pytest.mark.erratum(29)
 @pytest.mark.parametrize("damping", [0.0, 1.0, 20.0])
-def test_the_slides_damped_spring_runs_away_whatever_the_damping(damping):
+def test_the_slides_damped_spring_runs_away_with_any_damping(damping):
     def printed(x, v):
         return as_printed.spring_damper_force(x, 1.0, 10.0, v, damping)
 

@@ -172,14 +172,14 @@ def test_a_mistake_loses_points(entry):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("entry", BANK, ids=name_of)
-def test_a_mistake_loses_points_whatever_the_examples(entry):
+def test_a_mistake_loses_points_with_any_examples(entry):
     for seed in range(2, 5):
         assert lost(entry.function, Here(**{entry.function: entry.formula}), seed)[0] > 0, seed
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
-def test_the_solution_loses_no_point_whatever_the_examples(entry):
+def test_the_solution_loses_no_point_with_any_examples(entry):
     for seed in range(2, 5):
         assert lost(entry.name, Here(), seed) == (0, []), seed
 

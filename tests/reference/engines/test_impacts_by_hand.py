@@ -260,7 +260,7 @@ def check_momentum(velocities, restitution, masses):
 @settings(max_examples=25)
 @given(**ROWS)
 @example(**EVER_SMALLER)
-def test_a_row_keeps_its_momentum_whatever_its_masses(**balls):
+def test_a_row_of_any_masses_keeps_its_momentum(**balls):
     check_momentum(**balls)
 
 
