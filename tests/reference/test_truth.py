@@ -35,13 +35,13 @@ def bounced(height, restitution, count, gravity=G, dt=FINE):
 
 
 @pytest.mark.parametrize(("height", "gravity"), [(1.0, G), (0.5, 1.62)])
-def test_the_fall_takes_as_long_and_ends_as_fast_as_in_small_steps(height, gravity):
+def test_time_and_speed_of_a_fall_agree_with_small_steps(height, gravity):
     (fall,), _ = bounced(height, 0.5, 1, gravity)
     assert truth.fall_time(height, gravity) == pytest.approx(fall, abs=2 * FINE)  # the step of the impact, and rounding
     assert truth.impact_speed(height, gravity) == pytest.approx(gravity * fall, abs=2 * FINE * gravity)
 
 
-def test_a_bouncing_ball_meets_the_floor_and_tops_as_in_small_steps():
+def test_impacts_and_apexes_of_a_bouncing_ball_agree_with_small_steps():
     impacts, apexes = bounced(1.0, 0.8, 4)
     # An impact is seen up to a step late, when the ball is v dt lower: 4.4 m/s × 1e-5 s, a little more at every bounce
     assert truth.bounce_times(1.0, 0.8, G, 4) == pytest.approx(impacts, abs=1e-4)
@@ -49,7 +49,7 @@ def test_a_bouncing_ball_meets_the_floor_and_tops_as_in_small_steps():
     assert truth.rebound_ratio(0.8) == truth.rebound_ratio(0.8, 1)
 
 
-def test_the_first_impact_comes_after_the_fall_and_the_next_after_twice_e_times_that():
+def test_the_second_flight_lasts_twice_e_times_the_fall():
     fall = math.sqrt(2 / G)
     assert truth.bounce_times(1.0, 0.5, G, 3) == pytest.approx([fall, 2 * fall, 2.5 * fall], rel=1e-15)
     assert truth.bounce_times(1.0, 0.5, G, 1) == pytest.approx([fall], rel=1e-15)
@@ -57,14 +57,14 @@ def test_the_first_impact_comes_after_the_fall_and_the_next_after_twice_e_times_
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.3, 0.9])
-def test_the_bounces_add_up_to_the_time_of_rest(restitution):
+def test_the_flights_add_up_to_the_time_of_rest(restitution):
     fall = math.sqrt(2 / G)
     series = fall + sum(2 * restitution**bounce * fall for bounce in range(1, 400))
     assert truth.bounce_end(1.0, restitution, G) == pytest.approx(series, rel=1e-14)  # 0.9^400 is 5e-19
     assert truth.bounce_times(1.0, restitution, G, 400)[-1] == pytest.approx(series, rel=1e-14)
 
 
-def test_an_elastic_ball_never_rests_and_one_that_is_nearly_so_does_late():
+def test_an_elastic_ball_never_rests_and_a_nearly_elastic_one_does():
     assert truth.bounce_end(1.0, 1.0, G) == math.inf
     assert math.isfinite(truth.bounce_end(1.0, math.nextafter(1.0, 0.0), G))
 
@@ -98,20 +98,20 @@ def test_the_mean_apex_of_a_step_method_is_shifted_as_derived(restitution, recov
     assert shift == pytest.approx(expected, abs=4e-5)
 
 
-def test_an_elastic_ball_or_one_whose_overlap_is_taken_back_is_not_shifted():
+def test_an_apex_is_not_shifted_at_e_of_1_or_where_overlap_is_recovered():
     assert truth.rebound_shift_at_step(1.0, 1.0, G, 1e-3) == 0
     assert truth.rebound_shift_at_step(1.0, 0.75, G, 1e-3, recovery=0.25) == 0
     assert truth.rebound_shift_at_step(2.0, 0.25, 4.0, 0.5) == pytest.approx(-0.75 * 4.0 * 0.25, rel=1e-15)  # v = 4 m/s
 
 
-def test_an_impact_that_turns_back_its_own_steps_gain_too_rises_as_much_higher_as_derived():
+def test_an_impact_that_reverses_its_steps_gain_too_rises_higher():
     # (e (v + g dt))²/(2g) less (e v)²/(2g); the square of g dt is left out, a share g dt/(2v) of it.
     speed, gained = math.sqrt(2 * G), G * 1e-5
     exact = (0.6 * (speed + gained)) ** 2 / (2 * G) - (0.6 * speed) ** 2 / (2 * G)
     assert truth.rebound_shift_of_weighed_step(1.0, 0.6, G, 1e-5) == pytest.approx(exact, rel=gained / speed)
 
 
-def test_the_slides_t_is_early_by_no_more_than_stated_and_comes_close_to_it():
+def test_the_slides_t_is_early_by_at_most_the_stated_bound():
     gravity, speed, dt = 2.0, 10.0, 1e-3
     heights = np.linspace(0, speed * dt, 1001)[1:-1]
     end = heights - speed * dt - gravity * dt**2 / 2
@@ -126,7 +126,7 @@ def test_the_slides_t_is_early_by_no_more_than_stated_and_comes_close_to_it():
 
 
 @pytest.mark.parametrize(("speed", "friction", "gravity"), [(3.0, 0.4, G), (1.0, 0.9, 1.62)])
-def test_a_block_on_the_level_stops_where_and_when_it_does_in_small_steps(speed, friction, gravity):
+def test_way_and_time_of_a_sliding_block_agree_with_small_steps(speed, friction, gravity):
     velocity, way, time = speed, 0.0, 0.0
     while velocity > 0:
         way += velocity * FINE - friction * gravity * FINE**2 / 2
@@ -160,7 +160,7 @@ def test_at_its_limit_friction_still_holds():
 
 
 @pytest.mark.parametrize(("friction", "degrees"), [(0.1, 10.0), (0.3, 40.0), (0.0, 30.0)])
-def test_a_block_slides_with_its_weight_along_the_slope_less_mu_times_that_across(friction, degrees):
+def test_a_block_on_a_slope_is_pulled_by_its_weight_less_friction(friction, degrees):
     slope = math.radians(degrees)
     weight = np.array([0.0, 0.0, -G])
     downhill, normal = np.array([math.cos(slope), 0, -math.sin(slope)]), np.array([math.sin(slope), 0, math.cos(slope)])
@@ -168,7 +168,7 @@ def test_a_block_slides_with_its_weight_along_the_slope_less_mu_times_that_acros
     assert truth.incline_acceleration(friction, slope, G) == pytest.approx(expected, rel=1e-14)
 
 
-def test_a_step_method_that_starts_from_rest_gains_half_a_step_of_its_last_speed():
+def test_a_step_method_from_rest_gains_half_a_step_of_its_last_speed():
     acceleration, dt, steps = 3.0, 1e-2, 200
     way = sum(acceleration * step * dt * dt for step in range(1, steps + 1))
     ahead = way - acceleration * (steps * dt) ** 2 / 2
@@ -206,7 +206,7 @@ def let_go(ratio, speed=1.0, stiffness=1.0):
 
 
 @pytest.mark.parametrize("ratio", [0.0, 0.05, 0.4, 0.7071067811865476, 0.95, 1.0, 1.05, 3.0])
-def test_a_spring_and_dashpot_lets_go_with_the_share_of_the_speed_that_integration_gives(ratio):
+def test_a_spring_and_dashpot_lets_go_as_integration_says(ratio):
     depth, speed = let_go(ratio)
     # Fourth-order steps of 1e-3 of the contact's own time: 1e-12 a step, a few thousand steps
     assert truth.spring_dashpot_restitution(ratio) == pytest.approx(speed, abs=1e-9)
@@ -228,7 +228,7 @@ def test_restitution_changes_smoothly_through_critical_damping():
         assert truth.spring_dashpot_restitution(near) == pytest.approx(expected, abs=1e-9)
 
 
-def test_a_contact_that_is_damped_very_strongly_keeps_one_part_in_four_zeta_squared():
+def test_a_strongly_damped_contact_keeps_one_part_in_four_zeta_squared():
     for ratio in (1e3, 1e4, 1e6, 1e9):
         # The next term is a share of ln(2ζ)/ζ²
         share = 2 * math.log(2 * ratio) / ratio**2 + 1e-13
@@ -257,7 +257,7 @@ def test_the_damping_ratio_and_the_restitution_are_inverse(restitution):
     assert truth.spring_dashpot_restitution(truth.damping_ratio(restitution)) == pytest.approx(restitution, rel=1e-8)
 
 
-def test_no_damping_bounces_fully_and_no_finite_one_not_at_all():
+def test_no_damping_bounces_fully_and_only_infinite_damping_not_at_all():
     assert truth.damping_ratio(1.0) == 0
     assert truth.spring_dashpot_restitution(0.0) == 1
     assert 0 <= truth.damping_ratio(math.nextafter(1.0, 0.0)) < 1e-15  # e is 1 − π ζ there
@@ -295,7 +295,7 @@ def rolled(speed, friction, slope, duration, surface_speed=0.0, gravity=G, dt=2e
 
 
 @pytest.mark.parametrize(("speed", "friction", "gravity"), [(1.0, 0.3, G), (2.0, 0.6, G), (0.5, 0.4, 1.62)])
-def test_a_ball_that_slides_begins_to_roll_when_as_fast_and_as_far_as_integration_says(speed, friction, gravity):
+def test_a_sliding_ball_begins_to_roll_as_integration_says(speed, friction, gravity):
     start = truth.rolling_start(speed, friction, gravity)
     way, v, rw = rolled(speed, friction, 0.0, 1.5 * start, gravity=gravity, dt=start / 5000).T
     # The soft friction ends slowly: what it leaves of the slip is below 1e-4 m/s after some e-foldings.
@@ -309,7 +309,7 @@ def test_a_ball_that_slides_begins_to_roll_when_as_fast_and_as_far_as_integratio
     assert way[-1] == pytest.approx(truth.rolling_way(speed, friction, gravity, 1.5 * start), abs=1e-4 * start)
 
 
-def test_a_rolling_ball_has_five_sevenths_of_its_speed_whatever_the_friction():
+def test_a_sliding_ball_rolls_with_five_sevenths_of_its_speed():
     # In closed form, as angular momentum about a point of the floor: m v r + 2/5 m r² ω, before and after.
     for speed in (0.3, 1.0, 7.0):
         assert truth.rolling_speed(speed) * (1 + 0.4) == pytest.approx(speed, rel=1e-15)
@@ -319,7 +319,7 @@ def test_a_rolling_ball_has_five_sevenths_of_its_speed_whatever_the_friction():
 
 
 @pytest.mark.parametrize("steps", [7, 70, 700])
-def test_a_step_method_rolls_a_seventh_of_a_step_of_its_first_speed_short(steps):
+def test_a_step_method_rolls_a_seventh_of_a_step_too_short(steps):
     dt, friction = 1e-3, 0.2
     speed = steps * 3.5 * friction * G * dt  # it begins to roll at the end of a step
     sliding = speed - friction * G * dt * np.arange(1, steps + 1)
@@ -344,7 +344,7 @@ def test_a_ball_let_go_on_a_slope_rolls_or_slips_as_integration_says(friction, d
 
 
 @pytest.mark.parametrize("friction", [0.1, 0.3, 0.6])
-def test_a_ball_rolls_up_to_the_slope_whose_tangent_is_seven_halves_of_mu_and_nothing_jumps_there(friction):
+def test_a_ball_rolls_up_to_the_slope_whose_tangent_is_seven_halves_mu(friction):
     angle = math.atan(3.5 * friction)
     assert truth.incline_rolls(friction, angle - 1e-9)
     assert not truth.incline_rolls(friction, angle + 1e-9)
@@ -382,7 +382,7 @@ def struck(velocity, spin, restitution, friction, radius=0.1, mass=1.3, steps=10
     return velocity, spin
 
 
-def test_a_spinning_ball_leaves_the_floor_as_an_impulse_added_in_small_parts_says():
+def test_a_spinning_impact_agrees_with_an_impulse_in_small_parts():
     speed, radius = 4.4, 0.1
     spins, frictions, restitutions = (-60.0, 0.0, 5.0, 20.0, 60.0), (0.0, 0.1, 0.3, 1.0), (0.0, 0.5, 0.8)
     cases = np.array([*itertools.product(spins, frictions, restitutions)])
@@ -400,7 +400,7 @@ def test_a_spinning_ball_leaves_the_floor_as_an_impulse_added_in_small_parts_say
 
 @pytest.mark.parametrize("friction", [0.1, 0.5])
 @pytest.mark.parametrize("arm", [0.9, 0.998])
-def test_friction_that_acts_inside_the_ball_makes_it_faster_and_leaves_it_more_spin(arm, friction):
+def test_friction_with_a_shorter_arm_leaves_more_speed_and_more_spin(arm, friction):
     speed, spin, restitution = 4.4, 60.0, 0.5
     velocity, left = struck((0.0, 0.0, -speed), (0.0, spin, 0.0), restitution, friction, arm=arm)
     along, surface = truth.spinning_impact(speed, 0.1 * spin, restitution, friction, arm)
@@ -415,7 +415,7 @@ def test_friction_that_acts_inside_the_ball_makes_it_faster_and_leaves_it_more_s
         assert surface / outside[1] - 1 == pytest.approx(10 / 7 * 0.002, rel=0.01)
 
 
-def test_both_ways_of_leaving_the_floor_occur_and_meet_where_friction_just_grips():
+def test_gripping_and_slipping_impacts_meet_where_friction_just_grips():
     speed, restitution, friction = 4.4, 0.5, 0.1
     just = 3.5 * friction * (1 + restitution) * speed  # r ω of a ball that grips at the very end
     for off, gripped in ((-1e-6, True), (1e-6, False)):
@@ -428,7 +428,7 @@ def test_both_ways_of_leaving_the_floor_occur_and_meet_where_friction_just_grips
 
 
 @pytest.mark.parametrize("restitution", [0.5, 0.8, 1.0])
-def test_a_ball_meets_two_walls_when_small_steps_say(restitution):
+def test_impacts_between_two_walls_agree_with_small_steps(restitution):
     gap, speed, dt, found = 0.8, 2.0, 1e-4, []
     place, velocity, time = 0.0, speed, 0.0
     while len(found) < 4:
@@ -474,7 +474,7 @@ def standing_or_tipping(b, h, friction, slope):
     return found
 
 
-def test_a_box_tips_where_newtons_laws_at_its_two_edges_leave_it_nothing_else():
+def test_a_box_tips_where_newtons_laws_at_its_edges_allow_nothing_else():
     rng = np.random.default_rng(4)
     seen = set()
     for _ in range(3000):
@@ -490,7 +490,7 @@ def test_a_box_tips_where_newtons_laws_at_its_two_edges_leave_it_nothing_else():
     assert seen == {"holds", "slides", "tips"}
 
 
-def test_a_box_tips_beyond_the_slope_at_which_its_weight_acts_outside_its_face():
+def test_a_box_tips_where_its_weight_acts_outside_its_face():
     b, h = 0.1, 0.2
     for friction, degrees, expected in ((0.7, 26.0, False), (0.7, 27.0, True), (0.3, 27.0, False), (0.49, 60.0, False)):
         assert truth.tips(b, h, friction, math.radians(degrees)) is expected  # arctan ½ = 26.57°
@@ -499,7 +499,7 @@ def test_a_box_tips_beyond_the_slope_at_which_its_weight_acts_outside_its_face()
 # Impacts of two bodies
 
 
-def test_a_rod_gives_way_as_the_sum_of_its_parts_says():
+def test_the_softness_of_a_rod_agrees_with_the_sum_of_its_parts():
     # A bar of 2 kg, cut into 2000 × 80 cells; its moment about the centre by adding them up, to 1e-6 of it.
     x, z = np.meshgrid((np.arange(2000) + 0.5) / 2000 - 0.5, 0.04 * ((np.arange(80) + 0.5) / 80 - 0.5))
     moment = 2.0 * np.mean(x**2 + z**2)
@@ -516,7 +516,7 @@ def test_a_rod_gives_way_as_the_sum_of_its_parts_says():
     other=st.floats(0.1, 1e6),
     speed=st.floats(0.1, 9),
 )
-def test_two_balls_keep_momentum_part_with_e_of_what_closed_and_keep_what_is_across(offset, e, mass, other, speed):
+def test_two_balls_keep_momentum_and_part_with_e_times_the_closing_speed(offset, e, mass, other, speed):
     after, other_after = truth.balls_after(speed, offset, e, mass, other)
     before = np.array([speed, 0.0])
     normal = np.array([-math.sqrt((1 - offset) * (1 + offset)), offset])
@@ -528,7 +528,7 @@ def test_two_balls_keep_momentum_part_with_e_of_what_closed_and_keep_what_is_acr
     assert other_after @ across == pytest.approx(0.0, abs=near)
 
 
-def test_equal_elastic_balls_off_axis_part_at_a_right_angle_and_head_on_the_striker_stops():
+def test_equal_elastic_balls_part_at_a_right_angle_or_the_striker_stops():
     for offset in (0.1, 0.5, 0.9):
         after, other_after = truth.balls_after(2.0, offset, 1.0, 1.5, 1.5)
         assert after @ other_after == pytest.approx(0.0, abs=1e-15)
@@ -548,7 +548,7 @@ def test_balls_that_swap_velocities_two_at_a_time_end_up_in_order(velocities):
     ("velocities", "struck"),
     [((1, 0, 0), 0), ((1, 0, 0, 0, 0), 0), ((1, 1, 0, 0, 0), 1), ((1, 0, 0.1), 0), ((1, 0, 0.5), 0)],
 )
-def test_all_impacts_at_once_keep_momentum_pull_nowhere_and_answer_every_contact_as_newton_says(velocities, struck):
+def test_simultaneous_impacts_keep_momentum_and_obey_newton_everywhere(velocities, struck):
     before = np.array(velocities, dtype=float)
     after = truth.cradle_at_once(before, struck)
     pushes = np.cumsum(before - after)  # what ball i gives to the next: all that the balls up to i have lost
@@ -558,7 +558,7 @@ def test_all_impacts_at_once_keep_momentum_pull_nowhere_and_answer_every_contact
     assert parting == pytest.approx(closing, abs=1e-15)  # every contact pushes, so that none parts faster than it must
 
 
-def test_all_at_once_five_balls_come_out_as_the_lecture_says_and_a_parting_pair_gains_energy():
+def test_five_simultaneous_balls_agree_with_the_lecture():
     assert truth.cradle_at_once(np.array([1.0, 0, 0, 0, 0]), 0) == pytest.approx([-0.6, 0.4, 0.4, 0.4, 0.4], abs=1e-15)
     made = truth.cradle_at_once(np.array([1.0, 0.0, 0.1]), 0)
     assert made == pytest.approx([-0.3, 0.7, 0.7], abs=1e-15)
@@ -566,7 +566,7 @@ def test_all_at_once_five_balls_come_out_as_the_lecture_says_and_a_parting_pair_
 
 
 @given(closing=st.floats(0.01, 5), parting=st.floats(0.01, 5))
-def test_turning_back_every_contact_keeps_energy_as_well(closing, parting):
+def test_reversing_every_contact_keeps_momentum_and_energy(closing, parting):
     before = np.array([closing, 0.0, parting])
     after = truth.cradle_turned_back(before)
     assert after.sum() == pytest.approx(before.sum(), rel=1e-14)
@@ -574,7 +574,7 @@ def test_turning_back_every_contact_keeps_energy_as_well(closing, parting):
 
 
 @pytest.mark.parametrize("e", [0.2, 0.5, 0.9, 1.0])
-def test_a_contact_that_is_noticed_late_misses_e_by_less_than_its_bound(e):
+def test_a_contact_noticed_late_misses_e_by_less_than_its_bound(e):
     stiffness, speed = 1e6, 2.0
     ratio = truth.damping_ratio(e)
     for late in (5e-5, 1e-4, 2e-4):

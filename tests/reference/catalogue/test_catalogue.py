@@ -111,7 +111,7 @@ def test_a_family_and_its_cases_are_found_by_name():
         ("two-bals", "two-balls"),
     ],
 )
-def test_a_name_that_is_not_in_the_catalogue_is_refused_with_those_that_are(name, hint):
+def test_an_unknown_name_is_refused_with_similar_ones(name, hint):
     with pytest.raises(UnknownName, match=hint):
         find(name)
 
@@ -129,7 +129,7 @@ def test_a_family_belongs_to_a_topic_and_to_statements_of_the_lecture(family):
 
 
 @each_family
-def test_a_family_says_what_it_is_what_is_expected_and_why_implementations_differ(family):
+def test_a_family_describes_itself_in_whole_sentences(family):
     texts = (family.title, family.about, family.expected, *family.why)
     assert family.why
     for text in texts:
@@ -140,7 +140,7 @@ def test_a_family_says_what_it_is_what_is_expected_and_why_implementations_diffe
 
 
 @each_family
-def test_the_name_of_a_case_is_its_own_and_its_scenarios_are_named_after_it(family):
+def test_a_case_has_its_own_name_and_so_do_its_scenarios(family):
     names = [case.name for case in family.cases]
     assert names
     assert len(set(names)) == len(names)
@@ -178,7 +178,7 @@ def test_quantities_have_names_titles_and_their_own_scale(family):
 
 
 @each_family
-def test_a_case_can_be_pickled_as_a_worker_needs_it(family):
+def test_a_case_can_be_pickled_for_a_worker(family):
     for case in family.cases:
         assert pickle.loads(pickle.dumps(case)) == case
         assert case.parameters
@@ -186,7 +186,7 @@ def test_a_case_can_be_pickled_as_a_worker_needs_it(family):
 
 
 @each_family
-def test_no_gap_at_the_start_is_near_the_one_that_counts_as_touching(family):
+def test_no_starting_gap_is_near_the_threshold_of_touching(family):
     for case in (*family.cases, *(family.grid.cases if family.grid else ())):
         scenario = case.scenarios[0]
         pairs = [(scenario.body(pair.body_a), scenario.body(pair.body_b)) for pair in scenario.pairs]
@@ -195,7 +195,7 @@ def test_no_gap_at_the_start_is_near_the_one_that_counts_as_touching(family):
 
 
 @each_family
-def test_every_engine_derives_the_same_settings_for_all_scenarios_of_a_case(family):
+def test_all_scenarios_of_a_case_have_the_same_settings(family):
     for case, name in itertools.product(family.cases, engine_names()):
         engine, first, last = load_engine(name), case.scenarios[0], case.scenarios[-1]
         assert list(engine.profiles(first)) == list(engine.profiles(last))
@@ -220,7 +220,7 @@ def test_every_tolerance_has_its_reason_and_is_above_zero(family):
 
 
 @each_family
-def test_every_known_deviation_has_its_reason_and_a_band_that_is_narrower_than_itself(family):
+def test_a_known_deviation_has_a_reason_and_a_narrower_band(family):
     for case, quantity, method, expectation in expectations(family.name):
         assert math.isfinite(expectation.shift)
         if expectation.shift:
@@ -233,14 +233,14 @@ def test_every_known_deviation_has_its_reason_and_a_band_that_is_narrower_than_i
 
 
 @each_family
-def test_what_is_expected_of_an_exact_method_does_not_hang_on_the_timestep(family):
+def test_expectations_of_an_exact_method_do_not_depend_on_the_timestep(family):
     for case, quantity in judged(family):
         coarse, fine = (quantity.expect(case, Settings(dt), Method(EXACT)) for dt in (1e-2, 1e-4))
         assert coarse == fine, (case.name, quantity.name)
 
 
 @each_family
-def test_theory_is_one_number_whatever_the_method_and_the_timestep(family):
+def test_theory_gives_one_number_for_every_method_and_timestep(family):
     values = defaultdict(list)
     for case, quantity, _, expectation in expectations(family.name):
         values[case.name, quantity].append(expectation.value)
@@ -252,7 +252,7 @@ def test_theory_is_one_number_whatever_the_method_and_the_timestep(family):
     assert not values
 
 
-def test_theory_has_no_figure_for_how_far_a_tipping_box_gets_and_for_impacts_that_come_together():
+def test_theory_is_silent_on_tipping_boxes_and_simultaneous_impacts():
     without = [
         (family.name, quantity.name, case.name)
         for family, case in CASES
@@ -268,7 +268,7 @@ def test_theory_has_no_figure_for_how_far_a_tipping_box_gets_and_for_impacts_tha
     assert set(without) == open_ | {("tipping-box", "way", case) for case in tipping}
 
 
-def test_a_quantity_without_a_figure_has_no_expected_value_for_whoever_needs_one():
+def test_a_quantity_without_theory_has_no_expected_value():
     family = catalogue()["tipping-box"]
     case, way = family.case("h=0.2,μ=0.7,θ=32°"), family.quantity("way")
     with pytest.raises(InvalidInput, match=r"way has no expected value in h=0\.2,μ=0\.7,θ=32°"):
@@ -281,7 +281,7 @@ def test_a_quantity_without_a_figure_has_no_expected_value_for_whoever_needs_one
 
 
 @each_family
-def test_deviations_that_come_of_the_timestep_go_with_it(family):
+def test_deviations_caused_by_the_timestep_are_proportional_to_it(family):
     for case, quantity in judged(family):
         found = [quantity.expect(case, Settings(dt), Method(AT_STEP)) for dt in (1e-3, 1e-4)]
         if None not in found:
@@ -293,7 +293,7 @@ def test_deviations_that_come_of_the_timestep_go_with_it(family):
 
 
 @pytest.mark.parametrize("case", catalogue()["dropped-ball"].cases[1:], ids=lambda case: case.name)
-def test_an_impact_that_turns_back_its_steps_own_gain_too_shifts_the_rebound_by_two_e_squared_more(case):
+def test_an_impact_that_reverses_its_steps_gain_shifts_the_rebound_more(case):
     expect, e = catalogue()["dropped-ball"].quantity("rebound").expect, case.parameters["restitution"]
     plain, weighed = (expect(case, Settings(1e-3), Method(AT_STEP, weighed=share)) for share in (0.0, 1.0))
     half_a_step = expect(catalogue()["dropped-ball"].case("e=0.5"), Settings(1e-3), Method(AT_STEP)).shift / -0.5
@@ -304,7 +304,7 @@ def test_an_impact_that_turns_back_its_steps_own_gain_too_shifts_the_rebound_by_
 
 
 @pytest.mark.parametrize("case", catalogue()["dropped-ball"].cases[1:], ids=lambda case: case.name)
-def test_what_a_soft_contact_keeps_back_lowers_the_rebound_as_its_square_does(case):
+def test_a_soft_contact_lowers_the_rebound_by_the_square_of_its_loss(case):
     expect, e, softness = catalogue()["dropped-ball"].quantity("rebound").expect, case.parameters["restitution"], 1e-5
     hard, soft = (expect(case, Settings(1e-3), Method(AT_STEP, softness=share)) for share in (0.0, softness))
     exact = (e - (1 + e) * softness) ** 2 - e**2
@@ -312,7 +312,7 @@ def test_what_a_soft_contact_keeps_back_lowers_the_rebound_as_its_square_does(ca
     assert (soft.value, soft.tolerance, soft.shift_tolerance) == (hard.value, hard.tolerance, hard.shift_tolerance)
 
 
-def test_between_two_walls_a_last_impact_that_is_taken_for_rest_leaves_no_speed():
+def test_a_fifth_impact_taken_for_rest_leaves_no_speed():
     family = catalogue()["two-walls"]
     case, speed = family.case("e=0.5"), family.quantity("speed_left")  # the fifth impact comes at 0.125 m/s
     rebounds, rests = (speed.expect(case, Settings(1e-3), Method(AT_STEP, rest_speed=at)) for at in (0.124, 0.126))
@@ -321,7 +321,7 @@ def test_between_two_walls_a_last_impact_that_is_taken_for_rest_leaves_no_speed(
     assert rests.shift_tolerance == rests.tolerance == rebounds.tolerance
 
 
-def test_between_two_walls_a_soft_contact_is_late_by_just_what_is_accepted():
+def test_a_soft_contact_between_walls_is_late_by_the_accepted_amount():
     family, softness, dt = catalogue()["two-walls"], 1e-5, 1e-12  # no steps worth the name
     for case in family.cases:
         e = case.parameters["restitution"]
@@ -345,7 +345,7 @@ def fall_times(scenarios: tuple[Scenario, ...]) -> np.ndarray:
 
 @pytest.mark.parametrize("timestep", TIMESTEPS)
 @pytest.mark.parametrize("case", catalogue()["dropped-ball"].cases, ids=lambda case: case.name)
-def test_jittered_drops_meet_the_floor_at_evenly_spread_phases_of_a_step(case, timestep):
+def test_jittered_drops_land_at_evenly_spread_phases_of_a_step(case, timestep):
     phases = np.sort(fall_times(case.scenarios) / timestep % 1)
     gaps = np.diff([*phases, phases[0] + 1])
     assert len(phases) == DROPS
@@ -354,7 +354,7 @@ def test_jittered_drops_meet_the_floor_at_evenly_spread_phases_of_a_step(case, t
 
 
 @pytest.mark.parametrize("timestep", TIMESTEPS)
-def test_the_phase_within_a_step_has_nothing_to_do_with_the_height_of_a_drop(timestep):
+def test_the_phase_of_a_drop_does_not_depend_on_its_height(timestep):
     falls = fall_times(catalogue()["dropped-ball"].cases[0].scenarios)
     # A sawtooth that sweeps n times over a straight line correlates with it by 1/n, and here it sweeps 6 times or more.
     assert abs(np.corrcoef(falls, falls / timestep % 1)[0, 1]) < 1 / 6
@@ -367,7 +367,7 @@ def test_the_first_drop_of_an_ensemble_is_the_one_from_the_nominal_height():
         assert fall_times(case.scenarios).mean() == pytest.approx(math.sqrt(2 * DROP_HEIGHT / 9.81))
 
 
-def test_every_drop_lasts_until_its_rebound_has_reached_the_apex():
+def test_every_drop_lasts_until_the_apex_of_its_rebound():
     for case in catalogue()["dropped-ball"].cases:
         for scenario, fall in zip(case.scenarios, fall_times(case.scenarios), strict=True):
             assert scenario.duration > fall * (1 + case.parameters["restitution"]) + 0.02  # and some samples more

@@ -17,7 +17,7 @@ FAMILIES = [family for family in catalogue().values() if family.grid is not None
 DROPPED = catalogue()["dropped-ball"]
 
 
-def test_each_point_of_a_grid_is_a_case_of_its_own_and_its_defaults_are_on_it():
+def test_each_point_of_a_grid_is_a_case_and_the_defaults_are_one():
     for family in FAMILIES:
         names = [case.name for case in family.grid.cases]
         assert len(set(names)) == len(names), family.name
@@ -26,7 +26,7 @@ def test_each_point_of_a_grid_is_a_case_of_its_own_and_its_defaults_are_on_it():
             assert all(scenario.name.startswith(f"{family.name}/") for scenario in case.scenarios)
 
 
-def test_a_case_of_a_family_and_a_point_of_its_grid_with_one_name_are_one_case():
+def test_a_case_and_a_grid_point_with_the_same_name_are_the_same():
     for family in FAMILIES:
         for case in family.grid.cases:
             assert case.name not in [own.name for own in family.cases] or case in family.cases, case.name
@@ -38,7 +38,7 @@ def test_values_and_timesteps_of_a_grid_increase():
         assert all(row == tuple(sorted(set(row))) and len(row) > 1 for row in rows), family.name
 
 
-def test_any_value_in_range_makes_a_case():
+def test_every_value_in_range_makes_a_case():
     case = DROPPED.grid.case(restitution=0.37)
     assert case.parameters == {"restitution": 0.37}
     assert {pair.restitution for scenario in case.scenarios for pair in scenario.pairs} == {0.37}
@@ -55,13 +55,13 @@ def test_any_value_in_range_makes_a_case():
         ("two-balls", {"mass": float("nan")}, "mass is nan; it must be a finite number"),
     ],
 )
-def test_what_makes_no_case_is_refused_with_what_would(family, at, said):
+def test_parameters_out_of_range_are_refused_with_the_range(family, at, said):
     with pytest.raises(InvalidInput) as refused:
         catalogue()[family].grid.case(**at)
     assert said in str(refused.value)
 
 
-def test_the_nearest_point_is_nearest_in_each_value_and_in_the_ratio_of_timesteps():
+def test_the_nearest_grid_point_is_nearest_in_every_parameter():
     found = nearest(DROPPED.grid, {"restitution": 0.37}, 1.5e-3)
     assert (found.at, found.timestep) == ({"restitution": 0.4}, 2e-3)  # 1.5/1 = 1.5 is farther than 2/1.5 = 1.33
     assert found.moved == "restitution 0.37 → 0.4, timestep 1.5 ms → 2 ms"
@@ -75,7 +75,7 @@ def test_the_nearest_point_is_nearest_in_each_value_and_in_the_ratio_of_timestep
     assert nearest(DROPPED.grid, {"restitution": 0.96}).at == {"restitution": 0.95}
 
 
-def test_of_two_values_as_near_the_smaller_one_is_taken_and_masses_are_compared_in_ratio():
+def test_ties_go_to_the_smaller_value_and_masses_compare_by_ratio():
     for between in range(10):  # 0.05, 0.15, … 0.85 are a rounding error nearer to either; 0.925 has 0.9 and 0.95
         assert nearest(DROPPED.grid, {"restitution": between / 10 + (0.025 if between == 9 else 0.05)}).at == {
             "restitution": between / 10
@@ -85,14 +85,14 @@ def test_of_two_values_as_near_the_smaller_one_is_taken_and_masses_are_compared_
     assert nearest(balls, {"mass": 1.8}).at["mass"] == 3.0  # 1.8 times 1 kg, 3/1.67 kg
 
 
-def test_an_end_of_a_range_may_be_typed_with_the_digits_that_are_printed():
+def test_an_end_of_a_range_may_be_typed_as_it_is_printed():
     mass = catalogue()["two-balls"].grid.full({"mass": 0.333333})["mass"]
     assert mass == 1 / 3
     with pytest.raises(InvalidInput, match=r"from 0\.333333 kg"):
         catalogue()["two-balls"].grid.full({"mass": 0.3333})
 
 
-def test_a_plan_takes_parameters_with_defaults_for_the_rest_and_refuses_what_makes_no_sense():
+def test_a_plan_fills_in_default_parameters_and_refuses_nonsense():
     incline = catalogue()["incline"]
     (job,) = study.plan([incline], ["handwritten"], ["tuned"], at={"angle": 25.0})
     assert job.at == (("friction", 0.3), ("angle", 25.0))
@@ -105,7 +105,7 @@ def test_a_plan_takes_parameters_with_defaults_for_the_rest_and_refuses_what_mak
         study.plan([incline], ["handwritten"], cases={"incline": ("μ=0.1,θ=3°",)}, at={"angle": 25.0})
 
 
-def test_a_job_at_some_values_runs_that_one_case_and_brings_its_curve_and_poses():
+def test_a_job_at_some_parameters_runs_one_case_with_curve_and_poses():
     job = Job("cradle", "handwritten", "tuned", at=(("balls", 3.0), ("gap", 2e-4)), with_poses=True)
     result = study.run_job(job)
     assert {row.case for row in result.rows} == {"3, 200 µm apart"}
@@ -121,7 +121,7 @@ JOBS = [
 ]
 
 
-def test_all_of_a_comparison_go_to_the_nearest_point_if_one_engine_is_only_recorded(monkeypatch):
+def test_one_recorded_engine_moves_a_comparison_to_a_grid_point(monkeypatch):
     monkeypatch.setattr(snapping, "absent", lambda name: name in ("pybullet", "dart"))
     monkeypatch.setattr(snapping, "content_of", lambda engine, family: {} if engine == "dart" else {"made": {}})
     found = snapped(JOBS)
@@ -133,7 +133,7 @@ def test_all_of_a_comparison_go_to_the_nearest_point_if_one_engine_is_only_recor
     )
 
 
-def test_nothing_moves_where_all_engines_run_or_nothing_that_is_recorded_is_asked_for(monkeypatch):
+def test_a_comparison_of_live_engines_is_not_moved_to_the_grid(monkeypatch):
     monkeypatch.setattr(snapping, "content_of", lambda engine, family: {"made": {}})
     monkeypatch.setattr(snapping, "absent", lambda name: False)
     assert snapped(JOBS) == JOBS
@@ -148,7 +148,7 @@ def test_nothing_moves_where_all_engines_run_or_nothing_that_is_recorded_is_aske
 
 
 @pytest.mark.parametrize("family", ["incline", "dropped-ball"], ids=["points of its grid", "none of them"])
-def test_a_timestep_moves_for_a_familys_own_cases_too(family, monkeypatch):
+def test_a_timestep_is_moved_for_a_familys_own_cases_too(family, monkeypatch):
     monkeypatch.setattr(snapping, "absent", lambda name: name == "pybullet")
     monkeypatch.setattr(snapping, "content_of", lambda engine, family: {"made": {}})
     own = [Job(family, engine, "tuned", changes=(("timestep", 3e-3),)) for engine in ("handwritten", "pybullet")]

@@ -100,13 +100,13 @@ def test_the_instants_of_impact_are_exact_however_the_ball_is_sampled(sampling, 
 
 
 @given(SAMPLINGS, RESTITUTION)
-def test_the_restitution_of_each_impact_is_read_from_the_flights_on_both_sides(sampling, restitution):
+def test_restitution_is_read_from_the_flights_on_both_sides(sampling, restitution):
     made, _ = three_impacts(sampling, restitution)
     assert measure.restitution_coefficients(made, "ball", "floor") == pytest.approx([restitution] * 3, abs=EXACT)
 
 
 @pytest.mark.parametrize(("phase", "left_out"), [(0.05, 1), (0.25, 1), (0.5, 0), (0.75, 0), (0.95, 1)])
-def test_two_impacts_with_an_unseen_flight_between_them_are_not_taken_for_one(phase, left_out):
+def test_two_impacts_with_an_unseen_flight_between_are_not_one(phase, left_out):
     # The last flight that is seen lasts little more than a sample interval. Whether the one before it, longer by 1/e,
     # holds two samples or only one hangs on the phase.
     made, _ = bouncing(sampled(4.0, 0.02, phase, 0.0), 0.8)
@@ -115,7 +115,7 @@ def test_two_impacts_with_an_unseen_flight_between_them_are_not_taken_for_one(ph
     assert found == pytest.approx([0.8] * len(found), abs=EXACT)
 
 
-def test_a_pair_of_flights_is_left_out_only_where_the_body_is_seen_off_the_plane_between_them():
+def test_flights_are_skipped_only_if_the_body_leaves_the_plane_between():
     # Two samples before, one or none inside a hop of 0.1 s, and two after it, of a ball that keeps its speed
     times = np.array([0.3, 0.35, 0.5, 0.6, 0.7])
     hop = np.array([0.4, 0.55])  # when it leaves the plane and when it is back
@@ -158,7 +158,7 @@ def test_flights_above_a_slope_are_read_along_its_normal():
     assert measure.impact_times(made, "ball", "floor")[0] == pytest.approx(launches[0], abs=EXACT)
 
 
-def test_gravity_across_the_plane_has_no_part_in_the_flights():
+def test_gravity_along_the_plane_does_not_affect_the_flights():
     times = np.arange(0, 1.0, 0.01)
     gap, velocity, _ = bounce(times, 0.8)
     across = np.stack((times**2, 0 * times, upright(gap)[:, 2]), axis=1)
@@ -170,7 +170,7 @@ def test_gravity_across_the_plane_has_no_part_in_the_flights():
 @pytest.mark.parametrize("dt", [1e-4, 1e-3, 4e-3])
 @pytest.mark.parametrize("every", [1, 7])
 @pytest.mark.parametrize("height", [1.0, 1.0013, 0.9971])
-def test_the_flights_of_semi_implicit_euler_are_read_as_exactly_as_true_ones(dt, every, height):
+def test_flights_of_semi_implicit_euler_are_read_exactly(dt, every, height):
     # The ball answers at the first step that begins behind the floor. A flight from s with speed u then follows
     # s + (u − g dt/2) t − g t²/2 exactly, so its apex and the end of it are known.
     restitution, gap, velocity = 0.7, height, 0.0
@@ -229,7 +229,7 @@ def test_a_fall_behind_the_plane_is_no_flight_above_it():
 
 
 @pytest.mark.parametrize(("drag", "counts"), [(0.09, True), (0.11, False), (-0.09, True), (-0.11, False)])
-def test_a_little_drag_leaves_it_a_flight_and_more_does_not(drag, counts):
+def test_a_flight_may_have_a_little_drag_but_not_much(drag, counts):
     times = np.arange(0, 0.4, 0.01)
     pull = G * (1 - drag)
     made = trajectory(times, upright(HEIGHT - pull * times**2 / 2), (-pull * times)[:, None] * (0.0, 0.0, 1.0))
@@ -243,7 +243,7 @@ def hop(times, launch, rise_pull, fall_pull, top):
     return top - pull * since**2 / 2, -pull * since
 
 
-def test_under_drag_each_end_of_a_flight_and_its_apex_are_read_from_the_samples_next_to_it():
+def test_under_drag_a_flight_is_read_from_the_nearest_samples():
     # 5 % off gravity on the way up, 3 % on the way down. The parabola of two samples 9 and 19 ms away from an instant
     # is out by 0.03 g · 9 ms · 19 ms/2 = 3e-5 m there; one from the other end of the flight is out by centimetres.
     launch, times = 0.2, 0.2 + np.arange(0.003, 1.0, 0.01)
@@ -262,7 +262,7 @@ def test_under_drag_each_end_of_a_flight_and_its_apex_are_read_from_the_samples_
 
 
 @pytest.mark.parametrize("backwards", [False, True])
-def test_a_hop_that_is_below_the_surface_by_the_parabola_of_either_end_is_no_flight(backwards):
+def test_a_hop_whose_parabola_lies_below_the_surface_is_no_flight(backwards):
     # The parabola of a pair of samples τ from the apex tops 0.05 · 0.95 g τ²/2 below the true apex: 2 cm for 0.3 s
     times = np.arange(0, 0.301, 0.01)
     gap, velocity = 0.01 - 0.95 * G * times**2 / 2, -0.95 * G * times
@@ -281,14 +281,14 @@ def test_a_ball_that_does_not_rebound_has_an_apex_of_zero():
     assert measure.first_apex(made, "ball", "floor") == 0.0
 
 
-def test_a_ball_that_never_came_down_has_no_rebound():
+def test_a_ball_that_has_not_come_down_has_no_rebound():
     made, _ = bouncing(np.linspace(0, 0.4, 50), 0.8)  # 0.215 m are left
     with pytest.raises(RunFailed, match="ball never reached floor: there is no rebound to measure"):
         measure.first_apex(made, "ball", "floor")
 
 
 @pytest.mark.parametrize(("lowest", "came_down"), [(0.15, True), (0.25, False)])
-def test_a_body_has_come_down_once_nine_tenths_of_its_gap_are_gone(lowest, came_down):
+def test_a_body_has_come_down_after_nine_tenths_of_its_gap(lowest, came_down):
     made = trajectory([0.0, 0.5, 0.6], upright([2.0, 1.2, lowest]), (0.0, 0.0, 0.0))
     if came_down:
         assert measure.first_apex(made, "ball", "floor") == 0.0
@@ -322,7 +322,7 @@ def test_the_time_of_rest_is_the_first_sample_that_stays_still():
     assert measure.rest_time(trajectory(TIMES, *slowing(TIMES, stop=0.605)), "ball") == pytest.approx(0.61, abs=1e-12)
 
 
-def test_slower_than_a_millimetre_a_second_is_rest():
+def test_a_body_slower_than_a_millimetre_a_second_rests():
     position, velocity = slowing(TIMES, stop=0.6)
     velocity[70, 1] = 0.999e-3
     assert measure.rest_time(trajectory(TIMES, position, velocity), "ball") == pytest.approx(0.6, abs=1e-12)
@@ -331,7 +331,7 @@ def test_slower_than_a_millimetre_a_second_is_rest():
     assert measure.rest_time(trajectory(TIMES, position, velocity), "ball", speed=0.5) == pytest.approx(0.5, abs=1e-12)
 
 
-def test_a_body_that_is_slow_for_a_moment_only_does_not_rest():
+def test_a_body_that_is_slow_for_a_moment_does_not_rest():
     velocity = np.cos(np.pi * TIMES)[:, None] * (1.0, 0.0, 0.0)  # it turns round at 0.5 s
     made = trajectory(TIMES, np.sin(np.pi * TIMES)[:, None] * (1.0, 0.0, 0.0), velocity)
     assert measure.rest_time(made, "ball") == math.inf
@@ -342,19 +342,19 @@ def test_a_body_that_never_moved_rests_from_the_start():
 
 
 @pytest.mark.parametrize("kind", ["rest", "stop"])
-def test_the_instant_of_rest_that_was_solved_for_is_taken_as_it_is(kind):
+def test_an_instant_of_rest_that_was_solved_for_is_used_unchanged(kind):
     events = [Event(0.1, "impact", "ball"), Event(0.2, kind, "other"), Event(0.605, kind, "ball")]
     made = trajectory(TIMES, *slowing(TIMES, stop=0.605), events=events)
     assert measure.rest_time(made, "ball") == 0.605
 
 
-def test_a_rest_at_the_very_sample_that_still_shows_the_speed_before_it_is_taken_as_it_is():
+def test_an_event_of_rest_counts_though_its_sample_still_moves():
     velocity = np.where(np.arange(len(TIMES)) <= 40, 1.0, 0.0)[:, None] * (1.0, 0.0, 0.0)
     made = trajectory(TIMES, upright(0 * TIMES), velocity, events=[Event(float(TIMES[40]), "rest", "ball")])
     assert measure.rest_time(made, "ball") == TIMES[40]
 
 
-def test_a_stop_from_which_the_body_moves_on_is_no_rest():
+def test_a_stop_after_which_the_body_moves_again_is_no_rest():
     velocity = (0.6 - TIMES)[:, None] * (1.0, 0.0, 0.0)  # up a slope and back down
     made = trajectory(TIMES, upright(0 * TIMES), velocity, events=[Event(0.6, "stop", "ball")])
     assert measure.rest_time(made, "ball") == math.inf
@@ -381,7 +381,7 @@ def test_the_residual_speed_is_the_largest_within_the_window():
     assert measure.residual_speed(made, "ball", 9.0) == 7.0
 
 
-def test_the_drift_is_the_farthest_from_where_the_window_began_and_not_the_way_gone():
+def test_the_drift_is_the_largest_distance_from_the_windows_start():
     times = np.arange(11) / 10
     position = np.zeros((11, 3))
     position[:, 0] = [0, 9, 1, 1, 1, 1, 2, 4, 0, 1, 1]
@@ -412,7 +412,7 @@ def test_the_stopping_distance_is_measured_along_the_plane():
     assert measure.stopping_distance(made, "ball", "floor") == pytest.approx(0.9 * 0.8, abs=1e-14)
 
 
-def test_what_still_moves_at_the_end_has_no_stopping_distance():
+def test_a_body_still_moving_at_the_end_has_no_stopping_distance():
     made = trajectory(TIMES, *slowing(TIMES, stop=1.5))
     with pytest.raises(RunFailed, match="ball still moves at the end: it has no stopping distance"):
         measure.stopping_distance(made, "ball", "floor")
@@ -463,7 +463,7 @@ def test_the_energy_of_a_spinning_box_is_that_of_its_points():
         assert energies[at] == pytest.approx(kinetic + potential, abs=1e-12)  # some 30 J, rounded a few dozen times
 
 
-def test_a_spinning_ball_has_two_fifths_of_the_energy_of_one_that_moves_as_fast_as_its_rim():
+def test_a_spinning_ball_has_two_fifths_of_its_rims_kinetic_energy():
     made = scenario(Sphere(0.5), mass=2.0, gravity=(0.0, 0.0, 0.0))
     spinning = trajectory([0, 1], (0, 0, 1), (0, 0, 0), made=made, spin=(0.0, 6.0, 0.0))
     moving = trajectory([0, 1], (0, 0, 1), (3, 0, 0), made=made)
@@ -477,7 +477,7 @@ def test_a_falling_ball_keeps_its_energy():
     assert measure.energy(made, "ball") == pytest.approx(np.full(100, G * (HEIGHT + RADIUS)), abs=1e-13)
 
 
-def test_what_cannot_move_has_no_energy():
+def test_immovable_bodies_have_no_energy():
     made = trajectory([0, 1], (0, 0, 1), (0, 0, 0))
     with pytest.raises(RunFailed, match="floor is immovable: it has no energy to measure"):
         measure.energy(made, "floor")

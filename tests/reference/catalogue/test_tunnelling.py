@@ -25,14 +25,14 @@ def brute_force_share(speed: float, timestep: float) -> float:
 
 @pytest.mark.parametrize("timestep", [1 / 60, 1 / 240, 2e-3, 1e-3])
 @pytest.mark.parametrize("speed", [5.0, 10.0, 20.0, 40.0])
-def test_the_share_that_passes_is_what_counting_the_phases_gives(speed, timestep):
+def test_the_share_that_passes_agrees_with_counting_the_phases(speed, timestep):
     # 1e-5: one phase of the hundred thousand.
     assert passing_share(speed, timestep) == pytest.approx(brute_force_share(speed, timestep), abs=1.1e-5)
 
 
 @pytest.mark.parametrize("timestep", [1 / 240, 4e-3, 2e-3, 1e-3, 1e-4])
 @pytest.mark.parametrize("case", FAMILY.cases, ids=lambda case: case.name)
-def test_shots_meet_the_wall_at_evenly_spread_phases_of_a_step(case, timestep):
+def test_shots_reach_the_wall_at_evenly_spread_phases_of_a_step(case, timestep):
     speed = case.parameters["speed"]
     times = np.array([(-CAUGHT - shot.body("ball").position[0]) / speed for shot in case.scenarios])
     phases = np.sort(times / timestep % 1)
@@ -42,7 +42,7 @@ def test_shots_meet_the_wall_at_evenly_spread_phases_of_a_step(case, timestep):
     np.testing.assert_allclose(gaps, 1 / SHOTS, atol=1e-10)
 
 
-def test_an_exact_method_lets_nothing_pass_and_a_step_method_what_is_derived():
+def test_exact_methods_let_nothing_pass_and_step_methods_the_derived_share():
     case = FAMILY.case("v=20")
     exact, at_step = (FAMILY.quantity("passed").expect(case, Settings(2e-3), Method(kind)) for kind in (EXACT, AT_STEP))
     assert (exact.value, exact.shift) == (0.0, 0.0)
@@ -55,7 +55,7 @@ SHOWN = [(20, 4e-3), (20, 1e-3), *(pytest.param(*each, marks=pytest.mark.slow) f
 
 @pytest.mark.parametrize("name", ["pybullet", "mujoco", "dart"])
 @pytest.mark.parametrize(("speed", "timestep"), SHOWN)
-def test_with_a_coarse_timestep_an_engine_lets_pass_the_share_that_is_derived(name, speed, timestep, installed):
+def test_an_engine_lets_the_derived_share_pass_at_a_coarse_timestep(name, speed, timestep, installed):
     engine, case = installed(name), FAMILY.case(f"v={speed}")
     settings = engine.settings(case.scenarios[0], "tuned").change(timestep=timestep)
     rows, _ = compare_case(FAMILY, case, engine, "tuned", settings)
@@ -66,7 +66,7 @@ def test_with_a_coarse_timestep_an_engine_lets_pass_the_share_that_is_derived(na
 
 
 @pytest.mark.parametrize(("profile", "timestep", "share"), [("tuned", 0.01, 0.0), ("stock", 0.01, 0.75)])
-def test_solving_for_the_instant_stops_every_ball_and_answering_at_the_step_those_that_a_step_catches(
+def test_hand_written_code_lets_the_share_of_its_method_pass(
     profile, timestep, share
 ):
     engine, case = load_engine("handwritten"), FAMILY.case("v=10")

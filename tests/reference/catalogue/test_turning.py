@@ -51,7 +51,7 @@ def product(left, right) -> np.ndarray:
 
 
 @pytest.mark.parametrize("normal", [(0.0, 0.0, 1.0), NORMAL, (0.0, -1.0, 0.0)])
-def test_the_slip_is_the_speed_along_the_plane_of_the_lowest_point_of_the_ball_as_it_turns(normal):
+def test_the_slip_is_the_speed_of_the_lowest_point_along_the_plane(normal):
     rng, normal = np.random.default_rng(SEED), np.array(normal)
     velocities, spins = rng.normal(size=(20, 3)), rng.normal(size=(20, 3))
     found = turning.slip(
@@ -66,13 +66,13 @@ def test_the_slip_is_the_speed_along_the_plane_of_the_lowest_point_of_the_ball_a
         assert slip == pytest.approx(np.linalg.norm(along) / tiny, abs=1e-5)  # ω² r tiny/2 of a turning point
 
 
-def test_a_ball_that_rolls_does_not_slip_and_one_that_spins_backwards_slips_twice_as_fast():
+def test_a_rolling_ball_does_not_slip_and_backspin_doubles_the_slip():
     for spin, slip in ((2.0 / RADIUS, 0.0), (0.0, 2.0), (-2.0 / RADIUS, 4.0)):
         rolls = made(Sphere(RADIUS), [0.0, 1.0], 0.0, None, (2.0, 0.0, 0.0), (0.0, spin, 0.0))
         assert turning.slip(rolls, "body", "plane") == pytest.approx([slip, slip], abs=1e-15)
 
 
-def test_spin_about_the_normal_and_speed_along_it_are_no_slip():
+def test_spin_about_the_normal_and_speed_along_it_cause_no_slip():
     spins = made(Sphere(RADIUS), [0.0, 1.0], 0.0, None, 3.0 * np.array(NORMAL), 7.0 * np.array(NORMAL), NORMAL)
     assert turning.slip(spins, "body", "plane") == pytest.approx([0.0, 0.0], abs=1e-15)
 
@@ -94,13 +94,13 @@ def slipping(times, slips) -> Trajectory:
 
 
 @pytest.mark.parametrize("end", [0.401, 0.45, 0.4999, 0.7])
-def test_rolling_begins_where_the_line_of_falling_slip_meets_zero_wherever_the_samples_lie(end):
+def test_rolling_begins_where_the_line_of_falling_slip_meets_zero(end):
     times = np.arange(11) / 10
     found = turning.rolling_time(slipping(times, np.maximum(0.0, 3.0 * (end - times))), "body", "plane")
     assert found == pytest.approx(end, abs=1e-14)  # rounding: a line is read from two of its points
 
 
-def test_rolling_begins_at_the_first_sample_without_slip_where_there_is_no_line_to_read():
+def test_without_a_line_rolling_begins_at_the_first_sample_without_slip():
     times = [0.0, 0.1, 0.2, 0.3]
     for slips, expected in (
         ([0.0, 0.0, 0.0, 0.0], 0.0),  # it rolls from the start
@@ -125,7 +125,7 @@ def test_a_ball_that_slips_to_the_end_never_rolls():
     assert turning.rolling_time(slipping([0.0, 0.1, 0.2], [0.0, 0.0, 0.5]), "body", "plane") == math.inf
 
 
-def test_what_counts_as_slip_is_more_than_a_millimetre_a_second():
+def test_slip_below_a_millimetre_a_second_counts_as_none():
     times = [0.0, 0.1, 0.2, 0.3]
     for slip, expected in ((1e-3, 0.0), (1.001e-3, math.inf)):
         assert turning.rolling_time(slipping(times, [slip] * 4), "body", "plane") == expected
@@ -161,7 +161,7 @@ def integrated(speed, spin, friction=0.4, dt=2e-5, duration=0.5):
     ("speed", "spin"), [((2.0, 0.0), (0, 0, 0)), ((1.0, 0.5), (3, 9, -4)), ((0.5, 0.0), (0, -9, 0))]
 )
 @pytest.mark.parametrize("every", [1, 10])  # ms
-def test_the_start_of_rolling_and_the_speed_then_are_those_of_an_integration_whatever_the_samples(every, speed, spin):
+def test_the_start_and_speed_of_rolling_agree_with_integration(every, speed, spin):
     states, start = integrated(speed, spin)
     places, velocities, spins = np.split(states[::every], 3, axis=1)
     trajectory = made(Sphere(RADIUS), 1e-3 * every * np.arange(len(places)), places, None, velocities, spins)
@@ -181,7 +181,7 @@ def test_the_start_of_rolling_and_the_speed_then_are_those_of_an_integration_wha
 # Speeds at the end
 
 
-def test_the_speed_along_a_plane_is_without_what_goes_away_from_it_and_that_of_the_end():
+def test_the_speed_along_a_plane_leaves_out_the_normal_part():
     along = np.array([math.cos(SLOPE), 0.0, -math.sin(SLOPE)])
     for across, expected in ((0.0, 3.0), (-5.0, 3.0), (2.0, 3.0)):
         velocities = np.array([[9.0, 9.0, 9.0], 3.0 * along + across * np.array(NORMAL)])
@@ -208,14 +208,14 @@ def standing(turns, normal=(0.0, 0.0, 1.0)) -> Trajectory:
 
 
 @pytest.mark.parametrize("axis", [(0.0, 1.0, 0.0), (1.0, 0.0, 0.0)])
-def test_the_tilt_of_a_box_that_turns_about_a_level_edge_is_the_angle_from_its_nearest_face(axis):
+def test_the_tilt_of_a_box_is_the_angle_from_its_nearest_face(axis):
     degrees = np.array([0.0, 10.0, 44.0, 45.0, 46.0, 80.0, 90.0, 100.0, 180.0, 260.0])
     found = turning.tilt(standing([turned(axis, math.radians(angle)) for angle in degrees]), "body", "plane")
     # Rounding of a cosine near 1 makes an angle of 1e-8 of nothing.
     assert np.degrees(found) == pytest.approx([0, 10, 44, 45, 44, 10, 0, 10, 0, 10], abs=2e-6)
 
 
-def test_the_lean_of_a_box_is_the_angle_from_how_it_first_stood_and_goes_on_past_its_next_face():
+def test_the_lean_of_a_box_is_the_angle_from_its_first_orientation():
     degrees = np.array([20.0, 20.0, 65.0, 110.0, 200.0, 230.0])
     found = turning.lean(standing([turned((0, 1, 0), math.radians(angle)) for angle in degrees]), "body", "plane")
     assert np.degrees(found) == pytest.approx([0, 0, 45, 90, 180, 150], abs=2e-6)
@@ -228,7 +228,7 @@ def test_turning_about_the_planes_normal_is_neither_tilt_nor_lean():
     assert turning.lean(trajectory, "body", "plane") == pytest.approx(np.zeros(4), abs=5e-8)
 
 
-def test_a_box_that_stands_on_a_slope_tilts_against_the_slope_and_not_against_the_world():
+def test_the_tilt_of_a_box_is_relative_to_its_slope():
     upright = standing([turned((0, 1, 0), 0.0), ONTO_SLOPE], NORMAL)
     assert turning.tilt(upright, "body", "plane") == pytest.approx([SLOPE, 0.0], abs=5e-8)
     assert turning.lean(upright, "body", "plane") == pytest.approx([0.0, SLOPE], abs=5e-8)

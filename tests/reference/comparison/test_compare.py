@@ -123,7 +123,7 @@ def compare(entry: Family, engine: Engine | None = None, profile: str = "tuned")
         (-math.inf, Verdict.FAIL),
     ],
 )
-def test_a_number_passes_near_theory_and_deviates_knowingly_near_the_shifted_value(measured, verdict):
+def test_a_number_near_theory_passes_and_one_near_the_shift_is_known(measured, verdict):
     assert judge(measured, BIASED) is verdict
 
 
@@ -133,11 +133,11 @@ def test_a_number_in_both_bands_passes():
     assert judge(8.5, overlapping) is Verdict.KNOWN_DEVIATION
 
 
-def test_without_a_shift_nothing_is_a_known_deviation():
+def test_without_a_shift_there_is_no_known_deviation():
     assert judge(10.4, Expectation(10.0, 0.1, "", shift=0.0, shift_tolerance=1.0)) is Verdict.FAIL
 
 
-def test_a_tolerance_of_zero_asks_for_the_very_number():
+def test_a_tolerance_of_zero_accepts_the_exact_number_alone():
     assert judge(1.0, Expectation(1.0, 0.0, "")) is Verdict.PASS
     assert judge(math.nextafter(1.0, 2.0), Expectation(1.0, 0.0, "")) is Verdict.FAIL
 
@@ -154,7 +154,7 @@ def test_a_verdict_is_the_same_in_the_mirror(measured, value, tolerance, shift, 
 
 
 @given(NUMBER, NUMBER, BAND, NUMBER, BAND)
-def test_wider_tolerances_never_turn_a_pass_into_anything_else(measured, value, tolerance, shift, shift_tolerance):
+def test_wider_tolerances_keep_a_pass_a_pass(measured, value, tolerance, shift, shift_tolerance):
     rank = [Verdict.FAIL, Verdict.KNOWN_DEVIATION, Verdict.PASS]
     narrow = Expectation(value, tolerance, "", shift, "", shift_tolerance)
     wide = Expectation(value, 2 * tolerance, "", shift, "", 2 * shift_tolerance)
@@ -164,7 +164,7 @@ def test_wider_tolerances_never_turn_a_pass_into_anything_else(measured, value, 
 # Rows
 
 
-def test_a_row_says_all_that_its_expectation_says():
+def test_a_row_contains_everything_its_expectation_says():
     (row,) = compare(family(lambda case, settings, method: BIASED, scale=lambda case: 4.0))
     assert (row.family, row.case, row.engine, row.profile) == ("still", "only", "still", "tuned")
     assert (row.quantity, row.unit, row.measured, row.spread) == ("height", "m", 1.0, None)
@@ -176,7 +176,7 @@ def test_a_row_says_all_that_its_expectation_says():
     assert "colour grey" in row.settings
 
 
-def test_an_expectation_is_asked_with_the_case_the_settings_and_the_engines_method():
+def test_an_expectation_receives_case_settings_and_method():
     seen = []
 
     def expect(case: Case, settings: Settings, method: Method) -> Expectation:
@@ -194,7 +194,7 @@ def test_a_known_deviation_carries_its_reason_and_a_pass_needs_none():
     assert (passing.verdict, passing.note) == (Verdict.PASS, "")
 
 
-def test_without_an_expectation_a_number_is_shown_and_not_judged():
+def test_a_number_without_an_expectation_is_shown_and_not_judged():
     (row,) = compare(family(None))
     assert (row.verdict, row.measured, row.expected, row.error) == (Verdict.SHOWN, 1.0, None, None)
 
@@ -216,7 +216,7 @@ ENDLESS = {
 
 
 @pytest.mark.parametrize("what", ENDLESS)
-def test_what_did_not_happen_has_no_number_and_fails_where_one_is_expected(what):
+def test_an_event_that_did_not_happen_fails_where_it_is_expected(what):
     (judged,) = compare(family(lambda *_: BIASED, measure=ENDLESS[what], heights=(1.0, 2.0)))
     (shown,) = compare(family(None, measure=ENDLESS[what], heights=(1.0, 2.0)))
     for row, verdict in ((judged, Verdict.FAIL), (shown, Verdict.SHOWN)):
@@ -237,7 +237,7 @@ def test_a_row_carries_no_number_that_is_not_finite(name, value):
         replace(compare(family())[0], **{name: value})
 
 
-def test_a_run_without_such_a_number_fails_and_says_why_and_the_other_quantities_are_judged():
+def test_a_quantity_without_a_number_fails_and_the_others_are_judged():
     def never(trajectory: Trajectory) -> float:
         raise RunFailed("the ball never stops")
 
@@ -256,7 +256,7 @@ def test_a_scale_of_zero_gives_no_percentage():
     assert row.relative_error is None
 
 
-def test_rows_that_differ_in_their_settings_line_alone_are_equal():
+def test_rows_that_differ_only_in_their_settings_line_are_equal():
     (row,) = compare(family())
     assert replace(row, settings="another line") == row
     assert replace(row, measured=2.0) != row
@@ -271,7 +271,7 @@ def test_each_error_has_its_verdict(error):
 
 
 @errors
-def test_a_run_that_fails_gives_one_row_that_says_why(error):
+def test_a_failed_run_gives_one_row_with_the_reason(error):
     entry = family(lambda *_: BIASED)
     engine = Still(error("because of the moon"))
     rows, trajectories = compare_case(entry, entry.cases[0], engine, "stock", Settings(0.1))
@@ -290,7 +290,7 @@ def test_a_run_that_fails_gives_one_row_that_says_why(error):
     ],
     ids=str,
 )
-def test_an_error_that_nobody_foresaw_is_a_crash_of_its_case_with_type_message_and_place(error, note):
+def test_an_unforeseen_error_is_a_crash_of_its_case(error, note):
     (row,) = compare(family(lambda *_: BIASED), Still(error))
     assert (row.case, row.verdict, row.measured) == ("only", Verdict.CRASHED, None)
     assert re.fullmatch(rf"{re.escape(note)}, at line \d+ of test_compare\.py, in \w+", row.note)
@@ -307,7 +307,7 @@ def test_an_engine_that_cannot_name_its_method_crashed():
 
 
 @pytest.mark.parametrize("expect", [None, lambda *_: Expectation(1.0, 1e-12, "")])
-def test_a_measurement_that_nobody_foresaw_to_fail_is_a_crash_and_the_other_quantities_are_judged(expect):
+def test_an_unforeseen_error_of_a_measurement_costs_its_quantity_alone(expect):
     def broken(trajectory: Trajectory) -> float:
         raise IndexError("out of the sky")
 
@@ -320,13 +320,13 @@ def test_a_measurement_that_nobody_foresaw_to_fail_is_a_crash_and_the_other_quan
 
 
 @pytest.mark.parametrize("error", [InvalidInput("no such moon"), UnknownName("moon", "phobos", ())], ids=str)
-def test_a_mistake_of_the_caller_is_no_row(error):
+def test_a_mistake_of_the_caller_is_raised(error):
     with pytest.raises(type(error)) as caught:
         compare(family(), Still(error))
     assert caught.value is error
 
 
-def test_an_interrupt_is_no_row():
+def test_an_interrupt_is_raised():
     with pytest.raises(KeyboardInterrupt):
         compare(family(), Still(KeyboardInterrupt()))
 
@@ -349,7 +349,7 @@ def test_only_tuned_rows_that_failed_count_as_failures():
 # Looking up
 
 
-def test_a_case_or_a_quantity_that_there_is_not_is_refused_with_those_there_are():
+def test_an_unknown_case_or_quantity_is_refused_with_the_known_ones():
     entry = family()
     assert entry.case("only") is entry.cases[0]
     assert entry.quantity("height") is entry.quantities[0]
@@ -360,7 +360,7 @@ def test_a_case_or_a_quantity_that_there_is_not_is_refused_with_those_there_are(
     assert (case.value.choices, quantity.value.choices) == (("only",), ("height",))
 
 
-def test_means_and_spreads_are_plain_floats_that_any_writer_can_write():
+def test_means_and_spreads_are_plain_floats():
     (row,) = compare(family(lambda *_: BIASED, heights=(1.0, 2.0)))
     assert type(row.measured) is float
     assert type(row.spread) is float

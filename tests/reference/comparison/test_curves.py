@@ -31,7 +31,7 @@ def test_no_value_is_moved_by_more_than_a_share_of_the_range(values):
     assert len(kept) < 200
 
 
-def test_an_impact_keeps_the_samples_on_either_side_and_nothing_else():
+def test_thinning_keeps_the_samples_on_both_sides_of_an_impact():
     assert corners(TIMES, np.where(TIMES < 0.7, 1.0, -0.5)) == [0, 699, 700, 2000]
     assert corners(TIMES, np.zeros_like(TIMES)) == [0, 2000]
 
@@ -41,17 +41,17 @@ def test_fewer_than_three_points_stay_as_they_are(count):
     assert corners(TIMES[:count], TIMES[:count]) == list(range(count))
 
 
-def test_what_never_runs_straight_has_no_more_points_than_are_allowed():
+def test_a_curve_that_is_nowhere_straight_keeps_the_allowed_points():
     assert len(corners(TIMES, np.random.default_rng(0).normal(size=len(TIMES)))) == MOST_POINTS
 
 
-def test_a_packed_curve_comes_back_with_its_times_and_seven_digits_of_its_values():
+def test_a_packed_curve_keeps_its_times_and_seven_digits():
     curve = Series((0.0, 1.234567, 9.999999), (0.1, -123.4567, 1e-7))
     assert unpack(pack(curve)) == curve
     assert unpack(pack(Series((), ()))) == Series((), ())
 
 
-def test_points_for_markers_lie_on_the_same_curve_and_leave_a_jump_as_it_is():
+def test_points_for_markers_lie_on_the_curve_and_keep_a_jump():
     curve = Series((0.0, 1.0, 1.0, 2.0), (0.0, 3.0, -1.0, -1.0))
     times, values = curve.dense()
     assert len(times) > 100
@@ -62,7 +62,7 @@ def test_points_for_markers_lie_on_the_same_curve_and_leave_a_jump_as_it_is():
     assert [set(column) for column in Series((0.5,), (2.0,)).dense()] == [{0.5}, {2.0}]
 
 
-def test_samples_of_one_microsecond_divide_nothing_by_zero():
+def test_samples_a_microsecond_apart_do_not_divide_by_zero():
     times = np.array([0.0, 1.0, 1.0, 1.0, 2.0])
     assert corners(times, np.array([0.0, 0.0, 5.0, 1.0, 1.0]))[-1] == 4
 

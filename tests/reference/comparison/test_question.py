@@ -34,7 +34,7 @@ def asked() -> tuple[Question, Counting]:
     return Question.of(DROPPED, engine), engine
 
 
-def test_each_settings_are_run_once_whatever_is_made_of_the_errors(asked):
+def test_each_setting_is_run_once(asked):
     question, engine = asked
     stock = engine.settings(question.case.scenarios[0], "stock")
     first = question.mean_error(stock), question.rms_error(stock)
@@ -53,7 +53,7 @@ def test_mean_and_root_mean_square_are_those_of_the_rows(asked):
     assert question.rms_error(stock) == pytest.approx(math.hypot(row.error, row.spread), rel=1e-9)
 
 
-def test_what_somebody_has_run_is_not_run_again(asked):
+def test_a_run_that_was_handed_in_is_not_repeated(asked):
     question, engine = asked
     stock = engine.settings(question.case.scenarios[0], "stock")
     _, trajectories = compare_case(DROPPED, question.case, engine, "stock", stock)
@@ -64,7 +64,7 @@ def test_what_somebody_has_run_is_not_run_again(asked):
     assert engine.runs == runs + 1  # of the one that had to ask
 
 
-def test_what_was_sampled_too_rarely_for_the_question_is_run_again():
+def test_a_run_that_was_sampled_too_rarely_is_repeated():
     engine = Counting("handwritten")
     question = Question.of(catalogue()["ball-to-rest"], engine)
     assert question.every_step
@@ -74,7 +74,7 @@ def test_what_was_sampled_too_rarely_for_the_question_is_run_again():
     assert engine.runs == 2
 
 
-def test_an_engine_that_breaks_has_no_answer_and_is_not_asked_twice(asked, monkeypatch):
+def test_an_engine_that_breaks_is_asked_once_and_has_no_answer(asked, monkeypatch):
     question, engine = asked
     tuned = engine.settings(question.case.scenarios[0], "tuned")
     calls = []

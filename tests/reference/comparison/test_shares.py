@@ -133,12 +133,12 @@ def test_an_order_that_is_not_clearly_two_counts_as_one(measured):
     assert sizes(found)["discretisation: timestep"] == pytest.approx(0.03, abs=1e-14)
 
 
-def test_taken_for_first_order_an_error_of_second_order_is_overstated_by_half():
+def test_a_second_order_error_taken_for_first_order_is_overstated():
     found = split(family(), MadeUp(lambda settings: off(settings, 2)), None)
     assert sizes(found)["discretisation: timestep"] == pytest.approx(0.03 * 0.75 * 2, abs=1e-14)
 
 
-def test_a_move_is_told_with_both_values_and_the_errors_before_and_after():
+def test_a_move_names_both_values_and_the_errors_before_and_after():
     share = next(share for share in split(family(), MadeUp()).shares if share.kind == CONTACT_MODEL)
     assert share.moved == "stiffness 4 → 16"
     assert (share.before, share.after) == pytest.approx((0.58 + 0.0, 0.58 - 0.1875), abs=1e-14)
@@ -186,7 +186,7 @@ def test_the_error_of_an_ensemble_is_that_of_its_mean():
 
 
 @pytest.mark.parametrize(("every_step", "seen"), [(True, {1}), (False, {1, 2, 100, 200})])
-def test_a_quantity_that_is_read_from_samples_is_sampled_at_every_step(every_step, seen):
+def test_a_quantity_read_from_samples_is_sampled_at_every_step(every_step, seen):
     engine = MadeUp()
     split(family(every_step=every_step), engine)
     # Else as the profile has it, 2 at the tuned timestep, and about a millisecond where the timestep is halved.
@@ -236,7 +236,7 @@ def test_an_option_that_only_stock_has_is_unset_on_the_way():
     assert sum(share.size for share in found) == pytest.approx(haste(stock) - haste(TUNED), abs=1e-14)
 
 
-def test_stock_settings_that_are_the_tuned_ones_leave_nothing_to_move():
+def test_stock_settings_equal_to_the_tuned_ones_leave_nothing_to_move():
     assert defaults(split(family(), MadeUp(stock=TUNED))) == []
 
 
@@ -253,23 +253,23 @@ def fails_when(condition: Callable[[Settings], bool], error: Exception | None = 
 
 
 @pytest.mark.parametrize("error", [RunFailed("no"), NeedsFunction("no"), CannotExpress("no"), ZeroDivisionError("no")])
-def test_where_the_tuned_run_gives_no_number_there_is_no_split(error):
+def test_without_a_number_from_the_tuned_run_there_is_no_split(error):
     assert split(family(), MadeUp(fails_when(lambda settings: settings == TUNED, error))) is None
 
 
 @pytest.mark.parametrize("number", [float("inf"), float("nan")])
-def test_a_run_that_ends_nowhere_has_no_error_to_split(number):
+def test_a_run_that_ends_at_infinity_has_no_error_to_split(number):
     assert split(family(), MadeUp(lambda settings: number)) is None
 
 
 @pytest.mark.parametrize("number", [float("inf"), float("nan")])
-def test_a_run_whose_quantity_is_no_finite_number_gives_none(number):
+def test_a_quantity_that_is_not_finite_gives_no_split(number):
     made = family()
     ends = replace(made.quantities[0], measure=lambda trajectory: number)
     assert split(replace(made, quantities=(ends,)), MadeUp()) is None
 
 
-def test_a_move_whose_run_fails_is_left_out_and_its_share_stays_in_the_remainder():
+def test_a_move_whose_run_fails_leaves_its_share_in_the_remainder():
     found = split(family(), MadeUp(fails_when(lambda settings: settings["stiffness"] == 16.0)))
     assert [share.kind for share in found.shares if share.kind != DEFAULTS] == [
         DISCRETISATION,
@@ -292,7 +292,7 @@ def test_options_that_only_work_together_are_moved_together():
     assert sum(share.size for share in found) == pytest.approx(off(STOCK) - off(TUNED), abs=1e-14)
 
 
-def test_where_stock_gives_no_number_the_first_step_has_no_size_and_those_after_it_have():
+def test_without_a_stock_number_only_the_first_step_has_no_size():
     found = defaults(split(family(), MadeUp(fails_when(lambda settings: settings["drag"] == 0.5))))
     assert found[0].moved == "stiffness 1 → 4, iterations unset → 8, drag 0.5 → 0"
     assert (found[0].before, found[0].size) == (None, None)
@@ -310,7 +310,7 @@ def split_of(
     return run_job(Job(name, engine, profile, (case,), changes=tuple((changes or {}).items()), with_studies=True)).split
 
 
-def test_only_the_tuned_profile_as_it_stands_is_split():
+def test_only_the_unchanged_tuned_profile_is_split():
     assert split_of("parting-ball", "handwritten", "stock") is None
     assert split_of("parting-ball", "handwritten", changes={"timestep": 2e-3}) is None
     assert split_of("parting-ball", "handwritten") is not None
@@ -318,11 +318,11 @@ def test_only_the_tuned_profile_as_it_stands_is_split():
     assert run_job(Job("parting-ball", "handwritten", "tuned", (case,))).split is None, "no studies were asked for"
 
 
-def test_what_needs_a_function_that_is_not_there_is_not_split():
+def test_a_run_that_needs_a_missing_function_is_not_split():
     assert split_of("stack", "handwritten") is None
 
 
-def test_the_hand_written_slabs_stock_error_is_that_of_its_policy_and_tuned_there_is_none():
+def test_the_hand_written_slabs_stock_error_is_that_of_its_policy():
     found = split_of("sliding-slab", "handwritten")
     (policy,) = defaults(found)
     parameters = catalogue()["sliding-slab"].case(found.case).parameters
@@ -334,7 +334,7 @@ def test_the_hand_written_slabs_stock_error_is_that_of_its_policy_and_tuned_ther
 
 
 @pytest.mark.parametrize("name", ["pybullet", *(pytest.param(name, marks=slow) for name in ("mujoco", "dart"))])
-def test_the_error_of_a_rolling_balls_way_is_discretisation_to_within_a_hundredth(name, installed):
+def test_the_error_of_a_rolling_balls_way_is_discretisation(name, installed):
     engine = installed(name)
     found = sizes(split(catalogue()["rolling-ball"], engine))
     case = catalogue()["rolling-ball"].case(catalogue()["rolling-ball"].convergence.case)
@@ -348,7 +348,7 @@ def test_the_error_of_a_rolling_balls_way_is_discretisation_to_within_a_hundredt
 
 @pytest.mark.parametrize("profile", ["tuned", "stock", "spring"])
 @pytest.mark.parametrize("name", ["handwritten", "pybullet", "mujoco", "dart"])
-def test_every_move_of_an_engine_changes_a_setting_that_there_is(name, profile):
+def test_every_move_of_an_engine_changes_an_existing_setting(name, profile):
     engine = load_engine(name)
     seen = 0
     for entry in catalogue().values():
@@ -367,6 +367,6 @@ def test_every_move_of_an_engine_changes_a_setting_that_there_is(name, profile):
 
 
 @pytest.mark.parametrize("move", [Move(SOLVER, "no such option", 1.0), Move(SOLVER, "iterations", "many")])
-def test_a_move_that_the_settings_do_not_allow_is_a_failed_run_that_names_it(move):
+def test_a_move_that_the_settings_refuse_is_a_failed_run(move):
     with pytest.raises(RunFailed, match=f"made-up one names a move that its settings do not allow: .*{move.option}"):
         split(family(), MadeUp(moves=(move,)))

@@ -34,7 +34,7 @@ from reference.scene.settings import Settings
 
 
 @every_cell
-def test_a_trajectory_starts_at_time_zero_with_exactly_the_scenarios_own_state(cell, trajectory):
+def test_a_trajectory_starts_at_time_zero_in_the_scenarios_state(cell, trajectory):
     bodies = SCENARIOS[cell.scenario].bodies
     assert trajectory.times[0] == 0
     assert np.array_equal(trajectory.positions[0], [body.position for body in bodies])
@@ -46,7 +46,7 @@ def test_a_trajectory_starts_at_time_zero_with_exactly_the_scenarios_own_state(c
 
 
 @every_cell
-def test_samples_come_every_so_many_steps_and_the_last_one_when_the_scenario_ends(cell, trajectory):
+def test_samples_are_evenly_spaced_until_the_scenario_ends(cell, trajectory):
     _, scenario, settings = setup(cell)
     interval = settings.timestep * settings.sample_every
     np.testing.assert_allclose(trajectory.times, interval * np.arange(len(trajectory.times)), rtol=1e-12)
@@ -62,13 +62,13 @@ def test_a_trajectory_is_finite_and_its_quaternions_have_unit_length(cell, traje
 
 
 @every_cell
-def test_a_trajectory_says_what_it_came_from(cell, trajectory):
+def test_a_trajectory_names_its_engine_scenario_and_settings(cell, trajectory):
     engine, scenario, settings = setup(cell)
     assert (trajectory.engine, trajectory.scenario, trajectory.settings) == (engine.name, scenario, settings)
 
 
 @every_cell
-def test_the_same_run_gives_the_same_numbers_and_leaves_scenario_and_settings_alone(cell, trajectory):
+def test_a_repeated_run_gives_the_same_numbers_and_changes_no_input(cell, trajectory):
     engine, scenario, settings = setup(cell)
     before = pickle.dumps((scenario, settings))
     again = engine.run(scenario, settings)
@@ -77,7 +77,7 @@ def test_the_same_run_gives_the_same_numbers_and_leaves_scenario_and_settings_al
 
 
 @fast_and_slow([cell for cell in CELLS if any(body.immovable for body in SCENARIOS[cell.scenario].bodies)], is_often)
-def test_what_is_immovable_does_not_move(cell, trajectory):
+def test_an_immovable_body_does_not_move(cell, trajectory):
     fixed = [place for place, body in enumerate(SCENARIOS[cell.scenario].bodies) if body.immovable]
     for values in (trajectory.positions, trajectory.orientations):
         assert np.array_equal(values[:, fixed], np.broadcast_to(values[:1, fixed], values[:, fixed].shape))
@@ -86,7 +86,7 @@ def test_what_is_immovable_does_not_move(cell, trajectory):
 
 
 @fast_and_slow([cell for cell in CELLS if cell.scenario == "thrown-ball"], is_often)
-def test_many_scenarios_at_once_give_what_each_gives_alone(cell, installed):
+def test_scenarios_run_together_give_what_each_gives_alone(cell, installed):
     engine = installed(cell.engine)
     first = SCENARIOS["dropped-ball"]
     ball = replace(first.body("ball"), position=(0.0, 0.0, 0.4))
@@ -102,7 +102,7 @@ def test_many_scenarios_at_once_give_what_each_gives_alone(cell, installed):
 
 
 @every_cell
-def test_a_changed_timestep_is_what_runs(cell, installed):
+def test_an_engine_runs_with_the_timestep_it_is_given(cell, installed):
     installed(cell.engine)
     engine, scenario, settings = setup(cell)
     changed = settings.change(timestep=2 * settings.timestep)
@@ -113,7 +113,7 @@ def test_a_changed_timestep_is_what_runs(cell, installed):
 
 
 @cells_of("thrown-ball")
-def test_the_changed_timestep_shows_in_the_flight_itself(cell, installed):
+def test_a_longer_timestep_shows_in_the_flight_itself(cell, installed):
     installed(cell.engine)
     engine, scenario, settings = setup(cell)
     stretch = 2 * settings.timestep
@@ -128,7 +128,7 @@ def test_the_changed_timestep_shows_in_the_flight_itself(cell, installed):
 
 
 @each_engine
-def test_tuned_comes_first_and_stock_last_and_each_says_what_it_is(name):
+def test_tuned_is_the_first_profile_and_stock_the_last(name):
     for scenario in SCENARIOS.values():
         found = load_engine(name).profiles(scenario)
         assert [*found][:1] == ["tuned"], scenario.name
@@ -137,7 +137,7 @@ def test_tuned_comes_first_and_stock_last_and_each_says_what_it_is(name):
 
 
 @every_cell
-def test_every_profile_says_when_it_answers_in_one_of_four_ways(cell):
+def test_every_profile_names_one_of_four_ways_to_resolve_an_impact(cell):
     engine, scenario, settings = setup(cell)
     method = engine.method(scenario, settings)
     assert method.kind in (EXACT, INTERPOLATED, AT_STEP, COMPLIANT)
@@ -147,7 +147,7 @@ def test_every_profile_says_when_it_answers_in_one_of_four_ways(cell):
 
 
 @each_engine
-def test_a_profile_that_there_is_not_is_refused_with_those_there_are(name):
+def test_an_unknown_profile_is_refused_with_the_known_ones(name):
     engine = load_engine(name)
     for scenario in SCENARIOS.values():
         with pytest.raises(UnknownName) as refused:
@@ -157,7 +157,7 @@ def test_a_profile_that_there_is_not_is_refused_with_those_there_are(name):
 
 
 @cells_of("thrown-ball")  # settings are the same kind of thing whatever the scenario
-def test_a_setting_that_there_is_not_is_refused_with_those_there_are(cell):
+def test_an_unknown_setting_is_refused_with_the_known_ones(cell):
     _, _, settings = setup(cell)
     with pytest.raises(UnknownName) as refused:
         settings.change(timestpe=0.1)
@@ -175,7 +175,7 @@ def test_a_timestep_longer_than_the_scenario_is_refused(cell, installed):
 
 
 @each_engine
-def test_a_run_covers_the_scenario_in_as_few_whole_samples_as_do(name):
+def test_a_run_covers_its_scenario_in_the_fewest_whole_samples(name):
     engine = load_engine(name)
     for duration, settings, steps in (
         (3.0, Settings(1 / 240), 720),  # 3/(1/240) is 720.0000000000001 in floats
@@ -192,7 +192,7 @@ def test_a_run_covers_the_scenario_in_as_few_whole_samples_as_do(name):
 
 
 @each_engine
-def test_a_duration_of_no_whole_number_of_samples_is_run_to_its_end(name, installed):
+def test_a_duration_between_two_samples_is_run_to_the_next_one(name, installed):
     engine, scenario = installed(name), replace(SCENARIOS["thrown-ball"], duration=0.1037)
     settings = engine.settings(scenario, "tuned").change(timestep=1e-3, sample_every=4)
     assert engine.run(scenario, settings).times[-1] == pytest.approx(0.104)

@@ -50,7 +50,7 @@ def travel(trajectory: Trajectory, a: int, b: int) -> np.ndarray:
 
 
 @with_contacts
-def test_contacts_name_listed_bodies_and_their_normal_points_from_b_to_a(cell, trajectory):
+def test_contacts_are_of_listed_pairs_with_a_normal_from_b_to_a(cell, trajectory):
     scenario, contacts = SCENARIOS[cell.scenario], trajectory.contacts
     bodies = scenario.bodies
     listed = {frozenset((pair.body_a, pair.body_b)) for pair in scenario.pairs}
@@ -110,7 +110,7 @@ def point_off(cell: Cell, trajectory: Trajectory, a: int, b: int, here: np.ndarr
 
 @pytest.mark.parametrize("name", REPORT_CONTACTS)
 @pytest.mark.parametrize("floor_first", [True, False])
-def test_the_point_of_a_contact_lies_midway_between_the_surfaces_whichever_body_is_a(name, floor_first, installed):
+def test_the_point_of_a_contact_lies_midway_between_the_surfaces(name, floor_first, installed):
     engine, depth = installed(name), 0.01
     ball = Body("ball", Sphere(0.1), 1.0, (0.3, -0.2, 0.1 - depth))
     bodies = (FLOOR, ball) if floor_first else (ball, FLOOR)

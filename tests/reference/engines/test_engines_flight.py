@@ -12,7 +12,7 @@ from reference.catalogue import measure
 
 
 @cells_of("thrown-ball", "twirled-ball", "twirled-box")
-def test_in_free_flight_the_centre_follows_the_parabola_of_its_integrator(cell, trajectory):
+def test_a_free_body_follows_the_parabola_of_its_integrator(cell, trajectory):
     body = SCENARIOS[cell.scenario].body("thrown")
     t, gravity = trajectory.times[:, None], np.array(SCENARIOS[cell.scenario].gravity)
     parabola = np.array(body.position) + np.array(body.velocity) * t + gravity * t**2 / 2
@@ -26,7 +26,7 @@ def test_in_free_flight_the_centre_follows_the_parabola_of_its_integrator(cell, 
 
 
 @cells_of("twirled-ball", "twirled-box")
-def test_a_body_spins_steadily_about_an_axis_that_stands_still_in_the_world(cell, trajectory):
+def test_a_body_spins_steadily_about_a_principal_axis(cell, trajectory):
     body, place = SCENARIOS[cell.scenario].body("thrown"), SCENARIOS[cell.scenario].index("thrown")
     spin, found = np.array(body.angular_velocity), trajectory.angular_velocities[:, place]
     start, rate = np.linalg.norm(spin), np.linalg.norm(found, axis=1)
@@ -61,7 +61,7 @@ def turned_too_far(cell: Cell, rate: float) -> float:
 
 
 @cells_of("lying-box")
-def test_a_box_that_lies_on_its_side_stays_as_it_lies(cell, trajectory):
+def test_a_box_lying_on_its_side_stays_there(cell, trajectory):
     assert measure.separation(trajectory, "box", "floor")[0] == pytest.approx(0, abs=1e-15)
     assert measure.drift(trajectory, "box", trajectory.scenario.duration) < 1e-3  # 1 mm: nobody sees it
     place = trajectory.scenario.index("box")

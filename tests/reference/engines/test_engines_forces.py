@@ -19,7 +19,7 @@ PUSHED = replace(
 
 
 @pytest.mark.parametrize("name", [name for name in ENGINES if load_engine(name).applies_forces])
-def test_constant_forces_add_up_and_give_a_free_body_their_sum_over_its_mass(name, installed):
+def test_constant_forces_accelerate_a_free_body_by_their_sum_over_its_mass(name, installed):
     engine = installed(name)
     for profile in ("tuned", "stock"):
         pushed = engine.run(PUSHED, engine.settings(PUSHED, profile))

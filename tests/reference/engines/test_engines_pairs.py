@@ -34,7 +34,7 @@ from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenar
 
 
 @pytest.mark.parametrize("cell", REFUSED, ids=str)
-def test_what_an_engine_has_no_words_for_it_refuses_with_a_reason(cell, installed):
+def test_an_engine_refuses_what_it_cannot_express_with_a_reason(cell, installed):
     installed(cell.engine)
     engine, scenario, settings = setup(cell)
     kind, reason = SAYS_NO[cell.engine][cell.scenario]
@@ -44,7 +44,7 @@ def test_what_an_engine_has_no_words_for_it_refuses_with_a_reason(cell, installe
         engine.run_many([scenario, scenario], settings)
 
 
-def test_every_family_of_the_catalogue_is_in_the_grid_and_so_is_every_scenario_of_this_suite():
+def test_the_grid_holds_every_family_and_every_scenario_of_this_suite():
     assert set(SCENARIOS) == {*catalogue(), *(scenario.name for scenario in EXTRA)}
     assert len(SCENARIOS) == len(CATALOGUE) + len(EXTRA), "two scenarios of one name: the second hides the first"
     for engine in ENGINES:
@@ -57,7 +57,7 @@ def test_every_family_of_the_catalogue_is_in_the_grid_and_so_is_every_scenario_o
     [cell for cell in CELLS if cell.scenario in catalogue()],
     lambda cell: cell.profile == "tuned" and cell.scenario in ("dropped-ball", "corner", "cradle", "stack"),
 )
-def test_the_coefficients_belong_to_the_pair_so_its_order_and_that_of_the_bodies_change_nothing(cell, trajectory):
+def test_the_order_of_bodies_and_pairs_does_not_change_a_motion(cell, trajectory):
     engine, scenario, settings = setup(cell)
     turned_pairs = tuple(replace(pair, body_a=pair.body_b, body_b=pair.body_a) for pair in scenario.pairs)
     swapped = engine.run(replace(scenario, pairs=turned_pairs), settings)
@@ -131,7 +131,7 @@ def test_bodies_whose_pair_is_not_listed_pass_through_each_other(name, profile, 
 
 @pytest.mark.parametrize("name", REPORT_CONTACTS)
 @pytest.mark.parametrize("profile", ["tuned", "stock"])
-def test_an_engine_with_one_coefficient_of_friction_refuses_two_instead_of_dropping_one(name, profile, installed):
+def test_an_engine_with_one_coefficient_of_friction_refuses_two(name, profile, installed):
     engine, scenario = installed(name), SCENARIOS["incline"]
     two = replace(scenario, pairs=(replace(scenario.pairs[0], static_friction=0.5),))
     with pytest.raises(CannotExpress, match="friction"):
@@ -139,7 +139,7 @@ def test_an_engine_with_one_coefficient_of_friction_refuses_two_instead_of_dropp
 
 
 @cells_of("dropped-ball")
-def test_a_half_spaces_normal_is_the_worlds_however_its_body_is_turned(cell, trajectory):
+def test_a_half_spaces_normal_does_not_turn_with_its_body(cell, trajectory):
     engine, scenario, settings = setup(cell)
     bodies = tuple(replace(body, orientation=TURNED) if body.immovable else body for body in scenario.bodies)
     turned = engine.run(replace(scenario, bodies=bodies), settings)
@@ -150,7 +150,7 @@ def test_a_half_spaces_normal_is_the_worlds_however_its_body_is_turned(cell, tra
     )
 
 
-def test_the_hand_written_slab_knows_both_coefficients_of_friction():
+def test_the_hand_written_slab_uses_both_coefficients_of_friction():
     engine, scenario = load_engine("handwritten"), replace(SCENARIOS["incline"], duration=0.6)
     # tan 20° = 0.364 against μ = 0.3
     settings = engine.settings(scenario, "tuned")
@@ -159,7 +159,7 @@ def test_the_hand_written_slab_knows_both_coefficients_of_friction():
     assert measure.displacement(engine.run(held, settings), "slab") == 0
 
 
-def test_a_ball_that_lands_just_at_the_end_of_a_step_on_a_tilted_plane_bounces_once():
+def test_a_ball_landing_on_a_tilted_plane_as_a_step_ends_bounces_once():
     # Left on the plane by an impact, it may be behind it by rounding, which the slide's T must not take for the next.
     rng, engine, dt = np.random.default_rng(2), load_engine("handwritten"), 1e-3
     scenarios = []

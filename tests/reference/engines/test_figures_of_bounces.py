@@ -53,7 +53,7 @@ def test_the_exact_root_rebounds_to_the_powers_of_e_squared():
     np.testing.assert_allclose(apexes, [0.81, 0.6561, 0.531441, 0.43046721, 0.3486784401], atol=1e-9)
 
 
-def test_the_exact_root_meets_the_floor_at_the_times_of_the_geometric_series():
+def test_the_exact_root_lands_at_the_times_of_the_geometric_series():
     times = np.array([event.time for event in bounces("tuned").events if event.kind == "impact"][:6])
     assert [f"{time:.5f}" for time in times] == ["0.45152", "1.26427", "1.99573", "2.65406", "3.24655", "3.77979"]
     series = FALL * np.array([1 + 2 * sum(0.9**k for k in range(1, impact + 1)) for impact in range(6)])
@@ -68,7 +68,7 @@ def test_the_exact_root_comes_to_rest_when_the_series_ends():
     assert end == pytest.approx(FALL * 1.9 / 0.1, abs=1e-9)
 
 
-def test_the_exact_root_keeps_the_energy_over_a_hundred_elastic_bounces():
+def test_the_exact_root_keeps_energy_over_a_hundred_elastic_bounces():
     engine, scenario = load_engine("handwritten"), falling_ball("elastic", 1.0, 1.0, 199.5 * FALL)
     trajectory = engine.run(scenario, engine.settings(scenario, "tuned").change(timestep=0.05))
     assert sum(event.kind == "impact" for event in trajectory.events) == 100
@@ -92,19 +92,19 @@ def errors_of(profile: str) -> list[float]:
 
 
 @pytest.mark.parametrize(("profile", "order"), [("slide", 2), ("stock", 1)])
-def test_the_slides_t_is_of_second_order_and_an_answer_at_the_step_of_first(profile, order):
+def test_the_slides_t_is_of_second_order_and_the_step_of_first(profile, order):
     # Two decades of timesteps on a log–log line whose points scatter by 1/11 of the error.
     assert order_of(TIMESTEPS, errors_of(profile), 0.25) == pytest.approx(order, abs=0.1)
 
 
-def test_the_exact_root_has_no_error_whose_order_one_could_measure():
+def test_the_exact_root_has_no_measurable_order_of_error():
     errors = errors_of("tuned")
     assert max(errors) < 1e-12
     assert order_of(TIMESTEPS, errors, 0.25) is None
 
 
 @fast_and_slow("case", ("e=0", "e=0.8"), BOUNCES)
-def test_the_slides_t_answers_too_early_and_so_too_high_by_no_more_than_the_chord_allows(case):
+def test_the_slides_t_rebounds_too_high_by_at_most_the_chords_sagitta(case):
     found = row("dropped-ball", "handwritten", "slide", case, "rebound", timestep=4e-3)
     if restitution(case) == 0:
         assert found.measured == 0
@@ -113,7 +113,7 @@ def test_the_slides_t_answers_too_early_and_so_too_high_by_no_more_than_the_chor
 
 
 @fast_and_slow("case", ("e=0.2",), BOUNCES[1:])
-def test_hand_written_code_that_answers_at_the_step_is_low_by_one_minus_e_times_half_a_step(case):
+def test_the_step_method_rebounds_low_by_one_minus_e_times_half_a_step(case):
     e = restitution(case)
     found = row("dropped-ball", "handwritten", "stock", case, "rebound")
     assert found.error == pytest.approx(-(1 - e) * MEAN_SPEED * 1e-3 / 2, abs=near(1e-3))
@@ -133,7 +133,7 @@ def test_pybullet_rebounds_within_a_percent_of_e_squared(case, installed):
 
 
 @slow
-def test_at_half_a_millisecond_pybullet_is_within_three_percent_of_a_dull_rebound(installed):
+def test_pybullet_at_half_a_millisecond_is_within_three_percent(installed):
     installed("pybullet")
     found = row("dropped-ball", "pybullet", "tuned", "e=0.2", "rebound", timestep=5e-4)
     assert found.error == pytest.approx(0, abs=0.03 * 0.2**2)  # what is promised
@@ -152,7 +152,7 @@ def test_mujoco_rebounds_within_a_percent_of_e_squared(case, find, installed):
 
 @pytest.mark.parametrize("timestep", [1e-3, pytest.param(5e-4, marks=slow)])
 @fast_and_slow("case", ("e=0.2",), ("e=0.2", "e=0.5", "e=0.8", "e=0.95"))
-def test_a_single_pybullet_drop_scatters_by_e_times_one_minus_e_of_the_overlap(case, timestep, installed):
+def test_single_pybullet_drops_scatter_by_e_times_one_minus_e_of_v_dt(case, timestep, installed):
     installed("pybullet")
     e = restitution(case)
     changes = {} if timestep == 1e-3 else {"timestep": timestep}  # 1 ms is what the profile has
@@ -163,7 +163,7 @@ def test_a_single_pybullet_drop_scatters_by_e_times_one_minus_e_of_the_overlap(c
 
 @pytest.mark.parametrize("timestep", [2e-3, pytest.param(1e-3, marks=slow), pytest.param(5e-4, marks=slow)])
 @fast_and_slow("case", ("e=0.2",), BOUNCES[1:])
-def test_pybullet_without_overlap_recovery_is_low_by_one_minus_e_times_half_a_step(case, timestep, installed):
+def test_pybullet_without_overlap_recovery_rebounds_low_by_half_a_step(case, timestep, installed):
     installed("pybullet")
     e = restitution(case)
     found = row("dropped-ball", "pybullet", "tuned", case, "rebound", contact_erp=0.0, timestep=timestep)
@@ -174,7 +174,7 @@ def test_pybullet_without_overlap_recovery_is_low_by_one_minus_e_times_half_a_st
 
 @pytest.mark.parametrize("timestep", [1e-3, pytest.param(1e-4, marks=slow)])
 @fast_and_slow("case", ("e=0.8",), BOUNCES[1:])
-def test_mujoco_is_low_by_one_minus_e_times_half_a_step_but_for_what_its_spring_adds(case, timestep, installed):
+def test_mujoco_rebounds_low_by_half_a_step_plus_what_its_spring_adds(case, timestep, installed):
     installed("mujoco")
     e = restitution(case)
     found = row("dropped-ball", "mujoco", "tuned", case, "rebound", timestep=timestep)
@@ -187,7 +187,7 @@ def test_mujoco_is_low_by_one_minus_e_times_half_a_step_but_for_what_its_spring_
 
 
 @pytest.mark.parametrize("timestep", [4e-3, pytest.param(3e-4, marks=slow), pytest.param(2.5e-4, marks=slow)])
-def test_mujocos_known_bias_is_known_at_every_timestep(timestep, installed):
+def test_mujocos_bias_is_a_known_deviation_at_every_timestep(timestep, installed):
     installed("mujoco")
     found = row("dropped-ball", "mujoco", "tuned", "e=0.2", "rebound", timestep=timestep)
     assert abs(found.error) > found.tolerance  # more than 1 %

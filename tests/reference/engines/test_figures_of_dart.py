@@ -65,12 +65,12 @@ def drop(restitution: float, speed: float, duration: float = 0.05) -> Trajectory
 # Coefficients
 
 
-def test_restitution_is_the_product_of_two_bodies_and_so_a_pairs_is_said_as_its_root():
+def test_a_pairs_restitution_is_set_as_the_root_of_a_product():
     found = drop(0.5, 2.0).velocity("ball")[-1, 2]
     assert found == pytest.approx(0.5 * 2.0, rel=1e-4)  # a softness of 1e-5 takes 3e-5 of it
 
 
-def test_friction_is_the_smaller_of_two_bodies_so_that_pairs_may_differ_on_one_floor():
+def test_a_pairs_friction_is_the_smaller_of_its_bodies_coefficients():
     one = slab_on_plane("one", 0.2, 0.0, 2.0, 1.0)
     other = replace(one.body("slab"), name="other", position=(0.0, 3.0, 0.02))
     pairs = (*one.pairs, Pair("other", "plane", kinetic_friction=0.6))
@@ -80,7 +80,7 @@ def test_friction_is_the_smaller_of_two_bodies_so_that_pairs_may_differ_on_one_f
         assert speed == pytest.approx(2.0 - friction * G * 0.1, abs=1e-4)
 
 
-def test_what_no_choice_of_two_bodies_coefficients_gives_is_refused():
+def test_pairs_that_no_coefficients_of_bodies_give_are_refused():
     engine, ball = load_engine("dart"), Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 1.0))
     bodies = (FLOOR, ball, replace(ball, name="other", position=(1.0, 0.0, 1.0)))
     three = [("ball", "floor"), ("other", "floor"), ("ball", "other")]
@@ -100,14 +100,14 @@ def test_what_no_choice_of_two_bodies_coefficients_gives_is_refused():
 
 
 @pytest.mark.parametrize("restitution", [0.2, 0.5, 0.8, 1.0])
-def test_an_impact_falls_short_by_a_hundred_thousandth_of_the_change_of_speed(restitution):
+def test_an_impact_loses_a_hundred_thousandth_of_the_change_of_speed(restitution):
     kept = drop(restitution, 2.0).velocity("ball")[-1, 2] / 2.0
     # The change (1 + e) v falls short by the softness; its square is 1e-10.
     assert kept == pytest.approx(restitution - (1 + restitution) * SOFTNESS, abs=1e-9)
 
 
 @pytest.mark.parametrize("restitution", [0.2, *(pytest.param(e, marks=pytest.mark.slow) for e in (0.5, 0.8, 1.0))])
-def test_the_mean_rebound_is_out_by_half_a_step_and_by_what_gravity_adds_in_it(restitution):
+def test_the_mean_rebound_differs_by_half_a_step_and_its_weight(restitution):
     dt, drops, apexes = 1e-3, 10, []
     for phase in range(drops):
         height = G * (dt * (451 + (phase + 0.5) / drops)) ** 2 / 2  # 1 m, to a thousandth
@@ -119,7 +119,7 @@ def test_the_mean_rebound_is_out_by_half_a_step_and_by_what_gravity_adds_in_it(r
 
 
 @pytest.mark.parametrize(("rebound", "comes_back"), [(0.0999, False), (0.1002, True)])
-def test_a_rebound_below_a_tenth_of_a_metre_a_second_is_none(rebound, comes_back):
+def test_a_rebound_below_a_tenth_of_a_metre_a_second_is_suppressed(rebound, comes_back):
     assert bool(drop(0.5, rebound / 0.5).velocity("ball")[-1, 2] > 0.05) == comes_back
 
 
@@ -128,7 +128,7 @@ def test_no_rebound_is_faster_than_a_hundred_metres_a_second():
     assert drop(1.0, 150.0).velocity("ball")[-1, 2] == pytest.approx(100 - 250 * SOFTNESS, abs=1e-3)
 
 
-def test_at_a_millisecond_a_lively_ball_never_rests_for_each_impact_gives_it_the_weight_of_its_step():
+def test_a_lively_ball_never_rests_at_a_millisecond():
     # e (v + g dt) = v has the solution e g dt/(1 − e); above 0.1 m/s that is no rest.
     steady = 0.95 * G * 1e-3 / 0.05
     assert steady > 0.1
@@ -139,7 +139,7 @@ def test_at_a_millisecond_a_lively_ball_never_rests_for_each_impact_gives_it_the
     assert np.abs(tuned.velocity("ball")[-1000:, 2]).max() < 1e-3
 
 
-def test_overlap_comes_back_with_a_millimetre_a_second_and_tuned_without_speed():
+def test_overlap_is_recovered_at_a_millimetre_a_second_without_speed():
     ball = Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 0.1 - 2e-3))
     scenario = Scenario("sunk in", (FLOOR, ball), (Pair("ball", "floor"),), 1.0)
     trajectory = run(scenario)
@@ -150,7 +150,7 @@ def test_overlap_comes_back_with_a_millimetre_a_second_and_tuned_without_speed()
     assert pushed.velocity("ball")[500, 2] == pytest.approx(1e-3, rel=1e-3)
 
 
-def test_what_would_come_back_in_less_than_a_hundred_steps_comes_back_by_a_hundredth_a_step():
+def test_small_overlaps_are_recovered_by_a_hundredth_a_step():
     ball = Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 0.1 - 2e-5))
     trajectory = run(Scenario("sunk in", (FLOOR, ball), (Pair("ball", "floor"),), 0.1))
     depth = -measure.separation(trajectory, "ball", "floor")
@@ -174,7 +174,7 @@ def test_a_box_has_one_contact_on_a_plane_and_four_on_a_box(detector):
         assert np.count_nonzero(on_the_ground(ground, detector).contacts.sample == 1) == count
 
 
-def test_what_rests_a_gap_of_exactly_zero_apart_touches():
+def test_bodies_with_a_gap_of_exactly_zero_touch():
     cube = Body("cube", Box((0.1, 0.1, 0.1)), 1.0, (0.0, 0.0, 0.1))
     scenario = Scenario("cube", (FLOOR, cube), (Pair("cube", "floor", kinetic_friction=0.5),), 0.01)
     assert 1 in run(scenario).contacts.sample
@@ -191,7 +191,7 @@ def slab_at_thirty_degrees(solver: str, timestep: float = 1e-3) -> tuple[float, 
     return float(np.hypot(*moved)), float(moved @ [math.sin(math.radians(30)), -math.cos(math.radians(30))])
 
 
-def test_the_default_solver_has_a_pyramid_for_a_friction_cone_and_brakes_each_axis_with_all_of_it():
+def test_the_default_solvers_friction_pyramid_brakes_each_axis_fully():
     way, aside = slab_at_thirty_degrees("dantzig")
     # Each component stops for itself, after cos² and sin² of the way; v dt/2 of 0.5 m is 0.2 %.
     along, across = math.cos(math.radians(30)) ** 2, math.sin(math.radians(30)) ** 2
@@ -200,7 +200,7 @@ def test_the_default_solver_has_a_pyramid_for_a_friction_cone_and_brakes_each_ax
 
 
 @pytest.mark.parametrize("solver", ["nsgs", "fbf"])
-def test_the_two_coulomb_solvers_have_a_cone_and_keep_a_slab_on_its_line(solver):
+def test_the_coulomb_solvers_friction_cone_keeps_a_slab_on_its_line(solver):
     way, aside = slab_at_thirty_degrees(solver)
     assert way == pytest.approx(1 - 2.0 * 1e-3 / 2 / truth.stopping_distance(2.0, 0.4, G), abs=1e-5)  # − v₀ dt/2
     assert abs(aside) < 1e-5
@@ -211,12 +211,12 @@ def test_a_ball_rolls_with_five_sevenths_of_its_speed():
     assert found == pytest.approx(10 / 7, rel=1e-6)  # the softness of each step's friction
 
 
-def test_a_slope_that_holds_lets_a_slab_creep_by_less_than_a_micrometre():
+def test_a_slab_on_a_slope_that_holds_creeps_less_than_a_micrometre():
     assert abs(measured("incline", "μ=1,θ=40°", "way")) < 1e-6
 
 
 @pytest.mark.parametrize(("changes", "left"), [({}, 0.5e-3), ({"sleep": True}, 0.0)])
-def test_what_slides_below_a_millimetre_a_second_is_frozen_after_half_a_second_if_it_may_sleep(changes, left):
+def test_a_slow_body_that_may_sleep_is_frozen_after_half_a_second(changes, left):
     ball = Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 0.1), velocity=(0.5e-3, 0.0, 0.0))
     trajectory = run(Scenario("creeping", (FLOOR, ball), (Pair("ball", "floor"),), 1.0), **changes)
     assert trajectory.velocity("ball")[[400, -1], 0] == pytest.approx([0.5e-3, left], abs=1e-12)
@@ -233,7 +233,7 @@ def cradle(solver: str, reverse: bool) -> np.ndarray:
     return found[::-1] if reverse else found
 
 
-def test_the_default_solver_breaks_off_in_one_of_two_orders_of_the_bodies():
+def test_the_default_solver_breaks_off_for_one_order_of_the_bodies():
     exact = np.array([-0.6, 0.4, 0.4, 0.4, 0.4])
     # Its stand-in sweeps 30 times: 4e-4 are left. Otherwise it is the softness, 1e-5, in each of four contacts.
     assert np.abs(cradle("dantzig", False) - exact).max() < 6e-5
@@ -255,14 +255,14 @@ def test_a_stack_falls_into_place_and_stands():
 
 
 @pytest.mark.parametrize(("angle", "share"), [(0.9e-3, 1.0), (1.1e-3, 0.0)])
-def test_below_a_milliradian_a_step_the_angle_is_taken_for_its_sine(angle, share):
+def test_below_a_milliradian_a_step_an_angle_is_replaced_by_its_sine(angle, share):
     ball = Body("ball", Sphere(0.1), 1.0, (0.0, 0.0, 9.0), angular_velocity=(0.0, 0.0, angle / 1e-3))
     w, _, _, z = run(Scenario("turning", (ball,), (), 1.0, (0.0, 0.0, 0.0)), timestep=1e-3).orientation("ball")[-1]
     error = 2 * math.atan2(z, w) - 1000 * angle
     assert error == pytest.approx(share * 1000 * angle**3 / 6, rel=2e-3, abs=1e-10)  # measured: 0.12 % more
 
 
-def test_a_velocity_that_is_no_number_stays_and_the_pose_becomes_the_origin(installed):
+def test_a_velocity_of_nan_stays_and_moves_the_pose_to_the_origin(installed):
     dart, engine, scenario = installed("dart").module(), load_engine("dart"), falling_ball("ball", 0.5, 1.0, 1.0)
     settings = engine.settings(scenario, "stock")
     world = dart_engine._world(dart, scenario, settings)
@@ -276,7 +276,7 @@ def test_a_velocity_that_is_no_number_stays_and_the_pose_becomes_the_origin(inst
 # Stock
 
 
-def test_stock_a_box_on_a_plane_rocks_for_ever_on_its_one_contact():
+def test_a_stock_box_on_a_plane_rocks_for_ever_on_its_one_contact():
     trajectory = run(slab_on_plane("slab", 0.4, 0.0, 2.0, 1.5), "stock")
     speeds = np.linalg.norm(trajectory.velocity("slab")[-300:], axis=1)
     assert speeds.max() > measure.REST_SPEED
@@ -286,7 +286,7 @@ def test_stock_a_box_on_a_plane_rocks_for_ever_on_its_one_contact():
 # How it is said
 
 
-def test_the_method_says_what_the_contact_does():
+def test_the_method_describes_the_contact():
     engine, scenario = load_engine("dart"), falling_ball("ball", 0.5, 1.0, 1.0)
     method = engine.method(scenario, engine.settings(scenario, "tuned"))
     assert method == Method(AT_STEP, rest_speed=0.2, inset=1.0, softness=SOFTNESS, weighed=1.0)
@@ -302,13 +302,13 @@ def test_the_method_says_what_the_contact_does():
     ("case", "verdict"),
     [("e=0.5", Verdict.KNOWN_DEVIATION), pytest.param("e=0.8", Verdict.PASS, marks=pytest.mark.slow)],
 )
-def test_an_impact_too_slow_to_rebound_is_a_known_deviation_between_two_walls(case, verdict):
+def test_a_fifth_impact_too_slow_to_rebound_is_a_known_deviation(case, verdict):
     (found,) = (row.verdict for row in job("two-walls", case).rows if row.quantity == "speed_left")
     assert found is verdict  # 2 · 0.5⁵ = 0.0625 m/s is below 0.1, and 2 · 0.8⁵ is not
 
 
 @pytest.mark.parametrize("option", ["detector", "ground", "solver"])
-def test_a_word_that_there_is_not_is_refused_with_those_there_are(option):
+def test_an_unknown_word_is_refused_with_the_known_ones(option):
     with pytest.raises(InvalidInput, match=rf"{option} is 'x'; here it is one of \w+, "):
         run(slab_on_plane("slab", 0.4, 0.0, 2.0, 0.1), **{option: "x"})
 

@@ -63,19 +63,19 @@ def ended(family: str, case: str, **velocities) -> dict[str, float]:
 # The measures, on trajectories made up so that the number is known
 
 
-def test_two_balls_are_judged_by_their_speeds_ways_and_energy():
+def test_two_balls_are_judged_by_speeds_directions_and_energy():
     found = ended("two-balls", "e=0.8,m=3,b=0.5", striker=(0.6, 0.8, 0, 0, 0, 0), target=(0.3, -0.4, 0, 0, 0, 0))
     expected = {"striker": 1.0, "target": 0.5, "way": math.atan2(4, 3), "corner": -0.14 / 4, "energy": 1.75 / 4}
     assert found == pytest.approx(expected, rel=1e-14)
 
 
-def test_a_rod_is_judged_by_the_impulse_its_spin_and_how_the_points_part():
+def test_a_rod_is_judged_by_impulse_spin_and_separating_speed():
     found = ended("struck-rod", "e=0.5,x=0.25", ball=(0, 0, -1.5, 0, 0, 0), rod=(0, 0, -0.5, 0, 4, 0))
     # The ball has lost 0.5 of 2 m/s; the rod's point goes down with 0.5 + 4 · 0.25.
     assert found == pytest.approx({"impulse": 0.25, "spin": 4.0, "kept": 0.0}, abs=1e-15)
 
 
-def test_of_a_rod_on_a_peg_the_weight_is_left_out():
+def test_a_rod_on_a_peg_is_judged_without_its_weight():
     case = catalogue()["rod-on-peg"].case("e=0.5,x=0.25").scenarios[0]
     speed = truth.impact_speed(0.5, G)
     down = -G * case.duration + 0.5 * speed  # fallen all the time, and pushed up once by half of m v
@@ -84,7 +84,7 @@ def test_of_a_rod_on_a_peg_the_weight_is_left_out():
     assert found == pytest.approx(expected, abs=1e-14)
 
 
-def test_a_cradle_is_judged_by_its_ends_its_nearest_reading_momentum_and_energy():
+def test_a_cradle_is_judged_by_its_ends_reading_momentum_and_energy():
     def of(case, *velocities, family="cradle"):
         return ended(family, case, **{f"ball_{n}": (v, 0, 0, 0, 0, 0) for n, v in enumerate(velocities, 1)})
 
@@ -103,7 +103,7 @@ def test_a_cradle_is_judged_by_its_ends_its_nearest_reading_momentum_and_energy(
 # What is expected of a method
 
 
-def test_the_tolerance_of_a_striker_is_what_the_overlap_of_a_step_makes_of_the_line_of_centres():
+def test_a_strikers_tolerance_is_the_lean_that_one_steps_overlap_makes():
     family = catalogue()["two-balls"]
     case, way = family.case("e=1,m=1,b=0.5"), family.quantity("way")
     exact, at_step, spring = (
@@ -119,7 +119,7 @@ def test_the_tolerance_of_a_striker_is_what_the_overlap_of_a_step_makes_of_the_l
     assert spring.tolerance == pytest.approx(lean + 2 * 0.5 * math.pi * 1e-3 / 0.25 + 0.02 + 1e-3, rel=0.02)
 
 
-def test_the_tolerance_of_a_rod_is_that_of_a_step_s_weight():
+def test_the_tolerance_of_a_rod_is_the_weight_of_one_step():
     family = catalogue()["rod-on-peg"]
     case, impulse = family.case("e=0.5,x=0"), family.quantity("impulse")
     speed, dt = truth.impact_speed(0.5, G), 1e-3
@@ -137,7 +137,7 @@ def test_the_tolerance_of_a_rod_is_that_of_a_step_s_weight():
     assert (found.value, found.tolerance) == (pytest.approx(0.75, rel=1e-15), pytest.approx(1e-3, rel=1e-12))
 
 
-def test_the_rods_impulse_is_the_lectures_quarter_within_the_rods_thickness():
+def test_the_rods_impulse_is_nearly_the_quarter_of_the_lecture():
     family = catalogue()["rod-on-peg"]
     for e in (0.5, 1.0):
         theory = family.quantity("impulse").theory(family.case(f"e={e:g},x={END:g}"))
@@ -151,7 +151,7 @@ def test_the_rods_impulse_is_the_lectures_quarter_within_the_rods_thickness():
 
 @every_engine
 @each_case
-def test_tuned_every_quantity_that_theory_knows_passes(family, case, name, installed):
+def test_every_tuned_quantity_with_a_theory_passes(family, case, name, installed):
     installed(name)
     found = {row.verdict for row in job(family, name, case).rows}
     assert found <= {Verdict.PASS, Verdict.SHOWN}
@@ -159,14 +159,14 @@ def test_tuned_every_quantity_that_theory_knows_passes(family, case, name, insta
 
 
 @each_case
-def test_solved_for_the_instant_nothing_is_left_but_rounding(family, case):
+def test_solving_for_the_instant_leaves_nothing_but_rounding(family, case):
     rows = [row for row in job(family, "handwritten", case).rows if row.expected is not None]
     # Speeds of some m/s and spins of some 10 rad/s after a few hundred steps that each round.
     assert max(abs(row.measured - row.expected) for row in rows) < 1e-11
 
 
 @pytest.mark.parametrize("name", ["handwritten", "pybullet"])
-def test_the_struck_ball_goes_aside_by_the_lean_of_half_a_step(name, installed):
+def test_the_struck_ball_deviates_by_the_lean_of_half_a_step(name, installed):
     installed(name)
     profile = "stock" if name == "handwritten" else "tuned"
     for offset in (0.5, 0.8):
@@ -177,7 +177,7 @@ def test_the_struck_ball_goes_aside_by_the_lean_of_half_a_step(name, installed):
         assert aside == pytest.approx(lean, rel=1 / 11 + 0.01)
 
 
-def test_a_target_a_million_times_as_heavy_is_no_trouble(installed):
+def test_a_ball_rebounds_elastically_from_a_target_a_million_times_heavier(installed):
     for name in ("pybullet", "mujoco"):
         installed(name)
         assert measured("two-balls", name, "e=1,m=1e+06,b=0.5", "striker") == pytest.approx(2.0, abs=1e-3)
@@ -218,7 +218,7 @@ AT_ONCE, IN_TURN = (-0.6, 0.4, 0.4, 0.4, 0.4), (0.0, 0.0, 0.0, 0.0, 1.0)
 
 
 @engines
-def test_balls_that_touch_exactly_answer_all_at_once_and_a_micrometre_apart_one_after_another(name, installed):
+def test_touching_balls_answer_at_once_and_balls_apart_in_turn(name, installed):
     engine = installed(name)
     # PyBullet's solver goes on until nothing is left; MuJoCo's contacts give way by 1e-4 each, DART's by 2e-5.
     near = {"pybullet": 1e-9, "mujoco": 1e-3, "dart": 1e-4}[name]
@@ -227,17 +227,17 @@ def test_balls_that_touch_exactly_answer_all_at_once_and_a_micrometre_apart_one_
     np.testing.assert_allclose(out_of(engine, RADIUS, 1e-6), IN_TURN, atol=near)
 
 
-def test_to_pybullet_a_gap_of_a_picometre_is_one(installed):
+def test_pybullet_treats_a_gap_of_a_picometre_as_a_gap(installed):
     np.testing.assert_allclose(out_of(installed("pybullet"), RADIUS, 1e-12), IN_TURN, atol=1e-3)
 
 
-def test_where_the_sums_of_radii_round_pybullet_takes_some_for_touching_and_some_not(installed):
+def test_rounded_radii_make_pybullet_see_only_some_balls_touching(installed):
     mixed = out_of(installed("pybullet"), 0.1, 0.0)
     assert min(np.abs(mixed - AT_ONCE).max(), np.abs(mixed - IN_TURN).max()) > 0.1
     assert mixed @ mixed == pytest.approx(1.0, abs=2e-3)  # each of its impacts keeps energy
 
 
-def test_a_contact_that_lasts_goes_over_from_one_reading_to_the_other_as_the_gap_grows(installed):
+def test_a_lasting_contact_changes_its_reading_as_the_gap_grows(installed):
     engine = installed("mujoco")
     first = [out_of(engine, RADIUS, gap, "spring")[0] for gap in (0.0, 5e-4, 1e-3, 1e-2)]
     # To a few hundredths: a contact of sixteen steps, whose phase hangs on rounding.
@@ -247,7 +247,7 @@ def test_a_contact_that_lasts_goes_over_from_one_reading_to_the_other_as_the_gap
 @pytest.mark.parametrize(
     "parting", [0.1, pytest.param(0.3, marks=pytest.mark.slow), pytest.param(0.5, marks=pytest.mark.slow)]
 )
-def test_three_rules_that_sound_right_give_three_answers_and_one_of_them_makes_energy(parting, installed):
+def test_three_plausible_rules_give_three_answers_for_a_parting_ball(parting, installed):
     before, case = np.array([1.0, 0.0, parting]), f"v={parting:g}"
     readings = {
         ("handwritten", "tuned"): truth.cradle_in_turn(before),

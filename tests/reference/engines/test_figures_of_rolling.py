@@ -22,7 +22,7 @@ SOME_ON_SLOPES = ("μ=0.1,θ=10°", "μ=0.1,θ=20°", "μ=0.3,θ=40°")  # rolls
 
 @fast_and_slow("case", SOME_ROLLING, ROLLING)
 @engines
-def test_a_ball_that_slid_rolls_with_five_sevenths_of_its_speed_in_both_engines(name, case, installed):
+def test_an_engines_sliding_ball_rolls_with_five_sevenths_of_its_speed(name, case, installed):
     installed(name)
     parameters = catalogue()["sliding-ball"].case(case).parameters
     speed, friction = parameters["speed"], parameters["friction"]
@@ -44,7 +44,7 @@ def test_a_ball_that_slid_rolls_with_five_sevenths_of_its_speed_in_both_engines(
 
 @fast_and_slow("case", SOME_ON_SLOPES, ON_SLOPES)
 @engines
-def test_a_ball_let_go_on_a_slope_rolls_or_slips_in_both_engines_as_theory_says(name, case, installed):
+def test_an_engines_ball_on_a_slope_rolls_or_slips_as_theory_says(name, case, installed):
     installed(name)
     parameters = catalogue()["rolling-ball"].case(case).parameters
     friction, slope = parameters["friction"], parameters["slope"]
@@ -60,7 +60,7 @@ def test_a_ball_let_go_on_a_slope_rolls_or_slips_in_both_engines_as_theory_says(
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
-def test_balls_on_slopes_are_on_both_sides_of_rolling():
+def test_the_balls_on_slopes_include_rolling_and_slipping_ones():
     cases = [case.parameters for case in catalogue()["rolling-ball"].cases]
     assert len(cases) == 15
     assert sum(math.tan(case["slope"]) > 3.5 * case["friction"] for case in cases) == 3
@@ -75,7 +75,7 @@ SOME_SPINNING = ("ω=20,μ=0.3,e=0.5", "ω=5,μ=0.1,e=0.8", "ω=60,μ=0.1,e=0.5"
 
 @fast_and_slow("case", SOME_SPINNING, SPINNING)
 @engines
-def test_a_spinning_ball_grips_with_two_sevenths_of_its_spin_or_slips_with_mu_times_the_impulse(name, case, installed):
+def test_an_engines_spinning_ball_grips_or_slips_as_theory_says(name, case, installed):
     installed(name)
     parameters = catalogue()["spinning-ball"].case(case).parameters
     surface, friction = 0.1 * parameters["spin"], parameters["friction"]
@@ -99,7 +99,7 @@ def test_a_spinning_ball_grips_with_two_sevenths_of_its_spin_or_slips_with_mu_ti
     assert {entry.verdict for entry in found.values()} == {Verdict.PASS}
 
 
-def test_wherever_in_a_step_a_gripping_ball_strikes_mujoco_is_off_by_no_more_than_its_short_lever_arm(installed):
+def test_mujocos_gripping_ball_errs_by_at_most_its_short_lever_arm(installed):
     engine, family = installed("mujoco"), catalogue()["spinning-ball"]
     case, found = family.case("ω=20,μ=0.3,e=0.5"), []
     settings = engine.settings(case.scenarios[0], "tuned")
@@ -119,7 +119,7 @@ def test_wherever_in_a_step_a_gripping_ball_strikes_mujoco_is_off_by_no_more_tha
     assert highest == pytest.approx([3 / 7 * short, 10 / 7 * short], rel=0.15)  # twenty phases, not all
 
 
-def test_spinning_balls_grip_and_slip():
+def test_the_spinning_balls_include_gripping_and_slipping_ones():
     cases = [case.parameters for case in catalogue()["spinning-ball"].cases]
     gripping = [2 / 7 * 0.1 * c["spin"] <= c["friction"] * (1 + c["restitution"]) * SPEED for c in cases]
     assert (len(gripping), sum(gripping)) == (12, 10)

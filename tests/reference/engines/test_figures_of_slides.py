@@ -16,7 +16,7 @@ from reference.engines import load_engine
 
 @fast_and_slow("case", SOME_SLIDES, SLIDES)
 @engines
-def test_a_sliding_slab_stops_half_a_step_short_of_theory_in_both_engines(name, case, installed):
+def test_an_engines_sliding_slab_stops_half_a_step_short_of_theory(name, case, installed):
     installed(name)
     found = row("sliding-slab", name, "tuned", case, "stopping_distance")
     parameters = catalogue()["sliding-slab"].case(case).parameters
@@ -52,13 +52,13 @@ def check_slope(case: str, moves: float, way: float, exact: float) -> None:
         assert way == pytest.approx(G * (math.sin(slope) - friction * math.cos(slope)) * 4.5, rel=exact)
 
 
-def test_the_incline_has_cases_on_both_sides():
+def test_the_incline_has_cases_that_hold_and_cases_that_slide():
     slopes = [case.parameters for case in catalogue()["incline"].cases]
     assert len(slopes) == 25
     assert sum(math.tan(slope["slope"]) <= slope["friction"] for slope in slopes) == 15
 
 
-def test_the_hand_written_slab_holds_or_slides_as_theory_says_on_all_slopes():
+def test_the_hand_written_slab_holds_or_slides_as_theory_says():
     engine, family = load_engine("handwritten"), catalogue()["incline"]
     scenarios = [case.scenarios[0] for case in family.cases]
     runs = engine.run_many(scenarios, engine.settings(scenarios[0], "tuned").change(timestep=5e-3))
@@ -71,14 +71,14 @@ def test_the_hand_written_slab_holds_or_slides_as_theory_says_on_all_slopes():
 
 @fast_and_slow("case", NEAREST_SLOPES, SLOPES)
 @engines
-def test_a_slab_holds_or_slides_as_theory_says_in_both_engines(name, case, installed):
+def test_an_engines_slab_holds_or_slides_as_theory_says(name, case, installed):
     installed(name)
     found = {quantity: row("incline", name, "tuned", case, quantity) for quantity in ("moves", "way")}
     check_slope(case, found["moves"].measured, found["way"].measured, 2e-3)  # 0.1 %, and a t dt/2: dt/3 s at 1 ms
     assert all(entry.verdict in (Verdict.PASS, Verdict.KNOWN_DEVIATION) for entry in found.values())
 
 
-def test_mujocos_creep_goes_with_the_timestep(installed):
+def test_mujocos_creep_is_proportional_to_the_timestep(installed):
     installed("mujoco")
     fine = row("incline", "mujoco", "tuned", "μ=1,θ=40°", "way").measured
     coarse = row("incline", "mujoco", "tuned", "μ=1,θ=40°", "way", timestep=1e-3).measured
@@ -90,11 +90,11 @@ def test_mujocos_creep_goes_with_the_timestep(installed):
 
 
 @pytest.mark.parametrize("timestep", [7e-3, 6e-3, pytest.param(1e-3, marks=slow), pytest.param(3e-4, marks=slow)])
-def test_the_way_in_three_seconds_does_not_hang_on_whether_the_timestep_divides_them(timestep):
+def test_the_way_in_three_seconds_is_right_for_any_timestep(timestep):
     found = row("incline", "handwritten", "tuned", "μ=0.3,θ=20°", "way", timestep=timestep)
     assert found.verdict is Verdict.PASS
 
 
-def test_every_name_used_here_is_in_the_catalogue():
+def test_every_slide_and_slope_named_here_is_in_the_catalogue():
     assert set(NEAREST_SLOPES) <= set(SLOPES)
     assert set(SOME_SLIDES) <= set(SLIDES)

@@ -30,7 +30,7 @@ from reference.engines import load_engine
 # Stock settings fail where they must
 
 
-def test_stock_pybullet_gets_worse_as_the_timestep_shrinks_until_nothing_bounces(installed):
+def test_stock_pybullet_bounces_less_and_less_as_the_timestep_shrinks(installed):
     installed("pybullet")
     family, engine, few = catalogue()["dropped-ball"], load_engine("pybullet"), tenth_of_drops("e=0.5")
     question, settings = Question.of(replace(family, cases=(few,)), engine), engine.settings(few.scenarios[0], "stock")
@@ -42,7 +42,7 @@ def test_stock_pybullet_gets_worse_as_the_timestep_shrinks_until_nothing_bounces
 
 
 @pytest.mark.parametrize("case", ["e=0.2", "e=0.8", "e=1"])
-def test_stock_mujoco_does_not_bounce_whatever_e_was_meant(case, installed):
+def test_stock_mujoco_does_not_bounce_for_any_e(case, installed):
     installed("mujoco")
     found = rebound_of_a_tenth("mujoco", "stock", case)
     assert found.measured < 1e-3  # of the drop height
@@ -50,7 +50,7 @@ def test_stock_mujoco_does_not_bounce_whatever_e_was_meant(case, installed):
 
 
 @pytest.mark.parametrize("case", [case for case in SLIDES if "heading" in case])
-def test_stock_mujoco_slides_a_fifth_too_far_at_thirty_degrees_to_its_pyramid(case, installed):
+def test_stock_mujoco_slides_a_fifth_too_far_across_its_pyramid(case, installed):
     installed("mujoco")
     found = row("sliding-slab", "mujoco", "stock", case, "stopping_distance")
     assert found.relative_error > 0.2
@@ -90,7 +90,7 @@ def test_stock_pybullet_rolls_too_slowly_by_seven_to_forty_three_percent(case, i
 
 
 @fast_and_slow("case", SOME_ROLLING, ROLLING)
-def test_stock_mujoco_hops_as_it_slides_and_yet_rolls_at_nearly_the_right_speed(case, installed):
+def test_stock_mujocos_ball_hops_late_into_nearly_the_right_rolling(case, installed):
     installed("mujoco")
     found = {entry.quantity: entry for entry in job("sliding-ball", "mujoco", "stock", case).rows}
     assert found["rolling_speed"].verdict is Verdict.PASS  # 0.1 %
@@ -99,7 +99,7 @@ def test_stock_mujoco_hops_as_it_slides_and_yet_rolls_at_nearly_the_right_speed(
     assert late.measured is None or late.error > 0.02  # s: while it is in the air, nothing slows its slip
 
 
-def test_stock_pybullet_loses_over_half_of_what_a_fast_spin_should_give_and_stock_mujoco_does_not_rebound(installed):
+def test_stock_engines_lose_the_speed_that_a_fast_spin_should_give(installed):
     installed("pybullet")
     found = row("spinning-ball", "pybullet", "stock", "ω=60,μ=0.3,e=0.5", "speed_along")
     assert found.relative_error == pytest.approx(-0.54, abs=0.02)
@@ -119,7 +119,7 @@ def test_stock_settings_lose_speed_in_a_corner(name, case, installed):
     assert kept.verdict is Verdict.FAIL
 
 
-def test_on_stock_pybullets_half_space_a_flat_box_tumbles_and_with_a_box_for_ground_it_does_not(installed):
+def test_a_flat_box_tumbles_on_stock_pybullets_half_space_alone(installed):
     installed("pybullet")
     assert row("box-flat", "pybullet", "stock", "e=0.5", "lean").measured > 1.0  # rad
     assert math.degrees(row("box-flat", "pybullet", "stock", "e=0", "lean").measured) == pytest.approx(5, abs=0.5)
@@ -130,7 +130,7 @@ def test_on_stock_pybullets_half_space_a_flat_box_tumbles_and_with_a_box_for_gro
         assert (family.quantity("lean").measure(trajectory) < 1e-9) is level
 
 
-def test_stock_mujoco_creeps_by_millimetres_where_a_box_should_hold(installed):
+def test_stock_mujocos_boxes_creep_by_millimetres_where_they_should_hold(installed):
     installed("mujoco")
     for case in ("h=0.1,μ=0.5,θ=20°", "h=0.2,μ=0.7,θ=20°"):
         outcome, way = (row("tipping-box", "mujoco", "stock", case, quantity) for quantity in ("outcome", "way"))
@@ -140,7 +140,7 @@ def test_stock_mujoco_creeps_by_millimetres_where_a_box_should_hold(installed):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "quantity", "least"), [("pybullet", "drift", 5e-3), ("mujoco", "height", 1.5e-3)])
-def test_stock_stacks_of_ten_stand_but_drift_or_sink_by_millimetres(name, quantity, least, installed):
+def test_stock_stacks_stand_but_drift_or_sink_by_millimetres(name, quantity, least, installed):
     installed(name)
     found = {entry.quantity: entry for entry in job("stack", name, "stock", "boxes=10").rows}
     assert abs(found[quantity].measured) > least  # m

@@ -47,7 +47,7 @@ def run(scenario, profile="tuned", **changes):
 
 
 @pytest.mark.parametrize("profile", PROFILES)
-def test_a_ball_that_no_longer_bounces_slides_on_over_a_smooth_floor(profile):
+def test_a_ball_that_no_longer_bounces_slides_over_a_smooth_floor(profile):
     made = run(ball(velocity=(1.5, -0.5, 0.0), duration=3.0), profile)
     assert made.velocity("ball")[-1] == pytest.approx([1.5, -0.5, 0.0], abs=1e-15)
     # 3000 steps of rounding. Normal to the floor, a step method may be v dt off.
@@ -65,7 +65,7 @@ def test_a_ball_that_no_longer_bounces_slides_on_over_a_smooth_floor(profile):
         *(pytest.param(*each, marks=pytest.mark.slow) for each in ((0.0, "tuned"), (0.5, "slide"), (0.0, "stock"))),
     ],
 )
-def test_a_ball_on_a_smooth_slope_gains_g_sin_theta_whether_it_bounces_or_not(profile, restitution):
+def test_a_ball_on_a_smooth_slope_accelerates_by_g_sin_theta(profile, restitution):
     made = run(ball(TILTED, restitution), profile)
     pull, duration = G * math.sin(SLOPE), 2.0
     # 2000 steps of rounding: only the normal velocity is ever answered
@@ -77,7 +77,7 @@ def test_a_ball_on_a_smooth_slope_gains_g_sin_theta_whether_it_bounces_or_not(pr
 
 
 @pytest.mark.parametrize("profile", PROFILES)
-def test_a_ball_that_was_dropped_straight_down_stays_where_it_came_to_rest(profile):
+def test_a_ball_dropped_straight_down_stays_where_it_came_to_rest(profile):
     made = run(ball(duration=3.0), profile)
     assert measure.rest_time(made, "ball") < 1.2
     assert measure.drift(made, "ball", 1.5) == 0.0
@@ -85,7 +85,7 @@ def test_a_ball_that_was_dropped_straight_down_stays_where_it_came_to_rest(profi
 
 
 @pytest.mark.parametrize("profile", PROFILES)
-def test_the_first_impact_is_on_time_early_by_g_dt_squared_over_8_v_or_up_to_a_step_late(profile):
+def test_the_first_impact_is_as_early_or_late_as_its_method_makes_it(profile):
     gaps = np.linspace(0.3, 0.31, 11)
     drops = [ball(restitution=0.3, gap=float(gap), duration=0.38) for gap in gaps]
     for gap, made in zip(gaps, HANDWRITTEN.run_many(drops, HANDWRITTEN.settings(drops[0], profile)), strict=True):
@@ -98,14 +98,14 @@ def test_the_first_impact_is_on_time_early_by_g_dt_squared_over_8_v_or_up_to_a_s
 
 
 @pytest.mark.parametrize(("steps", "impacts"), [(0.9, 1), (1.1, 2)])
-def test_a_rebound_whose_flight_is_over_within_the_shortest_one_is_taken_for_rest(steps, impacts):
+def test_a_rebound_shorter_than_the_shortest_flight_is_taken_for_rest(steps, impacts):
     # A rebound at e u = g dt · steps/2 is in the air for so many steps; the one after it for half as many
     speed = G * 1e-3 * steps
     made = run(ball(restitution=0.5, gap=speed**2 / (2 * G)), shortest_flight=1.0)
     assert [event.kind for event in made.events] == ["impact"] * impacts + ["rest"]
 
 
-def test_the_speed_below_which_it_rests_is_that_of_half_the_shortest_flight():
+def test_the_rest_speed_is_that_of_half_the_shortest_flight():
     steps = {"tuned": 1e-9, "slide": 1.0, "stock": 2.0}
     for profile in PROFILES:
         method = HANDWRITTEN.method(ball(), HANDWRITTEN.settings(ball(), profile))
@@ -113,7 +113,7 @@ def test_the_speed_below_which_it_rests_is_that_of_half_the_shortest_flight():
     assert HANDWRITTEN.method(slab(), HANDWRITTEN.settings(slab(), "stock")).rest_speed == 0
 
 
-def test_the_slides_t_refuses_to_follow_flights_that_it_cannot_see():
+def test_the_slides_t_refuses_flights_shorter_than_a_step():
     scenario = ball()
     with pytest.raises(InvalidInput, match="shortest_flight is 1e-09; with the policy interpolated it is at least 1"):
         run(scenario, "tuned", policy="interpolated")
@@ -123,7 +123,7 @@ def test_the_slides_t_refuses_to_follow_flights_that_it_cannot_see():
     assert np.array_equal(HANDWRITTEN.run(scenario, settings).positions, run(scenario, "slide").positions)
 
 
-def test_a_policy_that_there_is_not_names_those_there_are():
+def test_an_unknown_policy_is_refused_with_the_known_ones():
     with pytest.raises(InvalidInput, match="policy is 'guess'; here it is one of exact_root, interpolated, at_step"):
         run(ball(), policy="guess")
     with pytest.raises(InvalidInput, match="policy is 'interpolated'; here it is one of exact_root, at_step"):
@@ -161,7 +161,7 @@ NEEDS_A_WORLD = {
 
 
 @pytest.mark.parametrize("what", NEEDS_A_WORLD)
-def test_what_turns_or_leaves_its_line_needs_a_rigid_body_world(what):
+def test_a_body_that_turns_or_leaves_its_line_needs_a_world(what):
     with pytest.raises(NeedsFunction, match="needs a rigid-body world"):
         run(NEEDS_A_WORLD[what], timestep=0.01)
 
@@ -182,7 +182,7 @@ ALONE = {
 
 
 @pytest.mark.parametrize("what", ALONE)
-def test_what_moves_as_a_point_does_not(what):
+def test_a_body_that_moves_as_a_point_needs_no_world(what):
     made = run(ALONE[what], timestep=0.01)
     assert made.times[-1] == pytest.approx(2.0, abs=1e-12)
     assert np.array_equal(made.orientations[-1], made.orientations[0])
@@ -197,7 +197,7 @@ def test_a_batch_of_balls_and_slabs_needs_a_world():
 # A slab
 
 
-def test_a_slab_that_has_stopped_is_sampled_to_the_end_whatever_the_samples():
+def test_a_slab_that_has_stopped_is_sampled_to_the_end():
     whole = run(slab(velocity=(1.0, 0.0, 0.0)))
     parts = run(slab(velocity=(1.0, 0.0, 0.0)), sample_every=7)
     assert len(whole.times) == 2001
@@ -206,7 +206,7 @@ def test_a_slab_that_has_stopped_is_sampled_to_the_end_whatever_the_samples():
     assert np.array_equal(parts.positions[-1], whole.positions[-1])
 
 
-def test_a_batch_goes_on_while_one_of_its_members_moves():
+def test_a_batch_continues_while_one_of_its_members_moves():
     short, long = slab(velocity=(0.1, 0.0, 0.0)), slab(velocity=(3.0, 0.0, 0.0))
     settings = HANDWRITTEN.settings(long, "tuned").change(timestep=5e-3)
     together = HANDWRITTEN.run_many([short, long], settings)
@@ -216,7 +216,7 @@ def test_a_batch_goes_on_while_one_of_its_members_moves():
         assert found.events == alone.events
 
 
-def test_a_ball_whose_bounces_last_a_step_each_is_reported_at_every_one():
+def test_every_bounce_that_lasts_one_step_is_reported():
     speed = G * 1e-3 / 2  # up and down again in 1 ms: position and velocity are the same at every step
     scenario = ball(restitution=1.0, gap=0.0, duration=0.1, velocity=(0.0, 0.0, speed))
     impacts = [event.time for event in run(scenario, shortest_flight=0.5).events]
@@ -232,7 +232,7 @@ def test_a_slab_that_slides_up_a_smooth_slope_comes_back_as_fast():
     assert measure.rest_time(made, "slab") == math.inf  # it stops on the way, but not for good
 
 
-def test_a_slab_stepped_by_semi_implicit_euler_stops_half_a_step_of_its_first_speed_short():
+def test_a_stepped_slab_stops_half_a_step_of_its_first_speed_short():
     friction, speed = 0.3, 1000.5 * 0.3 * G * 1e-3  # in the middle of a step, so that rounding does not decide in which
     made = run(slab(friction=friction, velocity=(speed, 0.0, 0.0)), "stock")
     way = speed**2 / (2 * friction * G) - speed * 1e-3 / 2
@@ -241,14 +241,14 @@ def test_a_slab_stepped_by_semi_implicit_euler_stops_half_a_step_of_its_first_sp
     assert made.velocity("slab")[-1].tolist() == [0.0, 0.0, 0.0]
 
 
-def test_a_slab_stepped_by_semi_implicit_euler_gains_half_a_step_of_its_last_speed():
+def test_a_stepped_slab_gains_half_a_step_of_its_last_speed():
     made = run(slab(TILTED, friction=0.1), "stock")
     pull = G * (math.sin(SLOPE) - 0.1 * math.cos(SLOPE))
     assert made.velocity("slab")[-1] @ DOWNHILL == pytest.approx(pull * 2.0, abs=1e-10)  # 2000 steps of rounding
     assert measure.displacement(made, "slab") == pytest.approx(pull * 2.0 + pull * 2.0 * 1e-3 / 2, abs=1e-10)
 
 
-def test_a_slab_stepped_by_semi_implicit_euler_holds_still_where_it_holds():
+def test_a_stepped_slab_does_not_creep_where_it_holds():
     assert measure.displacement(run(slab(TILTED, friction=0.5), "stock"), "slab") < 1e-12
 
 

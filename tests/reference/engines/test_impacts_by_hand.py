@@ -79,7 +79,7 @@ def momenta(trajectory):
 
 @pytest.mark.parametrize("restitution", [0.0, 0.5, 1.0])
 @pytest.mark.parametrize("offset", [0.0, 0.3, 0.9])
-def test_two_balls_solved_for_their_instant_leave_as_theory_says(offset, restitution):
+def test_two_balls_at_the_exact_instant_leave_as_theory_says(offset, restitution):
     made = run(balls(offset, restitution, mass=1.5, other=0.7))
     striker, target = truth.balls_after(SPEED, offset, restitution, 1.5, 0.7)
     # The way is b below the target here, so the normal points down there. Rounding of numbers of some m/s.
@@ -89,7 +89,7 @@ def test_two_balls_solved_for_their_instant_leave_as_theory_says(offset, restitu
     assert made.events[0].time == pytest.approx(0.15, abs=1e-14)
 
 
-def test_answered_at_the_step_the_line_of_centres_has_turned_with_the_overlap():
+def test_at_the_step_the_line_of_centres_has_turned_with_the_overlap():
     made = run(balls(0.5, gap=0.3003), "stock", timestep=1e-3)
     reach, time = 2 * R * math.sqrt(0.75), 0.151  # s: the first step that begins in overlap
     distance = math.hypot(reach + 0.3003 - SPEED * time, R)
@@ -116,7 +116,7 @@ def check_momenta(profile, offset, friction, restitution, spin, other):
 @pytest.mark.parametrize("profile", PROFILES)
 @settings(max_examples=30)
 @given(**ROUGH)
-def test_two_rough_balls_keep_momentum_and_angular_momentum(profile, **impact):
+def test_two_rough_balls_keep_both_their_momenta(profile, **impact):
     check_momenta(profile, **impact)
 
 
@@ -124,18 +124,18 @@ def test_two_rough_balls_keep_momentum_and_angular_momentum(profile, **impact):
 @pytest.mark.parametrize("profile", PROFILES)
 @settings(max_examples=100)
 @given(**ROUGH)
-def test_rough_balls_keep_their_momenta_in_many_more_impacts(profile, **impact):
+def test_rough_balls_keep_both_momenta_in_many_more_impacts(profile, **impact):
     check_momenta(profile, **impact)
 
 
-def test_two_balls_that_fall_side_by_side_meet_as_if_nothing_pulled():
+def test_two_balls_falling_side_by_side_meet_as_if_weightless():
     still, falling = (run(balls(0.4, gravity=gravity)) for gravity in (WEIGHTLESS, (0.0, 0.0, -9.81)))
     assert falling.events[0].time == pytest.approx(still.events[0].time, abs=1e-14)
     np.testing.assert_allclose(falling.velocity("target")[:, :2], still.velocity("target")[:, :2], atol=1e-13)
     np.testing.assert_allclose(falling.velocity("target")[:, 2], -9.81 * falling.times, atol=1e-13)
 
 
-def test_dead_balls_go_on_together_and_strike_once():
+def test_balls_without_restitution_strike_once_and_move_on_together():
     made = run(balls(0.0, restitution=0.0))
     assert len(made.events) == 1
     assert made.velocity("striker")[-1, 0] == pytest.approx(1.0, abs=1e-15)
@@ -149,7 +149,7 @@ def test_an_immovable_ball_throws_a_striker_back():
     assert not made.velocity("target").any()
 
 
-def test_a_batch_of_impacts_gives_what_each_gives_alone():
+def test_impacts_in_a_batch_give_what_each_gives_alone():
     scenarios = [balls(0.0), balls(0.7, 0.5), replace(balls(0.3, other=3.0), duration=0.2)]
     chosen = HANDWRITTEN.settings(scenarios[0], "tuned").change(timestep=5e-3)
     for alone, together in zip(scenarios, HANDWRITTEN.run_many(scenarios, chosen), strict=True):
@@ -161,7 +161,7 @@ def test_a_batch_of_impacts_gives_what_each_gives_alone():
 
 @pytest.mark.parametrize("profile", PROFILES)
 @pytest.mark.parametrize("turn", [(1, 0, 0, 0), TURNED])
-def test_a_rod_turned_with_its_ball_answers_as_one_that_lies_level(profile, turn):
+def test_a_rod_turned_with_its_ball_moves_like_a_level_one(profile, turn):
     level = run(rod(0.4), profile)
     w, y = turn[0], turn[2]
     tilt = 2 * math.atan2(y, w)
@@ -175,7 +175,7 @@ def test_a_rod_turned_with_its_ball_answers_as_one_that_lies_level(profile, turn
     np.testing.assert_allclose(made.angular_velocity("rod"), level.angular_velocity("rod"), atol=1e-12)
 
 
-def test_a_struck_rod_goes_on_turning_at_a_steady_rate():
+def test_a_struck_rod_turns_at_a_steady_rate():
     made = run(rod(0.4))
     struck = made.times > STRUCK
     spin = made.angular_velocity("rod")[struck][:, 1]
@@ -194,7 +194,7 @@ def test_a_ball_that_the_rod_strikes_again_as_it_turns_needs_a_world(profile):
 # Planes
 
 
-def test_a_spinning_ball_that_comes_to_rest_needs_a_world_and_one_that_is_seen_to_bounce_does_not():
+def test_a_spinning_ball_needs_a_world_once_it_comes_to_rest():
     ball = Body("ball", Sphere(R), 1.0, (0, 0, 0.6), velocity=(1, 0, 0), angular_velocity=(0, 30, 0))
     bodies, pairs = (Body("floor", HalfSpace()), ball), (Pair("ball", "floor", 0.5, 0.2),)
     for profile in PROFILES:
@@ -203,7 +203,7 @@ def test_a_spinning_ball_that_comes_to_rest_needs_a_world_and_one_that_is_seen_t
             run(Scenario("spin", bodies, pairs, 2.0), profile)
 
 
-def test_a_fast_ball_passes_a_thin_wall_at_the_step_and_not_where_its_instant_is_solved_for():
+def test_a_fast_ball_passes_a_thin_wall_only_in_the_step_method():
     wall = Body("wall", Box((0.005, 1.0, 1.0)))
     ball = Body("ball", Sphere(0.02), 1.0, (-1.03, 0, 0), velocity=(100.0, 0, 0))
     scenario = Scenario("shot", (wall, ball), (Pair("ball", "wall", 0.5),), 0.03, WEIGHTLESS)
@@ -217,14 +217,14 @@ def test_a_fast_ball_passes_a_thin_wall_at_the_step_and_not_where_its_instant_is
 
 
 @pytest.mark.parametrize("count", [3, 5])
-def test_touching_balls_answer_two_at_a_time_or_all_at_once(count):
+def test_touching_balls_by_hand_answer_in_pairs_or_all_at_once(count):
     first = [1.0] + [0.0] * (count - 1)
     in_turn, at_once = (along_row(run(row(first), profile)) for profile in PROFILES)
     np.testing.assert_allclose(in_turn, first[::-1], atol=1e-14)
     np.testing.assert_allclose(at_once, truth.cradle_at_once(np.array(first), 0), atol=1e-14)
 
 
-def test_balls_apart_answer_one_after_another_in_both():
+def test_balls_apart_answer_one_after_another_in_both_methods():
     for profile in PROFILES:
         made = run(row([1.0, 0, 0, 0], gaps=[0.01, 0.02]), profile)
         np.testing.assert_allclose(along_row(made), [0, 0, 0, 1], atol=1e-14)
@@ -232,7 +232,7 @@ def test_balls_apart_answer_one_after_another_in_both():
     assert instants == pytest.approx([0.1, 0.11, 0.13], abs=1e-9)
 
 
-def test_of_two_groups_that_touch_each_answers_for_itself():
+def test_two_groups_of_touching_balls_answer_separately():
     made = run(row([1.0, 0, 0, 0], gaps=[0.0, 1.0]), "stock")
     np.testing.assert_allclose(along_row(made), [-1 / 3, 2 / 3, 2 / 3, 0], atol=1e-14)
 
@@ -318,7 +318,7 @@ def test_each_scenario_goes_to_the_driver_that_can_answer_it(expected, scenario)
             run(scenario)
 
 
-def test_a_policy_that_impacts_do_not_have_names_those_there_are():
+def test_an_unknown_policy_of_impacts_is_refused_with_the_known_ones():
     for scenario in (balls(), rod(), row([1.0, 0.0, 0.0])):
         with pytest.raises(InvalidInput, match="policy is 'interpolated'; here it is one of exact_root, at_step"):
             run(scenario, policy="interpolated")

@@ -54,7 +54,7 @@ def package(tmp_path, monkeypatch):
         del sys.modules[name]
 
 
-def test_the_solutions_answer_where_nothing_else_is_said():
+def test_the_solutions_are_the_default_implementation():
     distance = Implementation().function("signed_distance")
     assert distance((0.0, 0.0, 3.0), (0.0, 0.0, 2.0), offset=-2.0) == 2.0
     assert distance((1, 2, 3), (0, 0, 1), 0) == solutions.detection.signed_distance((1, 2, 3), (0, 0, 1), 0)
@@ -73,21 +73,21 @@ def test_a_file_answers_for_every_topic_it_has_functions_of(handed_in):
 # What is not written yet
 
 
-def test_a_function_that_is_not_there_is_needed_by_name_topic_and_step(handed_in):
+def test_a_missing_function_is_needed_by_name_topic_and_step(handed_in):
     mine = Implementation(handed_in("pass"))
     with pytest.raises(NeedsFunction) as caught:
         mine.function("time_of_impact_exact")
     assert str(caught.value) == "needs time_of_impact_exact (detection, step 4)"
 
 
-def test_a_function_that_is_still_a_stub_is_needed_once_it_is_called(handed_in):
+def test_a_stub_is_needed_once_it_is_called(handed_in):
     function = Implementation(handed_in()).function("time_of_impact_exact")
     with pytest.raises(NeedsFunction) as caught:
         function(1.0, 0.0, -9.81)
     assert str(caught.value) == "needs time_of_impact_exact (detection, step 4)"
 
 
-def test_something_else_of_that_name_is_no_function(handed_in):
+def test_a_name_that_is_no_function_is_refused(handed_in):
     with pytest.raises(NeedsFunction, match=r"needs is_colliding \(detection, step 2\)"):
         Implementation(handed_in()).function("is_colliding")
 
@@ -100,12 +100,12 @@ def test_a_package_without_the_topic_needs_its_functions(package):
         assert str(caught.value) == f"needs {name} ({where})"
 
 
-def test_a_mistake_in_a_function_is_its_own_and_no_need(handed_in):
+def test_a_mistake_inside_a_function_is_raised_as_it_is(handed_in):
     with pytest.raises(ZeroDivisionError, match="my own mistake"):
         Implementation(handed_in()).function("kinematic_response")(1, 2, 3)
 
 
-def test_a_function_that_the_lecture_does_not_have_is_an_unknown_name(handed_in):
+def test_a_function_unknown_to_the_lecture_is_an_unknown_name(handed_in):
     with pytest.raises(UnknownName, match=r"unknown function 'hold'\. Did you mean 'holds'\?"):
         Implementation(handed_in()).function("hold")
 
@@ -133,7 +133,7 @@ def test_a_file_that_is_not_there_is_refused_with_its_path(tmp_path):
         Implementation(str(tmp_path / "folder.py")).function("holds")
 
 
-def test_an_import_that_fails_inside_an_implementation_is_not_taken_for_a_missing_topic(package):
+def test_a_failing_import_inside_a_package_is_no_missing_topic(package):
     mine = Implementation(package("friction", "import no_such_library"))
     with pytest.raises(ModuleNotFoundError, match="no_such_library"):
         mine.function("holds")
@@ -149,7 +149,7 @@ def test_a_file_that_does_not_compile_says_where(handed_in):
 # Files are modules like any other
 
 
-def test_a_file_is_run_once_however_many_functions_are_asked_for(handed_in):
+def test_a_file_is_run_once_for_all_its_functions(handed_in):
     path = handed_in("runs = []\nruns.append(1)\ndef holds(): return runs\ndef friction_force(): return runs")
     mine = Implementation(path)
     assert mine.function("holds")() is mine.function("friction_force")()
@@ -173,7 +173,7 @@ def test_a_file_may_hold_dataclasses_and_know_its_own_path(handed_in):
     assert Implementation(path).function("holds")() == (2.0, path)
 
 
-def test_an_edited_file_answers_anew_even_in_a_worker_that_has_run_it(handed_in):
+def test_an_edited_file_is_loaded_again_in_the_same_worker(handed_in):
     for answer in ("11", "22"):  # of one length and written within a moment: no time stamp tells them apart
         path = handed_in(f"def holds(): return {answer}")
         assert Implementation(path).function("holds")() == int(answer)

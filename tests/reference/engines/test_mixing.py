@@ -26,7 +26,7 @@ shares = st.floats(0.01, 1.0)
 
 
 @given(st.lists(shares, min_size=3, max_size=3))
-def test_balls_that_meet_the_floor_alone_may_each_have_their_own(values):
+def test_balls_that_meet_only_the_floor_may_have_their_own_coefficients(values):
     pairs = [Pair(ball.name, "floor", value) for ball, value in zip(BALLS, values, strict=True)]
     for choose, mix in ((mixing.factors, lambda a, b: a * b), (mixing.least, min)):
         chosen = choose(scenario(*pairs), restitution)
@@ -36,26 +36,26 @@ def test_balls_that_meet_the_floor_alone_may_each_have_their_own(values):
 
 
 @given(shares)
-def test_where_all_pairs_are_alike_all_bodies_are(value):
+def test_equal_pairs_give_equal_bodies(value):
     pairs = [Pair("ball 0", "ball 1", value), Pair("ball 1", "ball 2", value), Pair("ball 0", "floor", value)]
     assert mixing.factors(scenario(*pairs), restitution) == [pytest.approx(value**0.5, rel=1e-15)] * 4
     assert mixing.least(scenario(*pairs), restitution) == [value] * 4
 
 
-def test_what_no_choice_gives_is_said():
+def test_pairs_that_no_choice_gives_are_reported():
     ring = [Pair("ball 0", "ball 1", 0.5), Pair("ball 1", "ball 2", 0.5), Pair("ball 2", "ball 0", 0.2)]
     assert mixing.least(scenario(*ring), restitution) is None  # whoever makes 0.2 spoils a 0.5
     assert mixing.factors(scenario(*ring), restitution) is None  # of the two ways that we try
 
 
-def test_the_smaller_of_two_can_say_what_a_product_of_ours_cannot():
+def test_the_minimum_rule_can_express_pairs_that_a_product_cannot():
     ring = [Pair("ball 0", "ball 1", 0.5), Pair("ball 1", "ball 2", 0.2), Pair("ball 2", "ball 0", 0.2)]
     assert mixing.factors(scenario(*ring), restitution) is None
     assert mixing.least(scenario(*ring), restitution) == [0.0, 0.5, 0.5, 0.2]
 
 
 @given(st.lists(shares, min_size=3, max_size=3))
-def test_a_product_says_each_pair_of_a_row_on_the_floor(values):
+def test_a_product_expresses_each_pair_of_a_row_on_the_floor(values):
     row = [
         Pair(upper.name, lower.name, value)
         for upper, lower, value in zip(BALLS, (FLOOR, *BALLS[:-1]), values, strict=True)
@@ -66,12 +66,12 @@ def test_a_product_says_each_pair_of_a_row_on_the_floor(values):
         assert got == pytest.approx(pair.restitution, rel=1e-15)  # a quotient and its product round once each
 
 
-def test_where_a_product_is_zero_nothing_beyond_it_can_be_more():
+def test_a_pair_of_zero_limits_all_pairs_of_its_bodies():
     row = [Pair("ball 0", "floor", 0.3), Pair("ball 1", "ball 0", 0.0), Pair("ball 2", "ball 1", 0.2)]
     assert mixing.factors(scenario(*row), restitution) is None
 
 
-def test_a_body_that_touches_nothing_gets_none():
+def test_a_body_without_pairs_gets_no_coefficient():
     assert mixing.factors(scenario(), restitution) == [0.0] * 4
     two = scenario(Pair("ball 0", "floor", 0.3), Pair("ball 1", "floor", 0.5))
     assert mixing.factors(two, restitution) == [1.0, 0.3, 0.5, 0.0]

@@ -242,7 +242,7 @@ OFFSET = (1.0, 1.5, 2.4)
 
 
 @pytest.mark.parametrize("what", BODIES)
-def test_a_ray_ends_on_the_surface_of_a_body_wherever_that_lies(what):
+def test_a_ray_ends_on_the_surface_of_a_body_at_any_place(what):
     body = moved_body(BODIES[what])
     start = turned(START) + SHIFT
     way = 2 * (np.add(body.position, (0.1, -0.05, 0.07)) - start)
@@ -253,7 +253,7 @@ def test_a_ray_ends_on_the_surface_of_a_body_wherever_that_lies(what):
 
 
 @pytest.mark.parametrize(("first", "second"), [("ball", "box"), ("ball", "floor"), ("box", "floor"), ("box", "box")])
-def test_the_distance_of_two_bodies_is_that_of_the_ruler_wherever_they_lie(first, second):
+def test_the_distance_of_two_bodies_agrees_with_the_ruler_at_any_place(first, second):
     b = replace(BODIES[second], name="other")
     a = replace(BODIES[first], position=tuple(b.position + geometry.rotate(np.array(b.orientation), np.array(OFFSET))))
     expected = math.hypot(0.4, 0.5, 0.8) if first == second else geometry.gap(a, b)  # two corners: no exact ruler
@@ -280,7 +280,7 @@ NEEDS_A_WORLD = {
 
 
 @pytest.mark.parametrize("what", NEEDS_A_WORLD)
-def test_what_needs_a_world_needs_one_wherever_it_lies(what):
+def test_a_scene_that_needs_a_world_needs_one_at_any_place(what):
     for scenario in (NEEDS_A_WORLD[what], moved(NEEDS_A_WORLD[what])):
         assert kind(scenario) is None
         with pytest.raises(NeedsFunction, match="needs a rigid-body world"):

@@ -44,14 +44,14 @@ def about_y(degrees) -> np.ndarray:
 # Stacks
 
 
-def test_the_height_of_a_stack_is_off_by_the_largest_move_of_its_top_up_or_down():
+def test_the_height_of_a_stack_is_the_largest_move_of_its_top():
     for moves, expected in (((0, 2e-3, -3e-3, 0), -3e-3), ((0, 4e-3, -3e-3, 1e-3), 4e-3), ((0, 0, 0, 0), 0.0)):
         heights = np.array([[0.0, 0.0, 0.9 + move] for move in moves])
         trajectory, measure = made("stack", "boxes=5", [0, 3, 6, 10], positions={"cube 5": heights})
         assert measure["height"](trajectory) == pytest.approx(expected, abs=1e-15)
 
 
-def test_the_drift_of_a_stack_is_the_farthest_that_any_box_has_been_from_its_place_along_the_floor():
+def test_the_drift_of_a_stack_is_its_farthest_box_along_the_floor():
     places = np.array([[0, 0, 0.5], [3e-3, 4e-3, 0.4], [1e-3, 0, 0.5], [0, 0, 0.5]])
     trajectory, measure = made("stack", "boxes=5", [0, 3, 6, 10], positions={"cube 3": places})
     assert measure["drift"](trajectory) == pytest.approx(5e-3, rel=1e-12)
@@ -66,7 +66,7 @@ def test_the_speed_of_a_stack_is_the_largest_of_any_box_in_the_last_second():
 # A box on an edge
 
 
-def test_a_box_on_an_edge_is_judged_by_the_face_the_tilt_and_the_energy_at_the_end():
+def test_a_box_on_an_edge_is_judged_by_final_face_tilt_and_energy():
     heights = np.array([[0, 0, 0.4], [0, 0, 0.2], [0, 0, 0.1]])
     for end, face, tilt in ((2.0, 3, 2.0), (92.0, -1, 2.0), (-88.0, 1, 2.0), (180.0, -3, 0.0)):
         turns = about_y([10.0, 60.0, end])
@@ -78,7 +78,7 @@ def test_a_box_on_an_edge_is_judged_by_the_face_the_tilt_and_the_energy_at_the_e
         assert measure["energy"](trajectory) == pytest.approx(G * 0.1, rel=1e-14)
 
 
-def test_energy_gained_is_the_most_above_the_start_at_any_time_and_counts_speed_and_spin():
+def test_energy_gained_is_the_most_above_the_start_at_any_time():
     heights = np.array([[0, 0, 0.4], [0, 0, 0.4], [0, 0, 0.1]])
     speeds, spins = np.array([[0, 0, 0], [2, 0, 0], [0, 0, 0]]), np.array([[0, 0, 0], [0, 3, 0], [0, 0, 0]])
     trajectory, measure = made(
@@ -99,7 +99,7 @@ def test_energy_gained_is_the_most_above_the_start_at_any_time_and_counts_speed_
 @pytest.mark.parametrize(
     ("lean", "way", "outcome"), [(0, 0.9e-3, 0), (9.9, 0.9e-3, 0), (0, 1.1e-3, 1), (10.1, 0, 2), (40, 1.0, 2)]
 )
-def test_a_box_holds_below_a_millimetre_tips_beyond_ten_degrees_and_slides_else(lean, way, outcome):
+def test_a_box_holds_within_a_millimetre_and_tips_beyond_ten_degrees(lean, way, outcome):
     case, slope = "h=0.1,μ=0.5,θ=20°", math.radians(20)
     start = np.array(catalogue()["tipping-box"].case(case).scenarios[0].body("box").position)
     downhill = np.array([math.cos(slope), 0, -math.sin(slope)])
@@ -113,7 +113,7 @@ def test_a_box_holds_below_a_millimetre_tips_beyond_ten_degrees_and_slides_else(
     assert measure["way"](trajectory) == pytest.approx(way, abs=1e-15)
 
 
-def test_the_way_of_a_box_is_that_of_one_second_though_its_last_sample_comes_later():
+def test_the_way_of_a_box_is_that_of_exactly_one_second():
     case, slope = "h=0.1,μ=0.5,θ=35°", math.radians(35)
     start = np.array(catalogue()["tipping-box"].case(case).scenarios[0].body("box").position)
     times = np.array([0, 0.51, 1.02])
@@ -125,7 +125,7 @@ def test_the_way_of_a_box_is_that_of_one_second_though_its_last_sample_comes_lat
 # A box dropped flat
 
 
-def test_a_box_dropped_flat_is_judged_by_its_largest_lean_and_its_largest_way_aside():
+def test_a_box_dropped_flat_is_judged_by_its_largest_lean_and_shift():
     places = np.array([[0, 0, 1.1], [3e-3, -4e-3, 0.5], [0, 0, 0.3]])
     trajectory, measure = made(
         "box-flat", "e=0.5", [0, 0.3, 0.6], positions={"cube": places}, orientations={"cube": about_y([0, -7, 1])}
@@ -154,7 +154,7 @@ def between(restitution: float, interval: float, late: float = 0.0) -> tuple[np.
 
 @pytest.mark.parametrize("interval", [1e-3, 0.0137])
 @pytest.mark.parametrize(("case", "restitution"), [("e=0.5", 0.5), ("e=0.8", 0.8), ("e=1", 1.0)])
-def test_the_last_impact_between_walls_is_read_from_the_flight_before_it_however_coarse_the_samples(
+def test_the_last_impact_between_walls_is_read_from_the_flight_before(
     case, restitution, interval
 ):
     times, places, speeds = between(restitution, interval)
@@ -171,7 +171,7 @@ def test_the_last_impact_between_walls_is_read_from_the_flight_before_it_however
     assert measure["speed_left"](trajectory) == pytest.approx(2 * restitution**5, rel=1e-9)
 
 
-def test_impacts_that_are_late_make_the_last_one_late_by_as_much_and_their_way_back():
+def test_late_impacts_delay_the_last_one_by_their_way_back_too():
     times, places, speeds = between(0.5, 1e-3, late=2e-4)
     along = np.array([1.0, 0.0, 0.0])
     trajectory, measure = made(
@@ -214,7 +214,7 @@ def in_steps(restitution: float, dt: float) -> float:
 
 
 @pytest.mark.parametrize("left", [0.0, 1e-8, -1e-8])
-def test_a_ball_that_stays_at_a_wall_has_met_it_as_well(left):
+def test_a_ball_that_stays_at_a_wall_has_met_it(left):
     times = np.array([0, 0.4, 1.2, 2.8, 6.0, 12.4, 12.5])
     speeds = np.array([2, -1, 0.5, -0.25, 0.125, left, left])
     x = np.array([0.1, 0.9, 0.1, 0.9, 0.1, 0.9, 0.9])
@@ -228,7 +228,7 @@ def test_a_ball_that_stays_at_a_wall_has_met_it_as_well(left):
 
 
 @pytest.mark.parametrize(("case", "restitution"), [("e=0.5", 0.5), ("e=0.8", 0.8), ("e=1", 1.0)])
-def test_the_delay_that_is_accepted_is_the_most_that_steps_can_make_of_it(case, restitution):
+def test_the_accepted_delay_is_the_most_that_steps_can_cause(case, restitution):
     family, true = catalogue()["two-walls"], 0.4 * sum(restitution**-crossing for crossing in range(5))
     expect, shares = family.quantity("last_impact").expect, []
     for dt in np.linspace(4e-3, 6e-3, 150):  # so that impacts fall anywhere in a step
@@ -239,7 +239,7 @@ def test_the_delay_that_is_accepted_is_the_most_that_steps_can_make_of_it(case, 
     assert 0.8 < max(shares) <= 1
 
 
-def test_what_a_corner_keeps_is_told_for_each_of_its_two_walls():
+def test_the_speed_kept_in_a_corner_is_given_for_each_wall():
     velocities = np.array([[-2.0, 0, -2.0], [1.0, 0, 1.6]])
     trajectory, measure = made("corner", "e=0.8", [0, 0.6], velocities={"ball": velocities})
     assert (measure["kept_by_floor"](trajectory), measure["kept_by_wall"](trajectory)) == (0.8, 0.5)
@@ -249,7 +249,7 @@ def test_what_a_corner_keeps_is_told_for_each_of_its_two_walls():
 
 
 @pytest.mark.parametrize("dt", [1e-3, 1e-4])
-def test_what_is_accepted_of_a_spinning_ball_grows_with_the_lever_arm_that_an_engine_shortens(dt):
+def test_the_tolerance_of_a_spinning_ball_grows_as_its_arm_shortens(dt):
     family = catalogue()["spinning-ball"]
     case = family.case("ω=20,μ=0.3,e=0.5")  # it grips
     short = 0.5 * math.sqrt(2 * G) * dt / 0.1
@@ -263,7 +263,7 @@ def test_what_is_accepted_of_a_spinning_ball_grows_with_the_lever_arm_that_an_en
         assert "lever arm" not in plain.reason
 
 
-def test_the_way_of_a_ball_that_slid_is_that_at_the_scenarios_end_though_its_last_sample_comes_later():
+def test_the_way_of_a_sliding_ball_is_that_at_the_scenarios_end():
     end = catalogue()["sliding-ball"].case("μ=0.3,v=2").scenarios[0].duration
     times = np.array([0.0, end - 0.25, end + 0.25])
     places = np.array([[0, 0, 0.1], [1.0, 0, 0.1], [2.0, 0, 0.1]])
@@ -271,7 +271,7 @@ def test_the_way_of_a_ball_that_slid_is_that_at_the_scenarios_end_though_its_las
     assert measure["way"](trajectory) == pytest.approx(1.5, rel=1e-12)
 
 
-def test_slip_is_that_of_the_end_and_the_ratio_of_a_ball_on_a_slope_that_of_spin_to_speed():
+def test_slip_and_ratio_of_a_ball_are_those_of_the_end():
     velocities, spins = np.array([[2.0, 0, 0], [1.0, 0, 0]]), np.array([[0, 0, 0], [0, 9.0, 0]])
     trajectory, measure = made(
         "sliding-ball", "μ=0.3,v=2", [0, 0.6], velocities={"ball": velocities}, angular_velocities={"ball": spins}

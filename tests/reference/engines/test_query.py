@@ -63,7 +63,7 @@ DISTANCES = {
 
 @each_engine
 @pytest.mark.parametrize("what", RAYS)
-def test_a_ray_gets_as_far_as_the_closed_form_says(name, what, installed):
+def test_the_length_of_a_ray_agrees_with_the_closed_form(name, what, installed):
     query, expected = RAYS[what]
     short = SHORT.get(what, 0.0) if name == "pybullet" else 0.0
     assert installed(name).query(query) == pytest.approx(expected + short, abs=NEAR[name])
@@ -71,14 +71,14 @@ def test_a_ray_gets_as_far_as_the_closed_form_says(name, what, installed):
 
 @each_engine
 @pytest.mark.parametrize("what", DISTANCES)
-def test_a_distance_is_what_the_closed_form_says_in_whatever_order(name, what, installed):
+def test_a_distance_agrees_with_the_closed_form_in_either_order(name, what, installed):
     engine, (query, expected) = installed(name), DISTANCES[what]
     short = SHORT.get(what, 0.0) if name == "pybullet" else 0.0
     for asked in (query, Distance(query.body_b, query.body_a)):
         assert engine.query(asked) == pytest.approx(expected + short, abs=NEAR[name])
 
 
-def test_dart_takes_a_face_for_the_nearest_unless_a_pair_of_edges_is_nearer_by_a_fiftieth(installed):
+def test_dart_prefers_faces_to_edges_that_are_nearer_by_a_fiftieth(installed):
     engine, rng, excess = installed("dart"), np.random.default_rng(3), []
     for _ in range(100):
         quaternions = rng.normal(size=(2, 4))
@@ -100,7 +100,7 @@ def test_dart_takes_a_face_for_the_nearest_unless_a_pair_of_edges_is_nearer_by_a
     ("detector", "casts_rays", "measures"),
     [("dart", True, True), ("fcl", False, True), ("bullet", True, False), ("ode", False, False)],
 )
-def test_of_darts_detectors_its_own_alone_answers_both_questions_and_knows_depths(
+def test_only_darts_own_detector_knows_rays_distances_and_depths(
     detector, casts_rays, measures, installed, monkeypatch
 ):
     engine = installed("dart")
@@ -115,7 +115,7 @@ def test_of_darts_detectors_its_own_alone_answers_both_questions_and_knows_depth
     assert depths == ([-0.5, -0.5] if detector == "dart" else [-1.0, 0.0])
 
 
-def test_dart_knows_no_distance_of_two_half_spaces(installed):
+def test_dart_refuses_the_distance_of_two_half_spaces(installed):
     with pytest.raises(CannotExpress, match="two half-spaces"):
         installed("dart").query(Distance(FLOOR, Body("wall", HalfSpace((1.0, 0.0, 0.0)))))
 
@@ -127,14 +127,14 @@ def test_boxes_that_overlap_have_no_depth_by_hand():
         load_engine("handwritten").query(Distance(FLOOR, Body("wall", HalfSpace((1.0, 0.0, 0.0)))))
 
 
-def test_a_question_that_is_none_is_refused():
+def test_an_unknown_kind_of_query_is_refused():
     with pytest.raises(InvalidInput, match="a ray needs a direction"):
         Ray(BALL, (0, 0, 0), (0, 0, 0))
     with pytest.raises(InvalidInput, match="share the name 'ball'"):
         Distance(BALL, BALL)
 
 
-def test_an_engine_that_knows_no_geometry_says_so():
+def test_an_engine_without_geometry_refuses_queries():
     toy = load_engine(str(Path(__file__).parents[1] / "toy_engine.py"))
     with pytest.raises(CannotExpress, match="answers no questions of geometry"):
         toy.query(RAYS["a box"][0])

@@ -36,7 +36,7 @@ def of(rows: list[Row], family: str, **wanted: str) -> list[Row]:
     return [row for row in kept if all(getattr(row, name) == value for name, value in wanted.items())]
 
 
-def test_the_toy_is_one_file_that_nothing_else_knows_of():
+def test_the_toy_is_one_file_that_nothing_else_mentions():
     assert "toy" not in engine_names()
     assert load_engine(str(TOY)).title == "a toy"
     for folder in ("reference", "labs", "solutions"):
@@ -44,13 +44,13 @@ def test_the_toy_is_one_file_that_nothing_else_knows_of():
             assert "toy_engine" not in file.read_text(encoding="utf-8")
 
 
-def test_the_toys_rows_stand_beside_those_of_the_hand_written_code(rows):
+def test_the_toy_has_rows_beside_those_of_hand_written_code(rows):
     assert {row.engine for row in rows} == {"handwritten", "toy"}
     assert all(row.profile == "tuned" for row in rows)
     assert failures([row for row in rows if row.engine == "handwritten"]) == []
 
 
-def test_the_toy_bounces_as_theory_says_a_method_does_that_answers_at_the_step(rows):
+def test_the_toy_bounces_as_low_as_a_step_method_must(rows):
     (found,) = of(rows, "dropped-ball", quantity="rebound")
     overlap = math.sqrt(2 * 9.81) * TIMESTEP  # v dt
     # The mean over 101 even phases knows a sawtooth of height v dt to a 101st of it; then come terms of second order.
@@ -58,14 +58,14 @@ def test_the_toy_bounces_as_theory_says_a_method_does_that_answers_at_the_step(r
     assert found.verdict is Verdict.KNOWN_DEVIATION  # 18 % of e²
 
 
-def test_the_toy_which_has_no_threshold_for_rest_is_told_that_it_never_rests(rows):
+def test_the_toy_fails_to_come_to_rest_and_its_row_says_so(rows):
     (found,) = of(rows, "ball-to-rest", quantity="rest_time")
     assert (found.verdict, found.measured) == (Verdict.FAIL, None)
     assert "did not happen" in found.note
     assert found in failures(rows)
 
 
-def test_what_the_toy_has_no_words_for_is_a_row_that_says_so(rows):
+def test_a_scenario_that_the_toy_cannot_express_is_a_row_with_the_reason(rows):
     (found,) = of(rows, "incline")
     assert found.verdict is Verdict.CANNOT_EXPRESS
     assert found.note == "a toy cannot express incline/μ=0.3,θ=20°: it knows one ball over one plane, " + (
@@ -82,7 +82,7 @@ def test_what_the_toy_has_no_words_for_is_a_row_that_says_so(rows):
         (None, "no engine file"),
     ],
 )
-def test_a_file_that_holds_no_engine_is_refused_and_named(text, complaint, tmp_path):
+def test_a_file_without_an_engine_is_refused_by_name(text, complaint, tmp_path):
     path = tmp_path / "no_engine.py"
     if text is not None:
         path.write_text(text)

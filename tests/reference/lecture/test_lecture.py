@@ -61,7 +61,7 @@ def test_every_function_belongs_to_a_topic_and_a_statement():
 
 
 @pytest.mark.parametrize("topic", [entry.name for entry in TOPICS])
-def test_the_steps_of_a_topic_count_from_one_without_gaps_and_no_name_is_taken_twice(topic):
+def test_the_steps_of_a_topic_count_from_one_without_gaps(topic):
     found = lecture.functions_of(topic)
     steps = [entry.step for entry in found]
     assert list(dict.fromkeys(steps)) == list(range(1, len(set(steps)) + 1))
@@ -74,7 +74,7 @@ def test_detection_goes_from_distance_to_exact_time_of_impact():
     assert names == [*first, "time_of_impact_interpolated", "time_of_impact_exact"]
 
 
-def test_what_the_drivers_step_with_is_given_and_every_slide_with_a_formula_is_written():
+def test_drivers_use_given_functions_and_formulas_are_to_be_written():
     given = {name for name, entry in FUNCTIONS.items() if entry.role == "given"}
     assert given >= {"uniform_gravity", "ballistic_motion", "semi_implicit_euler"}
     assert {entry.role for entry in FUNCTIONS.values()} == set(get_args(lecture.Role))
@@ -92,7 +92,7 @@ def test_what_the_drivers_step_with_is_given_and_every_slide_with_a_formula_is_w
         (lecture.functions_of, "collision", [entry.name for entry in TOPICS]),
     ],
 )
-def test_a_look_up_by_a_wrong_name_names_it_and_the_choices(look_up, wrong, choices):
+def test_looking_up_a_wrong_name_reports_it_and_the_choices(look_up, wrong, choices):
     with pytest.raises(UnknownName) as caught:
         look_up(wrong)
     assert str(wrong) in str(caught.value)
@@ -103,7 +103,7 @@ def test_a_look_up_by_a_wrong_name_names_it_and_the_choices(look_up, wrong, choi
 @pytest.mark.parametrize(
     "entry", [TOPICS[0], STATEMENTS[0], FUNCTIONS["holds"]], ids=["topic", "statement", "function"]
 )
-def test_nothing_in_the_lecture_can_be_changed_by_a_reader(entry):
+def test_the_lecture_cannot_be_changed_by_its_readers(entry):
     with pytest.raises(dataclasses.FrozenInstanceError):
         setattr(entry, dataclasses.fields(entry)[0].name, "changed")
 
@@ -123,7 +123,7 @@ def test_newtons_law_at_the_mean_radius_gives_more_than_standard_gravity():
     assert f"G M/R² is {gravity:.3f} m/s² (mean radius {MEAN_RADIUS / 1000:.0f} km" in lecture.statement(25).erratum
 
 
-def test_interpolating_the_time_of_impact_is_early_by_an_eighth_of_g_dt_squared_over_v():
+def test_the_interpolated_time_is_early_by_an_eighth_of_g_dt_squared_over_v():
     # Weak gravity on a fast point, g Δt/v = 1e-3: what the leading order leaves out is a share of about 1e-3.
     gravity, timestep, speed = 1e-3, 1.0, 1.0
     height = np.linspace(0.0, speed * timestep, 1001)
@@ -137,7 +137,7 @@ def test_interpolating_the_time_of_impact_is_early_by_an_eighth_of_g_dt_squared_
     assert f"early by up to g_n Δt²/({round(share)} v_n)" in lecture.statement(5).erratum
 
 
-def test_penalty_contact_is_stable_up_to_the_stated_step_and_not_beyond():
+def test_penalty_contact_is_stable_up_to_the_stated_step():
     damping, frequency = 0.3, 2.0
     limit = 2 / frequency * (math.sqrt(1 + damping**2) - damping)
 
@@ -150,7 +150,7 @@ def test_penalty_contact_is_stable_up_to_the_stated_step_and_not_beyond():
     assert "dt < (2/ω)(√(1 + ζ²) − ζ)" in lecture.statement(8).erratum
 
 
-def test_a_cradle_of_five_balls_has_two_answers_that_both_keep_momentum_and_energy():
+def test_a_cradle_of_five_has_two_answers_that_keep_momentum_and_energy():
     one_by_one = [1, 0, 0, 0, 0]
     for first in range(4):  # equal masses, e = 1: each pair swaps its velocities
         one_by_one[first : first + 2] = reversed(one_by_one[first : first + 2])
@@ -164,7 +164,7 @@ def test_a_cradle_of_five_balls_has_two_answers_that_both_keep_momentum_and_ener
     assert f"({', '.join(map(str, at_once))})".replace("-", "−") in erratum
 
 
-def test_weight_less_buoyancy_over_stokes_drag_gives_the_terminal_speed():
+def test_terminal_speed_balances_weight_buoyancy_and_stokes_drag():
     share = Fraction(4, 3) / 6  # of (ρ_s − ρ_f) g r²/η: volume 4/3 π r³ over 6 π r
     text = f"v_t = {share.numerator}(ρ_s − ρ_f) g r²/({share.denominator}η)"
     assert text in lecture.statement(26).right
@@ -192,7 +192,7 @@ def cloth_step_limit(side: int, *offsets: tuple[int, int]) -> float:
     return 2 / math.sqrt(np.linalg.eigvalsh(stiffness)[-1])
 
 
-def test_every_kind_of_spring_added_to_a_cloth_shortens_the_step_it_can_take():
+def test_each_kind_of_spring_added_to_a_cloth_shortens_its_step():
     structural, shear, bend = [(1, 0), (0, 1)], [(1, 1), (1, -1)], [(2, 0), (0, 2)]
     first = cloth_step_limit(10, *structural)
     second = cloth_step_limit(10, *structural, *shear)

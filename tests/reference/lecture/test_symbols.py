@@ -22,15 +22,15 @@ def test_a_symbol_is_a_parameter_of_the_function_that_it_names(symbol):
 
 
 @pytest.mark.parametrize("symbol", SYMBOLS, ids=lambda symbol: symbol.slide)
-def test_its_statements_are_the_lectures(symbol):
+def test_a_symbols_statements_are_statements_of_the_lecture(symbol):
     assert [lecture.statement(number).number for number in symbol.statements] == list(symbol.statements)
 
 
-def test_no_symbol_of_the_slides_comes_twice():
+def test_no_symbol_of_the_slides_is_listed_twice():
     assert len({symbol.slide for symbol in SYMBOLS}) == len(SYMBOLS)
 
 
-def test_the_page_is_what_the_table_makes():
+def test_the_page_of_symbols_is_up_to_date():
     spec = importlib.util.spec_from_file_location("symbol_table", DOCS / "symbol_table.py")
     table = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(table)

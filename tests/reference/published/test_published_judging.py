@@ -36,7 +36,7 @@ def rows_of(speed=2.0, times=(1.0, 3.0)):
     return judged(CASE, "handwritten", as_answers(speed=speed, times=times))
 
 
-def test_every_number_has_a_row_with_the_difference_and_the_reason():
+def test_every_number_has_a_row_with_its_difference_and_reason():
     speed, first, second = rows_of(2.05, (0.95, 3.2))
     assert [row.place for row in (speed, first, second)] == [0, 1, 2]
     assert [row.difference for row in (speed, first, second)] == pytest.approx([0.05, -0.05, 0.2])
@@ -80,7 +80,7 @@ def test_the_numbers_of_a_figure_may_deviate_one_by_one():
     assert not passes(rows)
 
 
-def test_a_figure_that_is_not_asked_or_has_no_answer_says_so_and_has_no_number():
+def test_a_figure_without_an_answer_has_a_note_and_no_number():
     rows = judged(CASE, "mujoco", {"times": Answer(None, reason="it keeps no time")})
     assert [row.verdict for row in rows] == [Verdict.CANNOT_EXPRESS] * 3
     assert [row.note for row in rows] == ["it was not asked", "it keeps no time", "it keeps no time"]
@@ -89,7 +89,7 @@ def test_a_figure_that_is_not_asked_or_has_no_answer_says_so_and_has_no_number()
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf])
-def test_a_number_that_is_none_fails(value):
+def test_a_number_that_is_nan_fails(value):
     row = rows_of(value)[0]
     assert (row.verdict, row.measured, row.note) == (Verdict.FAIL, None, NOTHING_FINITE)
 
@@ -101,7 +101,7 @@ def asked(engine, **drivers):
     return [(row.verdict, row.note) for row in rows]
 
 
-def test_a_case_that_is_not_run_somewhere_says_why():
+def test_a_case_that_an_engine_does_not_run_says_why():
     assert asked(HAND) == [(Verdict.CANNOT_EXPRESS, NOT_SET_UP)]
     assert asked(HAND, why_not_in={"handwritten": "no step does it"}) == [(Verdict.CANNOT_EXPRESS, "no step does it")]
     assert asked(PYBULLET, why_not="no fluid") == [(Verdict.CANNOT_EXPRESS, "no fluid")]
@@ -112,7 +112,7 @@ def test_a_case_that_is_not_run_somewhere_says_why():
     assert asked(PYBULLET, **only) == [(Verdict.CANNOT_EXPRESS, "no springs")]
 
 
-def test_whatever_a_driver_raises_becomes_a_row():
+def test_an_error_of_a_driver_becomes_a_row():
     def missing(*_):
         raise NeedsFunction("needs signed_distance (detection, step 1)")
 
@@ -136,7 +136,7 @@ def test_an_engine_that_is_not_installed_is_asked_nothing(monkeypatch):
     assert asked(PYBULLET, why_not="no fluid") == [(Verdict.CANNOT_EXPRESS, "no fluid")]
 
 
-def test_the_hand_written_side_answers_with_the_implementation_that_is_asked_for(tmp_path):
+def test_a_published_case_by_hand_runs_the_requested_implementation(tmp_path):
     file = tmp_path / "mine.py"
     case, mine = published("P5"), load_engine("handwritten", Implementation(str(file)))
     file.write_text(ALL)

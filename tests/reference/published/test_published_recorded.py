@@ -42,7 +42,7 @@ def edited(folder, change) -> None:
     path.write_text(json.dumps(content), encoding="utf-8")
 
 
-def test_a_plan_has_every_case_in_every_engine_once_and_refuses_what_there_is_not():
+def test_a_plan_has_every_published_case_in_every_engine_once():
     assert len(plan((), ("handwritten", "mujoco"))) == 2 * 27
     assert plan(("p15", "P15"), ("dart",)) == [PublishedJob("P15", "dart")]
     with pytest.raises(UnknownName, match="unknown published case 'P99'"):
@@ -51,7 +51,7 @@ def test_a_plan_has_every_case_in_every_engine_once_and_refuses_what_there_is_no
         plan((), ("havok",))
 
 
-def test_a_job_in_a_worker_gives_what_it_gives_here_and_is_then_taken_from_the_cache(tmp_path, results):
+def test_a_published_job_gives_the_same_in_a_worker_and_from_the_cache(tmp_path, results):
     cache = Cache(tmp_path)
     first = run_one(JOBS[0], PUBLISHED, cache=cache)
     again = run_one(JOBS[0], PUBLISHED, cache=cache)
@@ -61,7 +61,7 @@ def test_a_job_in_a_worker_gives_what_it_gives_here_and_is_then_taken_from_the_c
     assert cache.get(replace(JOBS[0], case="P15")) is None
 
 
-def test_what_was_said_comes_back_with_the_same_rows_and_says_that_it_is_a_recording(folder, results):
+def test_a_recorded_published_case_has_the_same_rows_and_says_so(folder, results):
     for job, result in zip(JOBS, results, strict=True):
         found = recall(job, folder)
         assert found.rows == result.rows
@@ -70,14 +70,14 @@ def test_what_was_said_comes_back_with_the_same_rows_and_says_that_it_is_a_recor
         assert "was recorded on 2026-11-21 (Python" in found.recording
 
 
-def test_a_recording_holds_no_verdict_it_is_judged_anew(folder, monkeypatch):
+def test_a_recording_holds_numbers_which_are_judged_again(folder, monkeypatch):
     assert "pass" not in (folder / "handwritten" / FILE).read_text(encoding="utf-8")
     stricter = replace(published("P22"), expected={"impulse": 2.8})
     monkeypatch.setattr(recorded, "published", lambda name: stricter)
     assert [row.verdict for row in recall(JOBS[3], folder).rows] == [Verdict.FAIL]
 
 
-def test_a_recording_of_another_set_up_is_stale_and_has_no_number(folder, monkeypatch):
+def test_a_recording_of_another_set_up_is_stale(folder, monkeypatch):
     case = published("P22")
     other = replace(case, setup={**case.setup, "mass": 0.3})
     assert fingerprint(other) != fingerprint(case)
@@ -89,7 +89,7 @@ def test_a_recording_of_another_set_up_is_stale_and_has_no_number(folder, monkey
 
 
 @pytest.mark.parametrize("expected", [{"impulse": 2.71, "speed": 5.4}, {"impulse": (2.71, 2.71)}, {"change": 2.71}])
-def test_a_recording_of_other_figures_than_those_that_are_asked_is_stale(folder, monkeypatch, expected):
+def test_a_recording_of_other_figures_is_stale(folder, monkeypatch, expected):
     other = replace(published("P22"), expected=expected, tolerance=dict.fromkeys(expected, 5e-3))
     monkeypatch.setattr(recorded, "published", lambda name: other)
     (row,) = recall(JOBS[3], folder).rows
@@ -97,7 +97,7 @@ def test_a_recording_of_other_figures_than_those_that_are_asked_is_stale(folder,
     assert "its recording is stale: other figures" in row.note
 
 
-def test_an_engine_is_stale_while_a_case_is_missing_or_of_another_set_up(folder, monkeypatch):
+def test_an_engine_is_stale_while_a_case_is_missing_or_has_changed(folder, monkeypatch):
     assert recorded.is_stale("dart", folder)
     assert recorded.is_stale("handwritten", folder)
     monkeypatch.setattr(recorded, "published_cases", lambda: dict.fromkeys(NAMES))
@@ -113,7 +113,7 @@ def test_an_engine_is_stale_while_a_case_is_missing_or_of_another_set_up(folder,
     assert recorded.is_stale("handwritten", folder)
 
 
-def test_a_case_that_was_refused_is_recorded_with_its_reason(tmp_path):
+def test_a_refused_case_is_recorded_with_its_reason(tmp_path):
     job = PublishedJob("P24", "pybullet")
     refused = run_job(job)
     write([refused], tmp_path, DAY)
@@ -121,14 +121,14 @@ def test_a_case_that_was_refused_is_recorded_with_its_reason(tmp_path):
     assert (row.verdict, row.note) == (Verdict.CANNOT_EXPRESS, refused.rows[0].note)
 
 
-def test_what_was_never_recorded_has_no_number(folder, tmp_path):
+def test_a_published_case_that_was_never_recorded_has_no_number(folder, tmp_path):
     (row,) = recall(PublishedJob("P15", "handwritten"), folder).rows
     assert "this case was never recorded" in row.note
     assert recall(JOBS[0], tmp_path / "elsewhere") is None
     assert recall(PublishedJob("P5", "mine.py"), folder) is None
 
 
-def test_only_what_ran_here_is_recorded(folder, results, tmp_path):
+def test_only_published_cases_that_ran_here_are_recorded(folder, results, tmp_path):
     with pytest.raises(InvalidInput, match="did not run"):
         write([recall(JOBS[0], folder)], tmp_path)
     crashed = replace(results[0].rows[0], figure="", verdict=Verdict.CRASHED, note="it died")
@@ -137,13 +137,13 @@ def test_only_what_ran_here_is_recorded(folder, results, tmp_path):
 
 
 @pytest.mark.parametrize("change", [{"schema": "another"}, {"version": 2}])
-def test_a_file_that_is_no_recording_of_this_version_is_refused(folder, change):
+def test_a_recording_of_another_version_is_refused(folder, change):
     edited(folder, lambda content: content.update(change))
     with pytest.raises(InvalidInput, match=r"of version 1; collisions record makes a new one"):
         recall(JOBS[0], folder)
 
 
-def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
+def test_a_missing_engine_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
     def missing(*_):
         raise EngineNotInstalled("it is not here")
 

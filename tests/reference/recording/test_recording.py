@@ -94,7 +94,7 @@ def edited(folder, change) -> None:
     files.forget()
 
 
-def test_what_was_measured_comes_back_with_the_same_rows_studies_and_curve(folder, results):
+def test_a_recording_returns_the_same_rows_studies_and_curve(folder, results):
     for job, result in zip(JOBS, results, strict=True):
         found = recall(job, folder)
         assert found.rows == result.rows
@@ -108,7 +108,7 @@ def test_what_was_measured_comes_back_with_the_same_rows_studies_and_curve(folde
         )
 
 
-def test_it_says_that_it_is_a_recording_when_and_where_it_was_made(folder):
+def test_a_recording_says_when_and_where_it_was_made(folder):
     found = recall(JOBS[0], folder)
     assert found.title == "hand-written*"
     assert found.recording.startswith("* hand-written ")
@@ -116,25 +116,25 @@ def test_it_says_that_it_is_a_recording_when_and_where_it_was_made(folder):
     assert found.recording.endswith("; it is not run here")
 
 
-def test_some_cases_of_a_recording_are_those_cases(folder, results):
+def test_some_cases_of_a_recording_can_be_recalled_alone(folder, results):
     some = replace(JOBS[0], cases=(CASE,))
     rows = recall(some, folder).rows
     assert rows == tuple(row for row in results[0].rows if row.case == CASE)
     assert rows
 
 
-def test_without_studies_none_are_given(folder):
+def test_studies_are_recalled_only_on_request(folder):
     found = recall(replace(JOBS[0], with_studies=False), folder)
     assert found.convergence is found.split is None
     assert found.series is not None
 
 
-def test_what_was_never_recorded_has_no_recording(folder):
+def test_a_job_that_was_never_recorded_has_no_recording(folder):
     assert recall(replace(JOBS[0], profile="slide"), folder) is None
     assert recall(Job("stack", "handwritten", "tuned"), folder) is None
 
 
-def test_a_stale_case_says_so_and_gives_no_number_while_the_others_answer(folder):
+def test_a_stale_case_has_no_number_while_the_others_answer(folder):
     def other_scenario(content):
         content["profiles"]["tuned"]["entries"][CASE][0] = "0" * 16
 
@@ -146,7 +146,7 @@ def test_a_stale_case_says_so_and_gives_no_number_while_the_others_answer(folder
     assert "collisions record" in stale[0].note
 
 
-def test_a_curve_and_studies_of_a_case_that_is_stale_are_not_shown_either(folder, monkeypatch):
+def test_the_curve_and_studies_of_a_stale_case_are_not_shown(folder, monkeypatch):
     family = catalogue()["incline"]
 
     def other_scenario(name):
@@ -162,7 +162,7 @@ def test_a_curve_and_studies_of_a_case_that_is_stale_are_not_shown_either(folder
     assert other_scenario(family.curve.case).series is None
 
 
-def test_a_quantity_that_is_measured_only_since_makes_a_case_stale(folder):
+def test_a_quantity_added_after_the_recording_makes_a_case_stale(folder):
     def without_the_way(content):
         content["profiles"]["tuned"]["quantities"].remove("way")
         for entry in content["profiles"]["tuned"]["entries"].values():
@@ -187,7 +187,7 @@ def test_other_settings_than_the_recorded_ones_have_no_number(folder):
     assert found.series is found.convergence is found.split is None
 
 
-def test_a_tolerance_that_has_changed_since_judges_the_old_number_anew(folder, monkeypatch):
+def test_a_changed_tolerance_judges_the_recorded_number_again(folder, monkeypatch):
     family = catalogue()["incline"]
 
     def far(case, settings, method):
@@ -200,7 +200,7 @@ def test_a_tolerance_that_has_changed_since_judges_the_old_number_anew(folder, m
     assert verdicts == {Verdict.FAIL}
 
 
-def test_only_a_whole_run_of_its_own_is_recorded(results, tmp_path):
+def test_only_a_whole_unchanged_run_is_recorded(results, tmp_path):
     whole = results[0]
     for part in (
         replace(whole, job=replace(whole.job, cases=(CASE,))),
@@ -216,7 +216,7 @@ def test_only_a_whole_run_of_its_own_is_recorded(results, tmp_path):
 @pytest.mark.parametrize(
     "content", ["{", "[]", '{"schema": "other", "version": 1}', '{"schema": "collisions-lab/recording", "version": 99}']
 )
-def test_a_file_that_is_no_recording_is_refused_by_name(content, tmp_path):
+def test_a_file_without_a_recording_is_refused_by_name(content, tmp_path):
     path = tmp_path / "handwritten" / "incline.json"
     path.parent.mkdir()
     path.write_text(content, encoding="utf-8")
@@ -225,7 +225,7 @@ def test_a_file_that_is_no_recording_is_refused_by_name(content, tmp_path):
         recall(JOBS[0], tmp_path)
 
 
-def test_a_fingerprint_changes_with_all_that_a_number_hangs_on_and_with_nothing_else():
+def test_a_fingerprint_changes_with_everything_a_number_depends_on():
     engine, case = load_engine("handwritten"), catalogue()["incline"].case(CASE)
     scenario = case.scenarios[0]
     settings = engine.settings(scenario, "tuned")
@@ -244,7 +244,7 @@ def test_a_fingerprint_changes_with_all_that_a_number_hangs_on_and_with_nothing_
     assert fingerprint(replace(case, name="other"), settings) == prints[0]
 
 
-def test_an_engine_that_is_missing_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
+def test_a_missing_engine_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
     def missing(*_):
         raise EngineNotInstalled("it is not here")
 
@@ -273,7 +273,7 @@ def cradle(tmp_path_factory):
     return folder, results
 
 
-def test_every_case_and_point_of_a_grid_comes_back_at_every_timestep_with_the_same_rows(cradle):
+def test_every_point_of_a_recorded_grid_returns_the_same_rows(cradle):
     folder, results = cradle
     for result in results:
         found = recall(result.job, folder)
@@ -285,7 +285,7 @@ def test_every_case_and_point_of_a_grid_comes_back_at_every_timestep_with_the_sa
         assert steps >= {None, 2e-3}
 
 
-def test_parameters_at_a_point_of_the_grid_find_it_and_between_two_nothing(cradle):
+def test_parameters_are_found_at_grid_points_and_not_between_them(cradle):
     folder, _ = cradle
     job = Job("cradle", "handwritten", "stock", changes=(("timestep", 2e-3),), at=(("balls", 4.0), ("gap", 1e-4)))
     live, found = run_job(job), recall(job, folder)
@@ -297,7 +297,7 @@ def test_parameters_at_a_point_of_the_grid_find_it_and_between_two_nothing(cradl
     assert "with balls=4.0, gap=0.0002, timestep=0.002 nothing was recorded" in row.note
 
 
-def test_a_familys_own_case_is_found_at_a_timestep_of_the_grid_point_of_it_or_not_with_its_curve_and_poses(cradle):
+def test_a_recorded_case_is_found_at_its_grid_timestep(cradle):
     folder, _ = cradle
     rows = recall(Job("cradle", "handwritten", "tuned", changes=(("timestep", 2e-3),)), folder).rows
     assert {row.case for row in rows} == {"3 touching", "5, 1 mm apart", "5, 1 mm apart, two struck"}
@@ -309,7 +309,7 @@ def test_a_familys_own_case_is_found_at_a_timestep_of_the_grid_point_of_it_or_no
     assert [track.packed for track in found.poses] == [track.packed for track in live.poses]
 
 
-def test_at_another_timestep_the_recorded_ones_are_named(cradle):
+def test_a_timestep_without_recording_is_refused_with_the_recorded_ones(cradle):
     folder, _ = cradle
     job = Job("cradle", "handwritten", "tuned", ("3 touching",), changes=(("timestep", 3e-3),))
     (row,) = {row.note for row in recall(job, folder).rows}
@@ -321,7 +321,7 @@ def test_at_another_timestep_the_recorded_ones_are_named(cradle):
     assert row == f"{absent}, and with policy=x, timestep=0.003 nothing was recorded"
 
 
-def test_what_is_of_todays_scenarios_is_not_stale_and_what_is_not_says_why(cradle, monkeypatch):
+def test_a_recording_of_changed_scenarios_is_stale_and_says_why(cradle, monkeypatch):
     folder, _ = cradle
     family = catalogue()["cradle"]
     assert why_stale(family, "handwritten", folder) == ""
@@ -345,7 +345,7 @@ def test_the_same_results_make_the_same_files(cradle, tmp_path):
 # Poses
 
 
-def test_a_recorded_replay_is_that_of_the_run_itself(cradle):
+def test_a_recorded_replay_agrees_with_the_run_itself(cradle):
     folder, _ = cradle
     engine, case = load_engine("handwritten"), catalogue()["cradle"].case("5, 1 mm apart")
     for changes in ((), (("timestep", 1e-3),)):
@@ -357,7 +357,7 @@ def test_a_recorded_replay_is_that_of_the_run_itself(cradle):
         assert (found.title, found.recording[:15]) == ("hand-written*", "* hand-written ")
 
 
-def test_a_result_has_the_same_poses_whether_it_ran_here_or_was_recorded(cradle):
+def test_a_recorded_result_has_the_same_poses_as_a_live_one(cradle):
     folder, results = cradle
     for result in results[:2]:  # the cases, then the grid
         assert [track.packed for track in recall(result.job, folder).poses] == [track.packed for track in result.poses]
@@ -365,7 +365,7 @@ def test_a_result_has_the_same_poses_whether_it_ran_here_or_was_recorded(cradle)
         assert recall(replace(result.job, with_poses=False), folder).poses == ()
 
 
-def test_a_replay_that_was_not_recorded_or_is_stale_is_refused(cradle, monkeypatch):
+def test_a_replay_that_is_missing_or_stale_is_refused(cradle, monkeypatch):
     folder, _ = cradle
     job = Job("cradle", "handwritten", "tuned")
     with pytest.raises(NotRecorded, match="no poses of 3 touching were recorded with these settings"):

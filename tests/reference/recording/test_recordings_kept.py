@@ -61,7 +61,7 @@ def recalled(job: Job) -> JobResult | None:
 @pytest.mark.parametrize(
     "job", [job if job.profile == "tuned" else pytest.param(job, marks=pytest.mark.slow) for job in JOBS], ids=str
 )
-def test_every_run_is_recorded_and_none_of_it_is_stale(job):
+def test_every_run_is_recorded_and_up_to_date(job):
     found = recalled(job)
     assert found is not None, "not recorded; collisions record does it"
     stale = {row.case: row.note for row in found.rows if row.verdict is Verdict.NOT_AVAILABLE}
@@ -71,13 +71,13 @@ def test_every_run_is_recorded_and_none_of_it_is_stale(job):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_every_point_of_every_grid_and_every_replay_is_recorded_and_none_is_stale(engine):
+def test_every_grid_point_and_replay_is_recorded_and_up_to_date(engine):
     stale = {family.name: why_stale(family, engine) for family in catalogue().values()}
     # An engine may be newer here than the one that was recorded.
     assert {name: why for name, why in stale.items() if why and not why.startswith(OTHER_VERSION)} == {}
 
 
-def test_the_recordings_are_small_and_hold_no_run_that_there_is_not():
+def test_the_recordings_are_small_and_hold_no_unknown_run():
     files = {path.relative_to(FOLDER) for path in FOLDER.rglob("*") if path.is_file()}
     kept = {f"{job.engine}/{job.family}.{kind}" for job in JOBS for kind in ("json", "npz")}
     assert {str(path) for path in files} == kept | PUBLISHED
@@ -85,19 +85,19 @@ def test_the_recordings_are_small_and_hold_no_run_that_there_is_not():
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_every_published_case_is_recorded_and_none_is_stale_or_fails(name):
+def test_every_published_case_is_recorded_and_none_fails(name):
     results = [recorded.recall(job) for job in plan((), (name,))]
     verdicts = {row.case: (row.verdict, row.note) for result in results for row in result.rows}
     wrong = (Verdict.NOT_AVAILABLE, Verdict.FAIL, Verdict.CRASHED)
     assert not {case: note for case, (verdict, note) in verdicts.items() if verdict in wrong}
 
 
-def test_recorded_tuned_numbers_agree_with_theory_as_live_ones_do():
+def test_recorded_tuned_numbers_agree_with_theory():
     rows = [row for job in JOBS if job.profile == "tuned" for row in recalled(job).rows]
     assert not [row for row in rows if row.verdict in (Verdict.FAIL, Verdict.CRASHED)]
 
 
-def test_a_replay_starts_where_its_scenario_does_and_lasts_as_long():
+def test_a_replay_starts_and_ends_with_its_scenario():
     """One of each family: first positions are the scenario's, to rounding; the last sample is in its last 1/60 s."""
     for family in catalogue().values():
         case = family.cases[0]
@@ -110,7 +110,7 @@ def test_a_replay_starts_where_its_scenario_does_and_lasts_as_long():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("job", [job for job in JOBS if job.profile == "tuned"], ids=str)
-def test_a_live_engine_measures_what_was_recorded(job, installed):
+def test_a_live_engine_repeats_the_recorded_numbers(job, installed):
     installed(job.engine)
     live = run_job(replace(job, with_studies=False))
     for now, then in zip(live.rows, recall(job).rows, strict=True):
@@ -120,7 +120,7 @@ def test_a_live_engine_measures_what_was_recorded(job, installed):
 @pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("family", ["rolling-ball", "struck-rod"])
-def test_a_live_study_finds_the_recorded_errors_and_shares(family, engine, installed):
+def test_a_live_study_repeats_the_recorded_errors_and_shares(family, engine, installed):
     installed(engine)
     job = Job(family, engine, "tuned", (catalogue()[family].convergence.case,), with_studies=True)
     live, then = run_job(job), recall(job)
@@ -136,7 +136,7 @@ def test_a_live_study_finds_the_recorded_errors_and_shares(family, engine, insta
 
 @pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_live_engine_says_of_published_cases_what_was_recorded_and_allows_as_much(engine, installed):
+def test_a_live_engine_repeats_the_recorded_published_cases(engine, installed):
     installed(engine)
     for job in plan((), (engine,)):
         live, kept = published_now(job), recorded.recall(job)
@@ -166,7 +166,7 @@ def _point(job: Job, drawn: random.Random) -> Job:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_live_engine_measures_what_was_recorded_at_points_of_the_grids_and_goes_the_same_way(engine, installed):
+def test_a_live_engine_repeats_recorded_points_of_the_grids(engine, installed):
     installed(engine)
     for job in points(engine, POINTS):
         live, recorded = run_job(job), recall(job)

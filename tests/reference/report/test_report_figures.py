@@ -100,7 +100,7 @@ def test_the_same_numbers_give_the_same_bytes(draw):
 
 @both
 @every_family
-def test_a_figure_is_one_well_formed_svg_element_that_needs_nothing_else(family, draw):
+def test_a_figure_is_one_self_contained_svg_element(family, draw):
     svg = drawn(family, draw)
     assert ElementTree.fromstring(svg).tag == f"{SVG}svg"
     assert svg.startswith("<svg")
@@ -112,7 +112,7 @@ def test_a_figure_is_one_well_formed_svg_element_that_needs_nothing_else(family,
 
 @both
 @every_family
-def test_a_figures_ids_bear_its_name_and_every_reference_has_a_target(family, draw):
+def test_a_figures_ids_contain_its_name_and_references_have_targets(family, draw):
     svg = drawn(family, draw)
     ids = re.findall(r'\bid="([^"]+)"', svg)
     references = re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', svg)
@@ -124,7 +124,7 @@ def test_a_figures_ids_bear_its_name_and_every_reference_has_a_target(family, dr
 
 
 @pytest.mark.parametrize("families", TOGETHER)
-def test_all_figures_of_a_report_stand_in_one_page_without_sharing_an_id(families):
+def test_all_figures_of_a_report_fit_in_one_page_without_sharing_an_id(families):
     svgs = [drawn(family, draw) for family in families for draw in (figures.trajectories, figures.convergence)]
     ids = [name for svg in svgs for name in re.findall(r'\bid="([^"]+)"', svg)]
     assert max(Counter(ids).values()) == 1
@@ -140,7 +140,7 @@ def test_the_legend_names_every_line_in_the_order_of_the_tables(family, draw):
 
 @both
 @every_family
-def test_engines_differ_by_marker_and_profiles_by_dashes_so_that_nothing_hangs_on_colour_alone(family, draw):
+def test_engines_differ_by_marker_and_profiles_by_dashes(family, draw):
     found = section(family)
     entries = list(zip(found.lines, legend(drawn(family, draw)), strict=True))
     for one, left in entries:
@@ -155,7 +155,7 @@ def test_engines_differ_by_marker_and_profiles_by_dashes_so_that_nothing_hangs_o
 
 
 @both
-def test_the_curves_bear_the_markers_that_the_legend_shows(draw):
+def test_the_curves_have_the_markers_that_the_legend_shows(draw):
     root = ElementTree.fromstring(drawn("ball-to-rest", draw))
     (axes,) = (group for group in root.iter(f"{SVG}g") if group.get("id", "").endswith("-axes_1"))
     used = Counter(style(use).get("fill") for use in axes.iter(f"{SVG}use") if "fill" in style(use))
@@ -181,7 +181,7 @@ def test_an_engine_from_a_file_is_drawn_in_a_style_of_its_own():
     assert toy.colour not in {entry.colour for entry in known}
 
 
-def test_titles_and_units_stand_in_the_figures_as_text():
+def test_titles_and_units_are_text_in_the_figures():
     family = catalogue()["ball-to-rest"]
     curve, study = (
         "".join(ElementTree.fromstring(drawn(family.name, draw)).itertext())
@@ -193,7 +193,7 @@ def test_titles_and_units_stand_in_the_figures_as_text():
         assert text in study
 
 
-def test_what_a_title_holds_cannot_break_the_figure():
+def test_markup_in_a_title_cannot_break_the_figure():
     svg = figures.trajectories(alone(title='<b>ours</b> & "theirs"'))
     assert legend(svg)[0].label == '<b>ours</b> & "theirs", tuned'
 
@@ -201,7 +201,7 @@ def test_what_a_title_holds_cannot_break_the_figure():
 # Lines that are missing, short or all rounding
 
 
-def test_where_no_curve_is_known_there_is_no_figure():
+def test_without_a_curve_there_is_no_figure():
     assert figures.trajectories(section(change=lambda it: replace(it, series=None))) == ""
     assert figures.convergence(section(change=lambda it: replace(it, convergence=None))) == ""
 
@@ -216,7 +216,7 @@ def test_lines_without_numbers_are_left_out_of_the_figure(draw):
 
 
 @pytest.mark.parametrize("series", [Series((), ()), Series((0.0,), (1.0,)), Series((0.0, 1.0), (2.0, 2.0))])
-def test_a_curve_of_few_points_or_none_is_drawn_all_the_same(series):
+def test_a_curve_of_few_points_or_none_is_drawn_anyway(series):
     assert [entry.label for entry in legend(figures.trajectories(alone(series=series)))] == ["hand-written, tuned"]
 
 
@@ -229,13 +229,13 @@ def test_a_curve_of_few_points_or_none_is_drawn_all_the_same(series):
         (Errors(STEPS, (0.4, 0.2, 0.1, 0.0), 1.0), "order 1.00"),
     ],
 )
-def test_errors_that_a_logarithm_cannot_show_are_drawn_all_the_same(study, said):
+def test_errors_that_a_logarithm_cannot_show_are_drawn_anyway(study, said):
     assert [entry.label for entry in legend(figures.convergence(alone(convergence=study)))] == [
         f"hand-written, tuned: {said}"
     ]
 
 
-def test_errors_that_are_rounding_lie_on_the_lower_edge_and_flatten_no_other():
+def test_errors_of_rounding_are_drawn_on_the_lower_edge():
     rounding = Errors(STEPS, (1e-16, 2e-16, 1e-16, 3e-16), None)
     exact, *others = results("ball-to-rest")
     (found,) = sections([replace(exact, convergence=rounding), *others])
@@ -251,7 +251,7 @@ def test_errors_that_are_rounding_lie_on_the_lower_edge_and_flatten_no_other():
     assert all(max(line) - min(line) > 50 for line in sloped)  # points of 281: three octaves fill a good part of it
 
 
-def test_logarithmic_axes_are_labelled_with_powers_of_ten_as_plain_text():
+def test_logarithmic_axes_have_plain_powers_of_ten():
     root = ElementTree.fromstring(drawn("ball-to-rest", figures.convergence))
     texts = {text.text for text in root.iter(f"{SVG}text") if text.text}
     assert "10⁻³" in texts

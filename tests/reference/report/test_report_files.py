@@ -95,7 +95,7 @@ def content(folder: Path) -> dict[str, bytes]:
 # What is written
 
 
-def test_a_report_is_a_page_with_rows_timings_provenance_and_figures_beside_it(report):
+def test_a_report_consists_of_page_rows_timings_provenance_and_figures(report):
     assert {name.replace(os.sep, "/") for name in content(report)} == {
         "index.html",
         "rows.json",
@@ -122,13 +122,13 @@ def test_the_figures_beside_the_page_are_those_in_it(report):
         ("provenance.json", "collisions-lab/provenance"),
     ],
 )
-def test_every_file_of_data_says_what_it_is_and_in_which_version(name, schema, report):
+def test_every_file_of_data_names_its_schema_and_version(name, schema, report):
     data = json.loads((report / name).read_text(encoding="utf-8"))
     assert list(data)[:2] == ["schema", "version"]
     assert (data["schema"], data["version"]) == (schema, 1)
 
 
-def test_how_long_each_job_took_is_told_apart_from_the_rows(report, results):
+def test_the_time_of_each_job_is_kept_apart_from_the_rows(report, results):
     times = json.loads((report / "timings.json").read_text(encoding="utf-8"))["seconds"]
     assert {(it["family"], it["engine"], it["profile"]): it["seconds"] for it in times} == {
         (it.job.family, it.job.engine, it.job.profile): pytest.approx(it.seconds, abs=5e-4) for it in results
@@ -137,7 +137,7 @@ def test_how_long_each_job_took_is_told_apart_from_the_rows(report, results):
     assert "seconds" not in (report / "rows.json").read_text(encoding="utf-8")
 
 
-def test_provenance_tells_when_on_what_and_with_which_versions(report):
+def test_provenance_has_date_machine_and_versions(report):
     told = json.loads((report / "provenance.json").read_text(encoding="utf-8"))
     assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\+00:00", told["made"])
     assert told["engines"].keys() == {"hand-written"}
@@ -147,14 +147,14 @@ def test_provenance_tells_when_on_what_and_with_which_versions(report):
     assert told["platform"]
 
 
-def test_lines_end_alike_on_every_system(report):
+def test_lines_end_the_same_way_on_every_system(report):
     assert all(b"\r" not in data for data in content(report).values())
 
 
 # Rows
 
 
-def test_rows_that_were_written_are_read_back_as_they_were(report, results):
+def test_rows_are_read_back_as_they_were_written(report, results):
     rows = [row for place in BY_TABLE for row in results[place].rows]
     read = read_rows(report / "rows.json")
     assert read == rows
@@ -163,7 +163,7 @@ def test_rows_that_were_written_are_read_back_as_they_were(report, results):
 
 
 @pytest.mark.parametrize("verdict", Verdict)
-def test_any_row_survives_being_written_and_read(verdict, tmp_path):
+def test_a_row_of_any_verdict_is_read_back_to_the_last_digit(verdict, tmp_path):
     odd = Row(
         "f", "μ=½", "odd.py", "tuned", "", "m/s", verdict, note='a "note"\nof <two> lines', settings="stiffness ∞"
     )
@@ -173,7 +173,7 @@ def test_any_row_survives_being_written_and_read(verdict, tmp_path):
     assert [repr(row) for row in read_rows(tmp_path / "rows.json")] == [repr(odd), repr(whole)]  # to the last digit
 
 
-def test_rows_hold_numbers_that_every_reader_of_json_knows(report):
+def test_rows_contain_only_standard_json_numbers(report):
     def refuse(name: str) -> float:
         raise AssertionError(f"{name} is not JSON")
 
@@ -182,11 +182,11 @@ def test_rows_hold_numbers_that_every_reader_of_json_knows(report):
     assert data["rows"][0].keys() == {field.name for field in fields(Row)}
 
 
-def test_names_stand_in_the_rows_as_they_are_written(report):
+def test_names_are_not_escaped_in_the_rows(report):
     assert '"μ=0.7,v=1"' in (report / "rows.json").read_text(encoding="utf-8")
 
 
-def test_convergence_studies_stand_beside_the_rows(report, results):
+def test_convergence_studies_are_written_beside_the_rows(report, results):
     studies = json.loads((report / "rows.json").read_text(encoding="utf-8"))["convergence"]
     assert [(it["engine"], it["profile"]) for it in studies] == [("handwritten", "tuned"), ("handwritten", "stock")]
     for study, result in zip(studies, results[4:], strict=True):
@@ -219,7 +219,7 @@ GIVEN = '{"family": "f", "case": "c", "engine": "e", "profile": "p", "quantity":
         (GIVEN + ', "verdict": "pass", "measured": "much"}', "measured is 'much'"),
     ],
 )
-def test_a_file_that_holds_no_rows_is_refused_with_its_name_and_what_is_wrong(text, said, tmp_path):
+def test_a_file_without_rows_is_refused_by_name(text, said, tmp_path):
     path = tmp_path / "rows.json"
     is_row = '"verdict"' in text
     whole = f'{{"schema": "collisions-lab/rows", "version": 1, "rows": [{text}]}}' if is_row else text
@@ -240,7 +240,7 @@ def test_a_file_that_cannot_be_opened_or_decoded_is_refused(tmp_path):
         read_rows(tmp_path / "latin")
 
 
-def test_the_table_for_spreadsheets_has_the_same_rows_with_their_errors(report):
+def test_the_csv_table_has_the_same_rows_with_their_errors(report):
     rows = read_rows(report / "rows.json")
     with (report / "rows.csv").open(encoding="utf-8", newline="") as file:
         table = list(csv.DictReader(file))
@@ -276,7 +276,7 @@ write([run_job(job) for job in reversed(pickle.loads(Path(sys.argv[1]).read_byte
 """
 
 
-def test_another_process_writes_the_same_bytes_in_whatever_order_the_results_come(report, tmp_path):
+def test_another_process_writes_the_same_bytes_from_another_order(report, tmp_path):
     jobs, out = tmp_path / "jobs", tmp_path / "out"
     jobs.write_bytes(pickle.dumps(JOBS))
     out.mkdir()
@@ -303,7 +303,7 @@ def earlier(tmp_path) -> Path:
     return out
 
 
-def test_files_are_in_their_place_when_all_went_well_and_no_sooner(earlier):
+def test_staged_files_are_moved_only_when_all_went_well(earlier):
     before = content(earlier)
     with staged(earlier) as folder:
         assert folder.parent == earlier, "on the same disk, so that a file can be replaced in one go"
@@ -317,7 +317,7 @@ def test_files_are_in_their_place_when_all_went_well_and_no_sooner(earlier):
 
 
 @pytest.mark.parametrize("error", [RuntimeError, KeyboardInterrupt, SystemExit])
-def test_a_report_that_is_broken_off_leaves_an_earlier_one_as_it_was(error, earlier):
+def test_a_report_that_is_broken_off_leaves_the_earlier_one_unchanged(error, earlier):
     before, names = content(earlier), sorted(os.listdir(earlier))
     with pytest.raises(error), staged(earlier) as folder:  # noqa: PT012  half of it has to be written before it fails
         (folder / "index.html").write_text("half a pa")
@@ -326,7 +326,7 @@ def test_a_report_that_is_broken_off_leaves_an_earlier_one_as_it_was(error, earl
     assert sorted(os.listdir(earlier)) == names
 
 
-def test_a_report_that_is_broken_off_leaves_no_new_folder_behind(tmp_path):
+def test_a_report_that_is_broken_off_leaves_no_new_folder(tmp_path):
     def break_off() -> None:
         with staged(tmp_path / "a" / "b" / "c") as folder:
             assert folder.is_dir()
@@ -342,7 +342,7 @@ def test_a_report_that_is_broken_off_leaves_no_new_folder_behind(tmp_path):
     assert os.listdir(tmp_path / "a") == []
 
 
-def test_the_page_is_replaced_last_so_that_it_never_speaks_of_files_that_are_not_there_yet(earlier, monkeypatch):
+def test_the_page_is_replaced_after_all_other_files(earlier, monkeypatch):
     moved, replace_one = [], os.replace
 
     def watched(source: Path, target: Path) -> None:
@@ -369,7 +369,7 @@ def test_a_second_report_replaces_the_first(report, results, tmp_path):
     assert content(out).items() >= timeless.items()
 
 
-def test_a_folder_that_is_a_file_or_below_one_or_has_an_impossible_name_is_refused(tmp_path):
+def test_an_unusable_folder_for_a_report_is_refused(tmp_path):
     occupied = tmp_path / "occupied"
     occupied.write_text("mine")
     for out in (occupied, occupied / "deeper", occupied / "still" / "deeper", tmp_path / ("long" * 100)):
@@ -379,7 +379,7 @@ def test_a_folder_that_is_a_file_or_below_one_or_has_an_impossible_name_is_refus
     assert os.listdir(tmp_path) == ["occupied"]
 
 
-def test_something_in_the_way_of_a_file_is_refused_and_nothing_is_left_behind(tmp_path):
+def test_a_folder_in_the_way_of_a_file_is_refused_without_leftovers(tmp_path):
     out = tmp_path / "out"
     (out / "index.html").mkdir(parents=True)
     (out / "index.html" / "mine").write_text("mine")
@@ -427,7 +427,7 @@ SAID = {
 
 
 @pytest.mark.parametrize("title", SAID)
-def test_a_run_without_an_answer_is_one_row_of_a_report_that_is_finished_all_the_same(title, with_odd_ones, results):
+def test_a_run_without_an_answer_is_one_row_of_a_finished_report(title, with_odd_ones, results):
     out, found = with_odd_ones
     (result,) = (result for result in found if result.title == title)
     verdict, message = SAID[title]
@@ -440,7 +440,7 @@ def test_a_run_without_an_answer_is_one_row_of_a_report_that_is_finished_all_the
 
 
 @pytest.mark.parametrize("title", SAID)
-def test_the_page_says_why_a_run_gave_no_answer_and_runs_none_of_it(title, with_odd_ones):
+def test_the_page_shows_why_a_run_gave_no_answer_as_plain_text(title, with_odd_ones):
     page = (with_odd_ones[0] / "index.html").read_text(encoding="utf-8")
     verdict, message = SAID[title]
     escaped = message.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("'", "&#39;")
@@ -449,14 +449,14 @@ def test_the_page_says_why_a_run_gave_no_answer_and_runs_none_of_it(title, with_
     assert "<script>alert" not in page
 
 
-def test_the_page_names_as_compared_only_what_ran(with_odd_ones):
+def test_the_page_lists_as_compared_only_engines_that_ran(with_odd_ones):
     page = (with_odd_ones[0] / "index.html").read_text(encoding="utf-8")
     (opening,) = re.findall(r"run by ([^.]*)\.", page)
     assert opening.startswith("hand-written code")
     assert not [title for title in ("crashing", "missing", "hanging") if title in opening]
 
 
-def test_a_report_of_nothing_but_crashes_is_written(with_odd_ones, tmp_path):
+def test_a_report_of_crashes_alone_is_written(with_odd_ones, tmp_path):
     _, found = with_odd_ones
     write(found, tmp_path)
     assert len(read_rows(tmp_path / "rows.json")) == len(found)
@@ -464,7 +464,7 @@ def test_a_report_of_nothing_but_crashes_is_written(with_odd_ones, tmp_path):
     assert "0 of 5 checks" in (tmp_path / "index.html").read_text(encoding="utf-8")
 
 
-def test_a_number_that_is_none_never_gets_into_the_rows():
+def test_nan_is_never_written_into_the_rows():
     bad = Row("f", "c", "e", "tuned", "q", "m", Verdict.PASS)
     object.__setattr__(bad, "measured", float("nan"))  # which a row refuses when it is made
     with pytest.raises(ValueError, match="not JSON compliant"):

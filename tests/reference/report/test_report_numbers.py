@@ -141,7 +141,7 @@ def test_a_size_has_a_prefix_that_keeps_its_digits_few(value, unit, text):
 
 
 @given(share=finite)
-def test_a_percentage_says_the_share_to_two_digits_with_its_sign_or_a_power_of_ten_above_it(share):
+def test_a_percentage_has_two_digits_or_a_power_of_ten(share):
     text = percent(share)
     number, _, unit = text.partition(" ")
     assert unit == "%"
@@ -159,7 +159,7 @@ def test_a_percentage_says_the_share_to_two_digits_with_its_sign_or_a_power_of_t
 
 
 @given(value=finite, unit=units)
-def test_a_measured_value_says_five_digits_or_two_of_a_small_one_and_its_sign(value, unit):
+def test_a_measured_value_is_printed_to_five_digits_or_two_if_small(value, unit):
     text = quantity(value, unit)
     sign, said, digits = read(text, unit)
     if said == 0:
@@ -172,7 +172,7 @@ def test_a_measured_value_says_five_digits_or_two_of_a_small_one_and_its_sign(va
 
 
 @given(value=positive, unit=units)
-def test_a_size_says_two_digits_of_the_value_or_what_it_stays_below(value, unit):
+def test_a_size_is_printed_to_two_digits_or_as_a_bound(value, unit):
     text = size(value, unit)
     if text.startswith("<"):
         assert value < (1e-9 if unit else bound(text))
@@ -185,7 +185,7 @@ def test_a_size_says_two_digits_of_the_value_or_what_it_stays_below(value, unit)
 
 
 @given(value=positive, unit=units)
-def test_a_deviation_is_a_size_with_a_sign_and_changes_that_alone_with_its_direction(value, unit):
+def test_a_deviation_is_a_size_with_the_sign_of_its_direction(value, unit):
     up, down, bare = deviation(value, unit), deviation(-value, unit), size(value, unit)
     if bare.startswith("<"):
         assert up == down == bare
@@ -194,7 +194,7 @@ def test_a_deviation_is_a_size_with_a_sign_and_changes_that_alone_with_its_direc
 
 
 @given(value=finite, unit=units)
-def test_no_number_is_printed_as_a_program_would(value, unit):
+def test_no_number_is_printed_in_programmers_notation(value, unit):
     for text in (percent(value), deviation(value, unit), quantity(value, unit), size(abs(value), unit)):
         assert not re.search(r"e[+-]|nan|inf|-|,|  |^ | $", text), text
         assert len(text) <= 15 + len(unit)  # a column of the narrowest table
@@ -203,5 +203,5 @@ def test_no_number_is_printed_as_a_program_would(value, unit):
 @pytest.mark.parametrize(
     ("value", "text"), [(1.0, "10⁰"), (1e-3, "10⁻³"), (2e-12, "2·10⁻¹²"), (9.4e4, "9·10⁴"), (0.96e-3, "10⁻³")]
 )
-def test_a_value_on_a_logarithmic_axis_has_one_digit_which_is_not_said_where_it_is_one(value, text):
+def test_a_logarithmic_label_has_one_digit_and_leaves_out_a_one(value, text):
     assert power_of_ten(value) == text

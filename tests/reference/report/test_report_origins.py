@@ -29,14 +29,14 @@ def origin(*shares: Share, family: str = "ball-to-rest", case: str = "e=0.5", qu
     return found
 
 
-def test_every_move_with_an_effect_names_its_setting_and_the_errors_before_and_after():
+def test_every_effective_move_names_its_setting_and_both_errors():
     # The time of rest at e = 0.5 is 1.3546 s: -0.3 s are -22 % of it, -0.1 s are -7.4 %, -0.2 s are -15 %.
     first = origin(*STOCK, *TUNED).steps[0]
     assert (first.kind, first.moved) == ("defaults", "damping unset → 0")
     assert (first.before, first.after, first.size) == ("−22 %", "−7.4 %", "−15 %")
 
 
-def test_moves_without_a_visible_effect_are_named_apart():
+def test_moves_without_a_visible_effect_are_listed_separately():
     found = origin(*STOCK, *TUNED)
     assert found.idle == ("slop unset → 0", "iterations 50 → 100")
     assert [step.moved for step in found.steps] == [
@@ -48,18 +48,18 @@ def test_moves_without_a_visible_effect_are_named_apart():
     ]
 
 
-def test_the_sentence_splits_the_tuned_error_into_shares_that_add_up_to_it():
+def test_the_sentence_has_shares_that_add_up_to_the_tuned_error():
     assert origin(*STOCK, *TUNED).sentence == (
         "Stock is off by −22 %, tuned by −3.7 %. The latter is made up of −3 % discretisation, −0.59 % contact model,"
         " 0 % solver, −0.15 % remainder."
     )
 
 
-def test_where_stock_has_no_such_number_only_the_tuned_error_is_told():
+def test_without_a_stock_number_only_the_tuned_error_is_given():
     assert origin(*TUNED).sentence.startswith("Tuned: −3.7 %. It is made up of −3 % discretisation,")
 
 
-def test_a_stock_run_without_a_number_is_said_to_have_none():
+def test_a_stock_run_without_a_number_is_reported_as_such():
     step = origin(Share(DEFAULTS, "all", None, -0.05, None), *TUNED).steps[0]
     assert (step.before, step.size) == ("no such number", "no such number")
 

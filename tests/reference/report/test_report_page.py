@@ -183,7 +183,7 @@ def test_the_page_is_well_formed(whole, tree):
     assert tree.all("html")[0].attributes["lang"] == "en"
 
 
-def test_the_page_needs_nothing_beside_it(whole, tree):
+def test_the_page_is_self_contained(whole, tree):
     for element in tree.all(""):
         for name in ("src", "href", "xlink:href", "srcset", "action", "data", "poster"):
             value = element.attributes.get(name)
@@ -194,7 +194,7 @@ def test_the_page_needs_nothing_beside_it(whole, tree):
     assert re.findall(r"https?:[^\s\"'<>]*", re.sub(r'xmlns(:\w+)?="[^"]*"', "", whole)) == []
 
 
-def test_every_link_leads_to_a_place_in_the_page_and_every_id_stands_once(tree):
+def test_every_link_has_a_target_and_every_id_is_unique(tree):
     ids = Counter(it.attributes["id"] for it in tree.all("") if "id" in it.attributes)
     assert max(ids.values()) == 1
     links = {it.attributes["href"] for it in tree.all("a")}
@@ -210,26 +210,26 @@ def test_tables_have_a_heading_for_every_column(tree):
             assert sum(int(it.attributes.get("colspan") or 1) for it in cells) == headings
 
 
-def test_the_page_opens_with_what_was_compared_and_how_the_tuned_settings_stand(tree):
+def test_the_page_opens_with_the_implementations_and_the_tuned_checks(tree):
     said = tree.all("header")[0].text
     assert "run by hand-written code, an engine 1.2.3." in said
     checks = sum(row.profile == "tuned" and row.verdict is Verdict.PASS for it in everything() for row in it.rows)
     assert f"{checks} of {checks} checks of tuned settings agree with theory, 0 fail." in said
 
 
-def test_the_page_ends_with_where_it_was_made_and_where_its_numbers_are(tree):
+def test_the_page_ends_with_its_origin_and_its_files(tree):
     said = tree.all("footer")[0].text
     assert "Collisions Lab on a machine" in said
     for name in ("rows.json", "rows.csv", "provenance.json"):
         assert name in said
 
 
-def test_the_legend_explains_the_marks_that_occur_and_no_other(tree):
+def test_the_legend_explains_exactly_the_marks_that_occur(tree):
     entries = [it.text for it in tree.all("ul", "legend")[0].all("li")]
     assert entries == [f"{MARKS[verdict]} {verdict} {LEGEND[verdict]}" for verdict in (Verdict.PASS, Verdict.SHOWN)]
 
 
-def test_at_a_glance_there_is_a_line_for_every_family_and_a_cell_for_every_implementation(tree):
+def test_the_overview_has_a_line_for_each_family_and_a_cell_for_each_run(tree):
     table = with_id(tree, "overview").all("table")[0]
     titles = [it.text for it in table.all("thead")[0].all("th")][1:]
     assert len(titles) == len(set(titles)) == 10
@@ -252,7 +252,7 @@ def test_at_a_glance_there_is_a_line_for_every_family_and_a_cell_for_every_imple
 
 
 @every_family
-def test_a_family_is_told_whole(family, tree):
+def test_a_familys_section_has_its_whole_description(family, tree):
     section = with_id(tree, family.name)
     assert section.all("h2")[0].text == family.title
     for text in (family.about, family.expected, *family.why):
@@ -260,7 +260,7 @@ def test_a_family_is_told_whole(family, tree):
 
 
 @every_family
-def test_a_familys_statements_are_told_the_first_time_and_linked_to_after_that(family, tree):
+def test_a_statement_is_explained_once_and_then_linked(family, tree):
     section = with_id(tree, family.name)
     told = {number for before in catalogue().values() if before is not family for number in before.statements}
     for number in family.statements:
@@ -277,7 +277,7 @@ def test_a_familys_statements_are_told_the_first_time_and_linked_to_after_that(f
 
 
 @every_family
-def test_every_engine_and_profile_has_a_line_with_its_description_and_settings(family, tree):
+def test_every_profile_has_a_line_with_its_description_and_settings(family, tree):
     lines = came_out(with_id(tree, family.name)).all("tbody")[0].all("tr")
     ran = [it for it in everything() if it.job.family == family.name]
     for line, given in zip(lines, ran, strict=True):
@@ -312,7 +312,7 @@ def test_a_family_shows_its_figures_with_captions(family, tree):
 
 
 @every_family
-def test_the_studied_errors_stand_in_a_table_with_the_order(family, tree):
+def test_the_studied_errors_are_in_a_table_with_their_order(family, tree):
     (table,) = (it for it in with_id(tree, family.name).all("table") if "measured order" in it.text)
     lines = table.all("tbody")[0].all("tr")
     assert len(lines) == sum(it.job.family == family.name for it in everything())
@@ -320,13 +320,13 @@ def test_the_studied_errors_stand_in_a_table_with_the_order(family, tree):
 
 
 @every_family
-def test_reasons_for_tolerances_stand_once_under_their_quantity(family, tree):
+def test_reasons_for_tolerances_are_given_once_under_their_quantity(family, tree):
     notes = [it.text for it in with_id(tree, family.name).all("p", "note")]
     judged = [quantity for quantity in family.quantities if quantity.expect]
     assert sum(note.endswith("accepted: a step late.") for note in notes) == len(judged)
 
 
-def test_the_figures_that_matplotlib_draws_stand_in_the_page_as_they_are():
+def test_the_figures_of_matplotlib_are_in_the_page_unchanged():
     drawn = replace(result(REST, "handwritten", "tuned"), series=Series((0.0, 1.0, 2.0), (1.0, 0.5, 0.25)))
     found = sections([drawn])
     pictures = [(figures.trajectories(found[0]), "curve"), (figures.convergence(found[0]), "errors")]
@@ -348,7 +348,7 @@ def test_the_page_can_be_made_of_one_engine_alone():
     assert "PyBullet, tuned" not in section.text
 
 
-def test_a_page_of_no_results_at_all_is_well_formed():
+def test_a_page_without_results_is_well_formed():
     tree = read(page.render([], {}, [], "Collisions Lab"))
     assert "run by nobody here: no engine answered." in tree.text
     assert "0 of 0 checks" in tree.text
@@ -393,7 +393,7 @@ def test_without_studies_there_is_no_table_of_errors():
     assert "measured order" not in section.text
 
 
-def test_a_case_that_only_one_engine_ran_is_an_empty_cell_in_the_other():
+def test_a_case_run_in_one_engine_is_an_empty_cell_in_the_other():
     one = replace(OURS[0], rows=tuple(it for it in OURS[0].rows if it.case == "e=0.5"))
     table = with_id(read(written([one, OURS[2]])), "ball-to-rest").all("table", "cases")[0]
     empty = [[it.classes == ["empty"] for it in line.all("td")[1:]] for line in table.all("tbody")[0].all("tr")]
@@ -408,7 +408,7 @@ def test_the_page_begins_with_links_to_all_scenarios_and_to_the_worst(tree):
     assert [link.attributes["href"] for link in jumps.all("a")] == [*(f"#{name}" for name in catalogue()), "#worst"]
 
 
-def test_the_worst_tuned_row_stands_first_with_the_share_of_its_limit():
+def test_the_worst_tuned_row_is_first_with_the_share_of_its_limit():
     bad = replace(OURS[0].rows[0], measured=0.33)  # 0.08 of a tolerance of 0.1; all others use 0.01 of it
     worst = with_id(read(written([replace(OURS[0], rows=(bad, *OURS[0].rows[1:]))])), "worst")
     first = worst.all("tbody")[0].all("tr")[0]
@@ -416,7 +416,7 @@ def test_the_worst_tuned_row_stands_first_with_the_share_of_its_limit():
     assert "80 %" in first.text
 
 
-def test_stock_rows_that_fail_are_listed_apart():
+def test_stock_rows_that_fail_are_listed_separately():
     stock = next(it for it in OURS if it.job.profile == "stock")
     failed = replace(stock.rows[0], verdict=Verdict.FAIL, measured=1.25)
     worst = with_id(read(written([OURS[0], replace(stock, rows=(failed, *stock.rows[1:]))])), "worst")
@@ -425,7 +425,7 @@ def test_stock_rows_that_fail_are_listed_apart():
     assert [line.all("td")[0].text.strip() for line in others.all("tr")] == ["hand-written, stock"]
 
 
-def test_a_split_error_names_each_setting_that_was_moved_and_the_errors_before_and_after():
+def test_a_split_error_lists_each_moved_setting_and_both_errors():
     shares = (
         Share("discretisation", "timestep 0.001 → 0.0005", 0.01, 0.005, 0.01),
         Share("solver", "iterations 50 → 100", 0.01, 0.01, 0.0),
@@ -445,7 +445,7 @@ def test_a_split_error_names_each_setting_that_was_moved_and_the_errors_before_a
     assert "No visible effect: iterations 50 → 100; remainder." in section.text
 
 
-def test_without_a_split_nothing_is_said_of_where_the_error_comes_from():
+def test_without_a_split_the_page_has_no_table_of_shares():
     assert "Where the error comes from" not in with_id(read(written(OURS)), "ball-to-rest").text
 
 
@@ -459,7 +459,7 @@ def test_tables_of_cases_can_be_sorted_by_the_size_of_the_error(tree):
 # Whatever a message holds
 
 
-def test_what_engines_say_is_shown_as_text_and_never_run():
+def test_messages_of_engines_are_shown_as_text_and_never_run():
     crashed = without_answer(result(REST, "mujoco", "tuned"), Verdict.CRASHED, EVIL)
     odd = replace(OURS[0], title=EVIL, description=EVIL, settings=EVIL)
     text = page.render(sections([odd, crashed]), {"ball-to-rest": [(PICTURE, EVIL)]}, [EVIL], EVIL)
@@ -477,7 +477,7 @@ def test_what_engines_say_is_shown_as_text_and_never_run():
     assert shown in tree.all("footer")[0].text
 
 
-def test_a_known_deviation_says_what_is_left_and_why_it_deviates():
+def test_a_known_deviation_shows_its_remainder_and_its_reason():
     first, *others = (it for it in OURS[0].rows if it.case == "e=0.5")
     known = replace(first, verdict=Verdict.KNOWN_DEVIATION, measured=0.55, shift=0.29, note="half a step")
     tree = read(written([replace(OURS[0], rows=(known, *others))]))
@@ -495,7 +495,7 @@ def test_a_known_deviation_says_what_is_left_and_why_it_deviates():
 # What waits for a rigid-body world
 
 
-def test_a_scenario_that_needs_a_world_shows_so_in_the_overview_and_in_its_section():
+def test_the_page_shows_which_scenarios_need_a_world():
     both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
     jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
     tree = read(written([run_job(job) for job in jobs]))

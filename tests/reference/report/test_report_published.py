@@ -60,7 +60,7 @@ def with_rows(results, **changes):
     return [results[0], replace(results[1], rows=rows), *results[2:]]
 
 
-def test_the_three_kinds_are_kept_apart_in_the_order_of_the_numbers(tables):
+def test_three_kinds_of_published_cases_are_listed_in_order(tables):
     kinds = {kind: [line.case.name for line in tables.of_kind(kind)] for kind in ("verification", "validation")}
     assert kinds == {"verification": ["P15", "P22", "P24"], "validation": ["P11"]}
     assert [line.case.name for line in tables.of_kind("cross-engine")] == ["P23"]
@@ -79,7 +79,7 @@ def test_a_cell_shows_the_worst_mark_and_how_many_numbers_agree(tables, results)
     assert recorded.recordings == ["* made elsewhere"]
 
 
-def test_the_sentence_counts_the_cases_that_come_out_elsewhere_and_names_the_others(tables, results):
+def test_the_sentence_counts_reproduced_cases_and_names_the_others(tables, results):
     assert tables.sentence.startswith("4 of 5 published cases come out as published")
     (exception,) = tables.exceptions
     assert exception.startswith("P11: hand-written: known deviation: a real contact yields sideways")
@@ -89,7 +89,7 @@ def test_the_sentence_counts_the_cases_that_come_out_elsewhere_and_names_the_oth
     assert PublishedTables.of([replace(own, job=PublishedJob("P9", "dart"))]).sentence.startswith("1 of 1")
 
 
-def test_the_terminal_fits_in_eighty_columns_and_has_a_line_a_case(tables):
+def test_the_published_table_fits_in_eighty_columns(tables):
     said = printed(tables)
     assert max(map(len, said.splitlines())) <= 80
     for title in ("Verification", "Validation against measurement", "Cross-engine"):
@@ -98,7 +98,7 @@ def test_the_terminal_fits_in_eighty_columns_and_has_a_line_a_case(tables):
     assert "4 of 5 published cases come out" in said
 
 
-def test_with_cases_every_number_is_printed_with_theirs_the_difference_and_what_is_accepted(tables):
+def test_every_published_number_is_printed_with_its_difference_and_limit(tables):
     said = printed(tables, with_cases=True)
     assert max(map(len, said.splitlines())) <= 80
     assert re.search(r"^impacts 1, s +0\.45152 +published", said, re.MULTILINE)
@@ -108,12 +108,12 @@ def test_with_cases_every_number_is_printed_with_theirs_the_difference_and_what_
     assert "Siconos, example BouncingBallED" in said
 
 
-def test_a_failure_is_explained_without_asking_for_the_cases(results):
+def test_a_failure_is_explained_even_without_the_cases(results):
     said = " ".join(printed(PublishedTables.of(with_rows(results, verdict=Verdict.FAIL, note="it is wrong"))).split())
     assert "P15, hand-written: fail: it is wrong" in said
 
 
-def test_the_page_has_each_case_with_its_source_its_set_up_and_its_numbers(text, tables):
+def test_the_page_has_each_published_case_with_source_and_numbers(text, tables):
     for line in tables.lines:
         section = text[text.index(f'<section id="{line.case.name}">') :]
         assert line.case.title in section
@@ -123,12 +123,12 @@ def test_the_page_has_each_case_with_its_source_its_set_up_and_its_numbers(text,
     assert "five printed decimals" in text
 
 
-def test_the_page_says_what_does_not_come_out_and_why(text):
+def test_the_page_says_which_published_numbers_differ_and_why(text):
     end = text[text.index('<section id="exceptions">') :]
     assert "P11: hand-written: known deviation: a real contact yields sideways" in end
 
 
-def test_the_page_is_whole_and_needs_nothing_beside_it(text):
+def test_the_published_page_is_self_contained(text):
     class Tags(HTMLParser):
         def __init__(self):
             super().__init__()
@@ -154,7 +154,7 @@ def test_the_page_is_whole_and_needs_nothing_beside_it(text):
     assert "\x00" not in text
 
 
-def test_the_report_and_the_page_lead_to_each_other_and_only_where_there_is_one(folder, text, tmp_path):
+def test_report_and_published_page_link_to_each_other_if_both_exist(folder, text, tmp_path):
     assert 'href="published.html"' in (folder / "index.html").read_text(encoding="utf-8")
     assert 'href="index.html"' in text
     files.write([], tmp_path)
@@ -162,7 +162,7 @@ def test_the_report_and_the_page_lead_to_each_other_and_only_where_there_is_one(
     assert "published.html" not in (tmp_path / "index.html").read_text(encoding="utf-8")
 
 
-def test_measured_impacts_are_drawn_beside_the_rigid_law_in_two_figures(tables, folder, text):
+def test_measured_impacts_are_drawn_beside_the_rigid_law(tables, folder, text):
     (line,) = tables.of_kind("validation")
     pictures = oblique_impacts(line)
     assert [name for name, _, _ in pictures] == ["published-tangent-restitution", "published-spin"]
@@ -173,11 +173,11 @@ def test_measured_impacts_are_drawn_beside_the_rigid_law_in_two_figures(tables, 
         assert {"rigid sphere", "hand-written", "measured"} <= set(re.findall(">([a-z -]+)</text>", svg))
 
 
-def test_the_rows_are_read_back_as_they_were_written(folder, tables):
+def test_published_rows_are_read_back_as_they_were_written(folder, tables):
     assert row_files.read_published(folder / "published.json") == tables.rows
 
 
-def test_rows_of_another_version_are_refused(folder, tmp_path):
+def test_published_rows_of_another_version_are_refused(folder, tmp_path):
     content = json.loads((folder / "published.json").read_text(encoding="utf-8"))
     (tmp_path / "published.json").write_text(json.dumps(content | {"version": 2}), encoding="utf-8")
     with pytest.raises(InvalidInput, match="reads collisions-lab/published version 1"):
@@ -186,7 +186,7 @@ def test_rows_of_another_version_are_refused(folder, tmp_path):
         row_files.read_rows(folder / "published.json")
 
 
-def test_figures_are_labelled_with_what_they_belong_to_and_their_unit(results):
+def test_published_figures_are_labelled_with_case_and_unit(results):
     tangent, impact = results[0].rows[0], results[1].rows[2]
     assert label(published("P11"), tangent) == "tangent restitution 9.84°"
     assert label(published("P15"), impact) == "impacts 3, s"

@@ -66,14 +66,14 @@ def test_the_worst_verdict_stands_for_a_cell(worse, better):
         assert Cell(rows).mark == MARKS[worse]
 
 
-def test_every_verdict_has_its_own_mark_of_one_character_and_a_legend():
+def test_every_verdict_has_its_own_mark_and_a_legend():
     assert set(MARKS) == set(LEGEND) == set(Verdict) == set(WORST_FIRST)
     assert len(set(MARKS.values())) == len(Verdict)
     assert all(len(mark) == 1 for mark in MARKS.values())
     assert all(LEGEND.values())
 
 
-def test_a_cell_counts_the_rows_that_agree_known_deviations_included_of_those_that_are_judged():
+def test_a_cell_counts_agreeing_rows_and_known_deviations():
     verdicts = (Verdict.PASS, Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.SHOWN)
     assert Cell(tuple(map(row, verdicts))).count == "3/4"
 
@@ -81,17 +81,17 @@ def test_a_cell_counts_the_rows_that_agree_known_deviations_included_of_those_th
 @pytest.mark.parametrize(
     "verdict", [Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.CRASHED, Verdict.SHOWN]
 )
-def test_a_cell_without_any_number_says_why_instead_of_counting(verdict):
+def test_a_cell_without_any_number_gives_the_reason(verdict):
     cell = Cell((row(verdict, None), row(verdict, None)))
     assert (cell.count, cell.worst) == (str(verdict), "")
 
 
-def test_a_failure_without_a_number_counts_as_one_that_was_judged():
+def test_a_failure_without_a_number_counts_as_judged():
     cell = Cell((row(Verdict.FAIL, None, expected=1.0),))
     assert (cell.count, cell.worst) == ("0/1", "")
 
 
-def test_a_cell_that_is_only_shown_counts_nothing_and_shows_its_largest_value():
+def test_a_cell_that_is_only_shown_has_its_largest_value():
     cell = Cell(tuple(row(Verdict.SHOWN, measured, unit="m") for measured in (0.002, -0.0031, 0.001)))
     assert (cell.count, cell.worst) == ("", "3.1 mm")
 
@@ -99,7 +99,7 @@ def test_a_cell_that_is_only_shown_counts_nothing_and_shows_its_largest_value():
 # The worst error
 
 
-def test_a_cell_names_the_largest_error_whatever_its_sign():
+def test_a_cell_has_the_largest_error_of_either_sign():
     assert Cell((row(measured=1.1), row(measured=0.85), row(measured=1.12))).worst == "−15 %"
 
 
@@ -108,13 +108,13 @@ def test_the_worst_error_is_that_of_the_worst_verdict():
     assert Cell((row(Verdict.FAIL, 1.3), known, row(measured=1.1))).worst == "+30 %"
 
 
-def test_a_yes_or_no_has_no_error():
+def test_a_yes_or_no_quantity_has_no_error():
     right, wrong = row(measured=1.0, tolerance=0.0), row(Verdict.FAIL, 0.0, tolerance=0.0)
     cell = Cell((right, wrong))
     assert (cell.count, cell.worst) == ("1/2", "")
 
 
-def test_an_error_is_in_percent_where_there_is_a_scale_that_is_not_zero_and_in_its_unit_elsewhere():
+def test_an_error_is_in_percent_if_its_scale_is_not_zero():
     assert row_text.error_of(row(measured=1.02)) == "+2 %"
     assert row_text.error_of(row(measured=1.02, scale=4.0)) == "+0.5 %"
     assert row_text.error_of(row(measured=1.02, scale=None)) == "+20 ms"
@@ -123,7 +123,7 @@ def test_an_error_is_in_percent_where_there_is_a_scale_that_is_not_zero_and_in_i
     assert row_text.error_of(row(Verdict.FAIL, None)) == ""
 
 
-def test_what_is_left_of_a_known_deviation_is_the_error_without_the_shift_and_without_a_sign():
+def test_the_remainder_of_a_known_deviation_is_the_error_less_the_shift():
     known = row(Verdict.KNOWN_DEVIATION, 1.29, shift=0.3)
     assert row_text.left_of(known) == "1 %"
     assert Cell((row(), known)).left == "left 1 %"
@@ -132,19 +132,19 @@ def test_what_is_left_of_a_known_deviation_is_the_error_without_the_shift_and_wi
     assert row_text.left_of(row(Verdict.CRASHED, None)) == ""
 
 
-def test_what_is_left_is_that_of_the_largest_known_deviation():
+def test_the_remainder_shown_is_that_of_the_largest_known_deviation():
     small, large = (row(Verdict.KNOWN_DEVIATION, 1 + 1.1 * shift, shift=shift) for shift in (0.3, 0.6))
     assert Cell((large, small, row(Verdict.FAIL, 3.0))).left == "left 6 %"
 
 
-def test_nothing_is_left_where_no_deviation_is_known():
+def test_without_a_known_deviation_there_is_no_remainder():
     assert Cell((row(), row(Verdict.FAIL))).left == ""
 
 
 # Lines
 
 
-def test_a_whole_run_that_crashed_counts_in_every_quantity_and_says_why():
+def test_a_crashed_run_counts_in_every_quantity_with_its_reason():
     found = line(without_number(Verdict.CRASHED, "SIGSEGV"))
     assert len(found.cells) == len(REST.quantities)
     assert all(cell.verdict is Verdict.CRASHED and cell.count == "crashed" for cell in found.cells)
@@ -152,7 +152,7 @@ def test_a_whole_run_that_crashed_counts_in_every_quantity_and_says_why():
     assert found.whole.verdict is Verdict.CRASHED
 
 
-def test_a_case_that_crashed_counts_in_every_quantity_beside_the_others():
+def test_a_crashed_case_counts_in_every_quantity_beside_the_others():
     fine = [row(quantity=quantity.name, case="e=0.8") for quantity in REST.quantities]
     found = line(without_number(Verdict.CRASHED, case="e=0.5"), *fine)
     assert [(cell.verdict, cell.count) for cell in found.cells] == [(Verdict.CRASHED, "1/2")] * 4
@@ -160,7 +160,7 @@ def test_a_case_that_crashed_counts_in_every_quantity_beside_the_others():
     assert found.note == ""
 
 
-def test_a_line_whose_cases_all_have_the_same_trouble_says_it_once():
+def test_a_line_whose_cases_share_a_problem_states_it_once():
     same = [without_number(Verdict.NEEDS, "needs a", case.name) for case in REST.cases]
     assert line(*same).note == "needs a"
     assert line(*same, without_number(Verdict.CRASHED, "hung")).note == "needs a; crashed: hung"
@@ -172,7 +172,7 @@ def test_a_quantity_has_the_rows_of_its_own_name():
     assert (cells["rest_time"].rows, cells["drift"].rows) == ((time,), (drift,))
 
 
-def test_a_line_finds_the_row_of_a_case_or_the_one_that_says_why_there_is_none():
+def test_a_line_finds_the_row_of_a_case_or_the_reason_for_its_absence():
     own, crashed = row(), without_number(Verdict.CRASHED, case="e=0.8")
     found = line(own, crashed)
     assert found.row("e=0.5", "rest_time") is own
@@ -201,11 +201,11 @@ def test_only_tuned_lines_count():
         (Errors((2e-3, 1e-3, 5e-4), (0.43, 0.0, 1e-16), None), "one timestep alone, 0.43 s"),
     ],
 )
-def test_the_order_is_told_or_why_there_is_none(study, text):
+def test_the_order_or_the_reason_for_its_absence_is_shown(study, text):
     assert line(convergence=study).order == text
 
 
-def test_the_studied_errors_are_told_with_their_timesteps():
+def test_the_studied_errors_are_listed_with_their_timesteps():
     study = Errors((4e-3, 5e-4), (0.25, 3.1e-5), 1.0)
     assert line(convergence=study).errors == [("4 ms", "0.25 s"), ("500 µs", "31 µs")]
     assert line().errors == []
@@ -214,13 +214,13 @@ def test_the_studied_errors_are_told_with_their_timesteps():
 # Sections and their order
 
 
-def test_families_come_in_the_order_of_teaching_and_only_those_that_ran():
+def test_families_that_ran_are_listed_in_the_order_of_teaching():
     ran = [result(family=name) for name in ("incline", "dropped-ball", "ball-to-rest")]
     assert [found.family.name for found in sections(ran)] == ["dropped-ball", "ball-to-rest", "incline"]
     assert sections([]) == []
 
 
-def test_lines_come_by_engine_in_the_order_of_the_tables_tuned_first_and_stock_last():
+def test_lines_are_ordered_by_engine_with_tuned_first_and_stock_last():
     asked = [
         ("z.py", "tuned"),
         ("mujoco", "stock"),
@@ -246,7 +246,7 @@ def test_lines_come_by_engine_in_the_order_of_the_tables_tuned_first_and_stock_l
     ]
 
 
-def test_columns_are_all_lines_that_occur_each_once_in_the_order_of_the_fullest_section():
+def test_columns_are_all_lines_once_in_the_fullest_sections_order():
     two = [result(engine=engine) for engine in ("handwritten", "mujoco")]
     three = [result(engine=engine, family="incline") for engine in ("pybullet", "mujoco", "toy.py")]
     assert columns(sections(two + three)) == [
@@ -264,14 +264,14 @@ def test_a_section_finds_a_line_by_its_title():
     assert found.line("PyBullet, tuned") is None
 
 
-def test_a_section_shows_the_cases_that_ran_in_the_familys_order_and_all_where_none_has_a_number():
+def test_a_section_shows_the_cases_that_ran_or_else_all_cases():
     assert section(result(row(case="e=0.9"), row(case="e=0.5"))).cases == ("e=0.5", "e=0.9")
     assert section(result(without_number(Verdict.CRASHED))).cases == tuple(case.name for case in REST.cases)
     mixed = section(result(row(case="e=0.8")), result(without_number(Verdict.CRASHED), engine="mujoco"))
     assert mixed.cases == ("e=0.8",)
 
 
-def test_the_expected_value_is_that_of_any_line_that_has_one_or_else_what_theory_says_without_a_run():
+def test_the_expected_value_is_that_of_a_line_or_else_of_theory():
     time = REST.quantity("rest_time")
     crashed, fine = result(without_number(Verdict.CRASHED)), result(row(), engine="mujoco")
     assert section(crashed, fine).expected("e=0.5", time) == "1 s"
@@ -280,7 +280,7 @@ def test_the_expected_value_is_that_of_any_line_that_has_one_or_else_what_theory
     assert section(crashed).expected("e=0.5", REST.quantity("drift")) == "0 m"
 
 
-def test_a_remark_is_made_once_with_the_lines_and_the_number_of_cases_that_it_speaks_of():
+def test_a_remark_is_made_once_with_its_lines_and_number_of_cases():
     late = [row(Verdict.KNOWN_DEVIATION, case=case, note="half a step late") for case in ("e=0.5", "e=0.8")]
     found = section(
         result(*late),
@@ -293,7 +293,7 @@ def test_a_remark_is_made_once_with_the_lines_and_the_number_of_cases_that_it_sp
     ]
 
 
-def test_a_reason_for_a_tolerance_is_given_once_with_the_lines_that_it_holds_for():
+def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
     rounding, step = row(reason="rounding only"), row(reason="a step late")
     found = section(
         result(rounding, rounding),
@@ -330,7 +330,7 @@ def test_a_reason_for_a_tolerance_is_given_once_with_the_lines_that_it_holds_for
         ([Verdict.PASS, Verdict.SHOWN], "1 of 1 checks of tuned settings agree with theory, 0 fail."),
     ],
 )
-def test_one_sentence_says_how_the_tuned_settings_stand(verdicts, sentence):
+def test_one_sentence_summarises_the_tuned_settings(verdicts, sentence):
     stock = [row(verdict, profile="stock") for verdict in Verdict]
     assert verdict_line([*map(row, verdicts), *stock]) == sentence
 

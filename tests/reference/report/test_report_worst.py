@@ -33,15 +33,15 @@ def used(*rows: Row, count: int = 10) -> list[float]:
     return [share for *_, share in nearest_to_fail(found(*rows), count)]
 
 
-def test_what_uses_most_of_its_limit_comes_first_whatever_its_sign():
+def test_the_row_that_uses_most_of_its_limit_comes_first():
     assert used(row(10.2), row(9.1), row(10.5)) == pytest.approx([0.9, 0.5, 0.2])
 
 
-def test_no_more_rows_than_asked_for_are_listed():
+def test_no_more_rows_than_requested_are_listed():
     assert used(row(10.2), row(9.1), row(10.5), count=2) == pytest.approx([0.9, 0.5])
 
 
-def test_what_a_method_is_known_to_do_is_not_held_against_it():
+def test_a_known_shift_is_not_counted_against_a_method():
     known = row(7.1, Verdict.KNOWN_DEVIATION, shift=-3.0)
     inside = row(9.1, shift=-0.9)
     assert used(known, inside) == pytest.approx([0.1, 0.0])
@@ -51,14 +51,14 @@ def test_a_failure_has_used_up_more_than_its_limit():
     assert used(row(13.0, Verdict.FAIL)) == pytest.approx([3.0])
 
 
-def test_rows_without_limit_or_number_and_those_of_other_profiles_are_left_out():
+def test_rows_without_limit_or_number_are_left_out():
     shown = row(3.0, Verdict.SHOWN, expected=None, tolerance=None)
     nothing = Row("ball-to-rest", "e=0.5", "handwritten", "tuned", "", "", Verdict.NEEDS)
     yes_or_no = row(10.0, tolerance=0.0)
     assert used(shown, nothing, yes_or_no, row(19.0, Verdict.FAIL, "stock")) == []
 
 
-def test_the_furthest_from_theory_are_failures_of_other_profiles_one_a_line():
+def test_failures_of_other_profiles_are_listed_once_a_line():
     rows = (
         row(5.0, Verdict.FAIL),  # tuned: it counts, and stands elsewhere
         row(14.0, Verdict.FAIL, "stock"),

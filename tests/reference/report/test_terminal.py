@@ -104,7 +104,7 @@ def real() -> list[JobResult]:
         )
     ],
 )
-def test_nothing_of_the_catalogue_is_too_wide_for_80_columns_or_cut_off(verdict, families, with_cases):
+def test_nothing_is_wider_than_80_columns_or_cut_off(verdict, families, with_cases):
     text = of_catalogue(verdict, families, with_cases)
     assert max(map(cell_len, text.splitlines())) <= WIDTH
     assert text.count(CUT) == text.count(f"{CUT} needs")
@@ -114,7 +114,7 @@ def test_nothing_of_the_catalogue_is_too_wide_for_80_columns_or_cut_off(verdict,
 @pytest.mark.parametrize(
     ("families", "with_cases"), [(ALL, False), (WORDIEST, True), pytest.param(ALL, True, marks=slow)]
 )
-def test_every_name_of_the_catalogue_is_printed_whole(families, with_cases):
+def test_every_name_of_the_catalogue_is_printed_in_full(families, with_cases):
     text = of_catalogue(Verdict.PASS, families, with_cases)
     for family in (catalogue()[name] for name in families):
         assert family.title in text
@@ -147,7 +147,7 @@ def test_long_notes_are_broken_into_lines(with_cases):
 # What is said
 
 
-def test_the_overview_has_a_line_for_every_implementation_with_counts_and_worst_errors(real):
+def test_the_overview_has_counts_and_worst_errors_of_each_implementation(real):
     text = printed(real)
     for title in ("hand-written, tuned", "hand-written, slide", "hand-written, stock"):
         (line,) = (line for line in text.splitlines() if line.startswith(title))
@@ -157,7 +157,7 @@ def test_the_overview_has_a_line_for_every_implementation_with_counts_and_worst_
     assert text.rstrip().endswith("4 of 4 checks of tuned settings agree with theory, 0 fail.")
 
 
-def test_with_cases_every_quantity_has_a_table_with_what_each_implementation_measured(real):
+def test_with_cases_every_quantity_has_a_table_of_measured_values(real):
     lines = printed(real, with_cases=True).splitlines()
     headings = [line.partition("  ")[0] for line in lines if line.rstrip().endswith("verdict")]
     assert headings == [quantity.title for quantity in catalogue()["ball-to-rest"].quantities]
@@ -167,7 +167,7 @@ def test_with_cases_every_quantity_has_a_table_with_what_each_implementation_mea
     assert sum(line.startswith("  hand-written, ") for line in lines) == 3 * 4
 
 
-def test_a_known_deviation_shows_what_is_left_and_with_the_cases_also_why(real):
+def test_a_printed_known_deviation_shows_its_remainder(real):
     tuned, *others = real
     first, *rest = tuned.rows
     known = replace(first, verdict=Verdict.KNOWN_DEVIATION, measured=1.5, shift=0.14, note="half a step late")
@@ -197,7 +197,7 @@ def test_an_engine_without_an_answer_says_why_in_its_own_words(verdict, note, sa
 
 
 @pytest.mark.parametrize(("with_cases", "lines"), [(False, 1), (True, 3 * 4)])  # a line a case and quantity
-def test_a_title_in_brackets_is_printed_as_it_is(with_cases, lines):
+def test_a_title_in_brackets_is_printed_unchanged(with_cases, lines):
     text = printed([without_answer(Verdict.CRASHED, "hung", "toy.py", "toy [b] [/]")], with_cases)
     assert text.count("toy [b] [/], tuned") == lines + 1  # and a remark
 
@@ -209,7 +209,7 @@ def test_the_legend_explains_the_verdicts_that_occur_and_no_other(real):
         assert explained == (verdict in (Verdict.PASS, Verdict.CRASHED)), verdict
 
 
-def test_of_nothing_there_is_only_the_sentence_that_says_so():
+def test_no_results_are_printed_as_one_sentence():
     assert printed([]).strip() == "0 of 0 checks of tuned settings agree with theory, 0 fail."
 
 
@@ -222,7 +222,7 @@ def test_families_come_in_the_order_of_teaching():
 # All families in one screen
 
 
-def test_several_families_end_in_one_screen_of_marks_with_a_line_each(real):
+def test_several_families_end_with_a_table_of_marks(real):
     other = JobResult(Job("stack", "handwritten", "tuned"), "hand-written", "", (Row("stack", ALL_CASES, "handwritten",
         "tuned", "", "", Verdict.NEEDS, note="needs a world"),))  # fmt: skip
     lines = printed([*real, other]).splitlines()
@@ -240,7 +240,7 @@ def test_the_catalogue_fits_one_screen_of_marks():
         assert lines[place].startswith(name)
 
 
-def test_where_the_screen_is_too_narrow_the_tuned_settings_come_first_in_a_table_of_their_own():
+def test_a_narrow_screen_has_the_tuned_settings_in_a_table_of_their_own():
     lines = of_catalogue(Verdict.PASS).splitlines()
     starts = [place for place, text in enumerate(lines) if text.startswith("at a glance")]
     tuned, others = (words(lines[start]).split()[3:] for start in starts)
@@ -257,7 +257,7 @@ def test_one_family_needs_no_summary(real):
     assert "at a glance" not in printed(real)
 
 
-def test_the_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
+def test_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
     one = run_job(Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",)))
     half = replace(one.rows[0], measured=2.0, expected=1.0, tolerance=2.0, scale=None)
     stack = [replace(half, family="stack", quantity=name, measured=1.0) for name in ("drift", "speed")]
@@ -272,7 +272,7 @@ def test_the_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
 # What waits for a rigid-body world
 
 
-def test_a_scenario_that_needs_a_world_shows_so_in_its_table_below_it_at_a_glance_and_in_the_last_line():
+def test_the_terminal_shows_which_scenarios_need_a_world():
     both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
     jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
     text = printed([run_job(job) for job in jobs])

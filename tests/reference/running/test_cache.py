@@ -50,21 +50,21 @@ def a_row(verdict: Verdict) -> Row:
 # What is found again
 
 
-def test_a_result_comes_back_as_it_was_and_says_that_it_was_kept(kept, result):
+def test_a_cached_result_is_unchanged_and_says_that_it_was_cached(kept, result):
     found = kept.get(JOB)
     assert found == result
     assert [row.settings for row in found.rows] == [row.settings for row in result.rows]  # which equality leaves out
     assert (found.seconds, found.cached, result.cached) == (result.seconds, True, False)
 
 
-def test_the_cache_lies_where_the_variable_says_or_in_the_users_own_place(cache_folder, monkeypatch):
+def test_the_cache_folder_is_that_of_the_variable_or_of_the_user(cache_folder, monkeypatch):
     assert default_folder() == cache_folder
     monkeypatch.delenv("COLLISIONS_CACHE")
     assert default_folder().name == "collisions-lab"
     assert default_folder().is_absolute()
 
 
-def test_nothing_is_found_in_a_cache_that_has_it_not(cache_folder):
+def test_an_empty_or_missing_cache_has_no_result(cache_folder):
     assert Cache().get(JOB) is None
     assert Cache(cache_folder / "nowhere").get(JOB) is None
 
@@ -84,18 +84,18 @@ def test_nothing_is_found_in_a_cache_that_has_it_not(cache_folder):
     ],
     ids=lambda change: next(iter(change)),
 )
-def test_another_job_is_another_key(change, kept, installed):
+def test_a_different_job_has_a_different_key(change, kept, installed):
     installed(change.get("engine", "handwritten"))
     assert kept.get(dataclasses.replace(JOB, **change)) is None
 
 
-def test_what_was_said_of_a_job_that_moved_is_no_other_key(kept):
+def test_a_note_on_a_moved_job_does_not_change_its_key(kept):
     moved = dataclasses.replace(JOB, snapped="restitution 0.49 → 0.5")
     assert kept.get(moved).job == moved
 
 
 @pytest.mark.parametrize("name", ["SCHEMA", "sources.digest", "platform.platform", "platform.python_version", "numpy"])
-def test_other_code_versions_or_machines_are_another_key(name, kept, monkeypatch):
+def test_other_code_versions_or_machines_have_different_keys(name, kept, monkeypatch):
     if name == "numpy":
         monkeypatch.setattr(np, "__version__", "0")
     elif name == "SCHEMA":
@@ -106,7 +106,7 @@ def test_other_code_versions_or_machines_are_another_key(name, kept, monkeypatch
     assert kept.get(JOB) is None
 
 
-def test_another_version_of_an_engine_is_another_key(installed, monkeypatch):
+def test_another_version_of_an_engine_has_a_different_key(installed, monkeypatch):
     engine = installed("mujoco")
     job = dataclasses.replace(JOB, engine="mujoco")
     before = key_of(job)
@@ -114,7 +114,7 @@ def test_another_version_of_an_engine_is_another_key(installed, monkeypatch):
     assert key_of(job) != before
 
 
-def test_a_students_code_counts_for_the_hand_written_side_alone(tmp_path, installed):
+def test_a_students_code_changes_the_keys_of_hand_written_jobs_alone(tmp_path, installed):
     installed("pybullet")
     paths = [tmp_path / name for name in ("mine.py", "other.py")]
     for number, path in enumerate(paths):
@@ -124,7 +124,7 @@ def test_a_students_code_counts_for_the_hand_written_side_alone(tmp_path, instal
         assert len({key_of(job) for job in jobs}) == keys
 
 
-def test_a_result_of_an_engine_says_whose_job_it_is_whoever_ran_it_first(result, installed):
+def test_a_shared_result_of_an_engine_names_the_job_that_asked(result, installed):
     installed("pybullet")
     first, second = (
         dataclasses.replace(JOB, engine="pybullet", implementation=name) for name in ("solutions", "mine.py")
@@ -134,7 +134,7 @@ def test_a_result_of_an_engine_says_whose_job_it_is_whoever_ran_it_first(result,
     assert keeps.get(second).job == second
 
 
-def test_a_changed_line_of_the_students_code_is_another_key(tmp_path):
+def test_a_changed_line_of_a_students_code_changes_the_key(tmp_path):
     path = tmp_path / "mine.py"
     path.write_text(OWN_CODE, encoding="utf-8")
     job = dataclasses.replace(JOB, implementation=str(path))
@@ -145,7 +145,7 @@ def test_a_changed_line_of_the_students_code_is_another_key(tmp_path):
     assert key_of(job, once=True) == key_of(job)
 
 
-def test_a_changed_engine_file_is_another_key(tmp_path):
+def test_a_changed_engine_file_changes_the_key(tmp_path):
     path = tmp_path / "my_engine.py"
     toy = (Path(__file__).parents[1] / "toy_engine.py").read_text(encoding="utf-8")
     path.write_text(toy, encoding="utf-8")
@@ -156,7 +156,7 @@ def test_a_changed_engine_file_is_another_key(tmp_path):
     assert key_of(job) != before
 
 
-def test_an_engine_that_cannot_be_loaded_has_no_key_and_breaks_nothing(tmp_path, result):
+def test_an_engine_that_cannot_be_loaded_has_no_key(tmp_path, result):
     job = dataclasses.replace(JOB, engine=str(tmp_path / "none_such.py"))
     assert key_of(job) is None
     assert Cache().get(job) is None
@@ -168,13 +168,13 @@ def test_an_engine_that_cannot_be_loaded_has_no_key_and_breaks_nothing(tmp_path,
 
 
 @pytest.mark.parametrize("verdict", [Verdict.CRASHED, Verdict.NOT_AVAILABLE])
-def test_what_gave_no_answer_is_tried_again(verdict, result, cache_folder):
+def test_a_job_without_an_answer_is_not_cached(verdict, result, cache_folder):
     Cache().put(JOB, key_of(JOB), dataclasses.replace(result, rows=(*result.rows, a_row(verdict))))
     assert files(cache_folder) == []
 
 
 @pytest.mark.parametrize("verdict", [Verdict.FAIL, Verdict.NEEDS, Verdict.CANNOT_EXPRESS])
-def test_an_answer_is_kept_though_it_is_a_bad_one(verdict, result):
+def test_a_bad_answer_is_cached_too(verdict, result):
     answer = dataclasses.replace(result, rows=(*result.rows, a_row(verdict)))
     Cache().put(JOB, key_of(JOB), answer)
     assert Cache().get(JOB) == answer
@@ -185,14 +185,14 @@ def test_a_result_whose_code_changed_while_it_ran_is_not_kept(result, cache_fold
     assert files(cache_folder) == []
 
 
-def test_fresh_takes_nothing_but_keeps_what_runs(kept, result):
+def test_a_fresh_cache_reads_nothing_and_writes_new_results(kept, result):
     anew = Cache(fresh=True)
     assert anew.get(JOB) is None
     anew.put(JOB, key_of(JOB), dataclasses.replace(result, seconds=123.0))
     assert kept.get(JOB).seconds == 123.0
 
 
-def test_beyond_its_bound_what_was_used_longest_ago_goes(result, cache_folder):
+def test_a_full_cache_drops_the_result_used_longest_ago(result, cache_folder):
     jobs = [dataclasses.replace(JOB, changes=(("timestep", dt),)) for dt in (1e-3, 2e-3, 3e-3)]
     size = len(cache._packed(result))
     keeps = Cache(most_bytes=int(2.5 * size))
@@ -206,7 +206,7 @@ def test_beyond_its_bound_what_was_used_longest_ago_goes(result, cache_folder):
     assert sum(path.stat().st_size for path in files(cache_folder)) <= keeps.most_bytes
 
 
-def test_what_an_interrupted_write_left_goes_once_it_is_old(kept, result, cache_folder):
+def test_remains_of_an_interrupted_write_are_removed_once_old(kept, result, cache_folder):
     old, new = (cache_folder / f"{name}.unfinished" for name in ("old", "new"))
     for path in (old, new):
         path.write_bytes(b"half a resu")
@@ -215,7 +215,7 @@ def test_what_an_interrupted_write_left_goes_once_it_is_old(kept, result, cache_
     assert (old.exists(), new.exists()) == (False, True)
 
 
-def test_nothing_else_in_the_folder_is_touched(result, cache_folder):
+def test_other_files_in_the_cache_folder_are_not_touched(result, cache_folder):
     stranger = cache_folder / "thesis.tex"
     stranger.write_text("precious", encoding="utf-8")
     os.utime(stranger, (0, 0))
@@ -265,7 +265,7 @@ def test_no_foreign_code_is_run_from_a_file_of_the_cache(evil, kept, cache_folde
     assert pickle.loads(pickle.dumps(len)) is len  # the files would have done as they say
 
 
-def test_a_folder_that_cannot_be_written_costs_nothing_but_the_cache(tmp_path, result):
+def test_a_job_runs_though_the_cache_folder_cannot_be_written(tmp_path, result):
     taken = tmp_path / "a file"
     taken.write_text("in the way", encoding="utf-8")
     nowhere = Cache(taken / "cache")
@@ -277,7 +277,7 @@ def test_a_folder_that_cannot_be_written_costs_nothing_but_the_cache(tmp_path, r
 # Runs with a cache
 
 
-def test_a_second_run_takes_from_the_cache_what_the_first_one_put_there():
+def test_a_second_run_reads_the_results_of_the_first_from_the_cache():
     jobs = [JOB, dataclasses.replace(JOB, profile="stock")]
     keeps = Cache()
     assert recall(jobs, keeps) == []
@@ -290,7 +290,7 @@ def test_a_second_run_takes_from_the_cache_what_the_first_one_put_there():
     assert {result.job.profile: result for result in recall(jobs, keeps)} == by_profile
 
 
-def test_a_worker_that_has_imported_an_older_text_tells_its_own_key(monkeypatch):
+def test_a_worker_reports_the_key_of_the_code_it_has_imported(monkeypatch):
     before = key_of(JOB, once=True)
     monkeypatch.setattr(sources, "_part", lambda name: ("changed since", frozenset()))
     assert key_of(JOB) != before

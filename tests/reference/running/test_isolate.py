@@ -89,13 +89,13 @@ def test_a_job_that_prints_does_not_garble_its_answer():
     assert work("(print('x' * 100_000), __import__('os').write(1, b'y'), 7)[-1]") == 7
 
 
-def test_a_job_that_asks_for_input_gets_none_and_takes_no_other_job():
+def test_a_job_that_asks_for_input_gets_none():
     with pytest.raises(RunFailed, match="EOFError"):
         work("input()")
     assert work("1 + 1") == 2
 
 
-def test_each_worker_has_one_thread_for_linear_algebra_and_draws_on_no_screen():
+def test_each_worker_has_one_thread_for_linear_algebra_and_no_screen():
     for name, value in [("OMP_NUM_THREADS", "1"), ("OPENBLAS_NUM_THREADS", "1"), ("MPLBACKEND", "Agg")]:
         assert work(f"__import__('os').environ[{name!r}]") == value
 
@@ -108,7 +108,7 @@ def test_a_worker_finds_what_its_parent_can_import(tmp_path, monkeypatch):
     stop_workers()
 
 
-def test_a_worker_takes_no_module_from_the_folder_where_it_happens_to_run(tmp_path, monkeypatch):
+def test_a_worker_imports_no_module_from_its_current_folder(tmp_path, monkeypatch):
     (tmp_path / "mujoco.py").write_text("raise RuntimeError('not the engine')", encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     stop_workers()  # the next one starts here
@@ -143,7 +143,7 @@ def test_an_unknown_name_survives_pickling():
     assert isinstance(copy, InvalidInput)
 
 
-def test_an_error_of_the_lab_that_cannot_travel_arrives_as_a_failed_run_with_its_text():
+def test_an_error_that_cannot_be_pickled_arrives_as_a_failed_run():
     own = "from reference.errors import CollisionsError\nclass Own(CollisionsError): pass\nraise Own('lost its way')"
     with pytest.raises(RunFailed) as caught:
         run_isolated(exec, LIMIT, own, {})
@@ -151,7 +151,7 @@ def test_an_error_of_the_lab_that_cannot_travel_arrives_as_a_failed_run_with_its
     assert str(caught.value) == "lost its way"
 
 
-def test_a_result_that_cannot_travel_is_a_failed_run():
+def test_a_result_that_cannot_be_pickled_is_a_failed_run():
     with pytest.raises(RunFailed, match="pickle"):
         work("lambda: 0")
     with pytest.raises(RunFailed, match="its answer cannot be read here: invalid literal"):
@@ -175,7 +175,7 @@ def test_a_job_that_does_not_pickle_is_refused_and_costs_no_worker():
         ("__import__('os').kill(__import__('os').getpid(), 9)", "SIGKILL"),
     ],
 )
-def test_a_worker_that_dies_costs_its_job_and_says_how(death, how):
+def test_a_worker_that_dies_loses_its_job_and_reports_how(death, how):
     with pytest.raises(WorkerCrashed) as caught:
         work(death)
     assert str(caught.value) == f"its process died ({how})"
@@ -192,7 +192,7 @@ def test_a_job_past_its_limit_is_stopped_with_its_process():
     assert work("1 + 1") == 2
 
 
-def test_what_a_stopped_job_had_started_is_stopped_as_well():
+def test_processes_started_by_a_stopped_job_are_stopped_too():
     child = work("__import__('subprocess').Popen(['sleep', '600']).pid")
     assert alive(child)
     with pytest.raises(WorkerTimeout):
@@ -239,7 +239,7 @@ def test_a_worker_that_is_killed_while_it_waits_costs_no_job():
     assert worker_pid() != before
 
 
-def test_a_job_that_is_interrupted_half_way_takes_its_worker_with_it(monkeypatch):
+def test_a_job_interrupted_half_way_ends_its_worker(monkeypatch):
     before = worker_pid()
 
     def interrupt(stream):
@@ -281,14 +281,14 @@ def test_jobs_of_several_threads_run_side_by_side():
     assert len(pids) == 2
 
 
-def test_stopping_stops_the_idle_workers_and_the_next_job_starts_a_new_one():
+def test_the_next_job_after_stopping_starts_a_new_worker():
     before = worker_pid()
     stop_workers()
     assert not alive(before)
     assert worker_pid() != before
 
 
-def test_stopping_ends_a_busy_worker_and_its_job_says_so_at_once(tmp_path, caplog):
+def test_stopping_ends_a_busy_worker_and_its_job_at_once(tmp_path, caplog):
     caplog.set_level(logging.INFO, "reference.running.isolate")
     with sleeper(tmp_path) as (pid, future):
         start = time.monotonic()
@@ -301,7 +301,7 @@ def test_stopping_ends_a_busy_worker_and_its_job_says_so_at_once(tmp_path, caplo
     assert worker_pid() != pid
 
 
-def test_a_worker_that_is_stopped_while_it_hands_in_its_answer_takes_no_other_job(monkeypatch):
+def test_a_worker_stopped_while_it_answers_takes_no_other_job(monkeypatch):
     before, answered = worker_pid(), isolate.read_message
 
     def stopped_just_then(stream):
@@ -328,7 +328,7 @@ def test_workers_that_were_stopped_are_forgotten():
 
 
 @pytest.mark.parametrize("limit", [0, 0.0, -1.0, math.nan, math.inf])
-def test_a_limit_that_is_no_time_is_refused_and_starts_no_worker(limit):
+def test_an_impossible_time_limit_is_refused_and_starts_no_worker(limit):
     stop_workers()
     with pytest.raises(InvalidInput, match="timeout is"):
         work("1 + 1", timeout=limit)
@@ -362,7 +362,7 @@ def test_the_log_says_when_a_worker_starts_and_why_one_was_lost(caplog):
     ]
 
 
-def test_a_job_past_its_limit_says_where_in_hand_written_code_it_was(tmp_path):
+def test_a_job_past_its_limit_reports_the_line_of_hand_written_code(tmp_path):
     path = tmp_path / "slow.py"
     path.write_text(
         "def forever():\n    try:\n        while True:\n            pass\n    except Exception:\n        pass\n"
@@ -374,7 +374,7 @@ def test_a_job_past_its_limit_says_where_in_hand_written_code_it_was(tmp_path):
     assert work("1 + 1") == 2
 
 
-def test_a_job_that_cannot_be_stopped_from_within_is_stopped_all_the_same():
+def test_a_job_that_ignores_signals_is_stopped_anyway():
     block = "(s := __import__('signal')).pthread_sigmask(s.SIG_BLOCK, {s.SIGALRM}) or __import__('time').sleep(600)"
     with pytest.raises(WorkerTimeout, match=r"no answer within 0\.3 s; its process was stopped"):
         work(block, timeout=0.3)

@@ -47,7 +47,7 @@ def test_a_new_file_in_a_package_is_seen(folder):
 
 
 @pytest.mark.parametrize(("old", "new"), [("part.py", "piece.py"), ("deep", "deeper")])
-def test_a_file_under_another_name_or_in_another_folder_is_another_package(old, new, folder):
+def test_a_renamed_or_moved_file_is_another_package(old, new, folder):
     before = digest("kit_of_mine")
     (folder / "kit_of_mine" / old).rename(folder / "kit_of_mine" / new)
     assert digest("kit_of_mine") != before
@@ -64,7 +64,7 @@ def test_nothing_is_imported_or_run(folder):
     assert len(digest(str(folder / "mine.py"))) == 64
 
 
-def test_a_text_that_is_no_python_has_a_hash_all_the_same(folder):
+def test_a_text_that_is_not_python_has_a_hash_too(folder):
     path = folder / "mine.py"
     path.write_text("def (:\n", encoding="utf-8")
     before = digest(str(path))
@@ -72,7 +72,7 @@ def test_a_text_that_is_no_python_has_a_hash_all_the_same(folder):
     assert digest(str(path)) != before
 
 
-def test_packages_are_read_once_where_a_process_has_imported_them_and_files_always(folder):
+def test_imported_packages_are_read_once_and_files_always(folder):
     package, file = digest("kit_of_mine", once=True), digest(str(folder / "mine.py"), once=True)
     for name in ("kit_of_mine/part.py", "mine.py"):
         with (folder / name).open("a", encoding="utf-8") as text:
@@ -83,7 +83,7 @@ def test_packages_are_read_once_where_a_process_has_imported_them_and_files_alwa
     sources._first_part.cache_clear()
 
 
-def test_the_lab_itself_is_seen_and_what_is_installed_is_not():
+def test_the_digest_covers_the_lab_and_not_installed_packages():
     assert sources._is_own("solutions")
     assert sources._is_own("reference")
     assert not sources._is_own("numpy")
@@ -91,6 +91,6 @@ def test_the_lab_itself_is_seen_and_what_is_installed_is_not():
     assert not sources._is_own("no_such_module_anywhere")
 
 
-def test_a_file_that_is_not_there_is_an_error_of_the_system(tmp_path):
+def test_a_missing_file_is_an_error_of_the_system(tmp_path):
     with pytest.raises(FileNotFoundError):
         digest(str(tmp_path / "none.py"))

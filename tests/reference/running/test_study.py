@@ -91,7 +91,7 @@ def planned(jobs: list[Job]) -> list[tuple[str, str, str]]:
     return [(job.family, job.engine, job.profile) for job in jobs]
 
 
-def test_without_profiles_named_every_engine_runs_all_that_it_has_tuned_first():
+def test_without_named_profiles_an_engine_runs_all_of_them():
     assert planned(plan([DROPPED], engine_names())) == [
         ("dropped-ball", "handwritten", "tuned"),
         ("dropped-ball", "handwritten", "slide"),
@@ -106,7 +106,7 @@ def test_without_profiles_named_every_engine_runs_all_that_it_has_tuned_first():
     ]
 
 
-def test_the_whole_grid_has_no_missing_cell():
+def test_a_plan_of_everything_has_every_family_engine_and_profile():
     jobs = planned(plan(catalogue().values(), engine_names()))
     assert len(set(jobs)) == len(jobs)
     for name in engine_names():
@@ -115,7 +115,7 @@ def test_the_whole_grid_has_no_missing_cell():
                 assert (family.name, name, profile) in jobs
 
 
-def test_a_profile_that_one_engine_has_is_planned_for_that_engine():
+def test_a_profile_of_one_engine_is_planned_for_that_engine():
     jobs = plan([DROPPED], engine_names(), ["spring", "tuned"])
     assert planned(jobs) == [
         ("dropped-ball", "handwritten", "tuned"),
@@ -126,7 +126,7 @@ def test_a_profile_that_one_engine_has_is_planned_for_that_engine():
     ]
 
 
-def test_a_profile_that_one_family_has_is_planned_for_that_family():
+def test_a_profile_of_one_family_is_planned_for_that_family():
     assert planned(plan([SLIDING, DROPPED], ["handwritten"], ["slide"])) == [("dropped-ball", "handwritten", "slide")]
 
 
@@ -144,19 +144,19 @@ def test_families_may_come_from_a_generator():
         ({"cases": {"dropped-ball": ("e=0.7",)}}, "e=0.7", "e=0.5"),
     ],
 )
-def test_a_plan_with_a_name_that_there_is_not_is_refused_with_those_there_are(arguments, wrong, choice):
+def test_an_unknown_name_in_a_plan_is_refused_with_the_known_ones(arguments, wrong, choice):
     with pytest.raises(UnknownName) as refused:
         plan(**({"families": [DROPPED], "engines": ["handwritten"]} | arguments))
     assert refused.value.value == wrong
     assert choice in refused.value.choices
 
 
-def test_a_profile_that_no_engine_of_the_plan_has_is_refused():
+def test_a_profile_of_no_planned_engine_is_refused():
     with pytest.raises(UnknownName):
         plan([DROPPED], ["handwritten", "pybullet"], ["spring"])
 
 
-def test_a_plan_whose_timestep_is_longer_than_a_case_is_refused_before_anything_runs():
+def test_a_timestep_longer_than_a_case_is_refused_when_planned():
     shortest, longest = DROPPED.cases[0], DROPPED.cases[-1]
     between = (shortest.scenarios[0].duration + longest.scenarios[0].duration) / 2
     for cases in ({"dropped-ball": (shortest.name,)}, {}):
@@ -165,7 +165,7 @@ def test_a_plan_whose_timestep_is_longer_than_a_case_is_refused_before_anything_
     assert plan([DROPPED], ["handwritten"], ["tuned"], {"dropped-ball": (longest.name,)}, changes={"timestep": between})
 
 
-def test_what_is_named_twice_is_planned_once():
+def test_a_family_or_engine_named_twice_is_planned_once():
     twice = plan(
         [DROPPED, SLIDING, DROPPED],
         ["handwritten", "pybullet", "handwritten"],
@@ -178,7 +178,7 @@ def test_what_is_named_twice_is_planned_once():
     assert once[0].cases == ("e=1", "e=0.5")
 
 
-def test_an_empty_list_of_profiles_or_cases_means_all_and_of_engines_or_families_none():
+def test_no_profiles_or_cases_mean_all_and_no_engines_mean_none():
     everything = plan([DROPPED], ["handwritten"])
     assert plan([DROPPED], ["handwritten"], []) == everything
     assert plan([DROPPED], ["handwritten"], (), {}) == everything
@@ -187,7 +187,7 @@ def test_an_empty_list_of_profiles_or_cases_means_all_and_of_engines_or_families
     assert plan([DROPPED], []) == plan([], ["handwritten"]) == []
 
 
-def test_a_plan_carries_cases_changes_and_implementation_into_every_job():
+def test_a_plan_passes_cases_changes_and_implementation_to_every_job():
     changes = {"timestep": 2e-3, "sample_every": 2}
     jobs = plan(
         [DROPPED, SLIDING],
@@ -206,7 +206,7 @@ def test_a_plan_carries_cases_changes_and_implementation_into_every_job():
 # One job
 
 
-def test_a_job_runs_the_cases_that_it_names_and_all_where_it_names_none():
+def test_a_job_runs_the_cases_that_it_names_or_else_all():
     family = catalogue()["parting-ball"]
     all_cases = run_job(replace(STUDIED, cases=(), with_studies=False)).rows
     assert [row.case for row in all_cases if row.quantity == "first"] == [case.name for case in family.cases]
@@ -232,7 +232,7 @@ def test_a_job_says_what_ran_and_how_long():
     assert {row.verdict for row in result.rows} == {Verdict.PASS}
 
 
-def test_a_job_of_the_plotted_case_brings_the_curve_and_any_other_where_it_is_asked_for(monkeypatch):
+def test_a_job_has_a_curve_for_the_plotted_case_or_on_request(monkeypatch):
     curve, single = DROPPED.curve, [replace(case, scenarios=case.scenarios[:1]) for case in DROPPED.cases]
     monkeypatch.setitem(catalogue(), "dropped-ball", replace(DROPPED, cases=tuple(single)))
     other = Job("dropped-ball", "handwritten", "tuned", ("e=1",))
@@ -256,20 +256,20 @@ def test_a_curve_has_a_gap_where_its_value_is_not_finite():
     assert set(curve.values) == {1.0}
 
 
-def test_convergence_is_studied_only_where_it_is_asked_for():
+def test_convergence_is_studied_only_on_request():
     assert run_job(replace(STUDIED, with_studies=False)).convergence is None
     found = run_job(replace(STUDIED, profile="stock")).convergence
     assert found.timesteps == pytest.approx([4e-3, 2e-3, 1e-3, 5e-4])
     assert len(found.errors) == 4
 
 
-def test_a_timestep_that_gives_no_number_leaves_a_gap_in_the_convergence(tmp_path):
+def test_a_refused_timestep_leaves_a_gap_in_the_convergence(tmp_path):
     picky = engine_file(tmp_path, "picky", "if settings.timestep > 0.02: raise CannotExpress('too coarse')\n" + FALLING)
     found = run_job(Job("dropped-ball", picky, "tuned", ("e=0.5",), with_studies=True)).convergence
     assert found.timesteps == pytest.approx([0.02, 0.01, 0.005])
 
 
-def test_a_timestep_that_breaks_an_engine_or_gives_a_huge_number_leaves_a_gap_in_the_convergence(tmp_path):
+def test_a_timestep_that_breaks_leaves_a_gap_in_the_convergence(tmp_path):
     broken = engine_file(tmp_path, "broken", "1 / (settings.timestep > 0.01)\n" + FALLING)
     found = run_job(Job("dropped-ball", broken, "tuned", ("e=0.5",), with_studies=True)).convergence
     assert found.timesteps == pytest.approx([0.04, 0.02])
@@ -307,7 +307,7 @@ for number in range(steps + 1):
 """
 
 
-def test_an_isolated_job_gives_the_rows_that_it_gives_here_and_now():
+def test_an_isolated_job_gives_the_same_rows_as_one_in_this_process():
     here, isolated = run_job(GOOD), run_one(GOOD, SCENARIOS)
     assert isolated == here
     assert [row.measured for row in isolated.rows] == [row.measured for row in here.rows]
@@ -328,12 +328,12 @@ def test_the_order_is_the_slope_of_error_against_timestep(order):
     assert order_of(steps, [1e5 * dt**order for dt in steps], 1.0) == pytest.approx(order)  # a line: rounding only
 
 
-def test_errors_that_are_rounding_have_no_order():
+def test_errors_of_rounding_have_no_order():
     assert order_of([4e-3, 2e-3, 1e-3], [1e-16, 3e-16, 2e-16], 1.0) is None
     assert order_of([4e-3, 2e-3, 1e-3], [0.0, 0.0, 0.0], 0.0) is None
 
 
-def test_the_order_is_read_off_the_errors_that_stand_above_rounding():
+def test_the_order_is_read_from_the_errors_above_rounding():
     steps = [4e-3, 2e-3, 1e-3, 5e-4]
     assert order_of(steps, [1.6e-7, 4e-8, 1e-8, 1e-13], 1.0) == pytest.approx(2)
     assert order_of(steps, [1.6e-7, 1e-13, 1e-13, 1e-13], 1.0) is None, "one point makes no line"
@@ -358,7 +358,7 @@ if os.name == "posix":  # where a process can be killed by a signal
     DEATHS["killed"] = ("os.kill(os.getpid(), signal.SIGKILL)", "SIGKILL")
 
 
-def test_jobs_that_fail_give_one_row_each_that_says_how_and_the_others_finish(tmp_path):
+def test_a_job_that_fails_gives_one_row_and_the_others_finish(tmp_path):
     odd = {
         Job("dropped-ball", engine_file(tmp_path, name, body), "tuned", ("e=0.5",)): note
         for name, (body, note) in DEATHS.items()
@@ -405,7 +405,7 @@ def test_results_come_as_they_are_ready(tmp_path):
     assert order == [GOOD, slow]
 
 
-def test_jobs_that_nobody_waits_for_any_more_are_not_started():
+def test_jobs_that_nobody_waits_for_are_not_started():
     started = []
 
     class Counting(ThreadPoolExecutor):
@@ -423,7 +423,7 @@ def test_jobs_that_nobody_waits_for_any_more_are_not_started():
     assert len(started) < 5
 
 
-def test_the_longest_jobs_are_started_first_whatever_the_order_in_which_they_are_named(tmp_path):
+def test_the_longest_jobs_are_started_first(tmp_path):
     short = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
     whole, fine = replace(short, cases=()), replace(short, changes=(("timestep", 1e-5),))
     broken = replace(short, engine=engine_file(tmp_path, "broken", "raise OSError"), profile="no such")
@@ -456,7 +456,7 @@ PROMPTLY = 30.0  # s: on a busy machine some seconds, and half of what the job w
 
 
 @pytest.mark.parametrize("error", [GeneratorExit, pytest.param(KeyboardInterrupt, marks=pytest.mark.slow)])
-def test_whoever_leaves_early_waits_for_no_job_and_leaves_no_worker_behind(error, tmp_path):
+def test_leaving_early_waits_for_no_job_and_leaves_no_worker(error, tmp_path):
     job, begun = asleep(tmp_path)
     with ThreadPoolExecutor(2) as executor:
         results = run_all([GOOD, job, replace(job, profile="stock"), GOOD], SCENARIOS, executor, 2 * ENOUGH)
@@ -470,7 +470,7 @@ def test_whoever_leaves_early_waits_for_no_job_and_leaves_no_worker_behind(error
     assert not alive(pid)
 
 
-def test_a_worker_that_starts_while_the_others_are_being_stopped_is_stopped_too(tmp_path, monkeypatch):
+def test_a_worker_that_starts_during_a_stop_is_stopped_too(tmp_path, monkeypatch):
     job, begun = asleep(tmp_path)
     take, stop, stopping = isolate._take, isolate.stop_workers, threading.Event()
     run_one(GOOD, SCENARIOS)  # so that a worker is there already
@@ -524,7 +524,7 @@ with ThreadPoolExecutor(1) as executor:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="where a process can be interrupted by a signal")
-def test_an_interrupt_from_the_keyboard_ends_the_whole_study_promptly(tmp_path):
+def test_an_interrupt_from_the_keyboard_ends_the_study_promptly(tmp_path):
     job, begun = asleep(tmp_path)
     study = subprocess.Popen([sys.executable, "-c", INTERRUPTED, job.engine], stderr=subprocess.PIPE, text=True)
     pid, start = process_in(begun), time.monotonic()
@@ -536,7 +536,7 @@ def test_an_interrupt_from_the_keyboard_ends_the_whole_study_promptly(tmp_path):
     assert not alive(pid)
 
 
-def test_idle_workers_stay_for_the_next_study_when_a_study_ends_by_itself():
+def test_idle_workers_stay_for_the_next_study():
     results_of([GOOD])
     kept = set(isolate._workers)
     assert kept
@@ -545,7 +545,7 @@ def test_idle_workers_stay_for_the_next_study_when_a_study_ends_by_itself():
 
 
 @pytest.mark.parametrize("timeout", [0.0, -1.0])
-def test_a_time_limit_that_is_no_time_is_the_callers_mistake(timeout):
+def test_an_impossible_time_limit_is_the_callers_mistake(timeout):
     with pytest.raises(InvalidInput, match="timeout is"), ThreadPoolExecutor(1) as executor:
         list(run_all([GOOD], SCENARIOS, executor, timeout))
 
@@ -562,7 +562,7 @@ def test_the_log_says_when_a_job_starts_and_how_long_it_took(tmp_path, caplog):
     assert re.fullmatch(r"dropped-ball in .*bad\.py, stock: finished after \d+\.\d s", said[3])
 
 
-def test_any_executor_will_do():
+def test_any_executor_can_run_the_jobs():
     class AtOnce(Executor):
         def submit(self, function, /, *arguments) -> Future:
             future: Future = Future()
@@ -572,7 +572,7 @@ def test_any_executor_will_do():
     assert list(run_all([GOOD], SCENARIOS, AtOnce(), ENOUGH)) == [run_job(GOOD)]
 
 
-def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_it(tmp_path):
+def test_an_engine_without_its_package_gives_one_row_with_the_remedy(tmp_path):
     missing = Job("dropped-ball", engine_file(tmp_path, "missing", package="no_such_package"), "tuned")
     results = results_of([missing, GOOD])
     (row,) = results[missing].rows
@@ -590,7 +590,7 @@ def test_an_engine_whose_package_is_missing_gives_one_row_that_says_how_to_get_i
         ("dart", "dartpy"),
     ],
 )
-def test_an_engine_that_cannot_be_imported_answers_from_its_recording_or_says_how_to_get_it(
+def test_an_engine_that_cannot_be_imported_answers_from_its_recording(
     name, package, tmp_path, monkeypatch
 ):
     (tmp_path / f"{package}.py").write_text("raise ImportError('a library of it is missing')\n")
@@ -617,7 +617,7 @@ EVERYTHING = "".join(f"from solutions.{topic} import *\n" for topic in ("detecti
 @pytest.mark.parametrize(
     "missing", ["del kinematic_response\n", "def kinematic_response(*arguments):\n    raise NotImplementedError\n"]
 )
-def test_a_function_that_is_not_written_yet_is_named_in_one_row_and_the_others_finish(missing, tmp_path):
+def test_an_unwritten_function_is_named_in_one_row_and_others_finish(missing, tmp_path):
     path = tmp_path / "homework.py"
     path.write_text(EVERYTHING + missing)
     unfinished = Job("dropped-ball", "handwritten", "tuned", ("e=0.5",), str(path))
@@ -629,13 +629,13 @@ def test_a_function_that_is_not_written_yet_is_named_in_one_row_and_the_others_f
         assert {row.verdict for row in results[job].rows} == {Verdict.PASS}
 
 
-def test_a_finished_file_of_functions_answers_as_the_solutions_do(tmp_path):
+def test_a_complete_file_of_functions_gives_the_rows_of_the_solutions(tmp_path):
     path = tmp_path / "homework.py"
     path.write_text(EVERYTHING)
     assert run_one(replace(GOOD, implementation=str(path)), SCENARIOS, ENOUGH).rows == run_job(GOOD).rows
 
 
-def test_hand_written_code_with_a_bug_fails_and_with_a_wrong_sign_is_found_out(tmp_path):
+def test_hand_written_bugs_crash_and_wrong_signs_fail(tmp_path):
     broken, wrong = tmp_path / "broken.py", tmp_path / "wrong.py"
     broken.write_text(EVERYTHING + "def kinematic_response(v, n, e):\n    return v[1000000]\n")
     wrong.write_text(
@@ -652,6 +652,6 @@ def test_hand_written_code_with_a_bug_fails_and_with_a_wrong_sign_is_found_out(t
     assert np.isfinite(rebound.error)
 
 
-def test_an_implementation_that_there_is_not_is_the_callers_mistake():
+def test_a_missing_implementation_is_the_callers_mistake():
     with pytest.raises(InvalidInput, match="no such file"):
         run_one(replace(GOOD, implementation="no/such/homework.py"), SCENARIOS, ENOUGH)

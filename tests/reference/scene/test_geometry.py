@@ -49,7 +49,7 @@ def test_a_quaternion_turns_a_vector_as_its_matrix_does():
     assert geometry.rotate(turns, vectors) == pytest.approx(np.array(expected), abs=1e-14)  # numbers of order one
 
 
-def test_a_turn_of_any_angle_about_an_axis_keeps_the_axis_and_turns_what_is_across():
+def test_a_turn_about_an_axis_keeps_the_axis():
     for angle in np.linspace(-3, 3, 13):
         turn = np.array([math.cos(angle / 2), 0.0, math.sin(angle / 2), 0.0])
         turned = geometry.rotate(turn, np.array([[0.0, 5.0, 0.0], [0.0, 0.0, 1.0]]))
@@ -66,7 +66,7 @@ def test_one_turn_serves_many_vectors_and_many_turns_one_vector():
 
 
 @given(UNIT, UNIT)
-def test_the_turn_between_two_directions_takes_one_to_the_other_by_the_shortest_way(start, end):
+def test_the_turn_between_two_directions_is_the_shortest_one(start, end):
     turn = geometry.quaternion_between(start, end)
     assert np.linalg.norm(turn) == pytest.approx(1, abs=1e-15)
     # Directions within √(2 · 1e-12) of opposite are taken as opposite
@@ -103,7 +103,7 @@ def scene(shape, normal=(0.0, 0.0, 1.0), support=(0.0, 0.0, 0.0), **pose):
     return Scenario("rest", (plane, Body("body", shape, mass=1.0, **pose)), (Pair("body", "plane"),), 1.0)
 
 
-def test_a_ball_stands_its_centre_less_its_radius_above_the_floor():
+def test_a_balls_gap_is_its_height_less_its_radius():
     positions = np.array([[3.0, -2.0, 1.0], [0.0, 0.0, 0.25], [0.0, 0.0, 0.125]])
     gaps = geometry.separation(scene(Sphere(0.25)), "body", "plane", positions, np.tile([1.0, 0, 0, 0], (3, 1)))
     assert gaps.tolist() == [0.75, 0.0, -0.125]
@@ -140,7 +140,7 @@ def test_a_box_on_its_edge_stands_half_a_diagonal_below_its_centre():
     assert gap[0] == pytest.approx(2 - math.sqrt(2), abs=1e-15)
 
 
-def test_turning_the_whole_scene_leaves_the_gap_alone():
+def test_turning_the_whole_scene_does_not_change_the_gap():
     rng = np.random.default_rng(RNG_SEED)
     box, turns = Box((0.1, 0.2, 0.4)), quaternions(rng, 10)
     at, support, normal = rng.normal(size=(3, 3))
@@ -170,7 +170,7 @@ def test_a_gap_needs_a_half_space_and_a_body():
 @pytest.mark.parametrize(
     ("height", "rests"), [(0.25, True), (0.25 + 9e-7, True), (0.25 - 9e-7, True), (0.26, False), (0.24, False)]
 )
-def test_a_body_starts_in_contact_if_its_gap_is_next_to_nothing(height, rests):
+def test_a_body_with_a_gap_below_a_micrometre_starts_in_contact(height, rests):
     assert geometry.starts_in_contact(scene(Sphere(0.25), position=(0.0, 0.0, height))) is rests
 
 
@@ -187,7 +187,7 @@ def test_all_bodies_must_rest_for_a_scenario_to_start_in_contact():
     assert geometry.starts_in_contact(Scenario("three", (FLOOR, LOW, HIGH, CEILING), (low, high, top), 1.0))
 
 
-def test_what_touches_but_does_not_collide_is_not_in_contact():
+def test_touching_bodies_whose_pair_is_not_listed_are_not_in_contact():
     assert not geometry.starts_in_contact(Scenario("none", (LOW,), (), 1.0))
     assert not geometry.starts_in_contact(Scenario("unlisted", (FLOOR, LOW), (), 1.0))
     through = Scenario("through", (FLOOR, LOW, HIGH, CEILING), (Pair("low", "floor"), Pair("high", "floor")), 1.0)
@@ -195,7 +195,7 @@ def test_what_touches_but_does_not_collide_is_not_in_contact():
     assert [(a.name, b.name) for a, b in geometry.touching(through)] == [("low", "floor")]
 
 
-def test_two_bodies_that_nothing_moves_do_not_touch_and_their_gap_is_not_asked_for():
+def test_two_immovable_bodies_are_never_in_contact():
     bodies, pairs = (FLOOR, CEILING, LOW), (Pair("floor", "ceiling"), Pair("low", "floor"))
     assert [(a.name, b.name) for a, b in geometry.touching(Scenario("fixed", bodies, pairs, 1.0))] == [("low", "floor")]
     with pytest.raises(InvalidInput, match="the gap between two bodies of shape HalfSpace is not defined"):
@@ -203,14 +203,14 @@ def test_two_bodies_that_nothing_moves_do_not_touch_and_their_gap_is_not_asked_f
 
 
 @pytest.mark.parametrize(("height", "stands"), [(1.5, True), (1.5 + 9e-7, True), (1.5 - 9e-7, True), (1.51, False)])
-def test_bodies_lean_on_each_other_where_two_that_move_touch(height, stands):
+def test_two_movable_bodies_that_touch_lean_on_each_other(height, stands):
     upper = Body("upper", Sphere(0.5), mass=1.0, position=(0.0, 0.0, height))
     pairs = (Pair("low", "floor"), Pair("upper", "low"))
     assert geometry.leaning(Scenario("stack", (FLOOR, LOW, upper), pairs, 1.0)) is stands
     assert not geometry.leaning(Scenario("apart", (FLOOR, LOW, upper), pairs[:1], 1.0)), "they do not collide"
 
 
-def test_a_body_on_the_floor_leans_on_nothing_that_moves():
+def test_a_body_on_the_floor_does_not_lean_on_another():
     assert not geometry.leaning(scene(Sphere(0.25), position=(0.0, 0.0, 0.25)))
 
 
@@ -252,7 +252,7 @@ def random_body(rng: np.random.Generator, name: str, shape) -> Body:
     return Body(name, shape, 1.0, tuple(rng.normal(size=3)), tuple(quaternions(rng, 1)[0]))
 
 
-def test_the_gap_of_two_bodies_one_of_which_is_a_half_space_is_that_of_the_ruler_for_planes():
+def test_the_gap_to_a_half_space_is_the_same_in_both_functions():
     rng = np.random.default_rng(RNG_SEED)
     for shape in (Sphere(0.3), Box((0.1, 0.2, 0.4))):
         for _ in range(20):
@@ -267,13 +267,13 @@ def test_the_gap_of_two_bodies_one_of_which_is_a_half_space_is_that_of_the_ruler
             assert geometry.gap(body, plane) == geometry.gap(plane, body)
 
 
-def test_the_gap_of_two_balls_is_the_distance_of_their_centres_less_both_radii():
+def test_the_gap_of_two_balls_is_their_distance_less_both_radii():
     one, other = (Body(name, Sphere(r), 1.0, at) for name, r, at in (("a", 0.5, (1, 2, 2)), ("b", 0.25, (0, 0, 0))))
     assert geometry.gap(one, other) == geometry.gap(other, one) == pytest.approx(3 - 0.75, abs=1e-15)
     assert geometry.gap(one, Body("c", Sphere(0.25), 1.0, one.position)) == pytest.approx(-0.75, abs=1e-15)
 
 
-def test_the_gap_of_a_ball_and_a_box_is_the_way_from_its_centre_to_the_nearest_point_less_the_radius():
+def test_the_gap_of_ball_and_box_is_the_distance_to_its_nearest_point():
     rng = np.random.default_rng(RNG_SEED)
     kinds = set()
     for _ in range(200):
@@ -289,7 +289,7 @@ def test_the_gap_of_a_ball_and_a_box_is_the_way_from_its_centre_to_the_nearest_p
     assert kinds == {0, 1, 2, 3}
 
 
-def test_the_gap_of_two_boxes_is_never_too_large_and_exact_where_they_overlap_or_faces_meet():
+def test_the_gap_of_two_boxes_is_never_too_large_and_often_exact():
     rng = np.random.default_rng(RNG_SEED)
     apart, exact = 0, 0
     for _ in range(60):
@@ -322,7 +322,7 @@ def shift_apart(first: Body, second: Body, gap: float) -> float:
     return float(np.min(tops - bottoms)) + gap
 
 
-def test_where_two_boxes_overlap_the_gap_is_the_shortest_push_that_takes_them_apart():
+def test_the_gap_of_overlapping_boxes_is_the_shortest_separating_push():
     rng = np.random.default_rng(RNG_SEED)
     for _ in range(20):
         first = random_body(rng, "first", Box((0.5, 0.7, 0.9)))
@@ -336,7 +336,7 @@ def test_where_two_boxes_overlap_the_gap_is_the_shortest_push_that_takes_them_ap
 
 
 @pytest.mark.parametrize("gap", [-1e-3, 0.0, 1e-7, 0.2])
-def test_boxes_that_stand_on_each_other_however_they_are_turned_are_as_far_apart_as_they_are(gap):
+def test_the_gap_of_stacked_boxes_is_right_however_they_are_turned(gap):
     rng = np.random.default_rng(RNG_SEED)
     for _ in range(10):
         turn = quaternions(rng, 1)[0]
@@ -350,7 +350,7 @@ def test_boxes_that_stand_on_each_other_however_they_are_turned_are_as_far_apart
         assert geometry.leaning(Scenario("two", (lower, upper), (Pair("lower", "upper"),), 1.0)) is (abs(gap) < 1e-6)
 
 
-def test_a_turn_about_the_worlds_axes_comes_after_what_was_turned_before():
+def test_a_turn_about_the_worlds_axes_follows_the_earlier_turns():
     first = np.array([math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)])  # x to y
     turned = geometry.turned(first, np.array([0.0, 0.0, math.pi / 2]))  # and on to −x
     np.testing.assert_allclose(geometry.rotate(turned, np.array([1.0, 0, 0])), [-1, 0, 0], atol=1e-15)
@@ -358,7 +358,7 @@ def test_a_turn_about_the_worlds_axes_comes_after_what_was_turned_before():
     np.testing.assert_allclose(geometry.rotate(about_x, np.array([1.0, 0, 0])), [0, 0, 1], atol=1e-15)
 
 
-def test_many_small_turns_make_the_large_one_and_no_turn_none():
+def test_many_small_turns_add_up_to_the_large_one():
     spin, count = np.array([0.3, -1.2, 0.5]), 1000
     orientation = np.array([[0.4, -0.2, 0.8, 0.4]])
     small = orientation
@@ -368,7 +368,7 @@ def test_many_small_turns_make_the_large_one_and_no_turn_none():
     assert np.array_equal(geometry.turned(orientation, np.zeros((1, 3))), orientation)
 
 
-def test_the_distance_from_a_box_is_that_of_its_face_edge_corner_or_of_the_nearest_face_from_inside():
+def test_distance_from_a_box_is_to_its_face_edge_or_corner():
     half, upright = np.array([1.0, 2.0, 3.0]), np.array([1.0, 0.0, 0.0, 0.0])
     places = np.array([[1.5, 0, 0], [1 + 3, 2 + 4, 0], [1 + 2, 2 + 3, 3 + 6], [0.9, 0, 0], [0, 0, -3.5]])
     np.testing.assert_allclose(geometry.out_of_box(places, upright, half), [0.5, 5, 7, -0.1, 0.5], atol=1e-15)

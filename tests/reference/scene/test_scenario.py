@@ -142,14 +142,14 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("what", REFUSED)
-def test_what_cannot_be_is_refused_with_its_name_and_value(what):
+def test_an_impossible_value_is_refused_with_its_name(what):
     make, text = REFUSED[what]
     with pytest.raises(InvalidInput) as caught:
         make()
     assert text in str(caught.value)
 
 
-def test_a_pair_of_an_unknown_body_names_it_the_choices_and_the_likely_one():
+def test_a_pair_of_an_unknown_body_reports_the_choices():
     with pytest.raises(UnknownName) as caught:
         scenario(pairs=(Pair("bal", "floor"),))
     assert str(caught.value) == "unknown body 'bal'. Did you mean 'ball'? Choices: floor, ball."
@@ -157,7 +157,7 @@ def test_a_pair_of_an_unknown_body_names_it_the_choices_and_the_likely_one():
         scenario(pairs=(Pair("ball", "ceiling"),))
 
 
-def test_a_refusal_is_an_error_of_the_lab_and_of_usage_and_a_value_error():
+def test_a_refusal_is_a_usage_error_and_a_value_error():
     with pytest.raises(CollisionsError) as caught:
         Sphere(-1.0)
     assert isinstance(caught.value, ValueError)
@@ -172,7 +172,7 @@ def test_a_restitution_from_zero_to_one_is_accepted(restitution):
     assert Pair("ball", "floor", restitution=restitution).restitution == restitution
 
 
-def test_where_nothing_is_said_a_body_stands_unturned_at_the_origin_and_a_pair_neither_bounces_nor_rubs():
+def test_bodies_and_pairs_have_plain_defaults():
     body, pair = Body("ball", Sphere(1.0), mass=1.0), Pair("ball", "floor")
     assert (body.position, body.velocity, body.angular_velocity) == ((0.0, 0.0, 0.0),) * 3
     assert body.orientation == (1.0, 0.0, 0.0, 0.0)
@@ -180,7 +180,7 @@ def test_where_nothing_is_said_a_body_stands_unturned_at_the_origin_and_a_pair_n
     assert HalfSpace().normal == (0.0, 0.0, 1.0)
 
 
-def test_static_friction_may_equal_kinetic_friction_and_does_so_where_it_is_not_given():
+def test_static_friction_defaults_to_kinetic_friction():
     assert Pair("ball", "floor", kinetic_friction=0.3).static_friction == 0.3
     assert Pair("ball", "floor", kinetic_friction=0.3, static_friction=0.3).static_friction == 0.3
     assert Pair("ball", "floor", kinetic_friction=0.3, static_friction=0.4).static_friction == 0.4
@@ -194,7 +194,7 @@ def test_directions_and_orientations_are_scaled_to_unit_length():
     assert turned.orientation == pytest.approx((math.sqrt(0.5), 0, 0, -math.sqrt(0.5)), abs=2.3e-16)  # two roundings
 
 
-def test_numbers_of_any_kind_come_out_as_plain_floats_in_tuples():
+def test_numbers_of_any_kind_become_plain_floats_in_tuples():
     body = Body("ball", Sphere(np.float32(0.5)), mass=np.int64(2), position=np.array([1, 2, 3]), velocity=[0, 1, 0])
     assert body.position == (1.0, 2.0, 3.0)
     assert body.velocity == (0.0, 1.0, 0.0)
@@ -202,7 +202,7 @@ def test_numbers_of_any_kind_come_out_as_plain_floats_in_tuples():
         assert type(value) is float
 
 
-def test_a_body_of_infinite_mass_is_immovable_and_its_inverse_mass_is_zero():
+def test_a_body_of_infinite_mass_is_immovable():
     assert FLOOR.immovable
     assert FLOOR.inverse_mass == 0
     assert not BOX.immovable
@@ -274,6 +274,6 @@ def test_a_scenario_made_from_lists_is_the_same_as_one_made_from_tuples():
 @pytest.mark.parametrize(
     ("entry", "name"), [(Sphere(1.0), "radius"), (BALL, "mass"), (Pair("a", "b"), "restitution"), (scenario(), "name")]
 )
-def test_nothing_in_a_scenario_can_be_changed_afterwards(entry, name):
+def test_a_scenario_cannot_be_changed_afterwards(entry, name):
     with pytest.raises(AttributeError, match="cannot assign"):
         setattr(entry, name, 2.0)

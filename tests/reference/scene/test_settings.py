@@ -45,13 +45,13 @@ def test_an_option_is_read_by_its_name():
     assert type(SETTINGS.number("iterations")) is float
 
 
-def test_an_option_that_is_not_there_names_the_choices():
+def test_a_missing_option_is_refused_with_the_choices():
     with pytest.raises(UnknownName, match=r"unknown setting 'stifness'\. Did you mean 'stiffness'\?") as caught:
         SETTINGS["stifness"]
     assert set(caught.value.choices) == set(OPTIONS)
 
 
-def test_a_word_is_no_number():
+def test_a_word_is_not_accepted_as_a_number():
     with pytest.raises(InvalidInput, match="integrator is 'Euler'; it must be a number"):
         SETTINGS.number("integrator")
 
@@ -59,21 +59,21 @@ def test_a_word_is_no_number():
 # Changes
 
 
-def test_a_change_gives_a_copy_with_that_value_and_leaves_the_rest_alone():
+def test_a_change_returns_a_copy_with_one_other_value():
     changed = SETTINGS.change(stiffness=2e6)
     assert dict(changed.options) == OPTIONS | {"stiffness": 2e6}
     assert (changed.timestep, changed.sample_every) == (SETTINGS.timestep, SETTINGS.sample_every)
     assert dict(SETTINGS.options) == OPTIONS
 
 
-def test_an_option_that_the_engine_did_not_derive_cannot_be_changed():
+def test_only_options_that_the_engine_derived_can_be_changed():
     with pytest.raises(UnknownName) as caught:
         SETTINGS.change(iteration=10)
     assert "unknown setting 'iteration'. Did you mean 'iterations'?" in str(caught.value)
     assert set(caught.value.choices) == {"timestep", "sample_every", *OPTIONS}
 
 
-def test_a_number_stays_a_number_whatever_it_is_typed_as():
+def test_a_number_stays_a_number_however_it_is_typed():
     assert SETTINGS.change(stiffness="5e5")["stiffness"] == 5e5
     stiffness = SETTINGS.change(stiffness=3)["stiffness"]
     assert stiffness == 3.0
@@ -100,7 +100,7 @@ def test_a_switch_is_true_or_false(value, meant):
 
 
 @pytest.mark.parametrize("value", ["maybe", 2, 0.5])
-def test_a_switch_is_nothing_but_true_or_false(value):
+def test_a_switch_accepts_nothing_but_true_or_false(value):
     with pytest.raises(InvalidInput) as caught:
         SETTINGS.change(split_impulse=value)
     assert str(caught.value) == f"split_impulse is {value!r}; it must be true or false"
@@ -118,7 +118,7 @@ def test_a_shorter_timestep_keeps_the_samples_a_millisecond_apart():
 
 
 @pytest.mark.parametrize("order", [("timestep", "sample_every"), ("sample_every", "timestep")])
-def test_who_says_how_often_to_sample_is_obeyed_in_either_order(order):
+def test_an_explicit_sampling_wins_over_the_default_in_either_order(order):
     wanted = {"timestep": 1e-4, "sample_every": 3}
     changed = SETTINGS.change(**{name: wanted[name] for name in order})
     assert (changed.timestep, changed.sample_every) == (1e-4, 3)
@@ -150,7 +150,7 @@ def test_settings_that_differ_are_not_equal(change):
     assert SETTINGS.change(**change) != SETTINGS
 
 
-def test_settings_change_neither_by_hand_nor_with_the_options_they_were_made_from():
+def test_settings_cannot_be_changed_in_place():
     options = dict(OPTIONS)
     made = Settings(1e-3, options=options)
     options["stiffness"] = 0.0

@@ -58,7 +58,7 @@ def test_a_body_has_its_own_column_of_the_arrays():
         ("angular_velocities", (COUNT, 2, 4), (COUNT, 2, 3)),
     ],
 )
-def test_an_array_of_the_wrong_shape_is_a_failed_run_that_names_the_right_one(name, wrong, expected):
+def test_an_array_of_the_wrong_shape_is_a_failed_run(name, wrong, expected):
     with pytest.raises(RunFailed) as caught:
         trajectory(**{name: np.ones(wrong)})
     assert str(caught.value) == f"toy: {name} has shape {wrong}; expected {expected}"
@@ -70,7 +70,7 @@ def test_a_trajectory_has_at_least_two_samples(count):
         Trajectory(SCENARIO, SETTINGS, "toy", **arrays(count))
 
 
-def test_two_samples_make_a_trajectory_and_without_contacts_its_table_of_them_is_empty():
+def test_a_trajectory_without_contacts_has_an_empty_table_of_them():
     made = Trajectory(SCENARIO, SETTINGS, "toy", **arrays(2))
     assert len(made.times) == 2
     shapes = {name: values.shape for name, values in vars(made.contacts).items()}
@@ -89,7 +89,7 @@ def test_time_goes_forward_from_sample_to_sample(times):
 
 @pytest.mark.parametrize("name", ["positions", "orientations", "velocities", "angular_velocities"])
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
-def test_a_state_that_is_not_finite_is_a_failed_run_from_that_time_on(name, value):
+def test_a_failed_run_reports_when_its_state_stopped_being_finite(name, value):
     values = arrays()[name]
     values[3, 1, 2] = value
     with pytest.raises(RunFailed) as caught:
@@ -115,7 +115,7 @@ COPIES = pytest.mark.parametrize("copy", [lambda made: made, lambda made: pickle
 
 @COPIES
 @pytest.mark.parametrize("name", list(arrays()))
-def test_what_an_implementation_answered_cannot_be_changed_not_even_after_pickling(name, copy):
+def test_a_trajectory_cannot_be_changed_even_after_pickling(name, copy):
     made = copy(trajectory())
     with pytest.raises(ValueError, match="read-only"):
         getattr(made, name)[0] = 7.0
@@ -125,7 +125,7 @@ def test_what_an_implementation_answered_cannot_be_changed_not_even_after_pickli
 
 @COPIES
 @pytest.mark.parametrize("entry", fields(Contacts), ids=lambda entry: entry.name)
-def test_nor_can_the_contacts_that_it_reported(entry, copy):
+def test_contacts_of_a_trajectory_cannot_be_changed(entry, copy):
     contacts = copy(replace(trajectory(), contacts=recorded(contacts=[CONTACT]).contacts)).contacts
     values = getattr(contacts, entry.name)
     assert len(values) == 3
@@ -135,7 +135,7 @@ def test_nor_can_the_contacts_that_it_reported(entry, copy):
         setattr(contacts, entry.name, values)
 
 
-def test_a_trajectory_is_only_itself_since_arrays_do_not_compare_to_one_yes_or_no():
+def test_a_trajectory_equals_only_itself():
     made, copy = trajectory(), trajectory()
     assert made == made
     assert made != copy
@@ -190,7 +190,7 @@ def recorded(settings=SETTINGS, contacts=(), **options):
     return recorder.trajectory(**options)
 
 
-def test_a_recorder_takes_each_sample_apart_into_place_turn_and_speeds():
+def test_a_recorder_splits_each_sample_into_its_four_parts():
     made = recorded()
     assert made.engine == "toy"
     assert made.position("ball").tolist() == [[0, 11, 12], [1, 11, 12], [2, 11, 12]]
@@ -201,7 +201,7 @@ def test_a_recorder_takes_each_sample_apart_into_place_turn_and_speeds():
     assert len(made.contacts.sample) == 0
 
 
-def test_samples_stand_a_whole_number_of_steps_apart():
+def test_samples_are_a_whole_number_of_steps_apart_in_time():
     assert recorded(Settings(0.25, sample_every=2)).times.tolist() == [0.0, 0.5, 1.0]
 
 
@@ -211,7 +211,7 @@ def test_a_spin_in_the_body_frame_is_turned_into_the_world_frame():
     assert made.angular_velocities[1].tolist() == [[6, 7, 8], [18, 16, 17]]
 
 
-def test_a_contact_belongs_to_the_latest_sample_and_keeps_its_columns_apart():
+def test_a_contact_belongs_to_the_latest_sample():
     contacts = [CONTACT, (0, 1, (0.4, 0.5, 0.6), (0.0, 1.0, 0.0), 0.25)]
     found = recorded(contacts=contacts).contacts
     assert found.sample.tolist() == [0, 0, 1, 1, 2, 2]

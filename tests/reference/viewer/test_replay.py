@@ -53,7 +53,7 @@ def test_a_replay_has_the_moving_bodies_sixty_times_a_second():
         assert not values.flags.writeable
 
 
-def test_orientations_turn_on_where_an_engine_lets_their_sign_jump():
+def test_orientations_are_continuous_though_an_engine_flips_their_sign():
     poses = poses_of(falling())
     # A chord of the turn of a step, ω dt/2 = 10 mrad, is off its arc by (ω dt/2)²/8, and normalised by far less.
     exact = np.cos(SPIN * poses.times / 2)
@@ -61,7 +61,7 @@ def test_orientations_turn_on_where_an_engine_lets_their_sign_jump():
     assert_allclose(np.linalg.norm(poses.orientations, axis=-1), 1.0)
 
 
-def test_a_short_run_is_sampled_more_often_so_that_it_can_be_watched_slowly():
+def test_a_short_run_is_sampled_more_often():
     engine = load_engine("handwritten")
     scenario = catalogue()["cradle"].case("3 touching").scenarios[0]
     poses = poses_of(engine.run(scenario, engine.settings(scenario, "tuned")))
@@ -79,7 +79,7 @@ def test_packed_poses_come_back_within_half_a_step_of_rounding():
     assert (found.title, found.recording, found.bodies) == ("again*", "* elsewhere", ("ball",))
 
 
-def test_what_flies_off_to_infinity_is_kept_at_the_far_end():
+def test_a_body_that_flies_off_to_infinity_stays_at_the_far_end():
     times = np.arange(4) / RATE
     positions = np.array([0.0, 1e9, -1e9, 5.0])[:, None, None] * np.ones(3)
     turns = np.tile([1.0, 0.0, 0.0, 0.0], (4, 1, 1))
@@ -87,7 +87,7 @@ def test_what_flies_off_to_infinity_is_kept_at_the_far_end():
     assert_allclose(found.positions[:, 0, 0], [0.0, FARTHEST, -FARTHEST, 5.0], atol=LENGTH)
 
 
-def test_a_file_gives_its_tracks_back_and_has_the_same_bytes_on_every_day(tmp_path):
+def test_a_file_of_tracks_is_read_back_and_has_the_same_bytes_every_day(tmp_path):
     tracks = [pack(poses_of(falling(step)), "tuned", f"dt={step}", f"{step}") for step in (1e-3, 2e-3, 5e-3)]
     for place, length in enumerate((40, 0, 16)):  # curves of five points, of none, and of two
         tracks[place] = replace(tracks[place], curve=bytes(range(place, place + length)))

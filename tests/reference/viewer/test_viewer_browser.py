@@ -47,7 +47,7 @@ def test_a_page_of_one_replay_starts_by_itself_and_stops_at_its_end(browser, alo
     assert found["label"] == "Play"
 
 
-def test_where_motion_is_not_welcome_it_waits_until_somebody_plays_it(browser, alone):
+def test_with_reduced_motion_a_replay_waits_to_be_played(browser, alone):
     browser.open(alone)
     found = browser.run("""await wait(0.3); found.waiting = replay.frame; replay.toggle.click();
         found.label = replay.toggle.title; await wait(0.5); found.playing = replay.frame; replay.toggle.click();
@@ -57,7 +57,7 @@ def test_where_motion_is_not_welcome_it_waits_until_somebody_plays_it(browser, a
     assert found["stopped"] == found["after"] > 0
 
 
-def test_speed_is_what_it_says(browser, alone):
+def test_a_replay_plays_at_the_chosen_speed(browser, alone):
     browser.open(alone)
     found = browser.run("""found.speeds = [];
         for (const place of [0, 3]) {
@@ -70,7 +70,7 @@ def test_speed_is_what_it_says(browser, alone):
     assert fast == pytest.approx(2.0, rel=0.3)
 
 
-def test_the_bar_sets_the_frame_and_says_when_it_is(browser, alone):
+def test_the_bar_sets_the_frame_and_shows_its_time(browser, alone):
     browser.open(alone)
     found = browser.run("""const before = ink(canvas);
         replay.scrub.value = 30; replay.scrub.dispatchEvent(new Event("input"));
@@ -101,7 +101,7 @@ def test_a_run_that_is_switched_off_is_not_painted(browser, alone):
     assert found["painted"] == ["P", "D"]
 
 
-def test_the_browser_reads_the_very_poses_that_were_packed(browser, alone):
+def test_the_browser_unpacks_the_poses_that_were_packed(browser, alone):
     browser.open(alone)
     found = browser.run("""const [run] = replay.clip.runs; found.step = replay.clip.step;
         found.at = run.at.map(column => [...column]); found.turned = run.turned.map(column => [...column]);""")
@@ -110,13 +110,13 @@ def test_the_browser_reads_the_very_poses_that_were_packed(browser, alone):
     assert_allclose(found["turned"], poses.orientations[:, 0].T, atol=TURN / 2 * (1 + 1e-6), rtol=0)
 
 
-def test_the_contacts_are_those_of_the_first_run_in_sight(browser, alone):
+def test_the_contacts_are_those_of_the_first_run_shown(browser, alone):
     browser.open(alone)
     found = browser.run("replay.boxes[0].click(); found.label = replay.whose.textContent;")
     assert found == {"label": "contacts of P"}
 
 
-def test_a_new_width_draws_the_picture_anew_and_as_sharp(browser, alone):
+def test_a_new_width_redraws_the_picture_as_sharply(browser, alone):
     browser.open(alone, density=2)
     found = browser.run("""replay.show(20); const before = [canvas.width, ink(canvas)];
         element.style.width = "320px"; await wait(0.2); found.smaller = canvas.width < before[0];
@@ -133,7 +133,7 @@ def test_nothing_is_wider_than_the_page(browser, alone, width):
     assert found["over"] <= 0
 
 
-def test_on_paper_stands_the_still_alone(browser, alone):
+def test_only_the_still_is_printed_on_paper(browser, alone):
     script = """found.shown = [...element.children].filter(it => getComputedStyle(it).display !== "none")
         .map(it => it.className || it.tagName);"""
     browser.open(alone)
@@ -170,7 +170,7 @@ def test_keys_do_what_the_help_says(browser, alone):
     assert (playing, found) == ("Pause", {"label": "Play", "view": [-90, 0]})
 
 
-def test_a_key_keeps_the_meaning_that_it_has_where_it_is_pressed(browser, alone):
+def test_a_key_keeps_its_meaning_in_the_focused_control(browser, alone):
     browser.open(alone)
     for where in ("replay.boxes[0]", "replay.speed"):
         browser.run(f"{where}.focus();")
@@ -194,7 +194,7 @@ def test_dragging_turns_the_view_and_a_click_plays(browser, alone):
 # Many, shut in, broken
 
 
-def test_of_twenty_on_a_page_one_plays_and_what_is_out_of_sight_stops_and_costs_nothing(browser):
+def test_one_of_twenty_replays_plays_and_hidden_ones_cost_nothing(browser):
     browser.open(
         page.html([*(three_engines(f"Ball {place}") for place in range(19)), chain()], "Twenty"),
         height=1700,
@@ -215,7 +215,7 @@ def test_of_twenty_on_a_page_one_plays_and_what_is_out_of_sight_stops_and_costs_
     assert found == {"idle": [20, 0], "hidden": "Play", "playing": 1, "away": 0, "last": True, "after": 0}
 
 
-def test_in_a_notebook_it_covers_the_still_from_within_a_shut_in_frame(browser):
+def test_in_a_notebook_a_sandboxed_replay_covers_the_still(browser):
     browser.open(f"<!doctype html><html><body>{page.frame(three_engines())}</body></html>")
     found = browser.run("""const frame = document.querySelector("iframe").getBoundingClientRect();
         const still = document.querySelector("img").getBoundingClientRect();

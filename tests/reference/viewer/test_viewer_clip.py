@@ -66,12 +66,12 @@ def test_any_whole_numbers_can_be_packed(values):
     assert unpacked(packed(table, 1.0), len(values), 2).tolist() == table.tolist()
 
 
-def test_what_is_small_is_kept_more_finely():
+def test_small_motions_are_packed_more_finely():
     small = mesh_clip("ant", [(0, 1)], {"it": np.array([[[0.0, 0.0, 0.0], [0.001, 0.0, 0.0]]])})
     assert read(small)["step"] <= 1.001e-3 / FINENESS
 
 
-def test_what_flies_off_is_kept_at_the_far_end_and_does_not_make_all_else_small():
+def test_a_body_that_flies_off_does_not_shrink_the_scale_of_the_rest():
     poses = bouncing("MuJoCo")
     away = poses.positions.copy()
     away[30:, 0, 0] = 1e300
@@ -85,7 +85,7 @@ def test_the_same_poses_make_the_same_bytes():
     assert html([three_engines()]) == html([three_engines()])
 
 
-def test_five_seconds_of_three_implementations_and_four_bodies_fit_the_budget():
+def test_a_clip_of_three_runs_and_four_bodies_fits_the_budget():
     rng, count = np.random.default_rng(1), 301
     names = tuple(f"ball {i}" for i in range(4))
     scenario, _ = flying(Sphere(0.1), (0.0, 0.0, 0.0))
@@ -112,14 +112,14 @@ def test_hostile_names_stay_text_in_the_json_of_a_page():
     assert (found["title"], found["runs"][0]["title"]) == (EVIL, EVIL)
 
 
-def test_line_separators_that_old_scripts_trip_over_are_escaped():
+def test_line_separators_that_break_old_scripts_are_escaped():
     assert "\u2028" not in mesh_clip("a\u2028b", [], {"it": np.zeros((1, 1, 3))}).json()
 
 
 # Broken runs
 
 
-def test_a_run_that_is_not_finite_any_more_ends_there():
+def test_a_run_ends_where_it_stops_being_finite():
     poses = bouncing("PyBullet")
     broken = poses.positions.copy()
     broken[25:40] = np.nan
@@ -128,20 +128,20 @@ def test_a_run_that_is_not_finite_any_more_ends_there():
     assert "NaN" not in made.json()
 
 
-def test_a_turn_that_is_not_finite_ends_a_run_too():
+def test_an_orientation_that_is_not_finite_ends_a_run_too():
     poses = bouncing()
     broken = poses.orientations.copy()
     broken[10, 0, 2] = np.inf
     assert clip(BALL, {"handwritten": replaced(poses, orientations=broken)}).runs[0].count == 10
 
 
-def test_runs_of_unequal_length_stand_in_one_clip_which_is_as_long_as_the_longest():
+def test_a_clip_is_as_long_as_its_longest_run():
     made = clip(BALL, {"handwritten": bouncing(count=20), "pybullet": bouncing("PyBullet", count=61)})
     assert (made.count, [run["count"] for run in read(made)["runs"]]) == (61, [20, 61])
 
 
 @pytest.mark.parametrize("count", [0, 1, 2])
-def test_hardly_any_poses_make_a_clip_too(count):
+def test_a_clip_may_have_very_few_poses(count):
     whole = bouncing()
     few = Poses("none", whole.bodies, whole.times[:count], whole.positions[:count], whole.orientations[:count])
     for runs in ({"handwritten": few}, {"handwritten": few, "pybullet": whole}, {}):
@@ -151,13 +151,13 @@ def test_hardly_any_poses_make_a_clip_too(count):
         assert html([made])
 
 
-def test_runs_that_are_sampled_differently_are_refused_with_their_rates():
+def test_runs_sampled_at_different_rates_are_refused():
     poses = bouncing()
     with pytest.raises(InvalidInput, match="samples a second here: handwritten 60, pybullet 120"):
         clip(BALL, {"handwritten": poses, "pybullet": replaced(poses, times=poses.times / 2)})
 
 
-def test_a_body_that_the_scenario_has_not_is_refused_with_those_that_it_has():
+def test_an_unknown_body_is_refused_with_the_known_ones():
     with pytest.raises(UnknownName, match=r"unknown body 'bal'.*Choices: floor, ball"):
         clip(BALL, {"handwritten": replaced(bouncing(), bodies=("bal",))})
 
@@ -174,7 +174,7 @@ def test_springs_and_faces_that_join_nothing_are_refused():
 # How runs are told apart
 
 
-def test_an_engine_has_the_same_line_in_every_replay_and_no_two_share_one():
+def test_each_engine_has_its_own_line_in_every_replay():
     alone = clip(BALL, {"mujoco": bouncing("MuJoCo"), "mine.py": bouncing("mine")})
     assert alone.runs[0].look == LOOKS["mujoco"] == three_engines().runs[2].look
     many = clip(BALL, {name: bouncing(name) for name in ("theory", "pybullet", "pybullet stock", "mujoco", "mine.py")})
@@ -190,7 +190,7 @@ def test_every_run_has_a_letter_of_its_own():
     assert tags == ["P", "P2", "O", "?", "P3"]
 
 
-def test_a_run_can_wait_to_be_switched_on():
+def test_a_run_can_be_hidden_at_first():
     made = clip(BALL, {"handwritten": bouncing(), "stock": bouncing("stock")}, hidden={"stock"})
     assert [run["shown"] for run in read(made)["runs"]] == [True, False]
 
@@ -211,7 +211,7 @@ def test_a_motion_in_a_plane_is_seen_from_its_side():
     assert chain().view == (-90.0, 0.0)
 
 
-def test_a_motion_along_a_slanting_line_is_seen_from_its_side_with_the_vertical_upright():
+def test_a_slanting_motion_is_seen_from_its_side_with_the_vertical_upright():
     scenario, poses = flying(Sphere(0.1), (0.0, 0.0, 0.0))
     azimuth, pitch = clip(scenario, {"it": poses}).view
     right, up, towards = basis((azimuth, pitch))
@@ -226,7 +226,7 @@ def test_a_body_that_turns_out_of_the_plane_is_seen_obliquely(turn, flat):
     assert (clip(scenario, {"it": poses}).view != OBLIQUE) is flat
 
 
-def test_a_motion_on_a_table_without_a_table_is_seen_from_above():
+def test_a_horizontal_motion_without_a_floor_is_seen_from_above():
     times = np.arange(31) / RATE
     points = np.stack([np.cos(times), np.sin(times), 0 * times], axis=-1)[:, None]
     assert mesh_clip("round", [], {"it": points}).view == (-90.0, 90.0)
@@ -256,7 +256,7 @@ def test_faces_are_flat_and_look_outwards(shape):
         assert np.all((points - corners[0]) @ normal <= 1e-12)
 
 
-def test_every_shape_is_written_in_the_script_s_words():
+def test_every_shape_is_written_in_the_scripts_words():
     assert written(Sphere(0.5)) == {"sphere": 0.5}
     assert written(Capsule(0.1, 0.4)) == {"capsule": [0.1, 0.4]}
     assert written(HalfSpace()) == {"plane": [0.0, 0.0, 1.0]}
@@ -273,7 +273,7 @@ def test_a_clip_of_any_shapes_can_be_made_without_a_scenario():
     assert [solid["name"] for solid in read(made)["solids"]] == ["it", "pill", "wall"]
 
 
-def test_a_short_run_is_offered_in_slow_motion_and_says_how_slow():
+def test_a_short_run_is_offered_in_stated_slow_motion():
     poses = bouncing()
     fast = clip(BALL, {"it": replaced(poses, times=poses.times / 20)})
     assert [label for _, label in read(three_engines())["speeds"]] == ["×¼", "×½", "×1", "×2"]

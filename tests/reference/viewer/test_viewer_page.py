@@ -65,7 +65,7 @@ def hostile() -> Clip:
 # A page
 
 
-def test_a_page_asks_for_nothing_from_anywhere():
+def test_a_page_of_replays_requests_nothing():
     text = page.html([three_engines()])
     allowed = {"http://www.w3.org/2000/svg", "http://www.w3.org/1999/xhtml"}  # names, not addresses
     assert set(re.findall(r"https?://[^\s\"'<]+", text)) <= allowed
@@ -83,7 +83,7 @@ def test_many_replays_share_one_script_and_one_style():
     assert len(text) < len(page.script()) + len(page.style()) + 20 * 11_000
 
 
-def test_a_page_says_what_stands_about_its_replays():
+def test_a_page_contains_the_text_given_about_its_replays():
     text = page.html([chain()], "Title", ["a question?"], ["a <lesson>"])
     places = [text.index(words) for words in ("<h1>Title", "a question?", "application/json", "a &lt;lesson&gt;")]
     assert places == sorted(places)
@@ -100,7 +100,7 @@ def test_hostile_names_make_no_element_and_end_no_script(made):
         assert all(it["title"] == EVIL for it in data)
 
 
-def test_the_script_that_is_sent_is_the_source_without_its_comments_and_indents():
+def test_the_script_sent_is_the_source_without_comments_and_indents():
     source = resources.files("reference.viewer").joinpath("replay.js").read_text(encoding="utf-8")
     sent = page.script()
     assert len(sent) < 22_000
@@ -113,7 +113,7 @@ def test_the_script_that_is_sent_is_the_source_without_its_comments_and_indents(
 # In a notebook
 
 
-def test_a_frame_is_shut_in_and_stands_over_a_still_picture():
+def test_a_frame_is_sandboxed_and_covers_a_still_picture():
     elements = Elements(page.frame(three_engines()))
     kinds = [tag for tag, _ in elements.found]
     assert kinds == ["div", "img", "style", "iframe"]
@@ -131,7 +131,7 @@ def test_a_frame_is_shut_in_and_stands_over_a_still_picture():
 
 @pytest.mark.parametrize("made", [three_engines(), chain(), hostile(), clip(BALL, {})])
 @pytest.mark.parametrize("alone", [True, False])
-def test_a_still_is_a_whole_picture_and_the_same_each_time(made, alone):
+def test_a_still_is_a_self_contained_reproducible_picture(made, alone):
     text = still(made, alone)
     root = tree.fromstring(text)
     assert root.tag == f"{SVG}svg"
@@ -140,7 +140,7 @@ def test_a_still_is_a_whole_picture_and_the_same_each_time(made, alone):
     assert ("<style>" in text) == alone
 
 
-def test_a_still_shows_the_last_frame_with_each_run_in_its_own_line():
+def test_a_still_shows_the_last_frame_with_each_run_in_its_line_style():
     made = three_engines()
     root = tree.fromstring(still(made))
     circles = list(root.iter(f"{SVG}circle"))
@@ -164,7 +164,7 @@ def test_a_still_is_drawn_to_scale():
     assert (floor - float(circle.attrib["cy"])) / radius == pytest.approx(up / 0.1, rel=0.01)  # to a tenth of a pixel
 
 
-def test_a_run_that_ended_early_or_has_no_poses_says_so_in_the_still():
+def test_the_still_says_which_runs_ended_early_or_have_no_poses():
     made = clip(BALL, {"handwritten": bouncing(), "pybullet": bouncing("PyBullet", count=31)})
     assert "P  PyBullet, until 0.50 s" in still(made)
 
@@ -201,7 +201,7 @@ def written(results: list[JobResult]) -> str:
     return report_page.render(found, {section.family.name: () for section in found}, [], "here", replays=replays)
 
 
-def test_a_report_has_a_replay_of_each_scenario_that_gave_poses_and_the_script_once(results):
+def test_a_report_has_one_script_and_a_replay_for_each_scenario_with_poses(results):
     silent = [replace(result, poses=()) for result in results if result.job.family == "struck-rod"]
     text = written([*(result for result in results if result.job.family == "ball-to-rest"), *silent])
     assert text.count(page.script()) == 1
@@ -211,13 +211,13 @@ def test_a_report_has_a_replay_of_each_scenario_that_gave_poses_and_the_script_o
     assert text.index('id="ball-to-rest"') < text.index("application/json") < text.index('id="struck-rod"')
 
 
-def test_a_report_without_poses_has_no_script_of_the_replay(results):
+def test_a_report_without_poses_has_no_replay_script(results):
     text = written([replace(result, poses=()) for result in results])
     assert "application/json" not in text
     assert "replay" not in text
 
 
-def test_a_report_with_replays_has_the_same_bytes_each_time(results, tmp_path):
+def test_a_report_with_replays_is_reproducible_to_the_byte(results, tmp_path):
     for name in ("one", "two"):
         (tmp_path / name).mkdir()
         files.write(results[:1], tmp_path / name)
@@ -233,7 +233,7 @@ def test_the_replay_of_a_section_is_its_plotted_case(results):
     assert (made.count, made.rate) == (track.count, track.rate)
 
 
-def test_an_engine_that_is_not_here_is_replayed_from_its_recording_and_says_so():
+def test_a_missing_engine_is_replayed_from_its_recording():
     result = recall(Job("cradle", "pybullet", "tuned", ("5 touching",), with_poses=True))
     assert result is not None
     made = replay_of(sections([result])[0])
@@ -244,7 +244,7 @@ def test_an_engine_that_is_not_here_is_replayed_from_its_recording_and_says_so()
     assert "P  PyBullet*, recorded" in still(made)
 
 
-def test_names_in_a_fragment_are_escaped_where_html_reads_them():
+def test_names_in_a_fragment_are_escaped_for_html():
     text = page.fragment(hostile())
     assert escaping.escape(f"Replay: {EVIL}") in text
 

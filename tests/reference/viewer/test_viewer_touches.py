@@ -55,7 +55,7 @@ def test_a_free_flight_has_no_contact():
     assert touches(BALL, bouncing(count=26)) == []  # it lands at 0.45 s, sample 27
 
 
-def test_what_lies_still_touches_for_as_long_as_it_lies_and_no_impact_is_made_of_its_weight():
+def test_a_body_at_rest_has_one_lasting_contact_and_no_impact():
     scenario = replace(BALL, bodies=(BALL.bodies[0], replace(BALL.bodies[1], position=(0.0, 0.0, 0.1))))
     found = touches(scenario, still((0.0, 0.0, 0.1), names=("ball",)))
     assert found == [Touch(0, 29, "ball", (0.0, 0.0, -0.1), (0.0, 0.0, 1.0))]
@@ -71,7 +71,7 @@ def test_a_rolling_ball_keeps_one_contact_below_its_centre():
     assert [(touch.first, touch.last, touch.place) for touch in found] == [(0, 39, (0.0, 0.0, -0.1))]
 
 
-def test_two_balls_that_meet_push_each_other_along_the_line_of_their_centres():
+def test_two_balls_push_each_other_along_the_line_of_their_centres():
     scenario, poses = of_family("two-balls", "e=1,m=1,b=0.5")
     (impact,) = impacts(touches(scenario, poses))
     # Equal masses, e = 1, u = 2 m/s at sin θ = 0.5: the impulse is m u cos θ = √3 N s along the normal.
@@ -79,7 +79,7 @@ def test_two_balls_that_meet_push_each_other_along_the_line_of_their_centres():
     assert_allclose(np.array(impact.impulse) / np.linalg.norm(impact.impulse), impact.normal, atol=2e-3)
 
 
-def test_an_impact_at_the_very_start_is_found_from_the_velocities_there():
+def test_an_impact_at_the_start_is_found_from_the_first_velocities():
     shape, turns = Sphere(0.1), np.tile([1.0, 0.0, 0.0, 0.0], (31, 2, 1))
     balls = Body("a", shape, 3.0, (-0.1, 0.0, 0.0), velocity=(2.0, 0.0, 0.0)), Body("b", shape, 3.0, (0.1, 0.0, 0.0))
     scenario = Scenario("touching", balls, (Pair("a", "b", 1.0),), 0.5, (0.0, 0.0, 0.0))
@@ -89,7 +89,7 @@ def test_an_impact_at_the_very_start_is_found_from_the_velocities_there():
     assert (impact.first, impact.impulse) == (0, (-6.0, 0.0, 0.0))
 
 
-def test_an_impulse_that_goes_through_a_chain_of_balls_is_found_at_each_contact():
+def test_an_impulse_through_a_chain_of_balls_is_found_at_each_contact():
     scenario, poses = of_family("cradle", "5 touching")
     found = impacts(touches(scenario, poses))
     assert [touch.body for touch in found] == ["ball 1", "ball 2", "ball 3", "ball 4"]
@@ -108,7 +108,7 @@ def test_a_ball_in_a_corner_is_pushed_by_both_walls():
     assert_allclose(sorted(touch.impulse for touch in found), [(0.0, 0.0, 12.0), (12.0, 0.0, 0.0)], atol=1e-6)
 
 
-def test_a_rod_on_a_peg_is_pushed_by_the_peg_which_does_not_move():
+def test_a_rod_on_a_peg_is_pushed_by_the_fixed_peg():
     scenario, poses = of_family("rod-on-peg", "e=0.5,x=0.499")
     found = impacts(touches(scenario, poses))
     assert {touch.body for touch in found} == {"rod"}
@@ -116,7 +116,7 @@ def test_a_rod_on_a_peg_is_pushed_by_the_peg_which_does_not_move():
     assert found[0].normal[2] > 0.99
 
 
-def test_boxes_of_a_stack_touch_face_on_face_with_upward_normals():
+def test_boxes_of_a_stack_touch_face_to_face_with_upward_normals():
     cubes = [Body(f"cube {i}", Box((0.1, 0.1, 0.1)), 1.0, (0.0, 0.0, 0.1 + 0.2 * i)) for i in range(3)]
     bodies = (Body("floor", HalfSpace()), *cubes)
     pairs = tuple(Pair(one.name, other.name, 0, 0.5) for one, other in zip(bodies[1:], bodies[:-1], strict=True))
@@ -138,11 +138,11 @@ def test_a_ball_on_a_box_touches_it_where_it_is_nearest():
         ]
 
 
-def test_bodies_that_are_no_pair_pass_through_each_other_without_an_arrow():
+def test_bodies_without_a_pair_have_no_contact():
     assert touches(replace(BALL, pairs=()), bouncing()) == []
 
 
-def test_a_body_that_rattles_has_no_more_contacts_than_a_page_can_bear():
+def test_a_rattling_body_has_at_most_the_allowed_contacts():
     poses = still((0.0, 0.0, 0.1), names=("ball",), count=2000)
     rattling = poses.positions + np.array([0.0, 0.0, 0.02]) * (np.arange(2000) % 2)[:, None, None]
     found = touches(BALL, Poses("", ("ball",), poses.times, rattling, poses.orientations))
