@@ -154,9 +154,7 @@ def between(restitution: float, interval: float, late: float = 0.0) -> tuple[np.
 
 @pytest.mark.parametrize("interval", [1e-3, 0.0137])
 @pytest.mark.parametrize(("case", "restitution"), [("e=0.5", 0.5), ("e=0.8", 0.8), ("e=1", 1.0)])
-def test_the_last_impact_between_walls_is_read_from_the_flight_before(
-    case, restitution, interval
-):
+def test_the_last_impact_between_walls_is_read_from_the_flight_before(case, restitution, interval):
     times, places, speeds = between(restitution, interval)
     along = np.array([1.0, 0.0, 0.0])
     trajectory, measure = made(
