@@ -16,7 +16,6 @@ from reference.engines.base import AT_STEP, Method
 from reference.scene.settings import Settings
 
 SOME_ON_SLOPES = ("h=0.2,μ=0.7,θ=20°", "h=0.2,μ=0.3,θ=20°", "h=0.2,μ=0.7,θ=32°")  # holds, slides, tips
-
 OTHER_FLAT = (("pybullet", "e=0"), ("mujoco", "e=0"), ("mujoco", "e=0.5"))
 
 # Walls
@@ -92,7 +91,7 @@ def test_a_box_dropped_on_an_edge_comes_to_rest_on_its_lowest_face(name, case, i
 
 @fast_and_slow(
     "case",
-    ("h=0.2,μ=0.7,θ=20°", "h=0.2,μ=0.3,θ=20°", "h=0.2,μ=0.7,θ=32°"),
+    SOME_ON_SLOPES,
     tuple(case.name for case in catalogue()["tipping-box"].cases),
 )
 @engines

@@ -21,10 +21,6 @@ def impacts(found: list[Touch]) -> list[Touch]:
     return [touch for touch in found if touch.impulse]
 
 
-def contacts(found: list[Touch]) -> list[Touch]:
-    return [touch for touch in found if not touch.impulse]
-
-
 def of_family(name: str, case: str) -> tuple[Scenario, Poses]:
     """A case of the catalogue as the hand-written code runs it."""
     scenario = catalogue()[name].case(case).scenarios[0]
