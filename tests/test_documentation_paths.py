@@ -14,7 +14,7 @@ HISTORY = {"CHANGELOG.md"}
 ELSEWHERE = ("labs/given", "labs.given")
 """What a student's tree alone has."""
 _PLACEHOLDER = re.compile(r"[A-Z]{3,}")  # as in `tests/autograder/visible/test_TOPIC.py`
-_PATH = re.compile(r"`((?:labs|reference|solutions|tests|docs)/[\w./-]*)`")
+_PATH = re.compile(r"`((?:labs|reference|solutions|tests|docs)/[\w./*-]*)`")
 _MODULE = re.compile(r"(?<![\w./])((?:labs|reference|solutions)(?:\.\w+)+)")
 _LINK = re.compile(r"\]\((?!\w+:)([^)#\s]+)[^)]*\)")
 

@@ -174,7 +174,7 @@ def test_an_engine_without_moves_is_split_into_the_timestep_and_the_rest():
     assert sizes(found) == pytest.approx({"discretisation: timestep": 0.03, "remainder: what": 0.55}, abs=1e-14)
 
 
-def test_no_error_has_no_shares():
+def test_an_error_of_zero_has_shares_of_zero():
     found = split(family(), MadeUp(lambda settings: 0.0))
     assert set(sizes(found).values()) == {0.0}
 
