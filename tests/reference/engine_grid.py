@@ -70,7 +70,8 @@ def shortened(family: Family) -> Scenario:
     scenario = family.case(family.curve.case).scenarios[0]
     if family.name == "stack":
         scenario = replace(scenario, bodies=scenario.bodies[:4], pairs=scenario.pairs[:3])
-    duration = RESTING if geometry.starts_in_contact(scenario) else FALLING
+    hops = family.name == "sliding-slab"  # at first, in stock MuJoCo, and is seldom in contact then
+    duration = RESTING if geometry.starts_in_contact(scenario) and not hops else FALLING
     return replace(scenario, name=family.name, duration=duration)
 
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from odd_engines import ENOUGH, GOOD, engine_file
+from odd_engines import ENOUGH, engine_file
 
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import ALL_CASES, Row, Verdict
@@ -18,6 +18,8 @@ from reference.report.row_files import read_rows, rows_json
 from reference.running.jobs import run_all, run_one
 from reference.running.study import SCENARIOS, run_job
 
+GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
+"""Of the same family as the odd ones, so that its line is the first of their section."""
 MESSAGE = "<script>alert('moon')</script> & co"
 
 
