@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from pathlib import Path
 
@@ -15,6 +16,9 @@ ELSEWHERE = ("labs/given", "labs.given")
 """What a student's tree alone has."""
 _PLACEHOLDER = re.compile(r"[A-Z]{3,}")  # as in `tests/autograder/visible/test_TOPIC.py`
 _PATH = re.compile(r"`((?:labs|reference|solutions|tests|docs)/[\w./*-]*)`")
+_FILE = re.compile(
+    r"`((?!(?:labs|reference|solutions|tests|docs)/)(?:\w+/)*\w+\.py)`"
+)  # as in `reading.py` or `submission/reading.py`, wherever it lies
 _MODULE = re.compile(r"(?<![\w./])((?:labs|reference|solutions)(?:\.\w+)+)")
 _LINK = re.compile(r"\]\((?!\w+:)([^)#\s]+)[^)]*\)")
 
@@ -24,8 +28,16 @@ def missing(page: Path) -> list[str]:
     text = page.read_text(encoding="utf-8")
     paths = [(ROOT, path) for path in _PATH.findall(text)] + [(page.parent, link) for link in _LINK.findall(text)]
     lost = [path for folder, path in paths if not any(folder.glob(_PLACEHOLDER.sub("*", path)))]
+    lost += [file for file in _FILE.findall(text) if not any(there.endswith(f"/{file}") for there in _files())]
     lost += [name for name in _MODULE.findall(text) if not _is_there(name)]
     return [name for name in lost if not name.startswith(ELSEWHERE)]
+
+
+@functools.cache
+def _files() -> list[str]:
+    """All Python files that belong to the lab."""
+    folders = ("labs", "reference", "solutions", "tests", "docs")
+    return [f"/{file.relative_to(ROOT).as_posix()}" for name in folders for file in (ROOT / name).rglob("*.py")]
 
 
 def _is_there(name: str) -> bool:
@@ -53,7 +65,17 @@ def test_the_plan_of_the_house_shows_every_folder(building):
 
 def test_what_has_moved_away_is_found(tmp_path):
     page = tmp_path / "page.md"
-    page.write_text("`reference/scenario.py`, [a page](gone.md), `labs.seen` and `reference.scene.scenario.Nobody`")
-    assert missing(page) == ["reference/scenario.py", "gone.md", "labs.seen", "reference.scene.scenario.Nobody"]
-    page.write_text("`reference/scene/`, `reference.scene.scenario.Body`, [itself](page.md#there) and a link (not.md)")
+    page.write_text(
+        "`reference/scenario.py`, `gone.py`, [a page](gone.md), `labs.seen` and `reference.scene.scenario.Nobody`"
+    )
+    assert missing(page) == [
+        "reference/scenario.py",
+        "gone.md",
+        "gone.py",
+        "labs.seen",
+        "reference.scene.scenario.Nobody",
+    ]
+    page.write_text(
+        "`reference/scene/`, `scene/scenario.py`, `reference.scene.scenario.Body`, [itself](page.md#there), (no link)"
+    )
     assert missing(page) == []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -10,7 +11,8 @@ import pytest
 from agreeing import same, same_curve
 
 from labs.building import lessons
-from labs.desk import case_runs, sweeps
+from labs.desk import case_runs, display, sweeps
+from reference.comparison.results import Job, JobResult
 from reference.recording.reading import recall
 from reference.running.study import run_job
 
@@ -39,12 +41,20 @@ def _runs(text: str) -> int:
     return sum(isinstance(node, ast.Attribute) and node.attr in RUNS for node in nodes)
 
 
+@functools.cache
+def run_once(job: Job) -> JobResult:
+    """A run by hand or in an engine, which several cells or several tests may ask for."""
+    return run_job(job)
+
+
 @pytest.fixture
 def asked(lab, monkeypatch):
     """Asks all that a lesson asks, with the solutions for the student's functions; what came, by the call."""
     code = lab._student_code
     monkeypatch.setattr(lab, "_student_code", lambda: replace(code(), source="solutions"))
     monkeypatch.setattr(sweeps, "slide", lambda _: None)
+    monkeypatch.setattr(display, "pictures", lambda _: [])  # the tests of notebooks draw pictures
+    monkeypatch.setattr(sweeps.Sweep, "picture", None)
     came, run_case = [], case_runs.run_case
     monkeypatch.setattr(case_runs, "run_case", lambda *given: came.append(run_case(*given)) or came[-1])
 
@@ -77,10 +87,10 @@ def test_without_engines_every_run_of_a_lesson_has_all_its_numbers(topic, asked,
 @pytest.mark.parametrize("topic", TOPICS)
 def test_recorded_runs_of_a_lesson_equal_runs_of_an_installed_engine(topic, engine, asked, installed, monkeypatch):
     installed(engine)
-    monkeypatch.setattr(case_runs, "run_all", lambda jobs, *_: (recall(job) or run_job(job) for job in jobs))
+    monkeypatch.setattr(case_runs, "run_all", lambda jobs, *_: (recall(job) or run_once(job) for job in jobs))
     for call, runs in asked(topic).items():
         for then in (result for run in runs for result in run.results if result.job.engine == engine):
-            live = run_job(then.job)
+            live = run_once(then.job)
             assert len(live.rows) == len(then.rows) > 0, call
             for now, row in zip(live.rows, then.rows, strict=True):
                 same(now, row)

@@ -173,15 +173,16 @@ def test_a_mistake_loses_points(entry):
 @pytest.mark.slow
 @pytest.mark.parametrize("entry", BANK, ids=name_of)
 def test_a_mistake_loses_points_with_any_examples(entry):
-    for seed in range(2, 5):
-        assert lost(entry.function, Here(**{entry.function: entry.formula}), seed)[0] > 0, seed
+    wrong = Here(**{entry.function: entry.formula})
+    for seed in range(2, 5):  # a scenario has no examples, so it is run only where these find nothing
+        assert lost(entry.function, wrong, seed, runs=False)[0] or lost(entry.function, wrong, seed)[0], seed
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("entry", WRITTEN, ids=name_of)
 def test_the_solution_loses_no_point_with_any_examples(entry):
     for seed in range(2, 5):
-        assert lost(entry.name, Here(), seed) == (0, []), seed
+        assert lost(entry.name, Here(), seed, runs=False) == (0, []), seed
 
 
 EQUIVALENTS = loaded("equivalents", Path(__file__).parent / "diagnosis" / "test_equivalents.py")
@@ -224,15 +225,17 @@ def test_lists_and_single_precision_lose_no_point(entry, form):
     assert lost(entry.name, Here(**answering))[1] == []
 
 
-def told_in_other_words(entry, kinds):
-    """What is said to a solution in other words."""
+def told_in_other_words(entry, kinds, runs=True):
+    """What is said to a solution in other words, in the tests of its function with whole scenarios or without."""
     otherwise = EQUIVALENTS.said_otherwise(entry.name, kinds)
-    return lost(entry.name, Here(**{entry.name: lambda *arguments: otherwise(entry.name, *arguments)}))[1]
+    here = Here(**{entry.name: lambda *arguments: otherwise(entry.name, *arguments)})
+    return lost(entry.name, here, runs=runs)[1]
 
 
-@pytest.mark.parametrize("entry", WRITTEN[1::12], ids=name_of)
+@pytest.mark.parametrize("entry", some(WRITTEN, 1, 12))
 def test_a_solution_in_other_words_loses_no_point(entry):
-    assert told_in_other_words(entry, ("commuted", "differences turned", "branches turned", "roots")) == []
+    together = tuple(kind for kind in EQUIVALENTS.KINDS if kind not in ("sums", "single precision"))
+    assert told_in_other_words(entry, together) == []
 
 
 @pytest.mark.slow
@@ -240,7 +243,7 @@ def test_a_solution_in_other_words_loses_no_point(entry):
 def test_a_solution_in_each_other_wording_loses_no_point(entry):
     for kind in EQUIVALENTS.KINDS:
         if kind != "single precision":  # of which there is a test of its own
-            assert told_in_other_words(entry, (kind,)) == [], kind
+            assert told_in_other_words(entry, (kind,), runs=False) == [], kind
 
 
 # Hostile submissions, asked by the real tests
