@@ -11,6 +11,7 @@ from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.predictions import Prediction
 from reference.catalogue.family import Quantity
 from reference.comparison.verdicts import Row, Verdict
+from reference.engines.handwritten.two_bodies import MEETS_AGAIN
 from reference.report import numbers
 from reference.report.marks import MARKS
 from reference.report.row_text import error_of, tolerance_of
@@ -178,4 +179,4 @@ def _notes(runs: CaseRuns, quantities: Sequence[str]) -> Iterator[str]:
 
 def _is_wrong(line: Line) -> bool:
     """Whether a run hints at a wrong function: it failed or crashed, or its result is impossible."""
-    return any(row.verdict in (Verdict.FAIL, Verdict.CRASHED) or "wrong" in row.note for row in line.result.rows)
+    return any(row.verdict in (Verdict.FAIL, Verdict.CRASHED) or row.note == MEETS_AGAIN for row in line.result.rows)

@@ -111,6 +111,8 @@ def test_the_drag_warns_only_when_it_is_told_the_density():
         loud = stokes_drag(fast, STILL, 1e-3, sphere_shape_factor(0.01), 1000.0)
     assert np.array_equal(silent, loud)
     stokes_drag((1e-6, 0, 0), STILL, 1.0, sphere_shape_factor(0.01), 1000.0)
+    with pytest.warns(StokesRegimeWarning):  # one fluid of several has a density
+        stokes_drag(fast, STILL, 1e-3, sphere_shape_factor(0.01), [0.0, 1000.0])
     # Re = 2 r ρ v/η counts the speed through the fluid
     stokes_drag((1.0, 0, 0), (1.0, 0, 0), 1e-3, sphere_shape_factor(0.01), 1000.0)
 

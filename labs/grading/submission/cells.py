@@ -126,7 +126,7 @@ def _bytes(path: Path) -> bytes:
             raise UnreadableSubmission(
                 f"it has {size:.0f} MB, and at most {FILE_LIMIT / 2**20:.0f} are read: clear the notebook's outputs"
             )
-        raw = file.read(FILE_LIMIT + 1)
+        raw = file.read(FILE_LIMIT)
     if not raw.strip():
         raise UnreadableSubmission("it is empty")
     for start, kind in _OTHERS.items():

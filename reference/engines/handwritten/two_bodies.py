@@ -23,7 +23,7 @@ from reference.scene.settings import Settings
 from reference.scene.trajectory import Event, Trajectory
 
 NEEDS_A_WORLD = "needs a rigid-body world (world)"
-_MEETS_AGAIN = f"{NEEDS_A_WORLD}: the two meet again after their impact, unless the result of the impact is wrong"
+MEETS_AGAIN = f"{NEEDS_A_WORLD}: the two meet again after their impact, unless the result of the impact is wrong"
 _ROUNDING = 1e-9  # a gap or a speed below this, m or m/s, is rounding
 _MOST_IMPACTS = 100  # of one pair within one step; a ball that falls back so fast comes to rest, and is refused before
 
@@ -240,4 +240,4 @@ def _check_that_they_part(trajectory: Trajectory) -> None:
     gap = geometry.out_of_box(place, trajectory.orientation(other.name), half_extents) - ball.shape.radius  # type: ignore[union-attr]
     parted = (trajectory.times > trajectory.events[0].time) & (gap > 0)
     if np.any(gap[np.argmax(parted) :] < -_ROUNDING) or not parted.any():
-        raise NeedsFunction(_MEETS_AGAIN)
+        raise NeedsFunction(MEETS_AGAIN)
