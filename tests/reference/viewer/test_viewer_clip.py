@@ -49,6 +49,16 @@ def test_poses_come_back_within_half_a_step_of_rounding():
     assert found["step"] <= STEP
 
 
+def test_a_picture_is_as_high_and_its_solids_are_where_the_clip_says():
+    post = Solid("post", Box((0.5, 0.3, 0.2)), (1.25, -2.5, 0.75), (0.6, 0.0, 0.8, 0.0))
+    low, high = np.array([-1.0, -3.0, 0.5]), np.array([3.0, -1.0, 2.5])
+    found = read(Clip("a post", 60, (post,), (), low=low, high=high))
+    assert (found["low"], found["high"]) == (low.tolist(), high.tolist())
+    assert found["ratio"] == 0.5  # seen from the front: 4 m wide and 2 m high
+    assert found["solids"][0]["at"] == [1.25, -2.5, 0.75]
+    assert found["solids"][0]["turn"] == [0.6, 0.0, 0.8, 0.0]
+
+
 def test_points_of_a_mesh_come_back_within_half_a_step_of_rounding():
     made = chain()
     found = read(made)
