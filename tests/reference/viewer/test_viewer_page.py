@@ -89,6 +89,15 @@ def test_a_page_contains_the_text_given_about_its_replays():
     assert places == sorted(places)
 
 
+def test_each_of_several_replays_has_its_heading_and_none_starts_by_itself():
+    first, second = three_engines("First"), three_engines("Second")
+    alone, together = page.html([first]), page.html([first, second])
+    assert ("<title>First</title>" in alone, "<h1>First</h1>" in alone, "<h2>" in alone) == (True, True, False)
+    assert [f"<h2>{title}</h2>" in together for title in ("First", "Second")] == [False, True]
+    starts = [text.partition("<style")[2].count('"Replay: First" data-autoplay') for text in (alone, together)]
+    assert starts == [1, 0]
+
+
 @pytest.mark.parametrize("made", [page.html([hostile()]), page.fragment(hostile()), page.frame(hostile())])
 def test_hostile_names_make_no_element_and_end_no_script(made):
     inner = [it[1]["srcdoc"] or "" for it in Elements(made).found if "srcdoc" in it[1]]
