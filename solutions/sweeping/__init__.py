@@ -4,7 +4,7 @@ Bodies that move without turning are reduced to a relative motion and a ray agai
 Minkowski sum. Bodies that turn are swept by conservative advancement.
 """
 
-from solutions.sweeping.advancement import sweep_convex
+from solutions.sweeping.advancement import UndecidedWarning, sweep_convex
 from solutions.sweeping.boxes import sweep_boxes, sweep_oriented_boxes
 from solutions.sweeping.features import edge_edge_impact, vertex_face_impact
 from solutions.sweeping.motion import motion_bound, relative_motion, rotated
@@ -13,6 +13,7 @@ from solutions.sweeping.rays import ray_box, ray_capsule, ray_sphere
 from solutions.sweeping.spheres import sweep_sphere_plane, sweep_sphere_sphere, sweep_sphere_triangle
 
 __all__ = [
+    "UndecidedWarning",
     "edge_edge_impact",
     "motion_bound",
     "nearest_on_triangle",

@@ -8,7 +8,8 @@ found. A poor direction costs more rounds, but never an impact.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,12 +28,15 @@ It returns how far each pair is apart at least, m. It also returns for how long 
 surely stays at least half the tolerance apart, s.
 """
 TOLERANCE = 1e-6
-"""Distance at which two bodies count as touching, m."""
-STEPS = 1000
-"""Largest number of rounds.
+"""Distance at which two bodies count as touching, as a share of the smaller one."""
+ROUNDS = 1000
+"""Largest number of looks. A pair that needs more remains undecided."""
+HALVINGS = 16
+"""How often the interval is halved in which a free time is searched."""
 
-After them, the time that was reached is the result: it is early, never late.
-"""
+
+class UndecidedWarning(UserWarning):
+    """Nobody knows whether these bodies touch: the rounds are used up."""
 
 
 def sweep_convex(
@@ -47,7 +51,7 @@ def sweep_convex(
     angular_velocity_b: ArrayLike,
     radius_b: ArrayLike,
     dt: ArrayLike,
-    tolerance: ArrayLike = TOLERANCE,
+    tolerance: ArrayLike | None = None,
 ) -> Array:
     """Time at which two convex bodies first touch within a step (slide 10).
 
@@ -65,17 +69,25 @@ def sweep_convex(
     radius_a, radius_b : (...), m; 0 for sharp corners
     dt : (...), s, length of the step
     tolerance : (...), distance at which two bodies count as touching, m
-        If it is below 1e-7 of the bodies' size and coordinates, rounding may call
-        bodies touching that are farther apart than the tolerance
-        (`separation_of_hulls`). The time is then early, but still never late.
+        Without it, it is a millionth of the size of the smaller body, which is the
+        longest edge of the box along the axes around it. If it is below 1e-7 of the
+        larger body's size or of the coordinates, rounding may call bodies touching that
+        are farther apart than the tolerance (`separation_of_hulls`). The time is then
+        early, but still never late.
 
     Returns
     -------
     (...), s from now, 0 to dt
         It is never later than the true contact. At this time the bodies are at most the
-        tolerance apart. If 1000 rounds are not enough, the time is earlier still. It is
-        infinity where the bodies stay apart over the step, and 0 if they overlap or
-        touch now.
+        tolerance apart. It is infinity where the bodies stay apart over the step, and 0
+        if they overlap or touch now. It is NaN where 1000 rounds could not decide
+        whether the bodies touch, because they pass each other at hardly more than the
+        tolerance for very long.
+
+    Warns
+    -----
+    UndecidedWarning
+        If a time is NaN. The warning says until when these bodies surely stay apart.
 
     Raises
     ------
@@ -93,25 +105,48 @@ def sweep_convex(
 
         s/μ
 
-    Each round advances the clock by a little less, so that half the tolerance is left.
-    This keeps the bodies apart, and it makes every round advance by a time above zero.
-    The rounds end when the gap is at most the tolerance, or when the step is over.
+    A body that turns does not keep up this speed. Each of its corners moves on a
+    circle, so that its height along n rises and falls like a cosine. After a time t,
+    no corner has risen above H(t), the largest height that any corner has had until
+    then. H is known exactly (`_Turning.highest`). With u, the speed at which the points
+    about which the bodies turn approach each other along n, the bodies therefore stay
+    apart as long as
+
+        u t + H_A(t) − H_A(0) + H_B(t) − H_B(0) < s    (0 for u, if they move apart)
+
+    The left side never falls, so that halving an interval finds how long that is. A
+    rod that spins beside a wall and never reaches it is then free for ever, at once.
+
+    Each round advances the clock by the longer one of these two times, or by a little
+    less, so that half the tolerance is left. This keeps the bodies apart, and it makes
+    every round advance by a time above zero. The rounds end when the gap is at most the
+    tolerance, or when the step is over.
     """
     shapes = [np.shape(points_a)[:-2], np.shape(points_b)[:-2]]
     motions = (position_a, velocity_a, angular_velocity_a, position_b, velocity_b, angular_velocity_b)
     shapes += [np.shape(value)[:-1] for value in motions]
-    shape = np.broadcast_shapes(*shapes, *(np.shape(value) for value in (radius_a, radius_b, dt, tolerance)))
+    shapes += [np.shape(value) for value in (radius_a, radius_b, dt, 0.0 if tolerance is None else tolerance)]
+    shape = np.broadcast_shapes(*shapes)
     a = _Body.of("a", shape, points_a, position_a, velocity_a, angular_velocity_a, radius_a)
     b = _Body.of("b", shape, points_b, position_b, velocity_b, angular_velocity_b, radius_b)
-    end, near = flat(extent("dt", dt), shape), flat(positive("tolerance", tolerance), shape)
+    end, near = flat(extent("dt", dt), shape), touching(tolerance, shape, a.size, b.size, a.far_from(b))
 
     def look(pairs: Pairs, time: Array) -> tuple[Array, Array]:
-        separation, normal = separation_of_hulls(a.at(pairs, time), b.at(pairs, time))
+        corners_a, corners_b = a.corners(pairs, time), b.corners(pairs, time)
+        place_a, place_b = a.place(pairs, time), b.place(pairs, time)
+        separation, normal = separation_of_hulls(corners_a + place_a, corners_b + place_b)
         separation = separation - a.radius[pairs] - b.radius[pairs]
-        closing = a.bound(pairs, -normal) + b.bound(pairs, normal)
-        return separation, free_time(separation - near[pairs] / 2, closing)
+        room, left = separation - near[pairs] / 2, end[pairs] - time
+        least = free_time(room, a.bound(pairs, -normal) + b.bound(pairs, normal))
+        approach = np.vecdot(normal, b.velocity[pairs] - a.velocity[pairs])
+        turning = [
+            _Turning.of(corners_a, a.angular_velocity[pairs], -normal),
+            _Turning.of(corners_b, b.angular_velocity[pairs], normal),
+        ]
+        return separation, np.maximum(least, _time_within(room, approach, turning, least, left))
 
-    return advance(look, end, near).reshape(shape)
+    time, undecided = advance(look, end, near, np.zeros(end.shape), ROUNDS)
+    return or_undecided(time, undecided).reshape(shape)
 
 
 @dataclass(frozen=True)
@@ -144,11 +179,24 @@ class _Body:
             flat(extent(f"radius_{name}", radius), shape),
         )
 
-    def at(self, pairs: Pairs, time: Array) -> Array:
-        """Points of some of the bodies at a time, m."""
+    @property
+    def size(self) -> Array:
+        """Longest edge of the box along the axes around each body (N,), m."""
+        return np.asarray(np.ptp(self.points, axis=-2).max(axis=-1) + 2 * self.radius)
+
+    def far_from(self, other: _Body) -> Array:
+        """Distances (N,) between the first corners of two bodies, m."""
+        ways = self.position + self.points[:, 0] - other.position - other.points[:, 0]
+        return np.asarray(np.linalg.norm(ways, axis=-1))
+
+    def place(self, pairs: Pairs, time: Array) -> Array:
+        """Points (N, 1, 3) about which some of the bodies turn, at a time, m."""
+        return np.asarray(self.position[pairs] + self.velocity[pairs] * time[:, None])[:, None, :]
+
+    def corners(self, pairs: Pairs, time: Array) -> Array:
+        """Points of some bodies at a time, from the point about which they turn, m."""
         turn = self.angular_velocity[pairs] * time[:, None]
-        place = self.position[pairs] + self.velocity[pairs] * time[:, None]
-        return place[:, None, :] + rotated(self.points[pairs], turn[:, None, :])
+        return rotated(self.points[pairs], turn[:, None, :])
 
     def bound(self, pairs: Pairs, normal: Array) -> Array:
         """Fastest that any point of some of the bodies moves along a direction, m/s."""
@@ -157,6 +205,62 @@ class _Body:
         apart = np.vecdot(normal, normal) > 0.5
         along = np.where(apart[:, None], normal, np.array([0.0, 0.0, 1.0]))
         return motion_bound(self.velocity[pairs], self.angular_velocity[pairs], reach, along)
+
+
+@dataclass(frozen=True)
+class _Turning:
+    """How high the corners of turning bodies rise along a direction.
+
+    A corner at r has the height n·r. While it turns by an angle θ, its height is
+
+        along + amplitude · cos(θ − peak)
+
+    along : (N, n), height of the centre of the corner's circle, m
+    amplitude : (N, n), m
+    peak : (N, n), angle until the corner is highest, 0 to 2π
+    speed : (N, 1), of the turn, rad/s
+    """
+
+    along: Array
+    amplitude: Array
+    peak: Array
+    speed: Array
+
+    @classmethod
+    def of(cls, corners: Array, angular_velocity: Array, direction: Array) -> _Turning:
+        """Corners (N, n, 3) that turn at (N, 3), seen along (N, 3)."""
+        speed = np.linalg.norm(angular_velocity, axis=-1, keepdims=True)
+        axis, n = (angular_velocity / np.where(speed > 0, speed, 1.0))[:, None, :], direction[:, None, :]
+        along = np.vecdot(corners, axis) * np.vecdot(axis, n)
+        now, quarter = np.vecdot(corners, n) - along, np.vecdot(corners, np.cross(n, axis))
+        peak = np.arctan2(quarter, now)
+        return cls(along, np.hypot(now, quarter), np.where(peak < 0, peak + 2 * np.pi, peak), speed)
+
+    def highest(self, time: Array) -> Array:
+        """Largest height (N,) that any corner has from now until a time (N,), m."""
+        angle = self.speed * time[:, None]
+        # Before its peak, a corner may fall and rise. It is highest now or in the end.
+        ends = np.maximum(np.cos(self.peak), np.cos(self.peak - angle))
+        return np.asarray((self.along + self.amplitude * np.where(angle >= self.peak, 1.0, ends)).max(axis=-1))
+
+
+def _time_within(room: Array, approach: Array, turning: Sequence[_Turning], least: Array, left: Array) -> Array:
+    """How long two bodies surely keep some room along a direction, by halving.
+
+    It is infinity if that is longer than what is left of the step.
+    """
+    start = sum(body.highest(np.zeros(room.shape)) for body in turning)
+
+    def used_up(time: Array) -> Array:
+        return np.asarray(np.maximum(approach, 0.0) * time + sum(body.highest(time) for body in turning) - start)
+
+    fits = used_up(left) < room
+    low, high = np.minimum(least, left), left
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        safe = used_up(middle) < room
+        low, high = np.where(safe, middle, low), np.where(safe, high, middle)
+    return np.where(fits, np.inf, low)
 
 
 def free_time(separation: Array, closing: Array) -> Array:
@@ -170,10 +274,14 @@ def free_time(separation: Array, closing: Array) -> Array:
         return np.where(shrinks, separation / np.where(shrinks, closing, 1.0), np.inf)
 
 
-def advance(look: Look, dt: Array, tolerance: Array) -> Array:
-    """Advance from one look to the next until the pair touches or the step is over."""
-    time, pairs = np.zeros(dt.shape), np.arange(dt.size)
-    for _ in range(STEPS):
+def advance(look: Look, dt: Array, tolerance: Array, began: Array, rounds: int) -> tuple[Array, NDArray[np.bool_]]:
+    """Advance from one look to the next until the pair touches or the step is over.
+
+    The pairs surely stay apart until the times that are returned. They touch then,
+    unless the rounds were too few for a pair. The second array tells which these are.
+    """
+    time, pairs, undecided = began.copy(), np.arange(dt.size), np.zeros(dt.shape, dtype=bool)
+    for _ in range(rounds):
         separation, free = look(pairs, time[pairs])
         apart = separation > tolerance[pairs]
         pairs, free = pairs[apart], free[apart]
@@ -183,7 +291,32 @@ def advance(look: Look, dt: Array, tolerance: Array) -> Array:
         pairs = pairs[~over]
         if not pairs.size:
             break
-    return time
+    undecided[pairs] = True
+    return time, undecided
+
+
+def or_undecided(time: Array, undecided: NDArray[np.bool_]) -> Array:
+    """Return the times, with NaN and a warning where a pair is undecided."""
+    if undecided.any():
+        warnings.warn(
+            f"{undecided.sum()} of {time.size} pairs are undecided: they stay apart until {time[undecided][0]:.6g} and "
+            "pass each other at hardly more than the tolerance. A larger tolerance decides sooner",
+            UndecidedWarning,
+            stacklevel=3,
+        )
+    return np.where(undecided, np.nan, time)
+
+
+def touching(tolerance: ArrayLike | None, shape: tuple[int, ...], size_a: Array, size_b: Array, apart: Array) -> Array:
+    """Distances (N,) at which two bodies count as touching, m.
+
+    Without a tolerance, they are a share of the smaller body. A point has no size, and
+    then the other body counts; for two points, it is how far they are apart at first.
+    """
+    if tolerance is not None:
+        return flat(positive("tolerance", tolerance), shape)
+    smaller = np.where(size_a * size_b > 0, np.minimum(size_a, size_b), np.maximum(size_a, size_b))
+    return np.asarray(TOLERANCE * np.where(smaller > 0, smaller, apart))
 
 
 def flat(value: Array, shape: tuple[int, ...], core: tuple[int, ...] = ()) -> Array:

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import functools
 import math
 from fractions import Fraction
 
@@ -10,7 +11,10 @@ from hypothesis import strategies as st
 from oracles import oracle
 
 from solutions.sweeping import (
+    UndecidedWarning,
+    advancement,
     edge_edge_impact,
+    features,
     motion_bound,
     nearest_on_triangle,
     rotated,
@@ -23,7 +27,7 @@ from solutions.sweeping import (
     vertex_face_impact,
 )
 
-TOLERANCE = 1e-6  # how near is a touch, by default
+TOLERANCE = 1e-6  # how near is a touch, m; by default for bodies of 1 m
 COARSE = st.integers(-8, 8).map(lambda value: value / 4)
 VECTOR = st.tuples(COARSE, COARSE, COARSE)
 CUBE = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
@@ -74,7 +78,10 @@ def meeting(kind, count, seed):
     return [query[0], query[1] + shift, query[2], query[3] + shift], time
 
 
-IMPACT = {"vertex-face": vertex_face_impact, "edge-edge": edge_edge_impact}
+IMPACT = {
+    "vertex-face": functools.partial(vertex_face_impact, tolerance=TOLERANCE),
+    "edge-edge": functools.partial(edge_edge_impact, tolerance=TOLERANCE),
+}
 KINDS = pytest.mark.parametrize("kind", list(IMPACT))
 
 
@@ -394,6 +401,43 @@ def test_a_turning_rod_meets_a_ball_when_its_line_comes_within_the_radius():
     # half the rod, about its end, is there at the same time
     half = sweep_convex(rod * [[0], [1]], STILL, STILL, [0, 0, 2], 0.0, [STILL], ball, STILL, STILL, 0.1, 2.0)
     assert expected - TOLERANCE <= half <= expected
+
+
+@pytest.mark.statement(10, oracle="closed form: the tip of a rod on its circle")
+@pytest.mark.parametrize("scale", [1.0, 1e-6, 1e5])
+@pytest.mark.parametrize("speed", [4.0, 10.0, 200.0])
+def test_a_spinning_rod_that_stays_clear_of_a_wall_never_hits_it(speed, scale):
+    rod, wall = np.array([[0, -0.5, 0.1], [0, 0.5, 0.1]]), 2 * CUBE * [0.05, 2, 2]
+
+    def meets(face, approach=0.0):
+        moving = ([(face + 0.05) * scale, 0.3 * scale, 0], [-approach * scale, 0, 0], STILL)
+        return float(
+            sweep_convex(rod * scale, STILL, STILL, (0, 0, speed), 0.01 * scale, wall * scale, *moving, 0, 1.0)
+        )
+
+    assert meets(0.51 + 1e-2) == meets(0.51 + 1e-4) == math.inf
+    expected = math.asin(0.4 / 0.5) / speed
+    assert expected - 1e-6 <= meets(0.41) <= expected  # the tip comes at 1.2 m/s and more
+    assert 0.01 - 1e-6 <= meets(0.51 + 1e-2, approach=1.0) <= 0.01 + math.pi / speed  # by then a tip points at it
+
+
+def test_a_pair_is_undecided_where_the_rounds_are_used_up(monkeypatch):
+    monkeypatch.setattr(advancement, "ROUNDS", 2)
+    rod, post, dt = [[-0.5, 0, 0], [0.5, 0, 0]], [0.4, 0.2, 0], [0.01, 1.0]
+    with pytest.warns(UndecidedWarning, match=r"^1 of 2 pairs are undecided: they stay apart until 0\.0\d+ and"):
+        found = sweep_convex(rod, STILL, STILL, (0, 0, 10), 0, [STILL], post, STILL, STILL, 0.01, dt, tolerance=1e-9)
+    assert found[0] == math.inf
+    assert math.isnan(found[1])
+
+
+def test_features_are_undecided_where_the_cuts_are_used_up(monkeypatch):
+    monkeypatch.setattr(features, "SPLITS", 1)
+    shrinking = [[0, 0, -0.25], [0, 0.25, 0]], np.zeros((2, 3)), [[0, 0, 0], [0, 0, 0.25]], np.zeros((2, 3))
+    with pytest.warns(UndecidedWarning) as told:
+        assert math.isnan(edge_edge_impact(*shrinking))
+    assert told[0].filename == __file__
+    monkeypatch.undo()
+    assert edge_edge_impact(*shrinking) == pytest.approx(1 - 1e-3, abs=1e-4)  # .25 (1 − t)² m apart
 
 
 @pytest.mark.statement(10, oracle="closed form: two balls on one circle")
