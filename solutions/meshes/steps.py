@@ -8,9 +8,10 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import positive
 from solutions.forces import semi_implicit_euler
-from solutions.meshes.matrices import dot, edge_damping, edge_stiffness, mesh_product
+from solutions.meshes.conjugate_gradients import conjugate_gradient
+from solutions.meshes.matrices import edge_damping, edge_stiffness, mesh_product
 from solutions.meshes.mesh import SpringMesh
-from solutions.meshes.springs import finite_vectors, mesh_forces, node_vectors
+from solutions.meshes.springs import mesh_forces, node_vectors
 
 
 def mesh_step(
@@ -56,71 +57,6 @@ def mesh_step(
     return semi_implicit_euler(position, v, a, positive("dt", dt)[..., None])
 
 
-def conjugate_gradient(
-    mesh: SpringMesh,
-    blocks: ArrayLike,
-    right: ArrayLike,
-    tolerance: float = 1e-8,
-    iterations: int | None = None,
-) -> Array:
-    """Solution x of (M + B) x = r for the free nodes, by conjugate gradients.
-
-    M holds the masses of the nodes, and B is the matrix of the mesh with the given
-    blocks. M + B must be positive definite: use clamped blocks.
-
-    Parameters
-    ----------
-    blocks : (..., m, 3, 3), one block for each edge, kg
-    right : (..., n, 3), r
-        The values at pinned nodes have no influence.
-    tolerance : largest size of the residual, relative to r
-    iterations : largest number of rounds
-        The default is ten times the number of unknowns, as rounding costs some rounds.
-
-    Returns
-    -------
-    (..., n, 3), x
-        Zero at pinned nodes.
-
-    Raises
-    ------
-    RuntimeError
-        If the residual is still too large after the last round.
-    ValueError
-        If the right side does not fit the mesh, or is not finite at a free node: no
-        residual would reveal that.
-
-    Notes
-    -----
-    Every round moves x along a direction d that is conjugate to the directions d' of
-    all earlier rounds,
-
-        dᵀ(M + B) d' = 0
-
-    and it moves x until the residual has no part along d. A conjugate direction does
-    not undo what the earlier rounds have achieved. So n unknowns need at most n rounds,
-    except for rounding.
-    """
-    mass = np.where(mesh.pinned, 1.0, mesh.mass)[:, None]
-    residual = finite_vectors(mesh, "right", _held(mesh, node_vectors(mesh, "right", right)))
-    x, direction, square = np.zeros_like(residual), residual, dot(residual, residual)
-    enough = tolerance**2 * square
-    for _ in range(30 * len(mass) if iterations is None else iterations):
-        going = square > enough
-        if not np.any(going):
-            return x
-        onto = _held(mesh, mass * direction + mesh_product(mesh, blocks, direction))
-        curvature = dot(direction, onto)
-        length = np.where(going, square / np.where(going, curvature, 1.0), 0.0)
-        x, residual = x + length * direction, residual - length * onto
-        before, square = square, np.where(going, dot(residual, residual), square)
-        direction = residual + square / np.where(going, before, np.inf) * direction
-    if np.any(square > enough):
-        share = np.sqrt(np.max(square[square > enough] / enough[square > enough])) * tolerance
-        raise RuntimeError(f"conjugate gradients: a residual of {share:.1e} of the right side is left")
-    return x
-
-
 def implicit_mesh_step(
     mesh: SpringMesh,
     position: ArrayLike,
@@ -141,7 +77,7 @@ def implicit_mesh_step(
     acceleration : due to everything else, such as gravity
         Broadcast to (..., n, 3), m/s².
     dt : (...), s, positive
-    tolerance : of the conjugate gradients
+    tolerance : of `conjugate_gradient`, for each node relative to its own mass
 
     Returns
     -------
