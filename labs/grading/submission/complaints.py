@@ -1,0 +1,129 @@
+"""What a student should know of a file that was read: what Python cannot read in it, and functions out of place."""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import re
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from labs.grading.safe_text import one_line
+from labs.grading.submission.cells import Cell, Complaint, merge_mark, place
+from labs.grading.submission.slicing import Group, defined_as
+from labs.grading.submission.syntax_errors import explained
+from reference import lecture
+
+MOST = 5
+"""So many complaints of a kind are listed; the others are counted."""
+_NAMED = 3  # so many of the functions that a mistake costs are named; the others are counted
+_ALIKE = 0.85  # similarity, at most 1, from which a name is taken for a misspelling of another one
+_LOOKED_AT = 500  # the most names that are compared so
+_DEFINES = re.compile(r"^[^\w\s#'\"]{0,2}def[ \t]+(\w+)", re.MULTILINE | re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Located:
+    """A group of statements and the cell that it is in."""
+
+    group: Group
+    cell: Cell
+
+
+def unreadable(error: Exception, cell: Cell, source: str) -> Complaint:
+    """What keeps Python from reading a cell. source: without what only a notebook's kernel understands."""
+    if found := merge_mark(cell.source):
+        text = f"a merge left its mark {found[1]!r}: keep one version, and delete all marks"
+        return Complaint(text, cell.number, found[0], "unreadable")
+    if (nul := cell.source.find("\0")) >= 0:
+        line = cell.source.count("\n", 0, nul) + 1
+        text = "a NUL character is in it, which no editor shows: delete the line and type it again"
+        return Complaint(f"Python cannot read this: {text}", cell.number, line, "unreadable")
+    if not isinstance(error, SyntaxError):
+        why = "it holds half a character" if isinstance(error, UnicodeError) else "too deeply nested"
+        return Complaint(f"Python cannot read this: {why}", cell.number, kind="unreadable")
+    number, sentence = explained(error, source)
+    quoted = one_line(source.split("\n")[number - 1], 80)
+    return Complaint(f"Python cannot read '{quoted}': {sentence}", cell.number, number, "unreadable")
+
+
+def definitions(source: str) -> list[str]:
+    """The functions of a source that Python cannot read."""
+    return list(dict.fromkeys(_DEFINES.findall(source)))
+
+
+def with_its_cost(complaint: Complaint, cell: Cell, pieces: Sequence[Located]) -> Complaint:
+    """The complaint about an unreadable cell, and which functions that costs. pieces: what can be read."""
+    names = definitions(cell.source)
+    other = {name: piece.cell for name in names for piece in pieces if name in piece.group.defines}
+    lost = [name for name in names if name not in other]
+    sentences = [f"Until then {_some(lost)} cannot be checked."] if lost else []
+    for number in dict.fromkeys(cell.number for cell in other.values()):
+        again = [name for name, cell in other.items() if cell.number == number]
+        sentences.append(f"Until then {place(number, None)} counts for {_some(again)}.")
+    end = "" if complaint.text.endswith("?") else "."
+    return replace(complaint, text=f"{complaint.text}{end} {' '.join(sentences[:2])}") if sentences else complaint
+
+
+def _some(names: Sequence[str]) -> str:
+    shown, more = [one_line(name, 80) for name in names[:_NAMED]], len(names) - _NAMED
+    if more > 0:
+        return f"{', '.join(shown)} and {more} more"
+    return " and ".join([", ".join(shown[:-1]), shown[-1]] if len(shown) > 1 else shown)
+
+
+def misplaced(wanted: Collection[str], pieces: Sequence[Located]) -> Iterator[Complaint]:
+    """Complaints of wanted functions that are hidden in another one, and of a `return` outside of every function."""
+    above = ""
+    for piece in pieces:
+        for statement in piece.group.statements:
+            yield from _stray_return(statement, piece.cell, above)
+            above = statement.name if isinstance(statement, ast.FunctionDef) else above
+            if isinstance(statement, ast.FunctionDef | ast.ClassDef):
+                for node in ast.walk(statement):
+                    if node is not statement and isinstance(node, ast.FunctionDef) and node.name in wanted:
+                        kind = "class" if isinstance(statement, ast.ClassDef) else "function"
+                        where = f"the {kind} {one_line(statement.name, 80)}"
+                        text = f"{node.name} is inside {where}, where nothing else finds it: move it to the left margin"
+                        yield Complaint(text, piece.cell.number, node.lineno)
+
+
+def _stray_return(statement: ast.stmt, cell: Cell, above: str) -> Iterator[Complaint]:
+    """A complaint, if a statement outside of every function returns. above: the last function before it."""
+    waiting: list[ast.AST] = [statement]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.Return):
+            whose = f"if it belongs to {one_line(above, 80)}, indent it like the lines of that function"
+            text = "this return is outside of every function" + (f": {whose}" if above else "")
+            yield Complaint(text, cell.number, node.lineno)
+        elif not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.expr):
+            waiting.extend(ast.iter_child_nodes(node))
+
+
+def misspelt(missing: Sequence[str], pieces: Sequence[Located]) -> Iterator[Complaint]:
+    """Complaints about functions whose names look like those of missing ones."""
+    plainly = {_letters(name): name for name in missing}
+    others = [(name, piece) for piece in pieces for name in sorted(piece.group.defines - lecture.FUNCTIONS.keys())]
+    for name, piece in others[:_LOOKED_AT]:
+        if defined_as(piece.group, name) == "def":
+            for near in difflib.get_close_matches(_letters(name), plainly, 1, _ALIKE):
+                text = f"is {one_line(name, 80)} meant to be {plainly[near]}? It counts under that name alone"
+                yield Complaint(text, piece.cell.number, piece.group.first)
+
+
+def _letters(name: str) -> str:
+    return name.replace("_", "").lower()
+
+
+def few(complaints: Sequence[Complaint]) -> list[Complaint]:
+    """The first complaints of each kind, and how many more there are."""
+    found: list[Complaint] = []
+    for kind in dict.fromkeys(complaint.kind for complaint in complaints):
+        alike = [complaint for complaint in complaints if complaint.kind == kind]
+        found += alike[:MOST]
+        if more := len(alike) - MOST:
+            what = {"unreadable": "cells that Python cannot read", "repeated": "functions that are defined again"}
+            if more > 0:
+                found.append(Complaint(f"and {more} more {what.get(kind, 'such lines')}", kind=kind))
+    return found
