@@ -17,6 +17,12 @@ from reference import lecture
 MOST = 5
 """So many complaints of a kind are listed; the others are counted."""
 _NAMED = 3  # so many of the functions that a mistake costs are named; the others are counted
+_WHAT = {
+    "unreadable": "cells that Python cannot read",
+    "repeated": "functions that are defined several times",
+    "missing": "functions that are missing",
+    "other": "complaints about the file",
+}
 _ALIKE = 0.85  # similarity, at most 1, from which a name is taken for a misspelling of another one
 _LOOKED_AT = 500  # the most names that are compared so
 _DEFINES = re.compile(r"^[^\w\s#'\"]{0,2}def[ \t]+(\w+)", re.MULTILINE | re.IGNORECASE)
@@ -72,20 +78,24 @@ def _some(names: Sequence[str]) -> str:
     return " and ".join([", ".join(shown[:-1]), shown[-1]] if len(shown) > 1 else shown)
 
 
-def misplaced(wanted: Collection[str], pieces: Sequence[Located]) -> Iterator[Complaint]:
-    """Complaints of wanted functions that are hidden in another one, and of a `return` outside of every function."""
+def misplaced(missing: Collection[str], pieces: Sequence[Located]) -> Iterator[Complaint]:
+    """Complaints of missing functions that are inside another one, and of a `return` outside of every function."""
     above = ""
     for piece in pieces:
         for statement in piece.group.statements:
             yield from _stray_return(statement, piece.cell, above)
+            if missing and isinstance(statement, ast.FunctionDef | ast.ClassDef):
+                yield from _hidden(missing, statement, piece.cell)
             above = statement.name if isinstance(statement, ast.FunctionDef) else above
-            if isinstance(statement, ast.FunctionDef | ast.ClassDef):
-                for node in ast.walk(statement):
-                    if node is not statement and isinstance(node, ast.FunctionDef) and node.name in wanted:
-                        kind = "class" if isinstance(statement, ast.ClassDef) else "function"
-                        where = f"the {kind} {one_line(statement.name, 80)}"
-                        text = f"{node.name} is inside {where}, where nothing else finds it: move it to the left margin"
-                        yield Complaint(text, piece.cell.number, node.lineno)
+
+
+def _hidden(missing: Collection[str], outer: ast.FunctionDef | ast.ClassDef, cell: Cell) -> Iterator[Complaint]:
+    """Complaints of missing functions that are defined inside a function or a class."""
+    where = f"the {'class' if isinstance(outer, ast.ClassDef) else 'function'} {one_line(outer.name, 80)}"
+    for node in ast.walk(outer):
+        if node is not outer and isinstance(node, ast.FunctionDef) and node.name in missing:
+            text = f"{node.name} is inside {where}, where nothing else finds it: move it to the left margin"
+            yield Complaint(text, cell.number, node.lineno)
 
 
 def _stray_return(statement: ast.stmt, cell: Cell, above: str) -> Iterator[Complaint]:
@@ -122,8 +132,6 @@ def few(complaints: Sequence[Complaint]) -> list[Complaint]:
     for kind in dict.fromkeys(complaint.kind for complaint in complaints):
         alike = [complaint for complaint in complaints if complaint.kind == kind]
         found += alike[:MOST]
-        if more := len(alike) - MOST:
-            what = {"unreadable": "cells that Python cannot read", "repeated": "functions that are defined again"}
-            if more > 0:
-                found.append(Complaint(f"and {more} more {what.get(kind, 'such lines')}", kind=kind))
+        if len(alike) > MOST:
+            found.append(Complaint(f"and {len(alike) - MOST} more {_WHAT[kind]}", kind=kind))
     return found

@@ -58,6 +58,12 @@ class Submission:
         """The functions of the submission that one of them calls, directly or through other code that it needs."""
         return used_by(self._groups, name, self.functions)
 
+    def code_of(self, name: str) -> str:
+        """What a function is made of, its own helpers included, other functions of the lab left out; in one layout."""
+        others = frozenset(self.functions) - {name}
+        own = [group for group in self._groups if not group.defines & others]
+        return "\n".join(ast.unparse(each) for at in sorted(needed(own, [name])) for each in own[at].statements)
+
     def function_at(self, line: int | None) -> str | None:
         """The function of the submission that contains a line of the text, if one does."""
         around = (group for group in self._groups if line and group.first <= line <= group.last)
