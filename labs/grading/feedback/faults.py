@@ -171,8 +171,8 @@ def _diagnosed(
     if diagnosis.odd and EXPLANATION in shown and not any(advice.known(said) for said in told):
         yield from folded(ODD, 1)
         yield from _indented(example_of(diagnosis.odd), advice)
-    shown = any(map(ended_without_numbers, told))
-    rest = replace(diagnosis, accepted=(), crashes=() if shown else diagnosis.crashes)
+    ended = any(map(ended_without_numbers, told))
+    rest = replace(diagnosis, accepted=(), crashes=() if ended else diagnosis.crashes)
     for paragraph in besides(rest):
         yield from folded(paragraph.replace(f"error: {diagnosis.function} raised ", "error: "), 1)
         yield from _advised(paragraph, advice)

@@ -59,10 +59,19 @@ class Submission:
         return used_by(self._groups, name, self.functions)
 
     def code_of(self, name: str) -> str:
-        """What a function is made of, its own helpers included, other functions of the lab left out; in one layout."""
+        """What a function is made of besides other functions of the lab: the same whatever its layout and place.
+
+        In a kernel's history it stands as often as its cell was run, and only the last time counts.
+        """
         others = frozenset(self.functions) - {name}
-        own = [group for group in self._groups if not group.defines & others]
-        return "\n".join(ast.unparse(each) for at in sorted(needed(own, [name])) for each in own[at].statements)
+        last = {each: group for group in self._groups for each in group.defines}
+        own = [
+            group
+            for group in self._groups
+            if not group.defines & others
+            and not any(last[each] is not group and defined_as(group, each) == "def" for each in group.defines)
+        ]
+        return "\n".join(sorted({ast.unparse(each) for at in needed(own, [name]) for each in own[at].statements}))
 
     def function_at(self, line: int | None) -> str | None:
         """The function of the submission that contains a line of the text, if one does."""
