@@ -9,10 +9,11 @@ import sys
 from importlib.machinery import PathFinder
 from pathlib import Path
 
-_NEEDED = frozenset(
-    ["numpy", "matplotlib", "reference", "rich", "platformdirs", "pytest", "hypothesis", "IPython", "ipywidgets"]
-    + ["mujoco", "pybullet", "dartpy"]
-)
+_NEEDED = frozenset((
+    "numpy", "matplotlib", "reference", "rich", "platformdirs", "pytest", "hypothesis", "IPython", "ipywidgets",
+    "mujoco", "pybullet", "dartpy",
+))  # fmt: skip
+"""Packages that the lab imports, its own and others."""
 
 
 def files_in_the_way(folder: Path) -> list[str]:

@@ -55,28 +55,31 @@ def check(
     # In a kernel a function is written by running its cell again and again, so a repeated definition is no mistake.
     sheet.complaints = [complaint for complaint in sheet.complaints if complaint.kind != "repeated"]
     nothing_odd = all(complaint.kind == "missing" for complaint in sheet.complaints)
-    counted = None if run_of_nbgrader() else tries
     functions = [entry.name for name in topics for entry in report.tested(sheet, name)]
     faulty = [name for name in functions if report.state(sheet, name) == report.WRONG and name not in sheet.unread]
     _add(tries, notebook, faulty)
-    said = _report(sheet, topics, counted)
-    if hint:
-        before = said
-        for name in names:
-            tries.request(name)
-        said = _report(sheet, topics, counted)
-        if said == before:
-            said = f"{said}\nThere is no further hint on {', '.join(names)}."
     if len(names) == 1 and nothing_odd and report.all_right(sheet):
         count = tries.count(names[0])
         right = f"{report.RIGHT} {names[0]} is right{f' at try {count + 1}' * bool(count)}"
         said = textwrap.fill(f"{right}, as far as this tries it: {report.HIDDEN}.", 80)
-    elif counted and faulty:
-        said = f"{said}\n{_COUNTED}"
+    elif run_of_nbgrader():
+        said = _report(sheet, topics, None)
+    else:
+        said = _with_tries(sheet, topics, tries, names if hint else ()) + f"\n{_COUNTED}" * bool(faulty)
     for name in functions:
         if report.state(sheet, name) == report.RIGHT:
             tries.forget(name)
     return Checked(student_code.with_kernel_numbers(said), _credit(notebook, topics, names, grader, sheet))
+
+
+def _with_tries(sheet: Sheet, topics: Sequence[str], tries: Tries, requests: Sequence[str]) -> str:
+    """The report with as much help as there were tries. requests: functions that the next level is shown of as well."""
+    before = _report(sheet, topics, tries)
+    for name in requests:
+        tries.request(name)
+    said = _report(sheet, topics, tries)
+    wrong = [name for name in requests if report.state(sheet, name) == report.WRONG and name not in sheet.unread]
+    return said if said != before or not wrong else f"{said}\nThere is no further hint on {', '.join(wrong)}."
 
 
 def _report(sheet: Sheet, topics: Sequence[str], tries: Tries | None) -> str:

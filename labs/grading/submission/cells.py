@@ -62,11 +62,15 @@ class Complaint:
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell of source. number: which code cell of the notebook, None for a `.py` file. tags: what it is for."""
+    """One cell of source. number: which code cell of the notebook, None for a `.py` file. tags: what it is for.
+
+    code: whether it is a code cell; a cell of text has the number of the last code cell before it.
+    """
 
     source: str
     number: int | None = None
     tags: frozenset[str] = frozenset()
+    code: bool = True
 
 
 def place(cell: int | None, line: int | None) -> str:
@@ -76,31 +80,33 @@ def place(cell: int | None, line: int | None) -> str:
 
 
 def read_cells(path: Path) -> tuple[list[Cell], list[Complaint]]:
-    """The file's code; raises `UnreadableSubmission` if it has none that can be read."""
+    """The file's cells, those of text as well; raises `UnreadableSubmission` if it has no code that can be read."""
     raw = _bytes(path)
     text, complaints = _text(raw)
+    suffix = path.suffix.lower()
     braced = text.lstrip().startswith("{")
     notebook = braced and ('"cells"' in text or '"worksheets"' in text)
-    if path.suffix == ".ipynb" and not braced and _PROGRAM.search(text):
+    if suffix == ".ipynb" and not braced and _PROGRAM.search(text):
         cells = [Cell(text)]
         complaints.append(Complaint("it is a Python file, though its name ends in .ipynb: rename it to .py"))
-    elif path.suffix == ".ipynb" or (notebook and path.suffix != ".py") or (notebook and _is_json(text)):
+    elif suffix == ".ipynb" or (notebook and suffix != ".py") or (notebook and _is_json(text)):
         cells = list(_notebook_cells(text))
-        if path.suffix != ".ipynb":
+        if suffix != ".ipynb":
             ending = one_line(path.suffix) or "nothing"
             complaints.append(Complaint(f"it is a notebook, though its name ends in {ending}: rename it to .ipynb"))
-    elif path.suffix == ".py":
+    elif suffix == ".py":
         cells = [Cell(text)]
     else:
         ending = f"ends in {one_line(path.suffix)!r}" if path.suffix else "has no ending"
         raise UnreadableSubmission(f"its name {ending}: hand in a .ipynb or a .py file")
-    if not any(cell.source.strip() for cell in cells):
+    code = [cell for cell in cells if cell.code]
+    if not any(cell.source.strip() for cell in code):
         raise UnreadableSubmission("it holds no code: all its cells are empty, or text")
-    if len(cells) > CELL_LIMIT:
-        raise UnreadableSubmission(f"it has {len(cells)} code cells, and at most {CELL_LIMIT} are read")
-    if sum(len(cell.source) for cell in cells) > CODE_LIMIT:
+    if len(code) > CELL_LIMIT:
+        raise UnreadableSubmission(f"it has {len(code)} code cells, and at most {CELL_LIMIT} are read")
+    if sum(len(cell.source) for cell in code) > CODE_LIMIT:
         raise UnreadableSubmission(f"it holds more than {CODE_LIMIT} characters of code")
-    if sum(cell.source.count("{") for cell in cells) > BRACE_LIMIT:
+    if sum(cell.source.count("{") for cell in code) > BRACE_LIMIT:
         raise UnreadableSubmission(f"it holds more than {BRACE_LIMIT} opening braces")
     return cells, complaints
 
@@ -202,10 +208,11 @@ def _notebook_cells(text: str) -> Iterator[Cell]:
         raise UnreadableSubmission("it is not a notebook, whatever its name says: save it again in Jupyter") from None
     number = 0
     for cell in _cells_of(notebook):
-        if isinstance(cell, dict) and cell.get("cell_type") == "code":
-            number += 1
-            source = _joined(cell.get("source", cell.get("input", "")))
-            yield Cell(source.replace("\r\n", "\n").replace("\r", "\n"), number, _tags(cell.get("metadata")))
+        if isinstance(cell, dict):
+            code = cell.get("cell_type") == "code"
+            number += code
+            source = _joined(cell.get("source", cell.get("input", ""))).replace("\r\n", "\n").replace("\r", "\n")
+            yield Cell(source, number, _tags(cell.get("metadata")), code)
 
 
 def _damage(error: Exception, text: str) -> str:

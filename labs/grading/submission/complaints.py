@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import difflib
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from labs.grading.safe_text import one_line
@@ -58,10 +58,13 @@ def definitions(source: str) -> list[str]:
     return list(dict.fromkeys(_DEFINES.findall(source)))
 
 
-def with_its_cost(complaint: Complaint, cell: Cell, pieces: Sequence[Located]) -> Complaint:
-    """The complaint about an unreadable cell, and which functions that costs. pieces: what can be read."""
+def with_its_cost(complaint: Complaint, cell: Cell, elsewhere: Mapping[str, Cell]) -> Complaint:
+    """The complaint about an unreadable cell, and which functions that costs.
+
+    elsewhere: names that are defined where Python can read it, each with the cell.
+    """
     names = definitions(cell.source)
-    other = {name: piece.cell for name in names for piece in pieces if name in piece.group.defines}
+    other = {name: elsewhere[name] for name in names if name in elsewhere}
     lost = [name for name in names if name not in other]
     sentences = [f"Until then {_some(lost)} cannot be checked."] if lost else []
     for number in dict.fromkeys(cell.number for cell in other.values()):
@@ -111,6 +114,15 @@ def _stray_return(statement: ast.stmt, cell: Cell, above: str) -> Iterator[Compl
             waiting.extend(ast.iter_child_nodes(node))
 
 
+def in_cells_of_text(missing: Collection[str], texts: Sequence[Cell]) -> Iterator[Complaint]:
+    """Complaints of missing functions that are written in cells of text, as one key turns a code cell into one."""
+    for cell in texts:
+        for name in definitions(cell.source):
+            if name in missing and "```" not in cell.source:
+                after = f" after {place(cell.number, None)}" if cell.number else ""
+                yield Complaint(f"{name} is in a cell of text{after}: select that cell, and press Esc and Y")
+
+
 def misspelt(missing: Sequence[str], pieces: Sequence[Located]) -> Iterator[Complaint]:
     """Complaints about functions whose names look like those of missing ones."""
     plainly = {_letters(name): name for name in missing}
@@ -119,6 +131,8 @@ def misspelt(missing: Sequence[str], pieces: Sequence[Located]) -> Iterator[Comp
         if defined_as(piece.group, name) == "def":
             for near in difflib.get_close_matches(_letters(name), plainly, 1, _ALIKE):
                 text = f"is {one_line(name, 80)} meant to be {plainly[near]}? It counts under that name alone"
+                if foreign := [letter for letter in name if not letter.isascii()]:
+                    text += f", and {foreign[0]} (U+{ord(foreign[0]):04X}) is another letter"
                 yield Complaint(text, piece.cell.number, piece.group.first)
 
 

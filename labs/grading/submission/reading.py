@@ -24,6 +24,7 @@ from labs.grading.submission.complaints import (
     Located,
     definitions,
     few,
+    in_cells_of_text,
     misplaced,
     misspelt,
     unreadable,
@@ -117,9 +118,10 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
     path = Path(path)
     name = one_line(path.name or path.absolute().name or str(path))
     try:
-        cells, complaints = read_cells(path)
+        every, complaints = read_cells(path)
     except UnreadableSubmission as error:
         raise UnreadableSubmission(f"{name}: {error}") from None
+    cells, texts = [cell for cell in every if cell.code], [cell for cell in every if not cell.code]
     pieces, sources, unread = list[Located](), list[str](), list[tuple[Cell, Complaint]]()
     for cell in cells:
         source, found, complaint = _parsed(cell)
@@ -127,11 +129,12 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
         pieces += [Located(group, cell) for group in found]
         if complaint:
             unread.append((cell, complaint))
-    complaints += [with_its_cost(complaint, cell, pieces) for cell, complaint in unread]
+    defined = {name: piece.cell for piece in pieces for name in piece.group.defines}
+    complaints += [with_its_cost(complaint, cell, defined) for cell, complaint in unread]
     functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
-    defined = {name for piece in pieces for name in piece.group.defines}
     missing = [each for each in wanted if each not in defined]
     complaints.extend(misplaced(missing, pieces))
+    complaints.extend(in_cells_of_text(missing, texts))
     complaints.extend(misspelt(missing, pieces))
     if missing:
         text = f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"

@@ -24,6 +24,7 @@ _STATEMENT = re.compile(
 _ASSIGNMENT = re.compile(r"[ \t]*[^\W\d][\w.]*[ \t]*(?:\[[^\]\n]*\][ \t]*)?=(?!=)")
 _DEFINITION = re.compile(r"^(?:def \w+ ?\(|(?:import|from) \w+|class \w+)", re.MULTILINE)
 """The start of a line that is a program's, not a sentence's."""
+_BLOCK_WITH_BRACE = re.compile(r"\s*(?:def|if|elif|else|for|while|class)\b[^{]*\{\s*$")
 _BLOCK = re.compile(r"expected an indented block after (.+) on line (\d+)")
 _CHARACTER = re.compile(r"invalid (?:character|non-printable character).*U\+([0-9A-F]+)")
 _PLAIN = {
@@ -32,6 +33,9 @@ _PLAIN = {
 }  # fmt: skip
 """What a keyboard for programs types, and characters that look like it."""
 _WORDS = ("def", "if", "else", "elif", "for", "while", "return", "import", "from", "class", "with")
+
+
+_BELONGS = {"else": "if", "elif": "if", "except": "try", "finally": "try"}
 
 
 class Explained(NamedTuple):
@@ -49,10 +53,8 @@ def explained(error: SyntaxError, source: str) -> Explained:
             if opened and opened.line <= number:
                 return opened
     if found := _BLOCK.search(error.msg):
-        what = "function" if "function" in found[1] else "line"
-        return Explained(
-            int(found[2]), f"no lines belong to this {what}: indent them below it by four spaces, or delete it"
-        )
+        what = "this function has no lines" if "function" in found[1] else "nothing is indented below this line"
+        return Explained(int(found[2]), f"{what}: indent what belongs to it by four spaces, or delete it")
     return Explained(number, _sentence(error, source.split("\n")[number - 1], source))
 
 
@@ -80,8 +82,13 @@ def _open_bracket(source: str) -> Explained | None:
     if not opened:
         return None
     bracket, place = opened[-1]
-    text = f"the bracket {bracket} is opened here and never closed: add its {_CLOSING[bracket]}"
-    return Explained(source.count("\n", 0, place) + 1, text)
+    line = source.count("\n", 0, place) + 1
+    if bracket == "{" and _BLOCK_WITH_BRACE.match(source.split("\n")[line - 1]):
+        return Explained(line, "Python writes : instead of {, and indents the lines that belong to it")
+    name = re.search(r"[\w.]*$", source[max(0, place - 80) : place])
+    whole = f"{name[0] if name else ''}{bracket}"
+    text = f"{whole} is opened here and never closed: add its {_CLOSING[bracket]}"
+    return Explained(line, text)
 
 
 def _begins_statement(source: str, at: int, bracket: str) -> bool:
@@ -105,7 +112,7 @@ def _sentence(error: SyntaxError, line: str, source: str) -> str:
 
 def _odd_character(character: str, source: str) -> str:
     """What to type instead of a character that is none of Python's."""
-    named = f"{character} (U+{ord(character):04X})"
+    named = f"{one_line(character)} (U+{ord(character):04X})"
     plain = next((typed for typed, alike in _PLAIN.items() if character in alike), "")
     plain = plain or unicodedata.normalize("NFKC", character)
     if unicodedata.category(character) == "Zs":
@@ -132,8 +139,14 @@ def _not_understood(error: SyntaxError, line: str) -> str:
     word = first[1] if first else ""
     if line.lstrip().startswith((">>>", "...")):
         return "a prompt such as >>> is no part of a program: delete it"
+    if word in _BELONGS:
+        return f"this {word} belongs to no {_BELONGS[word]} above it: look at the indentation of both"
     if word != word.lower() and word.lower() in _WORDS:
         return f"Python writes {word.lower()}, in small letters"
+    if re.match(r"\s*\d+[:.]?\s+[A-Za-z]", line):
+        return "a line number was copied with it: delete the numbers"
+    if re.search(r"\w(\+\+|--)\s*$", line):
+        return f"Python has no {line.rstrip()[-2:]}: write {line.rstrip()[-1]}= 1"
     if re.fullmatch(r"\s*[A-Z][a-z']*(?: [\w',;:-]+){3,}[.?!]?\s*", line):
         return "it reads like a sentence: put a # before it, or make the cell one of text (Markdown)"
     if found := re.search(r"(?<![<>=!])=([<>])|&&|\|\|", line):
@@ -147,6 +160,8 @@ def _not_understood(error: SyntaxError, line: str) -> str:
 
 _MESSAGES: tuple[tuple[str, str | Callable[[str], str]], ...] = (
     (r"expected ':'", _missing_colon),
+    (r"cannot assign to (.+?)(?: here)?(?:\. Maybe.*)?$",
+     r"left of = only a name can be written, no \1; to compare, write =="),
     (r"Maybe you meant '=='", "one = gives a value a name; to compare, write =="),
     (r"unterminated (f-)?string literal|EOL while scanning", "a text begins in it and has no closing quote"),
     (r"invalid (decimal|hexadecimal|octal|binary) literal|invalid imaginary",
@@ -157,6 +172,11 @@ _MESSAGES: tuple[tuple[str, str | Callable[[str], str]], ...] = (
     (r"unexpected indent", "it is indented further than the line above for no reason: give it the same indentation"),
     (r"unindent does not match", "it is indented differently from every line above: give it the indentation of one"),
     (r"null byte", "a NUL character is in it, which no editor shows: delete the line and type it again"),
+    (r"after line continuation", "nothing may follow a backslash in its line, not even a space: delete what follows"),
+    (r"(non-default argument|parameter without a default) follows", "arguments with a default come last: move them"),
+    (r"duplicate argument '(\w+)'", r"two of its arguments are named \1: give each a name of its own"),
+    (r"f-string: expecting '}'", "a { in its text is never closed: add its }"),
+    (r"expected '\('", "the name of a function is one word, as in rebound_velocity, and a bracket follows it"),
     (r"forgot a comma", "a comma or an operator such as * is missing in it, or a bracket is not closed"),
 )  # fmt: skip
 """Patterns that Python's message is searched for, each with a sentence."""

@@ -161,6 +161,11 @@ def test_a_python_file_with_the_suffix_ipynb_is_read_with_a_complaint(tmp_path):
     assert told(submission) == "it is a Python file, though its name ends in .ipynb: rename it to .py"
 
 
+def test_a_suffix_in_capitals_is_a_suffix(tmp_path):
+    assert handed_in(tmp_path, BOTH, "LAB.PY").functions == WANTED
+    assert handed_in(tmp_path, notebook(BOTH), "LAB.IPYNB").complaints == ()
+
+
 def test_an_underlined_heading_in_a_text_is_no_mark_of_a_merge(tmp_path):
     submission = handed_in(tmp_path, f'"""\nImpulse\n=======\n"""\n{BOTH}', "lab.py")
     assert submission.functions == WANTED

@@ -115,6 +115,36 @@ def test_lines_that_are_out_of_place_are_named(source, line, tmp_path):
     assert line in told(handed_in(tmp_path, source, "lab.py")) + "\n"
 
 
+def test_a_function_in_a_cell_of_text_is_named(tmp_path):
+    first, second = BOTH.split("\n\n\n")
+    submission = handed_in(tmp_path, notebook("x = 1", {"cell_type": "markdown", "source": first}, second))
+    assert submission.functions == ("normal_velocity",)
+    assert "rebound_velocity is in a cell of text after code cell 1: select that cell, and press" in told(submission)
+    quoted = {"cell_type": "markdown", "source": f"```\n{first}\n```"}
+    assert told(handed_in(tmp_path, notebook(quoted, second))) == "rebound_velocity is missing"
+
+
+def test_a_letter_that_only_looks_like_the_right_one_is_named(tmp_path):
+    submission = handed_in(tmp_path, BOTH.replace("rebound_velo", "rebound_vel\u03bf"), "lab.py")
+    assert "counts under that name alone, and \u03bf (U+03BF) is another letter" in told(submission)
+
+
+@pytest.mark.parametrize(
+    ("later", "same"),
+    [
+        ("def rebound_velocity(v, e):  # as before\n\n    return SIGN*e*v", True),
+        ("SIGN = -1", True),
+        ("def normal_velocity(n, u): return 0", True),
+        ("def rebound_velocity(v, e): return SIGN * v * e", False),
+        ("def rebound_velocity(v, e): return sign() * e * v\ndef sign(): return -1", False),
+    ],
+)
+def test_the_code_of_a_function_changes_with_what_it_is_made_of_alone(later, same, tmp_path):
+    first = ["SIGN = -1", "def rebound_velocity(v, e):\n    return SIGN * e * v", BOTH.split("\n\n\n")[1]]
+    code = handed_in(tmp_path, notebook(*first)).code_of("rebound_velocity")
+    assert (handed_in(tmp_path, notebook(*first, later)).code_of("rebound_velocity") == code) == same
+
+
 @pytest.mark.parametrize("first", ["    ", "\t", ">>> "])
 def test_a_cell_that_was_copied_with_its_margin_is_read_as_the_kernel_reads_it(first, tmp_path):
     lines = BOTH.splitlines(keepends=True)

@@ -25,12 +25,12 @@ QUOTES = '"""'
     ("right", "wrong", "line", "says"),
     [
         # brackets and texts that are never closed: Python gives up further down
-        ("(np.asarray(v))", "(np.asarray(v)", 6, "the bracket ( is opened here and never closed: add its )"),
-        ("(v))\n", "(v)\n    bounce = e * speed\n", 6, "the bracket ( is opened here"),
-        ("(np.asarray(v))", "(np.asarray(v),", 6, "the bracket ( is opened here"),
-        ("axis=-1)", "axis=-1", 12, "the bracket ( is opened here"),
-        ("(v, e):", "(v, e:", 4, "the bracket ( is opened here"),
-        ("\n\n\ndef rebound", "\nX = [1,\n     2\n\ndef rebound", 2, "the bracket [ is opened here"),
+        ("(np.asarray(v))", "(np.asarray(v)", 6, "np.abs( is opened here and never closed: add its )"),
+        ("(v))\n", "(v)\n    bounce = e * speed\n", 6, "np.abs( is opened here"),
+        ("(np.asarray(v))", "(np.asarray(v),", 6, "np.abs( is opened here"),
+        ("axis=-1)", "axis=-1", 12, "np.sum( is opened here"),
+        ("(v, e):", "(v, e:", 4, "rebound_velocity( is opened here"),
+        ("\n\n\ndef rebound", "\nX = [1,\n     2\n\ndef rebound", 2, "[ is opened here"),
         ("impact." + QUOTES, "impact.", 5, "the text that begins here with \"\"\" does not end"),
         ("normal." + QUOTES, "normal.", 11, "the text that begins here with \"\"\" does not end"),
         (QUOTES + "After the impact." + QUOTES, "print('after)", 5, "a text begins in it and has no closing quote"),
@@ -41,8 +41,8 @@ QUOTES = '"""'
         ("    return np.where", "      return np.where", 7, "it is indented further than the line above"),
         ("    return np.where", "  return np.where", 7, "it is indented differently from every line above"),
         (PROGRAM[PROGRAM.index("    " + QUOTES + "After") : PROGRAM.index("def normal")], "\n", 4,
-         "no lines belong to this function: indent them below it by four spaces"),
-        ("    return np.where", "    if e > 1:\n    return np.where", 7, "no lines belong to this line"),
+         "this function has no lines: indent what belongs to it by four spaces"),
+        ("    return np.where", "    if e > 1:\n    return np.where", 7, "nothing is indented below this line"),
         # characters that look like Python's
         ("e * speed", "e × speed", 7, "Python does not know the character × (U+00D7): type * instead"),
         ("-1)", "\u22121)", 12, "Python does not know the character − (U+2212): type - instead"),
@@ -65,6 +65,15 @@ QUOTES = '"""'
         ("def normal", "The answer is given by this\ndef normal", 10, "it reads like a sentence: put a # before it"),
         ("speed = np", "speed = = np", 6, "Python does not understand it from '=' on"),
         ("def normal", ">>> rebound_velocity(1, 2)\ndef normal", 10, "a prompt such as >>> is no part of a program"),
+        ("v, e):", "v, e) {", 4, "Python writes : instead of {"),
+        ("speed = np", "speed(v) = np", 6, "left of = only a name can be written, no function call; to compare"),
+        ("def normal_velocity", "def normal velocity", 10, "the name of a function is one word"),
+        ("(n, u)", "(n=1, u)", 10, "arguments with a default come last"),
+        ("(n, u)", "(n, n)", 10, "two of its arguments are named n"),
+        ("    return np.where", "    else:\n        e = 1\n    return np.where", 7, "this else belongs to no if above"),
+        ("    return np.where", "    e++\n    return np.where", 7, "Python has no ++: write += 1"),
+        ("e * speed, v", "e * speed, \\ \n v", 7, "nothing may follow a backslash in its line"),
+        ("import numpy", "1 import numpy", 1, "a line number was copied with it"),
         # characters at which an editor and Python begin no new line
         ("impact." + QUOTES, "im\u2028pa\x0cct\x85." + QUOTES + ")", 5, "the bracket ) closes nothing"),
     ],
@@ -76,7 +85,7 @@ def test_a_mistake_is_found_on_its_line_and_explained(right, wrong, line, says, 
     place, quoted = first.split(": ", 1)
     assert place == f"line {line}"
     assert says in quoted
-    assert first.endswith("Until then rebound_velocity and normal_velocity cannot be checked.")
+    assert " Until then rebound_velocity and normal" in first
 
 
 def test_an_argument_on_a_line_of_its_own_is_not_taken_for_a_statement(tmp_path):
