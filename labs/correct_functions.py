@@ -9,5 +9,6 @@ PACKAGES = ("labs.given", "solutions")
 
 
 def package_of_correct_functions() -> str:
-    """The first of `PACKAGES` that can be imported; empty if neither can."""
-    return next((name for name in PACKAGES if importlib.util.find_spec(name) is not None), "")
+    """The first of `PACKAGES` that can be imported; empty if neither can. A student's `solutions.py` is none."""
+    specs = ((name, importlib.util.find_spec(name)) for name in PACKAGES)
+    return next((name for name, spec in specs if spec and spec.submodule_search_locations), "")

@@ -3,6 +3,7 @@
     lab.begin("detection")                    which engines are available, and which functions
     lab.predict("rest", "…?", answer=...)     a guess, kept for the run
     lab.check("signed_distance")              what was tried, what came, what physics expects
+    lab.hint("signed_distance")               the next hint at once, before the next try
     lab.run("dropped-ball/e=0.5")             the same case with your functions and with engines
     lab.watch("dropped-ball/e=0.5")           the replay alone
     lab.sweep("dropped-ball", "restitution")  one parameter moved: where your method breaks, and where theirs does
@@ -23,6 +24,7 @@ from typing import TYPE_CHECKING
 from labs.desk.predictions import Prediction, predicted
 from labs.desk.progress_line import Progress
 from labs.desk.refusals import errors_in_words
+from labs.grading.feedback.tries import Tries
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 
@@ -41,6 +43,7 @@ class Lab:
         self.topic = ""
         self._predictions: dict[str, Prediction] = {}
         self._grader: Grader | None = None
+        self._tries = Tries()
 
     @errors_in_words
     def begin(self, topic: str) -> None:
@@ -63,8 +66,17 @@ class Lab:
     def check(self, *functions: str | Callable[..., object]) -> float | None:
         """Check functions by name, or all of this lab: what was tried, what came, and what physics expects.
 
-        It returns a value for nbgrader only: the points that count.
+        A function that is changed and still wrong gets a hint, and then what its mistake is. It returns a value for
+        nbgrader only: the points that count.
         """
+        return self._check(functions)
+
+    @errors_in_words
+    def hint(self, function: str | Callable[..., object]) -> None:
+        """Check one function, and show the next hint on it without waiting for another try."""
+        self._check((function,), hint=True)
+
+    def _check(self, functions: Sequence[str | Callable[..., object]], hint: bool = False) -> float | None:
         from labs.desk import checks, student_code  # noqa: PLC0415 - loads the grader
 
         here = [entry.name for entry in lecture.functions_of(self._begun()) if entry.role == "written"]
@@ -79,8 +91,9 @@ class Lab:
             print(f"No cell that defines {what} has been run since the kernel started (Run ▸ Run All Above).")
         for name in [name for name in student_code.vanished_functions(cells) if name in (names or here)]:
             print(f"{name} is not there any more: deleted, or its cell ended in an error. The last one is checked.")
+        notebook = self._notebook_file(student_code.without_outdone(cells))
         with Progress("checking"):
-            found = checks.check(self._notebook_file(), self._begun(), names, self._started_grader())
+            found = checks.check(notebook, self._begun(), names, self._started_grader(), self._tries, hint)
         print(found.report)
         _warn_of_printing(name for name in student_code.functions_that_print(cells) if name in (names or here))
         return found.credit

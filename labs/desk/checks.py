@@ -12,8 +12,10 @@ from labs.desk.nbgrader import run_of_nbgrader
 from labs.grading.calling.remote import Grader
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.feedback import report
+from labs.grading.feedback.tries import Tries
 from labs.grading.judging import pytest_run
 from labs.grading.judging.score_sheet import Sheet
+from labs.grading.submission.reading import read
 from reference import lecture
 from reference.errors import InvalidInput
 
@@ -26,8 +28,16 @@ class Checked:
     credit: float | None = None
 
 
-def check(notebook: Path, topic: str, names: Sequence[str], grader: Grader) -> Checked:
+_COUNTED = "Tries are counted since this kernel started; the same code again is no new try."
+
+
+def check(
+    notebook: Path, topic: str, names: Sequence[str], grader: Grader, tries: Tries, hint: bool = False
+) -> Checked:
     """Run the visible tests of some functions, or of all functions that the student of this lab writes.
+
+    tries: those that were made, which this check adds to. hint: whether to show the next level of help at once. For
+    nbgrader, which checks each function once, all help is shown.
 
     Raises
     ------
@@ -45,10 +55,43 @@ def check(notebook: Path, topic: str, names: Sequence[str], grader: Grader) -> C
     # In a kernel a function is written by running its cell again and again, so a repeated definition is no mistake.
     sheet.complaints = [complaint for complaint in sheet.complaints if complaint.kind != "repeated"]
     nothing_odd = all(complaint.kind == "missing" for complaint in sheet.complaints)
-    said = "\n".join(report.report(sheet, topics)).strip("\n")
+    functions = [entry.name for name in topics for entry in report.tested(sheet, name)]
+    faulty = [name for name in functions if report.state(sheet, name) == report.WRONG and name not in sheet.unread]
+    _add(tries, notebook, faulty)
     if len(names) == 1 and nothing_odd and report.all_right(sheet):
-        said = textwrap.fill(f"{report.RIGHT} {names[0]} is right, as far as this tries it: {report.HIDDEN}.", 80)
+        count = tries.count(names[0])
+        right = f"{report.RIGHT} {names[0]} is right{f' at try {count + 1}' * bool(count)}"
+        said = textwrap.fill(f"{right}, as far as this tries it: {report.HIDDEN}.", 80)
+    elif run_of_nbgrader():
+        said = _report(sheet, topics, None)
+    else:
+        said = _with_tries(sheet, topics, tries, names if hint else ()) + f"\n{_COUNTED}" * bool(faulty)
+    for name in functions:
+        if report.state(sheet, name) == report.RIGHT:
+            tries.forget(name)
     return Checked(student_code.with_kernel_numbers(said), _credit(notebook, topics, names, grader, sheet))
+
+
+def _with_tries(sheet: Sheet, topics: Sequence[str], tries: Tries, requests: Sequence[str]) -> str:
+    """The report with as much help as there were tries. requests: functions that the next level is shown of as well."""
+    before = _report(sheet, topics, tries)
+    for name in requests:
+        tries.request(name)
+    said = _report(sheet, topics, tries)
+    wrong = [name for name in requests if report.state(sheet, name) == report.WRONG and name not in sheet.unread]
+    return said if said != before or not wrong else f"{said}\nThere is no further hint on {', '.join(wrong)}."
+
+
+def _report(sheet: Sheet, topics: Sequence[str], tries: Tries | None) -> str:
+    return "\n".join(report.report(sheet, topics, tries)).strip("\n")
+
+
+def _add(tries: Tries, notebook: Path, faulty: Sequence[str]) -> None:
+    """Add a try at each function that is not right."""
+    if faulty:
+        submission = read(notebook, faulty, also=lecture.FUNCTIONS)
+        for name in faulty:
+            tries.add(name, submission.code_of(name))
 
 
 def _credit(notebook: Path, topics: Sequence[str], names: Sequence[str], grader: Grader, sheet: Sheet) -> float | None:

@@ -108,6 +108,33 @@ def without_corrected(cells: Sequence[str]) -> list[str]:
     return found
 
 
+def without_outdone(cells: Sequence[str]) -> list[str]:
+    """Cells without the earlier definitions of functions whose last try Python cannot read.
+
+    So that a check says what keeps the last try from being read, and nothing of a definition that is on no screen.
+    """
+    found = list(cells)
+    for place, cell in enumerate(cells):
+        if _is_unreadable(cell):
+            tried = defined_in([cell])
+            found[:place] = [_without(earlier, tried & defined_in([earlier])) for earlier in found[:place]]
+    return found
+
+
+def _without(cell: str, names: frozenset[str]) -> str:
+    """A cell with empty lines where it defines functions of those names."""
+    if not names or _is_unreadable(cell):
+        return cell
+    source = without_magics(cell)
+    lines = source.split("\n")
+    for node in ast.parse(source).body:
+        if isinstance(node, ast.FunctionDef) and node.name in names:
+            first = min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
+            last = node.end_lineno or node.lineno
+            lines[first - 1 : last] = [""] * (last - first + 1)
+    return "\n".join(lines)
+
+
 def defined_in(cells: Iterable[str]) -> frozenset[str]:
     """The functions that cells define, or try to."""
     return frozenset(name for cell in cells for name in _DEFINES.findall(cell))

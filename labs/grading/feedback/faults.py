@@ -30,6 +30,12 @@ _RIGHT_ALONE = ("right", "one at a time", "unwritten")
 """Verdicts on functions that give no wrong number to a function that calls them for a single case."""
 Told = Sequence[tuple[str, str]]
 """Parts, each with what was tried and the answer."""
+HINT, EXPLANATION = "hint", "explanation"
+"""Levels of help besides what was tried: where to look, and then what the mistake is."""
+_NEXT = {
+    HINT: 'A hint comes with your next try; lab.hint("{}") gives it now.',
+    EXPLANATION: 'What is wrong is said with your next try; lab.hint("{}") says it now.',
+}
 
 
 def share(sheet: Sheet, name: str) -> str:
@@ -38,23 +44,42 @@ def share(sheet: Sheet, name: str) -> str:
     return f"  {sum(parts)} of {len(parts)} parts right" if any(parts) else ""
 
 
-def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
-    """What to mend first, what was tried, the answer, what is known of the mistake, a hint, and other lost parts."""
+def wrong(sheet: Sheet, name: str, advice: Advice, levels: int | None = None) -> Iterator[str]:
+    """What to mend first, what was tried, the answer, what is known of the mistake, a hint, and other lost parts.
+
+    levels: how many levels of help are shown, as far as there are so many; all if it is not given.
+    """
     failures = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
     uses = [each for each in sheet.uses.get(name, []) if each in sheet.diagnoses]
     diagnosis, told = _certain(sheet, name, uses, failures)
+    bears = _hint_bears(diagnosis, bool(uses), told, advice)
+    helps = dict.fromkeys(each.help for each in sheet.about(name) if bears and each.help and not each.passed)
+    every = _levels(diagnosis, bool(helps))
+    shown = every[:levels]
     yield from _first(sheet, name, uses)
     for reason, said in told:
         yield from folded(f"Not yet: {reason}", 1)
         yield from _indented(said, advice, bool(diagnosis and diagnosis.verdict == "named"))
     if diagnosis and not diagnosis.right:
-        yield from _diagnosed(diagnosis, [said for _, said in told], advice)
-    if _hint_bears(diagnosis, bool(uses), told, advice):
-        helps = dict.fromkeys(outcome.help for outcome in sheet.about(name) if outcome.help and not outcome.passed)
+        yield from _diagnosed(diagnosis, [said for _, said in told], advice, shown)
+    if HINT in shown:
         yield from (line for help in helps for line in folded(f"Hint: {help}", 1))
     others = [reason for reason, _ in failures if reason not in [reason for reason, _ in told]]
     if others:
         yield from folded(f"{'Not yet either' if told else 'Not yet'}: {'; '.join(others)}", 1)
+    if shown != every:
+        yield from folded(_NEXT[every[len(shown)]].format(name), 1)
+
+
+def _levels(diagnosis: Diagnosis | None, has_help: bool) -> list[str]:
+    """The levels of help that there are for a function, in their order. has_help: whether its tests have a hint."""
+    explained = bool(diagnosis and diagnosis.mistakes)
+    hints = has_help or (diagnosis and any(map(_is_hint, verdict(diagnosis))))
+    return [HINT] * bool(hints) + [EXPLANATION] * explained
+
+
+def _is_hint(paragraph: str) -> bool:
+    return paragraph.startswith("Hint: ")
 
 
 def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tuple[Diagnosis | None, Told]:
@@ -125,21 +150,29 @@ def _advised(said: str, advice: Advice) -> Iterator[str]:
         yield from folded(f"→ {words}", 2)
 
 
-def _diagnosed(diagnosis: Diagnosis, told: Sequence[str], advice: Advice) -> Iterator[str]:
-    """What is known of the mistake, without an example or an error if the tests have shown one already."""
+def _diagnosed(
+    diagnosis: Diagnosis, told: Sequence[str], advice: Advice, shown: Sequence[str] = (HINT, EXPLANATION)
+) -> Iterator[str]:
+    """What is known of the mistake, without an example or an error if the tests have shown one already.
+
+    shown: the levels of help that are shown.
+    """
     if diagnosis.limits_alone or not (told and diagnosis.verdict in _SAID_BY_THE_EXAMPLE):
         first, *others = verdict(diagnosis)
         if diagnosis.verdict != "named":  # a mistake's own text may begin with a symbol, such as e
             first = first[:1].upper() + first[1:]
-        yield from (line for paragraph in (first, *others) for line in folded(paragraph, 1))
+        for paragraph in (first, *others):
+            level = HINT if _is_hint(paragraph) else EXPLANATION
+            if not diagnosis.mistakes or level in shown:
+                yield from folded(paragraph, 1)
     if (example := diagnosis.counterexample) and not _is_shown(diagnosis, example, told):
         yield from folded("For example", 1)
         yield from _indented(example_of(example), advice, diagnosis.verdict == "named")
-    if diagnosis.odd and not any(advice.known(said) for said in told):
+    if diagnosis.odd and EXPLANATION in shown and not any(advice.known(said) for said in told):
         yield from folded(ODD, 1)
         yield from _indented(example_of(diagnosis.odd), advice)
-    shown = any(map(ended_without_numbers, told))
-    rest = replace(diagnosis, accepted=(), crashes=() if shown else diagnosis.crashes)
+    ended = any(map(ended_without_numbers, told))
+    rest = replace(diagnosis, accepted=(), crashes=() if ended else diagnosis.crashes)
     for paragraph in besides(rest):
         yield from folded(paragraph.replace(f"error: {diagnosis.function} raised ", "error: "), 1)
         yield from _advised(paragraph, advice)

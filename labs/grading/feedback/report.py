@@ -6,8 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from labs.grading.feedback.error_advice import Advice
 from labs.grading.feedback.faults import listed, share, wrong
+from labs.grading.feedback.tries import Tries
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.phrases import needed_function
+from labs.grading.submission.cells import place
 from labs.grading.wrapping import folded
 from reference import lecture
 from reference.lecture import Function
@@ -16,8 +18,11 @@ RIGHT, WRONG, TO_DO = "✓", "✗", "·"
 HIDDEN = "hidden tests ask the same of other inputs, at limits and of many cases at once"
 
 
-def report(sheet: Sheet, topics: Sequence[str]) -> Iterator[str]:
-    """All lines: first those about the file, then topic by topic, and at the end what to do next."""
+def report(sheet: Sheet, topics: Sequence[str], tries: Tries | None = None) -> Iterator[str]:
+    """All lines: first those about the file, then topic by topic, and at the end what to do next.
+
+    tries: so many were made at each function, and so much help is shown; all help if there is none.
+    """
     for complaint in sheet.complaints:
         if complaint.kind != "missing":  # missing functions are on the list below
             yield from folded(str(complaint), 0)
@@ -25,7 +30,10 @@ def report(sheet: Sheet, topics: Sequence[str]) -> Iterator[str]:
     for name in topics:
         yield ""
         yield f"{lecture.topic(name).title} ({name})"
-        blocks = [list(_function(sheet, entry, advice)) for entry in tested(sheet, name)]
+        entries = tested(sheet, name)
+        blocks = [list(_function(sheet, entry, advice, tries)) for entry in entries if entry.name not in sheet.unread]
+        if unread := [entry.name for entry in entries if entry.name in sheet.unread]:
+            blocks.insert(0, list(folded(f"  {WRONG} {listed(unread)}  cannot be read, see the first lines", 0)))
         for at, block in enumerate(blocks):
             yield from [""] * (at > 0 and max(len(block), len(blocks[at - 1])) > 1)
             yield from block
@@ -56,16 +64,18 @@ def tested(sheet: Sheet, topic: str) -> list[Function]:
     return [entry for entry in lecture.functions_of(topic) if entry.name in about]
 
 
-def _function(sheet: Sheet, entry: Function, advice: Advice) -> Iterator[str]:
+def _function(sheet: Sheet, entry: Function, advice: Advice, tries: Tries | None) -> Iterator[str]:
     """One function."""
-    mark = state(sheet, entry.name)
-    if entry.name in sheet.unread:
-        yield f"  {mark} {entry.name}  cannot be read, see the first lines"
-    elif mark == WRONG:
-        yield f"  {mark} {entry.name}{share(sheet, entry.name)}"
-        yield from wrong(sheet, entry.name, advice)
+    mark, name = state(sheet, entry.name), entry.name
+    count = tries.count(name) if tries else 0
+    if mark == WRONG:
+        some = share(sheet, name)
+        yield f"  {mark} {name}{some}{(',' if some else ' ') + f' try {count}' if count else ''}"
+        yield from wrong(sheet, name, advice, tries.levels(name) if tries else None)
+    elif mark == TO_DO:
+        yield f"  {mark} {name}{_to_do(sheet, entry)}"
     else:
-        yield f"  {mark} {entry.name}{_to_do(sheet, entry) if mark == TO_DO else ''}"
+        yield f"  {mark} {name}{f'  at try {count + 1}' if count else ''}"
 
 
 def _to_do(sheet: Sheet, entry: Function) -> str:
@@ -92,11 +102,19 @@ def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
         return f"{len(to_do)} function{'s' * (len(to_do) != 1)} to write. Begin with {_task(sheet, to_do[0])}"
     partly = sum(bool(share(sheet, name)) for name in faulty)
     counted = f"{right} of {len(states)} functions right" + f", {partly} in part" * bool(partly)
+    if broken := [name for name in faulty if name in sheet.unread]:
+        return f"{counted}. Next: {_to_mend(sheet) or broken[0]}, so that it can be read."
     if faulty:
         return f"{counted}. Next: {_nearest(sheet, faulty)}, marked {WRONG} above."
     if to_do:
         return f"{counted}. Next: write {_task(sheet, to_do[0])}"
     return f"{counted}. {HIDDEN[0].upper()}{HIDDEN[1:]}."
+
+
+def _to_mend(sheet: Sheet) -> str:
+    """The first place that Python cannot read; empty if none is known."""
+    places = (place(each.cell, each.line) for each in sheet.complaints if each.kind == "unreadable")
+    return next((f"mend {found}" for found in places if found), "")
 
 
 def _nearest(sheet: Sheet, wrong: Sequence[str]) -> str:

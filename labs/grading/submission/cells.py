@@ -37,6 +37,8 @@ _OTHERS = {
 }  # fmt: skip
 _DECLARED = {"iso-8859-1", "iso-8859-15", "cp1252", "cp1250", "mac-roman", "ascii"}
 """Encodings besides UTF-8 that a first line `# coding: …` may name. Others can be made to take very long."""
+_PROGRAM = re.compile(r"^(?:def|import|from|class) \w+", re.MULTILINE)
+"""The start of a line that only a program has, never a notebook's file."""
 _MERGE_MARK = re.compile(r"^(<{7} |={7}$|>{7} |\|{7} )", re.MULTILINE)
 
 
@@ -60,11 +62,15 @@ class Complaint:
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell of source. number: which code cell of the notebook, None for a `.py` file. tags: what it is for."""
+    """One cell of source. number: which code cell of the notebook, None for a `.py` file. tags: what it is for.
+
+    code: whether it is a code cell; a cell of text has the number of the last code cell before it.
+    """
 
     source: str
     number: int | None = None
     tags: frozenset[str] = frozenset()
+    code: bool = True
 
 
 def place(cell: int | None, line: int | None) -> str:
@@ -74,37 +80,41 @@ def place(cell: int | None, line: int | None) -> str:
 
 
 def read_cells(path: Path) -> tuple[list[Cell], list[Complaint]]:
-    """The file's code; raises `UnreadableSubmission` if it has none that can be read."""
+    """The file's cells, those of text as well; raises `UnreadableSubmission` if it has no code that can be read."""
     raw = _bytes(path)
     text, complaints = _text(raw)
-    notebook = text.lstrip().startswith("{") and '"cells"' in text
-    if path.suffix == ".ipynb" or (notebook and path.suffix != ".py") or (notebook and _is_json(text)):
+    suffix = path.suffix.lower()
+    braced = text.lstrip().startswith("{")
+    notebook = braced and ('"cells"' in text or '"worksheets"' in text)
+    if suffix == ".ipynb" and not braced and _PROGRAM.search(text):
+        cells = [Cell(text)]
+        complaints.append(Complaint("it is a Python file, though its name ends in .ipynb: rename it to .py"))
+    elif suffix == ".ipynb" or (notebook and suffix != ".py") or (notebook and _is_json(text)):
         cells = list(_notebook_cells(text))
-        if path.suffix != ".ipynb":
-            complaints.append(
-                Complaint(f"it is a notebook, though its name ends in {one_line(path.suffix) or 'nothing'}")
-            )
-    elif path.suffix == ".py":
+        if suffix != ".ipynb":
+            ending = one_line(path.suffix) or "nothing"
+            complaints.append(Complaint(f"it is a notebook, though its name ends in {ending}: rename it to .ipynb"))
+    elif suffix == ".py":
         cells = [Cell(text)]
     else:
-        raise UnreadableSubmission(f"its name ends in {one_line(path.suffix)!r}: hand in a .ipynb or a .py file")
-    if not any(cell.source.strip() for cell in cells):
-        raise UnreadableSubmission("it holds no code")
-    if len(cells) > CELL_LIMIT:
-        raise UnreadableSubmission(f"it has {len(cells)} code cells, and at most {CELL_LIMIT} are read")
-    if sum(len(cell.source) for cell in cells) > CODE_LIMIT:
+        ending = f"ends in {one_line(path.suffix)!r}" if path.suffix else "has no ending"
+        raise UnreadableSubmission(f"its name {ending}: hand in a .ipynb or a .py file")
+    code = [cell for cell in cells if cell.code]
+    if not any(cell.source.strip() for cell in code):
+        raise UnreadableSubmission("it holds no code: all its cells are empty, or text")
+    if len(code) > CELL_LIMIT:
+        raise UnreadableSubmission(f"it has {len(code)} code cells, and at most {CELL_LIMIT} are read")
+    if sum(len(cell.source) for cell in code) > CODE_LIMIT:
         raise UnreadableSubmission(f"it holds more than {CODE_LIMIT} characters of code")
-    if sum(cell.source.count("{") for cell in cells) > BRACE_LIMIT:
+    if sum(cell.source.count("{") for cell in code) > BRACE_LIMIT:
         raise UnreadableSubmission(f"it holds more than {BRACE_LIMIT} opening braces")
     return cells, complaints
 
 
-def merge_marks(cell: Cell) -> Iterator[Complaint]:
-    """The first mark that a merge left in the source, if there is one."""
-    if found := _MERGE_MARK.search(cell.source):
-        line = cell.source.count("\n", 0, found.start()) + 1
-        text = f"a merge left its mark {found.group().strip()!r}: choose one version"
-        yield Complaint(text, cell.number, line, "unreadable")
+def merge_mark(source: str) -> tuple[int, str] | None:
+    """The first mark that a merge left in a source, with its line; None if there is none."""
+    found = _MERGE_MARK.search(source)
+    return (source.count("\n", 0, found.start()) + 1, found.group().strip()) if found else None
 
 
 def _bytes(path: Path) -> bytes:
@@ -116,7 +126,12 @@ def _bytes(path: Path) -> bytes:
         status = os.fstat(descriptor)
         if not stat.S_ISREG(status.st_mode):
             os.close(descriptor)
-            raise UnreadableSubmission("it is a folder or a device, not a file")
+            folder = stat.S_ISDIR(status.st_mode)
+            raise UnreadableSubmission(
+                "it is a folder: name the notebook or .py file in it" if folder else "it is a device, not a file"
+            )
+    except FileNotFoundError:
+        raise UnreadableSubmission("there is no file of this name here") from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise UnreadableSubmission(f"it cannot be opened: {reason}") from None
@@ -128,7 +143,7 @@ def _bytes(path: Path) -> bytes:
             )
         raw = file.read(FILE_LIMIT)
     if not raw.strip():
-        raise UnreadableSubmission("it is empty")
+        raise UnreadableSubmission("it is empty: was it saved?")
     for start, kind in _OTHERS.items():
         if raw[:64].lstrip().lower().startswith(start.lower()):
             raise UnreadableSubmission(f"it is {kind}, whatever its name says: hand in a .ipynb or a .py file")
@@ -138,7 +153,7 @@ def _bytes(path: Path) -> bytes:
 def _text(raw: bytes) -> tuple[str, list[Complaint]]:
     """The file as text with plain line ends; with a complaint if its encoding had to be guessed."""
     complaints = []
-    encoding = "utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
+    encoding = _utf_16(raw) or "utf-8-sig"
     with contextlib.suppress(SyntaxError):  # raised for an encoding that Python does not know
         declared, _ = tokenize.detect_encoding(io.BytesIO(raw).readline)
         encoding = declared if declared in _DECLARED else encoding
@@ -146,12 +161,29 @@ def _text(raw: bytes) -> tuple[str, list[Complaint]]:
         text = raw.decode(encoding)
     except UnicodeDecodeError:
         text = raw.decode("cp1252", errors="replace")
-        complaints.append(Complaint("it is not UTF-8; read as Windows-1252, so letters with accents may be wrong"))
-    if encoding == "utf-16":
-        complaints.append(Complaint("it is UTF-16, which Python does not run; save it as UTF-8"))
+        complaints.append(
+            Complaint(
+                "it is not UTF-8, and is read as Windows-1252: save it as UTF-8, or letters with accents may be wrong"
+            )
+        )
+    if encoding.startswith("utf-16"):
+        complaints.append(Complaint("it is UTF-16, which Python does not run: save it as UTF-8"))
     if "\0" in text:
-        raise UnreadableSubmission("it is not a text file")
+        line = re.split("\r\n|\r|\n", text[: text.index("\0")])
+        raise UnreadableSubmission(
+            f"line {len(line)}: a NUL character is in it, so it is not a text file; save it as text, in UTF-8"
+        )
     return text.replace("\r\n", "\n").replace("\r", "\n"), complaints
+
+
+def _utf_16(raw: bytes) -> str:
+    """Which kind of UTF-16 a file is, by its mark or by the zeros of its first line; empty for any other encoding."""
+    if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return "utf-16"
+    start = raw[:64]
+    if len(start) > 3 and not any(start[1::2]):
+        return "utf-16-le"
+    return "utf-16-be" if len(start) > 3 and not any(start[::2]) else ""
 
 
 def _is_json(text: str) -> bool:
@@ -166,18 +198,30 @@ def _notebook_cells(text: str) -> Iterator[Cell]:
     try:
         notebook = json.loads(text)
     except (ValueError, RecursionError) as error:
-        if found := _MERGE_MARK.search(text):
-            line = text.count("\n", 0, found.start()) + 1
+        if found := merge_mark(text):
             raise UnreadableSubmission(
-                f"line {line}: a merge left its marks in the notebook, so it cannot be read"
+                f"line {found[0]}: a merge left its marks in the notebook, so it cannot be read: take one of the two"
+                " versions whole"
             ) from None
-        raise UnreadableSubmission(f"it is not a notebook: {one_line(str(error))}") from None
+        if text.lstrip().startswith("{"):
+            raise UnreadableSubmission(f"it is a notebook that is {_damage(error, text)}") from None
+        raise UnreadableSubmission("it is not a notebook, whatever its name says: save it again in Jupyter") from None
     number = 0
     for cell in _cells_of(notebook):
-        if isinstance(cell, dict) and cell.get("cell_type") == "code":
-            number += 1
-            source = _joined(cell.get("source", cell.get("input", "")))
-            yield Cell(source.replace("\r\n", "\n").replace("\r", "\n"), number, _tags(cell.get("metadata")))
+        if isinstance(cell, dict):
+            code = cell.get("cell_type") == "code"
+            number += code
+            source = _joined(cell.get("source", cell.get("input", ""))).replace("\r\n", "\n").replace("\r", "\n")
+            yield Cell(source, number, _tags(cell.get("metadata")), code)
+
+
+def _damage(error: Exception, text: str) -> str:
+    """Where a notebook's file stops to be one."""
+    again = "save it again in Jupyter, or take an earlier copy"
+    if not isinstance(error, json.JSONDecodeError):
+        return f"nested too deeply to be read: {again}"
+    cut_off = error.msg.startswith("Unterminated string") or error.pos >= len(text.rstrip())
+    return f"{'cut off' if cut_off else 'damaged'} at line {error.lineno}: {again}"
 
 
 def _cells_of(notebook: Any) -> list[Any]:

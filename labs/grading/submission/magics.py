@@ -1,7 +1,8 @@
-"""Takes out of a cell the lines that only a notebook's kernel understands: magics, shell commands, questions.
+"""Takes out of a cell what only a notebook's kernel understands: magics, shell commands, questions, copied prompts.
 
 A line is taken out only if it begins a statement, never inside a bracket or a string. `pass` takes its place, so that
-blocks stay whole and every other line keeps its number.
+blocks stay whole and every other line keeps its number. Of a cell that was copied with prompts (`>>> `), or from inside
+a block, these and the indentation of its first line are taken off each line, as the kernel does.
 
 Threat: a megabyte made to be read again and again. No pattern here looks at a character more than a few times.
 """
@@ -12,6 +13,8 @@ import re
 
 _PYTHON_CELL = re.compile(r"(?:\n*%%[ \t]*(?:time|timeit|capture|prun)(?:[ \t][^\n]*)?(?:\n|\Z))*\n*")
 """First lines after which a cell is Python as any other."""
+_START = re.compile(r"\n*(?P<indent>[ \t]*)(?P<prompt>>>>(?: |$))?", re.MULTILINE)
+_PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.)(?: |$)", re.MULTILINE)
 _MAGIC = re.compile(
     r"""[ \t]*(?:
         [%!?].*                                # %matplotlib inline, !pip install, ?name
@@ -20,7 +23,7 @@ _MAGIC = re.compile(
     )$""",
     re.VERBOSE | re.MULTILINE,
 )
-_TOKEN = re.compile(
+TOKEN = re.compile(
     r"""
     (?P<long>'''|\"\"\")(?:\\.|(?!(?P=long)).)*(?:(?P=long)|\Z)
   | '(?:\\.|[^'\\\n])*'? | "(?:\\.|[^"\\\n])*"?    # one that does not end goes to the end of its line
@@ -32,6 +35,7 @@ _TOKEN = re.compile(
 
 def without_magics(source: str) -> str:
     """The cell's Python; empty if its first line says that the cell is in another language."""
+    source = _at_the_margin(source)
     found = _PYTHON_CELL.match(source)
     at = found.end() if found else 0
     if source.startswith("%%", at):
@@ -50,6 +54,15 @@ def without_magics(source: str) -> str:
     return "".join(parts)
 
 
+def _at_the_margin(source: str) -> str:
+    """The cell without prompts, if it begins with one, and without the indentation of its first line."""
+    start = _START.match(source)
+    if start and start["prompt"]:
+        return _PROMPT.sub("", source)
+    indent = start["indent"] if start else ""
+    return "\n".join(line.removeprefix(indent) for line in source.split("\n")) if indent else source
+
+
 def _end_of_line(source: str, at: int) -> int:
     """Where a magic ends: after its line and those that a backslash joins to it."""
     while True:
@@ -64,7 +77,7 @@ def _end_of_line(source: str, at: int) -> int:
 def _end_of_statement(source: str, at: int) -> int:
     """Where a logical line ends: all its brackets and strings are closed."""
     depth = 0
-    for token in _TOKEN.finditer(source, at):
+    for token in TOKEN.finditer(source, at):
         depth += (token["open"] is not None) - (token["close"] is not None)
         if token["end"] and depth <= 0:
             return token.end()

@@ -11,25 +11,30 @@ with the function's name, or that nbgrader knows by that name.
 from __future__ import annotations
 
 import ast
-import difflib
 import functools
-import re
 import warnings
-from collections.abc import Collection, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Collection
+from dataclasses import dataclass
 from pathlib import Path
 
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.safe_text import one_line
-from labs.grading.submission.cells import Cell, Complaint, merge_marks, place, read_cells
+from labs.grading.submission.cells import Cell, Complaint, place, read_cells
+from labs.grading.submission.complaints import (
+    Located,
+    definitions,
+    few,
+    in_cells_of_text,
+    misplaced,
+    misspelt,
+    unreadable,
+    with_its_cost,
+)
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.slicing import Group, defined_as, groups, needed, used_by
-from reference import lecture
 
 __all__ = ["Complaint", "Submission", "read"]
 
-_ALIKE = 0.85  # similarity, at most 1, from which a name is taken for a misspelling of another one
-_LOOKED_AT = 500  # the most names that are compared so
 _TOO_MUCH = (ValueError, RecursionError, MemoryError)  # raised by ast for text that no person writes
 
 
@@ -53,6 +58,21 @@ class Submission:
     def uses(self, name: str) -> list[str]:
         """The functions of the submission that one of them calls, directly or through other code that it needs."""
         return used_by(self._groups, name, self.functions)
+
+    def code_of(self, name: str) -> str:
+        """What a function is made of besides other functions of the lab: the same whatever its layout and place.
+
+        In a kernel's history it stands as often as its cell was run, and only the last time counts.
+        """
+        others = frozenset(self.functions) - {name}
+        last = {each: group for group in self._groups for each in group.defines}
+        own = [
+            group
+            for group in self._groups
+            if not group.defines & others
+            and not any(last[each] is not group and defined_as(group, each) == "def" for each in group.defines)
+        ]
+        return "\n".join(sorted({ast.unparse(each) for at in needed(own, [name]) for each in own[at].statements}))
 
     def function_at(self, line: int | None) -> str | None:
         """The function of the submission that contains a line of the text, if one does."""
@@ -89,14 +109,6 @@ class Submission:
         return place(before[-1][1], line - before[-1][0]) if before else place(None, line)
 
 
-@dataclass(frozen=True)
-class _Located:
-    """A group of statements and the cell that it is in."""
-
-    group: Group
-    cell: Cell
-
-
 def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) -> Submission:
     """Read a `.ipynb` or `.py` file, looking for the wanted functions.
 
@@ -104,86 +116,53 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
     file holds no code at all; anything less is a complaint.
     """
     path = Path(path)
-    name = one_line(path.name)
+    name = one_line(path.name or path.absolute().name or str(path))
     try:
-        cells, complaints = read_cells(path)
+        every, complaints = read_cells(path)
     except UnreadableSubmission as error:
         raise UnreadableSubmission(f"{name}: {error}") from None
-    pieces, sources = [], []
+    cells, texts = [cell for cell in every if cell.code], [cell for cell in every if not cell.code]
+    pieces, sources, unread = list[Located](), list[str](), list[tuple[Cell, Complaint]]()
     for cell in cells:
-        source, found = _parsed(cell, complaints)
+        source, found, complaint = _parsed(cell)
         sources.append(source)
-        pieces += [_Located(group, cell) for group in found]
+        pieces += [Located(group, cell) for group in found]
+        if complaint:
+            unread.append((cell, complaint))
+    defined = {name: piece.cell for piece in pieces for name in piece.group.defines}
+    complaints += [with_its_cost(complaint, cell, defined) for cell, complaint in unread]
     functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
-    defined = {name for piece in pieces for name in piece.group.defines}
     missing = [each for each in wanted if each not in defined]
-    complaints.extend(_misspelt(missing, pieces))
+    complaints.extend(misplaced(missing, pieces))
+    complaints.extend(in_cells_of_text(missing, texts))
+    complaints.extend(misspelt(missing, pieces))
     if missing:
         text = f"{', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"
         complaints.append(Complaint(text, kind="missing"))
     functions += [name for name in also if name in defined and name not in wanted]
     text, starts = _assembled(cells, sources, pieces, functions)
-    lost = {each for cell, source in zip(cells, sources, strict=True) if not source for each in _defs(cell.source)}
-    unread = tuple(each for each in missing if each in lost)
-    return Submission(name, text, tuple(functions), tuple(complaints), starts, unread)
+    lost = {each for cell, _ in unread for each in definitions(cell.source)}
+    return Submission(
+        name, text, tuple(functions), tuple(few(complaints)), starts, tuple(each for each in missing if each in lost)
+    )
 
 
-def _parsed(cell: Cell, complaints: list[Complaint]) -> tuple[str, list[Group]]:
-    """The cell's Python and its statements; empty, with a complaint, if the cell cannot be read."""
-    if marks := list(merge_marks(cell)):
-        complaints.extend(replace(mark, text=mark.text + _effect(cell.source)) for mark in marks)
-        return "", []
+def _parsed(cell: Cell) -> tuple[str, list[Group], Complaint | None]:
+    """The cell's Python and its statements; empty, with a complaint, if Python cannot read it."""
     source = cell.source
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # about a backslash in a text: the student sees that elsewhere
         try:
-            return source, groups(source)
+            return source, groups(source), None
         except (SyntaxError, *_TOO_MUCH):
             source = without_magics(source)
         try:
-            return source, groups(source)
-        except SyntaxError as error:
-            complaints.append(_told(error, cell, source))
-        except _TOO_MUCH as error:
-            why = "it holds half a character" if isinstance(error, UnicodeError) else "too deeply nested"
-            complaints.append(Complaint(f"Python cannot read this: {why}", cell.number, kind="unreadable"))
-    return "", []
+            return source, groups(source), None
+        except (SyntaxError, *_TOO_MUCH) as error:
+            return "", [], unreadable(error, cell, source)
 
 
-def _told(error: SyntaxError, cell: Cell, source: str) -> Complaint:
-    lines = source.splitlines()
-    number = error.lineno or 1
-    line = one_line(lines[number - 1], 80) if number <= len(lines) else ""
-    text = f"Python cannot read {line!r}: {one_line(error.msg)}{_effect(source)}"
-    return Complaint(text, cell.number, number, "unreadable")
-
-
-def _effect(source: str) -> str:
-    lost = _defs(source)
-    return f"; so {', '.join(lost[:3])}{' …' if len(lost) > 3 else ''} cannot be read" if lost else ""
-
-
-def _defs(source: str) -> list[str]:
-    """The functions of a source that Python cannot read."""
-    return list(dict.fromkeys(re.findall(r"^def (\w+)", source, re.MULTILINE)))
-
-
-def _misspelt(missing: list[str], pieces: list[_Located]) -> Iterator[Complaint]:
-    """Complaints about functions whose names look like those of missing ones."""
-    plainly = {_letters(name): name for name in missing}
-    others = [(name, piece) for piece in pieces for name in sorted(piece.group.defines - lecture.FUNCTIONS.keys())]
-    for name, piece in others[:_LOOKED_AT]:
-        if defined_as(piece.group, name) == "def":
-            for near in difflib.get_close_matches(_letters(name), plainly, 1, _ALIKE):
-                text = f"is {one_line(name, 80)} meant to be {plainly[near]}? It counts under that name alone"
-                yield Complaint(text, piece.cell.number, piece.group.first)
-
-
-def _letters(name: str) -> str:
-    return name.replace("_", "").lower()
-
-
-def _check_definition(name: str, pieces: list[_Located], complaints: list[Complaint]) -> bool:
+def _check_definition(name: str, pieces: list[Located], complaints: list[Complaint]) -> bool:
     """Whether the submission defines the function; complains of copies, and of an import instead of a definition."""
     found = [piece for piece in pieces if defined_as(piece.group, name)]
     kinds = {defined_as(piece.group, name) for piece in found}
@@ -198,13 +177,13 @@ def _check_definition(name: str, pieces: list[_Located], complaints: list[Compla
     return bool(found)
 
 
-def _counting(name: str, found: list[_Located]) -> _Located:
+def _counting(name: str, found: list[Located]) -> Located:
     """The definition that counts: the last one, or the last one in a cell made for it."""
     return ([piece for piece in found if name in piece.cell.tags] or found)[-1]
 
 
 def _assembled(
-    cells: list[Cell], sources: list[str], pieces: list[_Located], functions: list[str]
+    cells: list[Cell], sources: list[str], pieces: list[Located], functions: list[str]
 ) -> tuple[str, tuple[tuple[int, int], ...]]:
     """The text that the functions need, with all other lines empty, and where each code cell starts in it."""
     made_for_it = _in_cells_made_for(pieces, functions)
@@ -221,12 +200,12 @@ def _assembled(
     return "\n".join(lines).rstrip("\n") + "\n", tuple(starts)
 
 
-def _in_cells_made_for(pieces: list[_Located], functions: list[str]) -> dict[str, _Located]:
+def _in_cells_made_for(pieces: list[Located], functions: list[str]) -> dict[str, Located]:
     """The functions that are defined in a cell made for them, each with the definition that counts."""
     return {name: piece for piece in pieces for name in piece.group.defines & set(functions) if name in piece.cell.tags}
 
 
-def _outdone(piece: _Located, made_for_it: dict[str, _Located]) -> bool:
+def _outdone(piece: Located, made_for_it: dict[str, Located]) -> bool:
     """Whether it is only another definition of a function that has a cell made for it."""
     alone = len(piece.group.statements) == 1 and isinstance(piece.group.statements[0], ast.FunctionDef)
     return alone and any(name not in piece.cell.tags for name in piece.group.defines & made_for_it.keys())

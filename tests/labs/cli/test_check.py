@@ -144,7 +144,7 @@ def test_a_function_that_python_cannot_read_is_not_listed_as_to_do(tmp_path):
     (tmp_path / "lab.py").write_text("def is_colliding(separation:\n    return separation < 0\n")
     code, text = checked(tmp_path / "lab.py")
     assert code == 1
-    assert "so is_colliding cannot be read" in joined(text)
+    assert "add its ). Until then is_colliding cannot be checked." in joined(text)
     assert "✗ is_colliding  cannot be read, see the first lines" in text
     assert "· signed_distance  to do, slide 4" in text
 

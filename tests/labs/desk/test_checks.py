@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from cells import STUB, right_cells, said
 
@@ -31,11 +33,76 @@ def test_a_check_takes_each_function_as_its_last_cell_defines_it(lab, cells, cap
     cells.append("def signed_distance(point, normal, offset):\n    return np.vecdot(point, normal) + offset")
     wrong = said(capsys, lab.check, "signed_distance")
     assert "✗ signed_distance" in wrong
-    assert "It is one only" in wrong
     assert "defined" not in wrong  # three times, as is right in a kernel
     cells += right_cells()
     assert "✓ signed_distance is right" in said(capsys, lab.check, "signed_distance")
     assert "is_colliding" not in said(capsys, lab.check, "signed_distance")
+
+
+ONE_ONLY = "def signed_distance(point, normal, offset):\n    return np.vecdot(point, normal) + offset"
+AGAIN = ONE_ONLY.replace("np.vecdot(point, normal) + offset", "offset + np.vecdot(normal, point)")
+TRIED, HINT, MISTAKE = "        physics ", "    Hint: ", "It is one only"
+
+
+def test_help_comes_one_level_with_each_try(lab, cells, capsys):
+    cells += [*right_cells(), ONE_ONLY]
+    first = said(capsys, lab.check, "signed_distance")
+    assert re.search(r"✗ signed_distance  \d of \d parts right, try 1\n", first)
+    assert TRIED in first
+    assert HINT not in first
+    assert MISTAKE not in first
+    assert 'A hint comes with your next try; lab.hint("signed_distance") gives it now.' in " ".join(first.split())
+    assert "Tries are counted since this kernel started" in first
+    cells.append(f"{ONE_ONLY}  # so it is")
+    assert said(capsys, lab.check, "signed_distance") == first
+    cells.append(AGAIN)
+    second = said(capsys, lab.check, "signed_distance")
+    assert "parts right, try 2\n" in second
+    assert HINT in second
+    assert MISTAKE not in second
+    assert 'lab.hint("signed_distance") says it now.' in " ".join(second.split())
+    cells.append(ONE_ONLY)
+    assert said(capsys, lab.check, "signed_distance") == second, "it was tried before"
+    cells.append(AGAIN.replace("offset +", "offset - -"))
+    third = said(capsys, lab.check, "signed_distance")
+    assert MISTAKE in third
+    assert "lab.hint" not in third
+    cells += right_cells()
+    assert "✓ signed_distance is right at try 4, as far as" in said(capsys, lab.check, "signed_distance")
+    cells.append(ONE_ONLY)
+    assert said(capsys, lab.check, "signed_distance") == first, "a function that was right begins again"
+
+
+def test_a_hint_may_be_asked_for_before_the_next_try(lab, cells, capsys):
+    cells += [*right_cells(), ONE_ONLY]
+    first = said(capsys, lab.hint, "signed_distance")
+    assert "try 1\n" in first
+    assert HINT in first
+    assert MISTAKE not in first
+    assert HINT in said(capsys, lab.check, "signed_distance"), "what was shown once stays"
+    second = said(capsys, lab.hint, "signed_distance")
+    assert MISTAKE in second
+    assert "no further hint" not in second
+    assert "There is no further hint on signed_distance." in said(capsys, lab.hint, "signed_distance")
+
+
+def test_nbgrader_reads_all_help_at_once(lab, cells, capsys, monkeypatch):
+    cells += [*right_cells(), ONE_ONLY]
+    monkeypatch.setenv("NBGRADER_EXECUTION", "validate")
+    told = said(capsys, lab.check, "signed_distance")
+    assert HINT in told
+    assert MISTAKE in told
+    assert "try" not in told
+
+
+def test_a_definition_before_one_that_python_cannot_read_is_not_diagnosed(lab, cells, capsys):
+    cells += [*right_cells(), ONE_ONLY, ONE_ONLY.replace("normal)", "normal")]
+    told = said(capsys, lab.check, "signed_distance")
+    assert "cell [4], line 2: Python cannot read 'return np.vecdot(point, normal + offset'" in " ".join(told.split())
+    assert "np.vecdot( is opened here and never closed" in " ".join(told.split())
+    assert "✗ signed_distance  cannot be read" in told
+    assert "mend cell [4], line 2, so that it can be read" in told
+    assert "Not yet" not in told
 
 
 def test_an_endless_loop_in_a_check_prints_one_line(lab, cells, capsys, grader, monkeypatch):
@@ -57,10 +124,10 @@ def test_a_misspelt_function_is_compared_with_those_of_this_lab_alone(lab, capsy
 
 def test_a_corrected_mistake_is_not_reported_again(lab, cells, capsys):
     cells += [*right_cells(), "def is_colliding(separation, tolerance=0.0)\n    return separation < -tolerance"]
-    assert "expected ':'" in said(capsys, lab.check, "is_colliding")
+    assert "a colon is missing" in said(capsys, lab.check, "is_colliding")
     cells.append("def is_colliding(separation, tolerance=0.0):\n    return separation < -tolerance")
     assert "✓ is_colliding is right" in (told := said(capsys, lab.check, "is_colliding"))
-    assert "expected" not in told
+    assert "colon" not in told
     cells.append("x = = 3")
     assert "cannot read" not in said(capsys, lab.check, "is_colliding")
 

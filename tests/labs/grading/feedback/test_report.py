@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from labs.grading.diagnosis.deviations import Answer, Right
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
 from labs.grading.diagnosis.fingerprints import known
 from labs.grading.diagnosis.probes.probe import usual
 from labs.grading.feedback.report import RIGHT, TO_DO, WRONG, all_right, report, state
+from labs.grading.feedback.tries import Tries
 from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from labs.grading.submission.cells import Complaint
 from reference import lecture
@@ -24,9 +26,9 @@ def outcome(function, passed, *parts, **more):
     return Outcome("test_they_bounce", 3, passed, parts=parts, function=function, **more)
 
 
-def lines(*outcomes, complaints=(), topics=("impulse",), **diagnoses):
-    sheet = Sheet("lab.py", list(complaints), outcomes=list(outcomes), diagnoses=diagnoses)
-    return [*report(sheet, topics)]
+def lines(*outcomes, complaints=(), topics=("impulse",), tries=None, unread=(), **diagnoses):
+    sheet = Sheet("lab.py", list(complaints), unread, outcomes=list(outcomes), diagnoses=diagnoses)
+    return [*report(sheet, topics, tries)]
 
 
 # The report
@@ -74,6 +76,54 @@ def test_a_file_without_requested_functions_has_no_next_step():
 def test_complaints_come_first_except_for_listed_functions():
     complaints = Complaint("odd", line=3), Complaint("collide is missing", kind="missing")
     assert lines(complaints=complaints)[:2] == ["line 3: odd", ""]
+
+
+def test_functions_that_cannot_be_read_share_one_line_and_lead_to_its_place():
+    complaint = Complaint("Python cannot read 'x = )'", 3, 2, "unreadable")
+    lost = [outcome(name, False) for name in ("collide", "point_velocity")]
+    found = lines(*lost, complaints=[complaint], unread=("collide", "point_velocity"))
+    assert "  ✗ point_velocity and collide  cannot be read, see the first lines" in found
+    assert found[-1] == "0 of 2 functions right. Next: mend code cell 3, line 2, so that it can be read."
+
+
+SEVERAL = Diagnosis("rebound_velocity", "several", (FIRST, SECOND), EXAMPLE)
+LIKELY = Diagnosis("rebound_velocity", "likely", (FIRST,), EXAMPLE, odd=EXAMPLE)
+CRASH = Diagnosis("rebound_velocity", "crashes", counterexample=EXAMPLE)
+
+
+@pytest.mark.parametrize(
+    ("diagnosis", "helps"),
+    [
+        (Diagnosis("rebound_velocity", "named", (FIRST,), EXAMPLE), ["Hint: ", "fraction of the velocity"]),
+        (LIKELY, ["Hint: ", "Most of its numbers fit this mistake"]),
+        (SEVERAL, ["Its numbers fit more than one mistake"]),
+        (Diagnosis("rebound_velocity", "unknown", counterexample=EXAMPLE), ["Hint: Look there."]),
+        (CRASH, []),
+    ],
+    ids=lambda value: value.verdict if isinstance(value, Diagnosis) else "",
+)
+def test_each_try_after_the_first_shows_one_level_of_help_more(diagnosis, helps):
+    tries, part = Tries(), Part(1, "one", "rebound_velocity(2)\ngives   -1\nphysics 1")
+    for count in range(1, 5):
+        tries.add("rebound_velocity", f"try {count}")
+        failed = outcome("rebound_velocity", False, part, help="Look there.")
+        text = "\n".join(lines(failed, tries=tries, rebound_velocity=diagnosis))
+        assert f"  ✗ rebound_velocity  try {count}\n    Not yet: one\n" in text
+        assert "physics 1" in text
+        assert [words in text for words in helps] == [at < count - 1 for at in range(len(helps))]
+        assert ("lab.hint(" in text) == (count <= len(helps))
+
+
+def test_tries_count_changed_code_and_begin_again_once_it_is_right():
+    tries = Tries()
+    for code in ("a", "a", "b", "a"):
+        tries.add("collide", code)
+    assert (tries.count("collide"), tries.levels("collide")) == (2, 1)
+    tries.request("collide")
+    assert (tries.count("collide"), tries.levels("collide")) == (2, 2)
+    assert "  ✓ collide  at try 3" in lines(outcome("collide", True), tries=tries)
+    tries.forget("collide")
+    assert (tries.count("collide"), tries.levels("collide")) == (0, 0)
 
 
 def test_the_first_two_failed_parts_are_shown_with_their_calls():

@@ -174,7 +174,7 @@ def test_unwritten_functions_are_listed_as_to_do(graded):
 def test_an_unreadable_file_earns_nothing_and_every_test_says_why(graded):
     _, sheet = graded("\n")
     assert (sheet.earned, sheet.points) == (0, 16)
-    assert {outcome.said for outcome in sheet.outcomes} == {"lab.py: it is empty"}
+    assert {outcome.said for outcome in sheet.outcomes} == {"lab.py: it is empty: was it saved?"}
 
 
 def test_each_test_has_its_own_process_that_ends_with_it():

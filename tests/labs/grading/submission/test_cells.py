@@ -29,8 +29,10 @@ from labs.grading.submission.reading import read
         (("# coding: klingon\n" + BOTH).encode(), ""),
         (("# coding: punycode\n" + BOTH).encode(), ""),
         (("# Ångström\n" + BOTH).encode("utf-16"), "UTF-16"),
+        ((" " * 40 + "\n# Ångström\n" + BOTH).encode("utf-16-le"), "UTF-16"),
+        ((" " * 40 + "\n# Ångström\n" + BOTH).encode("utf-16-be"), "UTF-16"),
     ],
-    ids=["mark", "CRLF", "CR", "declared latin-1", "latin-1", "unknown", "slow codec", "UTF-16"],
+    ids=["mark", "CRLF", "CR", "declared latin-1", "latin-1", "unknown", "slow codec", "UTF-16", "no mark", "big end"],
 )
 @pytest.mark.parametrize("name", ["lab.py", "lab.ipynb"])
 def test_encodings_and_line_ends_are_handled_and_odd_ones_reported(encoded, complaint, name, tmp_path):
@@ -76,15 +78,16 @@ def test_half_a_character_costs_only_its_cell(tmp_path):
         ("lab.ipynb", b'{"cells": 3}', "it has no cells"),
         ("lab.ipynb", b"[1, 2]", "it has no cells"),
         ("lab.ipynb", b'{"worksheets": [{"cells": 5}, 3, {"cells": [4]}]}', "it holds no code"),
-        ("lab.ipynb", b'{"cells": ' + b"[" * 100_000, "it is not a notebook"),
-        ("lab.ipynb", notebook(BOTH)[:-20], "it is not a notebook"),
+        ("lab.ipynb", b'{"cells": ' + b"[" * 100_000, "nested too deeply to be read: save it again in Jupyter"),
+        ("lab.ipynb", notebook(BOTH)[:-20], "it is a notebook that is cut off at line 1: save it again in Jupyter"),
+        ("lab.ipynb", b'{\n"cells": [}\n', "it is a notebook that is damaged at line 2"),
         ("lab.ipynb", b'{\n"cells": [\n<<<<<<< HEAD\n1\n=======\n>>>>>>> x\n]}', "line 3: a merge left its marks"),
         ("lab.py", b"%PDF-1.7 \xff", "a PDF"),
         ("lab.py", b"PK\x03\x04docx", "a zip archive"),
         ("lab.ipynb", b"\n<!DOCTYPE HTML><p>", "a web page"),
-        ("lab.py", b"x = 1\0\n", "it is not a text file"),
+        ("lab.py", b"x = 1\r\ny = 2\0\n", "line 2: a NUL character is in it, so it is not a text file"),
         ("lab.txt", BOTH.encode(), "hand in a .ipynb or a .py file"),
-        ("lab", BOTH.encode(), "hand in a .ipynb or a .py file"),
+        ("lab", BOTH.encode(), "its name has no ending: hand in a .ipynb or a .py file"),
         ("lab.py", b"# " + b"x" * 2**18, "more than 262144 characters of code"),
         ("lab.py", b'f"' + b"{x}" * 20_000 + b'"', "more than 10000 opening braces"),
         ("la\nb\x1b[2J.py", b"", "la b␛[2J.py: it is empty"),
@@ -117,8 +120,8 @@ def test_a_missing_file_a_folder_a_pipe_and_a_link_are_refused(tmp_path):
     (tmp_path / "secret.py").write_text("the expected value is 42")
     (tmp_path / "link.py").symlink_to(tmp_path / "secret.py")
     for name, line in (
-        ("none", "No such file"),
-        ("folder", "folder"),
+        ("none", "none.py: there is no file of this name here"),
+        ("folder", "folder.py: it is a folder: name the notebook or .py file in it"),
         ("pipe", "not a file"),
         ("link", "symbolic link"),
     ):
@@ -140,7 +143,8 @@ def test_a_notebook_of_a_hundred_megabytes_is_refused_without_being_read(tmp_pat
 def test_a_merge_mark_is_named_with_its_line(tmp_path):
     source = BOTH + "<<<<<<< HEAD\nx = 1\n=======\nx = 2\n>>>>>>> theirs\n"
     submission = handed_in(tmp_path, source, "lab.py")
-    assert "line 7: a merge left its mark '<<<<<<<': choose one version; so rebound_velocity, " in told(submission)
+    said = "line 7: a merge left its mark '<<<<<<<': keep one version, and delete all marks. Until then"
+    assert f"{said} rebound_velocity and normal_velocity cannot be checked." in told(submission)
     assert submission.functions == ()
     assert submission.unread == WANTED
 
@@ -148,7 +152,30 @@ def test_a_merge_mark_is_named_with_its_line(tmp_path):
 def test_a_notebook_with_the_suffix_py_is_read_with_a_complaint(tmp_path):
     submission = handed_in(tmp_path, notebook(BOTH), "lab.py")
     assert submission.functions == WANTED
-    assert told(submission) == "it is a notebook, though its name ends in .py"
+    assert told(submission) == "it is a notebook, though its name ends in .py: rename it to .ipynb"
+
+
+def test_a_python_file_with_the_suffix_ipynb_is_read_with_a_complaint(tmp_path):
+    submission = handed_in(tmp_path, BOTH, "lab.ipynb")
+    assert submission.functions == WANTED
+    assert told(submission) == "it is a Python file, though its name ends in .ipynb: rename it to .py"
+
+
+def test_a_suffix_in_capitals_is_a_suffix(tmp_path):
+    assert handed_in(tmp_path, BOTH, "LAB.PY").functions == WANTED
+    assert handed_in(tmp_path, notebook(BOTH), "LAB.IPYNB").complaints == ()
+
+
+def test_an_underlined_heading_in_a_text_is_no_mark_of_a_merge(tmp_path):
+    submission = handed_in(tmp_path, f'"""\nImpulse\n=======\n"""\n{BOTH}', "lab.py")
+    assert submission.functions == WANTED
+    assert told(submission) == ""
+
+
+def test_the_folder_that_stands_for_itself_is_named(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(UnreadableSubmission, match=f"^{tmp_path.name}: it is a folder"):
+        read(".", WANTED)
 
 
 SOURCES = [

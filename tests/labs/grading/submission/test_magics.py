@@ -28,7 +28,7 @@ def test_magics_shell_lines_and_questions_are_removed(tmp_path):
 @pytest.mark.parametrize(
     ("cell", "python"),
     [
-        ("%a", "pass"), ("x = 1\n%time y", "x = 1\npass"), ("  !a \\\n  b \\\n  c\nx = 1", "  pass\n\n\nx = 1"),
+        ("%a", "pass"), ("x = 1\n%time y", "x = 1\npass"), ("  !a \\\n  b \\\n  c\nx = 1", "pass\n\n\nx = 1"),
         ("!a \\\n b", "pass\n"), ("x = !ls", "pass"), ("x = %time y\n", "pass\n"),
         ("f?", "pass"), ("m.f??\n", "pass\n"),
         ("?f", "pass"), ("f???", "f???"), ("a %= 2", "a %= 2"), ("a != 2", "a != 2"), ("a =!= 2", "a =!= 2"),

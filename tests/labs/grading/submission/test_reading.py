@@ -50,13 +50,27 @@ def test_a_syntax_error_costs_only_its_cell_and_names_its_line(tmp_path):
 
 @pytest.mark.parametrize(
     ("names", "effect"),
-    [("", ""), ("a", "; so a cannot be read"), ("abc", "; so a, b, c cannot be read"),
-     ("abcd", "; so a, b, c … cannot be read")],
+    [("", ""), ("a", ". Until then a cannot be checked."), ("abc", ". Until then a, b and c cannot be checked."),
+     ("abcde", ". Until then a, b, c and 2 more cannot be checked.")],
 )  # fmt: skip
 def test_a_syntax_error_names_the_functions_it_costs(names, effect, tmp_path):
     source = "".join(f"def {name}(): pass\n" for name in names) + "x = )"
     first = told(handed_in(tmp_path, source, "lab.py")).splitlines()[0]
-    assert first == f"line {len(names) + 1}: Python cannot read 'x = )': unmatched ')'{effect}"
+    closes = "the bracket ) closes nothing: delete it, or add the one that it closes"
+    assert first == f"line {len(names) + 1}: Python cannot read 'x = )': {closes}{effect}"
+
+
+def test_a_cell_that_cannot_be_read_says_which_earlier_cell_counts(tmp_path):
+    submission = handed_in(tmp_path, notebook(BOTH, BOTH.replace("-e * v", "-e * (v")))
+    assert submission.functions == WANTED
+    assert told(submission).endswith("Until then code cell 1 counts for rebound_velocity and normal_velocity.")
+
+
+def test_of_two_thousand_broken_cells_five_are_quoted_and_the_others_counted(tmp_path):
+    submission = handed_in(tmp_path, notebook(BOTH, *["x = = 3"] * 1999))
+    assert submission.functions == WANTED
+    assert len(submission.complaints) == 6
+    assert told(submission).endswith("\nand 1994 more cells that Python cannot read")
 
 
 @pytest.mark.parametrize("error", [RecursionError, MemoryError, ValueError])
@@ -66,7 +80,7 @@ def test_source_too_deep_for_python_is_reported(error, tmp_path, monkeypatch):
 
     monkeypatch.setattr(reading, "groups", groups)
     found = handed_in(tmp_path, notebook(BOTH))
-    assert told(found).splitlines()[0] == "code cell 1: Python cannot read this: too deeply nested"
+    assert told(found).startswith("code cell 1: Python cannot read this: too deeply nested. Until then")
     assert found.functions == ()
 
 
@@ -83,3 +97,58 @@ def test_an_error_line_leads_back_to_the_cell(tmp_path):
 def test_a_misspelt_function_name_is_pointed_out(name, near, tmp_path):
     submission = handed_in(tmp_path, f"def {name}(v, e):\n    return -e * v\n", "lab.py")
     assert (f"line 1: is {name} meant to be rebound_velocity?" in told(submission)) == near
+
+
+@pytest.mark.parametrize(
+    ("source", "line"),
+    [
+        ("def outer(v):\n    return v\n\n    def rebound_velocity(v, e):\n        return -e * v\n",
+         "line 4: rebound_velocity is inside the function outer, where nothing else finds it: move it"),
+        ("class Lab:\n    def rebound_velocity(self, v, e):\n        return -e * v\n",
+         "line 2: rebound_velocity is inside the class Lab, where nothing else finds it: move it"),
+        ("def rebound_velocity(v, e):\n    v = -v\nreturn e * v\n",
+         "line 3: this return is outside of every function: if it belongs to rebound_velocity, indent it"),
+        ("return 3\n" + BOTH, "line 1: this return is outside of every function\n"),
+    ],
+)  # fmt: skip
+def test_lines_that_are_out_of_place_are_named(source, line, tmp_path):
+    assert line in told(handed_in(tmp_path, source, "lab.py")) + "\n"
+
+
+def test_a_function_in_a_cell_of_text_is_named(tmp_path):
+    first, second = BOTH.split("\n\n\n")
+    submission = handed_in(tmp_path, notebook("x = 1", {"cell_type": "markdown", "source": first}, second))
+    assert submission.functions == ("normal_velocity",)
+    assert "rebound_velocity is in a cell of text after code cell 1: select that cell, and press" in told(submission)
+    quoted = {"cell_type": "markdown", "source": f"```\n{first}\n```"}
+    assert told(handed_in(tmp_path, notebook(quoted, second))) == "rebound_velocity is missing"
+
+
+def test_a_letter_that_only_looks_like_the_right_one_is_named(tmp_path):
+    submission = handed_in(tmp_path, BOTH.replace("rebound_velo", "rebound_vel\u03bf"), "lab.py")
+    assert "counts under that name alone, and \u03bf (U+03BF) is another letter" in told(submission)
+
+
+@pytest.mark.parametrize(
+    ("later", "same"),
+    [
+        ("def rebound_velocity(v, e):  # as before\n\n    return SIGN*e*v", True),
+        ("SIGN = -1", True),
+        ("def normal_velocity(n, u): return 0", True),
+        ("def rebound_velocity(v, e): return SIGN * v * e", False),
+        ("def rebound_velocity(v, e): return sign() * e * v\ndef sign(): return -1", False),
+    ],
+)
+def test_the_code_of_a_function_changes_with_what_it_is_made_of_alone(later, same, tmp_path):
+    first = ["SIGN = -1", "def rebound_velocity(v, e):\n    return SIGN * e * v", BOTH.split("\n\n\n")[1]]
+    code = handed_in(tmp_path, notebook(*first)).code_of("rebound_velocity")
+    assert (handed_in(tmp_path, notebook(*first, later)).code_of("rebound_velocity") == code) == same
+
+
+@pytest.mark.parametrize("first", ["    ", "\t", ">>> "])
+def test_a_cell_that_was_copied_with_its_margin_is_read_as_the_kernel_reads_it(first, tmp_path):
+    lines = BOTH.splitlines(keepends=True)
+    rest = "... " if first == ">>> " else first
+    submission = handed_in(tmp_path, notebook("".join([first + lines[0], *(rest + line for line in lines[1:])])))
+    assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
+    assert submission.where(6) == "code cell 1, line 6"
