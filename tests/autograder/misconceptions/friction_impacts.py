@@ -117,7 +117,8 @@ def unguarded_row(v, mass, e, most=10_000):
 
 
 def row(
-    v, mass, e, most=10_000, guard=True, backwards=False, both=None, weight=None, factor=lambda e: 1 + e, old=False
+    v, mass, e, most=10_000, guard=True, backwards=False, both=None, weight=None, factor=lambda e: 1 + e, old=False,
+    moved=lambda share: share,
 ):
     v = np.array(v, dtype=float)
     count = v.shape[-1]
@@ -130,8 +131,8 @@ def row(
             seen = before if old else v
             closing = seen[..., i] - seen[..., i + 1]
             j = factor(e[i]) * (np.maximum(0, closing) if guard else closing) / (share[i] + share[i + 1])
-            v[..., i] -= j * share[i]
-            v[..., i + 1] += (both or 1) * j * share[i + 1]
+            v[..., i] -= j * moved(share[i])
+            v[..., i + 1] += (both or 1) * j * moved(share[i + 1])
         if np.array_equal(v, before):
             break
     return v
