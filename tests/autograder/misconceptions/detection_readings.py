@@ -38,6 +38,11 @@ BANK = (
       "The share of the step is multiplied by t, the time at the start, and not by the length Δt of slide 5. "
       "Besides, a point that does not reach the plane also gets a time.",
       "Let the same step begin an hour later. Should the impact come later within the step?"),
+    M("time_of_impact_interpolated", "t for Δt, no guard, magnitudes",
+      lambda s0, s1, t, dt: t + t * over(np.abs(s0), np.abs(s0) + np.abs(s1), 0) + 0 * dt,
+      "The share of the step is multiplied by t, the time at the start, and not by the length Δt of slide 5. "
+      "Besides, with absolute values a point that does not reach the plane also gets a time.",
+      "Let the same step begin an hour later. Should the impact come later within the step?"),
     M("time_of_impact_interpolated", "Δt for t", crossing(lambda part, t, dt: dt + dt * part + 0 * np.asarray(t)),
       "The count begins at Δt. On slide 5 it begins at t, the time at which the step starts.",
       "At what time is a point on the plane that was already on it when the step began?"),
@@ -51,6 +56,10 @@ BANK = (
       "The impact is put in the middle of every step, and also of a step in which the point does not reach the plane. "
       "On slide 5 the two distances decide where the impact lies.",
       "Which arguments does your answer not depend on? What should a point get that stays in front?"),
+    M("time_of_impact_interpolated", "midpoint of t and Δt", crossing(lambda part, t, dt: (t + np.asarray(dt)) / 2),
+      "The mean of t and Δt is taken for the middle of the step. Δt is a length of time, not the end of the step, "
+      "and on slide 5 the two distances decide where the impact lies.",
+      "A step begins at t = 3 s and lasts 0.1 s. When does it end? And is every impact in the middle?"),
     M("time_of_impact_exact", "no test", without_test,
       "The root is returned without a look at what it means. "
       "There may be no root, it may lie in the past, and with a = 0 the formula of the parabola does not hold.",

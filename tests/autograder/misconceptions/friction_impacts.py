@@ -117,7 +117,16 @@ def unguarded_row(v, mass, e, most=10_000):
 
 
 def row(
-    v, mass, e, most=10_000, guard=True, backwards=False, both=None, weight=None, factor=lambda e: 1 + e, old=False,
+    v,
+    mass,
+    e,
+    most=10_000,
+    guard=True,
+    backwards=False,
+    both=None,
+    weight=None,
+    factor=lambda e: 1 + e,
+    old=False,
     moved=lambda share: share,
 ):
     v = np.array(v, dtype=float)

@@ -33,6 +33,15 @@ def unturnable(body):
     return *body[:4], 0 * np.asarray(body[4])
 
 
+def centred(body):
+    """A body that is touched at its centre."""
+    return *body[:2], 0 * np.asarray(body[2]), *body[3:]
+
+
+def arm_left_out(function, of_a=False, of_b=False):
+    return lambda a, b, *given: function(centred(a) if of_a else a, centred(b) if of_b else b, *given)
+
+
 def only_a_turns(function):
     return lambda a, b, *given: function(a, unturnable(b), *given)
 
@@ -69,6 +78,10 @@ def turned_round_on_a(a, b, j):
 ONE_ARM = "There is one r for both bodies: {0}'s. On slide 14 each r begins at the centre of its own body."
 EACH_CENTRE = "How far is the contact from A's centre, and how far from B's?"
 NO_TURN = "{0}'s inertia is not used, as if {0} could not turn. On slide 18 the spins of both bodies change."
+NO_ARM = (
+    "{0}'s arm is used nowhere, as if the contact were at {0}'s centre: "
+    "its spin does not move the contact on slide 14, and the impulse does not turn it on slide 18."
+)
 SWAP = "Swap the two bodies, and turn the normal round. Should the result change?"
 TURNS_BACK = ("{0}'s term with the inertia has the wrong sign, or one of its two cross products the wrong order. "
               "On slide 20 both bodies give way.")  # fmt: skip
@@ -118,6 +131,8 @@ BANK = (
       "Below the line, I⁻¹ acts on the normal, or on the result of both cross products. "
       "On slide 18 it acts on r × J, and slide 14's cross product follows.",
       "What does an impulse do to the spin: I⁻¹ of what?"),
+    M("impulse_magnitude", "B's arm left out", arm_left_out(magnitude, of_b=True), NO_ARM.format("B"), SWAP),
+    M("impulse_magnitude", "A's arm left out", arm_left_out(magnitude, of_a=True), NO_ARM.format("A"), SWAP),
     M("apply_impulse", "only A turns", only_a_turns(applied), NO_TURN.format("B"),
       "Add up the angular momenta before and after."),
     M("apply_impulse", "only B turns", only_b_turns(applied), NO_TURN.format("A"),
@@ -134,6 +149,8 @@ BANK = (
     M("collide", "J × r on A", BODIES.collide_with(apply=turned_round_on_a),
       "A's spin is changed by J × r, B's by r × J. The order of slide 18's cross product matters for both.",
       "Push a door at its handle. Which way does it turn?"),
+    M("collide", "B's arm left out", arm_left_out(collide, of_b=True), NO_ARM.format("B"), SWAP),
+    M("collide", "A's arm left out", arm_left_out(collide, of_a=True), NO_ARM.format("A"), SWAP),
     M("collide", "only A's spin counts",
       BODIES.collide_with(j_of=size_with(speed=speed(cross_b=0)), speed=speed(cross_b=0)), ONE_SPIN.format("B"), SWAP),
     M("collide", "only B's spin counts",

@@ -1,6 +1,8 @@
 """A third lot of wrong answers: loose readings of the slides, and things that are commonly left out.
 
-Each is written for one contact, with plain numbers and loops, as by somebody who has just read the slide.
+Each is written for one contact, with plain numbers and loops, as by somebody who has just read the slide. The first 25
+were written before the bank had entries for such readings, and 6 of them were named. The other 21 were written when it
+had the entries for the first 25: 16 of them were named, 3 of them also before, and the bank got entries for the rest.
 """
 
 import math
@@ -41,9 +43,7 @@ def friction_force_6(push, tangent_velocity, normal_force, static_friction, kine
     return [-mu * normal_force * c / pushing for c in push]
 
 
-def sliding_motion_2(
-    position, tangent_velocity, push, normal_force, static_friction, kinetic_friction, mass, dt
-):
+def sliding_motion_2(position, tangent_velocity, push, normal_force, static_friction, kinetic_friction, mass, dt):
     """At rest the friction is μ_s N, so that a box that nobody moves starts backwards."""
     speed, pushing = math.sqrt(inner(tangent_velocity, tangent_velocity)), math.sqrt(inner(push, push))
     x, v, left, stopped = list(position), list(tangent_velocity), dt, math.inf
@@ -117,7 +117,7 @@ def apply_impulse_6(body_a, body_b, impulse):
 
 
 def apply_impulse_7(body_a, body_b, impulse):
-    """r is B's for both, because the loop came after it."""
+    """R is B's for both, because the loop came after it."""
     result, sign = [], 1
     r = body_b[2]
     for v, w, _, share, inertia in (body_a, body_b):
@@ -213,10 +213,9 @@ def side_of_plane_3(separation, tolerance=0.0):
     """The tolerance's minus is forgotten behind the plane."""
     if separation > tolerance:
         return 1
-    elif separation < tolerance:
+    if separation < tolerance:
         return -1
-    else:
-        return 0
+    return 0
 
 
 def time_of_impact_interpolated_5(separation_0, separation_1, t, dt):
@@ -319,3 +318,197 @@ def propagate_impacts_3(velocity, mass, restitution, most=10000):
         if calm:
             break
     return v
+
+
+def friction_force_7(push, tangent_velocity, normal_force, static_friction, kinetic_friction):
+    """One formula, F_s = μ_s N, whether or not it moves."""
+    way = tangent_velocity if any(tangent_velocity) else push
+    length = math.sqrt(inner(way, way)) or 1.0
+    return [-static_friction * normal_force * c / length for c in way]
+
+
+def holds_3(push, normal_force, static_friction):
+    """At rest the push is μ_s N, so anything else moves."""
+    return abs(math.sqrt(inner(push, push)) - static_friction * normal_force) < 1e-9
+
+
+def inverse_effective_mass_5(body_a, body_b, normal):
+    """The inertia of A alone."""
+    lever = cross(body_a[2], normal)
+    spin = turned(body_a[4], lever)
+    return body_a[3] + body_b[3] + inner(spin, lever)
+
+
+def impulse_magnitude_8(body_a, body_b, normal, restitution):
+    """ω × r for A, r × ω for B."""
+    first = velocity_at(body_a, body_a[2])
+    back = cross(body_b[2], body_b[1])
+    gap = [first[i] - body_b[0][i] - back[i] for i in range(3)]
+    below = below_the_line(body_a, body_b, normal)
+    return -(1 + restitution) * inner(gap, normal) / below if below else 0.0
+
+
+def collide_11(body_a, body_b, normal, restitution, threshold=0.0):
+    """The inverse inertia is forgotten throughout."""
+    (va, wa, ra, ma, _), (vb, wb, rb, mb, _) = body_a, body_b
+    pa, pb = velocity_at(body_a, ra), velocity_at(body_b, rb)
+    vn = inner(pa, normal) - inner(pb, normal)
+    ta, tb = cross(ra, normal), cross(rb, normal)
+    below = ma + mb + inner(ta, ta) + inner(tb, tb)
+    j = -(1 + restitution) * vn / below if vn < -threshold and below else 0
+    return (
+        [va[i] + j * ma * normal[i] for i in range(3)], [wa[i] + j * ta[i] for i in range(3)],
+        [vb[i] - j * mb * normal[i] for i in range(3)], [wb[i] - j * tb[i] for i in range(3)],
+    )  # fmt: skip
+
+
+def collide_12(body_a, body_b, normal, restitution, threshold=0.0):
+    """The points' whole relative velocity is thrown back, not only its part along the normal."""
+    pa, pb = velocity_at(body_a, body_a[2]), velocity_at(body_b, body_b[2])
+    u = [pa[i] - pb[i] for i in range(3)]
+    below = below_the_line(body_a, body_b, normal)
+    if inner(u, normal) >= -threshold or not below:
+        return body_a[0], body_a[1], body_b[0], body_b[1]
+    return struck(body_a, body_b, [-(1 + restitution) * c / below for c in u], 1)
+
+
+def collide_13(body_a, body_b, normal, restitution, threshold=0.0):
+    """No test whether they approach: only the size of V is looked at."""
+    pa, pb = velocity_at(body_a, body_a[2]), velocity_at(body_b, body_b[2])
+    vn = inner(pa, normal) - inner(pb, normal)
+    below = below_the_line(body_a, body_b, normal)
+    j = -(1 + restitution) * vn / below if abs(vn) > threshold and below else 0
+    return struck(body_a, body_b, normal, j)
+
+
+def collide_14(body_a, body_b, normal, restitution, threshold=0.0):
+    """The contact point is one, and r is A's, but only for the update of the spins."""
+    pa, pb = velocity_at(body_a, body_a[2]), velocity_at(body_b, body_b[2])
+    vn = inner(pa, normal) - inner(pb, normal)
+    below = below_the_line(body_a, body_b, normal)
+    j = -(1 + restitution) * vn / below if vn < -threshold and below else 0
+    return struck(body_a, (body_b[0], body_b[1], body_a[2], body_b[3], body_b[4]), normal, j)
+
+
+def collide_15(body_a, body_b, normal, restitution, threshold=0.0):
+    """All bodies of one kilogram, though their inertia is right."""
+    a = (*body_a[:3], 1.0, body_a[4])
+    b = (*body_b[:3], 1.0, body_b[4])
+    pa, pb = velocity_at(a, a[2]), velocity_at(b, b[2])
+    vn = inner(pa, normal) - inner(pb, normal)
+    j = -(1 + restitution) * vn / below_the_line(a, b, normal) if vn < -threshold else 0
+    return struck(a, b, normal, j)
+
+
+def collide_16(body_a, body_b, normal, restitution, threshold=0.0):
+    """Both bodies simply go back with e."""
+    pa, pb = velocity_at(body_a, body_a[2]), velocity_at(body_b, body_b[2])
+    if inner(pa, normal) - inner(pb, normal) >= -threshold:
+        return body_a[0], body_a[1], body_b[0], body_b[1]
+    return [-restitution * c for c in body_a[0]], body_a[1], [-restitution * c for c in body_b[0]], body_b[1]
+
+
+def collide_17(body_a, body_b, normal, restitution, threshold=0.0):
+    """I⁻¹ r first, and then × J, below the line as well as in the update."""
+    pa, pb = velocity_at(body_a, body_a[2]), velocity_at(body_b, body_b[2])
+    vn = inner(pa, normal) - inner(pb, normal)
+    below, spins = 0.0, []
+    for _, _, r, share, inertia in (body_a, body_b):
+        spins.append(cross(turned(inertia, r), normal))
+        below += share + inner(normal, cross(spins[-1], r))
+    j = -(1 + restitution) * vn / below if vn < -threshold and below else 0
+    return (
+        [body_a[0][i] + j * body_a[3] * normal[i] for i in range(3)],
+        [body_a[1][i] + j * spins[0][i] for i in range(3)],
+        [body_b[0][i] - j * body_b[3] * normal[i] for i in range(3)],
+        [body_b[1][i] - j * spins[1][i] for i in range(3)],
+    )
+
+
+def time_of_impact_interpolated_7(separation_0, separation_1, t, dt):
+    """The middle between t and Δt."""
+    if separation_0 >= 0 > separation_1:
+        return (t + dt) / 2
+    return math.inf
+
+
+def time_of_impact_interpolated_8(separation_0, separation_1, t, dt):
+    """The slide with t for Δt, with the slide's magnitudes and no test."""
+    d1, d2 = abs(separation_0), abs(separation_1)
+    return t + t * d1 / (d1 + d2)
+
+
+def respond_at_step_3(position, velocity, acceleration, normal, offset, restitution, dt):
+    """Behind the plane the velocity is reversed, whole."""
+    x = [position[i] + velocity[i] * dt + acceleration[i] * dt * dt / 2 for i in range(3)]
+    v = [velocity[i] + acceleration[i] * dt for i in range(3)]
+    if inner(x, normal) + offset < 0:
+        v = [-restitution * c for c in v]
+    return x, v
+
+
+def respond_at_impact_4(position, velocity, acceleration, normal, restitution, time_of_impact, dt):
+    """Moves by Δt, responds, and moves on by what is left after T."""
+    x, v, left = list(position), list(velocity), dt
+    if time_of_impact <= dt:
+        for i in range(3):
+            x[i] += v[i] * dt + acceleration[i] * dt**2 / 2
+            v[i] += acceleration[i] * dt
+        vn = inner(v, normal)
+        if vn < 0:
+            v = [v[i] - (1 + restitution) * vn * normal[i] for i in range(3)]
+        left = dt - time_of_impact
+    for i in range(3):
+        x[i] += v[i] * left + acceleration[i] * left**2 / 2
+        v[i] += acceleration[i] * left
+    return x, v
+
+
+def sphere_impact_4(velocity, angular_velocity, normal, radius, restitution, friction, inertia_share=0.4):
+    """It bounces back whole."""
+    if inner(velocity, normal) >= 0:
+        return velocity, angular_velocity
+    return [-restitution * c for c in velocity], angular_velocity
+
+
+def friction_impulse_4(velocity, normal, inverse_mass, restitution, friction):
+    """One effective mass, along the normal, for the approach and for the slip."""
+    k_n = inner(normal, turned(inverse_mass, normal))
+    u_n = inner(velocity, normal)
+    if u_n > 0:
+        return [0.0, 0.0, 0.0]
+    along = [velocity[i] - u_n * normal[i] for i in range(3)]
+    size = math.sqrt(inner(along, along))
+    j_n = -(1 + restitution) * u_n / k_n
+    j_t = min(size / k_n, friction * j_n)
+    return [j_n * normal[i] - (j_t * along[i] / size if size else 0) for i in range(3)]
+
+
+def classify_contact_5(normal_velocity, threshold=0.0):
+    """Slide 21 read line by line, V above the threshold separating."""
+    if normal_velocity > threshold:
+        return 1
+    if normal_velocity < -threshold:
+        return 0
+    return -1
+
+
+def side_of_plane_4(separation, tolerance=0.0):
+    """The minus in the wrong one of the two tests."""
+    if separation < -tolerance:
+        return -1
+    if separation > -tolerance:
+        return 1
+    return 0
+
+
+def sphere_grips_3(slip, approach_speed, restitution, friction):
+    """The impulse along the floor against μ times the one along the normal."""
+    return bool(slip <= friction * (1 + restitution) * approach_speed)
+
+
+def resting_problem_2(jacobian, inverse_mass, force):
+    """Loops, without the masses."""
+    g = np.asarray(jacobian)
+    a = [[float(sum(g[i][k] * g[j][k] for k in range(len(g[0])))) for j in range(len(g))] for i in range(len(g))]
+    return a, [float(sum(g[i][k] * force[k] for k in range(len(force)))) for i in range(len(g))]
