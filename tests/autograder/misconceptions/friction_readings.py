@@ -71,10 +71,6 @@ def row_without_mass(v, m, e, most=200):
 
 # fmt: off
 BANK = (
-    M("holds", "limit as a value", lambda f, N, s: np.isclose(flat(size(f)), s * np.asarray(N)),
-      "Slide 24's F_s = μ_s F_N is used as an equation, so that only a push of exactly this size is held. "
-      "It gives the largest value that static friction can take.",
-      "Push a heavy box with one finger. Does it move?"),
     M("friction_force", "limit while held", DRY.of(rest=lambda f, v, N, s, k: -col(s * N) * direction(f)),
       "A body that is held gets μ_s N, as slide 24 prints it. That is only the largest value of static friction: "
       "with a gentle push, friction would win and set the body in motion against the push.",
