@@ -1,8 +1,8 @@
 """A third lot of wrong answers: loose readings of the slides, and things that are commonly left out.
 
 Each is written for one contact, with plain numbers and loops, as by somebody who has just read the slide. The first 25
-were written before the bank had entries for such readings, and 6 of them were named. The other 21 were written when it
-had the entries for the first 25: 16 of them were named, 3 of them also before, and the bank got entries for the rest.
+were written before the bank had entries for such readings, and 6 of them were named. The other 20 were written when it
+had the entries for the first 25: 15 of them were named, 3 of them also before, and the bank got entries for the rest.
 """
 
 import math
@@ -325,11 +325,6 @@ def friction_force_7(push, tangent_velocity, normal_force, static_friction, kine
     way = tangent_velocity if any(tangent_velocity) else push
     length = math.sqrt(inner(way, way)) or 1.0
     return [-static_friction * normal_force * c / length for c in way]
-
-
-def holds_3(push, normal_force, static_friction):
-    """At rest the push is μ_s N, so anything else moves."""
-    return abs(math.sqrt(inner(push, push)) - static_friction * normal_force) < 1e-9
 
 
 def inverse_effective_mass_5(body_a, body_b, normal):
