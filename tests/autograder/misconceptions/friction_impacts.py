@@ -156,7 +156,8 @@ def swapped(v, mass, e, most=10_000):
 # fmt: off
 BANK = (
     M("sphere_grips", "a sliding block", lambda s, v, e, mu: s <= mu * (1 + np.asarray(e)) * v,
-      "The factor 7/2 is missing: the same impulse that brakes the ball also spins it, and the spin counts 5/2 more.",
+      "The ball is treated as a block that slides. The same impulse that brakes the ball also spins it, and both take "
+      "away slip: the factor that comes from the inertia is forgotten.",
       "What does friction do to a ball besides slowing it down?"),
     M("sphere_grips", "spin alone", lambda s, v, e, mu: s <= 2.5 * mu * (1 + np.asarray(e)) * v,
       "The factor is 5/2, which is the spin's share alone; the ball's way changes as well. "

@@ -3,7 +3,7 @@
 import numpy as np
 
 from labs.grading.diagnosis.misconceptions import Misconception as M
-from labs.grading.diagnosis.misconceptions import col, direction, dot, flat, formulas_of, over, size
+from labs.grading.diagnosis.misconceptions import col, direction, dot, formulas_of, over, size
 
 DRY, IMPACTS = formulas_of("friction"), formulas_of("friction_impacts")
 sphere, row = IMPACTS.sphere, IMPACTS.row
