@@ -75,6 +75,15 @@ def turned_round_on_a(a, b, j):
     return v_a, 2 * np.asarray(a[1]) - w_a, v_b, w_b
 
 
+def inertia_left_out(of_a=False, of_b=False):
+    """The change of one body's spin is r × J itself."""
+    return lambda a, b, j: applied(of_unit_inertia(a) if of_a else a, of_unit_inertia(b) if of_b else b, j)
+
+
+def of_unit_inertia(body):
+    return *body[:4], np.eye(3) + 0 * np.asarray(body[4])
+
+
 ONE_ARM = "There is one r for both bodies: {0}'s. On slide 14 each r begins at the centre of its own body."
 EACH_CENTRE = "How far is the contact from A's centre, and how far from B's?"
 NO_TURN = "{0}'s inertia is not used, as if {0} could not turn. On slide 18 the spins of both bodies change."
@@ -82,6 +91,7 @@ NO_ARM = (
     "{0}'s arm is used nowhere, as if the contact were at {0}'s centre: "
     "its spin does not move the contact on slide 14, and the impulse does not turn it on slide 18."
 )
+NO_INERTIA = "{0}'s spin changes by r × J itself: its inverse inertia is missing. Slide 18 has one for each body."
 SWAP = "Swap the two bodies, and turn the normal round. Should the result change?"
 TURNS_BACK = ("{0}'s term with the inertia has the wrong sign, or one of its two cross products the wrong order. "
               "On slide 20 both bodies give way.")  # fmt: skip
@@ -137,6 +147,10 @@ BANK = (
       "Add up the angular momenta before and after."),
     M("apply_impulse", "only B turns", only_b_turns(applied), NO_TURN.format("A"),
       "Add up the angular momenta before and after."),
+    M("apply_impulse", "no inverse inertia on A", inertia_left_out(of_a=True), NO_INERTIA.format("A"),
+      "Which part of A does your answer not depend on?"),
+    M("apply_impulse", "no inverse inertia on B", inertia_left_out(of_b=True), NO_INERTIA.format("B"),
+      "Which part of B does your answer not depend on?"),
     M("apply_impulse", "J × r on A", turned_round_on_a,
       "A's spin is changed by J × r, B's by r × J. The order of slide 18's cross product matters for both.",
       "Push a door at its handle. Which way does it turn?"),
@@ -151,6 +165,10 @@ BANK = (
       "Push a door at its handle. Which way does it turn?"),
     M("collide", "B's arm left out", arm_left_out(collide, of_b=True), NO_ARM.format("B"), SWAP),
     M("collide", "A's arm left out", arm_left_out(collide, of_a=True), NO_ARM.format("A"), SWAP),
+    M("collide", "r × ω on A", BODIES.collide_with(j_of=size_with(speed=speed(cross_a=-1)), speed=speed(cross_a=-1)),
+      WRONG_ORDER.format("A"), WHEEL),
+    M("collide", "r × ω on B", BODIES.collide_with(j_of=size_with(speed=speed(cross_b=-1)), speed=speed(cross_b=-1)),
+      WRONG_ORDER.format("B"), WHEEL),
     M("collide", "only A's spin counts",
       BODIES.collide_with(j_of=size_with(speed=speed(cross_b=0)), speed=speed(cross_b=0)), ONE_SPIN.format("B"), SWAP),
     M("collide", "only B's spin counts",
