@@ -7,10 +7,12 @@ an entry in a table; a new topic is a file with such a table.
 
 from __future__ import annotations
 
+import functools
 import importlib.util
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -54,7 +56,7 @@ def read_bank(folder: Path | None = None) -> tuple[Misconception, ...]:
         If two entries share an id, or one is about a function that no student writes.
     """
     files = sorted((folder or FOLDER).glob("*.py"))
-    bank = tuple(entry for path in files for entry in _table(path))
+    bank = tuple(entry for path in files for entry in _loaded(path).BANK)
     for entry in bank:
         if lecture.function(entry.function).role != "written":
             raise InvalidInput(f"{entry.id}: {entry.function} is not written by a student")
@@ -65,14 +67,19 @@ def read_bank(folder: Path | None = None) -> tuple[Misconception, ...]:
     return bank
 
 
-def _table(path: Path) -> Iterable[Misconception]:
+def formulas_of(name: str) -> ModuleType:
+    """One of the bank's files as a module, so that another file can build its entries from the same formulas."""
+    return _loaded(FOLDER / f"{name}.py")
+
+
+@functools.cache
+def _loaded(path: Path) -> ModuleType:
     spec = importlib.util.spec_from_file_location(f"misconceptions_{path.stem}", path)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    table: Iterable[Misconception] = module.BANK
-    return table
+    return module
 
 
 # The vocabulary of the formulas

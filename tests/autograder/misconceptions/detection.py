@@ -287,7 +287,8 @@ BANK = (
       "The tolerance is applied behind the plane only.",
       "How far in front of the plane is a point still on it?"),
     M("side_of_plane", "moved plane", lambda s, tol=0.0: np.sign(s - tol),
-      "The tolerance is subtracted from the separation: that moves the plane, and it is as thin as before.",
+      "The tolerance lacks its minus behind the plane, or it is subtracted from the separation: "
+      "both move the plane, and it stays as thin as it was on slide 4.",
       "On how many sides of the plane does the tolerance matter?"),
     M("side_of_plane", "true or false", lambda s, tol=0.0: 1 * (np.asarray(s) < -tol),
       "It says whether there is a collision, 1 or 0, not on which side the point is.",

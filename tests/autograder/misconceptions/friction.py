@@ -200,7 +200,7 @@ BANK = (
       "The whole length of the force is taken away along the normal; it should be F·n.",
       "How much of the force lies along the normal?"),
     M("friction_force", "the slide's static friction", slide_static,
-      "At rest friction has the size μ_s N, as the slide prints it. "
+      "At rest friction has the size μ_s N, as slide 24 prints it. "
       "That is only the largest value: it pushes back harder than one pushes, and sets the body in motion.",
       "Push a heavy box gently. How large is the friction?"),
     M("friction_force", "along the velocity", of(moving=lambda f, v, N, s, k: col(k * N) * direction(v)),

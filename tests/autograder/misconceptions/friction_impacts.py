@@ -117,7 +117,17 @@ def unguarded_row(v, mass, e, most=10_000):
 
 
 def row(
-    v, mass, e, most=10_000, guard=True, backwards=False, both=None, weight=None, factor=lambda e: 1 + e, old=False
+    v,
+    mass,
+    e,
+    most=10_000,
+    guard=True,
+    backwards=False,
+    both=None,
+    weight=None,
+    factor=lambda e: 1 + e,
+    old=False,
+    moved=lambda share: share,
 ):
     v = np.array(v, dtype=float)
     count = v.shape[-1]
@@ -130,8 +140,8 @@ def row(
             seen = before if old else v
             closing = seen[..., i] - seen[..., i + 1]
             j = factor(e[i]) * (np.maximum(0, closing) if guard else closing) / (share[i] + share[i + 1])
-            v[..., i] -= j * share[i]
-            v[..., i + 1] += (both or 1) * j * share[i + 1]
+            v[..., i] -= j * moved(share[i])
+            v[..., i + 1] += (both or 1) * j * moved(share[i + 1])
         if np.array_equal(v, before):
             break
     return v
@@ -146,7 +156,8 @@ def swapped(v, mass, e, most=10_000):
 # fmt: off
 BANK = (
     M("sphere_grips", "a sliding block", lambda s, v, e, mu: s <= mu * (1 + np.asarray(e)) * v,
-      "The factor 7/2 is missing: the same impulse that brakes the ball also spins it, and the spin counts 5/2 more.",
+      "The ball is treated as a block that slides. The same impulse that brakes the ball also spins it, and both take "
+      "away slip: the factor that comes from the inertia is forgotten.",
       "What does friction do to a ball besides slowing it down?"),
     M("sphere_grips", "spin alone", lambda s, v, e, mu: s <= 2.5 * mu * (1 + np.asarray(e)) * v,
       "The factor is 5/2, which is the spin's share alone; the ball's way changes as well. "

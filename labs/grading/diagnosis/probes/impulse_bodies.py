@@ -122,12 +122,16 @@ def _apply() -> list[Probe]:
 def _collide() -> list[Probe]:
     slow = _arrays(_body([0, 0, -0.25], [0.5, 0, 0]))
     drifting = _arrays(_body([0, 0, 0.25], [0.5, 0, 0]))
+    still = _arrays(_body(REST))
+    rising, falling = (_arrays(_body([0, 0, z], [1, 0, -z], spin=[0, 3 * z, 0])) for z in (1, -1))
     by_hand = [
         *_by_hand(0.5),
         usual("slower than the threshold", slow, _arrays(_body(REST)), UP, 0.5, 0.5),
         usual("faster than the threshold", slow, _arrays(_body(REST)), UP, 0.5, 0.125),
         usual("moving apart, with a threshold", _arrays(_body([0, 0, 2])), _arrays(_body(REST)), UP, 0.5, 0.25),
         usual("moving apart more slowly than the threshold", drifting, _arrays(_body(REST)), UP, 0.5, 0.5),
+        usual("A moves away, but its spin brings them together", rising, still, UP, 0.5),
+        usual("B moves away, but its spin brings them together", still, falling, UP, 0.5),
         edge("at the threshold", slow, _arrays(_body(REST)), UP, 0.5, 0.25),
         edge("perfect bounce", _arrays(_body([0, 0, -2])), _arrays(_ground()), UP, 1.0),
         edge("no bounce", _arrays(_body([0, 0, -2])), _arrays(_ground()), UP, 0.0),

@@ -15,7 +15,7 @@ from labs.grading.diagnosis.misconceptions import read_bank
 from labs.grading.diagnosis.probes import probed
 
 STUDENTS = Path(__file__).parents[3] / "autograder" / "students"
-pytestmark = pytest.mark.slow
+SLOW = pytest.mark.slow
 
 # Read beside their docstrings: no name in it is a wrong one.
 FOUND = {
@@ -139,6 +139,51 @@ FOUND = {
     "velocities_from_momenta_2": ("unknown", []),
     "collide_5": ("named", ["masses alone below"]),
     "collide_6": ("unknown", []),
+    "friction_force_6": ("named", ["limit while held"]),
+    "sliding_motion_2": ("named", ["the slide's static friction"]),
+    "inverse_effective_mass_4": ("named", ["A's arm for both"]),
+    "impulse_magnitude_6": ("named", ["A's arm for both"]),
+    "impulse_magnitude_7": ("named", ["only A turns below"]),
+    "apply_impulse_5": ("named", ["only A turns"]),
+    "apply_impulse_6": ("named", ["J × r on A"]),
+    "apply_impulse_7": ("named", ["B's arm for both"]),
+    "collide_7": ("named", ["only A turns"]),
+    "collide_8": ("named", ["threshold's sign"]),
+    "collide_9": ("named", ["+J turns both"]),
+    "collide_10": ("named", ["no mass"]),
+    "classify_contact_3": ("named", ["size alone"]),
+    "classify_contact_4": ("named", ["colliding or separating"]),
+    "side_of_plane_3": ("named", ["moved plane"]),
+    "time_of_impact_interpolated_5": ("named", ["t for Δt"]),
+    "time_of_impact_interpolated_6": ("named", ["midpoint"]),
+    "kinematic_response_9": ("named", ["whole velocity turned, no guard"]),
+    "kinematic_response_10": ("named", ["sent back the way it came"]),
+    "moving_plane_response_4": ("named", ["whole velocity turned, in the plane's frame"]),
+    "respond_at_impact_3": ("named", ["middle of the step"]),
+    "sphere_impact_3": ("named", ["grip without the turning"]),
+    "impulse_of_force_3": ("named", ["times for steps"]),
+    "friction_impulse_3": ("named", ["no mass"]),
+    "propagate_impacts_3": ("named", ["no mass"]),
+    "friction_force_7": ("named", ["static throughout"]),
+    "inverse_effective_mass_5": ("named", ["only A turns"]),
+    "impulse_magnitude_8": ("named", ["r × ω on B"]),
+    "collide_11": ("named", ["no inverse inertia throughout"]),
+    "collide_12": ("named", ["along the relative velocity"]),
+    "collide_13": ("named", ["size alone"]),
+    "collide_14": ("named", ["A's arm for both"]),
+    "collide_15": ("named", ["no mass throughout"]),
+    "collide_16": ("named", ["each velocity reversed"]),
+    "collide_17": ("named", ["(I⁻¹ r) × J throughout"]),
+    "time_of_impact_interpolated_7": ("named", ["midpoint of t and Δt"]),
+    "time_of_impact_interpolated_8": ("named", ["t for Δt, no guard, magnitudes"]),
+    "respond_at_step_3": ("named", ["whole velocity turned, no guard"]),
+    "respond_at_impact_4": ("named", ["Δt for T"]),
+    "sphere_impact_4": ("named", ["whole velocity turned"]),
+    "friction_impulse_4": ("named", ["the normal's mass for the slip"]),
+    "classify_contact_5": ("named", ["the slide's tests in another order"]),
+    "side_of_plane_4": ("named", ["moved plane forwards"]),
+    "sphere_grips_3": ("named", ["a sliding block"]),
+    "resting_problem_2": ("named", ["no mass"]),
 }
 
 
@@ -161,27 +206,35 @@ def diagnosed(name, function):
     return recognition.diagnose(name, lambda _, *arguments: function(*arguments))
 
 
-LOTS = {lot: written(lot) for lot in ("first", "second")}
-ANSWERS = LOTS["first"] | LOTS["second"]
+LOTS = {lot: written(lot) for lot in ("first", "second", "third")}
+ANSWERS = LOTS["first"] | LOTS["second"] | LOTS["third"]
 
 
+@SLOW
 def test_every_wrong_answer_by_others_has_its_expected_diagnosis():
     assert list(ANSWERS) == list(FOUND)
 
 
-@pytest.mark.parametrize("name", ANSWERS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name in list(LOTS["third"])[::5] else SLOW) for name in ANSWERS]
+)
 def test_a_wrong_answer_by_others_is_named_as_a_person_would_or_not(name):
     found = diagnosed(name.rpartition("_")[0], ANSWERS[name])
     assert (found.verdict, [entry.id.split("/")[1] for entry in found.mistakes]) == FOUND[name]
 
 
+@SLOW
 @pytest.mark.parametrize("lot", LOTS)
 def test_four_of_five_mistakes_by_others_are_named(lot):
-    """97 of 120, 93 of them for certain; of the 43 written when the rules stood too, 36."""
+    """97 of the first 120, 93 of them for certain; of the 43 written when the rules stood too, 36.
+
+    The third lot is about loose readings of the slides: 9 of its 45 were named before the bank had entries for these.
+    """
     named = [name for name in LOTS[lot] if FOUND[name][1]]
     assert len(named) / len(LOTS[lot]) >= 0.8
 
 
+@SLOW
 @pytest.mark.parametrize("function", [entry.name for entry in probed()])
 def test_a_mistake_that_is_not_listed_is_not_taken_for_another(function, monkeypatch):
     """Each entry is left out in turn; at most the same mistake is named, but for touching, and with reserve."""
