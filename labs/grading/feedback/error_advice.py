@@ -85,7 +85,10 @@ class Advice:
     def new(self, message: str) -> str:
         """Advice that this reader has not had yet; empty if there is none."""
         words = advice(message, self._given)
-        if words in self._told:
-            return ""
+        return words if self.is_new(words) else ""
+
+    def is_new(self, words: str) -> bool:
+        """Whether this reader has not been told these words yet; from now on the reader has been."""
+        known = words in self._told
         self._told.add(words)
-        return words
+        return not known

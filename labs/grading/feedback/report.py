@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from labs.grading.feedback.error_advice import Advice
 from labs.grading.feedback.faults import listed, share, wrong
+from labs.grading.feedback.one_at_a_time import in_short
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.phrases import needed_function
 from labs.grading.wrapping import folded
@@ -65,7 +66,7 @@ def _function(sheet: Sheet, entry: Function, advice: Advice) -> Iterator[str]:
         yield f"  {mark} {entry.name}{share(sheet, entry.name)}"
         yield from wrong(sheet, entry.name, advice)
     else:
-        yield f"  {mark} {entry.name}{_to_do(sheet, entry) if mark == TO_DO else ''}"
+        yield f"  {mark} {entry.name}{_to_do(sheet, entry) if mark == TO_DO else in_short(sheet, entry.name)}"
 
 
 def _to_do(sheet: Sheet, entry: Function) -> str:
