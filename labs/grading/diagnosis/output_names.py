@@ -29,4 +29,4 @@ def labelled(values: Sequence[str], names: Sequence[str]) -> str:
     """Several things in a line, each with its name if there is one for each."""
     if len(names) != len(values):
         return ", ".join(values)
-    return ", ".join(f"{name} = {value}" for name, value in zip(names, values, strict=True))
+    return ", ".join(f"{name}={value}" for name, value in zip(names, values, strict=True))

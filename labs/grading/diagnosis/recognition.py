@@ -7,7 +7,6 @@ has only a counterexample.
 
 from __future__ import annotations
 
-import contextlib
 import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -15,12 +14,13 @@ from typing import Any
 
 import numpy as np
 
+from labs.grading.calling.cases import OneCase
 from labs.grading.diagnosis.deviations import Answer, Deviation, Right, ask, deviation_of, fitted, outputs
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis, Verdict
 from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known, known
 from labs.grading.diagnosis.probes import Group, Probe, probes
 from labs.grading.diagnosis.probes.one_case import one_case
-from labs.grading.errors import StudentError
+from labs.grading.errors import GraderFailed
 
 DIFFERENT = 5
 """So many different wrong numbers identify a formula even if calls with several contacts go wrong in another way."""
@@ -57,11 +57,20 @@ def _one_at_a_time(
     case, found = one_case(function), []
     for probe, right, answer in zip(probes(function), knowledge.right, answers, strict=True):
         if case and right and probe.group == "many" and not deviation_of(answer, right).right:
-            with contextlib.suppress(StudentError, ValueError, TypeError):  # what fails alone as well stays as it is
-                value = case.one_by_one(lambda *given: call(function, *given), probe.arguments)
-                answer = replace(answer, value=value, error="", unwritten=False)  # noqa: PLW2901
-        found.append(answer)
+            found.append(_alone(call, function, case, probe) or answer)
+        else:
+            found.append(answer)
     return found
+
+
+def _alone(call: Callable[..., Any], function: str, case: OneCase, probe: Probe) -> Answer | None:
+    """The answer to a probe with several contacts, by a call for each; None if these fail as well."""
+    try:
+        return Answer(case.one_by_one(lambda *given: call(function, *given), probe.arguments))
+    except GraderFailed:
+        raise
+    except Exception:  # whatever a function raises, here or in a worker
+        return None
 
 
 def judge(function: str, answers: list[Answer]) -> Diagnosis:
@@ -69,9 +78,9 @@ def judge(function: str, answers: list[Answer]) -> Diagnosis:
     return _Evidence(function, answers).diagnosis()
 
 
-def _fitted(answer: Answer, right: Right, probe: Probe) -> Answer:
-    several = probe.group == "many" and not answer.error
-    return replace(answer, value=fitted(answer.value, right)) if several else answer
+def _fitted(function: str, answer: Answer, right: Right, probe: Probe) -> Answer:
+    case = one_case(function) if probe.group == "many" and not answer.error else None
+    return replace(answer, value=fitted(answer.value, right, case.leading(probe.arguments))) if case else answer
 
 
 class _Evidence:
@@ -82,7 +91,7 @@ class _Evidence:
         rows = list(zip(probes(function), self.knowledge.right, answers, strict=True))
         self.answered = [(probe, right, answer) for probe, right, answer in rows if right]
         self.refused = [(probe, answer) for probe, right, answer in rows if not right]
-        self.deviations = [deviation_of(_fitted(answer, right, probe), right) for probe, right, answer in self.answered]
+        self.deviations = [deviation_of(_fitted(function, answer, right, probe), right) for probe, right, answer in self.answered]
         self.groups = [probe.group for probe, _, _ in self.answered]
 
     def diagnosis(self) -> Diagnosis:

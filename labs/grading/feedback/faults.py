@@ -72,7 +72,12 @@ def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tu
         return None, _told([(reason, said) for reason, said in none if said not in theirs], 1)
     if diagnosis and uses:
         diagnosis = replace(diagnosis, crashes=(), one_alone=False)  # with many it fails as they do
-    return diagnosis, _told(failures, 1 if uses or (diagnosis and diagnosis.mistakes) else MOST_PARTS)
+    return diagnosis, _told(failures, 1 if uses or _says_all(diagnosis) else MOST_PARTS)
+
+
+def _says_all(diagnosis: Diagnosis | None) -> bool:
+    """Whether what is known of the mistake explains all parts that are lost."""
+    return bool(diagnosis and (diagnosis.mistakes or diagnosis.verdict == "another order"))
 
 
 def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:

@@ -10,6 +10,7 @@ import pytest
 
 from labs.grading.calling import scenario_runs
 from labs.grading.calling.scenario_runs import MOST_CALLS, SINGLE, Mixed, compared_with_theory, with_solutions
+from labs.grading.diagnosis.probes.one_case import one_case
 from reference.comparison.compare import compare_case
 from reference.comparison.verdicts import Verdict
 from reference.engines.implementation import Implementation
@@ -21,7 +22,7 @@ def submission(**functions):
     """A submission that defines these."""
     own = SimpleNamespace(function=functions.__getitem__)
     call = SimpleNamespace(implementation=lambda: own, defines=lambda name: name in functions)
-    return SimpleNamespace(process=lambda: call)
+    return SimpleNamespace(process=lambda: call, one_case=one_case)
 
 
 def half(velocity, normal, restitution):
