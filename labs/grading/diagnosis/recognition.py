@@ -91,7 +91,9 @@ class _Evidence:
         rows = list(zip(probes(function), self.knowledge.right, answers, strict=True))
         self.answered = [(probe, right, answer) for probe, right, answer in rows if right]
         self.refused = [(probe, answer) for probe, right, answer in rows if not right]
-        self.deviations = [deviation_of(_fitted(function, answer, right, probe), right) for probe, right, answer in self.answered]
+        self.deviations = [
+            deviation_of(_fitted(function, answer, right, probe), right) for probe, right, answer in self.answered
+        ]
         self.groups = [probe.group for probe, _, _ in self.answered]
 
     def diagnosis(self) -> Diagnosis:
@@ -139,7 +141,9 @@ class _Evidence:
 
     def _order(self) -> tuple[int, ...]:
         """The places of what is returned, if every single contact is right but for their order; empty if it is not."""
-        single = [(right, answer) for probe, right, answer in self.answered if probe.group != "many" and not answer.error]
+        single = [
+            (right, answer) for probe, right, answer in self.answered if probe.group != "many" and not answer.error
+        ]
         count = len(single[0][0].outputs) if len(single) >= LEAST else 0
         values = [outputs(answer.value, count) for _, answer in single] if count > 1 else [None]
         if any(value is None for value in values):
