@@ -96,7 +96,7 @@ def _is_group(value: Any, axes: Any) -> bool:
 
 
 def _lead(value: Any, axes: int) -> tuple[int, ...]:
-    shape = np.shape(value)
+    shape: tuple[int, ...] = np.shape(value)
     return shape[: max(0, len(shape) - axes)]
 
 

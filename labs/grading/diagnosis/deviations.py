@@ -141,8 +141,8 @@ def _numbers(value: Any) -> Array:
 def fitted(value: Any, right: Right, leading: tuple[int, ...]) -> Any:
     """An answer for several contacts with each output as short as the right one, if it repeats the same numbers.
 
-    An output that does not depend on the first argument may be given for each of its contacts, or once for all. leading:
-    the axes along which the contacts of the call lie.
+    An output that does not depend on the first argument may be given for each of its contacts, or once for all.
+    leading: the axes along which the contacts of the call lie.
     """
     found = outputs(value, len(right.outputs))
     if found is None or all(mine.shape == theirs.shape for mine, theirs in zip(found, right.outputs, strict=True)):

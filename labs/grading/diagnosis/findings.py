@@ -15,8 +15,9 @@ Verdict = Literal[
 ]  # fmt: skip
 """right: on every probe. named: one known mistake explains every answer for a single contact. likely: one explains the
 usual cases, but not all limiting ones. several: more than one explains the same answers. another order: it returns the
-right things in an order of its own. unknown: no known mistake explains them. one at a time: right for a single contact only. crashes, shape: it gives no number to compare. unwritten:
-it is the stub. too slow: it ran out of time in a test and was not called again."""
+right things in an order of its own. unknown: no known mistake explains them. one at a time: right for a single contact
+only. crashes, shape: it gives no number to compare. unwritten: it is the stub. too slow: it ran out of time in a test
+and was not called again."""
 
 
 @dataclass(frozen=True)

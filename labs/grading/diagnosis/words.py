@@ -95,7 +95,7 @@ def called(parameters: Sequence[str], arguments: Sequence[Any], function: str = 
 
 
 def compared(answer: Answer, right: Right, names: Sequence[str] = ()) -> str:
-    """A function's answer and the right one, in two lines. names: of the things that it returns, if they are several."""
+    """A function's answer and the right one, in two lines. names: of what it returns, if it is several things."""
     truths = _are_truths(answer.value, right)
     expected = labelled([shown(array.astype(bool) if truths else array) for array in right.outputs], names)
     found = outputs(answer.value, len(right.outputs))

@@ -14,8 +14,8 @@ _NUMBER_OR_MANY = (
     " components stand along the last axis, a[..., 0]."
 )
 _COLUMN = (
-    "A number for each case stands beside its vectors as a column: number[..., None] * vector. Likewise the condition of"
-    " np.where: np.where(condition[..., None], b, c)."
+    "A number for each case stands beside its vectors as a column: number[..., None] * vector. Likewise the condition"
+    " of np.where: np.where(condition[..., None], b, c)."
 )
 _ADVICE = (
     (r"name 'np' is not defined", "`import numpy as np` is missing."),
@@ -65,8 +65,8 @@ _ADVICE = (
     ),
     (
         r"of shape \((\d+), \1\) instead of \(\1,\)",
-        "np.dot and @ of two rows of vectors combine every vector with every other one: np.sum(a * b, axis=-1) is the dot"
-        " product of each pair.",
+        "np.dot and @ of two rows of vectors combine every vector with every other one: np.sum(a * b, axis=-1) is the"
+        " dot product of each pair.",
     ),
     (
         r"of shape (\(3,\)|\(\)) instead of \(\d",

@@ -39,7 +39,10 @@ class CaseByCase:
         self._in_this_part.clear()
 
     def charge(self) -> Exception | None:
-        """The failure that costs this part its points; None if there is none, or if the topic has lost a part already."""
+        """The failure that costs this part its points; None if there is none, or if its topic has lost a part already.
+
+        A part of which something else fails is lost for that, and its topic is not charged.
+        """
         for function, failure in self._in_this_part.items():
             topic = lecture.function(function).topic
             if topic not in self.paid:

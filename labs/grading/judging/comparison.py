@@ -15,15 +15,15 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, outputs
-from labs.grading.diagnosis.probes.probe import usual
-from labs.grading.diagnosis.output_names import labelled, output_names
-from labs.grading.diagnosis.words import called, compared, shown
-from labs.grading.phrases import gives, no_answer
-from reference.arrays import Array
 from labs.grading.calling.cases import OneCase
+from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, outputs
+from labs.grading.diagnosis.output_names import labelled, output_names
+from labs.grading.diagnosis.probes.probe import usual
+from labs.grading.diagnosis.words import called, compared, shown
 from labs.grading.errors import FunctionRaised, WrongType
 from labs.grading.judging.case_by_case import right_alone
+from labs.grading.phrases import gives, no_answer
+from reference.arrays import Array
 from reference.errors import UnknownName
 
 Formula = Callable[..., Any]

@@ -118,7 +118,7 @@ def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.Abst
             parts.append(Part(points, reason, said(error, hidden)))
         else:
             failure = case_by_case.charge()
-            parts.append(Part(points, reason, failure and (GIST if hidden else said(failure, hidden))))
+            parts.append(Part(points, reason, None if failure is None else GIST if hidden else said(failure, hidden)))
 
     return worth
 

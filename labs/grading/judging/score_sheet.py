@@ -79,7 +79,7 @@ class Sheet:
     in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the submission's
     functions each of these calls. beneath: outcomes, without points, of functions that were not asked for but that
     wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of other
-    cells that a wrong function reads, with the cell. case_by_case: the functions that were asked for one case at a time.
+    cells that a wrong function reads, with the cell. case_by_case: functions that were asked for one case at a time.
     """
 
     submission: str = ""

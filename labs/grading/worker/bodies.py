@@ -1,4 +1,4 @@
-"""The bodies that a submission's functions get: plain tuples whose parts also have the names of the notebook's `Body`."""
+"""The bodies that a submission's functions get: tuples whose parts have the names of the notebook's `Body`."""
 
 from __future__ import annotations
 

@@ -120,7 +120,7 @@ def _as_plain(value: Any) -> Any:
     """A named tuple as a tuple, and a member of an IntEnum as its number, past all methods of their own classes."""
     exact = type(value)
     if exact is not tuple and issubclass(exact, tuple) and hasattr(exact, "_fields"):
-        return tuple([*tuple.__iter__(value)])
+        return (*tuple.__iter__(value),)
     if exact is not int and issubclass(exact, int) and issubclass(exact, enum.Enum):
         return int.__add__(value, 0)
     return value

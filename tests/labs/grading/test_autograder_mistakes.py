@@ -20,10 +20,10 @@ import pytest
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader, Remote
 from labs.grading.diagnosis.misconceptions import read_bank
+from labs.grading.diagnosis.probes.one_case import one_case
 from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.feedback.report import report
-from labs.grading.diagnosis.probes.one_case import one_case
 from labs.grading.judging.case_by_case import CaseByCase
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.plugin import Functions

@@ -17,10 +17,9 @@ def is_colliding(separation, tolerance=0.0):
 def side_of_plane(separation, tolerance=0.0):
     if separation > tolerance:
         return 1
-    elif separation < -tolerance:
+    if separation < -tolerance:
         return -1
-    else:
-        return 0
+    return 0
 
 
 def time_of_impact_interpolated(separation_0, separation_1, t, dt):

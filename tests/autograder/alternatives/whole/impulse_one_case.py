@@ -28,7 +28,7 @@ def rebound_velocity(u, e):
 def classify_contact(u, threshold=0.0):
     if u < -threshold:
         return -1
-    elif u > threshold:
+    if u > threshold:
         return 1
     return 0
 

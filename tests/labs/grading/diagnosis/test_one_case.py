@@ -84,7 +84,7 @@ def test_an_output_given_for_each_contact_is_as_right_as_given_once():
     right = Right((np.arange(3.0),), (1.0,))
     full = np.broadcast_to(np.arange(3.0), (2, 3))
     assert fitted(full, right, (2, 3)).shape == (3,)
-    assert fitted(full + [[0.0], [1.0]], right, (2, 3)).shape == (2, 3)  # the two differ
+    assert fitted(full + np.array([[0.0], [1.0]]), right, (2, 3)).shape == (2, 3)  # the two differ
     assert np.shape(fitted(full, right, (3,))) == (2, 3)  # no axis of the call
 
 
