@@ -6,6 +6,7 @@ import json
 
 import numpy as np
 import pytest
+from submissions import checked, joined, sheet_of
 
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader
@@ -28,19 +29,6 @@ NORMAL = "\ndef normal_velocity(a, b, n):\n    return np.sum(relative_velocity(a
 def grader():
     with Grader(Limits(call=0.4, test=1.0)) as found:
         yield found
-
-
-def sheet_of(tmp_path, grader, text, *names, topic="impulse"):
-    (tmp_path / "lab.py").write_text(text)
-    return pytest_run.run(tmp_path / "lab.py", (topic,), (pytest_run.VISIBLE,), grader, names)
-
-
-def checked(tmp_path, grader, text, *names, topic="impulse"):
-    return joined("\n".join(report.report(sheet_of(tmp_path, grader, text, *names, topic=topic), (topic,))))
-
-
-def joined(text):
-    return " ".join(text.split())
 
 
 # Functions that others call
@@ -215,61 +203,6 @@ def test_results_in_another_order_are_labelled_and_called_so(tmp_path, grader):
     assert "physics v_A=(0, 0, 1), ω_A=(0, 0, 0), v_B=(0, 0, -3), ω_B=(0, 0, 0)" in found
     assert "it returns v_A, v_B, ω_A, ω_B, and should return v_A, ω_A, v_B, ω_B" in found
     assert "plus for both" not in found
-
-
-# One case at a time
-
-
-ONE_CASE = """
-import numpy as np
-def rebound_velocity(u, e):
-    return -e * u if u < 0 else u
-def classify_contact(u, threshold=0.0):
-    return -1 if u < -threshold else int(u > threshold)
-def point_velocity(v, w, r):
-    return v + np.cross(w, r)
-"""
-
-
-def test_functions_of_one_case_lose_one_part_of_the_lab_together(tmp_path, grader):
-    names = ("rebound_velocity", "classify_contact", "point_velocity")
-    sheet = sheet_of(tmp_path, grader, ONE_CASE, *names)
-    assert sheet.points - sheet.earned == 1
-    assert sheet.lost == ["rebound_velocity"]
-    assert set(sheet.case_by_case.functions) == {"rebound_velocity", "classify_contact"}
-    text = joined("\n".join(report.report(sheet, ("impulse",))))
-    assert "✗ rebound_velocity 1 of 2 parts right Not yet: several in one call raised ValueError" in text
-    assert "That costs one part of the whole lab" in text
-    assert text.count("np.where((s < 0)[..., None], b, c)") == 1
-    assert "✓ classify_contact for one case at a time" in text
-    assert "✓ point_velocity" in text
-    assert "✓ point_velocity for" not in text
-
-
-def test_a_function_that_calls_one_of_one_case_loses_nothing_for_it(tmp_path, grader):
-    text = ONE_CASE + (
-        "def relative_velocity(a, b):\n    x, y, z = a - b\n    return np.array([x, y, z])\n"
-        "def normal_velocity(a, b, n):\n    return np.sum(relative_velocity(a, b) * n, axis=-1)\n"
-    )
-    sheet = sheet_of(tmp_path, grader, text, "rebound_velocity", "relative_velocity", "normal_velocity")
-    assert sheet.points - sheet.earned == 1
-    assert "normal_velocity" in sheet.case_by_case.functions
-
-
-def test_a_part_with_a_wrong_number_is_lost_whatever_is_asked_alone(tmp_path, grader):
-    wrong = ONE_CASE.replace("-e * u if", "e * u if")
-    sheet = sheet_of(tmp_path, grader, wrong, "rebound_velocity", "classify_contact")
-    assert [sum(not part.passed for part in outcome.parts) for outcome in sheet.outcomes] == [2, 1]
-    assert sheet.case_by_case.paid == {"impulse": "classify_contact"}
-    assert sheet.diagnoses["rebound_velocity"].verdict == "named"
-
-
-def test_arguments_that_one_case_writes_to_count_as_changed(tmp_path, grader):
-    writes = "def relative_velocity(a, b):\n    assert a.ndim == 1\n    a -= b\n    return a\n"
-    (tmp_path / "lab.py").write_text(writes)
-    sheet = pytest_run.run(tmp_path / "lab.py", ("impulse",), grader=grader, functions=("relative_velocity",))
-    hidden = next(outcome for outcome in sheet.outcomes if outcome.hidden)
-    assert not next(part for part in hidden.parts if "arrays left as they were" in part.reason).passed
 
 
 def test_infinity_gets_no_advice_where_it_is_right():
