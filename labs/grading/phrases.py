@@ -15,7 +15,7 @@ from labs.grading.safe_text import one_line
 from reference import lecture
 
 _NO_ANSWER = re.compile(
-    r"^gives +(nothing \(None\).*|.* instead of (a number or an array|\d+( arrays)?)|a \w+ that is not .*)$",
+    r"^gives +(nothing \(None\).*|.* instead of (a number or an array|real ones|\d+( arrays)?)|a \w+ that is not .*)$",
     re.MULTILINE,
 )
 _NEEDS = re.compile(r"\bneeds (\w+) \(")
@@ -60,11 +60,19 @@ def no_answer(value: Any, count: int, printed: str = "") -> str:
         return "nothing (None): it prints, and has to return" if printed else "nothing (None): is a return missing?"
     if isinstance(value, str):
         return f"the text {one_line(repr(value), 40)} instead of {wanted}"
+    if _is_complex(value):
+        return "complex numbers instead of real ones"
     if isinstance(value, tuple | list) and count > 1 and len(value) != count:
         return f"{len(value)} thing{'s' * (len(value) != 1)} instead of {count}"
     if isinstance(value, tuple | list):
         return f"a {type(value).__name__} that is not {wanted} of numbers"
     return f"one {'array' if isinstance(value, np.ndarray) else type(value).__name__} instead of {wanted}"
+
+
+def _is_complex(value: Any) -> bool:
+    if isinstance(value, tuple | list):
+        return any(map(_is_complex, value))
+    return isinstance(value, np.ndarray | np.generic | complex) and np.iscomplexobj(value)
 
 
 def no_answer_in(said: str) -> str:

@@ -8,6 +8,10 @@ import json
 from pathlib import Path
 
 from labs.building.excerpts import TopicExcerpts, imports_of, text_of
+from labs.grading.calling.remote import Grader
+from labs.grading.feedback import report
+from labs.grading.judging import pytest_run
+from labs.grading.judging.score_sheet import Sheet
 from labs.grading.submission.reading import Submission, read
 from reference import lecture
 
@@ -71,3 +75,19 @@ def defined(submission: Submission) -> dict:
 def told(submission: Submission) -> str:
     """What is said of a submission, a line each."""
     return "\n".join(map(str, submission.complaints))
+
+
+def sheet_of(folder: Path, grader: Grader, text: str, *names: str, topic: str = "impulse") -> Sheet:
+    """What the visible tests find in a submission of that text."""
+    (folder / "lab.py").write_text(text, encoding="utf-8")
+    return pytest_run.run(folder / "lab.py", (topic,), (pytest_run.VISIBLE,), grader, names)
+
+
+def checked(folder: Path, grader: Grader, text: str, *names: str, topic: str = "impulse") -> str:
+    """What a student reads about a submission of that text, on one line."""
+    return joined("\n".join(report.report(sheet_of(folder, grader, text, *names, topic=topic), (topic,))))
+
+
+def joined(text: str) -> str:
+    """A text on one line."""
+    return " ".join(text.split())

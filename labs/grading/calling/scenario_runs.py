@@ -6,6 +6,7 @@ ones, so that an earlier mistake costs no points twice.
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field, replace
@@ -16,6 +17,8 @@ import pytest
 
 from labs.correct_functions import package_of_correct_functions
 from labs.grading.calling.calls import Call
+from labs.grading.calling.cases import OneCase
+from labs.grading.errors import FunctionRaised, WrongType
 from labs.grading.phrases import gives_beside_physics
 from reference import lecture
 from reference.catalogue.case import Case
@@ -46,11 +49,16 @@ WITHOUT_OTHERS = "a whole scenario needs right answers of other topics, which th
 
 @dataclass(frozen=True)
 class Mixed(Implementation):
-    """A submission's functions of one topic, and correct ones of all others."""
+    """A submission's functions of one topic, and correct ones of all others.
+
+    one_case: says what a function takes for one case. The submission's functions are called for one at a time, as a
+    driver's calls may have several bodies.
+    """
 
     source: str = RIGHT
     call: Call | None = None
     topic: str = ""
+    one_case: Callable[[str], OneCase | None] = lambda name: None
     calls: Iterator[int] = field(default_factory=itertools.count, repr=False, compare=False)
 
     def function(self, name: str) -> Callable[..., Any]:
@@ -69,8 +77,20 @@ class Mixed(Implementation):
         written = entry.topic == self.topic and entry.role == "written"
         if call is None or not (written or (entry.topic == self.topic and call.defines(name))):
             return super().function(name)
-        theirs = call.implementation().function(name)
+        theirs = _one_at_a_time(call.implementation().function(name), self.one_case(name))
         return lambda *arguments, **named: _arrays(theirs(*arguments, **named))
+
+
+def _one_at_a_time(function: Callable[..., Any], case: OneCase | None) -> Callable[..., Any]:
+    """A function that is called once for each case; for all in one call if it gives no answer to a single one."""
+
+    def called(*arguments: Any, **named: Any) -> Any:
+        if case and not named and case.leading(arguments):
+            with contextlib.suppress(FunctionRaised, WrongType, ValueError):
+                return case.one_by_one(function, arguments)
+        return function(*arguments, **named)
+
+    return called
 
 
 def _arrays(value: Any) -> Any:
@@ -93,7 +113,7 @@ def with_solutions(submission: Any, topic: str) -> Implementation:
         Implementation(RIGHT).function("ballistic_motion")
     except (NeedsFunction, InvalidInput):  # no such function, no such package
         pytest.skip(WITHOUT_OTHERS)
-    return Mixed(call=submission.process(), topic=topic)
+    return Mixed(call=submission.process(), topic=topic, one_case=submission.one_case)
 
 
 def compared_with_theory(

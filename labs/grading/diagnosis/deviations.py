@@ -138,6 +138,29 @@ def _numbers(value: Any) -> Array:
         return array.astype(float)
 
 
+def fitted(value: Any, right: Right, leading: tuple[int, ...]) -> Any:
+    """An answer for several contacts with each output as short as the right one, if it repeats the same numbers.
+
+    An output that does not depend on the first argument may be given for each of its contacts, or once for all.
+    leading: the axes along which the contacts of the call lie.
+    """
+    found = outputs(value, len(right.outputs))
+    if found is None or all(mine.shape == theirs.shape for mine, theirs in zip(found, right.outputs, strict=True)):
+        return value
+    short = tuple(_once(*pair, leading) for pair in zip(found, right.outputs, strict=True))
+    return short if len(short) > 1 else short[0]
+
+
+def _once(mine: Array, theirs: Array, leading: tuple[int, ...]) -> Array:
+    sizes = (*(1,) * (mine.ndim - theirs.ndim), *theirs.shape)
+    if mine.shape[: len(leading)] != leading or len(sizes) != mine.ndim:
+        return mine
+    first = mine[tuple(slice(size) for size in sizes)]
+    repeats = first.shape == sizes and all(size in (1, whole) for size, whole in zip(sizes, mine.shape, strict=True))
+    same = repeats and np.array_equal(np.broadcast_to(first, mine.shape), mine, equal_nan=True)
+    return first.reshape(theirs.shape) if same else mine
+
+
 def deviation_of(answer: Answer, right: Right) -> Deviation:
     """Compare an answer with the right one."""
     if answer.error:

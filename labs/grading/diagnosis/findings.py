@@ -10,12 +10,14 @@ from labs.grading.diagnosis.fingerprints.reading import Known
 from labs.grading.diagnosis.probes import Probe
 
 Verdict = Literal[
-    "right", "named", "likely", "several", "unknown", "one at a time", "crashes", "shape", "unwritten", "too slow"
-]
+    "right", "named", "likely", "several", "another order", "unknown", "one at a time", "crashes", "shape", "unwritten",
+    "too slow"
+]  # fmt: skip
 """right: on every probe. named: one known mistake explains every answer for a single contact. likely: one explains the
-usual cases, but not all limiting ones. several: more than one explains the same answers. unknown: no known mistake
-explains them. one at a time: right for a single contact only. crashes, shape: it gives no number to compare. unwritten:
-it is the stub. too slow: it ran out of time in a test and was not called again."""
+usual cases, but not all limiting ones. several: more than one explains the same answers. another order: it returns the
+right things in an order of its own. unknown: no known mistake explains them. one at a time: right for a single contact
+only. crashes, shape: it gives no number to compare. unwritten: it is the stub. too slow: it ran out of time in a test
+and was not called again."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +39,8 @@ class Diagnosis:
     errors that it raised on good input. one_alone: whether the mistake explains single contacts only, and calls with
     several go wrong in another way. crash_in_many: whether only calls with several contacts end in an error. accepted:
     cases of bad input that it should have refused. changes_input: whether it writes into its arguments. odd: the
-    simplest probe that a likely mistake does not explain. limits_alone: whether all usual cases are right.
+    simplest probe that a likely mistake does not explain. limits_alone: whether all usual cases are right. order: the
+    places of what it returns, if only their order is wrong.
     """
 
     function: str
@@ -51,6 +54,7 @@ class Diagnosis:
     changes_input: bool = False
     odd: Counterexample | None = None
     limits_alone: bool = False
+    order: tuple[int, ...] = ()
 
     @property
     def right(self) -> bool:

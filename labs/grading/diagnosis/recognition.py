@@ -7,15 +7,20 @@ has only a counterexample.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from labs.grading.diagnosis.deviations import Answer, Deviation, ask, deviation_of
+from labs.grading.calling.cases import OneCase
+from labs.grading.diagnosis.deviations import Answer, Deviation, Right, ask, deviation_of, fitted, outputs
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis, Verdict
 from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known, known
-from labs.grading.diagnosis.probes import Group, probes
+from labs.grading.diagnosis.probes import Group, Probe, probes
+from labs.grading.diagnosis.probes.one_case import one_case
+from labs.grading.errors import GraderFailed
 
 DIFFERENT = 5
 """So many different wrong numbers identify a formula even if calls with several contacts go wrong in another way."""
@@ -31,13 +36,51 @@ def diagnose(function: str, call: Callable[..., Any]) -> Diagnosis:
     UnknownName
         If there are no probes or no fingerprints of such a function.
     """
-    cases = probes(function)
-    return judge(function, ask(call, function, cases))
+    cases, knowledge = probes(function), known(function)
+    answers = ask(call, function, cases)
+    found = judge(function, answers)
+    if found.verdict in ("right", "named", "unwritten", "another order"):
+        return found
+    alone = judge(function, _one_at_a_time(call, function, answers, knowledge))
+    if not (alone.mistakes or alone.verdict == "another order"):
+        return found
+    return replace(alone, crashes=found.crashes, one_alone=True, crash_in_many=found.crash_in_many)
+
+
+def _one_at_a_time(
+    call: Callable[..., Any], function: str, answers: list[Answer], knowledge: Knowledge
+) -> list[Answer]:
+    """The answers, with those for several contacts found by a call for each contact, where the whole was not right.
+
+    A function for a single contact makes its mistake there as well, although it gives no number for several.
+    """
+    case, found = one_case(function), []
+    for probe, right, answer in zip(probes(function), knowledge.right, answers, strict=True):
+        if case and right and probe.group == "many" and not deviation_of(answer, right).right:
+            found.append(_alone(call, function, case, probe) or answer)
+        else:
+            found.append(answer)
+    return found
+
+
+def _alone(call: Callable[..., Any], function: str, case: OneCase, probe: Probe) -> Answer | None:
+    """The answer to a probe with several contacts, by a call for each; None if these fail as well."""
+    try:
+        return Answer(case.one_by_one(lambda *given: call(function, *given), probe.arguments))
+    except GraderFailed:
+        raise
+    except Exception:  # whatever a function raises, here or in a worker
+        return None
 
 
 def judge(function: str, answers: list[Answer]) -> Diagnosis:
     """Diagnose answers that are there already, one per probe."""
     return _Evidence(function, answers).diagnosis()
+
+
+def _fitted(function: str, answer: Answer, right: Right, probe: Probe) -> Answer:
+    case = one_case(function) if probe.group == "many" and not answer.error else None
+    return replace(answer, value=fitted(answer.value, right, case.leading(probe.arguments))) if case else answer
 
 
 class _Evidence:
@@ -48,11 +91,16 @@ class _Evidence:
         rows = list(zip(probes(function), self.knowledge.right, answers, strict=True))
         self.answered = [(probe, right, answer) for probe, right, answer in rows if right]
         self.refused = [(probe, answer) for probe, right, answer in rows if not right]
-        self.deviations = [deviation_of(answer, right) for _, right, answer in self.answered]
+        self.deviations = [
+            deviation_of(_fitted(function, answer, right, probe), right) for probe, right, answer in self.answered
+        ]
         self.groups = [probe.group for probe, _, _ in self.answered]
 
     def diagnosis(self) -> Diagnosis:
         verdict, mistakes = self._verdict()
+        order = () if verdict in ("right", "unwritten", "named") else self._order()
+        if order:
+            verdict, mistakes = "another order", ()
         errors: dict[str, Group] = {}
         for probe, _, answer in self.answered:
             if answer.error:
@@ -72,6 +120,7 @@ class _Evidence:
             any(answer.changed for _, _, answer in self.answered),
             self._simplest([at for at in wrong if at not in explained]) if verdict == "likely" else None,
             all(self.groups[at] != "usual" for at in wrong),
+            order,
         )
 
     def _verdict(self) -> tuple[Verdict, tuple[Known, ...]]:
@@ -89,6 +138,22 @@ class _Evidence:
         if not found:
             return self._without_name(), ()
         return ("several" if len(found) > 1 else "named" if certain else "likely"), tuple(found)
+
+    def _order(self) -> tuple[int, ...]:
+        """The places of what is returned, if every single contact is right but for their order; empty if it is not."""
+        single = [
+            (right, answer) for probe, right, answer in self.answered if probe.group != "many" and not answer.error
+        ]
+        count = len(single[0][0].outputs) if len(single) >= LEAST else 0
+        values = [outputs(answer.value, count) for _, answer in single] if count > 1 else [None]
+        if any(value is None for value in values):
+            return ()
+        for order in itertools.permutations(range(count)):
+            sorted_back = [tuple(value[order.index(at)] for at in range(count)) for value in values if value]
+            pairs = zip(sorted_back, single, strict=True)
+            if all(deviation_of(Answer(value), right).right for value, (right, _) in pairs):
+                return order if list(order) != sorted(order) else ()
+        return ()
 
     def _explained(self, shows: tuple[Group, ...], agrees: tuple[Group, ...] = ()) -> list[Known]:
         """The known mistakes that give what the submission gives in both lists of groups, and that `shows` reveals."""

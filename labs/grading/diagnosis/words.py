@@ -10,6 +10,7 @@ import numpy as np
 
 from labs.grading.diagnosis.deviations import Answer, Right, outputs
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
+from labs.grading.diagnosis.output_names import labelled, output_names
 from labs.grading.phrases import gives_beside_physics, no_answer
 from labs.grading.wrapping import WIDTH
 
@@ -31,12 +32,16 @@ def example_of(found: Counterexample) -> str:
     """What was tried, what the function gave, and what is right, in several lines."""
     tried = called(found.parameters, found.probe.arguments, found.function)
     case = f", {found.probe.note}" if found.probe.note else ""
-    return f"{tried}{case}\n{compared(found.answer, found.right)}"
+    return f"{tried}{case}\n{compared(found.answer, found.right, output_names(found.function))}"
 
 
 def verdict(diagnosis: Diagnosis) -> list[str]:
     """What is wrong, and the hint, a paragraph each. The first one follows the function's name."""
     first = next(iter(diagnosis.mistakes), None)
+    if diagnosis.verdict == "another order":
+        wanted = output_names(diagnosis.function)
+        given, asked = ", ".join(wanted[at] for at in diagnosis.order), ", ".join(wanted)
+        return [f"right numbers in another order: it returns {given}, and should return {asked}."]
     if first is None:
         limits = diagnosis.verdict == "unknown" and diagnosis.limits_alone
         return [_AT_LIMITS if limits else _WITHOUT_NAME[diagnosis.verdict]]
@@ -89,17 +94,17 @@ def called(parameters: Sequence[str], arguments: Sequence[Any], function: str = 
     return f"{function}({given})" if function else given
 
 
-def compared(answer: Answer, right: Right) -> str:
-    """A function's answer and the right one, in two lines."""
+def compared(answer: Answer, right: Right, names: Sequence[str] = ()) -> str:
+    """A function's answer and the right one, in two lines. names: of what it returns, if it is several things."""
     truths = _are_truths(answer.value, right)
-    expected = ", ".join(shown(array.astype(bool) if truths else array) for array in right.outputs)
+    expected = labelled([shown(array.astype(bool) if truths else array) for array in right.outputs], names)
     found = outputs(answer.value, len(right.outputs))
     if answer.error:
         came = answer.error
     elif found is None:
         came = no_answer(answer.value, len(right.outputs), answer.printed)
     else:
-        came = ", ".join(shown(array.astype(bool) if truths else array) for array in found)
+        came = labelled([shown(array.astype(bool) if truths else array) for array in found], names)
         if [array.shape for array in found] != [array.shape for array in right.outputs]:
             came += f" of shape {_shapes(found)} instead of {_shapes(right.outputs)}"
     return gives_beside_physics(came, expected)

@@ -13,11 +13,24 @@ _NUMBER_OR_MANY = (
     "It is called with one number, or with an array of many: np.where and NumPy's functions take both, a loop does not;"
     " components stand along the last axis, a[..., 0]."
 )
+_COLUMN = (
+    "A number for each case stands beside its vectors as a column: number[..., None] * vector. Likewise the condition"
+    " of np.where: np.where(condition[..., None], b, c)."
+)
 _ADVICE = (
     (r"name 'np' is not defined", "`import numpy as np` is missing."),
     (r"name '(numpy|math)' is not defined", r"`import \1` is missing."),
     (r"module 'numpy' has no attribute 'trapz'", "NumPy 2 calls it np.trapezoid."),
-    (r"No module named", "Here are NumPy and plain Python: no other packages, and no files."),
+    (
+        r"No module named|name 'scipy' is not defined",
+        "The lab is written with NumPy and Python's standard library: no other package, such as SciPy, is there when it"
+        " is checked and graded, and no file.",
+    ),
+    (
+        r"complex numbers instead of|an object of type (numpy\.)?complex",
+        "The square root of a negative number is complex in (-1) ** 0.5, cmath and np.emath. Which case is that, and"
+        " what should come out of it?",
+    ),
     (r"maximum recursion depth", "It calls itself again and again."),
     (r"positional arguments? but \d+ (was|were) given", "Its arguments have to be those of the stub, in their order."),
     (
@@ -35,8 +48,34 @@ _ADVICE = (
         " and (matrix @ a[..., None])[..., 0] the product with each matrix; np.swapaxes(matrix, -1, -2) turns each.",
     ),
     (
-        r"could not be broadcast together .*\((\d+),\) \(\1,3\)|could not be broadcast together .*\((\d+),3\) \(\2,\)",
-        "A number for each case stands beside its vectors as a column: number[..., None] * vector.",
+        r"einstein sum subscripts string contains too many subscripts|operand has more dimensions than subscripts",
+        "With dots for the leading axes it takes one case and many: np.einsum('...i,...i->...', a, b).",
+    ),
+    (
+        r"inhomogeneous shape",
+        "Vectors of many cases and of one do not fit into one array: np.stack(np.broadcast_arrays(x, y, z), axis=-1).",
+    ),
+    (
+        r"does not have enough dimensions",
+        "@ is a product of vectors and matrices: a number times something is a * b.",
+    ),
+    (
+        r"could not be broadcast together .*(\(\d+,\) \((\d+,)*3,?\)|\((\d+,)*3,?\) \(\d+,\))",
+        _COLUMN,
+    ),
+    (
+        r"of shape \((\d+), \1\) instead of \(\1,\)",
+        "np.dot and @ of two rows of vectors combine every vector with every other one: np.sum(a * b, axis=-1) is the"
+        " dot product of each pair.",
+    ),
+    (
+        r"of shape (\(3,\)|\(\)) instead of \(\d",
+        "A sum over the wrong axis adds up the cases. Components stand along the last axis: np.sum(a * b, axis=-1), and"
+        " np.linalg.norm(a, axis=-1) likewise.",
+    ),
+    (
+        r"axis \d+ is out of bounds for array of dimension",
+        "axis=-1 is the last axis, that of the components, for one case as well as for many.",
     ),
     (
         r"only (0-dimensional|length-1|size-1) arrays can be converted|doesn't define __(round|ceil|floor)__",
@@ -85,7 +124,10 @@ class Advice:
     def new(self, message: str) -> str:
         """Advice that this reader has not had yet; empty if there is none."""
         words = advice(message, self._given)
-        if words in self._told:
-            return ""
+        return words if self.is_new(words) else ""
+
+    def is_new(self, words: str) -> bool:
+        """Whether this reader has not been told these words yet; from now on the reader has been."""
+        known = words in self._told
         self._told.add(words)
-        return words
+        return not known

@@ -8,6 +8,7 @@ from dataclasses import replace
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
 from labs.grading.diagnosis.words import ODD, besides, example_of, verdict
 from labs.grading.feedback.error_advice import Advice
+from labs.grading.feedback.one_at_a_time import explained
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.phrases import (
     ended_without_numbers,
@@ -24,7 +25,7 @@ MOST_PARTS = 2
 """So many parts are reported with what was tried; only one if the mistake has a name, or lies elsewhere first."""
 _SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow")
 """Verdicts that say no more than the call and its answer do."""
-_NOT_PHYSICS = ("crashes", "shape", "too slow", "one at a time")
+_NOT_PHYSICS = ("crashes", "shape", "too slow", "one at a time", "another order")
 """Verdicts that a hint about the slide does not help with."""
 _RIGHT_ALONE = ("right", "one at a time", "unwritten")
 """Verdicts on functions that give no wrong number to a function that calls them for a single case."""
@@ -62,6 +63,7 @@ def wrong(sheet: Sheet, name: str, advice: Advice, levels: int | None = None) ->
         yield from _indented(said, advice, bool(diagnosis and diagnosis.verdict == "named"))
     if diagnosis and not diagnosis.right:
         yield from _diagnosed(diagnosis, [said for _, said in told], advice, shown)
+    yield from explained(sheet, name, advice)
     if HINT in shown:
         yield from (line for help in helps for line in folded(f"Hint: {help}", 1))
     others = [reason for reason, _ in failures if reason not in [reason for reason, _ in told]]
@@ -95,7 +97,12 @@ def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tu
         return None, _told([(reason, said) for reason, said in none if said not in theirs], 1)
     if diagnosis and uses:
         diagnosis = replace(diagnosis, crashes=(), one_alone=False)  # with many it fails as they do
-    return diagnosis, _told(failures, 1 if uses or (diagnosis and diagnosis.mistakes) else MOST_PARTS)
+    return diagnosis, _told(failures, 1 if uses or _says_all(diagnosis) else MOST_PARTS)
+
+
+def _says_all(diagnosis: Diagnosis | None) -> bool:
+    """Whether what is known of the mistake explains all parts that are lost."""
+    return bool(diagnosis and (diagnosis.mistakes or diagnosis.verdict == "another order"))
 
 
 def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:

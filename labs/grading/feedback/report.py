@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from labs.grading.feedback.error_advice import Advice
 from labs.grading.feedback.faults import listed, share, wrong
+from labs.grading.feedback.one_at_a_time import in_short
 from labs.grading.feedback.tries import Tries
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.phrases import needed_function
@@ -75,7 +76,7 @@ def _function(sheet: Sheet, entry: Function, advice: Advice, tries: Tries | None
     elif mark == TO_DO:
         yield f"  {mark} {name}{_to_do(sheet, entry)}"
     else:
-        yield f"  {mark} {name}{f'  at try {count + 1}' if count else ''}"
+        yield f"  {mark} {name}{f'  at try {count + 1}' if count else ''}{in_short(sheet, name)}"
 
 
 def _to_do(sheet: Sheet, entry: Function) -> str:

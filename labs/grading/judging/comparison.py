@@ -11,14 +11,17 @@ accepted, such as a list or single precision. `diagnosis.deviations` says how cl
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from typing import Any, Protocol
 
 import numpy as np
 
+from labs.grading.calling.cases import OneCase
 from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, outputs
+from labs.grading.diagnosis.output_names import labelled, output_names
 from labs.grading.diagnosis.probes.probe import usual
 from labs.grading.diagnosis.words import called, compared, shown
+from labs.grading.errors import FunctionRaised, WrongType
+from labs.grading.judging.case_by_case import right_alone
 from labs.grading.phrases import gives, no_answer
 from reference.arrays import Array
 from reference.errors import UnknownName
@@ -30,6 +33,7 @@ class Called(Protocol):
     """A function of a submission, as the fixture `submission` gives it."""
 
     name: str
+    functions: Any
 
     def __call__(self, *arguments: Any) -> Any:
         """Call it in the test's process."""
@@ -66,13 +70,23 @@ def check(
 
     wanted: the right numbers. right: gives them with the scales by which they are compared; it is called only if they
     are not met within their own size, because finding scales takes time. repeated: whether an output may be given once
-    if it is the same for all contacts of a call, because it depends on no argument that differs.
+    if it is the same for all contacts of a call, because it depends on no argument that differs. A function that is
+    right for one case and fails for several is asked for one at a time (`case_by_case`).
     """
-    value = function(*arguments)
-    found = Answer(_repeated(value, wanted) if repeated else value)
-    if not deviation_of(found, _sized(wanted)).right and not deviation_of(found, known := right()).right:
-        found = replace(found, printed=_printed(function))
-        raise AssertionError(f"{_tried(function, arguments)}\n{compared(found, known)}")
+
+    def is_right(value: Any) -> bool:
+        found = Answer(_repeated(value, wanted) if repeated else value)
+        return deviation_of(found, _sized(wanted)).right or deviation_of(found, right()).right
+
+    try:
+        value = function(*arguments)
+        if not is_right(value):
+            found = Answer(_repeated(value, wanted) if repeated else value, printed=_printed(function))
+            words = compared(found, right(), output_names(function.name))
+            raise AssertionError(f"{_tried(function, arguments)}\n{words}")
+    except (AssertionError, FunctionRaised, WrongType) as failure:
+        if not right_alone(function, arguments, is_right, failure):
+            raise
 
 
 def _sized(outputs: tuple[Array, ...]) -> Right:
@@ -99,7 +113,7 @@ def numbers(function: Called, arguments: tuple[Any, ...], count: int = 1) -> Any
     if found is None:
         raise AssertionError(f"{_tried(function, arguments)}\n{gives(no_answer(value, count, _printed(function)))}")
     if not all(np.isfinite(array).all() for array in (found if count > 1 else found[:1])):
-        came = ", ".join(map(shown, found))
+        came = labelled(list(map(shown, found)), output_names(function.name))
         raise AssertionError(f"{_tried(function, arguments)}\n{gives(came)}, where finite numbers should be")
     return found if count > 1 else found[0]
 
@@ -128,38 +142,13 @@ def plainly(*arguments: Any) -> tuple[Any, ...]:
 
 def each(formula: Formula, sample: tuple[Any, ...]) -> Formula:
     """Make a formula for one contact work for many; the shapes of the `sample` of arguments say what one contact is."""
-    depths = [np.ndim(part) for part in _leaves(sample)]
-
-    def for_many(*arguments: Any) -> Any:
-        leaves = [np.asarray(part) for part in _leaves(arguments)]
-        several = [leaf.shape[: leaf.ndim - depth] for leaf, depth in zip(leaves, depths, strict=True)]
-        shape = np.broadcast_shapes(*several)
-        spread = [
-            np.broadcast_to(leaf, shape + leaf.shape[leaf.ndim - depth :])
-            for leaf, depth in zip(leaves, depths, strict=True)
-        ]
-        answers = [formula(*_as_in(sample, iter([leaf[place] for leaf in spread]))) for place in np.ndindex(shape)]
-        if not isinstance(answers[0], tuple):
-            return _side_by_side(answers, shape)
-        return tuple(_side_by_side(part, shape) for part in zip(*answers, strict=True))
-
-    return for_many
+    outputs = formula(*sample)
+    case = OneCase(_axes(sample), len(outputs) if isinstance(outputs, tuple) else 1)
+    return lambda *arguments: case.one_by_one(formula, arguments)
 
 
-def _side_by_side(answers: Any, shape: tuple[int, ...]) -> Any:
-    stacked = np.stack([np.asarray(answer, dtype=float) for answer in answers])
-    return stacked.reshape(shape + stacked.shape[1:])
-
-
-def _leaves(value: Any) -> list[Any]:
-    return [leaf for part in value for leaf in _leaves(part)] if isinstance(value, tuple) else [value]
-
-
-def _as_in(sample: Any, leaves: Any) -> Any:
-    if isinstance(sample, tuple):
-        return tuple(_as_in(part, leaves) for part in sample)
-    leaf = next(leaves)
-    return leaf if isinstance(sample, np.ndarray) else leaf.item()
+def _axes(sample: Any) -> tuple[Any, ...]:
+    return tuple(_axes(part) if isinstance(part, tuple) else np.ndim(part) for part in sample)
 
 
 def _size(array: Any) -> float:

@@ -75,10 +75,13 @@ class Grade:
             "name": name,
             "topic": lecture.function(name).topic,
             **_points(outcome for outcome in self.sheet.outcomes if outcome.function == name),
-            "verdict": diagnosis.verdict if diagnosis else "right",
+            "verdict": diagnosis.verdict if diagnosis else self._without_diagnosis(name),
             "mistakes": [known.id for known in diagnosis.mistakes] if diagnosis else [],
             "message": told(diagnosis) if diagnosis else "",
         }
+
+    def _without_diagnosis(self, name: str) -> str:
+        return "one at a time" if name in self.sheet.case_by_case.functions else "right"
 
 
 def grade(

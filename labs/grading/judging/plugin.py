@@ -22,6 +22,7 @@ import pytest
 
 from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import GraderFailed, StudentError
+from labs.grading.judging.case_by_case import GIST
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.given_names import given_names
 from labs.grading.judging.markers import MEANINGS, is_hidden, marker
@@ -105,16 +106,19 @@ def examples(request: pytest.FixtureRequest) -> Examples:
 @pytest.fixture
 def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.AbstractContextManager[None]]:
     """Points for a part of the test: a block that may fail without ending it."""
-    parts = _parts(request.node)
+    parts, hidden = _parts(request.node), is_hidden(request.node)
+    case_by_case = request.config.stash[SHEET].case_by_case
 
     @contextlib.contextmanager
     def worth(points: int, reason: str) -> Iterator[None]:
+        case_by_case.begin_part()
         try:
             yield
         except (AssertionError, StudentError) as error:
-            parts.append(Part(points, reason, said(error, is_hidden(request.node))))
+            parts.append(Part(points, reason, said(error, hidden)))
         else:
-            parts.append(Part(points, reason))
+            failure = case_by_case.charge()
+            parts.append(Part(points, reason, None if failure is None else GIST if hidden else said(failure, hidden)))
 
     return worth
 

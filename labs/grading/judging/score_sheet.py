@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.judging.case_by_case import CaseByCase
 from labs.grading.submission.cells import Complaint
 
 
@@ -78,7 +79,7 @@ class Sheet:
     in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the submission's
     functions each of these calls. beneath: outcomes, without points, of functions that were not asked for but that
     wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of other
-    cells that a wrong function reads, with the cell.
+    cells that a wrong function reads, with the cell. case_by_case: functions that were asked for one case at a time.
     """
 
     submission: str = ""
@@ -92,6 +93,7 @@ class Sheet:
     beneath: list[Outcome] = field(default_factory=list)
     given: frozenset[str] = frozenset()
     borrows: dict[str, dict[str, str]] = field(default_factory=dict)
+    case_by_case: CaseByCase = field(default_factory=CaseByCase)
 
     def about(self, function: str) -> list[Outcome]:
         """The outcomes of a function's tests, asked for or beneath."""
@@ -103,6 +105,7 @@ class Sheet:
         self.diagnoses |= other.diagnoses
         self.uses |= other.uses
         self.borrows |= other.borrows
+        self.case_by_case.functions |= other.case_by_case.functions
 
     @property
     def lost(self) -> list[str]:

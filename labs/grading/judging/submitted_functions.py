@@ -7,7 +7,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from labs.grading.calling.cases import OneCase
 from labs.grading.calling.remote import Call, Remote
+from labs.grading.diagnosis.probes.one_case import one_case
+from labs.grading.judging.case_by_case import CaseByCase
 from labs.grading.judging.score_sheet import Sheet
 
 
@@ -45,6 +48,16 @@ class Functions:
 
     def __repr__(self) -> str:
         return "submission"
+
+    @property
+    def case_by_case(self) -> CaseByCase:
+        """The functions that were asked for one case at a time."""
+        return self._sheet.case_by_case
+
+    @staticmethod
+    def one_case(name: str) -> OneCase | None:
+        """What a function takes and gives for one case."""
+        return one_case(name)
 
     def process(self) -> Call:
         """The process of the running test, for uses beyond a call: `steady`, `changed`, `implementation`."""

@@ -3,9 +3,10 @@
 Threat: everything that arrives was written by untrusted code. A pickle runs its sender's code; a subclass brings its
 own `==`, `__float__` or `__array_ufunc__` and can agree with any expected number. So reading a message builds values of
 the types below and of no others, whatever the bytes say: None, bool, int, float, str, tuple, list, and NumPy arrays and
-scalars of plain dtypes. The sender refuses everything else by the name of its type, so that an honest student learns
-what was wrong. A message has a limit in bytes and in parts, as a few megabytes of `[[],[],…` would become a hundred
-times that in memory; the length comes first and is checked before anything is read.
+scalars of plain dtypes. The sender sends named tuples as tuples and the members of an IntEnum as numbers. It refuses
+everything else by the name of its type, so that an honest student learns what was wrong. A message has a limit in
+bytes and in parts, as a few megabytes of `[[],[],…` would become a hundred times that in memory; the length comes first
+and is checked before anything is read.
 
 Numbers arrive bit by bit as they were sent: a NaN keeps its payload, −0.0 its sign, an array its dtype and shape.
 The worker loads this module as well, so it needs only the standard library and NumPy.
@@ -15,6 +16,7 @@ from __future__ import annotations
 
 import base64
 import binascii
+import enum
 import json
 import math
 import re
@@ -67,6 +69,7 @@ def unpack(body: bytes) -> Any:
 
 def encoded(value: Any, depth: int = 0) -> Any:
     """The value in terms of JSON. Lists, tuples, arrays, scalars and odd floats become lists that begin with a tag."""
+    value = _as_plain(value)
     exact = type(value)
     if value is None or exact is bool:
         return value
@@ -111,6 +114,16 @@ def decoded(parts: Any, depth: int = 0) -> Any:
         case ["scalar", str(name), [], str(text)]:
             return _array(name, [], text)[()]
     raise Refused("not a message: it holds a list without a known tag, or one nested too deep")
+
+
+def _as_plain(value: Any) -> Any:
+    """A named tuple as a tuple, and a member of an IntEnum as its number, past all methods of their own classes."""
+    exact = type(value)
+    if exact is not tuple and issubclass(exact, tuple) and hasattr(exact, "_fields"):
+        return (*tuple.__iter__(value),)
+    if exact is not int and issubclass(exact, int) and issubclass(exact, enum.Enum):
+        return int.__add__(value, 0)
+    return value
 
 
 _SCALARS = frozenset(

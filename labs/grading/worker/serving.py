@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.worker import messages
+from labs.grading.worker import bodies, messages
 from labs.grading.worker.sandbox import Sealing
 
 TITLE = "submission"
@@ -155,7 +155,7 @@ def _answer(module: ModuleType, name: str, arguments: tuple[Any, ...], named: di
     before = [_bits(each) for each in every]
     start = time.perf_counter()
     try:
-        value = function(*arguments, **named)
+        value = function(*map(bodies.with_names, arguments), **named)
         seconds = time.perf_counter() - start
         changed = [place for place, each in enumerate(every) if _bits(each) != before[place]]
         return ("value", seconds, changed, value)

@@ -75,15 +75,16 @@ def test_they_part_with_e_times_the_speed_of_their_approach(submission, part):
 
 
 @asks(
-    "classify_contact", 2, "Colliding −1, resting 0, separating 1; up to the threshold a contact rests.",
+    "classify_contact", 3, "Colliding −1, resting 0, separating 1; up to the threshold a contact rests.",
     "Slide 21. With the normal from B to A, which sign has u_n when they approach?",
 )  # fmt: skip
 def test_a_contact_is_colliding_resting_or_separating(submission, part):
-    with part(1, "approaching, slowly, parting, with the speed of the threshold, at rest"):
+    with part(1, "approaching, slowly, parting"):
         expect(submission.classify_contact, (-2.0, 0.5), -1)
         expect(submission.classify_contact, (-0.25, 0.5), 0)
-        expect(submission.classify_contact, (-0.5, 0.5), 0)
         expect(submission.classify_contact, (2.0, 0.5), 1)
+    with part(1, "with the speed of the threshold, and at rest without one"):
+        expect(submission.classify_contact, (-0.5, 0.5), 0)
         expect(submission.classify_contact, (0.75, 0.75), 0)
         expect(submission.classify_contact, (0.0,), 0)
     with part(1, "several in one call"):
@@ -154,7 +155,7 @@ def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission,
 
 
 @asks(
-    "world_inverse_inertia", 3, "I⁻¹ turns with the body: R I_body⁻¹ Rᵀ.",
+    "world_inverse_inertia", 4, "I⁻¹ turns with the body: R I_body⁻¹ Rᵀ.",
     "Slide 18. Turned by a quarter about z, the body's x axis lies along the world's y.",
 )  # fmt: skip
 def test_the_inverse_inertia_turns_with_the_body(submission, part):
@@ -163,8 +164,9 @@ def test_the_inverse_inertia_turns_with_the_body(submission, part):
         expect(submission.world_inverse_inertia, ([1, 2, 4], [1, 0, 0, 0]), np.diag([1.0, 0.5, 0.25]))
         expect(submission.world_inverse_inertia, ([1, 2, 4], [half, 0, 0, half]), np.diag([0.5, 1.0, 0.25]))
         expect(submission.world_inverse_inertia, ([1, 2, 4], [0.5, 0.5, 0.5, 0.5]), np.diag([0.25, 1.0, 0.5]))
-    with part(1, "what cannot be turned, and a thin rod"):
+    with part(1, "what cannot be turned"):
         expect(submission.world_inverse_inertia, ([np.inf] * 3, [1, 0, 0, 0]), np.zeros((3, 3)))
+    with part(1, "a thin rod"):
         expect(submission.world_inverse_inertia, ([2, 2, 0], [1, 0, 0, 0]), np.diag([0.5, 0.5, 0.0]))
     with part(1, "two bodies in one call"):
         both = [np.diag([1.0, 0.5, 0.25]), np.diag([0.5, 1.0, 0.25])]
@@ -194,16 +196,17 @@ def test_a_body_gives_way_more_easily_beside_its_centre(submission, part):
 
 
 @asks(
-    "impulse_magnitude", 3, "After the impulse the points part with e times the speed of their approach.",
+    "impulse_magnitude", 4, "After the impulse the points part with e times the speed of their approach.",
     "Slide 20. Put u_n⁺ in terms of the unknown j, and ask for −e u_n⁻.",
 )  # fmt: skip
 def test_the_impulse_makes_the_points_part_as_asked(submission, part):
     with part(1, "a body on the ground, two equal bodies"):
         expect(submission.impulse_magnitude, (FALLING, GROUND, UP, 0.5), 3.0)
         expect(submission.impulse_magnitude, (FALLING, STILL, UP, 0.5), 1.5)
-    with part(1, "beside the centre, also of a body that spins on the spot; nothing to push away"):
+    with part(1, "beside the centre, also of a body that spins on the spot"):
         expect(submission.impulse_magnitude, (BESIDE, GROUND, UP, 0.5), 2.0)
         expect(submission.impulse_magnitude, (SPINS, GROUND, UP, 0.5), 1.0)
+    with part(1, "nothing to push away"):
         expect(submission.impulse_magnitude, (GROUND, GROUND, UP, 0.5), 0.0)
     with part(1, "two contacts in one call"):
         expect(submission.impulse_magnitude, (many(FALLING, BESIDE), GROUND, UP, 0.5), [3.0, 2.0])

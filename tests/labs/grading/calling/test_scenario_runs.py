@@ -10,6 +10,8 @@ import pytest
 
 from labs.grading.calling import scenario_runs
 from labs.grading.calling.scenario_runs import MOST_CALLS, SINGLE, Mixed, compared_with_theory, with_solutions
+from labs.grading.diagnosis.probes.one_case import one_case
+from labs.grading.errors import FunctionRaised
 from reference.comparison.compare import compare_case
 from reference.comparison.verdicts import Verdict
 from reference.engines.implementation import Implementation
@@ -21,7 +23,7 @@ def submission(**functions):
     """A submission that defines these."""
     own = SimpleNamespace(function=functions.__getitem__)
     call = SimpleNamespace(implementation=lambda: own, defines=lambda name: name in functions)
-    return SimpleNamespace(process=lambda: call)
+    return SimpleNamespace(process=lambda: call, one_case=one_case)
 
 
 def half(velocity, normal, restitution):
@@ -106,6 +108,27 @@ def test_a_run_is_right_within_single_precision_of_theory(changes, right, monkey
         with pytest.raises(AssertionError, match=r"bounce heights, e=0\.2") as raised:
             compared_with_theory(Implementation("solutions"), "dropped-ball", ["e=0.2"], ["rebound"])
         assert ("physics says nothing" in str(raised.value)) == ("expected" in changes and changes["expected"] is None)
+
+
+def test_a_run_calls_functions_of_one_case_for_one_at_a_time():
+    def single(velocity, normal, restitution):
+        speed = float(velocity @ normal)
+        return velocity if speed >= 0 else velocity - (1 + restitution) * speed * normal
+
+    compared_with_theory(
+        with_solutions(submission(kinematic_response=single), "response"), "dropped-ball", ["e=0.2"], ["rebound"]
+    )
+
+
+def test_a_run_calls_functions_of_many_alone_for_all_at_once():
+    def of_many(velocity, normal, restitution):
+        if np.ndim(velocity) < 2:
+            raise FunctionRaised("kinematic_response raised IndexError")
+        return kinematic_response(velocity, normal, restitution)
+
+    compared_with_theory(
+        with_solutions(submission(kinematic_response=of_many), "response"), "dropped-ball", ["e=0.2"], ["rebound"]
+    )
 
 
 def test_a_run_that_fails_names_the_reason():

@@ -6,6 +6,7 @@ import json
 
 import numpy as np
 import pytest
+from submissions import checked, joined, sheet_of
 
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader
@@ -28,19 +29,6 @@ NORMAL = "\ndef normal_velocity(a, b, n):\n    return np.sum(relative_velocity(a
 def grader():
     with Grader(Limits(call=0.4, test=1.0)) as found:
         yield found
-
-
-def sheet_of(tmp_path, grader, text, *names, topic="impulse"):
-    (tmp_path / "lab.py").write_text(text)
-    return pytest_run.run(tmp_path / "lab.py", (topic,), (pytest_run.VISIBLE,), grader, names)
-
-
-def checked(tmp_path, grader, text, *names, topic="impulse"):
-    return joined("\n".join(report.report(sheet_of(tmp_path, grader, text, *names, topic=topic), (topic,))))
-
-
-def joined(text):
-    return " ".join(text.split())
 
 
 # Functions that others call
@@ -159,12 +147,62 @@ def test_nan_is_explained_and_the_mistake_shown_at_another_input():
         (lambda m: np.array(1.0)[0], "np.where"),
         (lambda m: np.ones((2, 3))[2], "a[..., 0]"),
         (lambda m: max(m[0, 0, 0], m[0, 0]), "np.maximum"),
+        (lambda m: m[0] @ np.ones((4, 3)), "(matrix @ a[..., None])[..., 0]"),
+        (lambda m: 2.0 @ m, "a number times something is a * b"),
+        (lambda m: np.where(np.ones(4) > 0, np.ones((4, 3)), m[0, 0]), "np.where(condition[..., None], b, c)"),
+        (lambda m: np.where(np.ones(4) > 0, m[0, 0], m[0, 0]), "np.where(condition[..., None], b, c)"),
+        (lambda m: np.ones(2) * np.ones((2, 1, 3)), "number[..., None] * vector"),
+        (lambda m: np.sum(m[0, 0], axis=1), "axis=-1 is the last axis"),
+        (lambda m: np.einsum("ij,ij->i", m[0, 0], m[0, 0]), "'...i,...i->...'"),
+        (lambda m: np.array([m, m[0]]), "np.broadcast_arrays"),
     ],
 )
 def test_messages_of_numpy_get_advice_on_what_to_do(given, points_to):
     with pytest.raises((ValueError, TypeError, IndexError)) as caught:
         given(np.ones((2, 3, 3)))
     assert points_to in advice(f"raised {type(caught.value).__name__}: {caught.value}")
+
+
+@pytest.mark.parametrize(
+    ("came", "points_to"),
+    [
+        ("(0, 0, 1) of shape (3,) instead of (2,)", "A sum over the wrong axis"),
+        ("1 of shape () instead of (2,)", "A sum over the wrong axis"),
+        ("((1, 2), (3, 4)) of shape (2, 2) instead of (2,)", "the dot product of each pair"),
+        ("complex numbers instead of real ones", "is complex in"),
+    ],
+)
+def test_an_answer_of_another_kind_gets_advice_on_its_cause(came, points_to):
+    assert points_to in advice(f"f(1)\ngives   {came}\nphysics (1, 2)")
+    assert "wrong axis" not in advice("f(1)\ngives   (1) of shape (1,) instead of ()\nphysics 1")
+
+
+@pytest.mark.parametrize("answer", ["np.sqrt(np.asarray(u) + 0j)", "(-1.0) ** 0.5", "np.complex64(u)"])
+def test_complex_numbers_are_called_so(tmp_path, grader, answer):
+    text = checked(
+        tmp_path, grader, f"import numpy as np\ndef rebound_velocity(u, e): return {answer}\n", "rebound_velocity"
+    )
+    assert "complex numbers instead of real ones" in text or "an object of type " in text
+    assert text.count("is complex in (-1) ** 0.5") == 1
+    assert "one array instead of" not in text
+
+
+def test_a_package_that_is_not_there_is_named_with_those_that_are(tmp_path, grader):
+    text = "import scipy.linalg\ndef relative_velocity(a, b): return scipy.linalg.norm(a - b)\n"
+    found = checked(tmp_path, grader, text, "relative_velocity")
+    assert "NumPy and Python's standard library: no other package, such as SciPy" in found
+
+
+def test_results_in_another_order_are_labelled_and_called_so(tmp_path, grader):
+    text = (
+        "import numpy as np\ndef apply_impulse(a, b, j):\n"
+        "    turned = [body[4] @ np.cross(body[2], j) for body in (a, b)]\n"
+        "    return a[0] + a[3] * j, b[0] - b[3] * j, a[1] + turned[0], b[1] - turned[1]\n"
+    )
+    found = checked(tmp_path, grader, text, "apply_impulse")
+    assert "physics v_A=(0, 0, 1), ω_A=(0, 0, 0), v_B=(0, 0, -3), ω_B=(0, 0, 0)" in found
+    assert "it returns v_A, v_B, ω_A, ω_B, and should return v_A, ω_A, v_B, ω_B" in found
+    assert "plus for both" not in found
 
 
 def test_infinity_gets_no_advice_where_it_is_right():

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import base64
 import contextlib
+import enum
 import json
 import math
 import re
 import struct
 from collections import OrderedDict
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -85,6 +87,51 @@ class Subclass(float):
     pass
 
 
+class Pair(NamedTuple):
+    left: object
+    right: object
+
+
+class Agreeing(Pair):
+    """A named tuple that answers everything in its own way."""
+
+    def __iter__(self):
+        return iter(["expected"])
+
+    def __len__(self):
+        return 1
+
+    def __eq__(self, other):
+        return True
+
+    __hash__ = None
+
+
+class Kind(enum.IntEnum):
+    FIRST = -1
+
+    def __int__(self):
+        return 7
+
+    __index__ = __add__ = __int__
+
+
+@pytest.mark.parametrize(
+    ("value", "plainly"),
+    [
+        (Pair(1.0, Pair(2, None)), (1.0, (2, None))),
+        (Agreeing(1.0, 2.0), (1.0, 2.0)),
+        (Kind.FIRST, -1),
+        ([Kind.FIRST], [-1]),
+        (enum.IntFlag("Flag", "UP").UP, 1),
+    ],
+)
+def test_named_tuples_and_whole_number_constants_arrive_as_what_they_hold(value, plainly):
+    arrived = unpack(pack(value)[HEADER:])
+    assert type(arrived) is type(plainly)
+    assert repr(arrived) == repr(plainly)
+
+
 class Array(np.ndarray):
     pass
 
@@ -96,6 +143,8 @@ class Array(np.ndarray):
         (np.zeros(2).view(Array), "Array"),
         (np.ma.zeros(2), "numpy.ma.MaskedArray"),
         (type("Pair", (tuple,), {})(), "Pair"),
+        (enum.Enum("Plain", {"A": 1}).A, "Plain"),
+        (type("Whole", (int,), {})(1), "Whole"),
         ({"a": 1}, "dict"),
         ({1.0}, "set"),
         (b"bytes", "bytes"),

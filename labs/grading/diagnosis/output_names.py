@@ -1,0 +1,32 @@
+"""What each thing is called that a function returns, for functions that return several; as its description calls it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+_VELOCITIES = ("v_A", "ω_A", "v_B", "ω_B")
+OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
+    "overlap_interval": ("start", "end"),
+    "respond_at_step": ("position", "velocity"),
+    "respond_at_impact": ("position", "velocity"),
+    "sliding_motion": ("position", "velocity", "stopping time"),
+    "sphere_impact": ("velocity", "angular velocity"),
+    "resting_problem": ("A", "b"),
+    "contact_impulses": ("on A", "on B"),
+    "apply_impulse": _VELOCITIES,
+    "collide": _VELOCITIES,
+    "apply_impulse_to_momenta": ("momentum", "angular momentum"),
+    "velocities_from_momenta": ("velocity", "angular velocity"),
+}
+
+
+def output_names(function: str) -> tuple[str, ...]:
+    """The names of what a function returns; none for a single thing."""
+    return OUTPUT_NAMES.get(function, ())
+
+
+def labelled(values: Sequence[str], names: Sequence[str]) -> str:
+    """Several things in a line, each with its name if there is one for each."""
+    if len(names) != len(values):
+        return ", ".join(values)
+    return ", ".join(f"{name}={value}" for name, value in zip(names, values, strict=True))

@@ -1,0 +1,116 @@
+"""What one case is, and mistakes in functions that take one case alone: they are named as those for many are."""
+
+from __future__ import annotations
+
+import importlib
+
+import numpy as np
+import pytest
+
+from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, fitted
+from labs.grading.diagnosis.fingerprints.reading import known
+from labs.grading.diagnosis.misconceptions import read_bank
+from labs.grading.diagnosis.output_names import OUTPUT_NAMES
+from labs.grading.diagnosis.probes import probed, probes
+from labs.grading.diagnosis.probes.one_case import one_case
+from labs.grading.diagnosis.recognition import diagnose
+from labs.grading.diagnosis.words import told
+
+pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # wrong formulas divide by zero
+BANK = read_bank()
+IN_MANY_ALONE = {
+    "signed_distance/one length for all", "holds/one for all", "clamp_to_circle/one for all",
+    "complementarity_residual/one for all", "point_plane_normal/one length for all", "kinematic_response/one for all",
+}  # fmt: skip
+"""Mistakes that a function of one case cannot make."""
+
+
+def solution(name):
+    topic = next(entry.topic for entry in probed() if entry.name == name)
+    return getattr(importlib.import_module(f"solutions.{topic}"), name)
+
+
+def refuses_many(name, formula):
+    """A formula as code for one case: several end in an error, as an `if` on an array does."""
+
+    def called(_, *arguments):
+        if one_case(name).leading(arguments):
+            raise ValueError("The truth value of an array with more than one element is ambiguous.")
+        return formula(*arguments)
+
+    return called
+
+
+def test_several_contacts_in_one_call_are_told_from_a_single_one():
+    for entry in probed():
+        case = one_case(entry.name)
+        for probe in probes(entry.name):
+            if probe.group != "refused":
+                assert bool(case.leading(probe.arguments)) == (probe.group == "many"), (entry.name, probe)
+
+
+def test_solutions_asked_one_at_a_time_give_the_right_answers_for_many():
+    for entry in probed():
+        case = one_case(entry.name)
+        for probe, right in zip(probes(entry.name), known(entry.name).right, strict=True):
+            if probe.group == "many":
+                value = case.one_by_one(solution(entry.name), probe.arguments)
+                answer = Answer(fitted(value, right, case.leading(probe.arguments)))
+                assert deviation_of(answer, right).right, (entry.name, probe.note)
+
+
+@pytest.mark.parametrize(
+    "place", [pytest.param(at, marks=() if at % 40 == 7 else pytest.mark.slow) for at in range(len(BANK))]
+)
+def test_a_mistake_in_code_for_one_case_is_named(place):
+    entry = BANK[place]
+    found = diagnose(entry.function, refuses_many(entry.function, entry.formula))
+    if entry.id in IN_MANY_ALONE:
+        assert found.verdict == "one at a time"
+    else:
+        assert (found.verdict, found.mistakes[0].id) == ("named", entry.id), told(found)
+
+
+def test_a_right_function_of_one_case_makes_no_mistake():
+    for entry in probed()[::6]:
+        found = diagnose(entry.name, refuses_many(entry.name, solution(entry.name)))
+        assert (found.verdict, found.mistakes) == ("one at a time", ()), told(found)
+
+
+# Outputs
+
+
+def test_an_output_given_for_each_contact_is_as_right_as_given_once():
+    right = Right((np.arange(3.0),), (1.0,))
+    full = np.broadcast_to(np.arange(3.0), (2, 3))
+    assert fitted(full, right, (2, 3)).shape == (3,)
+    assert fitted(full + np.array([[0.0], [1.0]]), right, (2, 3)).shape == (2, 3)  # the two differ
+    assert np.shape(fitted(full, right, (3,))) == (2, 3)  # no axis of the call
+
+
+def test_everything_that_a_function_returns_has_a_name():
+    several = {entry.name: len(known(entry.name).right[0].outputs) for entry in probed()}
+    assert {name: len(names) for name, names in OUTPUT_NAMES.items()} == {
+        name: count for name, count in several.items() if count > 1
+    }
+
+
+@pytest.mark.parametrize("function", ["apply_impulse", "sliding_motion", "overlap_interval"])
+def test_right_numbers_in_another_order_are_no_mistake_of_physics(function):
+    names = OUTPUT_NAMES[function]
+    order = (*range(1, len(names)), 0)
+
+    def turned(_, *arguments):
+        value = solution(function)(*arguments)
+        return tuple(value[at] for at in order)
+
+    found = diagnose(function, turned)
+    assert (found.verdict, found.mistakes, found.order) == ("another order", (), order)
+    assert f"it returns {', '.join(names[at] for at in order)}, and should return {', '.join(names)}" in " ".join(
+        told(found).split()
+    )
+
+
+def test_outputs_swapped_by_a_known_mistake_keep_its_name():
+    found = diagnose("contact_impulses", lambda _, j, n: solution("contact_impulses")(j, n)[::-1])
+    assert found.verdict == "named"

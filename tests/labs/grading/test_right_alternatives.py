@@ -1,0 +1,98 @@
+"""Whole submissions that are right in other words lose no point, and nobody is said to have made a mistake.
+
+Each file of `tests/autograder/alternatives/whole` has all functions of a topic, in one manner of writing. It is graded
+as a class is: a file on disk, visible and hidden tests, a worker. Functions for a single case lose one part of a lab.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from labs.grading.judging.grade import grade
+from labs.project_folders import AUTOGRADER
+from reference import lecture
+
+FILES = {path.stem: path for path in sorted((AUTOGRADER / "alternatives" / "whole").glob("*.py"))}
+OFTEN = {"impulse_one_case", "impulse_named"}
+"""Those that are tried in every run: the two manners that used to lose most."""
+
+
+def unchanged(text: str) -> bytes:
+    return text.encode()
+
+
+def windows(text: str) -> bytes:
+    return text.replace("\n", "\r\n").encode()
+
+
+def windows_with_a_mark(text: str) -> bytes:
+    return b"\xef\xbb\xbf" + windows(text)
+
+
+def tabs(text: str) -> bytes:
+    """Four spaces at the start of a line as a tab, and what is left as it is."""
+    lines = text.split("\n")
+    return "\n".join("\t" * ((len(line) - len(line.lstrip(" "))) // 4) + line.lstrip(" ") for line in lines).encode()
+
+
+def notebook(text: str) -> bytes:
+    """A cell for every block of the file, in the order of the file."""
+    blocks = [block for block in text.split("\n\n\n") if block.strip()]
+    cells = [
+        {"cell_type": "code", "source": block, "metadata": {}, "outputs": [], "execution_count": None}
+        for block in blocks
+    ]
+    return json.dumps({"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}).encode()
+
+
+def graded(name: str, written, grader, folder: Path) -> dict:
+    path = folder / ("lab.ipynb" if written is notebook else "lab.py")
+    path.write_bytes(written(FILES[name].read_text(encoding="utf-8")))
+    return grade(path, (name.partition("_")[0],), grader=grader).content()
+
+
+def lost(content: dict) -> list[str]:
+    return [
+        f"{test['function']}: {part['reason']}: {part['message']}"
+        for test in content["tests"]
+        for part in test["parts"]
+        if part["got"] < part["possible"]
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "written"),
+    [
+        pytest.param(
+            name,
+            written,
+            id=f"{name}-{written.__name__}",
+            marks=() if name in OFTEN and written is unchanged else pytest.mark.slow,
+        )
+        for name in FILES
+        for written in (unchanged, windows, windows_with_a_mark, tabs, notebook)
+    ],
+)
+def test_a_right_submission_in_other_words_loses_no_point(name, written, grader, tmp_path):
+    found = graded(name, written, grader, tmp_path)
+    missed = lost(found)
+    if "one_case" in name:
+        assert [line for line in missed if "in one call" not in line] == []
+        assert len(missed) == 1
+    else:
+        assert missed == []
+    assert found["possible"] - found["got"] == len(missed)
+    assert [entry["name"] for entry in found["functions"] if entry["mistakes"]] == []
+    verdicts = {entry["verdict"] for entry in found["functions"]}
+    assert verdicts <= {"right", "one at a time"}, verdicts
+    assert found["complaints"] == []
+
+
+def test_there_are_far_more_than_fifty_right_answers_in_other_words():
+    topics = [name.partition("_")[0] for name in FILES]
+    written = [entry for topic in topics for entry in lecture.functions_of(topic) if entry.role == "written"]
+    assert len(written) > 140
+    assert set(topics) == {"detection", "response", "friction", "impulse"}
