@@ -114,8 +114,7 @@ def friction_angle(static_friction: ArrayLike) -> Array:
 
     Parameters
     ----------
-    static_friction : (...), μ_s
-        Infinity gives π/2, a wall.
+    static_friction : (...), μ_s, finite
 
     Returns
     -------
@@ -126,7 +125,7 @@ def friction_angle(static_friction: ArrayLike) -> Array:
     Raises
     ------
     ValueError
-        If μ_s is negative or NaN.
+        If μ_s is negative or not finite.
 
     Notes
     -----
@@ -135,8 +134,12 @@ def friction_angle(static_friction: ArrayLike) -> Array:
     μ_s times the normal force:
 
         μ_s = m g sin θ/(m g cos θ) = tan θ
+
+    No finite μ_s holds a body on a wall, θ = π/2, because nothing presses it on. An
+    infinite one would have to hold it with ∞·0 N. That has no value, so this function
+    refuses infinity, as `holds`, `friction_force` and `sphere_grips` do.
     """
-    return np.asarray(np.arctan(not_negative("static_friction", static_friction)))
+    return np.asarray(np.arctan(finite("static_friction", not_negative("static_friction", static_friction))))
 
 
 def break_away_time(
