@@ -113,8 +113,7 @@ def perpendicular_wall_factor(radius: ArrayLike, distance: ArrayLike) -> Array:
     Returns
     -------
     (...), without a unit, above 1
-        It holds at any distance, to 0.7 %, and in the same way for a sphere that moves
-        away.
+        It holds at any distance, to 0.71 %, and also for a sphere that moves away.
 
     Raises
     ------

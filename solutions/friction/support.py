@@ -239,7 +239,7 @@ def stick_slip_times(
     ------
     ValueError
         If mass, stiffness or speed is not positive and finite, N or μ_k is negative, or
-        μ_s is less than μ_k.
+        μ_s is less than μ_k or not finite.
 
     Notes
     -----
@@ -264,6 +264,6 @@ def stick_slip_times(
     """
     k, m = finite("stiffness", positive("stiffness", stiffness)), finite("mass", positive("mass", mass))
     speed, frequency = finite("drive_speed", positive("drive_speed", drive_speed)), np.sqrt(k / m)
-    excess = np.asarray(static_friction, dtype=float) - not_negative("kinetic_friction", kinetic_friction)
+    excess = finite("static_friction", static_friction) - not_negative("kinetic_friction", kinetic_friction)
     a = not_negative("static_friction less kinetic_friction", excess) * not_negative("normal_force", normal_force) / k
     return 2 * a / speed, 2 / frequency * (np.pi - np.arctan2(a * frequency, speed))
