@@ -77,9 +77,9 @@ def test_a_fall_takes_any_fit_and_warns_only_of_its_own_speed():
         assert ours[1] == pytest.approx(-theirs, rel=1e-9, abs=0)
     fit = functools.partial(drag_correction, correlation="Terfous")
     sphere = (2600.0, 1000.0, 1e-3, DOWN)
-    # At Re = 0.15 its drag is 0.3 % below Stokes', and so the fall is faster
+    # At Re = 0.15 its drag is about 1 % below Stokes', and so the fall is faster
     excess = terminal_velocity_corrected(2.78e-5, *sphere, fit)[2] / terminal_velocity_without_warning(2.78e-5, *sphere)
-    assert 1 < excess < 1.006
+    assert 1 < excess < 1.02
     with pytest.warns(DragRangeWarning, match=r"here Re is 0\.00"):
         terminal_velocity_corrected(1e-5, *sphere, fit)
 
