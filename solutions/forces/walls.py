@@ -12,7 +12,7 @@ import warnings
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solutions.arrays import Array
+from solutions.arrays import Array, Booleans
 from solutions.checks import positive
 from solutions.forces.correlations import DragRangeWarning
 
@@ -141,12 +141,12 @@ def _nearness(radius: ArrayLike, distance: ArrayLike) -> Array:
     return share
 
 
-def _refuse(wrong: Array, words: str) -> None:
+def _refuse(wrong: Booleans, words: str) -> None:
     if np.any(wrong):
         raise ValueError(words)
 
 
-def _warn(outside: Array, words: str) -> None:
+def _warn(outside: Booleans, words: str) -> None:
     """Warn the caller of the factor."""
     if np.any(outside):
         warnings.warn(words, DragRangeWarning, stacklevel=3)
