@@ -189,6 +189,9 @@ def test_a_sliding_spring_asks_for_the_limit_in_the_next_step_too():
         assert force == pytest.approx(-3.0 * X, abs=1e-15)
         again, _ = tangential_spring(xi, 2 * X, UP, 10.0, 0.3, 100.0, c, 0.0)
         assert again == pytest.approx(force, abs=1e-14)
+    # While it slides at 2 m/s, 1 N of the 3 N is the dashpot's: the spring keeps the other 2 N when the slip ends
+    _, xi = tangential_spring(np.zeros(3), 2 * X, UP, 10.0, 0.3, 100.0, 0.5, 1.0)
+    assert tangential_spring(xi, np.zeros(3), UP, 10.0, 0.3, 100.0, 0.5, 1.0)[0] == pytest.approx(-2.0 * X, abs=1e-14)
     one_by_one = [
         tangential_spring(np.zeros(3), 2 * X, UP, press, 0.3, 100.0, 4.0, 0.01)[0] for press in (0.0, 1.0, 99.0)
     ]
