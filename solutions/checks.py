@@ -37,6 +37,11 @@ def in_unit_interval(name: str, value: ArrayLike) -> Array:
     return _where(name, value, lambda array: (array >= 0) & (array <= 1), "from 0 to 1")
 
 
+def between(name: str, value: ArrayLike, least: float, most: float) -> Array:
+    """Return the value; refuse NaN and every number that is not from least to most."""
+    return _where(name, value, lambda array: (array >= least) & (array <= most), f"from {least:g} to {most:g}")
+
+
 def finite(name: str, value: ArrayLike) -> Array:
     """Return the value; refuse infinity and NaN."""
     return _where(name, value, np.isfinite, "finite")

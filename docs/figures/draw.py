@@ -1,7 +1,7 @@
 """Draws the figures of the statements: `python docs/figures/draw.py [FOLDER]`, by default into docs/images/statements.
 
-Each topic has a file `figures_TOPIC.py` beside this one, with a table `FIGURES`: (statement, name) → a function that
-draws on a matplotlib `Figure`. Its docstring is the caption.
+Each topic has one or more files `figures_….py` beside this one, each with a table `FIGURES`: (statement, name) → a
+function that draws on a matplotlib `Figure`. Its docstring is the caption.
 """
 
 from __future__ import annotations

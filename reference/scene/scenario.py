@@ -70,6 +70,9 @@ class Body:
 
     mass: kg, `math.inf` for an immovable one. position: centre of mass, m. orientation: unit quaternion w x y z,
     body to world. velocity: m/s. angular_velocity: rad/s, world frame.
+
+    The impulse topic has a `Body` too, in `solutions.impulse`: what one impact needs to know of a body at its instant,
+    with the arm to the contact and inverses of mass and inertia. Neither can stand for the other.
     """
 
     name: str

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solutions.arrays import Array, Integers
+from solutions.arrays import Array, Booleans, Integers
 from solutions.avoidance.directions import in_plane, turned_left, unit_or_zero
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
@@ -98,18 +98,26 @@ def crowd_step(
     max_speed: ArrayLike,
     horizon: float,
     dt: float,
+    neighbour_distance: ArrayLike = np.inf,
+    max_neighbours: ArrayLike = np.inf,
 ) -> tuple[Array, Array]:
     """State of a crowd of discs after a step in which they avoid each other.
 
     This goes beyond slide 1. Each disc takes the velocity nearest to its preferred one
     that all its half-planes permit, as `permitted_velocity` finds it, and moves with it
-    for dt.
+    for dt. How far a disc looks and how many neighbours it heeds may be limited, as by
+    RVO2's neighborDist and maxNeighbors.
 
     Parameters
     ----------
     position, velocity, preferred : (n, 2), m, m/s, m/s
     radius, max_speed : (n,) or one for all, m, m/s, not negative
     horizon, dt : s, positive
+    neighbour_distance : (n,) or one for all, m, not negative
+        A disc heeds no other whose centre is farther from its own.
+    max_neighbours : (n,) or one for all, not negative
+        A disc heeds at most that many others, the nearest ones. Of two that are equally
+        near, the one with the lower index comes first.
 
     Returns
     -------
@@ -121,8 +129,8 @@ def crowd_step(
     Raises
     ------
     ValueError
-        If a radius or a speed is negative, a horizon or step is not positive, a
-        position is not finite, or the shapes do not fit.
+        If a radius, a speed or a limit of neighbours is negative, a horizon or step is
+        not positive, a position is not finite, or the shapes do not fit.
 
     Notes
     -----
@@ -131,14 +139,22 @@ def crowd_step(
     far apart for this, even with the largest radius and the highest speed of the crowd.
     The half-planes of A and B are mirror images: from `orca_half_plane` for A, the
     function derives the one for B with the same change in the opposite direction.
+
+    With a limit, A may heed B while B does not heed A. Then only A makes its half of
+    the change, and the two may collide: the promise of `orca_half_plane` is lost.
     """
     p, v = _states(position, velocity)
     r = np.broadcast_to(not_negative("radius", radius), len(p))
     speed = np.broadcast_to(not_negative("max_speed", max_speed), len(p))
-    i, j = _who_may_meet(p, r, speed, horizon)
+    sight = np.broadcast_to(not_negative("neighbour_distance", neighbour_distance), len(p))
+    most = np.broadcast_to(not_negative("max_neighbours", max_neighbours), len(p))
+    i, j = _who_may_meet(p, r, speed, horizon, sight)
     point, normal = orca_half_plane(p[i], v[i], r[i], p[j], v[j], r[j], horizon, dt)
     mirrored = v[j] - (point - v[i])  # the other half of the change, in reverse
-    points, normals = _in_rows(len(p), np.r_[i, j], np.r_[point, mirrored], np.r_[normal, -normal])
+    who, whom = np.r_[i, j], np.r_[j, i]
+    heeded = _heeded(p, who, whom, sight, most)
+    half_planes = np.r_[point, mirrored][heeded], np.r_[normal, -normal][heeded]
+    points, normals = _in_rows(len(p), who[heeded], *half_planes)
     v = permitted_velocity(preferred, speed, points, normals)
     return p + v * dt, v
 
@@ -152,14 +168,27 @@ def _states(position: ArrayLike, velocity: ArrayLike) -> tuple[Array, Array]:
     return p, v
 
 
-def _who_may_meet(p: Array, radius: Array, speed: Array, horizon: float) -> tuple[Integers, Integers]:
-    """Pairs near enough to touch within the horizon.
+def _who_may_meet(p: Array, radius: Array, speed: Array, horizon: float, sight: Array) -> tuple[Integers, Integers]:
+    """Pairs near enough to touch within the horizon and to be seen by one of the two.
 
     The largest radius and the highest speed decide, for two discs that fly straight at
-    each other.
+    each other, and the farthest sight.
     """
-    sight = 2 * (radius.max(initial=0.0) + speed.max(initial=0.0) * horizon)
-    return neighbour_pairs(p, sight if sight > 0 else 1.0)
+    reach = 2 * (radius.max(initial=0.0) + speed.max(initial=0.0) * horizon)
+    reach = min(reach, sight.max(initial=0.0))
+    return neighbour_pairs(p, reach if reach > 0 else 1.0)
+
+
+def _heeded(p: Array, who: Integers, whom: Integers, sight: Array, most: Array) -> Booleans:
+    """Which entries remain if each disc heeds only the nearest others in its sight."""
+    if np.all(np.isinf(sight)) and np.all(np.isinf(most)):
+        return np.ones(len(who), dtype=bool)
+    distance = np.linalg.norm(p[whom] - p[who], axis=-1)
+    order = np.lexsort((whom, distance, who))
+    count = np.bincount(who, minlength=len(p))
+    rank = np.empty(len(who), dtype=int)  # 0 for the nearest
+    rank[order] = np.arange(len(who)) - np.repeat(np.cumsum(count) - count, count)
+    return np.asarray((distance <= sight[who]) & (rank < most[who]))
 
 
 def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps: Array) -> tuple[Array, Array]:

@@ -17,6 +17,7 @@ from solutions.forces.accumulator import (
     power_by_tag,
     total_force,
 )
+from solutions.forces.correlations import CORRELATIONS, LARGEST_REYNOLDS, DragRangeWarning, drag_correction
 from solutions.forces.drag import buoyancy, spheroid_drag, stokes_drag
 from solutions.forces.falling import drag_motion, relaxation_time, terminal_velocity, terminal_velocity_corrected
 from solutions.forces.gravity import (
@@ -37,24 +38,20 @@ from solutions.forces.integrators import (
     velocity_verlet,
 )
 from solutions.forces.oscillators import damped_oscillator, damping_ratio, friction_oscillator, natural_frequency
-from solutions.forces.reynolds import (
-    LARGEST_REYNOLDS,
-    STOKES_LIMIT,
-    StokesRegimeWarning,
-    check_stokes_regime,
-    drag_correction,
-    reynolds_number,
-)
+from solutions.forces.reynolds import STOKES_LIMIT, StokesRegimeWarning, check_stokes_regime, reynolds_number
 from solutions.forces.shapes import sphere_shape_factor, spheroid_shape_factors
 from solutions.forces.springs import damper_force, spring_damper_force, spring_energy, spring_force
 from solutions.forces.stability import stable_step
+from solutions.forces.walls import parallel_wall_factor, perpendicular_wall_factor, tube_wall_factor
 from solutions.forces.wind import sample_field, wind_force
 
 __all__ = [
+    "CORRELATIONS",
     "GRAVITATIONAL_CONSTANT",
     "LARGEST_REYNOLDS",
     "STANDARD_GRAVITY",
     "STOKES_LIMIT",
+    "DragRangeWarning",
     "EnergyAudit",
     "Force",
     "StokesRegimeWarning",
@@ -74,6 +71,8 @@ __all__ = [
     "implicit_euler",
     "mutual_gravity",
     "natural_frequency",
+    "parallel_wall_factor",
+    "perpendicular_wall_factor",
     "power_by_tag",
     "relaxation_time",
     "reynolds_number",
@@ -92,6 +91,7 @@ __all__ = [
     "terminal_velocity",
     "terminal_velocity_corrected",
     "total_force",
+    "tube_wall_factor",
     "uniform_gravity",
     "universal_gravity",
     "universal_gravity_energy",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 
 import numpy as np
@@ -9,7 +10,8 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
-from solutions.forces.reynolds import LARGEST_REYNOLDS, check_stokes_regime, drag_correction, reynolds_number
+from solutions.forces.correlations import LARGEST_REYNOLDS, DragRangeWarning, drag_correction
+from solutions.forces.reynolds import check_stokes_regime, reynolds_number
 
 
 def relaxation_time(
@@ -167,7 +169,8 @@ def terminal_velocity_corrected(
     viscosity : (...), η, Pa s, above zero
     gravity : (..., 3), m/s²
     correction : function φ of the Reynolds number (...)
-        It returns the true drag over Stokes' drag.
+        It returns the true drag over Stokes' drag, more than half of it.
+        `functools.partial(drag_correction, correlation="Cheng")` takes another fit.
 
     Returns
     -------
@@ -182,6 +185,11 @@ def terminal_velocity_corrected(
         is not positive, a density is negative, or gravity does not have three
         components.
 
+    Warns
+    -----
+    DragRangeWarning
+        Where the fall is outside the range of another fit than the default.
+
     Notes
     -----
     Stokes' law predicts a fall with some Reynolds number S. In a steady fall the drag
@@ -191,8 +199,9 @@ def terminal_velocity_corrected(
 
         Re φ(Re) = S
 
-    The left side grows with Re, and φ ≥ 1, so Re is between 0 and S. Halving this
-    interval sixty times finds Re to the last digit but one.
+    The left side grows with Re. A fit may put φ a little below 1 in a slow flow, so the
+    search begins with Re between 0 and 2 S. Halving this interval sixty times finds Re
+    to the last digit but one.
     """
     r, rho, eta = (
         positive("radius", radius),
@@ -202,11 +211,14 @@ def terminal_velocity_corrected(
     excess = not_negative("density", density) - rho
     stokes = (2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity)
     target = 2 * r * rho * np.linalg.norm(stokes, axis=-1) / eta
-    low, high = np.zeros_like(target), np.minimum(target, LARGEST_REYNOLDS)
-    if np.any(high * correction(high) < target):
-        raise ValueError(f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}")
-    for _ in range(60):
-        middle = (low + high) / 2
-        slower = middle * correction(middle) < target
-        low, high = np.where(slower, middle, low), np.where(slower, high, middle)
+    low, high = np.zeros_like(target), np.minimum(2 * target, LARGEST_REYNOLDS)
+    with warnings.catch_warnings():  # on the way to the solution, a fit may leave its range
+        warnings.simplefilter("ignore", DragRangeWarning)
+        if np.any(high * correction(high) < target):
+            raise ValueError(f"the fall is too fast: its Reynolds number is above {LARGEST_REYNOLDS:g}")
+        for _ in range(60):
+            middle = (low + high) / 2
+            slower = middle * correction(middle) < target
+            low, high = np.where(slower, middle, low), np.where(slower, high, middle)
+    correction(high)  # which warns if the solution itself is out of range
     return np.asarray(stokes * np.where(target > 0, high / np.where(target > 0, target, 1.0), 1.0)[..., None])

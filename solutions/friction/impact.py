@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans
-from solutions.checks import finite, in_unit_interval, matrix, not_negative, positive, unit, vector
+from solutions.checks import between, finite, in_unit_interval, matrix, not_negative, positive, unit, vector
 from solutions.friction.support import along_surface
 
 SINGULAR = 1e-12
@@ -202,10 +202,12 @@ def sphere_impact(
     restitution: ArrayLike,
     friction: ArrayLike,
     inertia_share: ArrayLike = 0.4,
+    tangent_restitution: ArrayLike = 0.0,
 ) -> tuple[Array, Array]:
     """Velocities of a sphere after it has struck an immovable plane with friction.
 
-    Friction turns spin into motion along the plane and back.
+    Friction turns spin into motion along the plane and back. A contact that also
+    springs back sideways, as that of a superball does, has a tangential restitution.
 
     Parameters
     ----------
@@ -214,6 +216,8 @@ def sphere_impact(
     radius : (...), R, m
     restitution, friction : (...), e, 0 to 1, and μ
     inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow one
+    tangent_restitution : (...), e_t, −1 to 1
+        0 stops the slip, 1 reverses it, and −1 leaves it as it is.
 
     Returns
     -------
@@ -222,12 +226,24 @@ def sphere_impact(
     Raises
     ------
     ValueError
-        As friction_impulse, or if the radius or the inertia is not positive and finite.
+        As friction_impulse, or if the radius or the inertia is not positive and finite,
+        or e_t is not from −1 to 1.
 
     Notes
     -----
     The arm from the centre to the contact is r = −R n. The impulse and the inertia are
     both proportional to the mass, so that the mass drops out.
+
+    Where the sphere grips, its slip u_t reverses as Newton's rule reverses u_n:
+
+        u_t⁺ = −e_t u_t
+
+    Stopping the slip takes an impulse in proportion to u_t, and reversing it 1 + e_t
+    times this impulse. So the code hands (1 + e_t) u_t to `friction_impulse`. Where
+    this would take more than μ times the normal impulse, the sphere slides, and e_t
+    plays no part (Walton 1993). With e = e_t = 1 and enough friction the energy stays
+    as it was: this is Garwin's "ultraelastic rough ball" (1969). Cross (2002) measured
+    about 0.76 for a superball.
     """
     v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
     r = finite("radius", positive("radius", radius))[..., None]
@@ -235,5 +251,6 @@ def sphere_impact(
     inertia = (share[..., None] * r**2)[..., None]
     arm = -r * n
     k = point_inverse_mass(1.0, np.eye(3) / inertia, arm)
-    j = friction_impulse(v + np.cross(spin, arm), n, k, restitution, friction)
+    u, e_t = v + np.cross(spin, arm), between("tangent_restitution", tangent_restitution, -1, 1)
+    j = friction_impulse(u + e_t[..., None] * along_surface(u, n), n, k, restitution, friction)
     return v + j, spin + np.cross(arm, j) / inertia[..., 0]

@@ -114,8 +114,7 @@ def friction_angle(static_friction: ArrayLike) -> Array:
 
     Parameters
     ----------
-    static_friction : (...), μ_s
-        Infinity gives π/2, a wall.
+    static_friction : (...), μ_s, finite
 
     Returns
     -------
@@ -126,7 +125,7 @@ def friction_angle(static_friction: ArrayLike) -> Array:
     Raises
     ------
     ValueError
-        If μ_s is negative or NaN.
+        If μ_s is negative or not finite.
 
     Notes
     -----
@@ -135,8 +134,12 @@ def friction_angle(static_friction: ArrayLike) -> Array:
     μ_s times the normal force:
 
         μ_s = m g sin θ/(m g cos θ) = tan θ
+
+    No finite μ_s holds a body on a wall, θ = π/2, because nothing presses it on. An
+    infinite one would have to hold it with ∞·0 N. That has no value, so this function
+    refuses infinity, as `holds`, `friction_force` and `sphere_grips` do.
     """
-    return np.asarray(np.arctan(not_negative("static_friction", static_friction)))
+    return np.asarray(np.arctan(finite("static_friction", not_negative("static_friction", static_friction))))
 
 
 def break_away_time(
@@ -236,7 +239,7 @@ def stick_slip_times(
     ------
     ValueError
         If mass, stiffness or speed is not positive and finite, N or μ_k is negative, or
-        μ_s is less than μ_k.
+        μ_s is less than μ_k or not finite.
 
     Notes
     -----
@@ -261,6 +264,6 @@ def stick_slip_times(
     """
     k, m = finite("stiffness", positive("stiffness", stiffness)), finite("mass", positive("mass", mass))
     speed, frequency = finite("drive_speed", positive("drive_speed", drive_speed)), np.sqrt(k / m)
-    excess = np.asarray(static_friction, dtype=float) - not_negative("kinetic_friction", kinetic_friction)
+    excess = finite("static_friction", static_friction) - not_negative("kinetic_friction", kinetic_friction)
     a = not_negative("static_friction less kinetic_friction", excess) * not_negative("normal_force", normal_force) / k
     return 2 * a / speed, 2 / frequency * (np.pi - np.arctan2(a * frequency, speed))

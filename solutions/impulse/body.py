@@ -21,6 +21,10 @@ have such a diagonal once the rod has been turned.
 class Body(NamedTuple):
     """One of the two bodies of an impact; a plain tuple in this order works as well.
 
+    It is what an impact needs to know, at its instant. The lab's scenarios have a
+    `Body` too, in `reference.scene.scenario`: a name, a shape and a mass, with the
+    state at the start of a run. Neither can stand for the other.
+
     Attributes
     ----------
     velocity : (..., 3), v of the centre of mass, m/s

@@ -5,14 +5,29 @@ spring.
 """
 
 from solutions.response.bounces import bounce_along_normal, bounce_through_step, time_until_rest
+from solutions.response.hertz import (
+    hertz_contact_time,
+    hertz_damping,
+    hertz_force,
+    hertz_largest_depth,
+    hertz_restitution,
+    hertz_stiffness,
+)
 from solutions.response.kinematic import kinematic_response, moving_plane_response
 from solutions.response.penalty import penalty_force, penalty_rest_depth, penalty_step_limit
 from solutions.response.penalty_impact import penalty_contact_time, penalty_damping, penalty_restitution
 from solutions.response.steps import respond_at_impact, respond_at_step
+from solutions.response.tangential import tangential_spring
 
 __all__ = [
     "bounce_along_normal",
     "bounce_through_step",
+    "hertz_contact_time",
+    "hertz_damping",
+    "hertz_force",
+    "hertz_largest_depth",
+    "hertz_restitution",
+    "hertz_stiffness",
     "kinematic_response",
     "moving_plane_response",
     "penalty_contact_time",
@@ -23,5 +38,6 @@ __all__ = [
     "penalty_step_limit",
     "respond_at_impact",
     "respond_at_step",
+    "tangential_spring",
     "time_until_rest",
 ]

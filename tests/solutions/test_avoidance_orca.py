@@ -75,13 +75,13 @@ def test_the_half_planes_are_those_of_navground():
     assert checked > 200
 
 
-def navground(core, position, velocity, radius, neighbours, horizon, wish=(1.5, 0.0)):
+def navground(core, position, velocity, radius, neighbours, horizon, wish=(1.5, 0.0), most=100):
     """A behaviour of navground that has just been asked for its command."""
     speed = float(np.linalg.norm(wish))
     kinematics = core.kinematics.OmnidirectionalKinematics(max_speed=speed, max_angular_speed=1.0)
     behavior = core.behaviors.ORCABehavior(kinematics, radius)
     behavior.time_horizon, behavior.horizon, behavior.safety_margin = horizon, 1e3, 0.0
-    behavior.max_number_of_neighbors = 100
+    behavior.max_number_of_neighbors = most
     behavior.position, behavior.velocity, behavior.optimal_speed = position, velocity, speed
     behavior.target = core.Target.Direction(np.asarray(wish) / speed)
     behavior.environment_state.neighbors = [
@@ -553,3 +553,83 @@ def test_large_slow_discs_see_each_other_before_they_touch():
     position, wish = [(-2.075, 0.0), (2.075, 0.0)], np.array([(0.1, 0.0), (-0.1, 0.0)])
     _, velocity = crowd_step(position, wish, wish, 2.0, 0.1, 1.0, 0.1)
     np.testing.assert_allclose(velocity, 0.75 * wish, atol=1e-12)  # rounding of 4 m in a difference of 0.15 m
+
+
+# Limits of neighbours
+
+
+def by_brute_force(position, velocity, wish, radius, speed, sight, most, horizon=3.0, dt=0.1):
+    """The step of a crowd in which each disc sorts all others by distance."""
+    found = np.empty_like(velocity)
+    for a, here in enumerate(position):
+        away = np.linalg.norm(position - here, axis=1)
+        others = sorted((d, b) for b, d in enumerate(away) if b != a and d <= sight[a])
+        near = sorted(b for _, b in others[: most[a]])
+        planes = orca_half_plane(
+            here, velocity[a], radius[a], position[near], velocity[near], radius[near], horizon, dt
+        )
+        found[a] = permitted_velocity(wish[a], speed[a], *planes)
+    return found
+
+
+@pytest.mark.statement(1, oracle="brute force over all pairs")
+def test_a_disc_heeds_only_its_nearest_neighbours_within_its_sight():
+    rng = np.random.default_rng(RNG_SEED)
+    position, velocity, wish = rng.normal(size=(3, 40, 2)) * np.array([3.0, 0.6, 1.0])[:, None, None]
+    radius, speed = rng.uniform(0.05, 0.2, 40), rng.uniform(0.5, 1.5, 40)
+    sight, most = rng.uniform(0.5, 4.0, 40), rng.integers(0, 6, 40)
+    _, ours = crowd_step(position, velocity, wish, radius, speed, 3.0, 0.1, sight, most)
+    assert ours == pytest.approx(by_brute_force(position, velocity, wish, radius, speed, sight, most), abs=1e-9)
+    few = crowd_step(position, velocity, wish, radius, speed, 3.0, 0.1, max_neighbours=2)[1]
+    all_of_it = by_brute_force(position, velocity, wish, radius, speed, np.full(40, 1e9), np.full(40, 2))
+    assert few == pytest.approx(all_of_it, abs=1e-9)
+    assert np.linalg.norm(few - ours, axis=1).max() > 0.1
+
+
+def test_without_limits_of_neighbours_a_crowd_moves_as_before():
+    rng = np.random.default_rng(RNG_SEED)
+    position, velocity, wish = rng.normal(size=(3, 60, 2))
+    plain = crowd_step(position, velocity, wish, 0.1, 1.5, 3.0, 0.1)
+    wide = crowd_step(position, velocity, wish, 0.1, 1.5, 3.0, 0.1, neighbour_distance=1e6, max_neighbours=59)
+    assert [each.tobytes() for each in plain] == [each.tobytes() for each in wide]
+    for blind in ({"max_neighbours": 0}, {"neighbour_distance": 0.0}):
+        _, alone = crowd_step(position, velocity, 0.1 * wish, 0.1, 1.5, 3.0, 0.1, **blind)
+        assert np.array_equal(alone, 0.1 * wish)
+    for name in ("neighbour_distance", "max_neighbours"):
+        with pytest.raises(ValueError, match=f"^{name} must be zero or positive, not -1"):
+            crowd_step(position, velocity, wish, 0.1, 1.5, 3.0, 0.1, **{name: -1})
+
+
+def test_of_two_equally_near_neighbours_the_lower_index_counts():
+    # Both block the way straight ahead, each from its side
+    position = np.array([(0.0, 0.0), (2.0, 0.5), (2.0, -0.5)])
+    velocity = np.array([(1.0, 0.0), (0.0, 0.0), (0.0, 0.0)])
+    _, found = crowd_step(position, velocity, velocity, 0.4, 1.0, 4.0, 0.1, max_neighbours=1)
+    assert found[0, 1] < -0.01  # away from the first
+    swapped = position[[0, 2, 1]]
+    assert crowd_step(swapped, velocity, velocity, 0.4, 1.0, 4.0, 0.1, max_neighbours=1)[1][0, 1] > 0.01
+
+
+@pytest.mark.statement(1, oracle="navground 0.7, with RVO2's limit of neighbours, in single precision")
+def test_with_a_limit_the_first_disc_chooses_as_navground_does():
+    core = oracle("navground.core")
+    rng = np.random.default_rng(RNG_SEED)
+    compared = differs = 0
+    for _ in range(60):
+        place, moving = rng.normal(size=(2, 8, 2)) * 2.0
+        place *= np.maximum(1.0, 0.7 / np.linalg.norm(place, axis=1))[:, None]
+        velocity, angle = rng.normal(size=2) * 0.5, rng.uniform(0, 2 * np.pi)
+        wish = 1.5 * np.array([math.cos(angle), math.sin(angle)])
+        seen = [(p, 0.3, v) for p, v in zip(place, moving, strict=True)]
+        theirs = navground(core, (0, 0), velocity, 0.3, seen, 3.0, wish, most=2)
+        crowd = np.r_[[(0.0, 0.0)], place], np.r_[[velocity], moving], np.r_[[wish], moving]
+        ours = crowd_step(*crowd, 0.3, [1.5] + 8 * [9.0], 3.0, 0.1, max_neighbours=2)[1][0]
+        near = np.argsort(np.linalg.norm(place, axis=1))[:2]
+        planes = orca_half_plane((0, 0), velocity, 0.3, place[near], moving[near], 0.3, 3.0, 0.1)
+        if worst_violation(ours, *planes) < 1e-9:
+            compared += 1
+            assert ours == pytest.approx(theirs.chosen, abs=2e-5)  # single precision
+            free = crowd_step(*crowd, 0.3, [1.5] + 8 * [9.0], 3.0, 0.1)[1][0]
+            differs += np.linalg.norm(free - ours) > 0.05
+    assert compared > 30
+    assert differs > 10  # the limit matters

@@ -137,6 +137,72 @@ def test_a_hollow_ball_grips_with_less_friction():
     assert v[0] - spin[1] == pytest.approx(4.0 - 2.5, abs=1e-14)
 
 
+# A contact that springs back sideways
+
+
+@pytest.mark.statement(16, oracle="Garwin 1969: three bounces of an ultraelastic rough ball, in exact fractions")
+def test_a_superball_comes_back_from_under_a_table_as_garwin_found():
+    # Along the surface velocity and rim speed become (3 V + 4 C)/7 and (10 V − 3 C)/7; under the table C counts as −C.
+    v, spin, radius = np.array([1.0, 0.0, -2.0]), np.zeros(3), 0.025
+    along, rim = Fraction(1), Fraction(0)
+    for side in (1, -1, 1):
+        along, rim = (3 * along + 4 * side * rim) / 7, side * (10 * along - 3 * side * rim) / 7
+        v, spin = sphere_impact(v, spin, side * UP, radius, 1.0, 50.0, tangent_restitution=1.0)
+        assert v == pytest.approx([float(along), 0.0, 2.0 * side], abs=1e-14)
+        assert radius * spin == pytest.approx([0.0, float(rim), 0.0], abs=1e-14)
+    assert (along, rim) == (Fraction(-333, 343), Fraction(-130, 343))  # nearly as it was thrown, the way it came
+
+
+@pytest.mark.statement(16, oracle="angular momentum about the contact, and the energy")
+@given(st.integers(0, 10_000), RESTITUTION, st.floats(-1, 1), FRICTION, st.floats(0.05, 1))
+def test_the_tangential_restitution_keeps_what_no_impact_can_change(seed, restitution, e_t, friction, share):
+    rng = np.random.default_rng(seed)
+    n = np.linalg.qr(rng.normal(size=(3, 3)))[0][0]
+    v, w = rng.normal(size=3), 4 * rng.normal(size=3)
+    v -= (abs(v @ n) + v @ n) * n
+    radius = 0.4
+
+    def about_the_contact(v, w):
+        return np.cross(radius * n, v) + share * radius**2 * w
+
+    def energy(v, w):
+        return v @ v + share * radius**2 * (w @ w)
+
+    def slip(v, w):
+        u = v + np.cross(w, -radius * n)
+        return u - (u @ n) * n
+
+    after = sphere_impact(v, w, n, radius, restitution, friction, share, e_t)
+    assert about_the_contact(*after) == pytest.approx(about_the_contact(v, w), abs=1e-13)
+    assert after[0] @ n == pytest.approx(-restitution * (v @ n), abs=1e-14)
+    assert energy(*after) <= energy(v, w) * (1 + 1e-13)
+    rough = sphere_impact(v, w, n, radius, restitution, 1e9, share, e_t)
+    # A normal speed near zero would leave even this friction little to press with
+    if abs(v @ n) > 1e-3:
+        assert slip(*rough) == pytest.approx(-e_t * slip(v, w), abs=1e-13)
+        elastic = sphere_impact(v, w, n, radius, 1.0, 1e9, share, 1.0)
+        assert energy(*elastic) == pytest.approx(energy(v, w), rel=1e-13)
+    across = (after[0] - v) - ((after[0] - v) @ n) * n
+    assert np.linalg.norm(across) <= friction * ((after[0] - v) @ n) * (1 + 1e-12) + 1e-14
+
+
+def test_without_tangential_restitution_nothing_has_changed():
+    rng = np.random.default_rng(5)
+    v, w, n = rng.normal(size=(3, 50, 3))
+    n /= np.linalg.norm(n, axis=-1, keepdims=True)
+    arm = -0.3 * n
+    k = point_inverse_mass(1.0, np.eye(3) / (0.4 * 0.3**2), arm)
+    j = friction_impulse(v + np.cross(w, arm), n, k, 0.6, 0.2)
+    after = sphere_impact(v, w, n, 0.3, 0.6, 0.2)
+    assert after[0].tobytes() == (v + j).tobytes()  # bit for bit
+    smooth = sphere_impact(v, w, n, 0.3, 0.6, 5.0, tangent_restitution=-1.0)
+    for mine, theirs in zip(smooth, sphere_impact(v, w, n, 0.3, 0.6, 0.0), strict=True):
+        assert mine == pytest.approx(theirs, abs=1e-13)
+    for wrong in (1.1, -1.1, math.nan):
+        with pytest.raises(ValueError, match=r"^tangent_restitution must be from -1 to 1, not"):
+            sphere_impact(v, w, n, 0.3, 0.6, 0.2, tangent_restitution=wrong)
+
+
 # Any two bodies
 
 

@@ -20,9 +20,12 @@ from solutions.friction import (
     clamp_to_square,
     friction_angle,
     friction_force,
+    friction_impulse,
     holds,
     normal_force,
     sliding_motion,
+    sphere_grips,
+    sphere_impact,
     stick_slip_times,
 )
 
@@ -109,7 +112,6 @@ def test_mujoco_finds_the_same_normal_force_under_a_pushed_block(installed):
 
 def test_a_block_stays_on_the_steepest_slope_and_on_none_steeper():
     assert friction_angle([0.0, 1.0]).tolist() == [0.0, math.pi / 4]
-    assert friction_angle(np.inf) == math.pi / 2
     for friction in (0.1, 0.5, 2.0):
         critical = float(friction_angle(friction))
         for slope, held in ((critical - 1e-12, True), (critical + 1e-12, False)):  # some roundings aside
@@ -334,6 +336,26 @@ def test_as_printed_static_friction_sets_an_unpushed_block_in_motion():
 
 
 # What is refused
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        friction_angle,
+        lambda mu: holds(X, 1.0, mu),
+        lambda mu: friction_force(X, X, 1.0, mu, 0.5),
+        lambda mu: sliding_motion(X, X, STILL, 1.0, mu, 0.5, 1.0, 1.0),
+        lambda mu: break_away_time(DOWN, X, UP, mu),
+        lambda mu: stick_slip_times(1.0, 1.0, 1.0, 1.0, mu, 0.5),
+        lambda mu: sphere_grips(1.0, 1.0, 0.5, mu),
+        lambda mu: sphere_impact(DOWN, X, UP, 0.1, 0.5, mu),
+        lambda mu: friction_impulse(DOWN, UP, np.eye(3), 0.5, mu),
+    ],
+)
+def test_every_law_of_friction_refuses_an_infinite_coefficient(call):
+    # A wall presses nothing on: 0 N times infinity says neither that it holds a body nor that it does not.
+    with pytest.raises(ValueError, match=r"friction.* must be finite, not inf$"):
+        call(math.inf)
 
 
 @pytest.mark.parametrize(

@@ -112,6 +112,26 @@ def test_a_rod_struck_at_its_end_turns_about_a_point_two_thirds_along():
     assert point_velocity(velocity, spin, pivot) == pytest.approx(0, abs=1e-15)
 
 
+@pytest.mark.statement(18, oracle="closed form: a rod held at a point y is struck at x without a jolt if x y = −I/M")
+def test_the_struck_end_is_the_centre_of_percussion_of_the_still_point():
+    length, mass = 1.2, 0.7
+    inverse = world_inverse_inertia(rod_inertia(mass, length), UPRIGHT)
+
+    def jolt(struck, held):
+        """Impulse of a hand that keeps the point `held` at rest, as a share of the blow; both from the centre."""
+        rod = Body(STILL, STILL, (0, 0, struck), 1 / mass, inverse)
+        velocity, spin, *_ = apply_impulse(rod, GROUND, (1.0, 0, 0))
+        gives_way = float(inverse_effective_mass(rod._replace(arm=(0, 0, held)), GROUND, (1.0, 0, 0)))
+        return -float(point_velocity(velocity, spin, (0, 0, held))[0]) / gives_way
+
+    end, still = length / 2, -length / 6
+    assert jolt(end, still) == pytest.approx(0, abs=1e-15)
+    # A hand at the still point is jarred by any other blow, and a hand at the end is not by one at the still point
+    assert jolt(0.8 * end, still) < -0.1
+    assert jolt(still, still) == pytest.approx(-1, rel=1e-14)
+    assert jolt(still, end) == pytest.approx(0, abs=1e-15)
+
+
 def test_a_thin_rod_struck_along_itself_does_not_turn():
     rod = Body((0, 0, -1.0), STILL, (0, 0, -1.0), 1.0, world_inverse_inertia(rod_inertia(1.0, 2.0), UPRIGHT))
     velocity, spin, *_ = collide(rod, GROUND, UP, 0.5)

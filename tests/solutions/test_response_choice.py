@@ -11,6 +11,8 @@ from solutions.detection import time_of_impact_exact, time_of_impact_interpolate
 from solutions.forces import ballistic_motion, semi_implicit_euler
 from solutions.response import (
     bounce_along_normal,
+    kinematic_response,
+    moving_plane_response,
     penalty_contact_time,
     penalty_damping,
     penalty_force,
@@ -77,6 +79,7 @@ def test_backing_up_is_more_accurate_than_resolving_at_the_step():
     [
         *("1.9·10⁻⁶", "0.37 %", "4.2 %, 28 mm deep | 29", "5.2 %, 8.9 mm deep | 9", "30 % | 3"),
         *("0.53 %, 2.8 mm deep | 146", "3.8 % remain", "limit of 1.8 ms", "0.83/ω at ζ = 1", "4.9 mm", "1.6 mm"),
+        *("20.5 m/s at e = 0.7", "12.5 J have become 210 J", "ΔE = J w·N − ½ m (1 − e²) u_n²"),
         *("98 µm", "15 times the depth", "55\ntimes for ten", "1.01/ω for ten", "6.7 times as slow"),
     ],
 )
@@ -106,6 +109,23 @@ def test_the_step_limits_of_the_page():
     stiff = penalty_step_limit(1.0, 1e6, penalty_damping(RESTITUTION, 1.0, 1e6))
     assert stiff == pytest.approx(1.8e-3, rel=TWO_DIGITS)
     assert penalty_step_limit(1.0, 1.0, [0.0, 2.0]) == pytest.approx([2, 0.83], rel=TWO_DIGITS)
+
+
+@pytest.mark.statement(7, oracle="work of the moving plane: J w·N, less ½ m (1 − e²) u_n²")
+def test_a_racket_gives_a_ball_energy_and_a_plane_at_rest_never_does():
+    struck = moving_plane_response([-5.0, 0, 0], [10.0, 0, 0], [1.0, 0, 0], 0.7)
+    assert struck == pytest.approx([20.5, 0, 0], rel=1e-15)
+    assert struck @ struck / 2 == pytest.approx(210, abs=0.2)  # of 12.5 J
+    rng = np.random.default_rng(7)
+    v, w, n = rng.normal(size=(3, 500, 3))
+    n, e = n / np.linalg.norm(n, axis=-1, keepdims=True), rng.uniform(0, 1, 500)
+    gained = (np.sum(moving_plane_response(v, w, n, e) ** 2, axis=-1) - np.sum(v * v, axis=-1)) / 2
+    closing, plane = np.minimum(np.vecdot(v - w, n), 0.0), np.vecdot(w, n)
+    assert gained == pytest.approx(-(1 + e) * closing * plane - (1 - e * e) * closing**2 / 2, abs=1e-13)
+    assert np.array_equal((gained > 1e-12) | (closing == 0), (plane > (1 - e) * -closing / 2) | (closing == 0))
+    assert 50 < np.sum(gained > 0) < 450
+    at_rest = kinematic_response(v, n, e)
+    assert np.all(np.sum(at_rest * at_rest, axis=-1) <= np.sum(v * v, axis=-1) * (1 + 1e-14))
 
 
 def test_resolved_at_the_step_a_resting_body_sinks_or_jitters():

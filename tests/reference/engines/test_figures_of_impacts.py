@@ -141,6 +141,37 @@ def test_a_lasting_contact_changes_its_reading_as_the_gap_grows(installed):
     assert first == pytest.approx([-0.6, -0.25, -0.08, 0.0], abs=0.05)
 
 
+def test_after_mujocos_reversal_the_parting_balls_collide_again(installed):
+    # u⁺ = −u⁻ at both contacts, and the momentum: three equations, solved here by themselves
+    before = np.array([1.0, 0.0, 0.1])
+    rows = np.array([[-1.0, 1.0, 0.0], [0.0, -1.0, 1.0], [1.0, 1.0, 1.0]])
+    reversed_once = np.linalg.solve(rows, rows @ before * [-1, -1, 1])
+    assert reversed_once == pytest.approx([-0.8 / 3, 2.2 / 3, 1.9 / 3], abs=1e-15)
+    assert reversed_once @ reversed_once == pytest.approx(before @ before, abs=1e-15)
+    assert reversed_once[1] > reversed_once[2]  # they approach, though they parted before
+    assert truth.cradle_turned_back(before) == pytest.approx(reversed_once[[0, 2, 1]], abs=1e-15)
+    family = catalogue()["parting-ball"]
+    for triple in ("(−0.267, 0.733, 0.633)", "(−0.267, 0.633, 0.733)"):
+        assert any(triple in text for text in family.why)
+    engine, scenario = installed("mujoco"), family.case("v=0.1").scenarios[0]
+    velocities = engine.run(scenario, engine.settings(scenario, "tuned")).velocities[:, :, 0]
+    met = [
+        np.flatnonzero(np.abs(velocities - one).max(axis=1) < 1e-3) for one in (reversed_once, reversed_once[[0, 2, 1]])
+    ]
+    assert len(met[0]) > 0
+    assert met[0][-1] < met[1][0]
+    assert met[1][-1] == len(velocities) - 1
+
+
+def test_a_contact_that_pushes_while_it_opens_makes_the_energy():
+    before, after = np.array([1.0, 0.0, 0.1]), truth.cradle_at_once(np.array([1.0, 0.0, 0.1]), 0)
+    pushes = 1.0 - after[0], after[2] - 0.1  # N s for 1 kg each, of the first contact and of the second
+    assert pushes == pytest.approx((1.3, 0.6), abs=1e-15)
+    opening = [(np.diff(before)[pair] + np.diff(after)[pair]) / 2 for pair in (0, 1)]
+    assert opening == pytest.approx([0.0, 0.05], abs=1e-15)
+    assert pushes[1] * opening[1] == pytest.approx((after @ after - before @ before) / 2, abs=1e-15)  # 0.03 J
+
+
 @pytest.mark.parametrize(
     "parting", [0.1, pytest.param(0.3, marks=pytest.mark.slow), pytest.param(0.5, marks=pytest.mark.slow)]
 )

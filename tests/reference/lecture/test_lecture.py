@@ -200,3 +200,11 @@ def test_each_kind_of_spring_added_to_a_cloth_shortens_its_step():
     right = lecture.statement(28).right
     assert f"10×10 cloth takes {first:.2f}, {second:.2f} and {third:.3f} √(m/k)" in right
     assert f"2√(m/k) is {2 / third:.0f} times too optimistic" in right
+
+
+def test_the_two_meanings_of_body_are_told_apart_where_each_is_defined():
+    solutions = pytest.importorskip("solutions.impulse")
+    from reference.scene import scenario  # noqa: PLC0415
+
+    assert "reference.scene.scenario" in solutions.Body.__doc__
+    assert "solutions.impulse" in scenario.Body.__doc__

@@ -88,7 +88,7 @@ def _angle() -> list[Probe]:
         usual("more than 45 degrees", 1.5),
         usual("very rough", 20.0),
         edge("no friction", 0.0),
-        edge("a wall", INFINITY),
+        edge("nearly a wall", 1e6),
         refused("a negative coefficient", -0.5),
     ]
     return made("friction_angle", by_hand, lambda draw: (draw.number(0.05, 1.3),))
