@@ -41,7 +41,7 @@ def share(sheet: Sheet, name: str) -> str:
 def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
     """What to mend first, what was tried, the answer, what is known of the mistake, a hint, and other lost parts."""
     failures = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
-    uses = [each for each in sheet.uses.get(name, []) if each in sheet.diagnoses]
+    uses = sheet.wrong_uses(name)
     diagnosis, told = _certain(sheet, name, uses, failures)
     yield from _first(sheet, name, uses)
     for reason, said in told:
@@ -64,7 +64,7 @@ def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tu
     that it does not share with them.
     """
     diagnosis = sheet.diagnoses.get(name)
-    if any(sheet.diagnoses[other].verdict not in _RIGHT_ALONE for other in uses):
+    if any(_gives_wrong_numbers(sheet, other) for other in uses):
         theirs = {_own(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
         none = [(reason, said) for reason, said in failures if was_raised(said) or no_answer_in(said)]
         return None, _told([(reason, said) for reason, said in none if said not in theirs], 1)
@@ -73,11 +73,28 @@ def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tu
     return diagnosis, _told(failures, 1 if uses or (diagnosis and diagnosis.mistakes) else MOST_PARTS)
 
 
+def suspect(diagnosis: Diagnosis, advice: Advice) -> Iterator[str]:
+    """What open probes show of a function that passes its tests."""
+    yield from folded("It passes these tests, and is wrong on other input all the same.", 1)
+    yield from _diagnosed(diagnosis, (), advice)
+
+
+def _gives_wrong_numbers(sheet: Sheet, name: str) -> bool:
+    """Whether a wrong or suspect function gives wrong numbers to one that calls it for a single, usual case."""
+    diagnosis = sheet.diagnosis(name)
+    if diagnosis is None or diagnosis.verdict in _RIGHT_ALONE:
+        return False
+    return not (name in sheet.suspects and diagnosis.limits_alone)
+
+
 def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:
     """What lies outside the function: functions to mend before it, and variables that it takes from other cells."""
-    slow = [other for other in uses if sheet.diagnoses[other].verdict == "too slow"]
+    slow = [other for other in uses if (found := sheet.diagnosis(other)) and found.verdict == "too slow"]
     if slow:
         yield from folded(f"It calls your {listed(slow)}, which gave no answer in time: mend that first.", 1)
+    elif suspected := [other for other in uses if other in sheet.suspects]:
+        which = "which passes its tests but is" if len(suspected) == 1 else "which pass their tests but are"
+        yield from folded(f"It calls your {listed(suspected)}, {which} suspect: look there first.", 1)
     elif len(uses) == 1:
         yield from folded(f"It calls your {uses[0]}, which is not right yet: mend that first.", 1)
     elif uses:

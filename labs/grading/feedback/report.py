@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from labs.grading.feedback.error_advice import Advice
-from labs.grading.feedback.faults import listed, share, wrong
+from labs.grading.feedback.faults import listed, share, suspect, wrong
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.phrases import needed_function
 from labs.grading.wrapping import folded
 from reference import lecture
 from reference.lecture import Function
 
-RIGHT, WRONG, TO_DO = "✓", "✗", "·"
+RIGHT, WRONG, TO_DO, SUSPECT = "✓", "✗", "·", "?"
 HIDDEN = "hidden tests ask the same of other inputs, at limits and of many cases at once"
 
 
@@ -36,23 +36,23 @@ def report(sheet: Sheet, topics: Sequence[str]) -> Iterator[str]:
 
 
 def all_right(sheet: Sheet) -> bool:
-    """Whether every test passed."""
-    return all(outcome.passed for outcome in sheet.outcomes)
+    """Whether every test passed, and no function is suspect."""
+    return all(outcome.passed for outcome in sheet.outcomes) and not sheet.suspects
 
 
 def state(sheet: Sheet, name: str) -> str:
-    """`RIGHT`, `WRONG` or `TO_DO` of a function."""
+    """`RIGHT`, `WRONG`, `TO_DO` or `SUSPECT` of a function."""
     if all(outcome.passed for outcome in sheet.about(name)):
-        return RIGHT
+        return SUSPECT if name in sheet.suspects else RIGHT
     diagnosis = sheet.diagnoses.get(name)
     unwritten = bool(diagnosis and diagnosis.verdict == "unwritten")
     return TO_DO if name not in sheet.unread and (unwritten or _waits(sheet, name)) else WRONG
 
 
 def tested(sheet: Sheet, topic: str) -> list[Function]:
-    """The functions of a topic that were tested, and the wrong ones that these call."""
-    beneath = {outcome.function for outcome in sheet.beneath}
-    about = {outcome.function for outcome in sheet.outcomes} | {name for name in beneath if state(sheet, name) == WRONG}
+    """The functions of a topic that were tested, and the wrong or suspect ones that these call."""
+    beneath = {outcome.function for outcome in sheet.beneath if state(sheet, outcome.function) in (WRONG, SUSPECT)}
+    about = {outcome.function for outcome in sheet.outcomes} | beneath
     return [entry for entry in lecture.functions_of(topic) if entry.name in about]
 
 
@@ -61,6 +61,9 @@ def _function(sheet: Sheet, entry: Function, advice: Advice) -> Iterator[str]:
     mark = state(sheet, entry.name)
     if entry.name in sheet.unread:
         yield f"  {mark} {entry.name}  cannot be read, see the first lines"
+    elif mark == SUSPECT:
+        yield f"  {mark} {entry.name}  suspect"
+        yield from suspect(sheet.suspects[entry.name], advice)
     elif mark == WRONG:
         yield f"  {mark} {entry.name}{share(sheet, entry.name)}"
         yield from wrong(sheet, entry.name, advice)
@@ -84,16 +87,18 @@ def _waits(sheet: Sheet, name: str) -> list[str]:
 def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
     """How many functions are right, and what to do next."""
     states = {entry.name: state(sheet, entry.name) for entry in entries}
-    faulty = [name for name, mark in states.items() if mark == WRONG]
+    faulty = [name for name, mark in states.items() if mark in (WRONG, SUSPECT)]
     to_do = [entry for entry in entries if states[entry.name] == TO_DO]
     right = len(states) - len(faulty) - len(to_do)
     to_do = [entry for entry in to_do if not _waits(sheet, entry.name)]
     if to_do and len(to_do) == len(states):
         return f"{len(to_do)} function{'s' * (len(to_do) != 1)} to write. Begin with {_task(sheet, to_do[0])}"
-    partly = sum(bool(share(sheet, name)) for name in faulty)
+    suspected = sum(name in sheet.suspects for name in faulty)
+    partly = sum(bool(share(sheet, name)) for name in faulty) - suspected
     counted = f"{right} of {len(states)} functions right" + f", {partly} in part" * bool(partly)
+    counted += f", {suspected} suspect" * bool(suspected)
     if faulty:
-        return f"{counted}. Next: {_nearest(sheet, faulty)}, marked {WRONG} above."
+        return f"{counted}. Next: {(first := _nearest(sheet, faulty))}, marked {states[first]} above."
     if to_do:
         return f"{counted}. Next: write {_task(sheet, to_do[0])}"
     return f"{counted}. {HIDDEN[0].upper()}{HIDDEN[1:]}."
@@ -101,7 +106,7 @@ def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
 
 def _nearest(sheet: Sheet, wrong: Sequence[str]) -> str:
     """The first wrong function that uses no other wrong function."""
-    return next((name for name in wrong if not set(sheet.uses.get(name, [])) & set(wrong)), wrong[0])
+    return next((name for name in wrong if not set(sheet.wrong_uses(name)) & set(wrong)), wrong[0])
 
 
 def _task(sheet: Sheet, entry: Function) -> str:

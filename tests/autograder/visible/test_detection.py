@@ -72,6 +72,7 @@ def test_a_falling_body_meets_the_plane_at_the_root_of_its_parabola(submission, 
         expect(submission.time_of_impact_exact, (5.0, 0.0, -10.0), 1.0)
         expect(submission.time_of_impact_exact, (15.0, -10.0, -10.0), 1.0)
         expect(submission.time_of_impact_exact, (15.0, 10.0, -10.0), 3.0)
+        expect(submission.time_of_impact_exact, (0.0, 5.0, -10.0), 1.0)
         expect(submission.time_of_impact_exact, (1e-15, -5.0, -10.0), 2e-16)  # no nearly equal numbers to subtract
         expect(submission.time_of_impact_exact, (1e-15, 5.0, -10.0), 1.0)
         expect(submission.time_of_impact_exact, (-1e-12, 0.0, -10.0), 0.0)

@@ -71,9 +71,12 @@ def test_a_body_behind_the_plane_at_the_end_of_the_step_turns_round_there(submis
             submission.respond_at_step, ([0, 0, 1], [1, 0, -3], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -0.5], [1, 0, 1.5])
         )
         expect(submission.respond_at_step, (*slanted, -2.0, 0.5, 0.5), ([1, 1, 1], [2.5, -1, 2]))
-    with part(1, "it ends above the floor, falling; just in front of a plane; behind it, but on its way out"):
+    with part(
+        1, "it ends above the floor, falling; just in front of a plane, or touching it; behind it, but on its way out"
+    ):
         expect(submission.respond_at_step, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.0, 0.5, 0.5), ([0.5, 0, 8], [1, 0, -4]))
         expect(submission.respond_at_step, (*slanted, -1.5, 0.5, 0.5), ([1, 1, 1], [1, -4, -1]))
+        expect(submission.respond_at_step, ([0, 0, 2], [1, 0, -4], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, 0], [1, 0, -4]))
         expect(submission.respond_at_step, ([0, 0, -2], [1, 0, 2], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -1], [1, 0, 2]))
     with part(1, "both in one call"):
         expect(

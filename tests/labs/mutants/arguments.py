@@ -30,6 +30,8 @@ def wrong_arguments(parameters: Sequence[str], sample: Sequence[Any]) -> Iterato
         for other, theirs in names.items():
             if theirs in _mistaken(name) and np.ndim(_at(sample, other)) == np.ndim(value):
                 yield f"{name}: that of {theirs}", functools.partial(_copied, place=place, other=other)
+                for words, change in _changes(value) if place < other else ():
+                    yield f"{name} and {theirs}: {words}", functools.partial(_both, (place, other), change)
 
 
 def _places(parameters: Sequence[str], sample: Sequence[Any]) -> Iterator[tuple[Place, str]]:
@@ -74,6 +76,13 @@ def _changed(arguments: Sequence[Any], place: Place, change: Change) -> tuple[An
     value = arguments[at]
     new = _changed(value, tuple(deeper), change) if deeper else change(np.asarray(value, dtype=float))
     return (*arguments[:at], new, *arguments[at + 1 :])
+
+
+def _both(places: Sequence[Place], change: Change, arguments: Sequence[Any]) -> tuple[Any, ...]:
+    """The arguments with the same change at two places."""
+    for place in places:
+        arguments = _changed(arguments, place, change)
+    return tuple(arguments)
 
 
 def _copied(arguments: Sequence[Any], place: Place, other: Place) -> tuple[Any, ...]:

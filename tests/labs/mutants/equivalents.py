@@ -1,6 +1,7 @@
 """Mutants that no check can notice, each with the reason: they give the same numbers wherever a function may be called.
 
-By the function in whose source the change is made, then by the reason. In a line, … stands for anything. What is listed for a function holds wherever that function is called as well.
+By the function in whose source the change is made, then by the reason. In a line, … stands for anything. What is
+listed for a function holds wherever that function is called as well.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "clamp_to_circle": {FIRST_OF_BOTH: ("boundary: size > most → size >= most",)},
     "clamp_to_square": {
-        TWICE: ("axis_x: sign flipped", "axis_y: sign flipped"),
+        TWICE: ("axis_x: sign flipped", "axis_y: sign flipped", "axis_x and axis_y: sign flipped"),
         ORDER: ("results swapped: (axis_x, axis_y) → (axis_y, axis_x)",),
     },
     "break_away_time": {
@@ -104,22 +105,21 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         )
     },
     "edge_edge_normal": {
+        "The product of two edges that are both turned round is the same.": ("edge_a and edge_b: sign flipped",),
         SHORTENED: (
             "in _direction: factor forgotten: scaled / np.linalg.norm(scaled, axis=-1, keepdims=True) → scaled",
             "in _direction: product for ratio: scaled / np.linalg.norm(scaled, axis=-1, keepdims=True) → …",
             "in _direction: largest component: np.linalg.norm(scaled, …",
             "in _direction: sum of components: np.linalg.norm(scaled, …",
-        )
+        ),
     },
     "world_inverse_inertia": {"q and −q are the same rotation.": ("orientation: sign flipped",)},
     "inverse_effective_mass": {
         NOT_OF_THE_VELOCITIES: (
-            "velocity of body_a: …",
-            "velocity of body_b: …",
-            "angular_velocity of body_a: …",
-            "angular_velocity of body_b: …",
+            "velocity of body_…",
+            "angular_velocity of body_…",
         ),
-        TWICE: ("arm of body_a: sign flipped", "arm of body_b: sign flipped", "normal: sign flipped"),
+        TWICE: ("arm of body_…: sign flipped", "normal: sign flipped"),
     },
     "moved": {
         SYMMETRIC: ("transposed: inverse_inertia @ np.cross(r, impulse)[..., None] → …",),
