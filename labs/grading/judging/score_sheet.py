@@ -78,8 +78,8 @@ class Sheet:
     in. skipped: why tests were left out. diagnoses: of the functions that lost points. suspects: diagnoses of functions
     that pass all their tests and give wrong answers to open probes. uses: which of the submission's functions each of
     all these calls, and each that these call. beneath: outcomes, without points, of functions that were not asked for
-    but that wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of other
-    cells that a wrong function reads, with the cell.
+    but that wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of
+    other cells that a wrong function reads, with the cell.
     """
 
     submission: str = ""
