@@ -56,7 +56,7 @@ def check(
     sheet.complaints = [complaint for complaint in sheet.complaints if complaint.kind != "repeated"]
     nothing_odd = all(complaint.kind == "missing" for complaint in sheet.complaints)
     functions = [entry.name for name in topics for entry in report.tested(sheet, name)]
-    faulty = [name for name in functions if report.state(sheet, name) == report.WRONG and name not in sheet.unread]
+    faulty = [name for name in functions if _is_faulty(sheet, name)]
     _add(tries, notebook, faulty)
     if len(names) == 1 and nothing_odd and report.all_right(sheet):
         count = tries.count(names[0])
@@ -78,8 +78,13 @@ def _with_tries(sheet: Sheet, topics: Sequence[str], tries: Tries, requests: Seq
     for name in requests:
         tries.request(name)
     said = _report(sheet, topics, tries)
-    wrong = [name for name in requests if report.state(sheet, name) == report.WRONG and name not in sheet.unread]
+    wrong = [name for name in requests if _is_faulty(sheet, name)]
     return said if said != before or not wrong else f"{said}\nThere is no further hint on {', '.join(wrong)}."
+
+
+def _is_faulty(sheet: Sheet, name: str) -> bool:
+    """Whether a function was run and is wrong or suspect."""
+    return report.state(sheet, name) in (report.WRONG, report.SUSPECT) and name not in sheet.unread
 
 
 def _report(sheet: Sheet, topics: Sequence[str], tries: Tries | None) -> str:

@@ -88,13 +88,19 @@ def ask(call: Callable[..., Any], function: str, probes: Sequence[Probe]) -> lis
     """Put all probes of a function to `call(name, *arguments)`, each with inputs of its own.
 
     A `call` that runs elsewhere says in `call.changed` which arguments the function has written to, and in
-    `call.printed` what it printed.
+    `call.printed` what it printed. It is told which calls come next, `call.foresee`, so that it can work ahead.
     """
-    return [_asked(call, function, probe) for probe in probes]
+    given = [_copied(probe.arguments) for probe in probes]
+    foresee = getattr(call, "foresee", None)
+    answers = []
+    for at, probe in enumerate(probes):
+        if foresee:
+            foresee(function, given[at:])
+        answers.append(_asked(call, function, given[at], probe))
+    return answers
 
 
-def _asked(call: Callable[..., Any], function: str, probe: Probe) -> Answer:
-    arguments = _copied(probe.arguments)
+def _asked(call: Callable[..., Any], function: str, arguments: tuple[Any, ...], probe: Probe) -> Answer:
     try:
         value = call(function, *arguments)
     except GraderFailed:

@@ -51,7 +51,7 @@ def wrong(sheet: Sheet, name: str, advice: Advice, levels: int | None = None) ->
     levels: how many levels of help are shown, as far as there are so many; all if it is not given.
     """
     failures = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
-    uses = [each for each in sheet.uses.get(name, []) if each in sheet.diagnoses]
+    uses = sheet.wrong_uses(name)
     diagnosis, told = _certain(sheet, name, uses, failures)
     bears = _hint_bears(diagnosis, bool(uses), told, advice)
     helps = dict.fromkeys(each.help for each in sheet.about(name) if bears and each.help and not each.passed)
@@ -69,8 +69,7 @@ def wrong(sheet: Sheet, name: str, advice: Advice, levels: int | None = None) ->
     others = [reason for reason, _ in failures if reason not in [reason for reason, _ in told]]
     if others:
         yield from folded(f"{'Not yet either' if told else 'Not yet'}: {'; '.join(others)}", 1)
-    if shown != every:
-        yield from folded(_NEXT[every[len(shown)]].format(name), 1)
+    yield from _next_level(name, every, levels)
 
 
 def _levels(diagnosis: Diagnosis | None, has_help: bool) -> list[str]:
@@ -91,7 +90,7 @@ def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tu
     that it does not share with them.
     """
     diagnosis = sheet.diagnoses.get(name)
-    if any(sheet.diagnoses[other].verdict not in _RIGHT_ALONE for other in uses):
+    if any(_gives_wrong_numbers(sheet, other) for other in uses):
         theirs = {_own(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
         none = [(reason, said) for reason, said in failures if was_raised(said) or no_answer_in(said)]
         return None, _told([(reason, said) for reason, said in none if said not in theirs], 1)
@@ -105,11 +104,36 @@ def _says_all(diagnosis: Diagnosis | None) -> bool:
     return bool(diagnosis and (diagnosis.mistakes or diagnosis.verdict == "another order"))
 
 
+def suspect(name: str, diagnosis: Diagnosis, advice: Advice, levels: int | None = None) -> Iterator[str]:
+    """What open probes show of a function that passes its tests. levels: as for `wrong`."""
+    every = _levels(diagnosis, has_help=False)
+    yield from folded("It passes these tests, and is wrong on other input all the same.", 1)
+    yield from _diagnosed(diagnosis, (), advice, every[:levels])
+    yield from _next_level(name, every, levels)
+
+
+def _next_level(name: str, every: Sequence[str], levels: int | None) -> Iterator[str]:
+    """How to see the next level of help, if one is held back."""
+    if levels is not None and levels < len(every):
+        yield from folded(_NEXT[every[levels]].format(name), 1)
+
+
+def _gives_wrong_numbers(sheet: Sheet, name: str) -> bool:
+    """Whether a wrong or suspect function gives wrong numbers to one that calls it for a single, usual case."""
+    diagnosis = sheet.diagnosis(name)
+    if diagnosis is None or diagnosis.verdict in _RIGHT_ALONE:
+        return False
+    return not (name in sheet.suspects and diagnosis.limits_alone)
+
+
 def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:
     """What lies outside the function: functions to mend before it, and variables that it takes from other cells."""
-    slow = [other for other in uses if sheet.diagnoses[other].verdict == "too slow"]
+    slow = [other for other in uses if (found := sheet.diagnosis(other)) and found.verdict == "too slow"]
     if slow:
         yield from folded(f"It calls your {listed(slow)}, which gave no answer in time: mend that first.", 1)
+    elif suspected := [other for other in uses if other in sheet.suspects]:
+        which = "which passes its tests but is" if len(suspected) == 1 else "which pass their tests but are"
+        yield from folded(f"It calls your {listed(suspected)}, {which} suspect: look there first.", 1)
     elif len(uses) == 1:
         yield from folded(f"It calls your {uses[0]}, which is not right yet: mend that first.", 1)
     elif uses:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from labs.grading.feedback.error_advice import Advice
-from labs.grading.feedback.faults import listed, share, wrong
+from labs.grading.feedback.faults import listed, share, suspect, wrong
 from labs.grading.feedback.one_at_a_time import in_short
 from labs.grading.feedback.tries import Tries
 from labs.grading.judging.score_sheet import Sheet
@@ -15,7 +15,7 @@ from labs.grading.wrapping import folded
 from reference import lecture
 from reference.lecture import Function
 
-RIGHT, WRONG, TO_DO = "✓", "✗", "·"
+RIGHT, WRONG, TO_DO, SUSPECT = "✓", "✗", "·", "?"
 HIDDEN = "hidden tests ask the same of other inputs, at limits and of many cases at once"
 
 
@@ -45,23 +45,23 @@ def report(sheet: Sheet, topics: Sequence[str], tries: Tries | None = None) -> I
 
 
 def all_right(sheet: Sheet) -> bool:
-    """Whether every test passed."""
-    return all(outcome.passed for outcome in sheet.outcomes)
+    """Whether every test passed, and no function is suspect."""
+    return all(outcome.passed for outcome in sheet.outcomes) and not sheet.suspects
 
 
 def state(sheet: Sheet, name: str) -> str:
-    """`RIGHT`, `WRONG` or `TO_DO` of a function."""
+    """`RIGHT`, `WRONG`, `TO_DO` or `SUSPECT` of a function."""
     if all(outcome.passed for outcome in sheet.about(name)):
-        return RIGHT
+        return SUSPECT if name in sheet.suspects else RIGHT
     diagnosis = sheet.diagnoses.get(name)
     unwritten = bool(diagnosis and diagnosis.verdict == "unwritten")
     return TO_DO if name not in sheet.unread and (unwritten or _waits(sheet, name)) else WRONG
 
 
 def tested(sheet: Sheet, topic: str) -> list[Function]:
-    """The functions of a topic that were tested, and the wrong ones that these call."""
-    beneath = {outcome.function for outcome in sheet.beneath}
-    about = {outcome.function for outcome in sheet.outcomes} | {name for name in beneath if state(sheet, name) == WRONG}
+    """The functions of a topic that were tested, and the wrong or suspect ones that these call."""
+    beneath = {outcome.function for outcome in sheet.beneath if state(sheet, outcome.function) in (WRONG, SUSPECT)}
+    about = {outcome.function for outcome in sheet.outcomes} | beneath
     return [entry for entry in lecture.functions_of(topic) if entry.name in about]
 
 
@@ -69,9 +69,13 @@ def _function(sheet: Sheet, entry: Function, advice: Advice, tries: Tries | None
     """One function."""
     mark, name = state(sheet, entry.name), entry.name
     count = tries.count(name) if tries else 0
-    if mark == WRONG:
+    tried = f" try {count}" if count else ""
+    if mark == SUSPECT:
+        yield f"  {mark} {name}  suspect{',' * bool(tried)}{tried}"
+        yield from suspect(name, sheet.suspects[name], advice, tries.levels(name) if tries else None)
+    elif mark == WRONG:
         some = share(sheet, name)
-        yield f"  {mark} {name}{some}{(',' if some else ' ') + f' try {count}' if count else ''}"
+        yield f"  {mark} {name}{some}{',' if some and tried else ' ' * bool(tried)}{tried}"
         yield from wrong(sheet, name, advice, tries.levels(name) if tries else None)
     elif mark == TO_DO:
         yield f"  {mark} {name}{_to_do(sheet, entry)}"
@@ -95,18 +99,20 @@ def _waits(sheet: Sheet, name: str) -> list[str]:
 def _next(sheet: Sheet, entries: Sequence[Function]) -> str:
     """How many functions are right, and what to do next."""
     states = {entry.name: state(sheet, entry.name) for entry in entries}
-    faulty = [name for name, mark in states.items() if mark == WRONG]
+    faulty = [name for name, mark in states.items() if mark in (WRONG, SUSPECT)]
     to_do = [entry for entry in entries if states[entry.name] == TO_DO]
     right = len(states) - len(faulty) - len(to_do)
     to_do = [entry for entry in to_do if not _waits(sheet, entry.name)]
     if to_do and len(to_do) == len(states):
         return f"{len(to_do)} function{'s' * (len(to_do) != 1)} to write. Begin with {_task(sheet, to_do[0])}"
-    partly = sum(bool(share(sheet, name)) for name in faulty)
+    suspected = sum(name in sheet.suspects for name in faulty)
+    partly = sum(bool(share(sheet, name)) for name in faulty) - suspected
     counted = f"{right} of {len(states)} functions right" + f", {partly} in part" * bool(partly)
+    counted += f", {suspected} suspect" * bool(suspected)
     if broken := [name for name in faulty if name in sheet.unread]:
         return f"{counted}. Next: {_to_mend(sheet) or broken[0]}, so that it can be read."
     if faulty:
-        return f"{counted}. Next: {_nearest(sheet, faulty)}, marked {WRONG} above."
+        return f"{counted}. Next: {(first := _nearest(sheet, faulty))}, marked {states[first]} above."
     if to_do:
         return f"{counted}. Next: write {_task(sheet, to_do[0])}"
     return f"{counted}. {HIDDEN[0].upper()}{HIDDEN[1:]}."
@@ -120,7 +126,7 @@ def _to_mend(sheet: Sheet) -> str:
 
 def _nearest(sheet: Sheet, wrong: Sequence[str]) -> str:
     """The first wrong function that uses no other wrong function."""
-    return next((name for name in wrong if not set(sheet.uses.get(name, [])) & set(wrong)), wrong[0])
+    return next((name for name in wrong if not set(sheet.wrong_uses(name)) & set(wrong)), wrong[0])
 
 
 def _task(sheet: Sheet, entry: Function) -> str:

@@ -70,12 +70,13 @@ class Grade:
         return list(dict.fromkeys(outcome.function for outcome in self.sheet.outcomes if outcome.function))
 
     def _function(self, name: str) -> dict[str, Any]:
-        diagnosis = self.sheet.diagnoses.get(name)
+        diagnosis = self.sheet.diagnosis(name)
         return {
             "name": name,
             "topic": lecture.function(name).topic,
             **_points(outcome for outcome in self.sheet.outcomes if outcome.function == name),
             "verdict": diagnosis.verdict if diagnosis else self._without_diagnosis(name),
+            "suspect": name in self.sheet.suspects,
             "mistakes": [known.id for known in diagnosis.mistakes] if diagnosis else [],
             "message": told(diagnosis) if diagnosis else "",
         }

@@ -14,6 +14,7 @@ from labs.grading.diagnosis.words import told
 from labs.grading.errors import FunctionMissing, GraderFailed, StudentError, UnreadableSubmission
 from labs.grading.judging.markers import is_hidden, marker
 from labs.grading.judging.score_sheet import Outcome, Part, Sheet
+from labs.grading.judging.suspects import suspects
 from labs.grading.safe_text import plain
 from labs.grading.submission.reading import Submission
 from reference import lecture
@@ -63,18 +64,19 @@ def _example(note: str) -> str:
 
 
 def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
-    """Note what is wrong with each function that lost points, and which others it uses.
+    """Note what is wrong with each function that lost points, and which others pass their tests and are suspect.
 
     A function that ran out of time is not called again, since its probes would wait just as long.
     """
     for name in sheet.lost:
-        sheet.uses[name] = submission.uses(name)
         sheet.borrows[name] = submission.borrows(name)
         if name in remote.slow:
             sheet.diagnoses[name] = Diagnosis(name, "too slow")
             continue
         with contextlib.suppress(UnknownName, GraderFailed), remote.fresh() as call:  # it has no probes, or no process
             sheet.diagnoses[name] = diagnose(name, call)
+    sheet.suspects = suspects([name for name in sheet.passed if name not in remote.slow], remote)
+    sheet.note_uses(submission.uses)
 
 
 def summary(terminal: pytest.TerminalReporter, sheet: Sheet) -> None:
@@ -90,6 +92,8 @@ def summary(terminal: pytest.TerminalReporter, sheet: Sheet) -> None:
             write("\n    ".join(line for lines in outcome.lines() for line in lines.splitlines()))
     for diagnosis in sheet.diagnoses.values():
         write(f"\n{told(diagnosis)}" if diagnosis.verdict != "unwritten" else told(diagnosis))
+    for diagnosis in sheet.suspects.values():
+        write(f"\nsuspect, though its tests pass: {told(diagnosis)}")
     write("")
     for reason, count in sheet.left_out.items():
         write(f"{count} test{'s' * (count != 1)} left out: {reason}")

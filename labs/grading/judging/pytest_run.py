@@ -62,7 +62,7 @@ def run(
     files = [str(file) for folder in folders for file in _files(folder, topics)]
     with Grader() if grader is None else contextlib.nullcontext(grader) as found:
         sheet = _run(Path(path), files, found, functions)
-        if functions and (used := _used(path, topics, sheet.lost) - set(functions)):
+        if functions and (used := _used(path, topics, [*sheet.lost, *sheet.suspects]) - set(functions)):
             sheet.add_beneath(_run(Path(path), [str(file) for file in _files(VISIBLE, topics)], found, used))
         return sheet
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from labs.grading.diagnosis.findings import Diagnosis
@@ -76,10 +76,12 @@ class Sheet:
     """All outcomes of one submission.
 
     complaints: about the file. unread: functions in text that Python cannot read. tier: how far its processes were shut
-    in. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the submission's
-    functions each of these calls. beneath: outcomes, without points, of functions that were not asked for but that
-    wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of other
-    cells that a wrong function reads, with the cell. case_by_case: functions that were asked for one case at a time.
+    in. skipped: why tests were left out. diagnoses: of the functions that lost points. suspects: diagnoses of functions
+    that pass all their tests and give wrong answers to open probes. uses: which of the submission's functions each of
+    all these calls, and each that these call. beneath: outcomes, without points, of functions that were not asked for
+    but that wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of
+    other cells that a wrong function reads, with the cell. case_by_case: functions that were asked for one case at a
+    time.
     """
 
     submission: str = ""
@@ -89,6 +91,7 @@ class Sheet:
     outcomes: list[Outcome] = field(default_factory=list)
     skipped: list[str] = field(default_factory=list)
     diagnoses: dict[str, Diagnosis] = field(default_factory=dict)
+    suspects: dict[str, Diagnosis] = field(default_factory=dict)
     uses: dict[str, list[str]] = field(default_factory=dict)
     beneath: list[Outcome] = field(default_factory=list)
     given: frozenset[str] = frozenset()
@@ -103,9 +106,47 @@ class Sheet:
         """Add the sheet of functions that wrong ones call."""
         self.beneath += other.outcomes
         self.diagnoses |= other.diagnoses
+        self.suspects |= other.suspects
         self.uses |= other.uses
         self.borrows |= other.borrows
         self.case_by_case.functions |= other.case_by_case.functions
+        self._clear_callers()
+
+    def note_uses(self, uses: Callable[[str], list[str]]) -> None:
+        """Note what wrong and suspect functions call. `uses` says it of any function of the submission."""
+        waiting = [*self.lost, *self.suspects]
+        while waiting:
+            name = waiting.pop()
+            if name not in self.uses:
+                self.uses[name] = uses(name)
+                waiting += self.uses[name]
+        self._clear_callers()
+
+    def _clear_callers(self) -> None:
+        """Clear functions of suspicion that call a wrong or suspect one: they may be right themselves."""
+        self.suspects = {name: found for name, found in self.suspects.items() if not self.wrong_uses(name)}
+
+    def wrong_uses(self, name: str) -> list[str]:
+        """The wrong or suspect functions that a function calls, directly or through others that seem right."""
+        waiting, seen = [name], {name}
+        found: list[str] = []
+        while waiting:
+            for other in self.uses.get(waiting.pop(0), ()):
+                if other not in seen:
+                    seen.add(other)
+                    (found if self.diagnosis(other) else waiting).append(other)
+        return found
+
+    def diagnosis(self, name: str) -> Diagnosis | None:
+        """What is known of a function that is wrong or suspect."""
+        return self.diagnoses.get(name) or self.suspects.get(name)
+
+    @property
+    def passed(self) -> list[str]:
+        """The functions that passed all their tests, in the order of the tests."""
+        lost = set(self.lost)
+        names = dict.fromkeys(outcome.function for outcome in self.outcomes)
+        return [name for name in names if name and name not in lost]
 
     @property
     def lost(self) -> list[str]:

@@ -23,6 +23,7 @@ def test_a_point_has_a_distance_from_a_plane_with_a_sign(submission, part):
         expect(submission.signed_distance, ([0, 0, 3], UP, -1.0), 2.0)  # the plane z = 1
     with part(1, "a normal that is longer than 1"):
         expect(submission.signed_distance, ([0, 0, 3], [0, 0, 2], -4.0), 1.0)  # 2 z − 4 = 0 is the plane z = 2
+        expect(submission.signed_distance, ([3, 1, 2], [1, 2, 2], -3.0), 2.0)  # a plane along no axis: (9 − 3)/3
     with part(1, "two points in one call, and two planes"):
         expect(submission.signed_distance, ([[0, 0, 1], [0, 0, -2]], UP, 0.0), [1.0, -2.0])
         expect(submission.signed_distance, ([[0, 0, 1], [5, 0, 0]], [[0, 0, 2], [3, 0, 4]], 0.0), [1.0, 3.0])
@@ -51,6 +52,7 @@ def test_the_separation_is_zero_where_a_straight_line_crosses_it(submission, par
     with part(1, "half way, a quarter of the way, and from the plane on"):
         expect(submission.time_of_impact_interpolated, (1.0, -1.0, 0.0, 2.0), 1.0)
         expect(submission.time_of_impact_interpolated, (1.0, -3.0, 5.0, 0.5), 5.125)
+        expect(submission.time_of_impact_interpolated, (2.0, -1.0, 0.0, 3.0), 2.0)
         expect(submission.time_of_impact_interpolated, (0.0, -1.0, 4.0, 0.5), 4.0)
     with part(1, "no impact in this step"):
         expect(submission.time_of_impact_interpolated, (2.0, 1.0, 0.0, 0.5), INFINITY)
@@ -70,6 +72,7 @@ def test_a_falling_body_meets_the_plane_at_the_root_of_its_parabola(submission, 
         expect(submission.time_of_impact_exact, (5.0, 0.0, -10.0), 1.0)
         expect(submission.time_of_impact_exact, (15.0, -10.0, -10.0), 1.0)
         expect(submission.time_of_impact_exact, (15.0, 10.0, -10.0), 3.0)
+        expect(submission.time_of_impact_exact, (0.0, 5.0, -10.0), 1.0)
     with part(1, "all but on the plane"):
         expect(submission.time_of_impact_exact, (1e-15, -5.0, -10.0), 2e-16)  # no nearly equal numbers to subtract
         expect(submission.time_of_impact_exact, (1e-15, 5.0, -10.0), 1.0)
@@ -97,6 +100,8 @@ def test_a_point_is_in_front_behind_or_on_the_plane(submission, part):
         expect(submission.side_of_plane, (2.0,), 1)
         expect(submission.side_of_plane, (-2.0,), -1)
         expect(submission.side_of_plane, (0.0,), 0)
+        expect(submission.side_of_plane, (0.5, 0.375), 1)
+        expect(submission.side_of_plane, (-0.5, 0.375), -1)
     with part(1, "with a tolerance, several in one call"):
         expect(submission.side_of_plane, ([-2.0, -0.25, 0.125, 2.0], 0.25), [-1, 0, 0, 1])
         expect(submission.side_of_plane, ([-0.25, 0.25], 0.25), [0, 0])
@@ -110,15 +115,19 @@ def test_a_ball_overlaps_a_wall_from_touching_its_front_to_leaving_its_back(subm
     with part(1, "through the wall within the step, from either side"):
         expect(submission.overlap_interval, (2.0, -4.0, 0.5, 1.0, 2.0), (0.375, 0.875))
         expect(submission.overlap_interval, (-3.5, 4.0, 0.5, 1.0, 2.0), (0.5, 1.0))  # from behind
+        expect(submission.overlap_interval, (2.5, -4.0, 0.5, 2.0, 2.0), (0.5, 1.25))  # through a thicker wall
     with part(1, "touching the wall at the end of the step"):
         expect(submission.overlap_interval, (0.75, -0.5, 0.25, 1.0, 1.0), (1.0, 1.0))
     with part(1, "inside already, and still inside at the end or on its way out"):
         expect(submission.overlap_interval, (0.0, -1.0, 0.5, 2.0, 1.0), (0.0, 1.0))
         expect(submission.overlap_interval, (0.0, 1.0, 0.5, 2.0, 1.0), (0.0, 0.5))
-    with part(1, "at rest on the wall's face"):
+        expect(submission.overlap_interval, (-2.25, 0.0, 0.5, 2.0, 1.0), (0.0, 1.0))  # most of it behind the wall
+    with part(1, "at rest on the wall's face, and on its back"):
         expect(submission.overlap_interval, (0.25, 0.0, 0.25, 1.0, 0.5), (0.0, 0.5))
+        expect(submission.overlap_interval, (-2.5, 0.0, 0.5, 2.0, 1.0), (0.0, 1.0))
     with part(1, "no overlap, at rest and beside one, in one call"):
         expect(submission.overlap_interval, (2.0, 0.0, 0.5, 1.0, 2.0), (INFINITY, -INFINITY))
+        expect(submission.overlap_interval, (-3.0, 0.0, 0.5, 2.0, 1.0), (INFINITY, -INFINITY))  # behind the wall
         expect(
             submission.overlap_interval, ([2.0, 2.0], [-4.0, 4.0], 0.5, 1.0, 2.0), ([0.375, INFINITY],
             [0.875, -INFINITY])
@@ -143,10 +152,11 @@ def test_a_fast_ball_is_missed_by_the_share_of_its_way_that_no_test_sees(submiss
     "Slide 9. How far may the ball go between two tests?",
 )  # fmt: skip
 def test_a_step_is_cut_so_finely_that_no_ball_passes_unseen(submission, part):
-    with part(1, "one is enough, also at rest; three and a bit; just four times the way"):
+    with part(1, "one is enough, also at rest; three and a bit, or nearly four; just four times the way"):
         expect(submission.substeps_needed, (0.0, 0.125, 0.0625, 0.0078125), 1)
         expect(submission.substeps_needed, (1.0, 0.125, 0.0625, 0.0078125), 1)
         expect(submission.substeps_needed, (104.0, 0.125, 0.0625, 0.0078125), 4)
+        expect(submission.substeps_needed, (120.0, 0.125, 0.0625, 0.0078125), 4)
         expect(submission.substeps_needed, (128.0, 0.125, 0.0625, 0.0078125), 5)
     with part(1, "several in one call"):
         expect(submission.substeps_needed, ([1.0, 104.0], 0.125, 0.0625, 0.0078125), [1, 4])

@@ -11,19 +11,35 @@ from labs.grading.calling.scenario_runs import compared_with_theory, with_soluti
 from labs.grading.judging.comparison import expect, numbers
 from labs.grading.judging.markers import asks
 
-X, UP, REST = [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
+X, Y, UP, REST = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
 TURNS = np.diag([1.0, 2.0, 4.0])
 """Unlike about each axis: I⁻¹(r × J) is something else than (I⁻¹ r) × J then."""
 FALLING = ([0, 0, -2], REST, REST, 1.0, TURNS)
 """A body of 1 kg that comes down with 2 m/s, struck right below its centre."""
 BESIDE = ([0, 0, -2], REST, [0.5, 0, 0], 1.0, TURNS)
 """The same, struck half a metre beside its centre."""
+TRIPPED = ([0, -2, 0], REST, [0, 0, -0.5], 1.0, TURNS)
+"""It moves against y, and is struck half a metre below its centre: it turns about x."""
+SWINGING = ([-2, 0, 0], REST, [0, 0.5, 0], 1.0, TURNS)
+"""It moves against x, and is struck half a metre beside its centre: it turns about z."""
 SPINS = (REST, [0, 2, 0], [0.5, 0, 0], 1.0, TURNS)
 """Its centre is at rest; half a metre beside it, it comes down with 1 m/s."""
 STILL = (REST, REST, REST, 1.0, TURNS)
 LIGHT = (REST, REST, REST, 3.0, TURNS)
 """A third of a kilogram."""
 GROUND = (REST, REST, REST, 0.0, np.zeros((3, 3)))
+SLANTED = [1 / 3, 2 / 3, 2 / 3]
+"""A unit normal along no axis."""
+SPINNING_A = ([-1, -2, -3], [-1, 2, -2], [0.5, -0.5, -2], 0.25, [[2, 1, 0], [1, 3, 1], [0, 1, 4]])
+SPINNING_B = ([2.5, 2, 1], [3, -2, 4], [1, -1, 0.5], 0.5, [[3, 0, 1], [0, 2, 1], [1, 1, 2]])
+"""4 kg and 2 kg. Both move, turn, and are struck beside their centres, on the slanted normal.
+
+r_A × n = (1, −1, 1/2) and r_B × n = (−1, −1/2, 1), so the denominator of slide 20 is 1/4 + 3 + 1/2 + 5/2 = 6.25
+per kilogram. The points have the velocities (−6, −5, −3.5) and (5.5, 4.5, 0): they approach with 12.5 m/s along
+the normal.
+"""
+SPINNING_AFTER = ([-0.75, -1.5, -2.5], [2, -2.5, 1], [2, 1, 0], [9, -2, 2.5])
+"""Their v_A, ω_A, v_B and ω_B after an impulse of 3 N s along the normal: J = (1, 2, 2) on A and −J on B."""
 
 
 @asks(
@@ -36,6 +52,7 @@ def test_a_point_moves_with_the_centre_and_turns_about_it(submission, part):
     with part(1, "turning alone, and both"):
         expect(submission.point_velocity, (REST, [0, 0, 2], X), [0.0, 2.0, 0.0])
         expect(submission.point_velocity, ([1, 0, 0], [0, 2, 0], [0, 0, -0.5]), REST)  # a ball that rolls
+        expect(submission.point_velocity, ([1, 2, 3], [1, -2, 2], [2, 1, -2]), [3.0, 8.0, 8.0])
     with part(1, "two points in one call"):
         expect(submission.point_velocity, (X, [0, 0, 2], [X, REST]), [[1, 2, 0], [1, 0, 0]])
 
@@ -44,6 +61,7 @@ def test_a_point_moves_with_the_centre_and_turns_about_it(submission, part):
 def test_the_relative_velocity_is_that_of_a_as_seen_from_b(submission, part):
     with part(1, "both move"):
         expect(submission.relative_velocity, ([1, 2, 3], [3, 1, 0]), [-2.0, 1.0, 3.0])
+        expect(submission.relative_velocity, ([1, 2, 3], [3, 1, -2]), [-2.0, 1.0, 5.0])
     with part(1, "two pairs in one call"):
         expect(submission.relative_velocity, ([[1, 2, 3], REST], [3, 1, 0]), [[-2, 1, 3], [-3, -1, 0]])
 
@@ -55,10 +73,11 @@ def test_the_relative_velocity_is_that_of_a_as_seen_from_b(submission, part):
     "Slides 15 and 19. A comes down on B, the normal points up to A. Which sign should come out?",
 )
 def test_bodies_that_approach_have_a_negative_normal_velocity(submission, part):
-    with part(1, "approaching, parting, sliding along"):
+    with part(1, "approaching, parting, sliding along; on a slanted face"):
         expect(submission.normal_velocity, ([1, 0, -2], REST, UP), -2.0)
         expect(submission.normal_velocity, ([0, 0, 3], [0, 0, -1], UP), 4.0)
         expect(submission.normal_velocity, ([3, 1, 0], REST, UP), 0.0)
+        expect(submission.normal_velocity, ([3, -1, -3], [1, 2, 1], SLANTED), -4.0)
     with part(1, "two pairs in one call"):
         expect(submission.normal_velocity, ([[1, 0, -2], [0, 0, 3]], REST, UP), [-2.0, 3.0])
         expect(submission.normal_velocity, ([[1, 0, -2], [2, 0, 3]], REST, [UP, X]), [-2.0, 2.0])
@@ -69,6 +88,8 @@ def test_they_part_with_e_times_the_speed_of_their_approach(submission, part):
     with part(1, "approaching, and parting already"):
         expect(submission.rebound_velocity, (-2.0, 0.5), 1.0)
         expect(submission.rebound_velocity, (2.0, 0.5), 2.0)
+        expect(submission.rebound_velocity, (-3.0, 0.25), 0.75)
+        expect(submission.rebound_velocity, (0.5, 0.25), 0.5)
     with part(1, "several in one call"):
         expect(submission.rebound_velocity, ([-2.0, 3.0], 0.5), [1.0, 3.0])
         expect(submission.rebound_velocity, ([-2.0, -2.0], [0.5, 0.25]), [1.0, 0.5])
@@ -87,6 +108,10 @@ def test_a_contact_is_colliding_resting_or_separating(submission, part):
         expect(submission.classify_contact, (-0.5, 0.5), 0)
         expect(submission.classify_contact, (0.75, 0.75), 0)
         expect(submission.classify_contact, (0.0,), 0)
+        expect(submission.classify_contact, (1.5, 2.0), 0)
+        expect(submission.classify_contact, (-1.5, 2.0), 0)
+        expect(submission.classify_contact, (2.5, 2.0), 1)
+        expect(submission.classify_contact, (-2.5, 2.0), -1)
     with part(1, "several in one call"):
         expect(submission.classify_contact, ([-2.0, 0.0, 0.25, 2.0], 0.5), [-1, 0, 0, 1])
 
@@ -116,6 +141,7 @@ def test_the_mean_force_of_a_contact_is_the_net_force_less_the_others(submission
     with part(1, "without and with a weight of 10 N"):
         expect(submission.mean_force, ([0, 0, 4], 0.5), [0.0, 0.0, 8.0])
         expect(submission.mean_force, ([0, 0, 4], 0.5, [0, 0, -10]), [0.0, 0.0, 18.0])
+        expect(submission.mean_force, ([1, 2, 4], 0.5, [2, -3, -10]), [0.0, 7.0, 18.0])
     with part(1, "two contacts in one call"):
         expect(submission.mean_force, ([[0, 0, 4], [2, 0, 0]], 0.5), [[0, 0, 8], [4, 0, 0]])
         expect(submission.mean_force, ([[0, 0, 4], [2, 0, 0]], [0.5, 2.0]), [[0, 0, 8], X])
@@ -128,10 +154,14 @@ def test_the_mean_force_of_a_contact_is_the_net_force_less_the_others(submission
     "Slide 17. Where are the two centres?",
 )
 def test_the_normal_of_a_face_points_towards_a(submission, part):
-    with part(1, "A above, A below, beside B"):
+    with part(1, "A above, A below, beside B; a slanted face"):
         expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, 1], REST), UP)
         expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, -1], REST), [0.0, 0.0, -1.0])
         expect(submission.point_plane_normal, ([0, 0, 2], [3, 0, 0], REST), UP)
+        expect(submission.point_plane_normal, ([0, 0, -2], [3, 0, 1], REST), UP)
+        expect(submission.point_plane_normal, ([2, 4, 4], [-5, -1, -2], [-2, -2, -3]), SLANTED)
+        expect(submission.point_plane_normal, ([2, 4, 4], [4, 1, 2], [-1, 2, 3]), SLANTED)
+        expect(submission.point_plane_normal, ([-2, 4, -4], [1, -2, 3], REST), [1 / 3, -2 / 3, 2 / 3])
     with part(1, "both in one call"):
         expect(submission.point_plane_normal, ([0, 0, 2], [[3, 0, 1], [3, 0, -1]], REST), [UP, [0, 0, -1]])
         expect(submission.point_plane_normal, ([[0, 0, 2], [4, 0, 3]], [3, 0, 1], REST), [UP, [0.8, 0, 0.6]])
@@ -144,10 +174,13 @@ def test_the_normal_of_a_face_points_towards_a(submission, part):
     "Slide 17. How long is the cross product of the edges, and which ways may it point?",
 )
 def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission, part):
-    with part(1, "A above, A below, beside B"):
+    with part(1, "A above, A below, beside B; edges along no axis"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, 1], REST), UP)
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [0, 0, -1], REST), [0.0, 0.0, -1.0])
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [3, 0, 0], REST), UP)
+        expect(submission.edge_edge_normal, ([-2, 0, 0], [1, 1, 0], [0, 0, 1], REST), UP)
+        expect(submission.edge_edge_normal, ([2, 1, -2], [4, -1, -1], [-5, -1, -2], [-2, -2, -3]), SLANTED)
+        expect(submission.edge_edge_normal, ([4, -1, -1], [2, 1, -2], [4, 1, 2], [-1, 2, 3]), SLANTED)
         expect(submission.edge_edge_normal, ([1e-4, 0, 0], [1e-4, 1e-6, 0], [0, 0, 1], REST), UP)  # 0.6° apart
     with part(1, "both in one call"):
         expect(submission.edge_edge_normal, ([2, 0, 0], [1, 1, 0], [[0, 0, 1], [0, 0, -1]], REST), [UP, [0, 0, -1]])
@@ -160,10 +193,13 @@ def test_the_normal_of_two_edges_stands_on_both_and_points_towards_a(submission,
 )  # fmt: skip
 def test_the_inverse_inertia_turns_with_the_body(submission, part):
     half = np.sqrt(0.5)
-    with part(1, "not turned, a quarter turn about z, a third of a turn about the diagonal"):
+    turned = np.array([[0.6, 0, 0.8], [0.64, 0.6, -0.48], [-0.48, 0.8, 0.36]])  # the matrix of (0.8, 0.4, 0.4, 0.2)
+    with part(1, "not turned, a quarter turn about z, a third of a turn about the diagonal, any other"):
         expect(submission.world_inverse_inertia, ([1, 2, 4], [1, 0, 0, 0]), np.diag([1.0, 0.5, 0.25]))
         expect(submission.world_inverse_inertia, ([1, 2, 4], [half, 0, 0, half]), np.diag([0.5, 1.0, 0.25]))
         expect(submission.world_inverse_inertia, ([1, 2, 4], [0.5, 0.5, 0.5, 0.5]), np.diag([0.25, 1.0, 0.5]))
+        inverse = turned @ np.diag([1.0, 0.5, 0.25]) @ turned.T
+        expect(submission.world_inverse_inertia, ([1, 2, 4], [0.8, 0.4, 0.4, 0.2]), inverse)
     with part(1, "what cannot be turned"):
         expect(submission.world_inverse_inertia, ([np.inf] * 3, [1, 0, 0, 0]), np.zeros((3, 3)))
     with part(1, "a thin rod"):
@@ -188,8 +224,12 @@ def test_a_body_gives_way_more_easily_beside_its_centre(submission, part):
         expect(submission.inverse_effective_mass, (FALLING, LIGHT, UP), 4.0)
         expect(submission.inverse_effective_mass, (FALLING, STILL, UP), 2.0)
         expect(submission.inverse_effective_mass, (FALLING, GROUND, UP), 1.0)
-    with part(1, "beside a centre: r²/I more"):
+    with part(1, "beside a centre, r²/I more; beside both"):
         expect(submission.inverse_effective_mass, (BESIDE, GROUND, UP), 1.5)
+        expect(submission.inverse_effective_mass, (GROUND, BESIDE, UP), 1.5)
+        expect(submission.inverse_effective_mass, (TRIPPED, GROUND, Y), 1.25)
+        expect(submission.inverse_effective_mass, (SWINGING, GROUND, X), 2.0)
+        expect(submission.inverse_effective_mass, (SPINNING_A, SPINNING_B, SLANTED), 6.25)
     with part(1, "two contacts in one call"):
         expect(submission.inverse_effective_mass, (many(FALLING, BESIDE), GROUND, UP), [1.0, 1.5])
         expect(submission.inverse_effective_mass, (many(BESIDE, BESIDE), GROUND, [UP, X]), [1.5, 1.0])
@@ -203,11 +243,16 @@ def test_the_impulse_makes_the_points_part_as_asked(submission, part):
     with part(1, "a body on the ground, two equal bodies"):
         expect(submission.impulse_magnitude, (FALLING, GROUND, UP, 0.5), 3.0)
         expect(submission.impulse_magnitude, (FALLING, STILL, UP, 0.5), 1.5)
-    with part(1, "beside the centre, also of a body that spins on the spot"):
+        expect(submission.impulse_magnitude, (STILL, FALLING, UP, 0.5), -1.5)  # they part: it would have to pull
+    with part(1, "beside the centre, also of a body that spins on the spot; beside both"):
+        expect(submission.impulse_magnitude, (SPINNING_A, SPINNING_B, SLANTED, 0.5), 3.0)
         expect(submission.impulse_magnitude, (BESIDE, GROUND, UP, 0.5), 2.0)
+        expect(submission.impulse_magnitude, (TRIPPED, GROUND, Y, 0.5), 2.4)
+        expect(submission.impulse_magnitude, (SWINGING, GROUND, X, 0.5), 1.5)
         expect(submission.impulse_magnitude, (SPINS, GROUND, UP, 0.5), 1.0)
     with part(1, "nothing to push away"):
         expect(submission.impulse_magnitude, (GROUND, GROUND, UP, 0.5), 0.0)
+        expect(submission.impulse_magnitude, (([0, 0, -2], *GROUND[1:]), GROUND, UP, 0.5), 0.0)
     with part(1, "two contacts in one call"):
         expect(submission.impulse_magnitude, (many(FALLING, BESIDE), GROUND, UP, 0.5), [3.0, 2.0])
         expect(submission.impulse_magnitude, (FALLING, GROUND, [UP, X], [0.25, 0.5]), [2.5, 0.0])
@@ -217,6 +262,9 @@ def test_the_impulse_makes_the_points_part_as_asked(submission, part):
 def test_both_bodies_get_the_same_impulse_in_opposite_directions(submission, part):
     with part(1, "along the normal"):
         expect(submission.contact_impulses, (3.0, UP), ([0, 0, 3], [0, 0, -3]))
+        expect(submission.contact_impulses, (3.0, SLANTED), ([1, 2, 2], [-1, -2, -2]))
+        expect(submission.contact_impulses, (3.0, [-0.6, 0, 0.8]), ([-1.8, 0, 2.4], [1.8, 0, -2.4]))
+        expect(submission.contact_impulses, (-3.0, UP), ([0, 0, -3], [0, 0, 3]))  # one that pulls
     with part(1, "two contacts in one call"):
         expect(submission.contact_impulses, ([3.0, 1.0], UP), ([[0, 0, 3], [0, 0, 1]], [[0, 0, -3], [0, 0, -1]]))
         expect(submission.contact_impulses, ([3.0, 1.0], [UP, X]), ([[0, 0, 3], X], [[0, 0, -3], [-1, 0, 0]]))
@@ -230,7 +278,9 @@ def test_an_impulse_moves_a_and_b_in_opposite_directions(submission, part, examp
     with part(1, "through the centres, and beside one"):
         expect(submission.apply_impulse, (FALLING, STILL, [0, 0, 3]), ([0, 0, 1], REST, [0, 0, -3], REST))
         expect(submission.apply_impulse, (BESIDE, GROUND, [0, 0, 2]), (REST, [0, -2, 0], REST, REST))
-    with part(2, "momentum is kept"):
+    with part(1, "both bodies move, turn, and are struck beside their centres"):
+        expect(submission.apply_impulse, (SPINNING_A, SPINNING_B, [1, 2, 2]), SPINNING_AFTER)
+    with part(1, "momentum is kept"):
 
         def kept(body_a, body_b, impulse):
             v_a, _, v_b, _ = numbers(submission.apply_impulse, (body_a, body_b, impulse), 4)
@@ -252,6 +302,8 @@ def test_an_impulse_moves_a_and_b_in_opposite_directions(submission, part, examp
 def test_the_momenta_change_by_the_impulse_and_its_moment(submission, part):
     with part(1, "at the end of an arm"):
         expect(submission.apply_impulse_to_momenta, ([1, 0, 0], [0, 1, 0], X, [0, 2, 0]), ([1, 2, 0], [0, 1, 2]))
+        given = ([1, 2, 3], [1, 2, -1], [2, 1, -2], [1, 2, 2])
+        expect(submission.apply_impulse_to_momenta, given, ([2, 4, 5], [7, -4, 2]))
     with part(1, "two arms in one call"):
         expect(
             submission.apply_impulse_to_momenta, ([REST, X], REST, [X, REST], [0, 2, 0]),
@@ -266,8 +318,10 @@ def test_the_momenta_change_by_the_impulse_and_its_moment(submission, part):
     "Slide 21 stops at P and L. What is given of the mass, and what of the inertia?",
 )
 def test_velocities_follow_from_momenta(submission, part):
-    with part(1, "a body, and an immovable one"):
+    with part(1, "a body, also aligned with no axis, and an immovable one"):
         expect(submission.velocities_from_momenta, ([4, 0, 0], [0, 0, 1], 0.5, TURNS), ([2, 0, 0], [0, 0, 4]))
+        given = ([2, 4, -6], [1, -1, 2], 0.5, SPINNING_A[4])
+        expect(submission.velocities_from_momenta, given, ([1, 2, -3], [1, 0, 7]))
         expect(submission.velocities_from_momenta, ([4, 0, 0], [0, 0, 1], 0.0, np.zeros((3, 3))), (REST, REST))
     with part(1, "two bodies in one call"):
         expect(
@@ -283,17 +337,26 @@ def test_velocities_follow_from_momenta(submission, part):
     "Slide 21: point velocities, normal velocity, is it colliding, impulse, new velocities.",
 )  # fmt: skip
 def test_a_collision_keeps_momentum_and_gains_no_energy(submission, part, examples):
-    with part(1, "down on the ground, also by its spin alone; one body on another"):
+    with part(1, "down on the ground, beside its centre, by its spin alone; one body on another"):
         expect(submission.collide, (FALLING, GROUND, UP, 0.5), ([0, 0, 1], REST, REST, REST))
         expect(submission.collide, (SPINS, GROUND, UP, 0.5), ([0, 0, 1], [0, 1, 0], REST, REST))
+        expect(submission.collide, (TRIPPED, GROUND, Y, 0.5), ([0, 0.4, 0], [1.2, 0, 0], REST, REST))
+        expect(submission.collide, (SWINGING, GROUND, X, 0.5), ([-0.5, 0, 0], [0, 0, -3], REST, REST))
         expect(submission.collide, (FALLING, STILL, UP, 1.0), (REST, REST, [0, 0, -2], REST))
-    with part(1, "parting already, or not faster than the threshold"):
+    with part(1, "both bodies move, turn, and are struck beside their centres; faster than a threshold, and not"):
+        expect(submission.collide, (SPINNING_A, SPINNING_B, SLANTED, 0.5), SPINNING_AFTER)
+        expect(submission.collide, (SPINNING_A, SPINNING_B, SLANTED, 0.5, 12.0), SPINNING_AFTER)
+        before = (*SPINNING_A[:2], *SPINNING_B[:2])
+        expect(submission.collide, (SPINNING_A, SPINNING_B, SLANTED, 0.5, 13.0), before)
+    with part(1, "parting already, immovable both, or not faster than the threshold"):
         expect(
             submission.collide, (([0, 0, 2], REST, REST, 1.0, TURNS), GROUND, UP, 0.5), ([0, 0, 2], REST, REST, REST)
         )
+        still = ([0, 0, -2], REST, REST, REST)  # two that nothing moves
+        expect(submission.collide, (([0, 0, -2], *GROUND[1:]), GROUND, UP, 0.5), still)
         expect(submission.collide, (FALLING, GROUND, UP, 0.5, 3.0), ([0, 0, -2], REST, REST, REST))
         expect(submission.collide, (FALLING, GROUND, UP, 0.5, 2.0), ([0, 0, -2], REST, REST, REST))
-    with part(2, "momentum is kept, and no energy gained"):
+    with part(1, "momentum is kept, and no energy gained"):
 
         def kept(body_a, body_b, normal, restitution):
             v_a, w_a, v_b, w_b = numbers(submission.collide, (body_a, body_b, normal, restitution), 4)

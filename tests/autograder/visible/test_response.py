@@ -12,6 +12,8 @@ from labs.grading.judging.markers import asks
 
 UP, REST = [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
 FALL = [0.0, 0.0, -8.0]
+SLANTED = [1 / 3, 2 / 3, 2 / 3]
+"""The unit normal of a plane that lies along no axis: n·(1, −4, −1) = −3."""
 INFINITY = math.inf
 
 
@@ -20,9 +22,10 @@ INFINITY = math.inf
     "Slide 7 is the bounce with e = 1. What should become of a body that moves away already?",
 )  # fmt: skip
 def test_a_bounce_turns_the_normal_part_and_leaves_the_other(submission, part, examples):
-    with part(1, "down on a floor"):
+    with part(1, "down on a floor, and against a plane along no axis"):
         expect(submission.kinematic_response, ([3, 0, -4], UP, 0.5), [3.0, 0.0, 2.0])
         expect(submission.kinematic_response, ([3, 0, -4], UP, 1.0), [3.0, 0.0, 4.0])
+        expect(submission.kinematic_response, ([1, -4, -1], SLANTED, 0.5), [2.5, -1.0, 2.0])  # + 1.5 · 3 n
     with part(1, "already on its way out"):
         expect(submission.kinematic_response, ([3, 0, 4], UP, 0.5), [3.0, 0.0, 4.0])
     with part(1, "no bounce makes a body faster"):
@@ -43,6 +46,7 @@ def test_a_bounce_turns_the_normal_part_and_leaves_the_other(submission, part, e
 def test_a_bounce_is_that_of_the_velocity_seen_from_the_plane(submission, part):
     with part(1, "a racket that comes to meet the ball"):
         expect(submission.moving_plane_response, ([0, 0, -2], [0, 0, 2], UP, 0.5), [0.0, 0.0, 4.0])
+        expect(submission.moving_plane_response, ([1, -4, -1], [-1, 1, 1], SLANTED, 0.5), [3.0, 0.0, 3.0])
     with part(1, "a plane that draws back, and one that catches up"):
         expect(submission.moving_plane_response, ([1, 0, -1], [0, 0, -3], UP, 0.5), [1.0, 0.0, -1.0])
         expect(submission.moving_plane_response, ([1, 0, 1], [0, 0, 3], UP, 1.0), [1.0, 0.0, 5.0])
@@ -56,12 +60,24 @@ def test_a_bounce_is_that_of_the_velocity_seen_from_the_plane(submission, part):
     "Slide 6, after the fact: where is the body at the end of the step, and how fast is it there?",
 )  # fmt: skip
 def test_a_body_behind_the_plane_at_the_end_of_the_step_turns_round_there(submission, part):
-    with part(1, "it ends behind the floor"):
+    slanted = (
+        [0.25, 3.25, 1.25],
+        [2, -5, 0],
+        [-2, 2, -2],
+        SLANTED,
+    )  # to (1, 1, 1) with (1, −4, −1) after half a second
+    with part(1, "it ends behind the floor, or behind a plane along no axis"):
         expect(
             submission.respond_at_step, ([0, 0, 1], [1, 0, -3], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -0.5], [1, 0, 1.5])
         )
-    with part(1, "it ends above the floor, falling"):
+        expect(submission.respond_at_step, (*slanted, -2.0, 0.5, 0.5), ([1, 1, 1], [2.5, -1, 2]))
+    with part(
+        1, "it ends above the floor, falling; just in front of a plane, or touching it; behind it, but on its way out"
+    ):
         expect(submission.respond_at_step, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.0, 0.5, 0.5), ([0.5, 0, 8], [1, 0, -4]))
+        expect(submission.respond_at_step, (*slanted, -1.5, 0.5, 0.5), ([1, 1, 1], [1, -4, -1]))
+        expect(submission.respond_at_step, ([0, 0, 2], [1, 0, -4], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, 0], [1, 0, -4]))
+        expect(submission.respond_at_step, ([0, 0, -2], [1, 0, 2], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -1], [1, 0, 2]))
     with part(1, "both in one call"):
         expect(
             submission.respond_at_step,
@@ -75,11 +91,21 @@ def test_a_body_behind_the_plane_at_the_end_of_the_step_turns_round_there(submis
     "Slide 6, backing up: how much of the step is left after the impact?",
 )  # fmt: skip
 def test_the_step_goes_on_after_the_impact(submission, part):
-    with part(1, "half way through the step"):
+    with part(1, "half way through the step, also on a plane along no axis, and at its very end"):
         expect(
             submission.respond_at_impact, ([0, 0, 2], [1, 0, -4], REST, UP, 0.5, 0.5, 1.0), ([1, 0, 1], [1, 0, 2])
         )  # fmt: skip
-    with part(1, "no impact in this step"):
+        expect(
+            submission.respond_at_impact, ([1, 2, 3], [2, -5, 0], [-2, 2, -2], SLANTED, 0.5, 0.5, 1.0),
+            ([2.75, -0.5, 3.5], [1.5, 0, 1])
+        )  # fmt: skip
+        expect(
+            submission.respond_at_impact, ([0, 0, 2], [1, 0, -4], REST, UP, 0.5, 0.5, 0.5), ([0.5, 0, 0], [1, 0, 2])
+        )  # fmt: skip
+    with part(1, "no impact in this step, or on its way out already"):
+        expect(
+            submission.respond_at_impact, (REST, [1, 0, 2], REST, UP, 0.5, 0.25, 0.5), ([0.5, 0, 1], [1, 0, 2])
+        )  # fmt: skip
         expect(
             submission.respond_at_impact, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.5, INFINITY, 0.5),
             ([0.5, 0, 8], [1, 0, -4])
@@ -93,18 +119,27 @@ def test_the_step_goes_on_after_the_impact(submission, part):
 
 
 @asks(
-    "time_until_rest", 5, "Infinitely many bounces end in a finite time: each flight lasts e times the one before.",
+    "time_until_rest", 6, "Infinitely many bounces end in a finite time: each flight lasts e times the one before.",
     "How long is the first fall? And the flight after the first bounce? The rest is a geometric series.",
 )  # fmt: skip
 def test_infinitely_many_bounces_end_in_a_finite_time(submission, part):
-    with part(1, "let fall: the fall lasts 1 s, then flights of 1 s, 1/2 s, 1/4 s …"):
+    with part(1, "let fall: the fall lasts 1 s, then flights of 1 s, 1/2 s, 1/4 s …; thrown up, thrown down"):
         expect(submission.time_until_rest, (4.0, 0.0, -8.0, 0.5), 3.0)
+        expect(submission.time_until_rest, (3.0, 4.0, -8.0, 0.75), 7.5)  # it arrives with 8 m/s after 1.5 s
+        expect(submission.time_until_rest, (3.0, -4.0, -8.0, 0.5), 2.5)  # after 0.5 s
+        expect(submission.time_until_rest, (0.0, -4.0, -8.0, 0.5), 1.0)  # at once
+        expect(submission.time_until_rest, (-0.5, -4.0, -8.0, 0.5), 1.0)  # below zero counts as zero
     with part(1, "no bounce"):
         expect(submission.time_until_rest, (4.0, 0.0, -8.0, 0.0), 1.0)
+        expect(submission.time_until_rest, (4.0, -2.0, 0.0, 0.0), 2.0)  # nothing presses it on
     with part(1, "bouncing for ever"):
         expect(submission.time_until_rest, (4.0, 0.0, -8.0, 1.0), INFINITY)
     with part(1, "lying there already"):
         expect(submission.time_until_rest, (0.0, 0.0, -8.0, 0.5), 0.0)
+        expect(submission.time_until_rest, (0.0, 0.0, 0.0, 0.5), 0.0)
+    with part(1, "pulled away from the plane"):
+        expect(submission.time_until_rest, (0.0, 0.0, 8.0, 0.5), INFINITY)
+        expect(submission.time_until_rest, (1.0, -3.0, 4.0, 0.0), INFINITY)  # it touches, and is pulled away again
     with part(1, "several in one call"):
         expect(submission.time_until_rest, ([4.0, 0.0], 0.0, -8.0, 0.5), [3.0, 0.0])
 
@@ -117,9 +152,12 @@ def test_the_contact_pushes_while_they_overlap_and_never_pulls(submission, part)
     with part(1, "pressed in, moving in, moving out"):
         expect(submission.penalty_force, (-0.125, 0.0, UP, 800.0, 10.0), [0.0, 0.0, 100.0])
         expect(submission.penalty_force, (-0.125, -2.0, UP, 800.0, 10.0), [0.0, 0.0, 120.0])
+        expect(submission.penalty_force, (-0.125, -2.0, SLANTED, 800.0, 10.0), [40.0, 80.0, 80.0])
         expect(submission.penalty_force, (-0.125, 2.0, UP, 800.0, 10.0), [0.0, 0.0, 80.0])
-    with part(1, "in front of the plane"):
+    with part(1, "in front of the plane, or touching it"):
         expect(submission.penalty_force, (0.5, -2.0, UP, 800.0, 10.0), REST)
+        expect(submission.penalty_force, (0.5, -50.0, UP, 800.0, 10.0), REST)
+        expect(submission.penalty_force, (0.0, -2.0, UP, 800.0, 10.0), REST)  # touching
     with part(1, "moving out fast"):
         expect(submission.penalty_force, (-0.125, 20.0, UP, 800.0, 10.0), REST)
     with part(1, "moving out fast, with adhesion"):
@@ -149,6 +187,7 @@ def test_a_stiff_contact_needs_a_short_step(submission, part):
     with part(1, "without damping, with it"):
         expect(submission.penalty_step_limit, (1.0, 100.0), 0.2)
         expect(submission.penalty_step_limit, (1.0, 100.0, 15.0), 0.1)  # ζ = 3/4
+        expect(submission.penalty_step_limit, (2.0, 200.0, 30.0), 0.1)  # twice as much of everything
     with part(1, "several in one call"):
         expect(submission.penalty_step_limit, (1.0, 100.0, [0.0, 15.0]), [0.2, 0.1])
 

@@ -6,9 +6,7 @@ and all of them by `make verify`; `-m "" -k "impulse_magnitude and sign"` finds 
 
 from __future__ import annotations
 
-import contextlib
 import importlib
-import importlib.util
 import os
 import sys
 from pathlib import Path
@@ -16,6 +14,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from tests_in_process import FOLDER, TOPICS, Asked, collected, loaded, run_test
 
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Grader, Remote
@@ -25,15 +24,11 @@ from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.feedback.report import report
 from labs.grading.judging.case_by_case import CaseByCase
-from labs.grading.judging.examples import Examples
 from labs.grading.judging.plugin import Functions
 from labs.grading.judging.score_sheet import Outcome, Sheet
 from labs.grading.submission.reading import Submission
 from reference import lecture
-from reference.errors import CollisionsError
 
-FOLDER = Path(__file__).parents[2] / "autograder"
-TOPICS = ("detection", "response", "friction", "impulse")
 WRITTEN = [entry for topic in TOPICS for entry in lecture.functions_of(topic) if entry.role == "written"]
 BANK = read_bank()
 
@@ -79,46 +74,7 @@ class Here:
         return Asked(name, self.functions.get(name) or getattr(solutions, name), self.case_by_case)
 
 
-class Asked:
-    def __init__(self, name, function, case_by_case):
-        self.name, self.function = name, function
-        process = SimpleNamespace(changed=(), printed="")
-        self.functions = SimpleNamespace(process=lambda: process, case_by_case=case_by_case)
-
-    def __call__(self, *arguments, **named):
-        before = repr(arguments)
-        try:
-            answer = self.function(*arguments, **named)
-        except Exception as error:
-            raise AssertionError(f"raised {error!r}") from None
-        self.functions.process().changed = (0,) if repr(arguments) != before else ()
-        return answer
-
-    def foresee(self, several):
-        pass
-
-
-def loaded(name, path):
-    """A file of tests as a module."""
-    spec = importlib.util.spec_from_file_location(name, path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def collected():
-    found = {}
-    for folder in ("visible", "hidden"):
-        for topic in TOPICS:
-            module = loaded(f"{folder}_{topic}", FOLDER / folder / f"test_{topic}.py")
-            for name, test in vars(module).items():
-                marks = {mark.name: mark.args for mark in getattr(test, "pytestmark", ())} if callable(test) else {}
-                if name.startswith("test_") and "function" in marks:
-                    found.setdefault(marks["function"][0], []).append((folder, test, marks["points"][0]))
-    return found
-
-
-TESTS = collected()
+TESTS = collected("visible", "hidden")
 """By function: folder, test and points."""
 
 
@@ -131,26 +87,6 @@ def lost(function, submission, seed=1, runs=True):
         missed, told = run_test(test, points, submission, seed)
         total, said = total + missed, said + told
     return total, said
-
-
-def run_test(test, points, submission, seed=1):
-    """The points that a submission loses in one test, and what was said."""
-    said, earned = [], []
-
-    @contextlib.contextmanager
-    def part(worth, reason):
-        submission.case_by_case.begin_part()
-        try:
-            yield
-        except (AssertionError, CollisionsError) as error:
-            said.append(f"{reason}: {error}")
-        else:
-            failure = submission.case_by_case.charge()
-            (said.append(f"{reason}: {failure}") if failure else earned.append(worth))
-
-    given = {"submission": submission, "part": part, "examples": Examples(seed, shown=False)}
-    test(**{name: given[name] for name in test.__code__.co_varnames[: test.__code__.co_argcount]})
-    return points - sum(earned), said
 
 
 @pytest.mark.parametrize("entry", WRITTEN, ids=name_of)

@@ -1,0 +1,186 @@
+"""Mutants that no check can notice, each with the reason: they give the same numbers wherever a function may be called.
+
+By the function in whose source the change is made, then by the reason. In a line, … stands for anything. What is
+listed for a function holds wherever that function is called as well.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from mutants.making import Mutant
+from reference import lecture
+
+ROUNDING = "It only keeps rounding from a root of a negative number."
+FIRST_OF_BOTH = "On the boundary both branches give the same number."
+SYMMETRIC = "The matrix is symmetric."
+TWICE = "It enters twice, so that its sign drops out."
+SHORTENED = "The vector is divided by its length afterwards, and may be longer or shorter before."
+ORDER = "The order does not matter."
+NEVER_USED = "The number is not used there."
+NOT_OF_THE_VELOCITIES = "How easily two bodies give way does not depend on how they move."
+LEVER = "Without a lever r × n is zero but for rounding, and adds nothing."
+
+EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
+    "time_of_impact_exact": {ROUNDING: ("limit dropped: np.maximum(discriminant, 0.0) → shaped(discriminant, 0.0)",)},
+    "overlap_interval": {
+        "The earlier and the later of the two are taken, whichever they are.": (
+            "results swapped: ((r - x) / np.where(moves, u, 1.0), …",
+        ),
+        "A ball at rest in the wall has been there since before the step, and beside it the interval is empty.": (
+            "branch dropped: np.where(moves, np.minimum(at_front, at_back), 0.0) → shaped(np.minimum(…",
+        ),
+    },
+    "missing_probability": {FIRST_OF_BOTH: ("boundary: way > caught → way >= caught",)},
+    "_arrival_speed": {
+        "The root is negative for an acceleration away from the plane alone, where the time is infinite.": (
+            "limit dropped: np.maximum(squared, 0.0) → shaped(squared, 0.0)",
+        )
+    },
+    "along_surface": {TWICE: ("normal: sign flipped",)},
+    "holds": {"Only the size of the push counts.": ("push: sign flipped",)},
+    "sliding_motion": {
+        "At the stop v + a t is zero, but for rounding.": (
+            "branch dropped: np.where(stops[..., None], 0.0, v + a * first) → shaped(v + a * first…",
+        ),
+        "Where the body does not stop, nothing is left of the step.": (
+            "branch dropped: np.where(stops[..., None], acceleration(v), 0.0) → shaped(acceleration…",
+        ),
+    },
+    "clamp_to_circle": {FIRST_OF_BOTH: ("boundary: size > most → size >= most",)},
+    "clamp_to_square": {
+        TWICE: ("axis_x: sign flipped", "axis_y: sign flipped", "axis_x and axis_y: sign flipped"),
+        ORDER: ("results swapped: (axis_x, axis_y) → (axis_y, axis_x)",),
+    },
+    "break_away_time": {
+        "Only its square is used.": (
+            "sign flipped: press[..., None] * rate - press_rate[..., None] * f → press_rate[…",
+            "cross product turned round: np.cross(f, rate) → np.cross(rate, f)",
+        ),
+        "Below zero nothing is pressed together, which the next condition says as well.": (
+            "limit dropped: np.maximum(0.0, press) → shaped(press, 0.0)",
+        ),
+        "What is held is within the limit, but for rounding.": (
+            "limit dropped: np.minimum(0.0, np.vecdot(f, f) - (mu * press) ** 2) → shaped(np.vecdot…",
+        ),
+        ROUNDING: ("limit dropped: np.maximum(0.0, mu ** 2 * np.vecdot(spread, spread) - … → shaped(mu ** 2 …, 0.0)",),
+        "The push and its rate are turned round together, and only their sizes and their product count.": (
+            "in along_surface: sign flipped: f - np.vecdot(f, n)[..., None] * n → np.vecdot…",
+        ),
+    },
+    "friction_impulse": {
+        "At the edge of the cone the impulse that grips is the one that slips.": (
+            "boundary: np.linalg.norm(across, axis=-1) <= mu * np.vecdot(grip, n) → …",
+        ),
+        SYMMETRIC: ("transposed: np.matvec(k, edge) → np.matvec(transposed(k), edge)",),
+    },
+    "sphere_impact": {
+        "A ball of 1 kg that is struck below its centre gives way along the normal by 1/kg.": (
+            "in friction_impulse: factor forgotten: -(1 + e) * approach / np.where(gained > 0, gained, 1.0) → -(…",
+            "in friction_impulse: product for ratio: -(1 + e) * approach / np.where(gained > 0, gained, 1.0) → …",
+        ),
+        "A ball that grazes is not pressed, so friction gives nothing.": (
+            "in friction_impulse: boundary: approach < 0 → approach <= 0",
+        ),
+    },
+    "propagate_impacts": {"Only the ratios of the masses count.": ("mass: sign flipped",)},
+    "_row": {"Only the ratios of the masses count.": ("twice the number: 1 → 2", "half the number: 1 → 0.5")},
+    "complementarity_residual": {SYMMETRIC: ("transposed: np.matvec(a, f) → np.matvec(transposed(a), f)",)},
+    "solve_by_sweeps": {
+        "The first contact is solved before its force is used.": ("start: axis 0 left out",),
+        "A contact that moves nothing gets no force, whatever its quotient is.": (
+            "branch dropped: np.where(own > 0, own, 1.0) → shaped(own, own > 0)",
+            "boundary: own > 0 → own >= 0",
+            "condition dropped: own > 0 → always(own > 0)",
+            "twice the number: 1.0 → 2.0",
+            "half the number: 1.0 → 0.5",
+        ),
+    },
+    "rebound_velocity": {FIRST_OF_BOTH: ("boundary: u_n < 0 → u_n <= 0",)},
+    "_direction": {
+        SHORTENED: (
+            "factor forgotten: given / largest → given",
+            "product for ratio: given / largest → given * largest",
+        )
+    },
+    "edge_edge_normal": {
+        "The product of two edges that are both turned round is the same.": ("edge_a and edge_b: sign flipped",),
+        SHORTENED: (
+            "in _direction: factor forgotten: scaled / np.linalg.norm(scaled, axis=-1, keepdims=True) → scaled",
+            "in _direction: product for ratio: scaled / np.linalg.norm(scaled, axis=-1, keepdims=True) → …",
+            "in _direction: largest component: np.linalg.norm(scaled, …",
+            "in _direction: sum of components: np.linalg.norm(scaled, …",
+        ),
+    },
+    "world_inverse_inertia": {"q and −q are the same rotation.": ("orientation: sign flipped",)},
+    "inverse_effective_mass": {
+        NOT_OF_THE_VELOCITIES: (
+            "velocity of body_…",
+            "angular_velocity of body_…",
+        ),
+        TWICE: ("arm of body_…: sign flipped", "normal: sign flipped"),
+    },
+    "moved": {
+        SYMMETRIC: ("transposed: inverse_inertia @ np.cross(r, impulse)[..., None] → …",),
+    },
+    "velocities_from_momenta": {SYMMETRIC: ("transposed: inverse_inertia @ angular_momentum[..., None] → …",)},
+    "_softness": {
+        LEVER: (
+            "boundary: np.linalg.norm(np.cross(r, normal), axis=-1) > NO_LEVER * …",
+            "condition dropped: np.linalg.norm(np.cross(r, normal), axis=-1) > … → always(…",
+            "branch dropped: np.where(lever, np.vecdot(normal, np.cross(dw, r)), 0.0) → shaped(np.vecdot…",
+        ),
+        "The bound of what counts as rounding may be another one.": (
+            "factor forgotten: NO_LEVER * np.linalg.norm(r, axis=-1) → NO_LEVER",
+            "ratio for product: NO_LEVER * np.linalg.norm(r, axis=-1) → NO_LEVER / np.linalg.norm(r, axis=-1)",
+            "largest component: np.linalg.norm(r, axis=-1) → …",
+            "sum of components: np.linalg.norm(r, axis=-1) → …",
+            "axis 0 left out: np.linalg.norm(r, axis=-1) → …",
+            "axis 1 left out: np.linalg.norm(r, axis=-1) → …",
+            "axis 2 left out: np.linalg.norm(r, axis=-1) → …",
+        ),
+        "Only whether the vector is zero counts.": (
+            "largest component: np.linalg.norm(np.cross(r, normal), axis=-1) → …",
+            "sum of components: np.linalg.norm(np.cross(r, normal), axis=-1) → …",
+            "cross product turned round: np.cross(r, normal) → np.cross(normal, r)",
+        ),
+    },
+    "collide": {
+        "Whether the bodies rest or part makes no difference: nothing happens.": (
+            "in classify_contact: results swapped: (normal_velocity, threshold) → (threshold, normal_velocity)",
+            "in classify_contact: branch dropped: np.where(u_n > threshold, SEPARATING, RESTING) → …",
+            "in classify_contact: branches turned round: np.where(u_n > threshold, SEPARATING, RESTING) → …",
+            "in classify_contact: boundary: u_n > threshold → u_n >= threshold",
+            "in classify_contact: comparison turned round: u_n > threshold → u_n < threshold",
+            "in classify_contact: condition dropped: u_n > threshold → …",
+        ),
+        NEVER_USED: ("in contact_impulses: sign flipped: -impulse → impulse",),
+        "Two bodies that nothing moves stay as they are with any impulse.": (
+            "in impulse_magnitude: branch dropped: np.where(k > 0, wanted / np.where(k > 0, k, 1.0), 0.0) → shaped(w…",
+            "in impulse_magnitude: boundary: k > 0 → k >= 0",
+            "in impulse_magnitude: condition dropped: k > 0 → always(k > 0)",
+        ),
+    },
+}
+
+
+def reason(mutant: Mutant) -> str:
+    """Why no check can notice a mutant; empty if it is not listed."""
+    for listed, change in ((mutant.function, mutant.name), (mutant.owner, mutant.change)):
+        for why, changes in EQUIVALENT.get(listed, {}).items():
+            if any(_is(change, each) for each in changes):
+                return why
+    return ""
+
+
+def unmatched(function: str, mutants: Sequence[Mutant]) -> list[str]:
+    """What is listed for a function, or for helpers of its own, but is none of its mutants."""
+    helpers = {mutant.owner for mutant in mutants} - lecture.FUNCTIONS.keys()
+    listed = [line for name in (function, *helpers) for lines in EQUIVALENT.get(name, {}).values() for line in lines]
+    changes = {mutant.name for mutant in mutants} | {mutant.change for mutant in mutants}
+    return [line for line in listed if not any(_is(change, line) for change in changes)]
+
+
+def _is(change: str, listed: str) -> bool:
+    return re.fullmatch(".*".join(map(re.escape, listed.split("…"))), change) is not None

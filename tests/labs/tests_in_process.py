@@ -1,0 +1,78 @@
+"""Tests of a submission run in this process, on functions that are here: what the tests ask is what matters."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import pickle
+from pathlib import Path
+from types import SimpleNamespace
+
+from labs.grading.judging.case_by_case import CaseByCase
+from labs.grading.judging.examples import Examples
+from reference.errors import CollisionsError
+
+FOLDER = Path(__file__).parents[1] / "autograder"
+TOPICS = ("detection", "response", "friction", "impulse")
+
+
+class Asked:
+    """A function as a test gets it."""
+
+    def __init__(self, name, function, case_by_case=None):
+        self.name, self.function = name, function
+        process = SimpleNamespace(changed=(), printed="")
+        self.functions = SimpleNamespace(process=lambda: process, case_by_case=case_by_case or CaseByCase())
+
+    def __call__(self, *arguments, **named):
+        before = pickle.dumps(arguments)
+        try:
+            answer = self.function(*arguments, **named)
+        except Exception as error:
+            raise AssertionError(f"raised {error!r}") from None
+        self.functions.process().changed = (0,) if pickle.dumps(arguments) != before else ()
+        return answer
+
+    def foresee(self, several):
+        pass
+
+
+def loaded(name, path):
+    """A file of tests as a module."""
+    spec = importlib.util.spec_from_file_location(name, path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def collected(*folders):
+    """By function: folder, test and points."""
+    found = {}
+    for folder in folders:
+        for topic in TOPICS:
+            module = loaded(f"{folder}_{topic}", FOLDER / folder / f"test_{topic}.py")
+            for name, test in vars(module).items():
+                marks = {mark.name: mark.args for mark in getattr(test, "pytestmark", ())} if callable(test) else {}
+                if name.startswith("test_") and "function" in marks:
+                    found.setdefault(marks["function"][0], []).append((folder, test, marks["points"][0]))
+    return found
+
+
+def run_test(test, points, submission, seed=1):
+    """The points that a submission loses in one test, and what was said."""
+    said, earned = [], []
+
+    @contextlib.contextmanager
+    def part(worth, reason):
+        submission.case_by_case.begin_part()
+        try:
+            yield
+        except (AssertionError, CollisionsError) as error:
+            said.append(f"{reason}: {error}")
+        else:
+            failure = submission.case_by_case.charge()
+            (said.append(f"{reason}: {failure}") if failure else earned.append(worth))
+
+    given = {"submission": submission, "part": part, "examples": Examples(seed, shown=False)}
+    test(**{name: given[name] for name in test.__code__.co_varnames[: test.__code__.co_argcount]})
+    return points - sum(earned), said
