@@ -115,13 +115,15 @@ class Call:
         assert self._process is not None
         with self._starting():
             match messages.unpack(self._process.exchange(b"", _STARTING)):
-                case ("sealed", int(tier), list(missing)):
-                    self.sealing = Sealing(Tier(tier), tuple(missing))
+                case ("sealed", int(tier), list(missing), list(lacking)):
+                    self.sealing = Sealing(Tier(tier), tuple(missing), tuple(lacking))
                 case _:
                     raise messages.Refused("it does not say how far it is shut in")
         if self.sealing.tier < least:
             offered, lacking = self.sealing.tier.title, "; ".join(self.sealing.missing)
             raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {lacking}")
+        if self.sealing.lacking:
+            raise GraderFailed(endings.cannot_open(self.sealing.lacking))
 
     @contextlib.contextmanager
     def _starting(self) -> Iterator[None]:

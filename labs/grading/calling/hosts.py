@@ -19,7 +19,7 @@ import tempfile
 import threading
 import weakref
 from collections import deque
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import asdict
 from pathlib import Path
 
@@ -59,8 +59,9 @@ class NurseryHost:
         self._forked: set[int] = set()  # numbers of this nursery's processes; all others died with an earlier nursery
         self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(_PATIENCE)
-        command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), json.dumps(self._without)]
-        with theirs, open(Path(self._folder, "log"), "wb") as log:
+        plan = json.dumps([self._without, self._user])
+        command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), plan]
+        with theirs, open(Path(self._folder, "log"), "wb") as log, _started():
             self._process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=log, pass_fds=[theirs.fileno()],
                 env=dict.fromkeys(_THREADS, "1"), cwd=self._folder, start_new_session=True,
@@ -215,6 +216,15 @@ class LoneHost:
         for running in self._running.values():
             self._kill(running)
         self._clear()
+
+
+@contextlib.contextmanager
+def _started() -> Iterator[None]:
+    """Turn an interpreter that cannot be started into an error of the grader."""
+    try:
+        yield
+    except OSError as error:
+        raise GraderFailed(f"the grader cannot start Python ({sys.executable}): {error.strerror or error}") from None
 
 
 _hiding: weakref.WeakSet[NurseryHost] = weakref.WeakSet()

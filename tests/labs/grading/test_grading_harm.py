@@ -44,7 +44,7 @@ class Said:
     number, ended, gone = 0, Ended(0), False
 
     def __init__(self, *said: object) -> None:
-        self._said = [messages.pack(each)[messages.HEADER :] for each in (("sealed", 3, []), *said)]
+        self._said = [messages.pack(each)[messages.HEADER :] for each in (("sealed", 3, [], []), *said)]
 
     def start(self, limits: Limits) -> Said:
         return self

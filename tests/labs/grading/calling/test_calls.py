@@ -116,7 +116,7 @@ def test_a_failure_to_start_is_a_fault_of_the_grader():
 def test_nothing_is_run_below_the_least_tier(tier):
     for least in Tier:
         call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
-        process = Scripted(("sealed", int(tier), ["no Landlock", "no seccomp"]), LOADED)
+        process = Scripted(("sealed", int(tier), ["no Landlock", "no seccomp"], []), LOADED)
         if tier >= least:
             assert call.begin(process, least) is None
             assert (call.sealing.tier, call.sealing.missing) == (tier, ("no Landlock", "no seccomp"))
@@ -127,7 +127,7 @@ def test_nothing_is_run_below_the_least_tier(tier):
 
 
 def test_a_process_below_the_least_tier_is_ended_at_once():
-    process = Scripted(("sealed", int(Tier.LIMITS), []))
+    process = Scripted(("sealed", int(Tier.LIMITS), [], []))
     grader = SimpleNamespace(limits=PATIENT, least=Tier.NETWORK, host=process)
     with pytest.raises(GraderFailed), Remote(Submission("lab.py", ""), grader).fresh():
         pass
