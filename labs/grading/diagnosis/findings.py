@@ -10,12 +10,14 @@ from labs.grading.diagnosis.fingerprints.reading import Known
 from labs.grading.diagnosis.probes import Probe
 
 Verdict = Literal[
-    "right", "named", "likely", "several", "unknown", "one at a time", "crashes", "shape", "unwritten", "too slow"
-]
+    "right", "named", "likely", "several", "unknown", "one at a time", "crashes", "shape", "unwritten", "too slow",
+    "not tried",
+]  # fmt: skip
 """right: on every probe. named: one known mistake explains every answer for a single contact. likely: one explains the
 usual cases, but not all limiting ones. several: more than one explains the same answers. unknown: no known mistake
 explains them. one at a time: right for a single contact only. crashes, shape: it gives no number to compare. unwritten:
-it is the stub. too slow: it ran out of time in a test and was not called again."""
+it is the stub. too slow: it ran out of time in a test and was not called again. not tried: the time of the whole
+submission was used up before, which says nothing about the function."""
 
 
 @dataclass(frozen=True)

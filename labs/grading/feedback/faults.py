@@ -22,9 +22,9 @@ from labs.grading.wrapping import folded
 
 MOST_PARTS = 2
 """So many parts are reported with what was tried; only one if the mistake has a name, or lies elsewhere first."""
-_SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow")
+_SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow", "not tried")
 """Verdicts that say no more than the call and its answer do."""
-_NOT_PHYSICS = ("crashes", "shape", "too slow", "one at a time")
+_NOT_PHYSICS = ("crashes", "shape", "too slow", "not tried", "one at a time")
 """Verdicts that a hint about the slide does not help with."""
 _RIGHT_ALONE = ("right", "one at a time", "unwritten")
 """Verdicts on functions that give no wrong number to a function that calls them for a single case."""
@@ -41,7 +41,7 @@ def share(sheet: Sheet, name: str) -> str:
 def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
     """What to mend first, what was tried, the answer, what is known of the mistake, a hint, and other lost parts."""
     failures = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
-    uses = [each for each in sheet.uses.get(name, []) if each in sheet.diagnoses]
+    uses = [each for each in sheet.uses.get(name, []) if _is_wrong(sheet, each)]
     diagnosis, told = _certain(sheet, name, uses, failures)
     yield from _first(sheet, name, uses)
     for reason, said in told:
@@ -55,6 +55,11 @@ def wrong(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
     others = [reason for reason, _ in failures if reason not in [reason for reason, _ in told]]
     if others:
         yield from folded(f"{'Not yet either' if told else 'Not yet'}: {'; '.join(others)}", 1)
+
+
+def _is_wrong(sheet: Sheet, name: str) -> bool:
+    """Whether a function is known to be wrong, rather than that there was no time to try it."""
+    return name in sheet.diagnoses and sheet.diagnoses[name].verdict != "not tried"
 
 
 def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tuple[Diagnosis | None, Told]:

@@ -37,12 +37,13 @@ def report(sheet: Sheet, topics: Sequence[str]) -> Iterator[str]:
 
 def all_right(sheet: Sheet) -> bool:
     """Whether every test passed."""
-    return all(outcome.passed for outcome in sheet.outcomes)
+    return bool(sheet.outcomes) and all(outcome.passed for outcome in sheet.outcomes)
 
 
 def state(sheet: Sheet, name: str) -> str:
     """`RIGHT`, `WRONG` or `TO_DO` of a function."""
-    if all(outcome.passed for outcome in sheet.about(name)):
+    about = sheet.about(name)
+    if about and all(outcome.passed for outcome in about):
         return RIGHT
     diagnosis = sheet.diagnoses.get(name)
     unwritten = bool(diagnosis and diagnosis.verdict == "unwritten")

@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 from labs.grading.calling import scenario_runs
-from labs.grading.calling.calls import Call, Patience
+from labs.grading.budget import Budget
+from labs.grading.calling.calls import Call
+from labs.grading.calling.patience import Patience
 from labs.grading.calling.load_failures import Failures
 from labs.grading.calling.processes import Ended, Limits
 from labs.grading.calling.remote import Remote
@@ -60,7 +62,7 @@ class Said:
 
 
 def begun(process: Said, patience: float = 10.0) -> Call:
-    call = Call(Submission("lab.py", ""), Limits(), Patience(patience), contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), Limits(), Patience(Budget(patience)), contextlib.nullcontext)
     assert call.begin(process, Tier.NETWORK) is None
     return call
 
@@ -139,14 +141,14 @@ def test_the_submission_pays_for_the_time_of_foreseen_calls():
             time.sleep(0.2)
 
     process = Said(("loaded", ["f"], []), ("answer", 1, "value", 0.0, [], 5.0, ""))
-    patience = Patience(10.0)
+    patience = Patience(Budget(10.0))
     call = Call(Submission("lab.py", ""), Limits(), patience, contextlib.nullcontext)
     call.begin(process, Tier.NETWORK)
     process.send = Deaf.send.__get__(process)  # type: ignore[method-assign]
     argument = (1.0,)
     call.foresee("f", [argument])
     assert call("f", *argument) == 5.0
-    assert patience.left < 9.85
+    assert patience.spent["f"] > 0.15
 
 
 def test_words_that_are_left_out_of_feedback_earn_nothing(grader, tmp_path):
