@@ -271,7 +271,7 @@ class Call:
         """Why there is no time to call a function at all."""
         budget = self._patience.budget
         if not budget.left:
-            return NotTried(f"{name} was not tried: {budget} are used up")
+            return NotTried(f"it was not tried: {budget} are used up")
         if not self._patience.share_left(name):
             taken = f"{name} was not called again: it has taken {budget.share:.3g} s in all"
             return OutOfTime(f"{taken}, which is its share of {budget}")

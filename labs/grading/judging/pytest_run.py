@@ -125,7 +125,7 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
     if isinstance(keep.stopped, KeyboardInterrupt) and not isinstance(keep.stopped, pytest.Session.Interrupted):
         raise KeyboardInterrupt
     if keep.why:
-        raise keep.why
+        raise keep.why.with_traceback(None)
     if keep.stopped:
         raise GraderFailed(str(keep.stopped))
     if code not in _FINE or keep.broken or keep.sheet is None or not keep.sheet.outcomes:

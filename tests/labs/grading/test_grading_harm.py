@@ -169,11 +169,23 @@ signed_distance = made("signed_distance = submission.signed_distance")
 def test_no_link_is_followed_with_topics_or_without(grader, tmp_path):
     (tmp_path / "right.py").write_text("def is_colliding(separation, tolerance=0.0): return separation < -tolerance")
     (tmp_path / "lab.py").symlink_to(tmp_path / "right.py")
-    with pytest.raises(UnreadableSubmission, match="symbolic link"):
-        grade(tmp_path / "lab.py", grader=grader)
-    found = grade(tmp_path / "lab.py", ["detection"], ["visible"], grader)
-    assert found.sheet.earned == 0
-    assert all("symbolic link" in outcome.said for outcome in found.sheet.outcomes)
+    for topics in (None, ["detection"]):
+        with pytest.raises(UnreadableSubmission, match=r"lab\.py: it is a symbolic link"):
+            grade(tmp_path / "lab.py", topics, ["visible"], grader)
+
+
+@pytest.mark.parametrize("content", [None, b"", b"def f(:"])
+def test_a_file_without_code_is_an_error_and_never_a_grade(content, grader, tmp_path):
+    path = tmp_path / "lab.py"
+    if content is not None:
+        path.write_bytes(content)
+    if content:  # it is read, though no function of it can be
+        found = grade(path, ["detection"], ["visible"], grader).content()
+        assert found["got"] == 0
+        assert "right" not in {function["verdict"] for function in found["functions"]}
+    else:
+        with pytest.raises(UnreadableSubmission, match=r"lab\.py: it"):
+            grade(path, ["detection"], ["visible"], grader)
 
 
 @pytest.mark.slow

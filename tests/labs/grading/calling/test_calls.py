@@ -206,7 +206,7 @@ def test_a_call_may_take_what_call_test_and_submission_have_left(clock):
     for name in ("f", "g", "h"):
         call(name)
     assert process.waits[1:] == [3.0, 3.0, 3.0, 2.0]
-    with pytest.raises(NotTried, match="f was not tried: the 9 s that the whole file has are used up"):
+    with pytest.raises(NotTried, match="it was not tried: the 9 s that the whole file has are used up"):
         call("f")
 
 

@@ -169,10 +169,10 @@ def test_unwritten_functions_are_listed_as_to_do(graded):
     assert told["test_property"] == told["test_rebound"]
 
 
-def test_an_unreadable_file_earns_nothing_and_every_test_says_why(graded):
-    _, sheet = graded("\n")
-    assert (sheet.earned, sheet.points) == (0, 16)
-    assert {outcome.said for outcome in sheet.outcomes} == {"lab.py: it is empty"}
+def test_an_unreadable_file_stops_the_tests_and_is_no_mark(graded):
+    result, sheet = graded("\n")
+    result.stdout.fnmatch_lines(["*lab.py: it is empty*"])
+    assert sheet.outcomes == []
 
 
 def test_each_test_has_its_own_process_that_ends_with_it():
@@ -180,7 +180,7 @@ def test_each_test_has_its_own_process_that_ends_with_it():
 
     @contextlib.contextmanager
     def fresh():
-        began.append(SimpleNamespace(sealing=SimpleNamespace(tier=SimpleNamespace(title="limits"))))
+        began.append(SimpleNamespace(sealing=SimpleNamespace(tier=SimpleNamespace(title="limits"), missing=("no filter",))))
         yield began[-1]
         ended.append(began[-1])
 
@@ -188,7 +188,7 @@ def test_each_test_has_its_own_process_that_ends_with_it():
     functions = Functions(SimpleNamespace(fresh=fresh), sheet)
     functions.end_test()
     assert functions.process() is functions.process() is began[0]
-    assert (sheet.tier, ended) == ("limits", [])
+    assert (sheet.tier, sheet.missing, ended) == ("limits", ("no filter",), [])
     functions.end_test()
     assert ended == began
     assert functions.process() is began[1]

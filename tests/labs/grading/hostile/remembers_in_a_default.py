@@ -1,0 +1,6 @@
+"""A default argument that counts the calls."""
+# says: gave 0.0
+
+def rebound_velocity(velocity, restitution, seen=[]):
+    seen.append(velocity)
+    return -restitution * velocity if len(seen) < 2 else 0.0
