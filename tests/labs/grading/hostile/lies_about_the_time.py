@@ -1,5 +1,5 @@
 """Clocks that say that no time has passed, or that it is no number."""
-# says: wrote into|gave 0.0
+# says: raised TypeError|wrote into
 
 import time
 
