@@ -53,7 +53,12 @@ class NurseryHost:
         self._folder = tempfile.mkdtemp(prefix="grading-")
         self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
         _hide(self)
-        self._open()
+        try:
+            self._open()
+        except BaseException:
+            self._clear()
+            _show(self)
+            raise
 
     def _open(self) -> None:
         self._forked: set[int] = set()  # numbers of this nursery's processes; all others died with an earlier nursery
@@ -61,7 +66,7 @@ class NurseryHost:
         self._control.settimeout(_PATIENCE)
         plan = json.dumps([self._without, self._user])
         command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), plan]
-        with theirs, open(Path(self._folder, "log"), "wb") as log, _started():
+        with theirs, open(Path(self._folder, "log"), "wb") as log, _started(self._control):
             self._process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=log, pass_fds=[theirs.fileno()],
                 env=dict.fromkeys(_THREADS, "1"), cwd=self._folder, start_new_session=True,
@@ -219,11 +224,12 @@ class LoneHost:
 
 
 @contextlib.contextmanager
-def _started() -> Iterator[None]:
-    """Turn an interpreter that cannot be started into an error of the grader."""
+def _started(control: socket.socket) -> Iterator[None]:
+    """Turn an interpreter that cannot be started into an error of the grader. control: to be closed in that case."""
     try:
         yield
     except OSError as error:
+        control.close()
         raise GraderFailed(f"the grader cannot start Python ({sys.executable}): {error.strerror or error}") from None
 
 

@@ -120,8 +120,10 @@ def lacking(source: str) -> list[str]:
         compile("ε = 1", "identifier", "exec")
     except ImportError as error:
         return [str(error)]
+    if not _there or os.access(os.__file__, os.R_OK):
+        return []
     with contextlib.suppress(SyntaxError, ValueError, RecursionError, MemoryError):
-        return sorted((_there & set(_imported(source))) - sys.modules.keys()) if _there else []
+        return sorted((_there & set(_imported(source))) - sys.modules.keys())
     return []
 
 
