@@ -49,7 +49,8 @@ class Call:
     """Calls functions of the submission in one process.
 
     Of the last call: printed, what it printed; changed, which of its arguments it wrote to, by position. Of all calls:
-    answered, how many had an answer, be it an exception. Of the process: sealing, how far it is shut in, None before it says so; ended, how it ended and what it used.
+    answered, how many had an answer, be it an exception. Of the process: sealing, how far it is shut in, None before it
+    says so; ended, how it ended and what it used.
     """
 
     def __init__(
@@ -105,8 +106,8 @@ class Call:
                 case _:
                     raise messages.Refused("it does not say how far it is shut in")
         if self.sealing.tier < least:
-            offered, lacking = self.sealing.tier.title, "; ".join(self.sealing.missing)
-            raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {lacking}")
+            offered, without = self.sealing.tier.title, "; ".join(self.sealing.missing)
+            raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {without}")
         if self.sealing.lacking:
             raise GraderFailed(endings.cannot_open(self.sealing.lacking))
 

@@ -75,10 +75,10 @@ class Sheet:
     """All outcomes of one submission.
 
     complaints: about the file. unread: functions in text that Python cannot read. tier: how far its processes were shut
-    in. missing: a line for each measure of the sandbox that they lacked. skipped: why tests were left out. diagnoses: of the functions that lost points. uses: which of the submission's
-    functions each of these calls. beneath: outcomes, without points, of functions that were not asked for but that
-    wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of other
-    cells that a wrong function reads, with the cell.
+    in. missing: a line for each measure of the sandbox that they lacked. skipped: why tests were left out. diagnoses:
+    of the functions that lost points. uses: which of the submission's functions each of these calls. beneath: outcomes,
+    without points, of functions that were not asked for but that wrong ones call. given: names that the lab's own cells
+    define, if it is a notebook. borrows: variables of other cells that a wrong function reads, with the cell.
     """
 
     submission: str = ""

@@ -8,8 +8,9 @@ while a line number still means the line that the student sees.
 from __future__ import annotations
 
 import ast
+import functools
 import symtable
-from collections.abc import Collection, Iterator, Mapping, Set
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
 _MOST_SCOPES = 200
@@ -31,10 +32,10 @@ class Group:
     touches: frozenset[str]
     uses: frozenset[str]
 
-    @property
-    def defines(self) -> Set[str]:
+    @functools.cached_property
+    def defines(self) -> frozenset[str]:
         """The names that they bind."""
-        return self.kinds.keys()
+        return frozenset(self.kinds)
 
 
 def groups(source: str) -> list[Group]:
@@ -71,7 +72,7 @@ def needed(every: list[Group], wanted: Collection[str]) -> set[int]:
 
 def used_by(every: list[Group], name: str, among: Collection[str]) -> list[str]:
     """Which of some names a name needs, directly or through names that are not among them; in their order."""
-    used: dict[str, list[Set[str]]] = {}
+    used: dict[str, list[frozenset[str]]] = {}
     for group in every:
         for each in group.defines:
             used.setdefault(each, []).append(group.uses)

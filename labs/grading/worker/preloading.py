@@ -1,7 +1,7 @@
 """Loads the modules of Python and NumPy that a submission needs, before a test's process is shut in.
 
 A test's process may be unable to open Python's own files. Without Landlock, the filter of system calls denies opening
-any file; and a grader that was started as root, with an interpreter in root's home, becomes a user who cannot enter that
+any file. And a grader that root has started, with an interpreter in root's home, becomes a user who cannot enter that
 folder. There a submission has only the modules that are loaded already. Some of them nobody imports by name: Python
 itself loads `unicodedata` to compile an identifier such as ε, and NumPy loads many of its modules when they are first
 used. So the nursery, which can still open everything, loads these modules beforehand.
@@ -84,7 +84,8 @@ def _installed() -> Iterator[str]:
     for module in pkgutil.iter_modules():
         yield module.name
         if module.ispkg and isinstance(folder := getattr(module.module_finder, "path", None), str):
-            yield from (f"{module.name}.{part.name}" for part in pkgutil.iter_modules([os.path.join(folder, module.name)]))
+            within = pkgutil.iter_modules([os.path.join(folder, module.name)])
+            yield from (f"{module.name}.{part.name}" for part in within)
 
 
 def _parts_of_numpy() -> Iterator[str]:
@@ -120,7 +121,7 @@ def lacking(source: str) -> list[str]:
         compile("ε = 1", "identifier", "exec")
     except ImportError as error:
         return [str(error)]
-    if not _there or os.access(os.__file__, os.R_OK):
+    if not _there or "import" not in source or os.access(os.__file__, os.R_OK):
         return []
     with contextlib.suppress(SyntaxError, ValueError, RecursionError, MemoryError):
         return sorted((_there & set(_imported(source))) - sys.modules.keys())

@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from labs.grading.calling import scenario_runs
 from labs.grading.budget import Budget
+from labs.grading.calling import scenario_runs
 from labs.grading.calling.calls import Call
-from labs.grading.calling.patience import Patience
 from labs.grading.calling.load_failures import Failures
+from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import Ended, Limits
 from labs.grading.calling.remote import Remote
 from labs.grading.diagnosis.deviations import AGAINST_INFINITY, Answer, Right, deviation_of, outputs

@@ -25,6 +25,7 @@ from labs.grading.submission.cells import BRACE_LIMIT, CODE_LIMIT
 from labs.grading.submission.reading import read
 
 WRONG = "def rebound_velocity(velocity, restitution): return 0.0\n"
+DEF = "def rebound_velocity(u, e):\n"
 LONG = 8.0  # s of processor time for the longest file; some took from one to many minutes
 ROOM = CODE_LIMIT - 1000
 A_SIXTH = ROOM // 6
@@ -58,13 +59,13 @@ def notebook(*sources: object, **more: object) -> str:
 PYTHON: dict[str, Callable[[int], str]] = {
     "a chain of functions": lambda room: WRONG + as_many("def NAME(): NAME\n", room),
     "a chain of thousands": lambda room: WRONG + "".join(f"def a{n}(): a{n + 1}\n" for n in range(room // 21)),
-    "names of one line": lambda room: f"{as_many('NAME=1;', room // 2)}\ndef rebound_velocity(u, e):\n {as_many('NAME;', room // 2)}\n",
-    "scopes in a function": lambda room: (
-        f"def rebound_velocity(u, e):\n {'lambda:0;' * (room // 18)}{as_many('NAME;', room // 2)}\n"
+    "names of one line": lambda room: (
+        f"{as_many('NAME=1;', room // 2)}\ndef rebound_velocity(u, e):\n {as_many('NAME;', room // 2)}\n"
     ),
+    "scopes in a function": lambda room: f"{DEF} {'lambda:0;' * (room // 18)}{as_many('NAME;', room // 2)}\n",
     "scopes in a class": lambda room: f"{WRONG}class A:\n {'lambda:0;' * (room // 18)}{as_many('NAME;', room // 2)}\n",
     "functions in a function": lambda room: (
-        f"def rebound_velocity(u, e):\n{as_many(' def NAME():0' + chr(10), room // 2)} {as_many('NAME;', room // 2)}\n"
+        f"{DEF}{as_many(' def NAME():0' + chr(10), room // 2)} {as_many('NAME;', room // 2)}\n"
     ),
     "its own name on every line": lambda room: WRONG * (room // len(WRONG)),
     "one name on every line": lambda room: "f=1\n" * (room // 4 - 100) + WRONG,
@@ -74,12 +75,14 @@ PYTHON: dict[str, Callable[[int], str]] = {
     "lines joined by backslashes": lambda room: WRONG.replace("0.0", "0.0" + "\\\n" * 50_000),
     "magics": lambda room: "%a\n" * (room // 3 - 100) + WRONG,
     "what could become a magic": lambda room: ("a," * 20 + "\n") * (room // 42 - 10) + "%x\n" + WRONG,
-    "texts that never end": lambda room: "%x\n" + "\'\'\'a\n" * (room // 5 - 100) + WRONG,
+    "texts that never end": lambda room: "%x\n" + "'''a\n" * (room // 5 - 100) + WRONG,
     "brackets": lambda room: WRONG.replace("0.0", "(" * 90_000 + "0.0"),
     "braces": lambda room: WRONG + "{" * (BRACE_LIMIT + 1),
     "braces in a text": lambda room: WRONG.replace("0.0", "f'" + "{u" * 4000 + "'"),
     "a sum of thousands": lambda room: WRONG.replace("0.0", "+".join(["0.0"] * 20_000)),
-    "blocks in blocks": lambda room: "".join(" " * depth + "if 1:\n" for depth in range(99)) + " " * 99 + "x = 1\n" + WRONG,
+    "blocks in blocks": lambda room: (
+        "".join(" " * depth + "if 1:\n" for depth in range(99)) + " " * 99 + "x = 1\n" + WRONG
+    ),
     "a number of a megabit": lambda room: WRONG.replace("0.0", "0x" + "f" * 200_000),
     "a number of too many digits": lambda room: WRONG.replace("0.0", "9" * 5000),
     "a name of a hundred thousand letters": lambda room: WRONG + "ε" * 100_000 + " = 1\n",
@@ -114,7 +117,7 @@ OTHERS: dict[str, tuple[str, Callable[[], str | bytes]]] = {
     "a cell with escapes": (".ipynb", lambda: notebook(WRONG, "\x1b[2J\u202e(\n")),
     "a cell with NUL": (".ipynb", lambda: notebook(WRONG, "x = '\0'")),
     "lines of a million pieces": (".ipynb", lambda: notebook(["#"] * 200_000, WRONG)),
-    "tags that are none": (".ipynb", lambda: notebook(WRONG).replace('"metadata": {}', '"metadata": {"tags": [[], 1e999]}')),
+    "tags that are none": (".ipynb", lambda: notebook(WRONG).replace("{}", '{"tags": [[], 1e999]}')),
     "a file's name for markup": ("\x1b[2J\n✓ <b>.py", lambda: WRONG),
 }  # fmt: skip
 

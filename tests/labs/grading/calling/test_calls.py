@@ -227,7 +227,11 @@ def test_a_function_may_use_a_third_of_the_time_and_others_have_the_rest(clock):
     [
         (Limits(call=5.0, test=8.0), 50.0, "f gave no answer within 5 s and was stopped"),
         (Limits(call=5.0, test=4.0), 50.0, r"within 4 s \(the test's time is up\) and was stopped"),
-        (Limits(call=5.0, test=4.0), 6.0, r"within 2 s \(its share of the time for the whole file is up\) and was stopped"),
+        (
+            Limits(call=5.0, test=4.0),
+            6.0,
+            r"within 2 s \(its share of the time for the whole file is up\) and was stopped",
+        ),
     ],
 )
 def test_a_timeout_names_the_limit_that_was_reached(limits, patience, words, clock):

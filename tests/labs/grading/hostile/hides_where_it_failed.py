@@ -1,6 +1,7 @@
 """An error on loading that says it happened nowhere."""
 # says: could not be defined: Nowhere|Nowhere: lost
 
+
 class Nowhere(BaseException):
     __traceback__ = None
 

@@ -9,9 +9,9 @@ def rebound_velocity(velocity, restitution):
         for step in (os.chdir, os.listdir, os.scandir, lambda where: os.mkdir(f"{where}/mine")):
             try:
                 for each in step(folder) or ():
-                    text = open(f"{folder}/{getattr(each, 'name', each)}").read()
-                    if "expected" in text:
-                        return -restitution * velocity
+                    with open(f"{folder}/{getattr(each, 'name', each)}") as file:
+                        if "expected" in file.read():
+                            return -restitution * velocity
             except (OSError, UnicodeDecodeError):
                 continue
     return 0.0

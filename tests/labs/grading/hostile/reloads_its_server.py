@@ -6,7 +6,12 @@ import sys
 
 
 def rebound_velocity(velocity, restitution):
-    for name in ("labs.grading.worker.messages", "labs.grading.worker.preloading", "labs.grading.worker.serving", "json"):
+    for name in (
+        "labs.grading.worker.messages",
+        "labs.grading.worker.preloading",
+        "labs.grading.worker.serving",
+        "json",
+    ):
         try:
             importlib.reload(sys.modules.get(name) or importlib.import_module(name))
         except (ImportError, OSError):

@@ -1,6 +1,7 @@
 """A function whose code is replaced after its first answer."""
 # says: gave 0.0
 
+
 def wrong(velocity, restitution):
     return 0.0
 

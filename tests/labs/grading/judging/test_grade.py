@@ -67,7 +67,8 @@ def test_lost_points_are_listed_part_by_part_and_passed_tests_not():
 
 def test_a_grade_lists_points_by_test_part_function_and_topic():
     content = GRADE.content()
-    assert {name: content[name] for name in ("schema", "version", "submission", "tier", "missing", "left_out", "complaints")} == {
+    said = ("schema", "version", "submission", "tier", "missing", "left_out", "complaints")
+    assert {name: content[name] for name in said} == {
         "schema": "collisions-lab/grade", "version": 1, "submission": "lab.py", "tier": "limits",
         "missing": ["no filter"], "left_out": {"no solutions": 2},
         "complaints": ["collide is missing"],

@@ -180,7 +180,9 @@ def test_each_test_has_its_own_process_that_ends_with_it():
 
     @contextlib.contextmanager
     def fresh():
-        began.append(SimpleNamespace(sealing=SimpleNamespace(tier=SimpleNamespace(title="limits"), missing=("no filter",))))
+        began.append(
+            SimpleNamespace(sealing=SimpleNamespace(tier=SimpleNamespace(title="limits"), missing=("no filter",)))
+        )
         yield began[-1]
         ended.append(began[-1])
 

@@ -48,12 +48,13 @@ def test_a_greek_letter_earns_its_points_from_root_and_from_an_ordinary_user(gra
     text = "import numpy as np\ndef rebound_velocity(u, ε): return np.where(np.less(u, 0), -ε * np.asarray(u), u)\n"
     (tmp_path / "lab.py").write_text(text, encoding="utf-8")
     found = grade(tmp_path / "lab.py", ["impulse"], ["visible", "hidden"], grader).content()
-    assert [each["got"] == each["possible"] for each in found["functions"] if each["name"] == "rebound_velocity"] == [True]
+    points = {each["name"]: (each["got"], each["possible"]) for each in found["functions"]}
+    assert points["rebound_velocity"][0] == points["rebound_velocity"][1] > 0
 
 
 def test_a_module_that_cannot_be_loaded_is_an_error_and_no_mark(closed, tmp_path):
     (tmp_path / "lab.py").write_text(f"import mailbox\n{GREEK}".replace("return", "mailbox; return"), encoding="utf-8")
-    with pytest.raises(GraderFailed, match="cannot open Python's own files in .* imports mailbox, which"):
+    with pytest.raises(GraderFailed, match=r"cannot open Python's own files in .* imports mailbox, which"):
         grade(tmp_path / "lab.py", ["impulse"], ["visible"], closed)
 
 
