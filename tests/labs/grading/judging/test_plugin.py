@@ -77,9 +77,9 @@ def graded(pytester: pytest.Pytester, grader: Grader) -> Callable[..., tuple[pyt
 
 
 def grade_with(
-    pytester: pytest.Pytester, grader: Grader | None, text: str | None, *options: str
+    pytester: pytest.Pytester, grader: Grader | None, text: str | None, *options: str, visible: str = VISIBLE
 ) -> tuple[pytest.RunResult, Sheet]:
-    for folder, tests in (("visible", VISIBLE), ("hidden", HIDDEN)):
+    for folder, tests in (("visible", visible), ("hidden", HIDDEN)):
         (pytester.path / folder).mkdir(exist_ok=True)
         (pytester.path / folder / "test_impulse.py").write_text(tests)
     (pytester.path / "lab.py").write_text(text or "")
@@ -172,6 +172,13 @@ def test_unwritten_functions_are_listed_as_to_do(graded):
 def test_an_unreadable_file_stops_the_tests_and_is_no_mark(graded):
     result, sheet = graded("\n")
     result.stdout.fnmatch_lines(["*lab.py: it is empty*"])
+    assert sheet.outcomes == []
+
+
+@pytest.mark.parametrize("body", ["pass", "with part(1, 'nothing'): pass"])
+def test_a_test_that_passes_without_a_call_stops_the_grading(body, graded):
+    result, sheet = graded(RIGHT, visible=f"def test_nothing(submission, part):\n    {body}\n")
+    result.stdout.fnmatch_lines(["*it passes, but has called no function of the submission*"])
     assert sheet.outcomes == []
 
 
