@@ -179,7 +179,7 @@ def test_an_unreadable_file_stops_the_tests_and_is_no_mark(graded):
 def test_a_test_that_passes_without_a_call_stops_the_grading(body, graded):
     result, sheet = graded(RIGHT, visible=f"def test_nothing(submission, part):\n    {body}\n")
     result.stdout.fnmatch_lines(["*it passes, but has called no function of the submission*"])
-    assert sheet.outcomes == []
+    assert "test_nothing" not in {outcome.test for outcome in sheet.outcomes}
 
 
 def test_each_test_has_its_own_process_that_ends_with_it():
