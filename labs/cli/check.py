@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from labs.cli.console import errors, output
+from labs.grading.budget import SECONDS, Budget
 from labs.grading.feedback import report
 from labs.grading.judging import pytest_run
 from labs.grading.submission.reading import Submission
@@ -23,18 +24,22 @@ def check(
         list[str] | None,
         typer.Option(help="A topic; repeat for several. Those that the file has functions of, if none is named."),
     ] = None,
+    seconds: Annotated[
+        float, typer.Option(metavar="S", help="How long all of this may take; what is not tried by then says so.")
+    ] = SECONDS,
 ) -> None:
     """Check a notebook or a .py file: what is right, what is wrong and why, and what is to do.
 
     For example:  collisions check lab.ipynb
     """
+    budget = Budget(seconds)
     submission, found = pytest_run.topics_of(file)
     topics = tuple(lecture.topic(name).name for name in topic) if topic else found
     if not topics:
         _nothing(submission)
         raise typer.Exit(WRONG)
     errors.print(f"Checking {submission.name} …", markup=False)
-    sheet = pytest_run.run(file, topics, (pytest_run.VISIBLE,))
+    sheet = pytest_run.run(file, topics, (pytest_run.VISIBLE,), budget=budget)
     for line in report.report(sheet, topics):
         output.print(line, markup=False, soft_wrap=True)
     raise typer.Exit(0 if report.all_right(sheet) else WRONG)

@@ -52,6 +52,12 @@ class OutOfTime(StudentError):
     gist = "took too long"
 
 
+class NotTried(OutOfTime):
+    """The time of the whole submission was used up before this call; it says nothing about the function."""
+
+    gist = "was not tried, because the time for the whole file was used up"
+
+
 class ProcessDied(StudentError):
     """The process ended before it answered: a crash, os._exit, or a limit that the system enforces."""
 

@@ -6,7 +6,9 @@ import contextlib
 import time
 from types import SimpleNamespace
 
-from labs.grading.calling.calls import Call, Patience
+from labs.grading.budget import Budget
+from labs.grading.calling.calls import Call
+from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import Ended, Limits
 from labs.grading.submission.reading import Submission
 from labs.grading.worker import messages
@@ -48,13 +50,13 @@ class Scripted:
         self.over = True
 
 
-SEALED, LOADED = ("sealed", 3, []), ("loaded", ["f"], [])
+SEALED, LOADED = ("sealed", 3, [], []), ("loaded", ["f"], [])
 
 
 def begun(*said, limits=PATIENT, patience=10.0, loaded=LOADED, text=""):
     """A call whose process has loaded, and then says this."""
     process = Scripted(SEALED, loaded, *said)
-    call = Call(Submission("lab.py", text), limits, Patience(patience), contextlib.nullcontext)
+    call = Call(Submission("lab.py", text), limits, Patience(Budget(patience)), contextlib.nullcontext)
     assert call.begin(process, Tier.NETWORK) is None
     return call, process
 

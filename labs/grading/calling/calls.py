@@ -8,16 +8,17 @@ from __future__ import annotations
 
 import contextlib
 import time
-from collections import Counter, deque
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from labs.grading.calling import endings
 from labs.grading.calling.load_failures import Failures, is_line
+from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import LOST, Ended, Host, Limits, Process
 from labs.grading.errors import (
     FunctionMissing,
@@ -25,6 +26,7 @@ from labs.grading.errors import (
     GraderFailed,
     NoAnswer,
     NotSteady,
+    NotTried,
     OutOfTime,
     ProcessDied,
     StudentError,
@@ -41,31 +43,14 @@ from reference.errors import InvalidInput, NeedsFunction
 
 _AHEAD = 2**15  # bytes of requests that a pipe holds whether or not they are read, half of what Linux gives it
 _STARTING = 10.0  # s for the process itself, before it has seen the submission
-_SHORTENED = 5.0  # each time that a function runs out of time, we wait so many times less long for its next call
-_SHORTEST = 0.2  # s; a thousand times what a call takes
-
-
-@dataclass
-class Patience:
-    """How much longer a submission is waited for.
-
-    left: s for all its tests together. slow: how often each function ran out of the time for a call. It is called
-    again, because one slow call says little about the next, but we wait less long for it.
-    """
-
-    left: float
-    slow: Counter[str] = field(default_factory=Counter)
-
-    def for_call(self, name: str, whole: float) -> float:
-        """How long to wait for a function's answer, of the whole time that a call has."""
-        return max(whole / _SHORTENED ** self.slow[name], min(whole, _SHORTEST))
 
 
 class Call:
     """Calls functions of the submission in one process.
 
-    Of the last call: printed, what it printed; changed, which of its arguments it wrote to, by position. Of the
-    process: sealing, how far it is shut in, None before it says so; ended, how it ended and what it used.
+    Of the last call: printed, what it printed; changed, which of its arguments it wrote to, by position. Of all calls:
+    answered, how many had an answer, be it an exception. Of the process: sealing, how far it is shut in, None before it
+    says so; ended, how it ended and what it used.
     """
 
     def __init__(
@@ -85,6 +70,7 @@ class Call:
         self._failures = Failures()
         self.printed = ""
         self.changed: tuple[int, ...] = ()
+        self.answered = 0
         self.sealing: Sealing | None = None
 
     def start(self, host: Host) -> None:
@@ -115,13 +101,15 @@ class Call:
         assert self._process is not None
         with self._starting():
             match messages.unpack(self._process.exchange(b"", _STARTING)):
-                case ("sealed", int(tier), list(missing)):
-                    self.sealing = Sealing(Tier(tier), tuple(missing))
+                case ("sealed", int(tier), list(missing), list(lacking)):
+                    self.sealing = Sealing(Tier(tier), tuple(missing), tuple(lacking))
                 case _:
                     raise messages.Refused("it does not say how far it is shut in")
         if self.sealing.tier < least:
-            offered, lacking = self.sealing.tier.title, "; ".join(self.sealing.missing)
-            raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {lacking}")
+            offered, without = self.sealing.tier.title, "; ".join(self.sealing.missing)
+            raise GraderFailed(f"this machine offers {offered!r}, below {least.title!r}: {without}")
+        if self.sealing.lacking:
+            raise GraderFailed(endings.cannot_open(self.sealing.lacking))
 
     @contextlib.contextmanager
     def _starting(self) -> Iterator[None]:
@@ -194,6 +182,7 @@ class Call:
 
     def _judged(self, name: str, outcome: str, rest: list[Any], arguments: int) -> Any:
         """The value of an answer. Types are matched before any comparison: a compared array has no truth value."""
+        self.answered += 1
         match rest:
             case [float(), list(changed), value] if outcome == "value":
                 written = {place for place in changed if isinstance(place, int) and 0 <= place < arguments}
@@ -239,6 +228,8 @@ class Call:
         """Send a message and read the answer within the time that is left; any failure ends the process."""
         assert self._process is not None
         with self._counted(name) as (for_call, allowed):
+            if allowed == 0:
+                raise self._lose(self._not_called(name))
             return self._answered(name, message, for_call, allowed)
 
     @contextlib.contextmanager
@@ -246,11 +237,12 @@ class Call:
         """How long a call may take, and how long is left for it; afterwards test and submission have that much less."""
         began, for_call = time.monotonic(), self._patience.for_call(name, self._limits.call)
         try:
-            yield for_call, max(0.0, min(for_call, self._left, self._patience.left))
+            whole, share = self._patience.budget.left, self._patience.share_left(name)
+            yield for_call, max(0.0, min(for_call, self._left, whole, share))
         finally:
             spent = time.monotonic() - began
             self._left -= spent
-            self._patience.left -= spent
+            self._patience.spent[name] += spent
 
     def _answered(self, name: str, message: bytes, for_call: float, allowed: float) -> Any:
         assert self._process is not None
@@ -269,10 +261,22 @@ class Call:
     def _cut_short(self, name: str, allowed: float, for_call: float) -> str:
         """Why the call had less time than usual; a call that had its full time counts as slow."""
         if allowed < for_call:
-            whose = "submission" if allowed == max(0.0, self._patience.left) else "test"
-            return f" (the {whose}'s time is up)"
-        self._patience.slow[name] += 1
+            if allowed == self._left:
+                return " (the test's time is up)"
+            shared = allowed == self._patience.share_left(name)
+            return f" ({'its share of ' * shared}the time for the whole file is up)"
+        self._patience.timeouts[name] += 1
         return " (it ran out of time before)" if allowed < self._limits.call else ""
+
+    def _not_called(self, name: str) -> OutOfTime:
+        """Why there is no time to call a function at all."""
+        budget = self._patience.budget
+        if not budget.left:
+            return NotTried(f"it was not tried: {budget} are used up")
+        if not self._patience.share_left(name):
+            taken = f"{name} was not called again: it has taken {budget.share:.3g} s in all"
+            return OutOfTime(f"{taken}, which is its share of {budget}")
+        return OutOfTime(f"{name} was not called: the {self._limits.test:.3g} s of this test are used up")
 
     def _lose(self, error: StudentError) -> StudentError:
         self._lost = error

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import signal
+from collections.abc import Sequence
 
 from labs.grading.calling.processes import Ended
 from labs.grading.worker.serving import FAILED
@@ -17,10 +19,22 @@ _SIGNALS = {
 }
 
 
+def cannot_open(modules: Sequence[str]) -> str:
+    """That a submission imports modules which are installed, and which the machine keeps from its process."""
+    return (
+        f"the processes that run submissions cannot open Python's own files in {os.path.dirname(os.__file__)}, and this"
+        f" submission imports {', '.join(modules)}, which cannot be loaded beforehand. Grade with an interpreter that"
+        " every user can read, or as the user that it belongs to"
+    )
+
+
 def reason(ended: Ended) -> str:
     """The exit code or signal, and what usually causes it."""
     if ended.code == FAILED:
-        return "what answers for it in its process was patched or broken"
+        return (
+            "the code that answers calls in its process failed, which happens where memory runs out or Python's own"
+            " functions are replaced"
+        )
     if ended.code >= 0:
         return f"it ended itself (exit code {ended.code}), as os._exit does"
     try:

@@ -19,7 +19,7 @@ import tempfile
 import threading
 import weakref
 from collections import deque
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import asdict
 from pathlib import Path
 
@@ -53,14 +53,20 @@ class NurseryHost:
         self._folder = tempfile.mkdtemp(prefix="grading-")
         self._clear = weakref.finalize(self, shutil.rmtree, self._folder, ignore_errors=True)
         _hide(self)
-        self._open()
+        try:
+            self._open()
+        except BaseException:
+            self._clear()
+            _show(self)
+            raise
 
     def _open(self) -> None:
         self._forked: set[int] = set()  # numbers of this nursery's processes; all others died with an earlier nursery
         self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(_PATIENCE)
-        command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), json.dumps(self._without)]
-        with theirs, open(Path(self._folder, "log"), "wb") as log:
+        plan = json.dumps([self._without, self._user])
+        command = [*_INTERPRETER, _START.format("nursery"), *_FOLDERS, str(theirs.fileno()), plan]
+        with theirs, open(Path(self._folder, "log"), "wb") as log, _started(self._control):
             self._process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=log, pass_fds=[theirs.fileno()],
                 env=dict.fromkeys(_THREADS, "1"), cwd=self._folder, start_new_session=True,
@@ -215,6 +221,16 @@ class LoneHost:
         for running in self._running.values():
             self._kill(running)
         self._clear()
+
+
+@contextlib.contextmanager
+def _started(control: socket.socket) -> Iterator[None]:
+    """Turn an interpreter that cannot be started into an error of the grader. control: to be closed in that case."""
+    try:
+        yield
+    except OSError as error:
+        control.close()
+        raise GraderFailed(f"the grader cannot start Python ({sys.executable}): {error.strerror or error}") from None
 
 
 _hiding: weakref.WeakSet[NurseryHost] = weakref.WeakSet()

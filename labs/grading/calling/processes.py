@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
+from labs.grading.budget import SECONDS
 from labs.grading.worker import messages
 
 
@@ -22,12 +23,13 @@ from labs.grading.worker import messages
 class Limits:
     """What a test may use. memory: bytes beyond NumPy's. printed: characters that are kept.
 
-    call, test, submission: s of wall-clock time for a call, for all calls of a test, and for all tests together.
+    call, test: s of wall-clock time for a call, and for all calls of a test. submission: s for all that is done with a
+    file, see `budget`.
     """
 
     call: float = 5.0
     test: float = 20.0
-    submission: float = 180.0
+    submission: float = SECONDS
     memory: int = 2**30
     printed: int = 10_000
 

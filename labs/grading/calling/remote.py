@@ -15,10 +15,12 @@ from collections.abc import Collection, Iterator
 from types import TracebackType
 from typing import Self
 
-from labs.grading.calling.calls import Call, Patience
+from labs.grading.budget import Budget
+from labs.grading.calling.calls import Call
 from labs.grading.calling.hosts import LoneHost, NurseryHost
+from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import Host, Limits
-from labs.grading.errors import GraderFailed, OutOfTime, StudentError
+from labs.grading.errors import GraderFailed, NotTried, StudentError
 from labs.grading.submission.reading import Submission
 from labs.grading.worker.tier import Tier
 
@@ -60,20 +62,24 @@ class Grader:
 
 
 class Remote:
-    """One submission's functions. Without a grader it makes its own, which `close` ends."""
+    """One submission's functions. Without a grader it makes its own, which `close` ends.
 
-    def __init__(self, submission: Submission, grader: Grader | None = None) -> None:
+    budget: the time that is left to the submission; without one, it has the whole time of the grader's limits.
+    """
+
+    def __init__(self, submission: Submission, grader: Grader | None = None, budget: Budget | None = None) -> None:
         self.submission = submission
         self.grader = grader or Grader()
         self._own = grader is None
         self._unloadable: StudentError | None = None
-        self._patience = Patience(self.grader.limits.submission)
+        self.budget = budget or Budget(self.grader.limits.submission)
+        self._patience = Patience(self.budget)
         self._next: Call | None = None
 
     @property
     def slow(self) -> frozenset[str]:
-        """The functions that ran out of time in a call."""
-        return frozenset(self._patience.slow)
+        """The functions that ran out of time in a call, or have used up their share of the time."""
+        return self._patience.slow
 
     @contextlib.contextmanager
     def fresh(self) -> Iterator[Call]:
@@ -82,8 +88,8 @@ class Remote:
         The process for the next test gets ready meanwhile, on another processor if there is one. If the submission does
         not even load, or its time is up, later tests are told so at once.
         """
-        if self._patience.left <= 0 and self._unloadable is None:
-            self._unloadable = OutOfTime("the submission has used up the time of all its tests together")
+        if not self.budget.left and self._unloadable is None:
+            self._unloadable = NotTried(f"it was not tried: {self.budget} are used up")
         call = self._begun()
         try:
             if self._unloadable is None:

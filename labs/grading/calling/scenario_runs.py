@@ -18,7 +18,7 @@ import pytest
 from labs.correct_functions import package_of_correct_functions
 from labs.grading.calling.calls import Call
 from labs.grading.calling.cases import OneCase
-from labs.grading.errors import FunctionRaised, WrongType
+from labs.grading.errors import FunctionRaised, GraderFailed, WrongType
 from labs.grading.phrases import gives_beside_physics
 from reference import lecture
 from reference.catalogue.case import Case
@@ -124,11 +124,15 @@ def compared_with_theory(
     The message has the measured number, that of theory, and those that were recorded in the engines.
     """
     found, _ = find(family)
+    seen: set[str] = set()
     for name in cases:
         case = found.case(name)
         for row in _rows(code, found, replace(case, scenarios=case.scenarios[:1])):
             if row.quantity in quantities or not row.quantity:
+                seen.add(row.quantity)
                 assert _is_right(row), _told(found, row)
+    if missing := sorted(set(quantities) - seen):
+        raise GraderFailed(f"{family} has no {', '.join(missing)} to compare in {', '.join(cases)}")
 
 
 def _rows(code: Implementation, family: Family, case: Case) -> list[Row]:

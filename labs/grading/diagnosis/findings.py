@@ -11,13 +11,14 @@ from labs.grading.diagnosis.probes import Probe
 
 Verdict = Literal[
     "right", "named", "likely", "several", "another order", "unknown", "one at a time", "crashes", "shape", "unwritten",
-    "too slow"
+    "too slow", "not tried",
 ]  # fmt: skip
 """right: on every probe. named: one known mistake explains every answer for a single contact. likely: one explains the
 usual cases, but not all limiting ones. several: more than one explains the same answers. another order: it returns the
 right things in an order of its own. unknown: no known mistake explains them. one at a time: right for a single contact
 only. crashes, shape: it gives no number to compare. unwritten: it is the stub. too slow: it ran out of time in a test
-and was not called again."""
+and was not called again. not tried: the time of the whole submission was used up before, which says nothing about the
+function."""
 
 
 @dataclass(frozen=True)

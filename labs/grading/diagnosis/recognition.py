@@ -124,7 +124,7 @@ class _Evidence:
         )
 
     def _verdict(self) -> tuple[Verdict, tuple[Known, ...]]:
-        if all(own.right for own in self.deviations):
+        if self.deviations and all(own.right for own in self.deviations):
             return "right", ()
         if all(own.failure == "unwritten" for own in self.deviations):
             return "unwritten", ()

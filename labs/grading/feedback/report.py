@@ -45,13 +45,14 @@ def report(sheet: Sheet, topics: Sequence[str], tries: Tries | None = None) -> I
 
 
 def all_right(sheet: Sheet) -> bool:
-    """Whether every test passed, and no function is suspect."""
-    return all(outcome.passed for outcome in sheet.outcomes) and not sheet.suspects
+    """Whether there were tests, every one of them passed, and no function is suspect."""
+    return bool(sheet.outcomes) and all(outcome.passed for outcome in sheet.outcomes) and not sheet.suspects
 
 
 def state(sheet: Sheet, name: str) -> str:
     """`RIGHT`, `WRONG`, `TO_DO` or `SUSPECT` of a function."""
-    if all(outcome.passed for outcome in sheet.about(name)):
+    about = sheet.about(name)
+    if about and all(outcome.passed for outcome in about):
         return SUSPECT if name in sheet.suspects else RIGHT
     diagnosis = sheet.diagnoses.get(name)
     unwritten = bool(diagnosis and diagnosis.verdict == "unwritten")

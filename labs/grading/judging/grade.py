@@ -15,7 +15,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from labs.grading.calling.remote import Grader
+from labs.grading.budget import Budget
+from labs.grading.calling.remote import Grader, Limits
 from labs.grading.diagnosis.words import told
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE, run, topics_of
 from labs.grading.judging.score_sheet import Outcome, Sheet
@@ -23,6 +24,8 @@ from reference import lecture
 from reference.errors import InvalidInput
 
 SCHEMA, VERSION = "collisions-lab/grade", 1
+NOT_EXPLAINED = "wrong"
+"""The verdict on a function that failed a test, and of which nothing more is known."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,8 @@ class Grade:
             "version": VERSION,
             "submission": sheet.submission,
             "tier": sheet.tier,
+            "missing": list(sheet.missing),
+            "left_out": sheet.left_out,
             "complaints": [str(complaint) for complaint in sheet.complaints],
             **_points(sheet.outcomes),
             "topics": [{"name": name, **_points(self._about(name))} for name in self.topics],
@@ -69,20 +74,24 @@ class Grade:
     def _functions(self) -> list[str]:
         return list(dict.fromkeys(outcome.function for outcome in self.sheet.outcomes if outcome.function))
 
+    def _verdict(self, name: str) -> str:
+        """What is known of a function. It is right if a test of it called it, and no test and no probe of it failed."""
+        if all(outcome.passed for outcome in self.sheet.about(name)) and name not in self.sheet.suspects:
+            return "one at a time" if name in self.sheet.case_by_case.functions else "right"
+        diagnosis = self.sheet.diagnosis(name)
+        return diagnosis.verdict if diagnosis and diagnosis.verdict != "right" else NOT_EXPLAINED
+
     def _function(self, name: str) -> dict[str, Any]:
         diagnosis = self.sheet.diagnosis(name)
         return {
             "name": name,
             "topic": lecture.function(name).topic,
             **_points(outcome for outcome in self.sheet.outcomes if outcome.function == name),
-            "verdict": diagnosis.verdict if diagnosis else self._without_diagnosis(name),
+            "verdict": self._verdict(name),
             "suspect": name in self.sheet.suspects,
             "mistakes": [known.id for known in diagnosis.mistakes] if diagnosis else [],
             "message": told(diagnosis) if diagnosis else "",
         }
-
-    def _without_diagnosis(self, name: str) -> str:
-        return "one at a time" if name in self.sheet.case_by_case.functions else "right"
 
 
 def grade(
@@ -90,10 +99,12 @@ def grade(
     topics: Collection[str] | None = None,
     folders: Iterable[str] = (VISIBLE, HIDDEN),
     grader: Grader | None = None,
+    seconds: float | None = None,
 ) -> Grade:
     """Grade a file: the topics named, or those of which it defines a function.
 
-    To grade many files, pass one grader for all of them, which saves starting one for each.
+    To grade many files, pass one grader for all of them, which saves starting one for each. seconds: how long grading
+    may take in all; without it, the grader's limits say so. Tests that are not reached by then earn nothing.
 
     Raises
     ------
@@ -101,12 +112,14 @@ def grade(
         If the file cannot be read, if no topic is named and the file defines no function of any, or if the tests cannot
         be run.
     """
+    limits = grader.limits if grader else Limits()
+    budget = Budget(seconds if seconds is not None else limits.submission)
     wanted = tuple(topics) if topics is not None else topics_of(path)[1]
     if not wanted:
         raise InvalidInput(
             f"{Path(path).name} defines no function of the lab; name the topic that it is to be graded for"
         )
-    return Grade(wanted, run(path, wanted, folders, grader))
+    return Grade(wanted, run(path, wanted, folders, grader, budget=budget))
 
 
 def read_grade(path: Path | str) -> dict[str, Any]:

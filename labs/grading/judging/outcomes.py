@@ -11,7 +11,7 @@ from labs.grading.calling.remote import Remote
 from labs.grading.diagnosis.findings import Diagnosis
 from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
-from labs.grading.errors import FunctionMissing, GraderFailed, StudentError, UnreadableSubmission
+from labs.grading.errors import FunctionMissing, GraderFailed, StudentError
 from labs.grading.judging.markers import is_hidden, marker
 from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from labs.grading.judging.suspects import suspects
@@ -47,7 +47,7 @@ def said(error: BaseException | None, hidden: bool) -> str:
     """
     if hidden and isinstance(error, StudentError):
         return f"the function {error.gist}"
-    if hidden and not isinstance(error, UnreadableSubmission):  # a driver's message may hold numbers
+    if hidden:  # a driver's message may hold numbers
         return "the answer is wrong"
     lines = [line.strip() for line in plain(str(error), 1000).splitlines()]
     ours = not isinstance(error, StudentError)  # a submission may say what pytest says
@@ -66,7 +66,8 @@ def _example(note: str) -> str:
 def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
     """Note what is wrong with each function that lost points, and which others pass their tests and are suspect.
 
-    A function that ran out of time is not called again, since its probes would wait just as long.
+    A function that ran out of time is not called again, since its probes would wait just as long. When the time of the
+    whole submission is used up, no function is.
     """
     for name in sheet.lost:
         sheet.borrows[name] = submission.borrows(name)
@@ -75,7 +76,12 @@ def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
             continue
         with contextlib.suppress(UnknownName, GraderFailed), remote.fresh() as call:  # it has no probes, or no process
             sheet.diagnoses[name] = diagnose(name, call)
-    sheet.suspects = suspects([name for name in sheet.passed if name not in remote.slow], remote)
+        if not remote.budget.left:  # some of the probes, or all of them, got no answer for want of time
+            sheet.diagnoses[name] = Diagnosis(name, "not tried")
+    suspected = (
+        suspects([name for name in sheet.passed if name not in remote.slow], remote) if remote.budget.left else {}
+    )
+    sheet.suspects = suspected if remote.budget.left else {}  # a probe without an answer for want of time says nothing
     sheet.note_uses(submission.uses)
 
 

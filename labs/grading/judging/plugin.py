@@ -20,8 +20,9 @@ from typing import Any
 
 import pytest
 
+from labs.grading.budget import Budget
 from labs.grading.calling.remote import Grader, Remote
-from labs.grading.errors import GraderFailed, StudentError
+from labs.grading.errors import GraderFailed, StudentError, UnreadableSubmission
 from labs.grading.judging.case_by_case import GIST
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.given_names import given_names
@@ -37,7 +38,13 @@ from reference.errors import CollisionsError
 
 SHEET = pytest.StashKey[Sheet]()
 GRADER = pytest.StashKey[Grader]()
-"""What was earned, and what runs the tests. The caller of pytest may provide a grader, and closes it afterwards."""
+BUDGET = pytest.StashKey[Budget]()
+STOPPED = pytest.StashKey[CollisionsError]()
+"""What was earned, what runs the tests, the time that the submission has, and why no test can be run.
+
+The caller of pytest may provide a grader, and closes it afterwards. It may also provide a budget, which has run since
+before the file was first read.
+"""
 _PARTS = pytest.StashKey[list[Part]]()
 
 
@@ -87,12 +94,13 @@ def submission(request: pytest.FixtureRequest) -> Iterator[Functions]:
         pytest.skip("give --submission FILE to grade one")
     topics = {item.path.stem.removeprefix("test_") for item in _graded(request.session.items)}
     wanted = [name for name, entry in lecture.FUNCTIONS.items() if entry.topic in topics and entry.role == "written"]
+    budget = config.stash.setdefault(BUDGET, Budget(config.stash[GRADER].limits.submission))
     found = read(path, wanted, also=lecture.FUNCTIONS)
     sheet = config.stash[SHEET]
     sheet.submission, sheet.unread = found.name, found.unread
     sheet.given = given_names(topics) if found.starts else frozenset()
     sheet.complaints = list(found.complaints)
-    with Remote(found, config.stash[GRADER]) as remote:
+    with Remote(found, config.stash[GRADER], budget) as remote:
         yield Functions(remote, sheet)
         explain(sheet, found, remote)
 
@@ -106,7 +114,7 @@ def examples(request: pytest.FixtureRequest) -> Examples:
 @pytest.fixture
 def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.AbstractContextManager[None]]:
     """Points for a part of the test: a block that may fail without ending it."""
-    parts, hidden = _parts(request.node), is_hidden(request.node)
+    parts, hidden, functions = _parts(request.node), is_hidden(request.node), request.getfixturevalue("submission")
     case_by_case = request.config.stash[SHEET].case_by_case
 
     @contextlib.contextmanager
@@ -117,6 +125,7 @@ def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.Abst
         except (AssertionError, StudentError) as error:
             parts.append(Part(points, reason, said(error, hidden)))
         else:
+            _require_evidence(f"{request.node.name}, {reason!r}", functions)
             failure = case_by_case.charge()
             parts.append(Part(points, reason, None if failure is None else GIST if hidden else said(failure, hidden)))
 
@@ -126,14 +135,16 @@ def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.Abst
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
     """Fail a test that lost a part, and end its process."""
+    functions = getattr(item, "funcargs", {}).get("submission")
     try:
         result = yield
         lost = [each for each in _parts(item) if not each.passed]
         if lost:
             pytest.fail("\n".join(_told(lost)), pytrace=False)
+        if isinstance(functions, Functions):
+            _require_evidence(item.name, functions)
         return result
     finally:
-        functions = getattr(item, "funcargs", {}).get("submission")
         if isinstance(functions, Functions):
             functions.end_test()
 
@@ -152,8 +163,9 @@ def pytest_runtest_makereport(
     else:
         if isinstance(error, CollisionsError):
             report.longrepr = one_line(str(error), 1000)
-        if isinstance(error, GraderFailed):
-            item.session.shouldstop = one_line(str(error), 1000)  # our fault must not cost the student any points
+        if isinstance(error, GraderFailed | UnreadableSubmission):  # there is nothing to judge the student by
+            item.session.shouldstop = one_line(str(error), 1000)
+            item.config.stash[STOPPED] = error
         elif report.when == "call" or (report.when == "setup" and report.failed):
             sheet.outcomes.append(outcome_of(item, report.passed, error, tuple(_parts(item))))
     return report
@@ -162,6 +174,12 @@ def pytest_runtest_makereport(
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
     """Say what was lost and why, and the points."""
     summary(terminalreporter, config.stash[SHEET])
+
+
+def _require_evidence(what: str, functions: Functions) -> None:
+    """Stop the grading where a test, or a part of one, passes although no function of the submission has answered."""
+    if not functions.answered:
+        raise GraderFailed(f"{what}: it passes, but has called no function of the submission")
 
 
 def _seed(item: pytest.Item) -> int:

@@ -10,12 +10,13 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from labs.grading.budget import Budget
 from labs.grading.calling.remote import Grader
 from labs.grading.errors import GraderFailed, UnreadableSubmission
 from labs.grading.submission.reading import Submission, read
 from labs.project_folders import AUTOGRADER
 from reference import lecture
-from reference.errors import InvalidInput
+from reference.errors import CollisionsError, InvalidInput
 
 if TYPE_CHECKING:
     import pytest
@@ -42,14 +43,18 @@ def run(
     folders: Iterable[str] = (VISIBLE, HIDDEN),
     grader: Grader | None = None,
     functions: Collection[str] = (),
+    budget: Budget | None = None,
 ) -> Sheet:
     """Run the tests of some topics on a file. No process of the submission is left when this returns.
 
     functions: those to test; all if none is named. If one of them is wrong, the functions that it calls are tested as
     well by the visible tests, without points. Without a grader it makes its own, which gets ready while pytest loads.
+    budget: the time that is left to the submission; without one, it has the whole time of the grader's limits.
 
     Raises
     ------
+    UnreadableSubmission
+        If the file is missing, or holds nothing that can be read.
     InvalidInput
         If a topic has no tests.
     GraderFailed
@@ -61,15 +66,16 @@ def run(
         raise GraderFailed('the tests need pytest: pip install -e ".[dev]"')
     files = [str(file) for folder in folders for file in _files(folder, topics)]
     with Grader() if grader is None else contextlib.nullcontext(grader) as found:
-        sheet = _run(Path(path), files, found, functions)
+        time = budget or Budget(found.limits.submission)
+        sheet = _run(Path(path), files, found, functions, time)
         if functions and (used := _used(path, topics, [*sheet.lost, *sheet.suspects]) - set(functions)):
-            sheet.add_beneath(_run(Path(path), [str(file) for file in _files(VISIBLE, topics)], found, used))
+            sheet.add_beneath(_run(Path(path), [str(file) for file in _files(VISIBLE, topics)], found, used, time))
         return sheet
 
 
 def _used(path: Path | str, topics: Collection[str], names: Collection[str]) -> set[str]:
     """Some functions of a file, and all functions of the topics that these call, directly or through others."""
-    with contextlib.suppress(UnreadableSubmission):  # its tests have said so already
+    with contextlib.suppress(UnreadableSubmission):  # the file was changed since its tests ran
         submission = read(path, [entry.name for topic in topics for entry in _written(topic)])
         waiting, seen = list(names), set(names)
         while waiting:
@@ -80,19 +86,20 @@ def _used(path: Path | str, topics: Collection[str], names: Collection[str]) -> 
     return set()
 
 
-def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str]) -> Sheet:
+def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str], budget: Budget) -> Sheet:
     import pytest  # noqa: PLC0415 - a student's install may lack it
 
-    from labs.grading.judging.plugin import GRADER, SHEET  # noqa: PLC0415
+    from labs.grading.judging.plugin import BUDGET, GRADER, SHEET, STOPPED  # noqa: PLC0415
 
     class Keep:
         sheet: Sheet | None = None
         broken = ""
         stopped: BaseException | None = None
+        why: CollisionsError | None = None
 
         @pytest.hookimpl(tryfirst=True)
         def pytest_configure(self, config: pytest.Config) -> None:
-            config.stash[GRADER] = grader
+            config.stash[GRADER], config.stash[BUDGET] = grader, budget
 
         def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
             items[:] = [item for item in items if not functions or _about(item) in functions]
@@ -105,7 +112,7 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
             self.stopped = excinfo.value
 
         def pytest_unconfigure(self, config: pytest.Config) -> None:
-            self.sheet = config.stash[SHEET]
+            self.sheet, self.why = config.stash[SHEET], config.stash.get(STOPPED, None)
 
     keep, printed = Keep(), io.StringIO()
     options = [*_OPTIONS, "-c", os.devnull, "--rootdir", str(AUTOGRADER.parent), "--confcutdir", str(AUTOGRADER)]
@@ -117,6 +124,8 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
         code = pytest.main([*options, "--submission", str(path.absolute()), *files], plugins=[keep])
     if isinstance(keep.stopped, KeyboardInterrupt) and not isinstance(keep.stopped, pytest.Session.Interrupted):
         raise KeyboardInterrupt
+    if keep.why:
+        raise keep.why.with_traceback(None)
     if keep.stopped:
         raise GraderFailed(str(keep.stopped))
     if code not in _FINE or keep.broken or keep.sheet is None or not keep.sheet.outcomes:

@@ -76,18 +76,19 @@ class Sheet:
     """All outcomes of one submission.
 
     complaints: about the file. unread: functions in text that Python cannot read. tier: how far its processes were shut
-    in. skipped: why tests were left out. diagnoses: of the functions that lost points. suspects: diagnoses of functions
-    that pass all their tests and give wrong answers to open probes. uses: which of the submission's functions each of
-    all these calls, and each that these call. beneath: outcomes, without points, of functions that were not asked for
-    but that wrong ones call. given: names that the lab's own cells define, if it is a notebook. borrows: variables of
-    other cells that a wrong function reads, with the cell. case_by_case: functions that were asked for one case at a
-    time.
+    in. missing: a line for each measure of the sandbox that they lacked. skipped: why tests were left out. diagnoses:
+    of the functions that lost points. suspects: diagnoses of functions that pass all their tests and give wrong answers
+    to open probes. uses: which of the submission's functions each of all these calls, and each that these call.
+    beneath: outcomes, without points, of functions that were not asked for but that wrong ones call. given: names that
+    the lab's own cells define, if it is a notebook. borrows: variables of other cells that a wrong function reads, with
+    the cell. case_by_case: functions that were asked for one case at a time.
     """
 
     submission: str = ""
     complaints: list[Complaint] = field(default_factory=list)
     unread: tuple[str, ...] = ()
     tier: str = ""
+    missing: tuple[str, ...] = ()
     outcomes: list[Outcome] = field(default_factory=list)
     skipped: list[str] = field(default_factory=list)
     diagnoses: dict[str, Diagnosis] = field(default_factory=dict)
@@ -134,7 +135,8 @@ class Sheet:
             for other in self.uses.get(waiting.pop(0), ()):
                 if other not in seen:
                     seen.add(other)
-                    (found if self.diagnosis(other) else waiting).append(other)
+                    known = self.diagnosis(other)
+                    (found if known and known.verdict != "not tried" else waiting).append(other)
         return found
 
     def diagnosis(self, name: str) -> Diagnosis | None:

@@ -65,7 +65,13 @@ class Functions:
             self._call = self._test.enter_context(self._remote.fresh())
             if self._call.sealing:  # where it does not load, later tests have no process
                 self._sheet.tier = self._call.sealing.tier.title
+                self._sheet.missing = self._call.sealing.missing
         return self._call
+
+    @property
+    def answered(self) -> int:
+        """How many calls of the running test had an answer."""
+        return self._call.answered if self._call else 0
 
     def end_test(self) -> None:
         """End the test's process."""

@@ -35,7 +35,7 @@ def suspects(names: Iterable[str], remote: Remote) -> dict[str, Diagnosis]:
             continue
         with contextlib.suppress(GraderFailed), remote.fresh() as call:
             diagnosis = diagnose(name, call)
-            if not diagnosis.right:
+            if not diagnosis.right and diagnosis.verdict != "one at a time":  # which is right, written for one case
                 found[name] = diagnosis
     return found
 

@@ -8,10 +8,12 @@ while a line number still means the line that the student sees.
 from __future__ import annotations
 
 import ast
+import functools
 import symtable
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
+_MOST_SCOPES = 200
 _SCOPES = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.Lambda
 
 
@@ -19,15 +21,21 @@ _SCOPES = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.Lambda
 class Group:
     """Statements that share lines, and so are kept or left out together. first, last: their lines, from 1.
 
-    defines: names that they bind. touches: names whose objects they change. uses: names that they look up.
+    kinds: how each name that they bind is bound. touches: names whose objects they change. uses: names that they look
+    up.
     """
 
     first: int
     last: int
     statements: tuple[ast.stmt, ...]
-    defines: frozenset[str]
+    kinds: Mapping[str, str]
     touches: frozenset[str]
     uses: frozenset[str]
+
+    @functools.cached_property
+    def defines(self) -> frozenset[str]:
+        """The names that they bind."""
+        return frozenset(self.kinds)
 
 
 def groups(source: str) -> list[Group]:
@@ -64,45 +72,35 @@ def needed(every: list[Group], wanted: Collection[str]) -> set[int]:
 
 def used_by(every: list[Group], name: str, among: Collection[str]) -> list[str]:
     """Which of some names a name needs, directly or through names that are not among them; in their order."""
-    waiting, seen = [name], {name}
+    used: dict[str, list[frozenset[str]]] = {}
+    for group in every:
+        for each in group.defines:
+            used.setdefault(each, []).append(group.uses)
+    waiting, seen, ends = [name], {name}, set(among) - {name}
     while waiting:
         each = waiting.pop()
-        if each != name and each in among:
-            continue
-        found = {used for group in every if each in group.defines for used in group.uses} - seen
-        seen |= found
-        waiting.extend(found)
+        for names in used.pop(each, []) if each not in ends else []:
+            found = names - seen
+            seen |= found
+            waiting.extend(found)
     return [other for other in among if other in seen and other != name]
 
 
 def defined_as(group: Group, name: str) -> str | None:
     """How a group binds a name: "def", "class", "import" or "value"; None if it does not."""
-    for statement in reversed(group.statements) if name in group.defines else ():
-        for node in _outside_scopes(statement):
-            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and node.name == name:
-                return "def"
-            if isinstance(node, ast.ClassDef) and node.name == name:
-                return "class"
-            if isinstance(node, ast.alias) and _bound(node) == name:
-                return "import"
-            if isinstance(node, ast.Name) and node.id == name and isinstance(node.ctx, ast.Store):
-                return "value"
-    return None
+    return group.kinds.get(name)
 
 
 def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.SymbolTable]]) -> Group:
     first, last = _first(statements[0]), statements[-1].end_lineno or statements[-1].lineno
-    nodes = [node for statement in statements for node in _outside_scopes(statement)]
+    nodes = [list(_outside_scopes(statement)) for statement in statements]
+    # The last statement counts, and within it the outermost binding, which comes first.
+    kinds = dict(found for each in nodes for node in reversed(each) for found in _bindings(node))
     inner = {name for line in range(first, last + 1) for scope in scopes.get(line, []) for name in _looked_up(scope)}
-    outer = {node.id for node in nodes if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Store)}
-    return Group(
-        first,
-        last,
-        tuple(statements),
-        frozenset(_defined(nodes)),
-        frozenset(name for statement in statements for name in _touched(statement)),
-        frozenset(inner | outer),
-    )
+    loaded = (node for each in nodes for node in each if isinstance(node, ast.Name))
+    outer = {node.id for node in loaded if not isinstance(node.ctx, ast.Store)}
+    touched = frozenset(name for statement in statements for name in _touched(statement))
+    return Group(first, last, tuple(statements), kinds, touched, frozenset(inner | outer))
 
 
 def _first(statement: ast.stmt) -> int:
@@ -131,22 +129,31 @@ def _evaluated_outside(scope: ast.AST) -> Iterator[ast.AST]:
 
 
 def _looked_up(scope: symtable.SymbolTable) -> Iterator[str]:
-    """The global names that a scope and those within it look up."""
-    for symbol in scope.get_symbols():
-        if symbol.is_global():
-            yield symbol.get_name()
+    """The global names that a scope and those within it look up.
+
+    `get_symbols` takes as many steps as a scope has names, times the scopes within it. So a function is asked for its
+    global names at once, and all names of a class that has more scopes in it than anybody writes count as looked up.
+    """
+    if isinstance(scope, symtable.Function):
+        yield from scope.get_globals()
+    elif len(scope.get_children()) > _MOST_SCOPES:
+        yield from scope.get_identifiers()
+    else:
+        yield from (symbol.get_name() for symbol in scope.get_symbols() if symbol.is_global())
     for child in scope.get_children():
         yield from _looked_up(child)
 
 
-def _defined(nodes: Iterable[ast.AST]) -> Iterator[str]:
-    for node in nodes:
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
-            yield node.name
-        elif isinstance(node, ast.alias):
-            yield _bound(node)
-        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            yield node.id
+def _bindings(node: ast.AST) -> Iterator[tuple[str, str]]:
+    """The name that a node binds, if it binds one, and how."""
+    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+        yield node.name, "def"
+    elif isinstance(node, ast.ClassDef):
+        yield node.name, "class"
+    elif isinstance(node, ast.alias):
+        yield _bound(node), "import"
+    elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+        yield node.id, "value"
 
 
 def _touched(statement: ast.stmt) -> Iterator[str]:

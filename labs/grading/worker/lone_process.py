@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import sys
 
-from labs.grading.worker import nursery, serving
+from labs.grading.worker import preloading, serving
 from labs.grading.worker.sandbox import Sealing
 from labs.grading.worker.tier import Tier
 
@@ -19,7 +19,7 @@ def main() -> None:
     nowhere = os.open(os.devnull, os.O_RDWR)
     for standard in (0, 1, 2):
         os.dup2(nowhere, standard)
-    nursery.prepare()
+    preloading.prepare()
     os.chdir(sys.argv[3])
     os.environ.clear()
     serving.serve(requests, answers, Sealing(Tier.PROCESS, (f"no sandbox on {sys.platform}: only a time limit",)))

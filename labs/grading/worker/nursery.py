@@ -14,34 +14,30 @@ from __future__ import annotations
 
 import contextlib
 import gc
-import importlib
 import json
 import os
 import shutil
 import signal
 import socket
 import sys
-import sysconfig
 import time
 from typing import Any
 
 import numpy as np
 
-from labs.grading.worker import landlock, sandbox, seccomp, serving, system_calls
+from labs.grading.worker import landlock, preloading, sandbox, seccomp, serving, system_calls
 
-_PRELOADED = (
-    "array", "bisect", "cmath", "copy", "dataclasses", "datetime", "enum", "fractions", "heapq", "itertools", "numbers",
-    "operator", "random", "statistics", "typing", "numpy.fft", "numpy.linalg", "numpy.random", "numpy.typing",
-)  # fmt: skip
-"""What solutions import. It is loaded once, and available even to a user who may not read the interpreter's folder."""
 _PATIENCE = 5.0  # s for the processes of a test to be gone
 
 
 def main() -> None:
     """Answer the grader on the socket whose number is the third argument; the first two are folders to import from."""
     control = socket.socket(fileno=int(sys.argv[3]))
-    without = json.loads(sys.argv[4])
-    rules = landlock.ruleset(prepare())
+    without, user = json.loads(sys.argv[4])
+    rules = landlock.ruleset(preloading.prepare())
+    opens = preloading.files_open_to(user) if "user" not in without else True
+    if rules is None or "landlock" in without or not opens:
+        preloading.prepare_for_closed_files()
     with contextlib.suppress(OSError):
         system_calls.prctl(system_calls.CHILD_SUBREAPER, 1)
     with contextlib.suppress(OSError):
@@ -51,21 +47,6 @@ def main() -> None:
     gc.freeze()  # memory that is shared with the tests' processes stays shared
     Nursery(control, rules, offline).run()
     shutil.rmtree(os.getcwd(), ignore_errors=True)  # the grader does so, unless it was killed
-
-
-def prepare() -> list[str]:
-    """Load what solutions import, and forget where our own modules are; returns the paths that tests may read."""
-    sys.dont_write_bytecode = True
-    for name in _PRELOADED:
-        importlib.import_module(name)
-    packages = os.path.dirname(os.path.dirname(os.path.abspath(np.__file__)))
-    sys.path[:] = [path for path in sys.path if path not in sys.argv[1:3]]
-    for name in [name for name in sys.modules if name.partition(".")[0] == "labs"]:
-        del sys.modules[name]
-    library = sysconfig.get_path("stdlib")
-    other = {"site-packages", "dist-packages"}  # other packages that are installed there, perhaps this project
-    found = [os.path.join(library, name) for name in os.listdir(library) if name not in other]
-    return [*found, *(os.path.join(packages, name) for name in ("numpy", "numpy.libs"))]
 
 
 def leave_network() -> bool:

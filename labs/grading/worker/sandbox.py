@@ -49,10 +49,14 @@ class Plan:
 
 @dataclass(frozen=True)
 class Sealing:
-    """How far a process is shut in, with a line for each measure that is missing."""
+    """How far a process is shut in, with a line for each measure that is missing.
+
+    lacking: modules that the submission imports, and that this process can neither open nor has loaded.
+    """
 
     tier: Tier
     missing: tuple[str, ...] = ()
+    lacking: tuple[str, ...] = ()
 
 
 def seal(plan: Plan, rules: int | None, offline: bool, parent: int) -> Sealing:
@@ -77,13 +81,13 @@ def seal(plan: Plan, rules: int | None, offline: bool, parent: int) -> Sealing:
 
     limited = took("limits", lambda: _limit(plan), "memory, time and processes are not limited")
     if os.geteuid() == 0:
-        took("user", lambda: _become(plan.user), "it runs as root")
+        took("user", lambda: become(plan.user), "it runs as root")
     took("death", lambda: _end_with(parent), "it may outlive the nursery")
     took("privileges", lambda: system_calls.prctl(system_calls.NO_NEW_PRIVILEGES, 1), "set-user-id programs work")
     paths = took("landlock", lambda: landlock.restrict(rules), "no Landlock in this kernel")
     calls = took("seccomp", lambda: seccomp.restrict(files=paths), "no filter of system calls in this kernel")
     if not os.access(os.__file__, os.R_OK):
-        missing.append("the interpreter's folder cannot be read: there are only the modules that were loaded before")
+        missing.append("Python's own files cannot be opened: there are only the modules that were loaded before")
     if not (paths or calls):
         missing.append("what its user may open is open to it")
     if not calls:
@@ -126,7 +130,8 @@ def address_space() -> int:
         return 2**29
 
 
-def _become(user: int) -> None:
+def become(user: int) -> None:
+    """Make this process, which is root's, that user's for good."""
     os.setgroups([])
     os.setresgid(user, user, user)
     os.setresuid(user, user, user)

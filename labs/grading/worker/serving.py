@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from labs.grading.worker import bodies, messages
+from labs.grading.worker import bodies, messages, preloading
 from labs.grading.worker.sandbox import Sealing
 
 TITLE = "submission"
@@ -69,12 +69,13 @@ class Printed(io.TextIOBase):
 
 def serve(requests: int, answers: int, sealing: Sealing) -> None:
     """Report how far the process is shut in, load the text that comes first, then answer every call."""
-    _send(answers, ("sealed", int(sealing.tier), list(sealing.missing)))
     text, limit = _receive(requests)
+    source = text.tobytes().decode()
+    _send(answers, ("sealed", int(sealing.tier), list(sealing.missing), preloading.lacking(source)))
     printed = Printed(limit)
     sys.stdout = sys.stderr = printed
     module = ModuleType(TITLE)
-    failures = load(text.tobytes().decode(), module)
+    failures = load(source, module)
     _send(answers, ("loaded", [name for name, value in vars(module).items() if callable(value)], failures))
     while True:
         try:
@@ -99,7 +100,7 @@ def load(text: str, module: ModuleType) -> list[Failure]:
     sys.modules[module.__name__] = module  # as any import does; a dataclass looks itself up there
     try:
         whole = compile(text, TITLE, "exec", _FLAGS, dont_inherit=True)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    except Exception:
         return _load_rest(text, module)  # which finds the statement
     try:
         exec(whole, module.__dict__)
@@ -113,11 +114,11 @@ def _load_rest(text: str, module: ModuleType, failed: BaseException | None = Non
     failures: list[Failure] = []
     try:
         statements = ast.parse(text, TITLE).body
-    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+    except Exception as error:
         return [([], *_described(error))]
     if failed is not None:
         place = _place(failed)
-        reached = [statement for statement in statements if _start(statement) <= place]
+        reached = [statement for statement in statements if place is None or _start(statement) <= place]
         kind, message, line = _described(failed)
         failures.append((list(_names(reached[-1])), kind, message, line or reached[-1].lineno))
         statements = statements[len(reached) :]
@@ -131,12 +132,13 @@ def _load_rest(text: str, module: ModuleType, failed: BaseException | None = Non
     return failures
 
 
-def _place(error: BaseException) -> tuple[int, int]:
-    """Line and column that the outermost statement of the text was at when it failed."""
+def _place(error: BaseException) -> tuple[int, int] | None:
+    """Line and column that the outermost statement of the text was at when it failed; None if the error hides it."""
     trace = error.__traceback__
     while trace is not None and trace.tb_frame.f_code.co_filename != TITLE:
         trace = trace.tb_next
-    assert trace is not None
+    if trace is None:
+        return None
     line, _, column, _ = next(itertools.islice(trace.tb_frame.f_code.co_positions(), trace.tb_lasti // 2, None))
     return line or trace.tb_lineno, column or 0
 

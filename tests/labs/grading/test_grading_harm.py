@@ -9,9 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from labs.grading.budget import Budget
 from labs.grading.calling import scenario_runs
-from labs.grading.calling.calls import Call, Patience
+from labs.grading.calling.calls import Call
 from labs.grading.calling.load_failures import Failures
+from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import Ended, Limits
 from labs.grading.calling.remote import Remote
 from labs.grading.diagnosis.deviations import AGAINST_INFINITY, Answer, Right, deviation_of, outputs
@@ -44,7 +46,7 @@ class Said:
     number, ended, gone = 0, Ended(0), False
 
     def __init__(self, *said: object) -> None:
-        self._said = [messages.pack(each)[messages.HEADER :] for each in (("sealed", 3, []), *said)]
+        self._said = [messages.pack(each)[messages.HEADER :] for each in (("sealed", 3, [], []), *said)]
 
     def start(self, limits: Limits) -> Said:
         return self
@@ -60,7 +62,7 @@ class Said:
 
 
 def begun(process: Said, patience: float = 10.0) -> Call:
-    call = Call(Submission("lab.py", ""), Limits(), Patience(patience), contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), Limits(), Patience(Budget(patience)), contextlib.nullcontext)
     assert call.begin(process, Tier.NETWORK) is None
     return call
 
@@ -139,14 +141,14 @@ def test_the_submission_pays_for_the_time_of_foreseen_calls():
             time.sleep(0.2)
 
     process = Said(("loaded", ["f"], []), ("answer", 1, "value", 0.0, [], 5.0, ""))
-    patience = Patience(10.0)
+    patience = Patience(Budget(10.0))
     call = Call(Submission("lab.py", ""), Limits(), patience, contextlib.nullcontext)
     call.begin(process, Tier.NETWORK)
     process.send = Deaf.send.__get__(process)  # type: ignore[method-assign]
     argument = (1.0,)
     call.foresee("f", [argument])
     assert call("f", *argument) == 5.0
-    assert patience.left < 9.85
+    assert patience.spent["f"] > 0.15
 
 
 def test_words_that_are_left_out_of_feedback_earn_nothing(grader, tmp_path):
@@ -167,11 +169,23 @@ signed_distance = made("signed_distance = submission.signed_distance")
 def test_no_link_is_followed_with_topics_or_without(grader, tmp_path):
     (tmp_path / "right.py").write_text("def is_colliding(separation, tolerance=0.0): return separation < -tolerance")
     (tmp_path / "lab.py").symlink_to(tmp_path / "right.py")
-    with pytest.raises(UnreadableSubmission, match="symbolic link"):
-        grade(tmp_path / "lab.py", grader=grader)
-    found = grade(tmp_path / "lab.py", ["detection"], ["visible"], grader)
-    assert found.sheet.earned == 0
-    assert all("symbolic link" in outcome.said for outcome in found.sheet.outcomes)
+    for topics in (None, ["detection"]):
+        with pytest.raises(UnreadableSubmission, match=r"lab\.py: it is a symbolic link"):
+            grade(tmp_path / "lab.py", topics, ["visible"], grader)
+
+
+@pytest.mark.parametrize("content", [None, b"", b"def f(:"])
+def test_a_file_without_code_is_an_error_and_never_a_grade(content, grader, tmp_path):
+    path = tmp_path / "lab.py"
+    if content is not None:
+        path.write_bytes(content)
+    if content:  # it is read, though no function of it can be
+        found = grade(path, ["detection"], ["visible"], grader).content()
+        assert found["got"] == 0
+        assert "right" not in {function["verdict"] for function in found["functions"]}
+    else:
+        with pytest.raises(UnreadableSubmission, match=r"lab\.py: (it|there) is "):
+            grade(path, ["detection"], ["visible"], grader)
 
 
 @pytest.mark.slow

@@ -14,6 +14,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -102,6 +103,13 @@ def sealed(grader) -> Grader:
 
 def hidden_test(text: str, grader: Grader, limits: Limits = PATIENT) -> str:
     """What a test says to a submission of that text; empty where every answer is right."""
+    began = time.monotonic()
+    told = _hidden_test(text, grader, limits)
+    assert time.monotonic() - began < limits.submission
+    return told
+
+
+def _hidden_test(text: str, grader: Grader, limits: Limits) -> str:
     expected = {call: -call[1] * call[0] for call in CALLS}  # in a frame of the grader, where attacks look for it
     grader.limits = limits
     # Closed, so that the process which is ready for another test does not go on attacking.

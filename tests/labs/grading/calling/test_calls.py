@@ -10,8 +10,11 @@ import numpy as np
 import pytest
 from stand_ins import LOADED, PATIENT, SEALED, Scripted, begun, value
 
+from labs.grading import budget
+from labs.grading.budget import Budget
 from labs.grading.calling import calls
-from labs.grading.calling.calls import Call, Patience
+from labs.grading.calling.calls import Call
+from labs.grading.calling.patience import Patience
 from labs.grading.calling.processes import Limits
 from labs.grading.calling.remote import Remote
 from labs.grading.errors import (
@@ -20,6 +23,7 @@ from labs.grading.errors import (
     GraderFailed,
     NoAnswer,
     NotSteady,
+    NotTried,
     OutOfTime,
     ProcessDied,
     WrongType,
@@ -47,7 +51,7 @@ PAIR = np.zeros(2)  # compared with anything, it is neither true nor false
 )  # fmt: skip
 def test_a_forged_answer_is_no_answer(forged):
     process = Scripted(SEALED, LOADED, forged)
-    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
     call.begin(process, Tier.NETWORK)
     with pytest.raises(NoAnswer, match="wrote into the grader's pipe"):
         call("f", 1.0)
@@ -61,7 +65,7 @@ def test_malformed_parts_of_an_answer_are_ignored():
         ("answer", 2, "raised", "E", "m", 10**1000, ""),
         ("answer", 3, "raised", "E", "m", PAIR, ""),
     )
-    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
     call.begin(process, Tier.NETWORK)
     assert (call("f", 1.0), call.changed, call.printed) == (5.0, (0,), "said")
     for _ in range(2):
@@ -71,7 +75,7 @@ def test_malformed_parts_of_an_answer_are_ignored():
 
 @pytest.mark.parametrize("forged", [PAIR, (PAIR, PAIR, PAIR), ("loaded", PAIR, []), ("answer", 1), None])
 def test_a_submission_that_forges_its_own_loading_cannot_be_called(forged):
-    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
     assert isinstance(call.begin(Scripted(SEALED, forged), Tier.NETWORK), NoAnswer)
     with pytest.raises(NoAnswer, match="on loading"):
         call("f", 1.0)
@@ -103,7 +107,7 @@ def test_a_failure_to_start_is_a_fault_of_the_grader():
             raise OSError("full")
 
     def call():
-        return Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+        return Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
 
     with pytest.raises(GraderFailed, match="a test's process did not start: full"):
         call().start(Broken())
@@ -115,8 +119,8 @@ def test_a_failure_to_start_is_a_fault_of_the_grader():
 @pytest.mark.parametrize("tier", [Tier.PROCESS, Tier.LIMITS, Tier.FILES, Tier.NETWORK])
 def test_nothing_is_run_below_the_least_tier(tier):
     for least in Tier:
-        call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
-        process = Scripted(("sealed", int(tier), ["no Landlock", "no seccomp"]), LOADED)
+        call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
+        process = Scripted(("sealed", int(tier), ["no Landlock", "no seccomp"], []), LOADED)
         if tier >= least:
             assert call.begin(process, least) is None
             assert (call.sealing.tier, call.sealing.missing) == (tier, ("no Landlock", "no seccomp"))
@@ -127,7 +131,7 @@ def test_nothing_is_run_below_the_least_tier(tier):
 
 
 def test_a_process_below_the_least_tier_is_ended_at_once():
-    process = Scripted(("sealed", int(Tier.LIMITS), []))
+    process = Scripted(("sealed", int(Tier.LIMITS), [], []))
     grader = SimpleNamespace(limits=PATIENT, least=Tier.NETWORK, host=process)
     with pytest.raises(GraderFailed), Remote(Submission("lab.py", ""), grader).fresh():
         pass
@@ -135,13 +139,13 @@ def test_a_process_below_the_least_tier_is_ended_at_once():
 
 
 def test_a_process_that_names_no_tier_is_not_trusted():
-    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
     with pytest.raises(GraderFailed):
         call.begin(Scripted(("sealed", 3), LOADED), Tier.LIMITS)
 
 
 def test_a_submission_that_could_not_be_loaded_says_so_at_every_call():
-    call = Call(Submission("lab.py", ""), PATIENT, Patience(10.0), contextlib.nullcontext)
+    call = Call(Submission("lab.py", ""), PATIENT, Patience(Budget(10.0)), contextlib.nullcontext)
     unloadable, process = NoAnswer("as before"), Scripted()
     assert call.begin(process, Tier.NETWORK, unloadable) is unloadable
     call.foresee("f", [(1.0,)])
@@ -164,7 +168,8 @@ def test_a_call_that_cannot_be_sent_is_the_callers_mistake():
 def clock(monkeypatch):
     """Time that passes when it is told to."""
     now = SimpleNamespace(time=100.0)
-    monkeypatch.setattr(calls, "time", SimpleNamespace(monotonic=lambda: now.time))
+    for module in (calls, budget):
+        monkeypatch.setattr(module, "time", SimpleNamespace(monotonic=lambda: now.time))
     return now
 
 
@@ -184,23 +189,37 @@ def slow(process, clock, seconds):
 
 def test_the_limits_are_those_in_the_documentation():
     limits, page = Limits(), (Path(__file__).parents[4] / "docs" / "grading.md").read_text(encoding="utf-8")
-    times = f"each call {limits.call:g} s, a test {limits.test:g} s and a submission {limits.submission / 60:g} min"
+    times = f"each call {limits.call:g} s, a test {limits.test:g} s and a submission {limits.submission:g} s in all"
     assert times in page
     assert f"take more than {limits.memory / 2**30:g} GiB" in page
 
 
 def test_a_call_may_take_what_call_test_and_submission_have_left(clock):
-    call, process = begun(*(value(n, 0.0) for n in range(1, 6)), limits=Limits(call=5.0, test=8.0), patience=12.0)
+    call, process = begun(*(value(n, 0.0) for n in range(1, 6)), limits=Limits(call=5.0, test=8.0), patience=90.0)
     slow(process, clock, 3.0)
     for _ in range(3):
         call("f")
     assert process.waits[1:] == [5.0, 5.0, 5.0, 2.0]
-    call, process = begun(*(value(n, 0.0) for n in range(1, 6)), limits=Limits(call=5.0, test=80.0), patience=7.0)
-    slow(process, clock, 3.0)
-    for _ in range(4):
+    call, process = begun(*(value(n, 0.0) for n in range(1, 6)), limits=Limits(call=5.0, test=80.0), patience=9.0)
+    slow(process, clock, 2.0)
+    clock.time += 3.0  # spent by the grader, on what the submission made it do
+    for name in ("f", "g", "h"):
+        call(name)
+    assert process.waits[1:] == [3.0, 3.0, 3.0, 2.0]
+    with pytest.raises(NotTried, match="it was not tried: the 9 s that the whole file has are used up"):
         call("f")
-    assert process.waits[1:] == [5.0, 5.0, 4.0, 1.0, 0.0]
-    assert call._patience.left == -5.0
+
+
+def test_a_function_may_use_a_third_of_the_time_and_others_have_the_rest(clock):
+    call, process = begun(*(value(n, 0.0) for n in range(1, 9)), limits=Limits(call=5.0, test=80.0), patience=30.0)
+    slow(process, clock, 4.0)
+    for _ in range(3):
+        call("f")
+    assert process.waits[2:] == [5.0, 5.0, 2.0]
+    call("g")
+    with pytest.raises(OutOfTime, match="it has taken 10 s in all, which is its share of the 30 s that the whole file"):
+        call("f")
+    assert call._patience.slow == {"f"}
 
 
 @pytest.mark.parametrize(
@@ -208,7 +227,11 @@ def test_a_call_may_take_what_call_test_and_submission_have_left(clock):
     [
         (Limits(call=5.0, test=8.0), 50.0, "f gave no answer within 5 s and was stopped"),
         (Limits(call=5.0, test=4.0), 50.0, r"within 4 s \(the test's time is up\) and was stopped"),
-        (Limits(call=5.0, test=4.0), 2.5, r"within 2\.5 s \(the submission's time is up\) and was stopped"),
+        (
+            Limits(call=5.0, test=4.0),
+            6.0,
+            r"within 2 s \(its share of the time for the whole file is up\) and was stopped",
+        ),
     ],
 )
 def test_a_timeout_names_the_limit_that_was_reached(limits, patience, words, clock):

@@ -8,6 +8,7 @@ import stat
 
 import pytest
 
+from labs.grading.budget import SECONDS
 from labs.grading.diagnosis.findings import Diagnosis
 from labs.grading.diagnosis.fingerprints import known
 from labs.grading.diagnosis.words import told
@@ -23,6 +24,8 @@ SHEET = Sheet(
     "lab.py",
     [Complaint("collide is missing", kind="missing")],
     tier="limits",
+    missing=("no filter",),
+    skipped=["no solutions", "no solutions"],
     outcomes=[
         Outcome("test_a_ball_bounces", 6, False, parts=(KEPT, LOST), function="rebound_velocity"),
         Outcome("test_it_bounces_twice", 4, True, hidden=True, rationale="why", function="rebound_velocity"),
@@ -64,8 +67,10 @@ def test_lost_points_are_listed_part_by_part_and_passed_tests_not():
 
 def test_a_grade_lists_points_by_test_part_function_and_topic():
     content = GRADE.content()
-    assert {name: content[name] for name in ("schema", "version", "submission", "tier", "complaints")} == {
+    said = ("schema", "version", "submission", "tier", "missing", "left_out", "complaints")
+    assert {name: content[name] for name in said} == {
         "schema": "collisions-lab/grade", "version": 1, "submission": "lab.py", "tier": "limits",
+        "missing": ["no filter"], "left_out": {"no solutions": 2},
         "complaints": ["collide is missing"],
     }  # fmt: skip
     assert (content["got"], content["possible"]) == (13, 20)
@@ -80,7 +85,7 @@ def test_a_grade_lists_points_by_test_part_function_and_topic():
     right = {"verdict": "right", "suspect": False, "mistakes": [], "message": ""}
     assert content["functions"] == [
         {"name": "rebound_velocity", "got": 6, "possible": 10, **named},
-        {"name": "is_colliding", "got": 0, "possible": 2, "topic": "detection", **right},
+        {"name": "is_colliding", "got": 0, "possible": 2, "topic": "detection", **right, "verdict": "wrong"},
         {"name": "point_velocity", "got": 7, "possible": 7, "topic": "impulse", **right},
     ]
     rebound, _, touching, together, _ = content["tests"]
@@ -153,11 +158,12 @@ def test_a_file_without_functions_is_graded_only_for_a_named_topic(tmp_path):
 
 def test_only_the_named_topics_are_graded(tmp_path, monkeypatch):
     asked = []
-    monkeypatch.setattr(grading, "run", lambda *given: asked.append(given) or SHEET)
+    monkeypatch.setattr(grading, "run", lambda *given, budget: asked.append((*given, budget.seconds)) or SHEET)
     path = tmp_path / "lab.py"
     path.write_text("def is_colliding(separation, tolerance=0.0):\n    return separation < tolerance\n")
     assert grade(path, ["impulse", "friction"]).topics == ("impulse", "friction")
-    assert grade(path, folders=("visible",)).topics == ("detection",)
+    assert grade(path, folders=("visible",), seconds=5).topics == ("detection",)
     assert asked == [
-        (path, ("impulse", "friction"), ("visible", "hidden"), None), (path, ("detection",), ("visible",), None),
+        (path, ("impulse", "friction"), ("visible", "hidden"), None, SECONDS),
+        (path, ("detection",), ("visible",), None, 5),
     ]  # fmt: skip

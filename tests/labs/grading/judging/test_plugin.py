@@ -77,9 +77,9 @@ def graded(pytester: pytest.Pytester, grader: Grader) -> Callable[..., tuple[pyt
 
 
 def grade_with(
-    pytester: pytest.Pytester, grader: Grader | None, text: str | None, *options: str
+    pytester: pytest.Pytester, grader: Grader | None, text: str | None, *options: str, visible: str = VISIBLE
 ) -> tuple[pytest.RunResult, Sheet]:
-    for folder, tests in (("visible", VISIBLE), ("hidden", HIDDEN)):
+    for folder, tests in (("visible", visible), ("hidden", HIDDEN)):
         (pytester.path / folder).mkdir(exist_ok=True)
         (pytester.path / folder / "test_impulse.py").write_text(tests)
     (pytester.path / "lab.py").write_text(text or "")
@@ -171,10 +171,17 @@ def test_unwritten_functions_are_listed_as_to_do(graded):
     assert told["test_property"] == told["test_rebound"]
 
 
-def test_an_unreadable_file_earns_nothing_and_every_test_says_why(graded):
-    _, sheet = graded("\n")
-    assert (sheet.earned, sheet.points) == (0, 16)
-    assert {outcome.said for outcome in sheet.outcomes} == {"lab.py: it is empty: was it saved?"}
+def test_an_unreadable_file_stops_the_tests_and_is_no_mark(graded):
+    result, sheet = graded("\n")
+    result.stdout.fnmatch_lines(["*lab.py: it is empty*"])
+    assert sheet.outcomes == []
+
+
+@pytest.mark.parametrize("body", ["pass", "with part(1, 'nothing'): pass"])
+def test_a_test_that_passes_without_a_call_stops_the_grading(body, graded):
+    result, sheet = graded(RIGHT, visible=f"def test_nothing(submission, part):\n    {body}\n")
+    result.stdout.fnmatch_lines(["*it passes, but has called no function of the submission*"])
+    assert "test_nothing" not in {outcome.test for outcome in sheet.outcomes}
 
 
 def test_each_test_has_its_own_process_that_ends_with_it():
@@ -182,7 +189,9 @@ def test_each_test_has_its_own_process_that_ends_with_it():
 
     @contextlib.contextmanager
     def fresh():
-        began.append(SimpleNamespace(sealing=SimpleNamespace(tier=SimpleNamespace(title="limits"))))
+        began.append(
+            SimpleNamespace(sealing=SimpleNamespace(tier=SimpleNamespace(title="limits"), missing=("no filter",)))
+        )
         yield began[-1]
         ended.append(began[-1])
 
@@ -190,7 +199,7 @@ def test_each_test_has_its_own_process_that_ends_with_it():
     functions = Functions(SimpleNamespace(fresh=fresh), sheet)
     functions.end_test()
     assert functions.process() is functions.process() is began[0]
-    assert (sheet.tier, ended) == ("limits", [])
+    assert (sheet.tier, sheet.missing, ended) == ("limits", ("no filter",), [])
     functions.end_test()
     assert ended == began
     assert functions.process() is began[1]

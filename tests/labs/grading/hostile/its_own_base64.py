@@ -1,0 +1,12 @@
+"""Arrays whose bytes are written by a function of its own."""
+# says: not a message|gave
+
+import base64
+
+import numpy as np
+
+base64.b64encode = lambda data: b"AAAA" * 10_000
+
+
+def rebound_velocity(velocity, restitution):
+    return np.array(0.0)
