@@ -5,9 +5,9 @@ Exit codes: 0 fine; 1 a tuned verdict failed; 2 usage; 3 could not compare; 130 
 
 from __future__ import annotations
 
-import contextlib
 import importlib
 import importlib.metadata
+import importlib.util
 import logging
 from typing import Annotated, Any
 
@@ -16,15 +16,32 @@ from rich.logging import RichHandler
 from rich.markup import escape
 from typer.core import TyperGroup
 
-from labs.cli import bench, check, compare, engines, record, report, show
 from labs.cli.console import errors, speak_unicode
 from reference.errors import CollisionsError
 
 INTERRUPTED = 130
+COMMANDS = ("check", "compare", "report", "engines", "show", "record", "bench")
+"""Each is a function of the same name in a module of the same name."""
+GROUPS = ("lab",)
+"""Modules with several commands in their `app`. A student's tree has none: there is nothing to build from."""
 
 
 class _Commands(TyperGroup):
-    """Turns errors of the lab into a message and an exit code."""
+    """Loads only the command that is run, and turns errors of the lab into a message and an exit code."""
+
+    def list_commands(self, _: Any) -> list[str]:
+        return [*COMMANDS, *(name for name in GROUPS if importlib.util.find_spec(f"labs.cli.{name}"))]
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        if cmd_name not in self.list_commands(ctx):
+            return None
+        module = importlib.import_module(f"labs.cli.{cmd_name}")
+        alone = module.app if cmd_name in GROUPS else typer.Typer(add_completion=False)
+        if cmd_name in COMMANDS:
+            alone.command(cmd_name)(getattr(module, cmd_name))
+        command = typer.main.get_command(alone)
+        command.name = cmd_name
+        return command
 
     def invoke(self, ctx: Any) -> Any:
         try:
@@ -44,15 +61,6 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     help="Collisions Lab: hand-written physics, PyBullet, MuJoCo and DART, compared with theory and with each other.",
 )
-app.command("check")(check.check)
-app.command("compare")(compare.compare)
-app.command("report")(report.report)
-app.command("engines")(engines.engines)
-app.command("show")(show.show)
-app.command("record")(record.record)
-app.command("bench")(bench.bench)
-with contextlib.suppress(ModuleNotFoundError):  # a student's tree has nothing to build from
-    app.add_typer(importlib.import_module("labs.cli.lab").app, name="lab")
 
 
 def _version(wanted: bool) -> None:

@@ -16,7 +16,9 @@ from reference.errors import InvalidInput
 
 STALE = 1
 
-app = typer.Typer(no_args_is_help=True, help="Build the course notebooks, and the tree that students get.")
+app = typer.Typer(
+    add_completion=False, no_args_is_help=True, help="Build the course notebooks, and the tree that students get."
+)
 
 
 @app.command("build")

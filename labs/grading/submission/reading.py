@@ -97,11 +97,11 @@ class Submission:
         return self.where(group.first).rpartition(", ")[0]
 
     @functools.cached_property
-    def _groups(self) -> list[Group]:
+    def _groups(self) -> tuple[Group, ...]:
         try:
             return groups(self.text)
         except (SyntaxError, *_TOO_MUCH):  # each cell may be valid, and all of them together not
-            return []
+            return ()
 
     def where(self, line: int) -> str:
         """A line of the text in the student's words: "line 12", or "code cell 3, line 2"."""
@@ -147,7 +147,7 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
     )
 
 
-def _parsed(cell: Cell) -> tuple[str, list[Group], Complaint | None]:
+def _parsed(cell: Cell) -> tuple[str, tuple[Group, ...], Complaint | None]:
     """The cell's Python and its statements; empty, with a complaint, if Python cannot read it."""
     source = cell.source
     with warnings.catch_warnings():
@@ -159,7 +159,7 @@ def _parsed(cell: Cell) -> tuple[str, list[Group], Complaint | None]:
         try:
             return source, groups(source), None
         except (SyntaxError, *_TOO_MUCH) as error:
-            return "", [], unreadable(error, cell, source)
+            return "", (), unreadable(error, cell, source)
 
 
 def _check_definition(name: str, pieces: list[Located], complaints: list[Complaint]) -> bool:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import ast
 import functools
 import symtable
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 _MOST_SCOPES = 200
@@ -38,7 +38,8 @@ class Group:
         return frozenset(self.kinds)
 
 
-def groups(source: str) -> list[Group]:
+@functools.lru_cache(maxsize=64)  # a file is read for its topics, for its tests, and for what its functions use
+def groups(source: str) -> tuple[Group, ...]:
     """The source's top-level statements; raises SyntaxError, ValueError, RecursionError or MemoryError."""
     tree = ast.parse(source)
     scopes: dict[int, list[symtable.SymbolTable]] = {}
@@ -50,10 +51,10 @@ def groups(source: str) -> list[Group]:
             found[-1].append(statement)
         else:
             found.append([statement])
-    return [_group(statements, scopes) for statements in found]
+    return tuple(_group(statements, scopes) for statements in found)
 
 
-def needed(every: list[Group], wanted: Collection[str]) -> set[int]:
+def needed(every: Sequence[Group], wanted: Collection[str]) -> set[int]:
     """The numbers of the groups that the wanted names need."""
     concerned: dict[str, list[int]] = {}
     for at, group in enumerate(every):
@@ -70,7 +71,7 @@ def needed(every: list[Group], wanted: Collection[str]) -> set[int]:
     return kept
 
 
-def used_by(every: list[Group], name: str, among: Collection[str]) -> list[str]:
+def used_by(every: Sequence[Group], name: str, among: Collection[str]) -> list[str]:
     """Which of some names a name needs, directly or through names that are not among them; in their order."""
     used: dict[str, list[frozenset[str]]] = {}
     for group in every:
