@@ -113,12 +113,12 @@ def friction_impulse(
 
     The impact is one instant, and a slip that stops and turns round within it is not
     followed. The energy may therefore rise, as it may wherever Newton's restitution
-    meets Coulomb's friction (see `impact_energy`). It does so in about one of a thousand
-    random impacts of two odd bodies, at worst by more than there was in the contact. In
-    exchange the points always part at e times the speed of their approach, and friction
-    opposes the slip that is left as nearly as said above. `dissipative_impulse` gives up
-    the second, and `poisson_impulse` and `stronge_impulse` give up the first: none of
-    the three adds energy.
+    meets Coulomb's friction (see `impact_energy`). It does so in about one of a
+    thousand random impacts of two odd bodies, at worst by more energy than the contact
+    had. In exchange the points always part at e times the speed of their approach, and
+    friction opposes the slip that is left, as nearly as said above.
+    `dissipative_impulse` gives up the second, and `poisson_impulse` and
+    `stronge_impulse` give up the first: none of the three adds energy.
     """
     u, n = finite("velocity", vector("velocity", velocity)), unit("normal", vector("normal", normal))
     e, mu = in_unit_interval("restitution", restitution), finite("friction", not_negative("friction", friction))

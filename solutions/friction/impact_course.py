@@ -20,7 +20,7 @@ STRAIGHT = 1e-12
 """A change of slip across the slip that is rounding, as a share of the largest."""
 FIRST_STEP = 0.05
 """First step of a slip that turns: it changes by this share of the speed at most."""
-ACCURACY = 1e-11
+ACCURACY = 1e-10
 """Error of a step, as a share of the speed of the impact."""
 HALVINGS = 60
 """How often an interval is halved at most: down to rounding."""
@@ -34,7 +34,8 @@ class Course:
     """Impacts under way: N contacts with what each has given so far.
 
     start: (N, 3), u before the impact, m/s. k: (N, 3, 3), K, 1/kg. mu: (N,), μ.
-    impulse: (N, 3), J so far, N s. work: (N,), of the normal force so far, J.
+    impulse: (N, 3), J so far, N s. work: (N,), of the normal force so far, J. rate:
+    (N,), no velocity changes by more for a unit of normal impulse, 1/kg.
     """
 
     def __init__(self, start: Array, k: Array, mu: Array) -> None:
@@ -42,9 +43,8 @@ class Course:
         self.impulse, self.work = np.zeros_like(start), np.zeros(len(start))
         speed = np.linalg.norm(start, axis=-1)
         self.smallest, self.accepted = STOPPED * speed, ACCURACY * speed
-        across = np.linalg.norm(k[:, :2, :2], axis=(-2, -1))
-        self.rate = np.linalg.norm(k[:, :2, 2], axis=-1) + mu * across
-        self.step = FIRST_STEP * speed / np.where(self.rate > 0, self.rate, 1.0)
+        self.rate = (1 + mu) * np.linalg.norm(k, axis=(-2, -1))
+        self.step = FIRST_STEP * speed / self.rate
 
     def velocity(self, on: Integers, impulse: Array) -> Array:
         """Velocity u + K J of the contacts `on`, (n, 3), m/s."""
@@ -66,13 +66,13 @@ def follow(course: Course, end: End, target: Array) -> None:
     *The slip keeps its direction*, as in the plane. Then dJ/dp is constant, u is linear
     in p and W quadratic. The leg is one step, up to the end or until the slip stops.
 
-    *The slip turns.* Steps of Runge and Kutta follow the equations. The smaller the slip
-    is, the faster it turns, so that a step takes away half of it at most. Once it would
-    turn no more than rounding before it stops, the rest is a straight leg.
+    *The slip turns.* Steps of Runge and Kutta follow the equations. The smaller the
+    slip is, the faster it turns, so that a step takes away half of it at most. Once it
+    would turn no more than rounding before it stops, the rest is a straight leg.
 
     *There is no slip.* It remains zero if friction can hold it, which takes the share
-    h = K_tt⁻¹ K_tn of the normal impulse: it sticks if ‖h‖ ≤ μ. Otherwise it slips off in
-    the one direction in which it then continues (see `direction_of_renewed_slip`).
+    h = K_tt⁻¹ K_tn of the normal impulse: it sticks if ‖h‖ ≤ μ. Otherwise it slips off
+    in the one direction in which it then continues (see `direction_of_renewed_slip`).
     """
     on = np.flatnonzero(_reached(course, np.arange(len(target)), course.impulse, course.work, end) < target)
     while len(on):
@@ -114,7 +114,7 @@ def _reached(course: Course, on: Integers, impulse: Array, work: Array, end: End
 
 
 def _advance(course: Course, on: Integers, end: End, target: Array) -> Booleans:
-    """One leg or one step of the contacts `on`; returns which of them are at the end."""
+    """One leg or one step of the contacts `on`; returns which of them have ended."""
     u = course.velocity(on, course.impulse[on])
     slip = np.linalg.norm(u[:, :2], axis=-1)
     still = slip <= course.smallest[on]
@@ -127,7 +127,8 @@ def _advance(course: Course, on: Integers, end: End, target: Array) -> Booleans:
     straight = still | (turning <= STRAIGHT * course.rate[on]) | (slip * turning <= course.accepted[on] * slowing)
     done = np.zeros(len(on), dtype=bool)
     stop = np.where(slowing > 0, slip / np.where(slowing > 0, slowing, 1.0), np.inf)
-    done[straight] = _leg(course, *(x[straight] for x in (on, u[:, 2], push, change[:, 2], stop, target)), end)
+    legs = (x[straight] for x in (u[:, 2], push, change[:, 2], stop, target))
+    done[straight] = _leg(course, on[straight], end, *legs)
     done[~straight] = _steps(course, on[~straight], (stop / 2)[~straight], end, target[~straight])
     return done
 
@@ -141,7 +142,7 @@ def _push_without_slip(k: Array, mu: Array) -> Array:
 
 
 def _leg(
-    course: Course, on: Integers, speed: Array, push: Array, gain: Array, stop: Array, target: Array, end: End
+    course: Course, on: Integers, end: End, speed: Array, push: Array, gain: Array, stop: Array, target: Array
 ) -> Booleans:
     """Advance in a straight leg to the end, or to where the slip stops.
 
@@ -166,7 +167,8 @@ def _leg(
 def _steps(course: Course, on: Integers, longest: Array, end: End, target: Array) -> Booleans:
     """Advance by a step of a slip that turns, or by as much of it as leads to the end.
 
-    longest: how long a step may be, as a normal impulse, (n,). A step that is not accurate enough is not taken, and the next one is shorter.
+    longest: how long a step may be, as a normal impulse, (n,). A step that is not
+    accurate enough is not taken, and the next one is shorter.
     """
     step, accepted = np.minimum(course.step[on], longest), course.accepted[on]
     impulse, work, error = _double_step(course, on, step)
@@ -181,7 +183,7 @@ def _steps(course: Course, on: Integers, longest: Array, end: End, target: Array
 
 
 def _part_of_step(course: Course, on: Integers, step: Array, end: End, target: Array) -> Array:
-    """Part of a step (n,) that leads just to the end, by Newton's rule within bounds."""
+    """Part of a step (n,) that leads just to the end, by Newton's rule in bounds."""
     low, high, part = np.zeros(len(on)), step, step
     for _ in range(HALVINGS):
         impulse, work, _ = _double_step(course, on, part)

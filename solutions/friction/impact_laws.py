@@ -1,7 +1,8 @@
 """Three laws of an impact with friction, none of which adds energy (slides 12 and 16).
 
-`friction_impulse` reverses the normal velocity by Newton's rule and lets friction oppose
-the slip that is left. That may add energy. Each law here gives up one of the two.
+`friction_impulse` reverses the normal velocity by Newton's rule and lets friction
+oppose the slip that is left. That may add energy. Each law here gives up one of the
+two.
 """
 
 from __future__ import annotations
