@@ -115,9 +115,9 @@ STRUCK_CUBE = Family(
         "PyBullet and DART follow Newton's law with friction against the slip that is left. In DART the contact lies"
         " inside the bodies by up to the way of a step, which leaves up to 0.3 % of the speed as slip where it grips.",
         "MuJoCo, tuned, follows none of these laws. Its noslip passes settle friction after the normal impulse, which"
-        " they leave as large as without friction, (1 + e) u/k. Off the centre that friction also moves the bodies along"
-        " the normal, so that they part at 0.38 to 0.58 of the speed of the approach instead of 0.5. The spring profile,"
-        " whose friction is soft, still slips where it should grip.",
+        " they leave as large as without friction, (1 + e) u/k. Off the centre that friction also moves the bodies"
+        " along the normal, so that they part at 0.38 to 0.58 of the speed of the approach instead of 0.5. The spring"
+        " profile, whose friction is soft, still slips where it should grip.",
     ),
     cases=tuple(
         _struck(*case) for case in ((0.08, -40.0, 0.3), (0.05, 20.0, 0.3), (0.08, -20.0, 0.1), (0.08, 40.0, 0.1))
