@@ -134,9 +134,9 @@ def energy_rise(figure: Figure) -> None:
 
 
 def laws_of_restitution(figure: Figure) -> None:
-    """A rod's end strikes the floor, e = 0.8, under four laws. They part where the slip stops or turns round."""
+    """A rod's end strikes the floor, e = 1, under four laws. They part where the slip stops or turns round."""
     left, right = figure.subplots(1, 2)
-    slips, e, mu = np.linspace(-3, 3, 301), 0.8, 0.6
+    slips, e, mu = np.linspace(-3, 3, 301), 1.0, 0.75
     k = point_inverse_mass(1.0, 12 * np.eye(3), (-0.4, 0.0, -0.3))
     u = np.outer(slips, X) - UP
     laws = {
@@ -149,12 +149,12 @@ def laws_of_restitution(figure: Figure) -> None:
         j = law(u, UP, k, e, mu)
         left.plot(slips, (u + np.matvec(k, j))[:, 2], style, label=name)
         right.plot(slips, impact_energy(u, j, k), style, label=name)
-    right.axhspan(0, 0.1, color="#eeeeee")
+    right.axhspan(0, 0.15, color="#eeeeee")
     right.annotate("energy is made", (-2.8, 0.03), fontsize=9)
     left.set(xlabel="slip of the end before, m/s", ylabel="normal speed after, m/s", xlim=(-3, 3))
-    right.set(xlabel="slip of the end before, m/s", ylabel="energy gained, J", xlim=(-3, 3), ylim=(-0.9, 0.1))
-    left.set_title("It falls at 1 m/s, e = 0.8")
-    right.set_title("1 kg, μ = 0.6")
+    right.set(xlabel="slip of the end before, m/s", ylabel="energy gained, J", xlim=(-3, 3), ylim=(-0.9, 0.15))
+    left.set_title("It falls at 1 m/s, e = 1")
+    right.set_title("1 kg, μ = 0.75")
     figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=2)
 
 

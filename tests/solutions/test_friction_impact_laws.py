@@ -267,3 +267,18 @@ def test_a_law_refuses_what_is_no_impact_by_name(law, name, wrong):
     whole = {"velocity": -UP, "normal": UP, "inverse_mass": np.eye(3), "restitution": 0.5, "friction": 0.5}
     with pytest.raises(ValueError, match=f"^{name}"):
         LAWS[law](**(whole | wrong))
+
+
+def test_the_page_of_responses_says_what_each_law_does_to_a_rod():
+    k, u, _ = in_the_plane(-0.4, -0.3, 1 / 12, 0.5, 1.0, 0.75)
+    said = {
+        friction_impulse: (1.0, 0.0, 0.08875),
+        dissipative_impulse: (1.0, -0.4932, -2e-5),
+        poisson_impulse: (0.6538, 0.0, -0.0601),
+        stronge_impulse: (0.7338, 0.0, -0.03125),
+    }
+    for law, (parting, slip, gained) in said.items():
+        impulse = law(u, UP, k, 1.0, 0.75)
+        after = u + k @ impulse
+        assert after == pytest.approx([slip, 0.0, parting], abs=5e-5)
+        assert impact_energy(u, impulse, k) == pytest.approx(gained, abs=1e-5)
