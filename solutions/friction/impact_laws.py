@@ -187,6 +187,8 @@ def _where_approaching(
     u, n = finite("velocity", vector("velocity", velocity)), unit("normal", vector("normal", normal))
     e, mu = in_unit_interval("restitution", restitution), finite("friction", not_negative("friction", friction))
     k = positive_definite(matrix("inverse_mass", inverse_mass))
+    if np.any(np.linalg.eigvalsh((k + np.swapaxes(k, -1, -2)) / 2) <= 0):
+        raise ValueError("inverse_mass must be positive definite: an impact with this matrix need not end")
     shape = np.broadcast_shapes(u.shape[:-1], n.shape[:-1], k.shape[:-2], e.shape, mu.shape)
     u, n = (np.broadcast_to(x, (*shape, 3)).reshape(-1, 3) for x in (u, n))
     k = np.broadcast_to(k, (*shape, 3, 3)).reshape(-1, 3, 3)

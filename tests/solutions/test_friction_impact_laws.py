@@ -259,6 +259,7 @@ def test_many_impacts_are_the_same_as_one_after_another(law):
         ("velocity", {"velocity": np.nan * UP}),
         ("normal", {"normal": 2 * UP}),
         ("inverse_mass", {"inverse_mass": np.zeros((3, 3))}),
+        ("inverse_mass", {"inverse_mass": [[1, 2, 2], [2, 1, 2], [2, 2, 1]]}),  # its determinant is 5
         ("restitution", {"restitution": 1.1}),
         ("friction", {"friction": -0.1}),
     ],
