@@ -12,11 +12,13 @@ from solutions.friction import (
     clamp_to_square,
     complementarity_residual,
     contact_jacobian,
+    dissipative_impulse,
     friction_force,
     friction_impulse,
     impact_energy,
     inverse_mass_matrix,
     point_inverse_mass,
+    poisson_impulse,
     propagate_impacts,
     resting_problem,
     simultaneous_impacts,
@@ -24,6 +26,7 @@ from solutions.friction import (
     solve_by_sweeps,
     sphere_impact,
     stick_slip_times,
+    stronge_impulse,
 )
 
 GREY = "#999999"
@@ -130,6 +133,31 @@ def energy_rise(figure: Figure) -> None:
     axes.legend(loc="lower center", ncols=3)
 
 
+def laws_of_restitution(figure: Figure) -> None:
+    """A rod's end strikes the floor, e = 1, under four laws. They part where the slip stops or turns round."""
+    left, right = figure.subplots(1, 2)
+    slips, e, mu = np.linspace(-3, 3, 301), 1.0, 0.75
+    k = point_inverse_mass(1.0, 12 * np.eye(3), (-0.4, 0.0, -0.3))
+    u = np.outer(slips, X) - UP
+    laws = {
+        "Newton, against the slip left": (friction_impulse, "-"),
+        "Newton, maximal dissipation": (dissipative_impulse, "--"),
+        "Poisson": (poisson_impulse, "-."),
+        "Stronge": (stronge_impulse, ":"),
+    }
+    for name, (law, style) in laws.items():
+        j = law(u, UP, k, e, mu)
+        left.plot(slips, (u + np.matvec(k, j))[:, 2], style, label=name)
+        right.plot(slips, impact_energy(u, j, k), style, label=name)
+    right.axhspan(0, 0.15, color="#eeeeee")
+    right.annotate("energy is made", (-2.8, 0.03), fontsize=9)
+    left.set(xlabel="slip of the end before, m/s", ylabel="normal speed after, m/s", xlim=(-3, 3))
+    right.set(xlabel="slip of the end before, m/s", ylabel="energy gained, J", xlim=(-3, 3), ylim=(-0.9, 0.15))
+    left.set_title("It falls at 1 m/s, e = 1")
+    right.set_title("1 kg, μ = 0.75")
+    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=2)
+
+
 def cradle(figure: Figure) -> None:
     """Two readings of one moment. Both keep momentum and energy in the cradle; at once, the rule may make energy."""
     axes = figure.subplots(1, 2, sharey=True, width_ratios=(5, 3))
@@ -176,6 +204,7 @@ def sweeps(figure: Figure) -> None:
 FIGURES = {
     (16, "grip-and-slip"): grip_and_slip,
     (16, "energy-made-by-friction"): energy_rise,
+    (16, "laws-of-restitution"): laws_of_restitution,
     (22, "two-cradles"): cradle,
     (22, "sweeps"): sweeps,
     (24, "static-friction"): static_friction,

@@ -13,6 +13,7 @@ from typing import ClassVar
 
 from reference.engines.implementation import Implementation
 from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, UnknownName
+from reference.impact_truth import NEWTON
 from reference.scene.query import Query
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Move, Settings
@@ -38,6 +39,7 @@ class Method:
     inset: share of the overlap by which the point where forces act lies inside a body.
     softness: share of the change of speed, (1 + e) v, by which an impact falls short.
     weighed: share of the speed that gravity adds in the step of an impact, which the impact turns back as well.
+    law: of restitution in an impact with friction, one of `reference.impact_truth`.
     """
 
     kind: str
@@ -48,6 +50,7 @@ class Method:
     inset: float = 0.0
     softness: float = 0.0
     weighed: float = 0.0
+    law: str = NEWTON
 
 
 class Engine(ABC):

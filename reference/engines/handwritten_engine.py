@@ -8,8 +8,9 @@ import numpy as np
 
 from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
 from reference.engines.handwritten import ball_rows, queries, single_body, two_bodies
-from reference.engines.handwritten.scenario_kind import Kind, kind
+from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part
 from reference.errors import InvalidInput, NeedsFunction
+from reference.impact_truth import DISSIPATIVE, NEWTON, POISSON, STRONGE
 from reference.scene.query import Query
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
@@ -20,6 +21,13 @@ POLICIES = {
     "interpolated": INTERPOLATED,
     "at_step": AT_STEP,
 }
+
+LAWS = {
+    DISSIPATIVE: "exact root, maximal dissipation",
+    POISSON: "exact root, Poisson's restitution",
+    STRONGE: "exact root, Stronge's restitution",
+}
+"""The profiles for the laws of an impact with friction that are not Newton's, where the laws can part."""
 
 DRIVERS = {
     Kind.BOUNCE: single_body.bounce,
@@ -35,6 +43,7 @@ class Handwritten(Engine):
 
     The option `policy` says when a collision is resolved: at the exact root of the parabola, at the slide's T, or at
     the step that begins behind the plane. A sliding body stops exactly, or (`at_step`) as semi-implicit Euler makes it.
+    Where a body can be struck off its centre with friction, the option `impact_law` names the law of restitution.
     """
 
     name = "handwritten"
@@ -46,13 +55,17 @@ class Handwritten(Engine):
         found = {"tuned": "exact root"}
         if kind(scenario) is Kind.BOUNCE:
             found["slide"] = "the slide's T"
+        if laws_may_part(scenario):
+            found |= LAWS
         return found | {"stock": "respond at the step"}
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Timestep 1 ms. A ball rests if its next flight would be over within `shortest_flight` steps."""
         self.check_profile(scenario, profile)
-        policy = {"tuned": "exact_root", "slide": "interpolated", "stock": "at_step"}[profile]
+        policy = {"slide": "interpolated", "stock": "at_step"}.get(profile, "exact_root")
         options: dict[str, float | str] = {"policy": policy}
+        if laws_may_part(scenario):
+            options["impact_law"] = profile if profile in LAWS else NEWTON
         if kind(scenario) is Kind.BOUNCE:
             # The exact root follows the bounces down to rounding. A flight within one step starts and ends on the
             # plane, so the slide's T cannot see it. At the step, even a flight of two steps is lost in the overlap.
@@ -63,7 +76,9 @@ class Handwritten(Engine):
         """As the policy says."""
         steps = settings.number("shortest_flight") if "shortest_flight" in settings.options else 0.0
         gravity = float(np.linalg.norm(scenario.gravity))
-        return Method(POLICIES[str(settings["policy"])], rest_speed=steps * settings.timestep * gravity / 2)
+        law = str(settings.options.get("impact_law", NEWTON))
+        rest_speed = steps * settings.timestep * gravity / 2
+        return Method(POLICIES[str(settings["policy"])], rest_speed=rest_speed, law=law)
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
         """Refuse also a `shortest_flight` below the one step that the slide's T can see."""

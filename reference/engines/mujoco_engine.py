@@ -19,6 +19,7 @@ import numpy as np
 
 from reference import truth
 from reference.engines.base import AT_STEP, COMPLIANT, Engine, Method
+from reference.impact_truth import APART, NEWTON
 from reference.scene import geometry
 from reference.scene.query import Query, Ray
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
@@ -94,7 +95,9 @@ class MuJoCo(Engine):
         if settings["contact"] == "spring":
             return Method(COMPLIANT, stiffness=settings.number("stiffness"), inset=0.5)
         share = settings.number("overlap_recovery") if "overlap_recovery" in settings.options else 0.0
-        return Method(AT_STEP, speed_recovery=share, inset=0.5)
+        # The noslip passes change the friction and leave the normal impulse as it was without.
+        passes = settings.options.get("noslip_iterations", 0)
+        return Method(AT_STEP, speed_recovery=share, inset=0.5, law=APART if passes else NEWTON)
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A firmer contact for what rests, a weaker one for what rebounds, or a stiffer spring; more noslip passes."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from reference.comparison.verdicts import Row, Verdict
+from reference.engines.handwritten_engine import Handwritten
 from reference.engines.profiles import TUNED
 from reference.report.marks import AGREES
 from reference.report.sections import Line, Section
@@ -32,12 +33,17 @@ class Overview:
         for section in self.sections:
             yield section, [(title, section.line(title)) for title in self.titles]
 
-    def in_two_parts(self) -> tuple[Overview, Overview]:
-        """The columns of tuned settings, which count, and all others, for a terminal that is too narrow for both."""
-        counting = {line.title for section in self.sections for line in section.lines if line.tuned}
-        tuned = tuple(title for title in self.titles if title in counting)
-        others = tuple(title for title in self.titles if title not in tuned)
-        return replace(self, titles=tuned), replace(self, titles=others)
+    def in_parts(self) -> list[Overview]:
+        """The columns of tuned settings, which count, other methods by hand, and the engines' other settings.
+
+        For a terminal that is too narrow for all of them together; a part without columns is left out.
+        """
+        lines = [line for section in self.sections for line in section.lines]
+        counting = {line.title for line in lines if line.tuned}
+        by_hand = {line.title for line in lines if line.result.job.engine == Handwritten.name} - counting
+        rest = set(self.titles) - counting - by_hand
+        parts = [tuple(title for title in self.titles if title in part) for part in (counting, by_hand, rest)]
+        return [replace(self, titles=titles) for titles in parts if titles]
 
 
 def columns(found: Sequence[Section]) -> list[str]:

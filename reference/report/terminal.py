@@ -61,10 +61,10 @@ def print_legend(console: Console, verdicts: Iterable[Verdict], legend: Mapping[
 
 
 def _print_overview(console: Console, overview: Overview) -> None:
-    """Print all families in one screen; where that is too wide, the tuned settings and then all others."""
+    """Print all families in one screen; where that is too wide, in parts, the tuned settings first."""
     tables = [_overview(overview)]
     if console.measure(tables[0], options=console.options.update(width=_ANY_WIDTH)).maximum > console.width:
-        tables = [_overview(part) for part in overview.in_two_parts()]
+        tables = [_overview(part) for part in overview.in_parts()]
     for table in tables:
         console.print()
         console.print(table)

@@ -9,6 +9,7 @@ from solutions.friction.contacts import contact_jacobian, inverse_mass_matrix, r
 from solutions.friction.cradle import propagate_impacts, simultaneous_impacts
 from solutions.friction.dry import friction_force, holds, sliding_motion
 from solutions.friction.impact import friction_impulse, impact_energy, point_inverse_mass, sphere_grips, sphere_impact
+from solutions.friction.impact_laws import dissipative_impulse, poisson_impulse, stronge_impulse
 from solutions.friction.support import (
     along_surface,
     apparent_force,
@@ -26,6 +27,7 @@ __all__ = [
     "clamp_to_square",
     "complementarity_residual",
     "contact_jacobian",
+    "dissipative_impulse",
     "friction_angle",
     "friction_force",
     "friction_impulse",
@@ -34,6 +36,7 @@ __all__ = [
     "inverse_mass_matrix",
     "normal_force",
     "point_inverse_mass",
+    "poisson_impulse",
     "propagate_impacts",
     "resting_problem",
     "sequential_impulses",
@@ -44,4 +47,5 @@ __all__ = [
     "sphere_grips",
     "sphere_impact",
     "stick_slip_times",
+    "stronge_impulse",
 ]

@@ -58,6 +58,14 @@ def point_inverse_mass(
     return np.asarray(shares + np.swapaxes(across, -1, -2) @ matrix("inverse_inertia", inverse_inertia) @ across)
 
 
+def positive_definite(inverse_mass: Array) -> Array:
+    """Return matrices K; refuse one that leaves no impulse to stop the two bodies."""
+    singular = np.linalg.det(inverse_mass) <= SINGULAR * np.linalg.norm(inverse_mass, axis=-1).prod(axis=-1)
+    if np.any(singular) or np.any(np.diagonal(inverse_mass, axis1=-2, axis2=-1) <= 0):
+        raise ValueError("inverse_mass must be positive definite: no impulse stops two immovable bodies")
+    return inverse_mass
+
+
 def friction_impulse(
     velocity: ArrayLike,
     normal: ArrayLike,
@@ -105,14 +113,16 @@ def friction_impulse(
 
     The impact is one instant, and a slip that stops and turns round within it is not
     followed. The energy may therefore rise, as it may wherever Newton's restitution
-    meets Coulomb's friction (see `impact_energy`).
+    meets Coulomb's friction (see `impact_energy`). It does so in about one of a
+    thousand random impacts of two odd bodies, at worst by more energy than the contact
+    had. In exchange the points always part at e times the speed of their approach, and
+    friction opposes the slip that is left, as nearly as said above.
+    `dissipative_impulse` gives up the second, and `poisson_impulse` and
+    `stronge_impulse` give up the first: none of the three adds energy.
     """
     u, n = finite("velocity", vector("velocity", velocity)), unit("normal", vector("normal", normal))
     e, mu = in_unit_interval("restitution", restitution), finite("friction", not_negative("friction", friction))
-    k = matrix("inverse_mass", inverse_mass)
-    singular = np.linalg.det(k) <= SINGULAR * np.linalg.norm(k, axis=-1).prod(axis=-1)
-    if np.any(singular) or np.any(np.diagonal(k, axis1=-2, axis2=-1) <= 0):
-        raise ValueError("inverse_mass must be positive definite: no impulse stops two immovable bodies")
+    k = positive_definite(matrix("inverse_mass", inverse_mass))
     approach = np.vecdot(u, n)
     grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[..., 0]
     across = along_surface(grip, n)

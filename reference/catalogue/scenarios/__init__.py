@@ -17,6 +17,7 @@ MODULES = (
     "friction",
     "rolling",
     "two_balls",
+    "struck_cube",
     "dropped_box",
     "cradle",
     "rods",

@@ -9,7 +9,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.scene import geometry
-from reference.scene.scenario import Body, HalfSpace, Scenario, Sphere
+from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
 
 _ROUNDING = 1e-9  # a length (m), speed (m/s) or sine below this is zero
 
@@ -38,6 +38,14 @@ def kind(scenario: Scenario) -> Kind | None:
     if len(scenario.bodies) != 2 or geometry.starts_in_contact(scenario):
         return _over_a_plane(scenario)
     return _over_a_plane(scenario) or _strikes(scenario)
+
+
+def laws_may_part(scenario: Scenario) -> bool:
+    """Whether a ball strikes a box that can turn, with friction: the laws of restitution may differ there."""
+    if kind(scenario) is not Kind.FACE or _friction(scenario) == 0:
+        return False
+    _, other = ball_and_other(scenario)
+    return isinstance(other.shape, Box) and not other.immovable
 
 
 def _over_a_plane(scenario: Scenario) -> Kind | None:

@@ -16,12 +16,20 @@ from reference.engines.handwritten.rigid_bodies import RigidBodies
 from reference.engines.handwritten.scenario_kind import ball_and_other, face_towards, in_own_axes
 from reference.engines.handwritten.stepping import policy_of, record, start
 from reference.engines.implementation import Implementation
-from reference.errors import NeedsFunction, RunFailed
+from reference.errors import InvalidInput, NeedsFunction, RunFailed
+from reference.impact_truth import DISSIPATIVE, NEWTON, POISSON, STRONGE
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Event, Trajectory
 
+IMPULSE_BY = {
+    NEWTON: "friction_impulse",
+    DISSIPATIVE: "dissipative_impulse",
+    POISSON: "poisson_impulse",
+    STRONGE: "stronge_impulse",
+}
+"""The function that gives the impulse of an impact with friction, by its law."""
 NEEDS_A_WORLD = "needs a rigid-body world (world)"
 MEETS_AGAIN = f"{NEEDS_A_WORLD}: the two meet again after their impact, unless the result of the impact is wrong"
 _ROUNDING = 1e-9  # a gap or a speed below this, m or m/s, is rounding
@@ -54,6 +62,14 @@ def _run(engine: str, pairs: _Pairs, settings: Settings, steps: list[int]) -> li
     return record(engine, pairs.scenarios, settings, steps, pairs.states, policy_of(policies, settings), pairs.events)
 
 
+def _law_of(settings: Settings) -> str:
+    """Name of the function that gives the impulse of an impact with friction."""
+    law = str(settings.options.get("impact_law", NEWTON))
+    if law not in IMPULSE_BY:
+        raise InvalidInput(f"impact_law is {law!r}; it is one of {', '.join(IMPULSE_BY)}")
+    return IMPULSE_BY[law]
+
+
 class _Pairs(ABC):
     """A ball A and what it strikes, B, in each of N scenarios: two ways to step them, and what the two share."""
 
@@ -63,6 +79,7 @@ class _Pairs(ABC):
         both = [ball_and_other(scenario) for scenario in scenarios]
         self.a, self.b = (RigidBodies(scenarios, bodies, implementation) for bodies in zip(*both, strict=True))
         self.radius = np.array([ball.shape.radius for ball, _ in both])  # type: ignore[union-attr]
+        self.law = _law_of(settings)
         self.whole_step = np.full(len(scenarios), self.dt)
         self.events: list[list[Event]] = [[] for _ in scenarios]
         self._start = start(scenarios)
@@ -154,7 +171,7 @@ class _Pairs(ABC):
             point_inverse_mass(inverse_mass, inverse_inertia, arm)
             for _, _, arm, inverse_mass, inverse_inertia in (at_a, at_b)
         )
-        impulse = self.function("friction_impulse")(slip, normal, softness, restitution, friction)
+        impulse = self.function(self.law)(slip, normal, softness, restitution, friction)
         rough: tuple[Array, ...] = self.function("apply_impulse")(at_a, at_b, impulse)
         return rough
 

@@ -1,0 +1,239 @@
+"""The course of an impact with friction: its impulse grows, and the slip turns (Routh).
+
+Vectors are along the axes of the contact: two along the surface, and the normal last.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from solutions.arrays import Array, Booleans, Integers
+
+End = Literal["speed", "impulse", "work"]
+"""What says that a part of the impact is over: u_n, J_n, or the work of J_n."""
+NORMAL = np.array([0.0, 0.0, 1.0])
+STOPPED = 1e-11
+"""A slip below this share of the speed of the impact has stopped."""
+STRAIGHT = 1e-12
+"""A change of slip across the slip that is rounding, as a share of the largest."""
+FIRST_STEP = 0.05
+"""First step of a slip that turns: it changes by this share of the speed at most."""
+ACCURACY = 1e-10
+"""Error of a step, as a share of the speed of the impact."""
+HALVINGS = 60
+"""How often an interval is halved at most: down to rounding."""
+CLOSE = 1e-14
+"""Change of a step, as a share of it, that is rounding."""
+TINY = 1e-300
+"""Keeps a quotient finite."""
+
+
+class Course:
+    """Impacts under way: N contacts with what each has given so far.
+
+    start: (N, 3), u before the impact, m/s. k: (N, 3, 3), K, 1/kg. mu: (N,), μ.
+    impulse: (N, 3), J so far, N s. work: (N,), of the normal force so far, J. rate:
+    (N,), no velocity changes by more for a unit of normal impulse, 1/kg.
+    """
+
+    def __init__(self, start: Array, k: Array, mu: Array) -> None:
+        self.start, self.k, self.mu = start, k, mu
+        self.impulse, self.work = np.zeros_like(start), np.zeros(len(start))
+        speed = np.linalg.norm(start, axis=-1)
+        self.smallest, self.accepted = STOPPED * speed, ACCURACY * speed
+        self.rate = (1 + mu) * np.linalg.norm(k, axis=(-2, -1))
+        self.step = FIRST_STEP * speed / self.rate
+
+    def velocity(self, on: Integers, impulse: Array) -> Array:
+        """Velocity u + K J of the contacts `on`, (n, 3), m/s."""
+        return np.asarray(self.start[on] + np.matvec(self.k[on], impulse))
+
+
+def follow(course: Course, end: End, target: Array) -> None:
+    """Let the impulse of every impact grow until its end is at the target, (N,).
+
+    Notes
+    -----
+    Let p be the normal impulse so far. While it grows by dp, Coulomb's friction grows
+    by μ dp against the slip of this moment, along s = u_t/‖u_t‖:
+
+        dJ/dp = n − μ s,   du/dp = K dJ/dp,   dW/dp = u_n
+
+    An impact is a chain of legs of three kinds.
+
+    *The slip keeps its direction*, as in the plane. Then dJ/dp is constant, u is linear
+    in p and W quadratic. The leg is one step, up to the end or until the slip stops.
+
+    *The slip turns.* Steps of Runge and Kutta follow the equations. The smaller the
+    slip is, the faster it turns, so that a step takes away half of it at most. Once it
+    would turn no more than rounding before it stops, the rest is a straight leg.
+
+    *There is no slip.* It remains zero if friction can hold it, which takes the share
+    h = K_tt⁻¹ K_tn of the normal impulse: it sticks if ‖h‖ ≤ μ. Otherwise it slips off
+    in the one direction in which it then continues (see `direction_of_renewed_slip`).
+    """
+    on = np.flatnonzero(_reached(course, np.arange(len(target)), course.impulse, course.work, end) < target)
+    while len(on):
+        on = on[~_advance(course, on, end, target[on])]
+
+
+def direction_of_renewed_slip(k: Array, mu: Array) -> Array:
+    """Direction s in which a contact that cannot hold begins to slip, (N, 2), unit.
+
+    Parameters
+    ----------
+    k : (N, 3, 3), K in the axes of the contact, with ‖K_tt⁻¹ K_tn‖ > μ
+    mu : (N,), μ
+
+    Notes
+    -----
+    A slip that begins along s has friction −μ s, and it grows along s itself:
+
+        K_tn − μ K_tt s = β s, with β > 0
+
+    So s = (β + μ K_tt)⁻¹ K_tn, and β is where this has length 1. The length falls as β
+    grows. It is above 1 at β = 0, and not above 1 at β = ‖K_tn‖. Halving finds β.
+    """
+    pull, across = k[:, :2, 2], mu[:, None, None] * k[:, :2, :2]
+    low, high = np.zeros(len(mu)), np.linalg.norm(pull, axis=-1)
+    for _ in range(HALVINGS):
+        beta = (low + high) / 2
+        short = np.linalg.norm(_solve(across + beta[:, None, None] * np.eye(2), pull), axis=-1) < 1
+        low, high = np.where(short, low, beta), np.where(short, beta, high)
+    s = _solve(across + high[:, None, None] * np.eye(2), pull)
+    return np.asarray(s / np.linalg.norm(s, axis=-1, keepdims=True))
+
+
+def _reached(course: Course, on: Integers, impulse: Array, work: Array, end: End) -> Array:
+    """How far the contacts `on` are, in what says that the part is over, (n,)."""
+    if end == "work":
+        return work
+    return np.asarray(impulse[:, 2] if end == "impulse" else course.velocity(on, impulse)[:, 2])
+
+
+def _advance(course: Course, on: Integers, end: End, target: Array) -> Booleans:
+    """One leg or one step of the contacts `on`; returns which of them have ended."""
+    u = course.velocity(on, course.impulse[on])
+    slip = np.linalg.norm(u[:, :2], axis=-1)
+    still = slip <= course.smallest[on]
+    s = u[:, :2] / np.where(still, 1.0, slip)[:, None]
+    push = np.concatenate([-course.mu[on][:, None] * s, np.ones((len(on), 1))], axis=-1)
+    push[still] = _push_without_slip(course.k[on][still], course.mu[on][still])
+    change = np.matvec(course.k[on], push)
+    turning = np.abs(s[:, 0] * change[:, 1] - s[:, 1] * change[:, 0])
+    slowing = np.where(still, 0.0, -np.vecdot(s, change[:, :2]))
+    straight = still | (turning <= STRAIGHT * course.rate[on]) | (slip * turning <= course.accepted[on] * slowing)
+    done = np.zeros(len(on), dtype=bool)
+    stop = np.where(slowing > 0, slip / np.where(slowing > 0, slowing, 1.0), np.inf)
+    legs = (x[straight] for x in (u[:, 2], push, change[:, 2], stop, target))
+    done[straight] = _leg(course, on[straight], end, *legs)
+    done[~straight] = _steps(course, on[~straight], (stop / 2)[~straight], end, target[~straight])
+    return done
+
+
+def _push_without_slip(k: Array, mu: Array) -> Array:
+    """Impulse per normal impulse at a contact that does not slip, (n, 3)."""
+    hold = -_solve(k[:, :2, :2], k[:, :2, 2])
+    lost = np.linalg.norm(hold, axis=-1) > mu
+    hold[lost] = -mu[lost, None] * direction_of_renewed_slip(k[lost], mu[lost])
+    return np.concatenate([hold, np.ones((len(mu), 1))], axis=-1)
+
+
+def _leg(
+    course: Course, on: Integers, end: End, speed: Array, push: Array, gain: Array, stop: Array, target: Array
+) -> Booleans:
+    """Advance in a straight leg to the end, or to where the slip stops.
+
+    speed: u_n. gain: what a unit of normal impulse adds to it. stop: the normal impulse
+    after which the slip stops. All (n,).
+    """
+    left = target - _reached(course, on, course.impulse[on], course.work[on], end)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        if end == "speed":
+            whole = np.where(gain > 0, left / gain, np.inf)
+        elif end == "impulse":
+            whole = left
+        else:  # the root of speed p + gain p²/2 = left that does not cancel
+            whole = 2 * left / (speed + np.sqrt(speed**2 + 2 * gain * left))
+            whole = np.where(np.isnan(whole), np.inf, whole)
+    p = np.minimum(whole, stop)
+    course.impulse[on] += p[:, None] * push
+    course.work[on] += p * (speed + gain * p / 2)
+    return np.asarray(whole <= stop)
+
+
+def _steps(course: Course, on: Integers, longest: Array, end: End, target: Array) -> Booleans:
+    """Advance by a step of a slip that turns, or by as much of it as leads to the end.
+
+    longest: how long a step may be, as a normal impulse, (n,). A step that is not
+    accurate enough is not taken, and the next one is shorter.
+    """
+    step, accepted = np.minimum(course.step[on], longest), course.accepted[on]
+    impulse, work, error = _double_step(course, on, step)
+    good = error <= accepted
+    course.step[on] = step * np.clip(0.9 * (accepted / np.maximum(error, TINY)) ** 0.2, 0.2, 4.0)
+    done = good & (_reached(course, on, impulse, work, end) >= target)
+    if np.any(done):
+        step[done] = _part_of_step(course, on[done], step[done], end, target[done])
+        impulse[done], work[done], _ = _double_step(course, on[done], step[done])
+    course.impulse[on[good]], course.work[on[good]] = impulse[good], work[good]
+    return np.asarray(done)
+
+
+def _part_of_step(course: Course, on: Integers, step: Array, end: End, target: Array) -> Array:
+    """Part of a step (n,) that leads just to the end, by Newton's rule in bounds."""
+    low, high, part = np.zeros(len(on)), step, step
+    for _ in range(HALVINGS):
+        impulse, work, _ = _double_step(course, on, part)
+        off = _reached(course, on, impulse, work, end) - target
+        low, high = np.where(off < 0, part, low), np.where(off < 0, high, part)
+        now = np.concatenate([impulse, work[:, None]], axis=-1)
+        growth = _slope(course.start[on], course.k[on], course.mu[on], now)
+        speed = np.vecdot(course.k[on, 2], growth[:, :3])
+        gain = {"speed": speed, "impulse": growth[:, 2], "work": growth[:, 3]}[end]
+        guess = part - off / np.where(gain > 0, gain, TINY)
+        guess = np.where((guess > low) & (guess < high), guess, (low + high) / 2)
+        moved, part = np.abs(guess - part), guess
+        if np.all(moved <= CLOSE * step):
+            break
+    return part
+
+
+def _double_step(course: Course, on: Integers, step: Array) -> tuple[Array, Array, Array]:
+    """Impulse and work after a step (n,) of p, and the error of the velocity, m/s.
+
+    The step is taken once whole and once in two halves. Their difference is the error,
+    and the two together are more accurate than either.
+    """
+    contact = course.start[on], course.k[on], course.mu[on]
+    now = np.concatenate([course.impulse[on], course.work[on][:, None]], axis=-1)
+    whole = _runge_kutta(*contact, now, step)
+    halves = _runge_kutta(*contact, _runge_kutta(*contact, now, step / 2), step / 2)
+    off = (halves - whole) / 15
+    error = np.linalg.norm(np.matvec(contact[1], off[:, :3]), axis=-1)
+    return (halves + off)[:, :3], (halves + off)[:, 3], np.asarray(error)
+
+
+def _runge_kutta(start: Array, k: Array, mu: Array, now: Array, step: Array) -> Array:
+    """Impulse and work, (n, 4), after a step (n,), by the classical rule."""
+    h = step[:, None]
+    first = _slope(start, k, mu, now)
+    second = _slope(start, k, mu, now + h / 2 * first)
+    third = _slope(start, k, mu, now + h / 2 * second)
+    fourth = _slope(start, k, mu, now + h * third)
+    return np.asarray(now + h / 6 * (first + 2 * second + 2 * third + fourth))
+
+
+def _slope(start: Array, k: Array, mu: Array, now: Array) -> Array:
+    """Growth of impulse and work with the normal impulse p, (n, 4)."""
+    u = start + np.matvec(k, now[:, :3])
+    slip = np.sqrt(np.vecdot(u[:, :2], u[:, :2]))
+    rubbed = -mu / np.where(slip > 0, slip, 1.0)
+    return np.concatenate([rubbed[:, None] * u[:, :2], np.ones((len(u), 1)), u[:, 2:]], axis=-1)
+
+
+def _solve(k: Array, right: Array) -> Array:
+    """Solve k x = right for vectors."""
+    return np.asarray(np.linalg.solve(k, right[..., None])[..., 0])
