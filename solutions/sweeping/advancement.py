@@ -29,7 +29,7 @@ surely stays at least half the tolerance apart, s.
 """
 TOLERANCE = 1e-6
 """Distance at which two bodies count as touching, as a share of the smaller one."""
-ROUNDS = 1000
+LOOKS = 1000
 """Largest number of looks. A pair that needs more remains undecided."""
 HALVINGS = 16
 """How often the interval is halved in which a free time is searched."""
@@ -145,7 +145,7 @@ def sweep_convex(
         ]
         return separation, np.maximum(least, _time_within(room, approach, turning, least, left))
 
-    time, undecided = advance(look, end, near, np.zeros(end.shape), ROUNDS)
+    time, undecided = advance(look, end, near, np.zeros(end.shape), LOOKS)
     return or_undecided(time, undecided).reshape(shape)
 
 

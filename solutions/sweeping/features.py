@@ -10,7 +10,7 @@ from solutions.checks import in_space
 from solutions.sweeping.advancement import Pairs, advance, flat, free_time, or_undecided, touching
 from solutions.sweeping.nearest import nearest_on_triangle, triangles
 
-ROUNDS = 40
+LOOKS_UNCUT = 40
 """Looks at a pair before it is cut into halves."""
 SPLITS = 12
 """How often a pair is cut at most. What is undecided then remains so."""
@@ -160,7 +160,7 @@ def _follow(place: Array, motion: Array, near: Array, began: Array, splits: int)
         closing = -np.vecdot(motion[pairs], normal[:, None, :])
         return heights.min(axis=-1), free_time(heights - near[pairs, None] / 2, closing).min(axis=-1)
 
-    time, undecided = advance(look, np.ones(near.shape), near, began, ROUNDS)
+    time, undecided = advance(look, np.ones(near.shape), near, began, LOOKS_UNCUT)
     if splits and undecided.any():
         halves = _halves(place[undecided], motion[undecided])
         near_twice, time_twice = np.tile(near[undecided], 2), np.tile(time[undecided], 2)

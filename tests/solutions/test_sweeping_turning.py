@@ -422,7 +422,7 @@ def test_a_spinning_rod_that_stays_clear_of_a_wall_never_hits_it(speed, scale):
 
 
 def test_a_pair_is_undecided_where_the_rounds_are_used_up(monkeypatch):
-    monkeypatch.setattr(advancement, "ROUNDS", 2)
+    monkeypatch.setattr(advancement, "LOOKS", 2)
     rod, post, dt = [[-0.5, 0, 0], [0.5, 0, 0]], [0.4, 0.2, 0], [0.01, 1.0]
     with pytest.warns(UndecidedWarning, match=r"^1 of 2 pairs are undecided: they stay apart until 0\.0\d+ and"):
         found = sweep_convex(rod, STILL, STILL, (0, 0, 10), 0, [STILL], post, STILL, STILL, 0.01, dt, tolerance=1e-9)
