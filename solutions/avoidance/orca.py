@@ -14,6 +14,7 @@ from solutions.avoidance.directions import in_plane, turned_left, unit_or_zero
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
 from solutions.checks import not_negative, positive
+from solutions.scaling import length_of
 
 
 def orca_half_plane(
@@ -84,7 +85,7 @@ def orca_half_plane(
     v, other = in_plane("velocity_a", velocity_a), in_plane("velocity_b", velocity_b)
     towards = in_plane("position_b", position_b) - in_plane("position_a", position_a)
     reach = not_negative("radius_a", radius_a) + not_negative("radius_b", radius_b)
-    overlaps = np.linalg.norm(towards, axis=-1) <= reach
+    overlaps = length_of(towards) <= reach
     time = np.where(overlaps, positive("dt", dt), positive("horizon", horizon))
     change, normal = _to_the_border(v - other, towards, reach, time, overlaps)
     return v + change[..., None] * normal / 2, normal
@@ -168,7 +169,7 @@ def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps
     The distance is negative for a relative velocity u outside.
     """
     from_centre = u - towards / time[..., None]
-    length = np.linalg.norm(from_centre, axis=-1)
+    length = length_of(from_centre)
     along = np.sum(from_centre * towards, axis=-1)
     on_disc = overlaps | ((along < 0) & (along**2 > (reach * length) ** 2))
     disc, leg = _disc_normal(from_centre, towards), _leg_normal(from_centre, towards, reach)
@@ -194,7 +195,7 @@ def _leg_normal(from_centre: Array, towards: Array, reach: Array) -> Array:
     """
     ahead = unit_or_zero(towards)
     left = turned_left(ahead)
-    distance = np.linalg.norm(towards, axis=-1)
+    distance = length_of(towards)
     sine = np.minimum(reach / np.where(distance > 0, distance, 1.0), 1.0)
     cosine = np.sqrt((1 - sine) * (1 + sine))
     side = np.where(np.sum(from_centre * left, axis=-1) > 0, 1.0, -1.0)

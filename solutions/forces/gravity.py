@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
+from solutions.scaling import length_of
 
 GRAVITATIONAL_CONSTANT = 6.67430e-11
 """G, m³/(kg s²), CODATA 2018; its relative uncertainty is 2.2e-5."""
@@ -206,4 +207,4 @@ def _masses(mass_1: ArrayLike, mass_2: ArrayLike) -> Array:
 def _apart(position_1: ArrayLike, position_2: ArrayLike, softening: ArrayLike) -> tuple[Array, Array]:
     """Vector from body 1 to body 2, and √(‖d‖² + ε²)."""
     d = np.asarray(vector("position_2", position_2) - vector("position_1", position_1))
-    return d, np.hypot(np.linalg.norm(d, axis=-1), not_negative("softening", softening))
+    return d, np.hypot(length_of(d), not_negative("softening", softening))

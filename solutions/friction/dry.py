@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
+from solutions.scaling import length_of
 
 
 def holds(
@@ -40,7 +41,7 @@ def holds(
     """
     static = finite("static_friction", not_negative("static_friction", static_friction))
     limit = static * finite("normal_force", not_negative("normal_force", normal_force))
-    return np.asarray(np.linalg.norm(finite("push", vector("push", push)), axis=-1) <= limit)
+    return np.asarray(length_of(finite("push", vector("push", push))) <= limit)
 
 
 def friction_force(
@@ -76,8 +77,8 @@ def friction_force(
     push, velocity = vector("push", push), finite("tangent_velocity", vector("tangent_velocity", tangent_velocity))
     mu = not_negative("kinetic_friction", kinetic_friction)
     not_negative("static_friction less kinetic_friction", np.asarray(static_friction) - mu)
-    speed = np.linalg.norm(velocity, axis=-1)[..., None]
-    size = np.linalg.norm(push, axis=-1)[..., None]
+    speed = length_of(velocity)[..., None]
+    size = length_of(push)[..., None]
     along_velocity = velocity / np.where(speed > 0, speed, 1.0)
     along_push = push / np.where(size > 0, size, 1.0)
     kinetic = (mu * np.asarray(normal_force))[..., None]

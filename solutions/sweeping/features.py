@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space, positive
+from solutions.scaling import length_of
 from solutions.sweeping.advancement import TOLERANCE, Pairs, advance, flat, free_time
 from solutions.sweeping.nearest import nearest_on_triangle, triangles
 
@@ -131,7 +132,7 @@ def _towards(corners: Array) -> Array:
     """
     faces = corners[:, None, :, :] if corners.shape[-2] == 3 else corners[:, [[0, 1, 2], [1, 2, 3]], :]
     nearest = (nearest_on_triangle(np.zeros(3), faces)[..., None, :] @ faces)[..., 0, :]
-    distance = np.linalg.norm(nearest, axis=-1)
+    distance = length_of(nearest)
     best = np.argmin(distance, axis=-1)[:, None]
     length = np.take_along_axis(distance, best, axis=-1)
     nearest = np.take_along_axis(nearest, best[..., None], axis=-2)[:, 0, :]

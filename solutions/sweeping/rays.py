@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space
+from solutions.scaling import in_moderate_units
 from solutions.sweeping.motion import extent
 
 
@@ -53,14 +54,18 @@ def ray_sphere(origin: ArrayLike, direction: ArrayLike, radius: ArrayLike) -> Ar
     function uses the second line, because it subtracts no two nearly equal numbers.
     """
     x, u, r = in_space("origin", origin), in_space("direction", direction), extent("radius", radius)
+    (x, metre), (u, speed) = in_moderate_units(x), in_moderate_units(u)
     distance, closing = np.linalg.norm(x, axis=-1), -np.vecdot(x, u)
-    discriminant = r**2 * np.vecdot(u, u) - np.sum(np.cross(x, u) ** 2, axis=-1)
+    with np.errstate(over="ignore"):
+        inside = distance <= r / metre
+    r, across = np.where(inside, 0.0, r / metre), np.cross(x, u)
+    discriminant = r**2 * np.vecdot(u, u) - np.vecdot(across, across)
     meets = (closing > 0) & (discriminant >= 0)
     root = np.sqrt(np.where(meets, discriminant, 0.0))
     # At a crawl the time may be longer than any float: infinity stands for it.
     with np.errstate(over="ignore"):
-        time = (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0)
-    return np.where(distance <= r, 0.0, np.where(meets, time, np.inf))
+        time = (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0) * metre / speed
+    return np.where(inside, 0.0, np.where(meets, time, np.inf))
 
 
 def ray_capsule(
