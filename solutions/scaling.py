@@ -31,22 +31,44 @@ def length_of(vector: ArrayLike) -> Array:
     return length
 
 
-def in_moderate_units(vector: Array) -> tuple[Array, Array]:
+def in_moderate_units(vector: Array) -> tuple[Array, Array, Array]:
     """Vectors (..., d) in a unit in which they are neither very long nor very short.
 
     Returns
     -------
     vector : (..., d), in the new unit
+    length : (...), in the new unit
     unit : (...), a power of two
         It is 1 where a vector needs no other unit. If no vector needs one, it is a
         single 1 without axes.
     """
     with np.errstate(over="ignore"):
-        length = np.sqrt(np.vecdot(vector, vector))
+        length = np.asarray(np.sqrt(np.vecdot(vector, vector)))
     if _moderate(length):
-        return vector, np.ones(())
+        return vector, length, np.ones(())
     unit = np.where(_extreme(length, vector), power_of_two(_largest(vector)), 1.0)
-    return vector / unit[..., None], unit
+    vector = vector / unit[..., None]
+    return vector, np.asarray(np.sqrt(np.vecdot(vector, vector))), unit
+
+
+def in_unit(value: Array, unit: Array, axes: int = 1) -> Array:
+    """Arrays over a unit (...) of `in_moderate_units`; they have some axes more."""
+    return value if not unit.ndim and unit == 1 else value / unit[(..., *axes * [None])]
+
+
+def cross_product(first: Array, second: Array) -> tuple[Array, Array]:
+    """The cross product of vectors (..., 3), in a unit of its own, and its length.
+
+    It is zero only where the vectors are parallel, or one is zero.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        product = np.cross(first, second)
+        length = np.asarray(np.linalg.norm(product, axis=-1))
+    if not _moderate(length):
+        (first, *_), (second, *_) = in_moderate_units(first), in_moderate_units(second)
+        product = np.cross(first, second)
+        length = np.asarray(np.linalg.norm(product, axis=-1))
+    return product, length
 
 
 def moderate_plane(normal: Array, offset: ArrayLike) -> tuple[Array, Array, Array]:
@@ -73,10 +95,18 @@ def root_of_difference(u: Array, p: Array, q: Array) -> Array:
     with np.errstate(over="ignore", invalid="ignore"):
         difference = np.asarray(u * u - p * q)
         root = np.asarray(np.sqrt(difference))
-    if not _moderate(root):
-        extreme = ~((root > SMALL) & (root < LARGE))
-        root[extreme] = _root_in_units(*(np.broadcast_to(value, root.shape)[extreme] for value in (u, p, q)))
+    size = np.abs(difference)
+    if not _moderate(size, 4):
+        size = size + ((u == 0) & ((p == 0) | (q == 0)))  # without these, whose root is 0
+        if not _moderate(size, 4):
+            extreme = ~((size > SMALL**4) & (size < LARGE**4))
+            root[extreme] = _root_in_units(*(np.broadcast_to(value, root.shape)[extreme] for value in (u, p, q)))
     return root
+
+
+def root_of_product(p: Array, q: Array) -> Array:
+    """√(p q) of two numbers that are not negative, however large or small."""
+    return root_of_difference(np.zeros(()), -p, q)
 
 
 def power_of_two(size: ArrayLike) -> Array:
@@ -99,11 +129,12 @@ def _root_in_units(u: Array, p: Array, q: Array) -> Array:
         return np.ldexp(np.sqrt(u * u - product), k)
 
 
-def _moderate(length: Array) -> bool:
-    """Whether all lengths are between `SMALL` and `LARGE`."""
-    if not length.ndim:
-        return SMALL < float(length) < LARGE
-    return not length.size or bool(length.min() > SMALL and length.max() < LARGE)
+def _moderate(size: Array, power: int = 1) -> bool:
+    """Whether all sizes are between `SMALL` and `LARGE`, each to a power."""
+    low, high = SMALL**power, LARGE**power
+    if not size.ndim:
+        return low < float(size) < high
+    return not size.size or bool(size.min() > low and size.max() < high)
 
 
 def _extreme(length: Array, vector: Array) -> Booleans:

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.arrays import Array
 from solutions.avoidance.directions import to_the_left, unit_or_zero
 from solutions.checks import in_space, positive
-from solutions.scaling import length_of
+from solutions.scaling import in_moderate_units, length_of, root_of_product
 
 HEAD_ON = 1e-9
 """Share of a wish below which its part across the way names no side.
@@ -73,8 +73,8 @@ def tangent_point(
     distance, way = _distance_and_way(c - p, r)
     outside = distance >= r
     length = np.where(outside, distance, 1.0)
-    short = np.where(outside, r * r / length, r)[..., None]
-    aside = np.where(outside, r * way / length, 0.0)[..., None]
+    short = np.where(outside, r * (r / length), r)[..., None]
+    aside = np.where(outside, r * (way / length), 0.0)[..., None]
     side = _side(towards, in_space("heading", heading))
     at_centre = (distance == 0)[..., None]
     return np.where(at_centre, c + r[..., None] * np.array([0.0, 0.0, 1.0]), c - short * towards + aside * side)
@@ -119,8 +119,9 @@ def is_in_the_way(
     """
     p, c = in_space("position", position), in_space("centre", centre)
     way = in_space("goal", goal) - p
-    squared = np.sum(way * way, axis=-1)
-    share = np.clip(np.sum((c - p) * way, axis=-1) / np.where(squared > 0, squared, 1.0), 0.0, 1.0)
+    ahead, _, metre = in_moderate_units(way)
+    squared = np.vecdot(ahead, ahead)
+    share = np.clip(np.vecdot(c - p, ahead) / np.where(squared > 0, squared, 1.0) / metre, 0.0, 1.0)
     nearest = p + share[..., None] * way
     return np.asarray(length_of(nearest - c) < positive("radius", radius))
 
@@ -187,7 +188,7 @@ def _distance_and_way(to_centre: Array, radius: Array) -> tuple[Array, Array]:
     subtracted.
     """
     distance = length_of(to_centre)
-    return distance, np.sqrt(np.maximum(distance - radius, 0.0) * (distance + radius))
+    return distance, root_of_product(np.maximum(distance - radius, 0.0), distance + radius)
 
 
 def _side(towards: Array, *wishes: Array) -> Array:

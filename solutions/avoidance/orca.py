@@ -170,33 +170,32 @@ def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps
     """
     from_centre = u - towards / time[..., None]
     length = length_of(from_centre)
-    along = np.sum(from_centre * towards, axis=-1)
-    on_disc = overlaps | ((along < 0) & (along**2 > (reach * length) ** 2))
-    disc, leg = _disc_normal(from_centre, towards), _leg_normal(from_centre, towards, reach)
+    distance = length_of(towards)
+    ahead = towards / np.where(distance > 0, distance, 1.0)[..., None]
+    sine = np.minimum(reach / np.where(distance > 0, distance, 1.0), 1.0)
+    on_disc = overlaps | (-np.sum(from_centre * ahead, axis=-1) > sine * length)
+    disc, leg = _disc_normal(from_centre, ahead), _leg_normal(from_centre, ahead, sine)
     normal = np.where(on_disc[..., None], disc, leg)
     return np.where(on_disc, reach / time - length, -np.sum(u * normal, axis=-1)), normal
 
 
-def _disc_normal(from_centre: Array, towards: Array) -> Array:
+def _disc_normal(from_centre: Array, ahead: Array) -> Array:
     """Outward normal of the disc, in the radial direction.
 
-    At the centre of the disc it points against `towards`, or along +x where that is
-    zero as well.
+    At the centre of the disc it points against `ahead`, the direction of the other
+    disc, or along +x where that is zero as well.
     """
-    for_none = np.where(np.any(towards != 0, axis=-1, keepdims=True), -unit_or_zero(towards), np.array([1.0, 0.0]))
+    for_none = np.where(np.any(ahead != 0, axis=-1, keepdims=True), -ahead, np.array([1.0, 0.0]))
     return np.where(np.any(from_centre != 0, axis=-1, keepdims=True), unit_or_zero(from_centre), for_none)
 
 
-def _leg_normal(from_centre: Array, towards: Array, reach: Array) -> Array:
+def _leg_normal(from_centre: Array, ahead: Array, sine: Array) -> Array:
     """Outward normal of the cone, at the nearer of its two sides.
 
     Half the angle of the cone has the sine R/L, so n = ±(k/L) left − (R/L) ahead with
     k = √(L² − R²).
     """
-    ahead = unit_or_zero(towards)
     left = turned_left(ahead)
-    distance = length_of(towards)
-    sine = np.minimum(reach / np.where(distance > 0, distance, 1.0), 1.0)
     cosine = np.sqrt((1 - sine) * (1 + sine))
     side = np.where(np.sum(from_centre * left, axis=-1) > 0, 1.0, -1.0)
     return np.asarray((side * cosine)[..., None] * left - sine[..., None] * ahead)

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
-from solutions.scaling import length_of
+from solutions.scaling import in_moderate_units, length_of
 
 
 def holds(
@@ -133,12 +133,15 @@ def sliding_motion(
         return np.asarray((f + friction_force(f, velocity, normal_force, static_friction, kinetic_friction)) / m)
 
     a = acceleration(v)
-    speed_squared, closing = np.sum(v * v, axis=-1), -np.sum(v * a, axis=-1)
-    stops = (speed_squared > 0) & (speed_squared <= closing * dt)
-    stopping_time = np.where(stops, speed_squared / np.where(stops, closing, 1.0), np.inf)
+    (way, _, speed), (slowing, _, rate) = in_moderate_units(v), in_moderate_units(a)
+    speed_squared, closing = np.vecdot(way, way), -np.vecdot(way, slowing)
+    with np.errstate(over="ignore"):  # hardly any friction takes longer than any float
+        stopping_time = speed_squared / np.where(closing > 0, closing, 1.0) * speed / rate
+    stops = (speed_squared > 0) & (closing > 0) & (stopping_time <= dt)
+    stopping_time = np.where(stops, stopping_time, np.inf)
     first = np.minimum(stopping_time, dt)[..., None]
-    p = p + v * first + a * first**2 / 2
+    p = p + v * first + a * first * first / 2
     v = np.where(stops[..., None], 0.0, v + a * first)
     rest = dt[..., None] - first
     after = np.where(stops[..., None], acceleration(v), 0.0)
-    return p + after * rest**2 / 2, v + after * rest, stopping_time
+    return p + after * rest * rest / 2, v + after * rest, stopping_time

@@ -7,9 +7,9 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space, positive
-from solutions.scaling import length_of
+from solutions.scaling import in_moderate_units, in_unit, length_of
 from solutions.sweeping.advancement import TOLERANCE, Pairs, advance, flat, free_time
-from solutions.sweeping.nearest import nearest_on_triangle, triangles
+from solutions.sweeping.nearest import nearest_weights, triangles
 
 
 def vertex_face_impact(
@@ -111,7 +111,10 @@ def _first_contact(start: Array, end: Array, tolerance: Array) -> Array:
 
     It does the same for parallelograms.
     """
-    shape = np.broadcast_shapes(start.shape[:-2], end.shape[:-2], tolerance.shape)
+    start, end = np.broadcast_arrays(start, end)
+    *_, metre = in_moderate_units(np.concatenate([start, end], axis=-2).reshape(*start.shape[:-2], -1))
+    start, end, tolerance = in_unit(start, metre, 2), in_unit(end, metre, 2), tolerance / metre
+    shape = np.broadcast_shapes(start.shape[:-2], tolerance.shape)
     near, place = flat(tolerance, shape), flat(start, shape, start.shape[-2:])
     motion = flat(end, shape, end.shape[-2:]) - place
 
@@ -131,7 +134,7 @@ def _towards(corners: Array) -> Array:
     A parallelogram has its corners in the order 00, 01, 10, 11.
     """
     faces = corners[:, None, :, :] if corners.shape[-2] == 3 else corners[:, [[0, 1, 2], [1, 2, 3]], :]
-    nearest = (nearest_on_triangle(np.zeros(3), faces)[..., None, :] @ faces)[..., 0, :]
+    nearest = (nearest_weights(faces, faces, np.roll(faces, -1, axis=-2) - faces)[..., None, :] @ faces)[..., 0, :]
     distance = length_of(nearest)
     best = np.argmin(distance, axis=-1)[:, None]
     length = np.take_along_axis(distance, best, axis=-1)

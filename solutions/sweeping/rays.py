@@ -54,8 +54,8 @@ def ray_sphere(origin: ArrayLike, direction: ArrayLike, radius: ArrayLike) -> Ar
     function uses the second line, because it subtracts no two nearly equal numbers.
     """
     x, u, r = in_space("origin", origin), in_space("direction", direction), extent("radius", radius)
-    (x, metre), (u, speed) = in_moderate_units(x), in_moderate_units(u)
-    distance, closing = np.linalg.norm(x, axis=-1), -np.vecdot(x, u)
+    (x, distance, metre), (u, _, speed) = in_moderate_units(x), in_moderate_units(u)
+    closing = -np.vecdot(x, u)
     with np.errstate(over="ignore"):
         inside = distance <= r / metre
     r, across = np.where(inside, 0.0, r / metre), np.cross(x, u)
@@ -108,11 +108,12 @@ def ray_capsule(
     """
     x, u = in_space("origin", origin), in_space("direction", direction)
     a, b = in_space("start", start), in_space("end", end)
-    along = b - a
+    along, _, metre = in_moderate_units(b - a)
     squared = np.vecdot(along, along)
     scale = np.where(squared > 0, squared, 1.0)
     place, rate = np.vecdot(x - a, along) / scale, np.vecdot(u, along) / scale
     side = ray_sphere(x - a - place[..., None] * along, u - rate[..., None] * along, radius)
+    place, rate = place / metre, rate / metre
     there = place + rate * np.where(np.isfinite(side), side, 0.0)
     side = np.where((there >= 0) & (there <= 1), side, np.inf)
     return np.minimum(side, np.minimum(ray_sphere(x - a, u, radius), ray_sphere(x - b, u, radius)))
