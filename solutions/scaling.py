@@ -72,7 +72,7 @@ def cross_product(first: Array, second: Array) -> tuple[Array, Array]:
 
 
 def moderate_plane(normal: Array, offset: ArrayLike) -> tuple[Array, Array, Array]:
-    """The same plane n·p + d = 0 with a normal that is neither very long nor very short.
+    """The same plane n·p + d = 0, its normal neither very long nor very short.
 
     Returns
     -------

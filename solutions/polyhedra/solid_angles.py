@@ -49,7 +49,9 @@ def winding_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
     near = np.all((point >= low - margin) & (point <= high + margin), axis=1)
     winding = np.empty(len(point))
     winding[near] = _winding_of_halves(point[near], vertices, faces)
-    winding[~near] = sum_of_angles(point[~near], vertices, cap(faces))
+    rim_only = cap(faces)
+    seen = rim_only if len(rim_only) < len(faces) else faces
+    winding[~near] = sum_of_angles(point[~near], vertices, seen)
     return winding
 
 
