@@ -53,7 +53,10 @@ def in_moderate_units(vector: Array) -> tuple[Array, Array, Array]:
 
 def in_unit(value: Array, unit: Array, axes: int = 1) -> Array:
     """Arrays over a unit (...) of `in_moderate_units`; they have some axes more."""
-    return value if not unit.ndim and unit == 1 else value / unit[(..., *axes * [None])]
+    if not unit.ndim and unit == 1:
+        return value
+    with np.errstate(over="ignore"):
+        return value / unit[(..., *axes * [None])]
 
 
 def cross_product(first: Array, second: Array) -> tuple[Array, Array]:
@@ -126,7 +129,7 @@ def _root_in_units(u: Array, p: Array, q: Array) -> Array:
     k = np.where(p * q == 0, of_u, np.where(u == 0, (of_p + of_q) // 2, np.maximum(of_u, (of_p + of_q) // 2)))
     u, product = np.ldexp(u, of_u - k), np.ldexp(p * q, of_p + of_q - 2 * k)
     with np.errstate(invalid="ignore"):
-        return np.ldexp(np.sqrt(u * u - product), k)
+        return np.asarray(np.ldexp(np.sqrt(u * u - product), k))
 
 
 def _moderate(size: Array, power: int = 1) -> bool:

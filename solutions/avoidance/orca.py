@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solutions.arrays import Array, Integers
+from solutions.arrays import Array, Booleans, Integers
 from solutions.avoidance.directions import in_plane, turned_left, unit_or_zero
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
@@ -163,7 +163,7 @@ def _who_may_meet(p: Array, radius: Array, speed: Array, horizon: float) -> tupl
     return neighbour_pairs(p, sight if sight > 0 else 1.0)
 
 
-def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps: Array) -> tuple[Array, Array]:
+def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps: Booleans) -> tuple[Array, Array]:
     """How far u is inside the obstacle, and the normal of the nearest border.
 
     The distance is negative for a relative velocity u outside.

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space
-from solutions.scaling import in_moderate_units
+from solutions.scaling import in_moderate_units, in_unit
 from solutions.sweeping.motion import extent
 
 
@@ -56,15 +56,15 @@ def ray_sphere(origin: ArrayLike, direction: ArrayLike, radius: ArrayLike) -> Ar
     x, u, r = in_space("origin", origin), in_space("direction", direction), extent("radius", radius)
     (x, distance, metre), (u, _, speed) = in_moderate_units(x), in_moderate_units(u)
     closing = -np.vecdot(x, u)
-    with np.errstate(over="ignore"):
-        inside = distance <= r / metre
-    r, across = np.where(inside, 0.0, r / metre), np.cross(x, u)
+    r, across = in_unit(r, metre, 0), np.cross(x, u)
+    inside = distance <= r
+    r = np.minimum(r, distance)  # from within, the size of the sphere does not matter
     discriminant = r**2 * np.vecdot(u, u) - np.vecdot(across, across)
     meets = (closing > 0) & (discriminant >= 0)
     root = np.sqrt(np.where(meets, discriminant, 0.0))
     # At a crawl the time may be longer than any float: infinity stands for it.
     with np.errstate(over="ignore"):
-        time = (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0) * metre / speed
+        time = (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0) * (metre / speed)
     return np.where(inside, 0.0, np.where(meets, time, np.inf))
 
 
