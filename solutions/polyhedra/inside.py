@@ -14,7 +14,7 @@ from solutions.checks import finite, vector
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
 from solutions.polyhedra.solid_angles import winding_of_mesh
 from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, same_places
-from solutions.scaling import power_of_two
+from solutions.scaling import in_moderate_units, in_unit
 
 FAR = 2.0**300
 """From farther away than this many sizes of a mesh, its solid angle is below 1e-180."""
@@ -127,10 +127,9 @@ def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> A
     v, f = checked_mesh(vertices, faces)
     if not len(f):
         return np.zeros(p.shape[:-1])
-    unit = power_of_two(np.max(np.abs(v[f])))
-    with np.errstate(over="ignore"):
-        rows = np.clip(p.reshape(-1, 3) / unit, -FAR, FAR)
-    return winding_of_mesh(rows, v / unit, f).reshape(p.shape[:-1])
+    coordinates, _, metre = in_moderate_units(v.reshape(-1))
+    rows = np.clip(in_unit(p.reshape(-1, 3), metre, 0), -FAR, FAR)
+    return winding_of_mesh(rows, coordinates.reshape(-1, 3), f).reshape(p.shape[:-1])
 
 
 def inside_by_winding(

@@ -12,19 +12,19 @@ from solutions.arrays import Array, Integers
 from solutions.polyhedra.surface import blocks, directed_edges
 
 FEW_FACES = 8
-FEW_PAIRS = 1 << 16
-"""Up to these numbers of faces, and of pairs of a point and a face, all are summed."""
+FEW_POINTS = 1000
+"""Up to these numbers of faces, or of points, all solid angles are summed."""
 SAVING = 0.7
 """Caps with more than this share of the faces would not repay the search for them."""
 MARGIN = 2.0**-10
 """How far beyond the box of a part a point must be, as a share of the box's size."""
-IN_CACHE = 8
+IN_CACHE = 4
 """By how much blocks are smaller here, so that a block's arrays fit in the cache."""
 
 
 def winding_of_mesh(point: Array, vertices: Array, faces: Integers) -> Array:
     """How often the faces of a mesh go round points (p, 3)."""
-    if len(point) * len(faces) <= FEW_PAIRS:
+    if len(point) <= FEW_POINTS:
         return sum_of_angles(point, vertices, faces)
     # Vertices at the same place count as one, so that loose triangles have no rims.
     places, number = np.unique(vertices[faces].reshape(-1, 3), axis=0, return_inverse=True)
@@ -51,17 +51,17 @@ def winding_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
     winding[near] = _winding_of_halves(point[near], vertices, faces)
     rim_only = cap(faces)
     seen = rim_only if len(rim_only) < len(faces) else faces
-    winding[~near] = sum_of_angles(point[~near], vertices, seen)
+    winding[~near] = _sum_of_part(point[~near], vertices, seen)
     return winding
 
 
 def _winding_of_halves(point: Array, vertices: Array, faces: Integers) -> Array:
-    if len(faces) > FEW_FACES and len(point) * len(faces) > FEW_PAIRS:
+    if len(faces) > FEW_FACES and len(point) > FEW_POINTS:
         halves = _halves(vertices, faces)
         if sum(len(cap(half)) for half in halves) < SAVING * len(faces):
             first, second = (winding_of_part(point, vertices, half) for half in halves)
             return np.asarray(first + second)
-    return sum_of_angles(point, vertices, faces)
+    return _sum_of_part(point, vertices, faces)
 
 
 def _halves(vertices: Array, faces: Integers) -> tuple[Integers, Integers]:
@@ -90,26 +90,28 @@ def cap(faces: Integers) -> Integers:
 
 def sum_of_angles(point: Array, vertices: Array, faces: Integers) -> Array:
     """The sum of the solid angles of all faces, as seen from points (p, 3), over 4π."""
+    first, second, third = np.moveaxis(vertices[faces], 1, 0)
+    area = np.cross(second - first, third - first)
     winding = np.zeros(len(point))
-    if len(faces):
-        corners, number = np.unique(faces, return_inverse=True)
-        for block in blocks(len(point), IN_CACHE * len(faces)):
-            halves = _half_solid_angles(point[block], vertices[corners], number.reshape(-1, 3))
-            # Laid out point by point, the sum over faces does not depend on the block.
-            winding[block] = np.sum(np.ascontiguousarray(halves.T), axis=1) / (2 * np.pi)
+    for block in blocks(len(point), IN_CACHE * len(faces)):
+        winding[block] = np.sum(_half_solid_angles(point[block], vertices, faces, area), axis=1) / (2 * np.pi)
     return winding
 
 
-def _half_solid_angles(point: Array, vertices: Array, faces: Integers) -> Array:
-    """Ω/2 of every face, (f, points)."""
-    # With x, y, z along the first axis and the points along the last, sums are fast.
-    to_vertex = vertices.T[:, :, None] - point.T[:, None, :]
+def _sum_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
+    """The same, without the vertices of the rest of the mesh."""
+    needed, number = np.unique(faces, return_inverse=True)
+    return sum_of_angles(point, vertices[needed], number.reshape(-1, 3))
+
+
+def _half_solid_angles(point: Array, vertices: Array, faces: Integers, area: Array) -> Array:
+    """Ω/2 of every face, (points, f); area is the normal of each, twice its area long."""
+    # With x, y, z along the first axis, sums of three are faster.
+    to_vertex = vertices.T[:, None] - point.T[..., None]
     length = np.sqrt(_dot(to_vertex, to_vertex))
-    a, b, c = (np.take(to_vertex, corner, axis=1) for corner in faces.T)
-    la, lb, lc = (np.take(length, corner, axis=0) for corner in faces.T)
-    first, second, third = np.moveaxis(vertices[faces], 1, 0)
-    area = np.cross(second - first, third - first).T[:, :, None]
-    volume = _dot(a, area)  # a·(b×c), with b − a and c − a for b and c
+    a, b, c = (np.take(to_vertex, corner, axis=2) for corner in faces.T)
+    la, lb, lc = (np.take(length, corner, axis=1) for corner in faces.T)
+    volume = _dot(a, area.T[:, None])  # a·(b×c), with b − a and c − a for b and c
     below = (la * lb + _dot(a, b)) * lc + _dot(b, c) * la + _dot(c, a) * lb
     return np.where(volume == 0, 0.0, np.arctan2(volume, below))
 

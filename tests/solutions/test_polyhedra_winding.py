@@ -52,13 +52,13 @@ POINTS = RNG.uniform(LOW - 0.3, HIGH + 0.3, (400, 3))
 @pytest.fixture
 def summed(monkeypatch):
     """Tries caps for as few points as there are here, and counts the solid angles that are summed."""
-    monkeypatch.setattr(solid_angles, "FEW_PAIRS", 100)
+    monkeypatch.setattr(solid_angles, "FEW_POINTS", 3)
     count = []
     angles = solid_angles._half_solid_angles
 
-    def counting(point, vertices, faces):
+    def counting(point, vertices, faces, area):
         count.append(len(point) * len(faces))
-        return angles(point, vertices, faces)
+        return angles(point, vertices, faces, area)
 
     monkeypatch.setattr(solid_angles, "_half_solid_angles", counting)
     return count
