@@ -91,10 +91,10 @@ def cap(faces: Integers) -> Integers:
 def sum_of_angles(point: Array, vertices: Array, faces: Integers) -> Array:
     """The sum of the solid angles of all faces, as seen from points (p, 3), over 4π."""
     first, second, third = np.moveaxis(vertices[faces], 1, 0)
-    area = np.cross(second - first, third - first)
+    normal = np.cross(second - first, third - first)
     winding = np.zeros(len(point))
     for block in blocks(len(point), IN_CACHE * len(faces)):
-        winding[block] = np.sum(_half_solid_angles(point[block], vertices, faces, area), axis=1) / (2 * np.pi)
+        winding[block] = np.sum(_half_solid_angles(point[block], vertices, faces, normal), axis=1) / (2 * np.pi)
     return winding
 
 
@@ -104,14 +104,14 @@ def _sum_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
     return sum_of_angles(point, vertices[needed], number.reshape(-1, 3))
 
 
-def _half_solid_angles(point: Array, vertices: Array, faces: Integers, area: Array) -> Array:
-    """Ω/2 of every face, (points, f); area is the normal of each, twice its area long."""
+def _half_solid_angles(point: Array, vertices: Array, faces: Integers, normal: Array) -> Array:
+    """Ω/2 of every face, (points, f); its normal is twice its area long."""
     # With x, y, z along the first axis, sums of three are faster.
     to_vertex = vertices.T[:, None] - point.T[..., None]
     length = np.sqrt(_dot(to_vertex, to_vertex))
     a, b, c = (np.take(to_vertex, corner, axis=2) for corner in faces.T)
     la, lb, lc = (np.take(length, corner, axis=1) for corner in faces.T)
-    volume = _dot(a, area.T[:, None])  # a·(b×c), with b − a and c − a for b and c
+    volume = _dot(a, normal.T[:, None])  # a·(b×c), with b − a and c − a for b and c
     below = (la * lb + _dot(a, b)) * lc + _dot(b, c) * la + _dot(c, a) * lb
     return np.where(volume == 0, 0.0, np.arctan2(volume, below))
 
