@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space, not_negative
+from solutions.scaling import in_moderate_units, length_of
 
 
 def nearest_approach(
@@ -54,9 +55,10 @@ def nearest_approach(
     """
     x = in_space("position_a", position_a) - in_space("position_b", position_b)
     u = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)
-    closing, squared = -np.sum(x * u, axis=-1), np.sum(u * u, axis=-1)
-    time = np.where(squared > 0, np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0), 0.0)
-    distance = np.linalg.norm(x + u * time[..., None], axis=-1)
+    way, _, speed = in_moderate_units(u)
+    closing, squared = -np.vecdot(x, way), np.vecdot(way, way)
+    time = np.where(squared > 0, np.maximum(closing, 0.0) / np.where(squared > 0, squared, 1.0) / speed, 0.0)
+    distance = length_of(x + u * time[..., None])
     return time, np.asarray(distance - not_negative("radius_a", radius_a) - not_negative("radius_b", radius_b))
 
 
@@ -108,10 +110,13 @@ def time_to_collision(
     x = in_space("position_a", position_a) - in_space("position_b", position_b)
     u = in_space("velocity_a", velocity_a) - in_space("velocity_b", velocity_b)
     reach = not_negative("radius_a", radius_a) + not_negative("radius_b", radius_b)
-    distance, closing = np.linalg.norm(x, axis=-1), -np.sum(x * u, axis=-1)
-    across = np.sum(np.cross(x, u) ** 2, axis=-1)
-    discriminant = reach**2 * np.sum(u * u, axis=-1) - across
+    (x, distance, metre), (u, _, speed) = in_moderate_units(x), in_moderate_units(u)
+    closing, across = -np.vecdot(x, u), np.cross(x, u)
+    with np.errstate(over="ignore"):
+        overlap = distance < reach / metre
+    reach = np.where(overlap, 0.0, reach / metre)
+    discriminant = reach**2 * np.vecdot(u, u) - np.vecdot(across, across)
     meets = (closing > 0) & (discriminant >= 0)
     root = np.sqrt(np.where(meets, discriminant, 0.0))
-    time = (distance - reach) * (distance + reach) / np.where(meets, closing + root, 1.0)
-    return np.where(distance < reach, 0.0, np.where(meets, np.maximum(time, 0.0), np.inf))
+    time = (distance - reach) * (distance + reach) / np.where(meets, closing + root, 1.0) * metre / speed
+    return np.where(overlap, 0.0, np.where(meets, np.maximum(time, 0.0), np.inf))

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative
+from solutions.scaling import length_of
 
 
 def in_plane(name: str, value: ArrayLike) -> Array:
@@ -23,7 +24,7 @@ def unit_or_zero(value: ArrayLike) -> Array:
     A vector that is zero has no direction, and stays zero.
     """
     v = np.asarray(value, dtype=float)
-    length = np.linalg.norm(v, axis=-1, keepdims=True)
+    length = length_of(v)[..., None]
     return np.asarray(v / np.where(length > 0, length, 1.0))
 
 
@@ -46,7 +47,7 @@ def limited(value: ArrayLike, largest: ArrayLike) -> Array:
         If a largest length is negative.
     """
     v, largest = np.asarray(value, dtype=float), not_negative("largest", largest)
-    length = np.linalg.norm(v, axis=-1)
+    length = length_of(v)
     too_long = length > largest
     share = np.where(too_long, largest, 1.0) / np.where(too_long, length, 1.0)
     return np.asarray(v * share[..., None])

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.arrays import Array
 from solutions.avoidance.directions import to_the_left, unit_or_zero
 from solutions.checks import in_space, positive
+from solutions.scaling import in_moderate_units, length_of, root_of_product
 
 HEAD_ON = 1e-9
 """Share of a wish below which its part across the way names no side.
@@ -72,8 +73,8 @@ def tangent_point(
     distance, way = _distance_and_way(c - p, r)
     outside = distance >= r
     length = np.where(outside, distance, 1.0)
-    short = np.where(outside, r * r / length, r)[..., None]
-    aside = np.where(outside, r * way / length, 0.0)[..., None]
+    short = np.where(outside, r * (r / length), r)[..., None]
+    aside = np.where(outside, r * (way / length), 0.0)[..., None]
     side = _side(towards, in_space("heading", heading))
     at_centre = (distance == 0)[..., None]
     return np.where(at_centre, c + r[..., None] * np.array([0.0, 0.0, 1.0]), c - short * towards + aside * side)
@@ -118,10 +119,11 @@ def is_in_the_way(
     """
     p, c = in_space("position", position), in_space("centre", centre)
     way = in_space("goal", goal) - p
-    squared = np.sum(way * way, axis=-1)
-    share = np.clip(np.sum((c - p) * way, axis=-1) / np.where(squared > 0, squared, 1.0), 0.0, 1.0)
+    ahead, _, metre = in_moderate_units(way)
+    squared = np.vecdot(ahead, ahead)
+    share = np.clip(np.vecdot(c - p, ahead) / np.where(squared > 0, squared, 1.0) / metre, 0.0, 1.0)
     nearest = p + share[..., None] * way
-    return np.asarray(np.linalg.norm(nearest - c, axis=-1) < positive("radius", radius))
+    return np.asarray(length_of(nearest - c) < positive("radius", radius))
 
 
 def steer_around(
@@ -185,8 +187,8 @@ def _distance_and_way(to_centre: Array, radius: Array) -> tuple[Array, Array]:
     The root is computed from a product, so that no two nearly equal squares are
     subtracted.
     """
-    distance = np.asarray(np.linalg.norm(to_centre, axis=-1))
-    return distance, np.sqrt(np.maximum(distance - radius, 0.0) * (distance + radius))
+    distance = length_of(to_centre)
+    return distance, root_of_product(np.maximum(distance - radius, 0.0), distance + radius)
 
 
 def _side(towards: Array, *wishes: Array) -> Array:
@@ -199,7 +201,7 @@ def _side(towards: Array, *wishes: Array) -> Array:
     for wish in reversed(wishes):
         # Twice, because the first time leaves the rounding of a long wish.
         across = _across(_across(wish, towards), towards)
-        named = np.linalg.norm(across, axis=-1) > HEAD_ON * np.linalg.norm(wish, axis=-1)
+        named = length_of(across) > HEAD_ON * length_of(wish)
         side = np.where(named[..., None], unit_or_zero(across), side)
     return side
 

@@ -14,6 +14,7 @@ from solutions.avoidance.directions import in_plane, turned_left, unit_or_zero
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
 from solutions.checks import not_negative, positive
+from solutions.scaling import length_of
 
 
 def orca_half_plane(
@@ -84,7 +85,7 @@ def orca_half_plane(
     v, other = in_plane("velocity_a", velocity_a), in_plane("velocity_b", velocity_b)
     towards = in_plane("position_b", position_b) - in_plane("position_a", position_a)
     reach = not_negative("radius_a", radius_a) + not_negative("radius_b", radius_b)
-    overlaps = np.linalg.norm(towards, axis=-1) <= reach
+    overlaps = length_of(towards) <= reach
     time = np.where(overlaps, positive("dt", dt), positive("horizon", horizon))
     change, normal = _to_the_border(v - other, towards, reach, time, overlaps)
     return v + change[..., None] * normal / 2, normal
@@ -191,40 +192,39 @@ def _heeded(p: Array, who: Integers, whom: Integers, sight: Array, most: Array) 
     return np.asarray((distance <= sight[who]) & (rank < most[who]))
 
 
-def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps: Array) -> tuple[Array, Array]:
+def _to_the_border(u: Array, towards: Array, reach: Array, time: Array, overlaps: Booleans) -> tuple[Array, Array]:
     """How far u is inside the obstacle, and the normal of the nearest border.
 
     The distance is negative for a relative velocity u outside.
     """
     from_centre = u - towards / time[..., None]
-    length = np.linalg.norm(from_centre, axis=-1)
-    along = np.sum(from_centre * towards, axis=-1)
-    on_disc = overlaps | ((along < 0) & (along**2 > (reach * length) ** 2))
-    disc, leg = _disc_normal(from_centre, towards), _leg_normal(from_centre, towards, reach)
+    length = length_of(from_centre)
+    distance = length_of(towards)
+    ahead = towards / np.where(distance > 0, distance, 1.0)[..., None]
+    sine = np.minimum(reach / np.where(distance > 0, distance, 1.0), 1.0)
+    on_disc = overlaps | (-np.sum(from_centre * ahead, axis=-1) > sine * length)
+    disc, leg = _disc_normal(from_centre, ahead), _leg_normal(from_centre, ahead, sine)
     normal = np.where(on_disc[..., None], disc, leg)
     return np.where(on_disc, reach / time - length, -np.sum(u * normal, axis=-1)), normal
 
 
-def _disc_normal(from_centre: Array, towards: Array) -> Array:
+def _disc_normal(from_centre: Array, ahead: Array) -> Array:
     """Outward normal of the disc, in the radial direction.
 
-    At the centre of the disc it points against `towards`, or along +x where that is
-    zero as well.
+    At the centre of the disc it points against `ahead`, the direction of the other
+    disc, or along +x where that is zero as well.
     """
-    for_none = np.where(np.any(towards != 0, axis=-1, keepdims=True), -unit_or_zero(towards), np.array([1.0, 0.0]))
+    for_none = np.where(np.any(ahead != 0, axis=-1, keepdims=True), -ahead, np.array([1.0, 0.0]))
     return np.where(np.any(from_centre != 0, axis=-1, keepdims=True), unit_or_zero(from_centre), for_none)
 
 
-def _leg_normal(from_centre: Array, towards: Array, reach: Array) -> Array:
+def _leg_normal(from_centre: Array, ahead: Array, sine: Array) -> Array:
     """Outward normal of the cone, at the nearer of its two sides.
 
     Half the angle of the cone has the sine R/L, so n = ±(k/L) left − (R/L) ahead with
     k = √(L² − R²).
     """
-    ahead = unit_or_zero(towards)
     left = turned_left(ahead)
-    distance = np.linalg.norm(towards, axis=-1)
-    sine = np.minimum(reach / np.where(distance > 0, distance, 1.0), 1.0)
     cosine = np.sqrt((1 - sine) * (1 + sine))
     side = np.where(np.sum(from_centre * left, axis=-1) > 0, 1.0, -1.0)
     return np.asarray((side * cosine)[..., None] * left - sine[..., None] * ahead)

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, vector
+from solutions.scaling import moderate_plane
 
 
 def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> Array:
@@ -46,7 +47,7 @@ def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> A
     ‖n‖ = 1; the division by ‖n‖ makes it one for every n.
     """
     point, normal = vector("point", point), vector("normal", normal)
-    length = np.linalg.norm(normal, axis=-1)
+    normal, offset, length = moderate_plane(normal, offset)
     if np.any(length == 0):
         raise ValueError("normal is zero: the plane has no direction")
     return np.asarray((np.vecdot(normal, point) + offset) / length)

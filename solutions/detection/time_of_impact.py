@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative
+from solutions.scaling import root_of_difference
 
 
 def time_of_impact_interpolated(
@@ -110,9 +111,8 @@ def time_of_impact_exact(
     """
     s = np.maximum(finite("separation", separation), 0.0)
     u, a = finite("normal_velocity", normal_velocity), finite("normal_acceleration", normal_acceleration)
-    discriminant = u * u - 2 * a * s
-    root = np.sqrt(np.maximum(discriminant, 0.0))
+    root = root_of_difference(u, 2 * a, s)  # NaN where the body turns round before the plane
     rising = u >= 0
     denominator = np.where(rising, -a, root - u)
-    arrives = (discriminant >= 0) & (denominator > 0)
+    arrives = (root >= 0) & (denominator > 0)
     return np.where(arrives, np.where(rising, u + root, 2 * s) / np.where(arrives, denominator, 1.0), np.inf)

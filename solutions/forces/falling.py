@@ -12,6 +12,7 @@ from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
 from solutions.forces.correlations import LARGEST_REYNOLDS, DragRangeWarning, drag_correction
 from solutions.forces.reynolds import check_stokes_regime, reynolds_number
+from solutions.scaling import length_of
 
 
 def relaxation_time(
@@ -210,7 +211,7 @@ def terminal_velocity_corrected(
     )
     excess = not_negative("density", density) - rho
     stokes = (2 * excess * r**2 / (9 * eta))[..., None] * vector("gravity", gravity)
-    target = 2 * r * rho * np.linalg.norm(stokes, axis=-1) / eta
+    target = 2 * r * rho * length_of(stokes) / eta
     low, high = np.zeros_like(target), np.minimum(2 * target, LARGEST_REYNOLDS)
     with warnings.catch_warnings():  # on the way to the solution, a fit may leave its range
         warnings.simplefilter("ignore", DragRangeWarning)

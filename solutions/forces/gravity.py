@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
+from solutions.scaling import length_of
 
 GRAVITATIONAL_CONSTANT = 6.67430e-11
 """G, m³/(kg s²), CODATA 2018; its relative uncertainty is 2.2e-5."""
@@ -71,7 +72,8 @@ def surface_gravity(mass: ArrayLike, distance: ArrayLike) -> Array:
     9.7536 m/s².
     """
     m = finite("mass", not_negative("mass", mass))
-    return np.asarray(GRAVITATIONAL_CONSTANT * m / positive("distance", distance) ** 2)
+    r = positive("distance", distance)
+    return np.asarray(GRAVITATIONAL_CONSTANT * (m / r) / r)
 
 
 def universal_gravity(
@@ -112,10 +114,11 @@ def universal_gravity(
 
         F = G m1 m2 d/(‖d‖² + ε²)^(3/2),    d = x2 − x1
     """
-    masses = _masses(mass_1, mass_2)
+    m_1, m_2 = _masses(mass_1, mass_2)
     d, r = _apart(position_1, position_2, softening)
-    size = GRAVITATIONAL_CONSTANT * masses / np.where(r == 0, 1.0, r) ** 2
-    return np.asarray(size[..., None] * d / np.where(r == 0, 1.0, r)[..., None])
+    r = np.where(r == 0, 1.0, r)
+    size = GRAVITATIONAL_CONSTANT * ((m_1 / r) * (m_2 / r))  # r² alone may be too large for a float
+    return np.asarray(size[..., None] * (d / r[..., None]))
 
 
 def universal_gravity_energy(
@@ -155,7 +158,8 @@ def universal_gravity_energy(
     Its slope along ‖d‖ is G m1 m2 ‖d‖/(‖d‖² + ε²)^(3/2). This is the size of the force
     of `universal_gravity`, which points to where the energy is lower.
     """
-    masses = _masses(mass_1, mass_2)
+    m_1, m_2 = _masses(mass_1, mass_2)
+    masses = m_1 * m_2
     _, r = _apart(position_1, position_2, softening)
     energy = -GRAVITATIONAL_CONSTANT * masses / np.where(r == 0, 1.0, r)
     return np.where((r == 0) & (masses > 0), -np.inf, energy)
@@ -197,13 +201,11 @@ def mutual_gravity(
     return np.asarray(on_1_by_2.sum(axis=-2))
 
 
-def _masses(mass_1: ArrayLike, mass_2: ArrayLike) -> Array:
-    return np.asarray(
-        finite("mass_1", not_negative("mass_1", mass_1)) * finite("mass_2", not_negative("mass_2", mass_2))
-    )
+def _masses(mass_1: ArrayLike, mass_2: ArrayLike) -> tuple[Array, Array]:
+    return finite("mass_1", not_negative("mass_1", mass_1)), finite("mass_2", not_negative("mass_2", mass_2))
 
 
 def _apart(position_1: ArrayLike, position_2: ArrayLike, softening: ArrayLike) -> tuple[Array, Array]:
     """Vector from body 1 to body 2, and √(‖d‖² + ε²)."""
     d = np.asarray(vector("position_2", position_2) - vector("position_1", position_1))
-    return d, np.hypot(np.linalg.norm(d, axis=-1), not_negative("softening", softening))
+    return d, np.hypot(length_of(d), not_negative("softening", softening))

@@ -46,7 +46,7 @@ def ballistic_motion(
         p' = p + v dt + a dt²/2,    v' = v + a dt
     """
     p, v, a, time = _state(position, velocity, acceleration, dt)
-    return p + v * time + a * time**2 / 2, v + a * time
+    return p + v * time + a * time * time / 2, v + a * time
 
 
 def explicit_euler(
@@ -149,7 +149,7 @@ def velocity_verlet(
     taken at the predicted velocity v + a dt, because v' is not known yet.
     """
     p, v, a, time = _state(position, velocity, acceleration, dt)
-    after = p + v * time + a * time**2 / 2
+    after = p + v * time + a * time * time / 2
     return after, v + (a + _at(acceleration, after, v + a * time)) * time / 2
 
 

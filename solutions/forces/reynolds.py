@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import not_negative, positive, vector
+from solutions.scaling import length_of
 
 STOKES_LIMIT = 0.1
 """Reynolds number above which a `StokesRegimeWarning` is given.
@@ -55,7 +56,7 @@ def reynolds_number(
 
         Re = 2 r ρ_f ‖v − u‖/η
     """
-    speed = np.linalg.norm(vector("velocity", velocity) - vector("fluid_velocity", fluid_velocity), axis=-1)
+    speed = length_of(vector("velocity", velocity) - vector("fluid_velocity", fluid_velocity))
     rho, r = not_negative("fluid_density", fluid_density), not_negative("radius", radius)
     return np.asarray(2 * r * rho * speed / positive("viscosity", viscosity))
 

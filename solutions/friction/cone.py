@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import not_negative, unit, vector
+from solutions.scaling import length_of
 
 SQUARE_TOLERANCE = 1e-6
 """How far the cosine of two axes at right angles may be from 0.
@@ -43,7 +44,7 @@ def clamp_to_circle(tangent_force: ArrayLike, limit: ArrayLike) -> Array:
         F_t min(1, μ N/‖F_t‖)
     """
     force, most = vector("tangent_force", tangent_force), not_negative("limit", limit)
-    size = np.linalg.norm(force, axis=-1)
+    size = length_of(force)
     return np.asarray(force * np.where(size > most, most / np.where(size > 0, size, 1.0), 1.0)[..., None])
 
 

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, vector
+from solutions.scaling import in_moderate_units, length_of
 
 
 def holds(
@@ -40,7 +41,7 @@ def holds(
     """
     static = finite("static_friction", not_negative("static_friction", static_friction))
     limit = static * finite("normal_force", not_negative("normal_force", normal_force))
-    return np.asarray(np.linalg.norm(finite("push", vector("push", push)), axis=-1) <= limit)
+    return np.asarray(length_of(finite("push", vector("push", push))) <= limit)
 
 
 def friction_force(
@@ -76,8 +77,8 @@ def friction_force(
     push, velocity = vector("push", push), finite("tangent_velocity", vector("tangent_velocity", tangent_velocity))
     mu = not_negative("kinetic_friction", kinetic_friction)
     not_negative("static_friction less kinetic_friction", np.asarray(static_friction) - mu)
-    speed = np.linalg.norm(velocity, axis=-1)[..., None]
-    size = np.linalg.norm(push, axis=-1)[..., None]
+    speed = length_of(velocity)[..., None]
+    size = length_of(push)[..., None]
     along_velocity = velocity / np.where(speed > 0, speed, 1.0)
     along_push = push / np.where(size > 0, size, 1.0)
     kinetic = (mu * np.asarray(normal_force))[..., None]
@@ -132,12 +133,15 @@ def sliding_motion(
         return np.asarray((f + friction_force(f, velocity, normal_force, static_friction, kinetic_friction)) / m)
 
     a = acceleration(v)
-    speed_squared, closing = np.sum(v * v, axis=-1), -np.sum(v * a, axis=-1)
-    stops = (speed_squared > 0) & (speed_squared <= closing * dt)
-    stopping_time = np.where(stops, speed_squared / np.where(stops, closing, 1.0), np.inf)
+    (way, _, speed), (slowing, _, rate) = in_moderate_units(v), in_moderate_units(a)
+    speed_squared, closing = np.vecdot(way, way), -np.vecdot(way, slowing)
+    with np.errstate(over="ignore"):  # hardly any friction takes longer than any float
+        stopping_time = speed_squared / np.where(closing > 0, closing, 1.0) * speed / rate
+    stops = (speed_squared > 0) & (closing > 0) & (stopping_time <= dt)
+    stopping_time = np.where(stops, stopping_time, np.inf)
     first = np.minimum(stopping_time, dt)[..., None]
-    p = p + v * first + a * first**2 / 2
+    p = p + v * first + a * first * first / 2
     v = np.where(stops[..., None], 0.0, v + a * first)
     rest = dt[..., None] - first
     after = np.where(stops[..., None], acceleration(v), 0.0)
-    return p + after * rest**2 / 2, v + after * rest, stopping_time
+    return p + after * rest * rest / 2, v + after * rest, stopping_time

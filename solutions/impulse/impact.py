@@ -14,6 +14,7 @@ from solutions.checks import finite, in_unit_interval, unit, vector
 from solutions.impulse.body import AnyBody, Arrays, checked, moved
 from solutions.impulse.momentum import contact_impulses
 from solutions.impulse.points import COLLIDING, classify_contact, normal_velocity, point_velocity
+from solutions.scaling import length_of
 
 NO_LEVER = 1e-15
 """Sine of the angle between arm and normal up to which r × n counts as zero.
@@ -252,7 +253,7 @@ def _softness(body: Arrays, normal: Array) -> Array:
     """
     r = body[2]
     dv, dw = moved(body, normal)
-    lever = np.linalg.norm(np.cross(r, normal), axis=-1) > NO_LEVER * np.linalg.norm(r, axis=-1)
+    lever = length_of(np.cross(r, normal)) > NO_LEVER * length_of(r)
     turning = np.where(lever, np.vecdot(normal, np.cross(dw, r)), 0.0)
     return np.asarray(np.vecdot(normal, dv) + turning)
 

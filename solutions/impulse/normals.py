@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, vector
+from solutions.scaling import in_moderate_units
 
 PARALLEL = 1e-9
 """Sine of the angle between two edges up to which they count as parallel.
@@ -100,16 +101,12 @@ def edge_edge_normal(
 
 
 def _direction(name: str, value: ArrayLike) -> Array:
-    """The vector over its length.
-
-    It is first divided by its largest component, so that no square over- or underflows.
-    """
-    given = finite(name, vector(name, value))
-    largest = np.max(np.abs(given), axis=-1, keepdims=True)
-    if np.any(largest == 0):
+    """The vector over its length."""
+    given, *_ = in_moderate_units(finite(name, vector(name, value)))
+    length = np.linalg.norm(given, axis=-1, keepdims=True)
+    if np.any(length == 0):
         raise ValueError(f"{name} is zero: it has no direction")
-    scaled = given / largest
-    return np.asarray(scaled / np.linalg.norm(scaled, axis=-1, keepdims=True))
+    return np.asarray(given / length)
 
 
 def _towards_a(normal: Array, centre_a: ArrayLike, centre_b: ArrayLike) -> Array:

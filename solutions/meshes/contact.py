@@ -11,6 +11,7 @@ from solutions.detection import is_colliding, signed_distance
 from solutions.meshes.mesh import SpringMesh
 from solutions.meshes.springs import node_vectors
 from solutions.response import kinematic_response
+from solutions.scaling import length_of
 
 UP = (0.0, 0.0, 1.0)
 
@@ -68,7 +69,7 @@ def mesh_plane_contact(
     p = node_vectors(mesh, "position", position)
     separation = signed_distance(p, normal, offset)
     n = np.asarray(normal, dtype=float)
-    n = n / np.linalg.norm(n, axis=-1, keepdims=True)
+    n = n / length_of(n)[..., None]
     return _answered(mesh, p, velocity, n, separation, restitution, friction)
 
 
@@ -121,7 +122,7 @@ def mesh_sphere_contact(
     """
     p = node_vectors(mesh, "position", position)
     away = p - np.asarray(centre, dtype=float)
-    distance = np.linalg.norm(away, axis=-1)
+    distance = length_of(away)
     apart = distance > 0
     normal = np.where(apart[..., None], away / np.where(apart, distance, 1.0)[..., None], UP)
     return _answered(mesh, p, velocity, normal, distance - positive("radius", radius), restitution, friction)
@@ -139,7 +140,7 @@ def _answered(
     v = node_vectors(mesh, "velocity", velocity)
     e, mu = in_unit_interval("restitution", restitution), not_negative("friction", friction)
     after = kinematic_response(v, normal, e)
-    gained = np.linalg.norm(after - v, axis=-1)
+    gained = length_of(after - v)
     rubbed = _slowed(after, normal, mu * gained)
     hit = (is_colliding(separation) & ~mesh.pinned)[..., None]
     return np.where(hit, position - separation[..., None] * normal, position), np.where(hit, rubbed, v)
@@ -152,6 +153,6 @@ def _slowed(velocity: Array, normal: Array, most: Array) -> Array:
     """
     across = np.sum(velocity * normal, axis=-1, keepdims=True) * normal
     along = velocity - across
-    speed = np.linalg.norm(along, axis=-1)
+    speed = length_of(along)
     kept = 1 - np.minimum(1.0, most / np.where(speed > 0, speed, 1.0))
     return np.asarray(across + kept[..., None] * along)

@@ -12,7 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.arrays import Array, Integers
 from solutions.checks import finite, vector
 from solutions.polyhedra.orientation import LOOKS, Sign, orient2d, orient3d
+from solutions.polyhedra.solid_angles import winding_of_mesh
 from solutions.polyhedra.surface import blocks, checked_mesh, directed_edges, same_places
+from solutions.scaling import in_moderate_units, in_unit
+
+FAR = 2.0**300
+"""From farther away than this many sizes of a mesh, its solid angle is below 1e-180."""
 
 
 def inside_by_parity(
@@ -114,14 +119,17 @@ def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> A
     From inside a closed surface, every direction meets one back more than it meets
     fronts. The solid angles therefore add up to the whole sphere, which is 4π. From
     outside, every direction meets as many fronts as backs, and the sum is zero.
+
+    For many points the sum is shortened (`winding_of_mesh`). It stays the same up to
+    rounding, which is some 10⁻¹³ for a thousand faces.
     """
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)
-    rows = p.reshape(-1, 3)
-    winding = np.zeros(len(rows))
-    for block in blocks(len(rows), len(f)):
-        winding[block] = np.sum(_half_solid_angles(rows[block], v, f), axis=1) / (2 * np.pi)
-    return winding.reshape(p.shape[:-1])
+    if not len(f):
+        return np.zeros(p.shape[:-1])
+    coordinates, _, metre = in_moderate_units(v.reshape(-1))
+    rows = np.clip(in_unit(p.reshape(-1, 3), metre, 0), -FAR, FAR)
+    return winding_of_mesh(rows, coordinates.reshape(-1, 3), f).reshape(p.shape[:-1])
 
 
 def inside_by_winding(
@@ -217,21 +225,3 @@ def _first_sign(*signs: NDArray[np.generic]) -> Sign:
     for other in others:
         first = np.where(first == 0, other, first)
     return first
-
-
-def _half_solid_angles(point: Array, vertices: Array, faces: Integers) -> Array:
-    """Ω/2 of every face, (points, f)."""
-    # With x, y, z along the first axis, sums of three are faster.
-    to_vertex = vertices.T[:, None] - point.T[..., None]
-    length = np.sqrt(_dot(to_vertex, to_vertex))
-    a, b, c = (np.take(to_vertex, corner, axis=2) for corner in faces.T)
-    la, lb, lc = (np.take(length, corner, axis=1) for corner in faces.T)
-    first, second, third = np.moveaxis(vertices[faces], 1, 0)
-    area = np.cross(second - first, third - first).T[:, None]
-    volume = _dot(a, area)  # a·(b×c), with b − a and c − a for b and c
-    below = (la * lb + _dot(a, b)) * lc + _dot(b, c) * la + _dot(c, a) * lb
-    return np.where(volume == 0, 0.0, np.arctan2(volume, below))
-
-
-def _dot(a: Array, b: Array) -> Array:
-    return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])

@@ -9,6 +9,7 @@ from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, not_negative, unit, vector
 from solutions.detection import signed_distance, time_of_impact_exact
 from solutions.forces import ballistic_motion
+from solutions.scaling import root_of_difference
 
 
 def time_until_rest(
@@ -113,16 +114,20 @@ def bounce_along_normal(
     lay = (s == 0) & (u == 0)
     impacts = np.where(rests & ~lay, np.where(e > 0, np.inf, 1.0), 0.0)
     s, u, left = (np.where(rests, 0.0, value) for value in (s, u, left))
+    moving = np.array(~rests)
     for _ in range(most_impacts):
-        time = time_of_impact_exact(s, u, a)
-        struck = (time <= left) & ~rests
+        time = time_of_impact_exact(s[moving], u[moving], a[moving])
+        struck = time <= left[moving]
         if not struck.any():
             break
-        s, u = np.where(struck, 0.0, s), np.where(struck, e * _arrival_speed(s, u, a), u)
-        left, impacts = np.where(struck, left - time, left), impacts + struck
+        moving[moving] = struck  # the others meet the plane no more in this step
+        u[moving] = e[moving] * _arrival_speed(s[moving], u[moving], a[moving])
+        s[moving] = 0.0
+        left[moving] -= time[struck]
+        impacts[moving] += 1
     due = time_of_impact_exact(s, u, a) <= left  # the rounds did not suffice
     flight = np.where(due, 0.0, left)
-    s, u = np.maximum(s + u * flight + a * flight**2 / 2, 0.0), u + a * flight
+    s, u = np.maximum(s + u * flight + a * flight * flight / 2, 0.0), u + a * flight
     return s, u, impacts, left - flight
 
 
@@ -177,5 +182,5 @@ def bounce_through_step(
 
 def _arrival_speed(separation: Array, normal_velocity: Array, normal_acceleration: Array) -> Array:
     """Speed √(u² − 2 a s) at which a body meets the plane, m/s; 0 where it does not."""
-    squared = normal_velocity**2 - 2 * normal_acceleration * separation
-    return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
+    speed = root_of_difference(normal_velocity, 2 * normal_acceleration, separation)
+    return np.where(speed >= 0, speed, 0.0)  # NaN where the body turns round before

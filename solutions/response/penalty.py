@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
+from solutions.scaling import root_of_product
 
 
 def penalty_force(
@@ -145,7 +146,7 @@ def penalty_step_limit(
 def frequency_and_ratio(mass: ArrayLike, stiffness: ArrayLike, damping: ArrayLike) -> tuple[Array, Array]:
     """The undamped frequency ω, rad/s, and the damping ratio ζ."""
     m, k = mass_and_stiffness(mass, stiffness)
-    return np.sqrt(k / m), np.asarray(finite("damping", not_negative("damping", damping)) / (2 * np.sqrt(k * m)))
+    return np.sqrt(k / m), np.asarray(finite("damping", not_negative("damping", damping)) / (2 * root_of_product(k, m)))
 
 
 def mass_and_stiffness(mass: ArrayLike, stiffness: ArrayLike) -> tuple[Array, Array]:

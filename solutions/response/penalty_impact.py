@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import in_unit_interval
 from solutions.response.penalty import frequency_and_ratio, mass_and_stiffness
+from solutions.scaling import root_of_product
 
 
 def penalty_contact_time(
@@ -146,7 +147,7 @@ def penalty_damping(
     """
     e, (m, k) = in_unit_interval("restitution", restitution), mass_and_stiffness(mass, stiffness)
     zeta = _ratio_adhesive(e) if adhesive else _ratio(e)
-    return np.asarray(2 * zeta * np.sqrt(k * m))
+    return np.asarray(2 * zeta * root_of_product(k, m))
 
 
 def _swept_angle(zeta: Array, adhesive: bool = False) -> Array:

@@ -7,8 +7,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import in_space
+from solutions.scaling import in_moderate_units, in_unit, length_of
 from solutions.sweeping.advancement import Pairs, advance, flat, free_time, or_undecided, touching
-from solutions.sweeping.nearest import nearest_on_triangle, triangles
+from solutions.sweeping.nearest import nearest_weights, triangles
 
 LOOKS_UNCUT = 40
 """Looks at a pair before it is cut into halves."""
@@ -139,10 +140,15 @@ def _first_contact(
     It does the same for parallelograms. The sizes are those of the two features. The
     result also tells which pairs are undecided, and the shape of the arguments.
     """
+    start, end = np.broadcast_arrays(start, end)
     given = np.asarray(0.0 if tolerance is None else tolerance)
-    shape = np.broadcast_shapes(start.shape[:-2], end.shape[:-2], given.shape)
+    shape = np.broadcast_shapes(start.shape[:-2], given.shape)
+    near = touching(
+        tolerance, shape, flat(size_a, shape), flat(size_b, shape), flat(length_of(start[..., 0, :]), shape)
+    )
+    *_, metre = in_moderate_units(np.concatenate([start, end], axis=-2).reshape(*start.shape[:-2], -1))
+    start, end, near = in_unit(start, metre, 2), in_unit(end, metre, 2), near / flat(metre, shape)
     place = flat(start, shape, start.shape[-2:])
-    near = touching(tolerance, shape, flat(size_a, shape), flat(size_b, shape), np.linalg.norm(place[:, 0], axis=-1))
     motion = flat(end, shape, end.shape[-2:]) - place
     return *_follow(place, motion, near, np.zeros(near.shape), SPLITS), shape
 
@@ -198,8 +204,8 @@ def _towards(corners: Array) -> Array:
     A parallelogram has its corners in the order 00, 01, 10, 11.
     """
     faces = corners[:, None, :, :] if corners.shape[-2] == 3 else corners[:, [[0, 1, 2], [1, 2, 3]], :]
-    nearest = (nearest_on_triangle(np.zeros(3), faces)[..., None, :] @ faces)[..., 0, :]
-    distance = np.linalg.norm(nearest, axis=-1)
+    nearest = (nearest_weights(faces, faces, np.roll(faces, -1, axis=-2) - faces)[..., None, :] @ faces)[..., 0, :]
+    distance = length_of(nearest)
     best = np.argmin(distance, axis=-1)[:, None]
     length = np.take_along_axis(distance, best, axis=-1)
     nearest = np.take_along_axis(nearest, best[..., None], axis=-2)[:, 0, :]

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, in_space, not_negative, unit, vector
+from solutions.scaling import length_of
 
 
 def extent(name: str, value: ArrayLike) -> Array:
@@ -100,7 +101,7 @@ def rotated(point: ArrayLike, rotation: ArrayLike) -> Array:
     two quotients go to 1 and ½, and the function uses these limits.
     """
     p, w = in_space("point", point), in_space("rotation", rotation)
-    angle = np.linalg.norm(w, axis=-1, keepdims=True)
+    angle = length_of(w)[..., None]
     sine = np.sinc(angle / np.pi)  # sin θ/θ, 1 at 0
     rest = np.sinc(angle / (2 * np.pi)) ** 2 / 2  # (1 − cos θ)/θ², ½ at 0
     return np.asarray(p * np.cos(angle) + np.cross(w, p) * sine + w * np.vecdot(w, p)[..., None] * rest)
@@ -149,5 +150,5 @@ def motion_bound(
     """
     v, w = in_space("velocity", velocity), in_space("angular_velocity", angular_velocity)
     n = unit("normal", vector("normal", normal))
-    turning = np.linalg.norm(np.cross(n, w), axis=-1) * not_negative("reach", reach)
+    turning = length_of(np.cross(n, w)) * not_negative("reach", reach)
     return np.asarray(np.vecdot(n, v) + turning)

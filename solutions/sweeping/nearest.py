@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space
+from solutions.scaling import in_moderate_units, in_unit
 
 ROUNDS = 60
 """Largest number of rounds; boxes take about ten.
@@ -77,9 +78,19 @@ def nearest_on_triangle(point: ArrayLike, triangle: ArrayLike) -> Array:
     treatment of its own: its nearest point is on an edge.
     """
     places = triangles("triangle", triangle)
-    corners = places - in_space("point", point)[..., None, :]
     # The edges are not taken from `corners`: far from the point these have lost digits.
     ways = np.roll(places, -1, axis=-2) - places
+    *_, metre = in_moderate_units(ways.reshape(*ways.shape[:-2], 9))
+    places, ways = in_unit(places, metre, 2), in_unit(ways, metre, 2)
+    return nearest_weights(places - in_unit(in_space("point", point), metre)[..., None, :], places, ways)
+
+
+def nearest_weights(corners: Array, places: Array, ways: Array) -> Array:
+    """Weights of triangles' corners at the points nearest to the origin.
+
+    The corners are measured from there. Their places, and the edges as ways from one
+    place to the next, may be measured from elsewhere.
+    """
     weights = np.concatenate([_on_edges(corners, ways), _inside(corners, ways)[..., None, :]], axis=-2)
     nearest, step = weights @ corners, (weights - weights[..., :1, :]) @ (places - places[..., :1, :])
     # This is d² minus the d² of the first candidate. Far away all d² are equal up to
@@ -159,6 +170,8 @@ def separation_of_hulls(
     a, b = point_set("points_a", points_a), point_set("points_b", points_b)
     shape = np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
     a, b = np.broadcast_to(a, (*shape, *a.shape[-2:])), np.broadcast_to(b, (*shape, *b.shape[-2:]))
+    *_, metre = in_moderate_units(np.concatenate([a, b], axis=-2).reshape(*shape, -1))
+    a, b = in_unit(a, metre, 2), in_unit(b, metre, 2)
     corners = np.repeat((a[..., :1, :] - b[..., :1, :]), 4, axis=-2)
     best, normal = np.zeros(shape), np.zeros((*shape, 3))
     done, last = np.zeros(shape, dtype=bool), np.full(shape, np.inf)
@@ -178,7 +191,7 @@ def separation_of_hulls(
         unused = np.argmin(weights, axis=-1)[..., None, None]
         corners = np.where(weights[..., None] > 0, corners, nearest_corner(corners, weights)[..., None, :])
         np.put_along_axis(corners, np.broadcast_to(unused, (*shape, 1, 3)), support[..., None, :], axis=-2)
-    return best, normal
+    return best * metre, normal
 
 
 def farthest(body: Array, direction: Array) -> Array:
@@ -204,7 +217,7 @@ def _nearest_on_tetrahedron(corners: Array) -> tuple[Array, Array]:
     It is given by its weights (..., 4) and its place (..., 3).
     """
     faces = corners[..., FACES, :]
-    on_faces = nearest_on_triangle(np.zeros(3), faces)
+    on_faces = nearest_weights(faces, faces, np.roll(faces, -1, axis=-2) - faces)
     places = (on_faces[..., None, :] @ faces)[..., 0, :]
     best = np.argmin(np.vecdot(places, places), axis=-1)[..., None]
     weights = np.zeros((*best.shape[:-1], 4))

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import in_space
+from solutions.scaling import in_moderate_units, in_unit
 from solutions.sweeping.motion import extent
 
 
@@ -53,14 +54,18 @@ def ray_sphere(origin: ArrayLike, direction: ArrayLike, radius: ArrayLike) -> Ar
     function uses the second line, because it subtracts no two nearly equal numbers.
     """
     x, u, r = in_space("origin", origin), in_space("direction", direction), extent("radius", radius)
-    distance, closing = np.linalg.norm(x, axis=-1), -np.vecdot(x, u)
-    discriminant = r**2 * np.vecdot(u, u) - np.sum(np.cross(x, u) ** 2, axis=-1)
+    (x, distance, metre), (u, _, speed) = in_moderate_units(x), in_moderate_units(u)
+    closing = -np.vecdot(x, u)
+    r, across = in_unit(r, metre, 0), np.cross(x, u)
+    inside = distance <= r
+    r = np.minimum(r, distance)  # from within, the size of the sphere does not matter
+    discriminant = r**2 * np.vecdot(u, u) - np.vecdot(across, across)
     meets = (closing > 0) & (discriminant >= 0)
     root = np.sqrt(np.where(meets, discriminant, 0.0))
     # At a crawl the time may be longer than any float: infinity stands for it.
     with np.errstate(over="ignore"):
-        time = (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0)
-    return np.where(distance <= r, 0.0, np.where(meets, time, np.inf))
+        time = (distance - r) * (distance + r) / np.where(meets, closing + root, 1.0) * (metre / speed)
+    return np.where(inside, 0.0, np.where(meets, time, np.inf))
 
 
 def ray_capsule(
@@ -103,11 +108,12 @@ def ray_capsule(
     """
     x, u = in_space("origin", origin), in_space("direction", direction)
     a, b = in_space("start", start), in_space("end", end)
-    along = b - a
+    along, _, metre = in_moderate_units(b - a)
     squared = np.vecdot(along, along)
     scale = np.where(squared > 0, squared, 1.0)
     place, rate = np.vecdot(x - a, along) / scale, np.vecdot(u, along) / scale
     side = ray_sphere(x - a - place[..., None] * along, u - rate[..., None] * along, radius)
+    place, rate = place / metre, rate / metre
     there = place + rate * np.where(np.isfinite(side), side, 0.0)
     side = np.where((there >= 0) & (there <= 1), side, np.inf)
     return np.minimum(side, np.minimum(ray_sphere(x - a, u, radius), ray_sphere(x - b, u, radius)))

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.arrays import Array
 from solutions.checks import finite, in_space
 from solutions.detection import signed_distance
+from solutions.scaling import cross_product, in_moderate_units, in_unit, length_of
 from solutions.sweeping.motion import extent, relative_motion, within
 from solutions.sweeping.nearest import nearest_on_triangle, triangles
 from solutions.sweeping.rays import ray_capsule, ray_sphere
@@ -159,7 +160,7 @@ def sweep_sphere_triangle(
         x[..., None, :], u[..., None, :], corners, np.roll(corners, -1, axis=-2), np.asarray(r)[..., None]
     )
     time = np.minimum(_face(x, u, r, corners), edges.min(axis=-1))
-    return within(np.where(np.linalg.norm(x - nearest, axis=-1) <= r, 0.0, time), dt)
+    return within(np.where(length_of(x - nearest) <= r, 0.0, time), dt)
 
 
 def _face(x: Array, u: Array, r: Array, corners: Array) -> Array:
@@ -168,8 +169,7 @@ def _face(x: Array, u: Array, r: Array, corners: Array) -> Array:
     It is infinity where the ball meets the plane elsewhere.
     """
     a, b, c = corners[..., 0, :], corners[..., 1, :], corners[..., 2, :]
-    normal = np.cross(b - a, c - a)
-    length = np.linalg.norm(normal, axis=-1)
+    normal, length = cross_product(b - a, c - a)
     normal = normal / np.where(length > 0, length, 1.0)[..., None]
     height = np.vecdot(normal, x - a)
     side = np.where(height < 0, -1.0, 1.0)
@@ -189,6 +189,8 @@ def _same_turn(corners: Array, u: Array) -> NDArray[np.bool_]:
     the opposite turn, rounding included. So a point that moves through the seam of two
     triangles never passes between them.
     """
+    *_, metre = in_moderate_units(corners.reshape(*corners.shape[:-2], 9))
+    corners, (u, *_) = in_unit(corners, metre, 2), in_moderate_units(u)
     following = np.roll(corners, -1, axis=-2)
     turn = np.vecdot(np.cross(corners + following, following - corners), u[..., None, :])
     return np.asarray(np.all(turn >= 0, axis=-1) | np.all(turn <= 0, axis=-1))

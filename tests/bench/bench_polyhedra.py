@@ -104,7 +104,7 @@ BENCHES = (
         10,
     ),
     Bench("inside-parity-grid", "the same where rays meet vertices and edges", parity_on_a_grid, {}, 10),
-    Bench("inside-winding", "the same: winding number", winding, {"libigl": winding_of_libigl}, 30),
+    Bench("inside-winding", "the same: winding number", winding, {"libigl": winding_of_libigl}, 10),
     Bench("inside-convex", "a hundred thousand points in a convex solid of a thousand faces: depth", convex, {}, 2),
     Bench("two-polyhedra", "two solids of a thousand faces each: do they intersect", two_solids, {}, 1),
     Bench("mesh-report", "all faults of a mesh of a thousand faces", report, {}, 1),

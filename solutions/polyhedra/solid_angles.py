@@ -1,0 +1,120 @@
+"""The winding number of a mesh around many points: sums of solid angles.
+
+A part of the mesh that a point is well away from is replaced by fewer faces with the
+same rim. The sum stays the same up to rounding (Jacobson et al. 2013).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from solutions.arrays import Array, Integers
+from solutions.polyhedra.surface import blocks, directed_edges
+
+FEW_FACES = 8
+FEW_POINTS = 1000
+"""Up to these numbers of faces, or of points, all solid angles are summed."""
+SAVING = 0.7
+"""Caps with more than this share of the faces would not repay the search for them."""
+MARGIN = 2.0**-10
+"""How far beyond the box of a part a point must be, as a share of the box's size."""
+IN_CACHE = 4
+"""By how much blocks are smaller here, so that a block's arrays fit in the cache."""
+
+
+def winding_of_mesh(point: Array, vertices: Array, faces: Integers) -> Array:
+    """How often the faces of a mesh go round points (p, 3)."""
+    if len(point) <= FEW_POINTS:
+        return sum_of_angles(point, vertices, faces)
+    # Vertices at the same place count as one, so that loose triangles have no rims.
+    places, number = np.unique(vertices[faces].reshape(-1, 3), axis=0, return_inverse=True)
+    return winding_of_part(point, places, number.reshape(-1, 3))
+
+
+def winding_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
+    """How often faces go round points (p, 3), where the faces are part of a mesh.
+
+    Notes
+    -----
+    A part and its cap, turned over, make a closed surface. This surface lies in the box
+    around the part, because a box is convex. It goes round no point outside the box. So
+    such a point sees the part and its cap under the same solid angle, and the cap has
+    fewer faces. A closed mesh has no rim, so its cap is empty.
+
+    For the points in the box the function cuts the part in two, and asks the same of
+    each half.
+    """
+    low, high = np.min(vertices[faces], axis=(0, 1)), np.max(vertices[faces], axis=(0, 1))
+    margin = MARGIN * np.max(high - low)
+    near = np.all((point >= low - margin) & (point <= high + margin), axis=1)
+    winding = np.empty(len(point))
+    winding[near] = _winding_of_halves(point[near], vertices, faces)
+    rim_only = cap(faces)
+    seen = rim_only if len(rim_only) < len(faces) else faces
+    winding[~near] = _sum_of_part(point[~near], vertices, seen)
+    return winding
+
+
+def _winding_of_halves(point: Array, vertices: Array, faces: Integers) -> Array:
+    if len(faces) > FEW_FACES and len(point) > FEW_POINTS:
+        halves = _halves(vertices, faces)
+        if sum(len(cap(half)) for half in halves) < SAVING * len(faces):
+            first, second = (winding_of_part(point, vertices, half) for half in halves)
+            return np.asarray(first + second)
+    return _sum_of_part(point, vertices, faces)
+
+
+def _halves(vertices: Array, faces: Integers) -> tuple[Integers, Integers]:
+    """The faces on either side of a cut across the mesh's longest side."""
+    middle = np.mean(vertices[faces], axis=1)
+    order = np.argsort(middle[:, np.argmax(np.ptp(middle, axis=0))], kind="stable")
+    return faces[order[: len(faces) // 2]], faces[order[len(faces) // 2 :]]
+
+
+def cap(faces: Integers) -> Integers:
+    """Faces with the same rim: triangles from one vertex of the rim to all its edges.
+
+    The rim consists of the edges through which more faces run one way than the other.
+    """
+    edges = directed_edges(faces)
+    edge, number = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
+    way = np.sign(edges[:, 1] - edges[:, 0])  # 0 for an edge without length
+    excess = np.bincount(number.reshape(-1), way, len(edge)).astype(np.int64)
+    rim = np.repeat(np.where(excess[:, None] > 0, edge, edge[:, ::-1]), np.abs(excess), axis=0)
+    if not len(rim):
+        return np.empty((0, 3), dtype=np.int64)
+    top = np.argmax(np.bincount(rim.reshape(-1)))
+    rim = rim[np.all(rim != top, axis=1)]
+    return np.column_stack([np.full(len(rim), top), rim])
+
+
+def sum_of_angles(point: Array, vertices: Array, faces: Integers) -> Array:
+    """The sum of the solid angles of all faces, as seen from points (p, 3), over 4π."""
+    first, second, third = np.moveaxis(vertices[faces], 1, 0)
+    normal = np.cross(second - first, third - first)
+    winding = np.zeros(len(point))
+    for block in blocks(len(point), IN_CACHE * len(faces)):
+        winding[block] = np.sum(_half_solid_angles(point[block], vertices, faces, normal), axis=1) / (2 * np.pi)
+    return winding
+
+
+def _sum_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
+    """The same, without the vertices of the rest of the mesh."""
+    needed, number = np.unique(faces, return_inverse=True)
+    return sum_of_angles(point, vertices[needed], number.reshape(-1, 3))
+
+
+def _half_solid_angles(point: Array, vertices: Array, faces: Integers, normal: Array) -> Array:
+    """Ω/2 of every face, (points, f); its normal is twice its area long."""
+    # With x, y, z along the first axis, sums of three are faster.
+    to_vertex = vertices.T[:, None] - point.T[..., None]
+    length = np.sqrt(_dot(to_vertex, to_vertex))
+    a, b, c = (np.take(to_vertex, corner, axis=2) for corner in faces.T)
+    la, lb, lc = (np.take(length, corner, axis=1) for corner in faces.T)
+    volume = _dot(a, normal.T[:, None])  # a·(b×c), with b − a and c − a for b and c
+    below = (la * lb + _dot(a, b)) * lc + _dot(b, c) * la + _dot(c, a) * lb
+    return np.where(volume == 0, 0.0, np.arctan2(volume, below))
+
+
+def _dot(a: Array, b: Array) -> Array:
+    return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])

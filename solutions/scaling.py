@@ -1,0 +1,148 @@
+"""Numbers of any size, although their squares would leave the range of the floats.
+
+The square of 1e200 is too large for a float, and that of 1e-200 is too small. One
+remedy serves both: divide by a power of two near the largest number, calculate, and
+multiply by it again. Dividing by a power of two changes no digit, so the result is the
+same, to the last digit, as that of the plain formula where the plain formula works.
+
+The functions look first whether there is such a number, because there hardly ever is.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.arrays import Array, Booleans
+
+SMALL, LARGE = 2.0**-200, 2.0**200
+"""A product of four lengths between these two is an ordinary float."""
+
+
+def length_of(vector: ArrayLike) -> Array:
+    """The length of vectors (..., d), as precise for 1e-300 and 1e300 as for 1."""
+    v = np.asarray(vector, dtype=float)
+    with np.errstate(over="ignore"):
+        length = np.asarray(np.linalg.norm(v, axis=-1))
+    if not _moderate(length):
+        extreme = _extreme(length, v)
+        unit = power_of_two(_largest(v[extreme]))
+        length[extreme] = unit * np.linalg.norm(v[extreme] / unit[:, None], axis=-1)
+    return length
+
+
+def in_moderate_units(vector: Array) -> tuple[Array, Array, Array]:
+    """Vectors (..., d) in a unit in which they are neither very long nor very short.
+
+    Returns
+    -------
+    vector : (..., d), in the new unit
+    length : (...), in the new unit
+    unit : (...), a power of two
+        It is 1 where a vector needs no other unit. If no vector needs one, it is a
+        single 1 without axes.
+    """
+    with np.errstate(over="ignore"):
+        length = np.asarray(np.sqrt(np.vecdot(vector, vector)))
+    if _moderate(length):
+        return vector, length, np.ones(())
+    unit = np.where(_extreme(length, vector), power_of_two(_largest(vector)), 1.0)
+    vector = vector / unit[..., None]
+    return vector, np.asarray(np.sqrt(np.vecdot(vector, vector))), unit
+
+
+def in_unit(value: Array, unit: Array, axes: int = 1) -> Array:
+    """Arrays over a unit (...) of `in_moderate_units`; they have some axes more."""
+    if not unit.ndim and unit == 1:
+        return value
+    with np.errstate(over="ignore"):
+        return value / unit[(..., *axes * [None])]
+
+
+def cross_product(first: Array, second: Array) -> tuple[Array, Array]:
+    """The cross product of vectors (..., 3), in a unit of its own, and its length.
+
+    It is zero only where the vectors are parallel, or one is zero.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        product = np.cross(first, second)
+        length = np.asarray(np.linalg.norm(product, axis=-1))
+    if not _moderate(length):
+        (first, *_), (second, *_) = in_moderate_units(first), in_moderate_units(second)
+        product = np.cross(first, second)
+        length = np.asarray(np.linalg.norm(product, axis=-1))
+    return product, length
+
+
+def moderate_plane(normal: Array, offset: ArrayLike) -> tuple[Array, Array, Array]:
+    """The same plane n·p + d = 0, its normal neither very long nor very short.
+
+    Returns
+    -------
+    normal, offset : (..., 3) and (...), n and d
+        Both are divided by the same power of two, where the normal needs it.
+    length : (...), ‖n‖; 0 for a normal that is zero
+    """
+    offset = np.asarray(offset, dtype=float)
+    with np.errstate(over="ignore"):
+        length = np.asarray(np.linalg.norm(normal, axis=-1))
+    if _moderate(length):
+        return normal, offset, length
+    unit = np.where(_extreme(length, normal), power_of_two(_largest(normal)), 1.0)
+    normal = normal / unit[..., None]
+    return normal, offset / unit, np.asarray(np.linalg.norm(normal, axis=-1))
+
+
+def root_of_difference(u: Array, p: Array, q: Array) -> Array:
+    """√(u² − p q), as precise for 1e-300 and 1e300 as for 1; NaN where u² < p q."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        difference = np.asarray(u * u - p * q)
+        root = np.asarray(np.sqrt(difference))
+    size = np.abs(difference)
+    if not _moderate(size, 4):
+        size = size + ((u == 0) & ((p == 0) | (q == 0)))  # without these, whose root is 0
+        if not _moderate(size, 4):
+            extreme = ~((size > SMALL**4) & (size < LARGE**4))
+            root[extreme] = _root_in_units(*(np.broadcast_to(value, root.shape)[extreme] for value in (u, p, q)))
+    return root
+
+
+def root_of_product(p: Array, q: Array) -> Array:
+    """√(p q) of two numbers that are not negative, however large or small."""
+    return root_of_difference(np.zeros(()), -p, q)
+
+
+def power_of_two(size: ArrayLike) -> Array:
+    """The power of two next below a positive number; 1 for zero."""
+    number = np.asarray(size, dtype=float)
+    return np.where(number > 0, np.ldexp(1.0, np.frexp(number)[1] - 1), 1.0)
+
+
+def _largest(vector: Array) -> Array:
+    """The largest component of vectors (..., d), all signs apart."""
+    return np.asarray(np.max(np.abs(vector), axis=-1, initial=0.0))
+
+
+def _root_in_units(u: Array, p: Array, q: Array) -> Array:
+    """√(u² − p q), calculated with u over 2ᵏ and with p q over 4ᵏ."""
+    (u, of_u), (p, of_p), (q, of_q) = np.frexp(u), np.frexp(p), np.frexp(q)
+    k = np.where(p * q == 0, of_u, np.where(u == 0, (of_p + of_q) // 2, np.maximum(of_u, (of_p + of_q) // 2)))
+    u, product = np.ldexp(u, of_u - k), np.ldexp(p * q, of_p + of_q - 2 * k)
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.ldexp(np.sqrt(u * u - product), k))
+
+
+def _moderate(size: Array, power: int = 1) -> bool:
+    """Whether all sizes are between `SMALL` and `LARGE`, each to a power."""
+    low, high = SMALL**power, LARGE**power
+    if not size.ndim:
+        return low < float(size) < high
+    return not size.size or bool(size.min() > low and size.max() < high)
+
+
+def _extreme(length: Array, vector: Array) -> Booleans:
+    """Which vectors are too long or too short to be squared, as their lengths show.
+
+    A length of zero may be that of a short vector. A vector that is zero is none.
+    """
+    return np.asarray(~((length > SMALL) & (length < LARGE)) & np.any(vector != 0, axis=-1))
