@@ -175,7 +175,7 @@ def _substeps() -> list[Probe]:
         usual("three and a bit", 70.0, 0.1, 0.05, 0.01),
         usual("a point against a wall", 33.0, 0.05, 0.0, 0.01),
         usual("a ball against a sheet", 33.0, 0.0, 0.05, 0.01),
-        usual("very fast", 910.0, 0.02, 0.01, 0.02),
+        usual("very fast", 901.0, 0.02, 0.01, 0.02),
         edge("no speed", 0.0, 0.1, 0.05, 0.01),
         edge("exactly the wall's way", 16.0, 0.5, 0.25, 0.0625),
         edge("exactly three times the wall's way", 48.0, 0.5, 0.25, 0.0625),
