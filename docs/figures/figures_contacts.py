@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from solutions.forces import semi_implicit_euler
-from solutions.friction import sphere_impact
+from solutions.friction import superball_impact
 from solutions.response import hertz_contact_time, hertz_force, penalty_force
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -56,7 +56,7 @@ def superball(figure: Figure) -> None:
         for normal in (UP, -UP, UP):
             place = place + velocity * abs(height / velocity[2])
             path.append(place)
-            velocity, spin = sphere_impact(velocity, spin, normal, radius, 1.0, 50.0, tangent_restitution=e_t)
+            velocity, spin = superball_impact(velocity, spin, normal, radius, 1.0, 50.0, e_t)
         path.append(place + velocity * height)
         x, _, z = np.transpose(path)
         axes.plot(x, z, style, color=colour, lw=1.6, label=f"e_t = {e_t:g}")

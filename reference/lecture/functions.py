@@ -84,6 +84,7 @@ _FUNCTIONS = (
     Function("dissipative_impulse", "friction", 26, 16, "read"),
     Function("poisson_impulse", "friction", 27, 16, "read"),
     Function("stronge_impulse", "friction", 28, 16, "read"),
+    Function("superball_impact", "friction", 29, 16, "read"),
     Function("point_velocity", "impulse", 1, 14, "written"),
     Function("relative_velocity", "impulse", 1, 15, "written"),
     Function("normal_velocity", "impulse", 1, 19, "written"),

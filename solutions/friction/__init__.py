@@ -8,7 +8,14 @@ from solutions.friction.cone import clamp_to_circle, clamp_to_square
 from solutions.friction.contacts import contact_jacobian, inverse_mass_matrix, resting_problem, sequential_impulses
 from solutions.friction.cradle import propagate_impacts, simultaneous_impacts
 from solutions.friction.dry import friction_force, holds, sliding_motion
-from solutions.friction.impact import friction_impulse, impact_energy, point_inverse_mass, sphere_grips, sphere_impact
+from solutions.friction.impact import (
+    friction_impulse,
+    impact_energy,
+    point_inverse_mass,
+    sphere_grips,
+    sphere_impact,
+    superball_impact,
+)
 from solutions.friction.impact_laws import dissipative_impulse, poisson_impulse, stronge_impulse
 from solutions.friction.support import (
     along_surface,
@@ -48,4 +55,5 @@ __all__ = [
     "sphere_impact",
     "stick_slip_times",
     "stronge_impulse",
+    "superball_impact",
 ]

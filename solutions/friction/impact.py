@@ -212,12 +212,10 @@ def sphere_impact(
     restitution: ArrayLike,
     friction: ArrayLike,
     inertia_share: ArrayLike = 0.4,
-    tangent_restitution: ArrayLike = 0.0,
 ) -> tuple[Array, Array]:
     """Velocities of a sphere after it has struck an immovable plane with friction.
 
-    Friction turns spin into motion along the plane and back. A contact that also
-    springs back sideways, as that of a superball does, has a tangential restitution.
+    Friction turns spin into motion along the plane and back.
 
     Parameters
     ----------
@@ -226,8 +224,6 @@ def sphere_impact(
     radius : (...), R, m
     restitution, friction : (...), e, 0 to 1, and μ
     inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow one
-    tangent_restitution : (...), e_t, −1 to 1
-        0 stops the slip, 1 reverses it, and −1 leaves it as it is.
 
     Returns
     -------
@@ -236,24 +232,12 @@ def sphere_impact(
     Raises
     ------
     ValueError
-        As friction_impulse, or if the radius or the inertia is not positive and finite,
-        or e_t is not from −1 to 1.
+        As friction_impulse, or if the radius or the inertia is not positive and finite.
 
     Notes
     -----
     The arm from the centre to the contact is r = −R n. The impulse and the inertia are
     both proportional to the mass, so that the mass drops out.
-
-    Where the sphere grips, its slip u_t reverses as Newton's rule reverses u_n:
-
-        u_t⁺ = −e_t u_t
-
-    Stopping the slip takes an impulse in proportion to u_t, and reversing it 1 + e_t
-    times this impulse. So the code hands (1 + e_t) u_t to `friction_impulse`. Where
-    this would take more than μ times the normal impulse, the sphere slides, and e_t
-    plays no part (Walton 1993). With e = e_t = 1 and enough friction the energy stays
-    as it was: this is Garwin's "ultraelastic rough ball" (1969). Cross (2002) measured
-    about 0.76 for a superball.
     """
     v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
     r = finite("radius", positive("radius", radius))[..., None]
@@ -261,6 +245,59 @@ def sphere_impact(
     inertia = (share[..., None] * r**2)[..., None]
     arm = -r * n
     k = point_inverse_mass(1.0, np.eye(3) / inertia, arm)
-    u, e_t = v + np.cross(spin, arm), between("tangent_restitution", tangent_restitution, -1, 1)
-    j = friction_impulse(u + e_t[..., None] * along_surface(u, n), n, k, restitution, friction)
+    j = friction_impulse(v + np.cross(spin, arm), n, k, restitution, friction)
     return v + j, spin + np.cross(arm, j) / inertia[..., 0]
+
+
+def superball_impact(
+    velocity: ArrayLike,
+    angular_velocity: ArrayLike,
+    normal: ArrayLike,
+    radius: ArrayLike,
+    restitution: ArrayLike,
+    friction: ArrayLike,
+    tangent_restitution: ArrayLike,
+    inertia_share: ArrayLike = 0.4,
+) -> tuple[Array, Array]:
+    """Velocities of a sphere whose contact springs back sideways as well.
+
+    Parameters
+    ----------
+    velocity, angular_velocity : (..., 3), m/s and rad/s
+    normal : (..., 3), unit, out of the plane
+    radius : (...), R, m
+    restitution, friction : (...), e, 0 to 1, and μ
+    tangent_restitution : (...), e_t, −1 to 1
+        0 stops the slip as `sphere_impact` does, 1 reverses it, and −1 leaves it as it
+        is.
+    inertia_share : (...), I/(m R²); 2/5 for a solid sphere, 2/3 for a hollow one
+
+    Returns
+    -------
+    velocity, angular_velocity : (..., 3), m/s and rad/s
+
+    Raises
+    ------
+    ValueError
+        As sphere_impact, or if e_t is not from −1 to 1.
+
+    Notes
+    -----
+    Where the sphere grips, its slip u_t reverses as Newton's rule reverses u_n:
+
+        u_t⁺ = −e_t u_t
+
+    Stopping the slip takes an impulse in proportion to u_t, and reversing it 1 + e_t
+    times this impulse. That is the impulse which stops a slip of (1 + e_t) u_t. So the
+    code adds e_t u_t to the velocity, lets `sphere_impact` find the impact, and takes
+    e_t u_t away again. Where the impulse would be more than μ times the normal impulse,
+    the sphere slides, and e_t plays no part (Walton 1993). With e = e_t = 1 and enough
+    friction the energy stays as it was: this is Garwin's "ultraelastic rough ball"
+    (1969). Cross (2002) measured about 0.76 for a superball.
+    """
+    v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
+    arm = -np.asarray(radius, dtype=float)[..., None] * n
+    e_t = between("tangent_restitution", tangent_restitution, -1, 1)[..., None]
+    more = e_t * along_surface(v + np.cross(spin, arm), n)
+    after, spin_after = sphere_impact(v + more, spin, n, radius, restitution, friction, inertia_share)
+    return after - more, spin_after

@@ -18,6 +18,7 @@ from solutions.friction import (
     point_inverse_mass,
     sphere_grips,
     sphere_impact,
+    superball_impact,
 )
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -147,7 +148,7 @@ def test_a_superball_comes_back_from_under_a_table_as_garwin_found():
     along, rim = Fraction(1), Fraction(0)
     for side in (1, -1, 1):
         along, rim = (3 * along + 4 * side * rim) / 7, side * (10 * along - 3 * side * rim) / 7
-        v, spin = sphere_impact(v, spin, side * UP, radius, 1.0, 50.0, tangent_restitution=1.0)
+        v, spin = superball_impact(v, spin, side * UP, radius, 1.0, 50.0, 1.0)
         assert v == pytest.approx([float(along), 0.0, 2.0 * side], abs=1e-14)
         assert radius * spin == pytest.approx([0.0, float(rim), 0.0], abs=1e-14)
     assert (along, rim) == (Fraction(-333, 343), Fraction(-130, 343))  # nearly as it was thrown, the way it came
@@ -172,15 +173,15 @@ def test_the_tangential_restitution_keeps_what_no_impact_can_change(seed, restit
         u = v + np.cross(w, -radius * n)
         return u - (u @ n) * n
 
-    after = sphere_impact(v, w, n, radius, restitution, friction, share, e_t)
+    after = superball_impact(v, w, n, radius, restitution, friction, e_t, share)
     assert about_the_contact(*after) == pytest.approx(about_the_contact(v, w), abs=1e-13)
     assert after[0] @ n == pytest.approx(-restitution * (v @ n), abs=1e-14)
     assert energy(*after) <= energy(v, w) * (1 + 1e-13)
-    rough = sphere_impact(v, w, n, radius, restitution, 1e9, share, e_t)
+    rough = superball_impact(v, w, n, radius, restitution, 1e9, e_t, share)
     # A normal speed near zero would leave even this friction little to press with
     if abs(v @ n) > 1e-3:
         assert slip(*rough) == pytest.approx(-e_t * slip(v, w), abs=1e-13)
-        elastic = sphere_impact(v, w, n, radius, 1.0, 1e9, share, 1.0)
+        elastic = superball_impact(v, w, n, radius, 1.0, 1e9, 1.0, share)
         assert energy(*elastic) == pytest.approx(energy(v, w), rel=1e-13)
     across = (after[0] - v) - ((after[0] - v) @ n) * n
     assert np.linalg.norm(across) <= friction * ((after[0] - v) @ n) * (1 + 1e-12) + 1e-14
@@ -195,12 +196,12 @@ def test_without_tangential_restitution_nothing_has_changed():
     j = friction_impulse(v + np.cross(w, arm), n, k, 0.6, 0.2)
     after = sphere_impact(v, w, n, 0.3, 0.6, 0.2)
     assert after[0].tobytes() == (v + j).tobytes()  # bit for bit
-    smooth = sphere_impact(v, w, n, 0.3, 0.6, 5.0, tangent_restitution=-1.0)
+    smooth = superball_impact(v, w, n, 0.3, 0.6, 5.0, -1.0)
     for mine, theirs in zip(smooth, sphere_impact(v, w, n, 0.3, 0.6, 0.0), strict=True):
         assert mine == pytest.approx(theirs, abs=1e-13)
     for wrong in (1.1, -1.1, math.nan):
         with pytest.raises(ValueError, match=r"^tangent_restitution must be from -1 to 1, not"):
-            sphere_impact(v, w, n, 0.3, 0.6, 0.2, tangent_restitution=wrong)
+            superball_impact(v, w, n, 0.3, 0.6, 0.2, wrong)
 
 
 # Any two bodies

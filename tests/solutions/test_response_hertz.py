@@ -9,7 +9,7 @@ import pytest
 from oracles import oracle
 
 from solutions.forces import semi_implicit_euler
-from solutions.friction import sphere_impact
+from solutions.friction import superball_impact
 from solutions.response import (
     hertz_contact_time,
     hertz_damping,
@@ -160,7 +160,7 @@ def test_springs_both_ways_give_a_rough_ball_its_tangential_restitution():
     v, spin = np.tile([0.4, -0.3, -1.0], (3, 1)), np.tile([5.0, 8.0, 2.0], (3, 1))
     e_t = -np.cos(np.pi * np.sqrt(3.5 * ratio))
     assert e_t[1] == pytest.approx(1.0, rel=1e-15)
-    expected = sphere_impact(v, spin, UP, radius, 1.0, 100.0, tangent_restitution=e_t)
+    expected = superball_impact(v, spin, UP, radius, 1.0, 100.0, e_t)
     depth, xi = 0.0, np.zeros((3, 3))
     for _ in range(round(math.pi / math.sqrt(k) / dt)):  # 1 kg
         press = penalty_force(-depth, v[:, 2], UP, k)

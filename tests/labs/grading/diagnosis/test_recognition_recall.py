@@ -117,7 +117,7 @@ FOUND = {
     "along_surface_2": ("named", ["mirrored"]),
     "holds_2": ("named", ["not at the limit"]),
     "friction_angle_2": ("named", ["sine"]),
-    "friction_force_4": ("likely", ["kinetic limit"]),
+    "friction_force_4": ("named", ["kinetic limit"]),
     "friction_force_5": ("named", ["nothing when it gives way"]),
     "clamp_to_square_1": ("named", ["along x and y whatever the axes"]),
     "sphere_grips_2": ("named", ["restitution left out"]),
