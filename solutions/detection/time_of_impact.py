@@ -114,5 +114,5 @@ def time_of_impact_exact(
     root = root_of_difference(u, 2 * a, s)  # NaN where the body turns round before the plane
     rising = u >= 0
     denominator = np.where(rising, -a, root - u)
-    arrives = (root >= 0) & (denominator > 0)
+    arrives = denominator > 0  # false for NaN
     return np.where(arrives, np.where(rising, u + root, 2 * s) / np.where(arrives, denominator, 1.0), np.inf)

@@ -133,12 +133,12 @@ def sliding_motion(
         return np.asarray((f + friction_force(f, velocity, normal_force, static_friction, kinetic_friction)) / m)
 
     a = acceleration(v)
-    (way, _, speed), (slowing, _, rate) = in_moderate_units(v), in_moderate_units(a)
+    (way, _, metre), (slowing, _, metre_a_second) = in_moderate_units(v), in_moderate_units(a)
     speed_squared, closing = np.vecdot(way, way), -np.vecdot(way, slowing)
     with np.errstate(over="ignore"):  # hardly any friction takes longer than any float
-        stopping_time = speed_squared / np.where(closing > 0, closing, 1.0) * speed / rate
-    stops = (speed_squared > 0) & (closing > 0) & (stopping_time <= dt)
-    stopping_time = np.where(stops, stopping_time, np.inf)
+        second = metre / metre_a_second  # 1, unless a number is extreme
+        stops = (speed_squared > 0) & (speed_squared <= closing * (dt / second))
+    stopping_time = np.where(stops, speed_squared / np.where(stops, closing, 1.0) * second, np.inf)
     first = np.minimum(stopping_time, dt)[..., None]
     p = p + v * first + a * first * first / 2
     v = np.where(stops[..., None], 0.0, v + a * first)

@@ -20,10 +20,10 @@ SHORTENED = "The vector is divided by its length afterwards, and may be longer o
 ORDER = "The order does not matter."
 NEVER_USED = "The number is not used there."
 NOT_OF_THE_VELOCITIES = "How easily two bodies give way does not depend on how they move."
+UNIT = "The unit is 1 unless a number is extreme, and checks have ordinary ones."
 LEVER = "Without a lever r × n is zero but for rounding, and adds nothing."
 
 EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
-    "time_of_impact_exact": {ROUNDING: ("limit dropped: np.maximum(discriminant, 0.0) → shaped(discriminant, 0.0)",)},
     "overlap_interval": {
         "The earlier and the later of the two are taken, whichever they are.": (
             "results swapped: ((r - x) / np.where(moves, u, 1.0), …",
@@ -34,15 +34,26 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "missing_probability": {FIRST_OF_BOTH: ("boundary: way > caught → way >= caught",)},
     "_arrival_speed": {
-        "The root is negative for an acceleration away from the plane alone, where the time is infinite.": (
-            "limit dropped: np.maximum(squared, 0.0) → shaped(squared, 0.0)",
-        )
+        "Only an acceleration away from the plane leaves no root, and then the time is infinite.": (
+            "branch dropped: np.where(speed >= 0, speed, 0.0) → shaped(speed, speed >= 0)",
+            "condition dropped: speed >= 0 → always(speed >= 0)",
+        ),
+        "At zero both give zero.": ("boundary: speed >= 0 → speed > 0",),
     },
     "along_surface": {TWICE: ("normal: sign flipped",)},
     "holds": {"Only the size of the push counts.": ("push: sign flipped",)},
     "sliding_motion": {
         "At the stop v + a t is zero, but for rounding.": (
             "branch dropped: np.where(stops[..., None], 0.0, v + a * first) → shaped(v + a * first…",
+        ),
+        UNIT: (
+            "factor forgotten: metre / metre_a_second → …",
+            "ratio inverted: metre / metre_a_second → …",
+            "product for ratio: metre / metre_a_second → …",
+            "factor forgotten: dt / second → dt",
+            "product for ratio: dt / second → dt * second",
+            "factor forgotten: speed_squared / np.where(stops, closing, 1.0) * second → speed_squared…",
+            "ratio for product: speed_squared / np.where(stops, closing, 1.0) * second → speed_squared…",
         ),
         "Where the body does not stop, nothing is left of the step.": (
             "branch dropped: np.where(stops[..., None], acceleration(v), 0.0) → shaped(acceleration…",
@@ -54,6 +65,12 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ORDER: ("results swapped: (axis_x, axis_y) → (axis_y, axis_x)",),
     },
     "break_away_time": {
+        UNIT: (
+            "factor forgotten: np.minimum(leaves, lifts) * newton / newton_a_second → np.minimum…",
+            "factor forgotten: np.minimum(leaves, lifts) * newton → np.minimum…",
+            "product for ratio: np.minimum(leaves, lifts) * newton / newton_a_second → …",
+            "ratio for product: np.minimum(leaves, lifts) * newton → np.minimum…",
+        ),
         "Only its square is used.": (
             "sign flipped: press[..., None] * rate - press_rate[..., None] * f → press_rate[…",
             "cross product turned round: np.cross(f, rate) → np.cross(rate, f)",
@@ -98,19 +115,13 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
     },
     "rebound_velocity": {FIRST_OF_BOTH: ("boundary: u_n < 0 → u_n <= 0",)},
-    "_direction": {
-        SHORTENED: (
-            "factor forgotten: given / largest → given",
-            "product for ratio: given / largest → given * largest",
-        )
-    },
     "edge_edge_normal": {
         "The product of two edges that are both turned round is the same.": ("edge_a and edge_b: sign flipped",),
         SHORTENED: (
-            "in _direction: factor forgotten: scaled / np.linalg.norm(scaled, axis=-1, keepdims=True) → scaled",
-            "in _direction: product for ratio: scaled / np.linalg.norm(scaled, axis=-1, keepdims=True) → …",
-            "in _direction: largest component: np.linalg.norm(scaled, …",
-            "in _direction: sum of components: np.linalg.norm(scaled, …",
+            "in _direction: factor forgotten: given / length → given",
+            "in _direction: product for ratio: given / length → given * length",
+            "in _direction: largest component: np.linalg.norm(given, …",
+            "in _direction: sum of components: np.linalg.norm(given, …",
         ),
     },
     "world_inverse_inertia": {"q and −q are the same rotation.": ("orientation: sign flipped",)},
@@ -127,22 +138,15 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "velocities_from_momenta": {SYMMETRIC: ("transposed: inverse_inertia @ angular_momentum[..., None] → …",)},
     "_softness": {
         LEVER: (
-            "boundary: np.linalg.norm(np.cross(r, normal), axis=-1) > NO_LEVER * …",
-            "condition dropped: np.linalg.norm(np.cross(r, normal), axis=-1) > … → always(…",
+            "boundary: length_of(np.cross(r, normal)) > NO_LEVER * length_of(r) → …",
+            "condition dropped: length_of(np.cross(r, normal)) > NO_LEVER * length_of(r) → always(…",
             "branch dropped: np.where(lever, np.vecdot(normal, np.cross(dw, r)), 0.0) → shaped(np.vecdot…",
         ),
         "The bound of what counts as rounding may be another one.": (
-            "factor forgotten: NO_LEVER * np.linalg.norm(r, axis=-1) → NO_LEVER",
-            "ratio for product: NO_LEVER * np.linalg.norm(r, axis=-1) → NO_LEVER / np.linalg.norm(r, axis=-1)",
-            "largest component: np.linalg.norm(r, axis=-1) → …",
-            "sum of components: np.linalg.norm(r, axis=-1) → …",
-            "axis 0 left out: np.linalg.norm(r, axis=-1) → …",
-            "axis 1 left out: np.linalg.norm(r, axis=-1) → …",
-            "axis 2 left out: np.linalg.norm(r, axis=-1) → …",
+            "factor forgotten: NO_LEVER * length_of(r) → NO_LEVER",
+            "ratio for product: NO_LEVER * length_of(r) → NO_LEVER / length_of(r)",
         ),
         "Only whether the vector is zero counts.": (
-            "largest component: np.linalg.norm(np.cross(r, normal), axis=-1) → …",
-            "sum of components: np.linalg.norm(np.cross(r, normal), axis=-1) → …",
             "cross product turned round: np.cross(r, normal) → np.cross(normal, r)",
         ),
     },
