@@ -23,7 +23,7 @@ FIRST_STEP = 0.05
 ACCURACY = 1e-10
 """Error of a step, as a share of the speed of the impact."""
 HALVINGS = 60
-"""How often an interval is halved at most: down to rounding."""
+"""How often an interval is halved at most: from π/2 down to rounding."""
 CLOSE = 1e-14
 """Change of a step, as a share of it, that is rounding."""
 TINY = 1e-300

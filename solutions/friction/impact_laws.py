@@ -15,10 +15,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, matrix, not_negative, unit, vector
 from solutions.friction.impact import positive_definite
-from solutions.friction.impact_course import Course, follow
-
-HALVINGS = 60
-"""How often an interval of angles is halved: from π/2 down to rounding."""
+from solutions.friction.impact_course import HALVINGS, Course, follow
 
 
 def dissipative_impulse(

