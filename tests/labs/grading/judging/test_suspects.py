@@ -35,6 +35,19 @@ def contact_impulses(magnitude, normal):
     normal *= -1.0
     return impulse, -impulse
 """
+DIFFERENCE_OF_ONE = """
+
+def relative_velocity(point_velocity_a, point_velocity_b):
+    a, b = point_velocity_a, point_velocity_b
+    return np.array([a[0] - b[0], a[1] - b[1], a[2] - b[2]])
+"""
+WRITES_FOR_ONE = """
+
+def relative_velocity(point_velocity_a, point_velocity_b):
+    point_velocity_a -= point_velocity_b
+    return point_velocity_a
+"""
+"""It fails where one velocity of A stands for several of B, of which no visible test has a case."""
 COUNTED = """
 calls = []
 
@@ -86,6 +99,15 @@ def test_a_caller_of_a_wrong_function_is_no_suspect(tmp_path):
     assert sheet.suspects == {}
 
 
+def test_a_function_of_one_case_excuses_no_wrong_number_of_its_caller(tmp_path):
+    sheet, text = checked(
+        tmp_path, "impulse", FAST_IS_SLOWER + DIFFERENCE_OF_ONE, ("relative_velocity", "normal_velocity")
+    )
+    assert sheet.diagnoses["relative_velocity"].verdict == "one at a time"
+    assert list(sheet.suspects) == ["normal_velocity"]
+    assert "? normal_velocity suspect" in text
+
+
 def test_a_suspect_with_a_known_mistake_is_told_which(tmp_path):
     sheet, text = checked(tmp_path, "friction", REST_GOES_THROUGH)
     assert [found.mistakes[0].id for found in sheet.suspects.values()] == ["clamp_to_square/rest goes through"]
@@ -96,6 +118,13 @@ def test_a_suspect_with_a_known_mistake_is_told_which(tmp_path):
 def test_a_function_that_writes_into_its_arguments_is_suspect(tmp_path):
     sheet, text = checked(tmp_path, "impulse", WRITES, ("contact_impulses",))
     assert list(sheet.suspects) == ["contact_impulses"]
+    assert "It writes into its arguments" in text
+
+
+def test_a_function_of_one_case_that_writes_into_its_arguments_is_suspect(tmp_path):
+    sheet, text = checked(tmp_path, "impulse", WRITES_FOR_ONE, ("relative_velocity",))
+    assert sheet.lost == []
+    assert list(sheet.suspects) == ["relative_velocity"]
     assert "It writes into its arguments" in text
 
 
