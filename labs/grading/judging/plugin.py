@@ -121,11 +121,12 @@ def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.Abst
 
     @contextlib.contextmanager
     def worth(points: int, reason: str) -> Iterator[None]:
-        case_by_case.begin_part()
+        functions.begin_part()
         try:
             yield
         except (AssertionError, StudentError) as error:
-            parts.append(Part(points, reason, said(error, hidden)))
+            others = tuple(sorted(functions.asked - {marker(request.node, "function", "")}))
+            parts.append(Part(points, reason, said(error, hidden), others))
         else:
             _require_evidence(f"{request.node.name}, {reason!r}", functions)
             failure = case_by_case.charge()

@@ -71,7 +71,9 @@ def run(
     with Grader() if grader is None else contextlib.nullcontext(grader) as found:
         time = budget or Budget(found.limits.submission)
         sheet = _run(Path(path), files, found, functions, time, paid or {})
-        if functions and (used := _used(path, topics, [*sheet.lost, *sheet.suspects]) - set(functions)):
+        beside = {name for outcome in sheet.outcomes for part in outcome.parts for name in part.others}
+        names = [*sheet.lost, *sheet.suspects, *beside]
+        if functions and (used := _used(path, topics, names) - set(functions)):
             sheet.add_beneath(_run(Path(path), [str(file) for file in _files(VISIBLE, topics)], found, used, time))
         return sheet
 

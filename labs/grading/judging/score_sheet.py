@@ -16,11 +16,16 @@ _UNTRIED: frozenset[Verdict] = frozenset({"not tried"})
 
 @dataclass(frozen=True)
 class Part:
-    """A part of a test that has points of its own. said: why it failed; None if it passed."""
+    """A part of a test that has points of its own.
+
+    said: why it failed; None if it passed. others: functions besides the tested one that a scenario of a failed part
+    called.
+    """
 
     points: int
     reason: str
     said: str | None = None
+    others: tuple[str, ...] = ()
 
     @property
     def passed(self) -> bool:

@@ -48,6 +48,12 @@ def relative_velocity(point_velocity_a, point_velocity_b):
     return point_velocity_a
 """
 """It fails where one velocity of A stands for several of B, of which no visible test has a case."""
+NOT_INVERTED = """
+
+def world_inverse_inertia(inertia, orientation):
+    rotation = rotation_matrix(orientation)
+    return (rotation * np.asarray(inertia)[..., None, :]) @ np.swapaxes(rotation, -1, -2)
+"""
 COUNTED = """
 calls = []
 
@@ -106,6 +112,15 @@ def test_a_function_of_one_case_excuses_no_wrong_number_of_its_caller(tmp_path):
     assert sheet.diagnoses["relative_velocity"].verdict == "one at a time"
     assert list(sheet.suspects) == ["normal_velocity"]
     assert "? normal_velocity suspect" in text
+
+
+def test_a_function_is_not_blamed_for_a_wrong_one_that_only_its_scenario_calls(tmp_path):
+    for names in ((), ("collide",)):
+        _, text = checked(tmp_path, "impulse", NOT_INVERTED, names)
+        blamed = text.split("✗ collide ")[1]
+        assert "This run also calls your world_inverse_inertia, which is not right yet: look there first." in blamed
+        assert "physics" not in blamed
+        assert text.endswith("Next: world_inverse_inertia, marked ✗ above.")
 
 
 def test_a_suspect_with_a_known_mistake_is_told_which(tmp_path):
