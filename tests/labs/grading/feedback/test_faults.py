@@ -51,6 +51,11 @@ def test_a_suspect_that_is_slow_is_not_said_to_be_wrong():
     assert "wrong" not in words
 
 
+def test_a_function_that_was_tried_before_the_time_was_used_up_is_not_said_to_be_untried():
+    words = joined(told(Diagnosis("collide", "not tried")))
+    assert words == "collide: its mistake was not looked for: the time for the whole file was used up before."
+
+
 def test_the_names_of_a_body_are_told_where_another_one_is_used():
     assert "angular_velocity, arm" in advice("raised AttributeError: 'Body' object has no attribute 'omega' (line 3)")
 
