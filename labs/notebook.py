@@ -44,6 +44,7 @@ class Lab:
         self._predictions: dict[str, Prediction] = {}
         self._grader: Grader | None = None
         self._tries = Tries()
+        self._paid: dict[str, str] = {}
 
     @errors_in_words
     def begin(self, topic: str) -> None:
@@ -93,7 +94,7 @@ class Lab:
             print(f"{name} is not there any more: deleted, or its cell ended in an error. The last one is checked.")
         notebook = self._notebook_file(student_code.without_outdone(cells))
         with Progress("checking"):
-            found = checks.check(notebook, self._begun(), names, self._started_grader(), self._tries, hint)
+            found = checks.check(notebook, self._begun(), names, self._started_grader(), self._tries, self._paid, hint)
         print(found.report)
         _warn_of_printing(name for name in student_code.functions_that_print(cells) if name in (names or here))
         return found.credit

@@ -11,6 +11,7 @@ from labs.benching.timing import Bench
 from labs.building import notebooks
 from labs.desk import checks, student_code
 from labs.grading.calling.remote import Grader
+from labs.grading.feedback.tries import Tries
 from labs.project_folders import SOLVED_NOTEBOOKS
 
 
@@ -19,7 +20,9 @@ def check() -> Callable[[], object]:
     cells = ["".join(cell["source"]) for cell in notebooks.solved("impulse")["cells"] if cell["cell_type"] == "code"]
     grader = Grader()
     atexit.register(grader.close)
-    return lambda: checks.check(student_code.write_notebook(cells), "impulse", ["impulse_magnitude"], grader)
+    return lambda: checks.check(
+        student_code.write_notebook(cells), "impulse", ["impulse_magnitude"], grader, Tries(), {}
+    )
 
 
 def solved(topic: str) -> Callable[[], object]:

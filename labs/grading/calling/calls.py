@@ -71,6 +71,7 @@ class Call:
         self.printed = ""
         self.changed: tuple[int, ...] = ()
         self.answered = 0
+        self.asked: set[str] = set()
         self.sealing: Sealing | None = None
 
     def start(self, host: Host) -> None:
@@ -140,6 +141,7 @@ class Call:
         """
         if self._lost is not None:
             raise self._lost
+        self.asked.add(name)
         self.printed, self.changed = "", ()
         foreseen = self._was_foreseen(name, arguments, named)
         asked, message = (foreseen, b"") if foreseen else self._request(name, arguments, named)

@@ -80,7 +80,7 @@ _WITHOUT_NAME = {
     "one at a time": "right for one case, not yet for several in one call.",
     "unknown": "its numbers are wrong, in a way that the lab does not know.",
     "too slow": "it gave no answer in time, and was asked no more. Does every loop in it come to an end?",
-    "not tried": "it was not examined: the time for the whole file was used up before.",
+    "not tried": "its mistake was not looked for: the time for the whole file was used up before.",
 }
 
 

@@ -31,6 +31,10 @@ _ADVICE = (
         "The square root of a negative number is complex in (-1) ** 0.5, cmath and np.emath. Which case is that, and"
         " what should come out of it?",
     ),
+    (
+        r"'Body' object has no attribute",
+        "The parts of a body of the lab are velocity, angular_velocity, arm, inverse_mass and inverse_inertia.",
+    ),
     (r"maximum recursion depth", "It calls itself again and again."),
     (r"positional arguments? but \d+ (was|were) given", "Its arguments have to be those of the stub, in their order."),
     (

@@ -50,10 +50,12 @@ def wrong(sheet: Sheet, name: str, advice: Advice, levels: int | None = None) ->
 
     levels: how many levels of help are shown, as far as there are so many; all if it is not given.
     """
-    failures = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
     uses = sheet.wrong_uses(name)
+    every_failure = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
+    elsewhere = _elsewhere(sheet, name, uses)
+    failures = [(reason, said) for reason, said in every_failure if reason not in elsewhere]
     diagnosis, told = _certain(sheet, name, uses, failures)
-    bears = _hint_bears(diagnosis, bool(uses), told, advice)
+    bears = _hint_bears(diagnosis, bool(uses) or not failures, told, advice)
     helps = dict.fromkeys(each.help for each in sheet.about(name) if bears and each.help and not each.passed)
     every = _levels(diagnosis, bool(helps))
     shown = every[:levels]
@@ -64,12 +66,26 @@ def wrong(sheet: Sheet, name: str, advice: Advice, levels: int | None = None) ->
     if diagnosis and not diagnosis.right:
         yield from _diagnosed(diagnosis, [said for _, said in told], advice, shown)
     yield from explained(sheet, name, advice)
+    for reason, others in elsewhere.items():
+        yield from folded(f"Not yet: {reason}", 1)
+        which = "which is not right yet" if len(others) == 1 else "which are not right yet"
+        yield from folded(f"This run also calls your {listed(others)}, {which}: look there first.", 2)
     if HINT in shown:
         yield from (line for help in helps for line in folded(f"Hint: {help}", 1))
     others = [reason for reason, _ in failures if reason not in [reason for reason, _ in told]]
     if others:
         yield from folded(f"{'Not yet either' if told else 'Not yet'}: {'; '.join(others)}", 1)
     yield from _next_level(name, every, levels)
+
+
+def _elsewhere(sheet: Sheet, name: str, uses: Sequence[str]) -> dict[str, list[str]]:
+    """Lost parts in which a scenario called wrong functions that this one does not call, with those functions."""
+    found = {}
+    for part in [part for outcome in sheet.about(name) for part in outcome.parts]:
+        others = [other for other in part.others if _gives_wrong_numbers(sheet, other)]
+        if others and not set(uses) & set(part.others):
+            found[part.reason] = others
+    return found
 
 
 def _levels(diagnosis: Diagnosis | None, has_help: bool) -> list[str]:
@@ -107,7 +123,8 @@ def _says_all(diagnosis: Diagnosis | None) -> bool:
 def suspect(name: str, diagnosis: Diagnosis, advice: Advice, levels: int | None = None) -> Iterator[str]:
     """What open probes show of a function that passes its tests. levels: as for `wrong`."""
     every = _levels(diagnosis, has_help=False)
-    yield from folded("It passes these tests, and is wrong on other input all the same.", 1)
+    wrong = "too slow" if diagnosis.verdict == "too slow" else "wrong"
+    yield from folded(f"It passes these tests, and is {wrong} on other input all the same.", 1)
     yield from _diagnosed(diagnosis, (), advice, every[:levels])
     yield from _next_level(name, every, levels)
 
@@ -121,7 +138,7 @@ def _next_level(name: str, every: Sequence[str], levels: int | None) -> Iterator
 def _gives_wrong_numbers(sheet: Sheet, name: str) -> bool:
     """Whether a wrong or suspect function gives wrong numbers to one that calls it for a single, usual case."""
     diagnosis = sheet.diagnosis(name)
-    if diagnosis is None or diagnosis.verdict in _RIGHT_ALONE:
+    if diagnosis is None or diagnosis.verdict in (*_RIGHT_ALONE, "not tried"):
         return False
     return not (name in sheet.suspects and diagnosis.limits_alone)
 
@@ -130,7 +147,8 @@ def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:
     """What lies outside the function: functions to mend before it, and variables that it takes from other cells."""
     slow = [other for other in uses if (found := sheet.diagnosis(other)) and found.verdict == "too slow"]
     if slow:
-        yield from folded(f"It calls your {listed(slow)}, which gave no answer in time: mend that first.", 1)
+        what = "that" if len(slow) == 1 else "them"
+        yield from folded(f"It calls your {listed(slow)}, which gave no answer in time: mend {what} first.", 1)
     elif suspected := [other for other in uses if other in sheet.suspects]:
         which = "which passes its tests but is" if len(suspected) == 1 else "which pass their tests but are"
         yield from folded(f"It calls your {listed(suspected)}, {which} suspect: look there first.", 1)

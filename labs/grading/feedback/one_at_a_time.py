@@ -10,8 +10,8 @@ from labs.grading.wrapping import INDENT, folded
 from reference import lecture
 
 _DONE = (
-    "The lab called it for one case after the other instead, and those answers are right. That costs one part of the"
-    " whole lab, this one, however many functions do it."
+    "Where a test has several cases in one call, the lab called it for one case after the other instead, and those"
+    " answers are right. That costs one part of the whole lab, this one, however many functions do it."
 )
 _HOW = "To turn a function of one case into one of many:"
 _FORMS = (
@@ -26,9 +26,9 @@ _FORMS = (
 )
 
 
-def in_short(sheet: Sheet, name: str) -> str:
-    """What stands beside a function that loses nothing although it is right for one case alone."""
-    return "  for one case at a time" if name in sheet.case_by_case.functions else ""
+def in_short(sheet: Sheet, name: str, before: str = "  ") -> str:
+    """What is said beside a function that loses nothing although it is right for one case alone."""
+    return f"{before}for one case at a time" if name in sheet.case_by_case.functions else ""
 
 
 def explained(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:

@@ -14,7 +14,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import sys
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +23,7 @@ import pytest
 from labs.grading.budget import Budget
 from labs.grading.calling.remote import Grader, Remote
 from labs.grading.errors import GraderFailed, StudentError, UnreadableSubmission
-from labs.grading.judging.case_by_case import GIST
+from labs.grading.judging.case_by_case import GIST, CaseByCase
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.given_names import given_names
 from labs.grading.judging.markers import MEANINGS, is_hidden, marker
@@ -39,11 +39,12 @@ from reference.errors import CollisionsError
 SHEET = pytest.StashKey[Sheet]()
 GRADER = pytest.StashKey[Grader]()
 BUDGET = pytest.StashKey[Budget]()
+PAID = pytest.StashKey[Mapping[str, str]]()
 STOPPED = pytest.StashKey[CollisionsError]()
 """What was earned, what runs the tests, the time that the submission has, and why no test can be run.
 
 The caller of pytest may provide a grader, and closes it afterwards. It may also provide a budget, which has run since
-before the file was first read.
+before the file was first read, and say which functions have paid for being right for one case alone (`CaseByCase`).
 """
 _PARTS = pytest.StashKey[list[Part]]()
 
@@ -56,7 +57,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     """Make the markers known; the grader gets ready while the tests are collected."""
-    config.stash[SHEET] = Sheet()
+    paid = config.stash.setdefault(PAID, {})
+    config.stash[SHEET] = Sheet(case_by_case=CaseByCase(paid=dict(paid)))
     if config.getoption("--submission") and GRADER not in config.stash:
         config.stash[GRADER] = Grader()
         config.add_cleanup(config.stash[GRADER].close)
@@ -119,11 +121,12 @@ def part(request: pytest.FixtureRequest) -> Callable[[int, str], contextlib.Abst
 
     @contextlib.contextmanager
     def worth(points: int, reason: str) -> Iterator[None]:
-        case_by_case.begin_part()
+        functions.begin_part()
         try:
             yield
         except (AssertionError, StudentError) as error:
-            parts.append(Part(points, reason, said(error, hidden)))
+            others = tuple(sorted(functions.asked - {marker(request.node, "function", "")}))
+            parts.append(Part(points, reason, said(error, hidden), others))
         else:
             _require_evidence(f"{request.node.name}, {reason!r}", functions)
             failure = case_by_case.charge()

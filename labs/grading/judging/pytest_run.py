@@ -6,8 +6,9 @@ import contextlib
 import importlib.util
 import io
 import os
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from labs.grading.budget import Budget
@@ -44,12 +45,14 @@ def run(
     grader: Grader | None = None,
     functions: Collection[str] = (),
     budget: Budget | None = None,
+    paid: Mapping[str, str] | None = None,
 ) -> Sheet:
     """Run the tests of some topics on a file. No process of the submission is left when this returns.
 
     functions: those to test; all if none is named. If one of them is wrong, the functions that it calls are tested as
     well by the visible tests, without points. Without a grader it makes its own, which gets ready while pytest loads.
-    budget: the time that is left to the submission; without one, it has the whole time of the grader's limits.
+    budget: the time that is left to the submission; without one, it has the whole time of the grader's limits. paid: of
+    each topic, the function that has lost a part already because it is right for one case alone.
 
     Raises
     ------
@@ -67,8 +70,10 @@ def run(
     files = [str(file) for folder in folders for file in _files(folder, topics)]
     with Grader() if grader is None else contextlib.nullcontext(grader) as found:
         time = budget or Budget(found.limits.submission)
-        sheet = _run(Path(path), files, found, functions, time)
-        if functions and (used := _used(path, topics, [*sheet.lost, *sheet.suspects]) - set(functions)):
+        sheet = _run(Path(path), files, found, functions, time, paid or {})
+        beside = {name for outcome in sheet.outcomes for part in outcome.parts for name in part.others}
+        names = [*sheet.lost, *sheet.suspects, *beside]
+        if functions and (used := _used(path, topics, names) - set(functions)):
             sheet.add_beneath(_run(Path(path), [str(file) for file in _files(VISIBLE, topics)], found, used, time))
         return sheet
 
@@ -86,10 +91,17 @@ def _used(path: Path | str, topics: Collection[str], names: Collection[str]) -> 
     return set()
 
 
-def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str], budget: Budget) -> Sheet:
+def _run(
+    path: Path,
+    files: list[str],
+    grader: Grader,
+    functions: Collection[str],
+    budget: Budget,
+    paid: Mapping[str, str] = MappingProxyType({}),
+) -> Sheet:
     import pytest  # noqa: PLC0415 - a student's install may lack it
 
-    from labs.grading.judging.plugin import BUDGET, GRADER, SHEET, STOPPED  # noqa: PLC0415
+    from labs.grading.judging.plugin import BUDGET, GRADER, PAID, SHEET, STOPPED  # noqa: PLC0415
 
     class Keep:
         sheet: Sheet | None = None
@@ -99,7 +111,7 @@ def _run(path: Path, files: list[str], grader: Grader, functions: Collection[str
 
         @pytest.hookimpl(tryfirst=True)
         def pytest_configure(self, config: pytest.Config) -> None:
-            config.stash[GRADER], config.stash[BUDGET] = grader, budget
+            config.stash[GRADER], config.stash[BUDGET], config.stash[PAID] = grader, budget, paid
 
         def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
             items[:] = [item for item in items if not functions or _about(item) in functions]

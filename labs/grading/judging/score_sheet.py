@@ -3,21 +3,29 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field
 
-from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.diagnosis.findings import Diagnosis, Verdict
 from labs.grading.judging.case_by_case import CaseByCase
 from labs.grading.submission.cells import Complaint
+
+_UNTRIED: frozenset[Verdict] = frozenset({"not tried"})
+"""Verdicts that say nothing about a function."""
 
 
 @dataclass(frozen=True)
 class Part:
-    """A part of a test that has points of its own. said: why it failed; None if it passed."""
+    """A part of a test that has points of its own.
+
+    said: why it failed; None if it passed. others: functions besides the tested one that a scenario of a failed part
+    called.
+    """
 
     points: int
     reason: str
     said: str | None = None
+    others: tuple[str, ...] = ()
 
     @property
     def passed(self) -> bool:
@@ -125,10 +133,21 @@ class Sheet:
 
     def _clear_callers(self) -> None:
         """Clear functions of suspicion that call a wrong or suspect one: they may be right themselves."""
-        self.suspects = {name: found for name, found in self.suspects.items() if not self.wrong_uses(name)}
+        self.suspects = {name: found for name, found in self.suspects.items() if not self._excuse(name, found)}
 
-    def wrong_uses(self, name: str) -> list[str]:
-        """The wrong or suspect functions that a function calls, directly or through others that seem right."""
+    def _excuse(self, name: str, found: Diagnosis) -> list[str]:
+        """The functions that may have given a suspect its wrong numbers.
+
+        A function that is right for each single case makes no single case wrong.
+        """
+        single = found.counterexample is not None and found.counterexample.probe.group != "many"
+        return self.wrong_uses(name, _UNTRIED | {"one at a time"} if single else _UNTRIED)
+
+    def wrong_uses(self, name: str, harmless: Collection[Verdict] = _UNTRIED) -> list[str]:
+        """The wrong or suspect functions that a function calls, directly or through others that seem right.
+
+        harmless: verdicts on functions that count as right here.
+        """
         waiting, seen = [name], {name}
         found: list[str] = []
         while waiting:
@@ -136,7 +155,7 @@ class Sheet:
                 if other not in seen:
                     seen.add(other)
                     known = self.diagnosis(other)
-                    (found if known and known.verdict != "not tried" else waiting).append(other)
+                    (found if known and known.verdict not in harmless else waiting).append(other)
         return found
 
     def diagnosis(self, name: str) -> Diagnosis | None:

@@ -73,6 +73,17 @@ class Functions:
         """How many calls of the running test had an answer."""
         return self._call.answered if self._call else 0
 
+    def begin_part(self) -> None:
+        """Begin a part of a test."""
+        self.case_by_case.begin_part()
+        if self._call:
+            self._call.asked.clear()
+
+    @property
+    def asked(self) -> set[str]:
+        """The functions that were called in the running part: that of the test, and those that a scenario calls."""
+        return self._call.asked if self._call else set()
+
     def end_test(self) -> None:
         """End the test's process."""
         self._call = None

@@ -167,6 +167,35 @@ def test_nbgrader_gets_the_points_of_a_checked_function_as_a_value(lab, cells, m
     assert lab.check("side_of_plane") == 0
 
 
+FOR_ONE = """
+def is_colliding(separation, tolerance=0.0):
+    return True if separation < -tolerance else False
+
+
+def side_of_plane(separation, tolerance=0.0):
+    return 1 if separation > tolerance else -int(separation < -tolerance)
+"""
+"""Two functions that are right for one case alone."""
+
+
+def test_nbgrader_takes_one_part_from_a_lab_whose_functions_are_of_one_case(lab, cells, monkeypatch):
+    monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
+    cells += [*right_cells(), FOR_ONE]
+    assert lab.check("is_colliding") == points_of("is_colliding") - 1
+    assert lab.check("side_of_plane") == points_of("side_of_plane")
+    assert lab.check("is_colliding") == points_of("is_colliding") - 1
+
+
+def test_one_part_is_lost_in_all_checks_together_until_its_function_is_mended(lab, cells, capsys):
+    cells += [*right_cells(), FOR_ONE]
+    assert "✗ is_colliding" in said(capsys, lab.check, "is_colliding")
+    assert "✓ side_of_plane is right for one case at a time" in said(capsys, lab.check, "side_of_plane")
+    cells += right_cells()
+    cells.append(FOR_ONE[FOR_ONE.index("def side_of_plane") :])
+    assert "✓ is_colliding is right at try 2, as far" in said(capsys, lab.check, "is_colliding")
+    assert "✗ side_of_plane" in said(capsys, lab.check, "side_of_plane")
+
+
 def test_a_failed_check_raises_for_nbgrader_which_gives_no_points(lab, monkeypatch):
     monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
     with pytest.raises(UnknownName, match="no_such"):

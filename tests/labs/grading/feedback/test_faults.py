@@ -16,6 +16,7 @@ from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.feedback import report
 from labs.grading.feedback.error_advice import Advice, advice
+from labs.grading.feedback.faults import suspect
 from labs.grading.judging import pytest_run
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.score_sheet import Outcome, Sheet
@@ -42,6 +43,21 @@ def test_a_function_is_not_blamed_for_a_wrong_one_that_it_calls(tmp_path, grader
     assert "✗ relative_velocity Not yet: both move" in text
     assert "The order is wrong" not in text  # of normal_velocity
     assert text.endswith("Next: relative_velocity, marked ✗ above.")
+
+
+def test_a_suspect_that_is_slow_is_not_said_to_be_wrong():
+    words = " ".join(suspect("collide", Diagnosis("collide", "too slow"), Advice()))
+    assert "It passes these tests, and is too slow on other input all the same." in joined(words)
+    assert "wrong" not in words
+
+
+def test_a_function_that_was_tried_before_the_time_was_used_up_is_not_said_to_be_untried():
+    words = joined(told(Diagnosis("collide", "not tried")))
+    assert words == "collide: its mistake was not looked for: the time for the whole file was used up before."
+
+
+def test_the_names_of_a_body_are_told_where_another_one_is_used():
+    assert "angular_velocity, arm" in advice("raised AttributeError: 'Body' object has no attribute 'omega' (line 3)")
 
 
 def test_called_functions_are_listed_only_if_they_are_wrong(tmp_path, grader):

@@ -35,6 +35,25 @@ def contact_impulses(magnitude, normal):
     normal *= -1.0
     return impulse, -impulse
 """
+DIFFERENCE_OF_ONE = """
+
+def relative_velocity(point_velocity_a, point_velocity_b):
+    a, b = point_velocity_a, point_velocity_b
+    return np.array([a[0] - b[0], a[1] - b[1], a[2] - b[2]])
+"""
+WRITES_FOR_ONE = """
+
+def relative_velocity(point_velocity_a, point_velocity_b):
+    point_velocity_a -= point_velocity_b
+    return point_velocity_a
+"""
+"""It fails where one velocity of A stands for several of B, of which no visible test has a case."""
+NOT_INVERTED = """
+
+def world_inverse_inertia(inertia, orientation):
+    rotation = rotation_matrix(orientation)
+    return (rotation * np.asarray(inertia)[..., None, :]) @ np.swapaxes(rotation, -1, -2)
+"""
 COUNTED = """
 calls = []
 
@@ -86,6 +105,24 @@ def test_a_caller_of_a_wrong_function_is_no_suspect(tmp_path):
     assert sheet.suspects == {}
 
 
+def test_a_function_of_one_case_excuses_no_wrong_number_of_its_caller(tmp_path):
+    sheet, text = checked(
+        tmp_path, "impulse", FAST_IS_SLOWER + DIFFERENCE_OF_ONE, ("relative_velocity", "normal_velocity")
+    )
+    assert sheet.diagnoses["relative_velocity"].verdict == "one at a time"
+    assert list(sheet.suspects) == ["normal_velocity"]
+    assert "? normal_velocity suspect" in text
+
+
+def test_a_function_is_not_blamed_for_a_wrong_one_that_only_its_scenario_calls(tmp_path):
+    for names in ((), ("collide",)):
+        _, text = checked(tmp_path, "impulse", NOT_INVERTED, names)
+        blamed = text.split("✗ collide ")[1]
+        assert "This run also calls your world_inverse_inertia, which is not right yet: look there first." in blamed
+        assert "physics" not in blamed
+        assert text.endswith("Next: world_inverse_inertia, marked ✗ above.")
+
+
 def test_a_suspect_with_a_known_mistake_is_told_which(tmp_path):
     sheet, text = checked(tmp_path, "friction", REST_GOES_THROUGH)
     assert [found.mistakes[0].id for found in sheet.suspects.values()] == ["clamp_to_square/rest goes through"]
@@ -96,6 +133,13 @@ def test_a_suspect_with_a_known_mistake_is_told_which(tmp_path):
 def test_a_function_that_writes_into_its_arguments_is_suspect(tmp_path):
     sheet, text = checked(tmp_path, "impulse", WRITES, ("contact_impulses",))
     assert list(sheet.suspects) == ["contact_impulses"]
+    assert "It writes into its arguments" in text
+
+
+def test_a_function_of_one_case_that_writes_into_its_arguments_is_suspect(tmp_path):
+    sheet, text = checked(tmp_path, "impulse", WRITES_FOR_ONE, ("relative_velocity",))
+    assert sheet.lost == []
+    assert list(sheet.suspects) == ["relative_velocity"]
     assert "It writes into its arguments" in text
 
 
