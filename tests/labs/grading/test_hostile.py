@@ -132,7 +132,10 @@ def says(attack: Path) -> str:
     return attack.read_text(encoding="utf-8").splitlines()[1].removeprefix("# says: ")
 
 
-@pytest.mark.parametrize("attack", ATTACKS, ids=lambda attack: attack.stem)
+@pytest.mark.parametrize(
+    "attack",
+    [pytest.param(file, id=file.stem, marks=pytest.mark.slow if at % 2 else ()) for at, file in enumerate(ATTACKS)],
+)
 def test_an_attack_earns_nothing_harms_nothing_and_hears_why(attack, lair, sealed):
     told = hidden_test(lair.filled(attack), sealed, limits_for(attack))
     assert re.search(says(attack), told), told

@@ -16,7 +16,7 @@ from labs.project_folders import AUTOGRADER
 from reference import lecture
 
 FILES = {path.stem: path for path in sorted((AUTOGRADER / "alternatives" / "whole").glob("*.py"))}
-OFTEN = {"impulse_one_case", "impulse_named"}
+OFTEN = {"impulse_named"}
 """Those that are tried in every run: the two manners that used to lose most."""
 
 

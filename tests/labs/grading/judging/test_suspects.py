@@ -114,6 +114,7 @@ def test_a_function_of_one_case_excuses_no_wrong_number_of_its_caller(tmp_path):
     assert "? normal_velocity suspect" in text
 
 
+@pytest.mark.slow
 def test_a_function_is_not_blamed_for_a_wrong_one_that_only_its_scenario_calls(tmp_path):
     for names in ((), ("collide",)):
         _, text = checked(tmp_path, "impulse", NOT_INVERTED, names)
@@ -123,6 +124,7 @@ def test_a_function_is_not_blamed_for_a_wrong_one_that_only_its_scenario_calls(t
         assert text.endswith("Next: world_inverse_inertia, marked ✗ above.")
 
 
+@pytest.mark.slow
 def test_a_suspect_with_a_known_mistake_is_told_which(tmp_path):
     sheet, text = checked(tmp_path, "friction", REST_GOES_THROUGH)
     assert [found.mistakes[0].id for found in sheet.suspects.values()] == ["clamp_to_square/rest goes through"]
@@ -147,6 +149,7 @@ def test_what_an_earlier_function_left_behind_makes_no_suspect(tmp_path):
     assert checked(tmp_path, "impulse", COUNTED)[0].suspects == {}
 
 
+@pytest.mark.slow
 def test_a_suspect_costs_no_point(tmp_path):
     path = solved(tmp_path, "friction")
     right = grade(path, ("friction",), (pytest_run.VISIBLE,))
