@@ -15,7 +15,7 @@ from typing import Any
 from labs.grading.calling.remote import Remote
 from labs.grading.diagnosis.deviations import Right, ask, deviation_of
 from labs.grading.diagnosis.findings import Diagnosis
-from labs.grading.diagnosis.fingerprints.reading import known
+from labs.grading.diagnosis.fingerprints.reading import right_answers
 from labs.grading.diagnosis.probes import Probe, probes
 from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.errors import GraderFailed
@@ -66,6 +66,6 @@ def _is_right(name: str, call: Callable[..., Any]) -> bool:
 def _cases(name: str) -> tuple[tuple[Probe, Right], ...]:
     """The probes of a function that have a right answer; made once for all submissions, because drawing takes time."""
     try:
-        return tuple((probe, right) for probe, right in zip(probes(name), known(name).right, strict=True) if right)
+        return tuple((probe, right) for probe, right in zip(probes(name), right_answers(name), strict=True) if right)
     except UnknownName:
         return ()

@@ -59,12 +59,21 @@ def known(function: str) -> Knowledge:
     InvalidInput
         If the file does not hold fingerprints, or is of another version.
     """
-    topic = lecture.function(function).topic
-    path = FOLDER / f"{topic}.json"
-    functions = read(path)["functions"] if path.exists() else {}
+    return _knowledge(function, _entry(function))
+
+
+def right_answers(function: str) -> tuple[Right | None, ...]:
+    """The right answers alone, without the many mistakes; raises as `known` does."""
+    return tuple(None if answer is None else _right(answer) for answer in _entry(function)["right"])
+
+
+def _entry(function: str) -> Mapping[str, Any]:
+    path = FOLDER / f"{lecture.function(function).topic}.json"
+    functions: Mapping[str, Any] = read(path)["functions"] if path.exists() else {}
     if function not in functions:
         raise UnknownName("function with fingerprints", function, functions)
-    return _knowledge(function, functions[function])
+    entry: Mapping[str, Any] = functions[function]
+    return entry
 
 
 @functools.cache
@@ -78,13 +87,12 @@ def read(path: Path) -> Mapping[str, Any]:
 
 
 def _knowledge(function: str, entry: Mapping[str, Any]) -> Knowledge:
-    right = tuple(None if answer is None else _right(answer) for answer in entry["right"])
     own = tuple(
         Known(f"{function}/{name}", text["rationale"], text["help"], tuple(map(_deviation, text["deviations"])))
         for name, text in entry["mistakes"].items()
     )
     others = tuple(_inherited(function, ids, deviations) for ids, deviations in entry["inherited"].items())
-    return Knowledge(function, tuple(entry["parameters"]), right, own + others)
+    return Knowledge(function, tuple(entry["parameters"]), right_answers(function), own + others)
 
 
 def _inherited(function: str, ids: str, deviations: list[Any]) -> Known:
