@@ -23,7 +23,7 @@ from labs.grading.wrapping import folded
 
 MOST_PARTS = 2
 """So many parts are reported with what was tried; only one if the mistake has a name, or lies elsewhere first."""
-_SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow", "not tried")
+_SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow", "wrong", "not tried")
 """Verdicts that say no more than the call and its answer do."""
 _NOT_PHYSICS = ("crashes", "shape", "too slow", "not tried", "one at a time", "another order")
 """Verdicts that a hint about the slide does not help with."""

@@ -12,6 +12,7 @@ from submissions import solved
 from labs.grading.diagnosis.deviations import Answer
 from labs.grading.diagnosis.findings import Diagnosis
 from labs.grading.diagnosis.fingerprints import known
+from labs.grading.diagnosis.probes import probes
 from labs.grading.diagnosis.recognition import judge
 from labs.grading.diagnosis.words import told
 from labs.grading.errors import NotTried
@@ -137,10 +138,13 @@ def test_a_wrong_single_case_is_not_called_right_for_one_case(tmp_path):
 
 
 def test_the_error_of_an_example_is_said_once():
-    right = known("rebound_velocity").right
-    error = "rebound_velocity raised ValueError: too fast (line 3)"
-    answers = [Answer(each.outputs[0]) if each and at else Answer(error=error) for at, each in enumerate(right)]
+    error = "rebound_velocity raised ValueError: only one (line 3)"
+    cases = zip(probes("rebound_velocity"), known("rebound_velocity").right, strict=True)
+    answers = [
+        Answer(right.outputs[0]) if right and probe.group != "many" else Answer(error=error) for probe, right in cases
+    ]
     found = judge("rebound_velocity", answers)
+    assert found.verdict == "one at a time"
     for words in (told(found), " ".join(suspect("rebound_velocity", found, Advice()))):
         assert words.count("raised ValueError") == 1
         assert "ends in an error: " not in words
