@@ -11,14 +11,14 @@ from labs.grading.diagnosis.probes import Probe
 
 Verdict = Literal[
     "right", "named", "likely", "several", "another order", "unknown", "one at a time", "crashes", "shape", "unwritten",
-    "too slow", "not tried",
+    "too slow", "wrong", "not tried",
 ]  # fmt: skip
 """right: on every probe. named: one known mistake explains every answer for a single contact. likely: one explains the
 usual cases, but not all limiting ones. several: more than one explains the same answers. another order: it returns the
 right things in an order of its own. unknown: no known mistake explains them. one at a time: right for a single contact
 only. crashes, shape: it gives no number to compare. unwritten: it is the stub. too slow: it ran out of time in a test
-and was not called again. not tried: the time of the whole submission was used up before, which says nothing about the
-function."""
+and was not called again. wrong: it failed a test, and its probes do not say why. not tried: the time of the whole
+submission was used up before, which says nothing about the function."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +56,10 @@ class Diagnosis:
     odd: Counterexample | None = None
     limits_alone: bool = False
     order: tuple[int, ...] = ()
+
+    def error_is_in(self, *examples: Counterexample | None) -> bool:
+        """Whether one of these examples ends in the error that is named first."""
+        return any(example.answer.error in self.crashes[:1] for example in examples if example)
 
     @property
     def right(self) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -25,7 +26,9 @@ def told(diagnosis: Diagnosis) -> str:
     lines = [line for paragraph in (f"{diagnosis.function}: {first}", *others) for line in _wrapped(paragraph)]
     for opening, example in (("For example", diagnosis.counterexample), (ODD, diagnosis.odd)):
         lines += [opening, textwrap.indent(example_of(example), "  ")] if example else []
-    return "\n".join([*lines, *(line for paragraph in besides(diagnosis) for line in _wrapped(paragraph))])
+    repeated = diagnosis.error_is_in(diagnosis.counterexample, diagnosis.odd)
+    rest = replace(diagnosis, crashes=()) if repeated else diagnosis
+    return "\n".join([*lines, *(line for paragraph in besides(rest) for line in _wrapped(paragraph))])
 
 
 def example_of(found: Counterexample) -> str:
@@ -79,6 +82,7 @@ _WITHOUT_NAME = {
     "shape": "what it returns has not the shape that its description promises.",
     "one at a time": "right for one case, not yet for several in one call.",
     "unknown": "its numbers are wrong, in a way that the lab does not know.",
+    "wrong": "it fails a test, and which mistake it makes was not found.",
     "too slow": "it gave no answer in time, and was asked no more. Does every loop in it come to an end?",
     "not tried": "its mistake was not looked for: the time for the whole file was used up before.",
 }

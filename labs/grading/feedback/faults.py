@@ -9,6 +9,7 @@ from labs.grading.diagnosis.findings import Counterexample, Diagnosis
 from labs.grading.diagnosis.words import ODD, besides, example_of, verdict
 from labs.grading.feedback.error_advice import Advice
 from labs.grading.feedback.one_at_a_time import explained
+from labs.grading.judging.blame import certain, elsewhere, failures_of, gives_wrong_numbers, without_answers
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.phrases import (
     ended_without_numbers,
@@ -17,18 +18,15 @@ from labs.grading.phrases import (
     has_physics,
     no_answer_in,
     scenario_needs_a_function,
-    was_raised,
 )
 from labs.grading.wrapping import folded
 
 MOST_PARTS = 2
 """So many parts are reported with what was tried; only one if the mistake has a name, or lies elsewhere first."""
-_SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow", "not tried")
+_SAID_BY_THE_EXAMPLE = ("crashes", "shape", "unknown", "too slow", "wrong", "not tried")
 """Verdicts that say no more than the call and its answer do."""
 _NOT_PHYSICS = ("crashes", "shape", "too slow", "not tried", "one at a time", "another order")
 """Verdicts that a hint about the slide does not help with."""
-_RIGHT_ALONE = ("right", "one at a time", "unwritten")
-"""Verdicts on functions that give no wrong number to a function that calls them for a single case."""
 Told = Sequence[tuple[str, str]]
 """Parts, each with what was tried and the answer."""
 HINT, EXPLANATION = "hint", "explanation"
@@ -51,9 +49,8 @@ def wrong(sheet: Sheet, name: str, advice: Advice, levels: int | None = None) ->
     levels: how many levels of help are shown, as far as there are so many; all if it is not given.
     """
     uses = sheet.wrong_uses(name)
-    every_failure = [(reason, _own(said, name)) for each in sheet.about(name) for reason, said in each.failures]
-    elsewhere = _elsewhere(sheet, name, uses)
-    failures = [(reason, said) for reason, said in every_failure if reason not in elsewhere]
+    in_runs = elsewhere(sheet, name, uses)
+    failures = [(reason, said) for reason, said in failures_of(sheet, name) if reason not in in_runs]
     diagnosis, told = _certain(sheet, name, uses, failures)
     bears = _hint_bears(diagnosis, bool(uses) or not failures, told, advice)
     helps = dict.fromkeys(each.help for each in sheet.about(name) if bears and each.help and not each.passed)
@@ -66,7 +63,7 @@ def wrong(sheet: Sheet, name: str, advice: Advice, levels: int | None = None) ->
     if diagnosis and not diagnosis.right:
         yield from _diagnosed(diagnosis, [said for _, said in told], advice, shown)
     yield from explained(sheet, name, advice)
-    for reason, others in elsewhere.items():
+    for reason, others in in_runs.items():
         yield from folded(f"Not yet: {reason}", 1)
         which = "which is not right yet" if len(others) == 1 else "which are not right yet"
         yield from folded(f"This run also calls your {listed(others)}, {which}: look there first.", 2)
@@ -76,16 +73,6 @@ def wrong(sheet: Sheet, name: str, advice: Advice, levels: int | None = None) ->
     if others:
         yield from folded(f"{'Not yet either' if told else 'Not yet'}: {'; '.join(others)}", 1)
     yield from _next_level(name, every, levels)
-
-
-def _elsewhere(sheet: Sheet, name: str, uses: Sequence[str]) -> dict[str, list[str]]:
-    """Lost parts in which a scenario called wrong functions that this one does not call, with those functions."""
-    found = {}
-    for part in [part for outcome in sheet.about(name) for part in outcome.parts]:
-        others = [other for other in part.others if _gives_wrong_numbers(sheet, other)]
-        if others and not set(uses) & set(part.others):
-            found[part.reason] = others
-    return found
 
 
 def _levels(diagnosis: Diagnosis | None, has_help: bool) -> list[str]:
@@ -100,18 +87,10 @@ def _is_hint(paragraph: str) -> bool:
 
 
 def _certain(sheet: Sheet, name: str, uses: Sequence[str], failures: Told) -> tuple[Diagnosis | None, Told]:
-    """What is certain of its own mistakes, and which of its parts to report. uses: wrong functions that it calls.
-
-    If one of these gives it wrong numbers, the only certain mistakes are that there is no answer at all, and errors
-    that it does not share with them.
-    """
-    diagnosis = sheet.diagnoses.get(name)
-    if any(_gives_wrong_numbers(sheet, other) for other in uses):
-        theirs = {_own(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
-        none = [(reason, said) for reason, said in failures if was_raised(said) or no_answer_in(said)]
-        return None, _told([(reason, said) for reason, said in none if said not in theirs], 1)
-    if diagnosis and uses:
-        diagnosis = replace(diagnosis, crashes=(), one_alone=False)  # with many it fails as they do
+    """What is certain of its own mistakes, and which of its parts to report. uses: wrong functions that it calls."""
+    diagnosis = certain(sheet, name, uses)
+    if any(gives_wrong_numbers(sheet, other) for other in uses):
+        return None, _told(without_answers(sheet, name, uses, failures), 1)
     return diagnosis, _told(failures, 1 if uses or _says_all(diagnosis) else MOST_PARTS)
 
 
@@ -133,14 +112,6 @@ def _next_level(name: str, every: Sequence[str], levels: int | None) -> Iterator
     """How to see the next level of help, if one is held back."""
     if levels is not None and levels < len(every):
         yield from folded(_NEXT[every[levels]].format(name), 1)
-
-
-def _gives_wrong_numbers(sheet: Sheet, name: str) -> bool:
-    """Whether a wrong or suspect function gives wrong numbers to one that calls it for a single, usual case."""
-    diagnosis = sheet.diagnosis(name)
-    if diagnosis is None or diagnosis.verdict in (*_RIGHT_ALONE, "not tried"):
-        return False
-    return not (name in sheet.suspects and diagnosis.limits_alone)
 
 
 def _first(sheet: Sheet, name: str, uses: Sequence[str]) -> Iterator[str]:
@@ -181,11 +152,6 @@ def _hint_bears(diagnosis: Diagnosis | None, elsewhere: bool, told: Told, advice
     return not diagnosis or not (diagnosis.mistakes or diagnosis.limits_alone or diagnosis.verdict in _NOT_PHYSICS)
 
 
-def _own(said: str, name: str) -> str:
-    """What was said of a function, without its name at the start of a line."""
-    return "\n".join(line.removeprefix(f"{name} ") for line in said.splitlines())
-
-
 def _indented(said: str, advice: Advice, named: bool = False) -> Iterator[str]:
     """What was tried and the answer, with advice that was not given yet. named: whether a mistake's text says more."""
     for line in said.splitlines():
@@ -214,13 +180,16 @@ def _diagnosed(
             level = HINT if _is_hint(paragraph) else EXPLANATION
             if not diagnosis.mistakes or level in shown:
                 yield from folded(paragraph, 1)
+    shown_examples = []
     if (example := diagnosis.counterexample) and not _is_shown(diagnosis, example, told):
+        shown_examples.append(example)
         yield from folded("For example", 1)
         yield from _indented(example_of(example), advice, diagnosis.verdict == "named")
     if diagnosis.odd and EXPLANATION in shown and not any(advice.known(said) for said in told):
+        shown_examples.append(diagnosis.odd)
         yield from folded(ODD, 1)
         yield from _indented(example_of(diagnosis.odd), advice)
-    ended = any(map(ended_without_numbers, told))
+    ended = any(map(ended_without_numbers, told)) or diagnosis.error_is_in(*shown_examples)
     rest = replace(diagnosis, accepted=(), crashes=() if ended else diagnosis.crashes)
     for paragraph in besides(rest):
         yield from folded(paragraph.replace(f"error: {diagnosis.function} raised ", "error: "), 1)

@@ -17,15 +17,13 @@ from typing import Any
 
 from labs.grading.budget import Budget
 from labs.grading.calling.remote import Grader, Limits
-from labs.grading.diagnosis.words import told
+from labs.grading.judging.blame import blame_of
 from labs.grading.judging.pytest_run import HIDDEN, VISIBLE, run, topics_of
 from labs.grading.judging.score_sheet import Outcome, Sheet
 from reference import lecture
 from reference.errors import InvalidInput
 
 SCHEMA, VERSION = "collisions-lab/grade", 1
-NOT_EXPLAINED = "wrong"
-"""The verdict on a function that failed a test, and of which nothing more is known."""
 
 
 @dataclass(frozen=True)
@@ -78,19 +76,19 @@ class Grade:
         """What is known of a function. It is right if a test of it called it, and no test and no probe of it failed."""
         if all(outcome.passed for outcome in self.sheet.about(name)) and name not in self.sheet.suspects:
             return "one at a time" if name in self.sheet.case_by_case.functions else "right"
-        diagnosis = self.sheet.diagnosis(name)
-        return diagnosis.verdict if diagnosis and diagnosis.verdict != "right" else NOT_EXPLAINED
+        return blame_of(self.sheet, name).verdict
 
     def _function(self, name: str) -> dict[str, Any]:
-        diagnosis = self.sheet.diagnosis(name)
+        blame = blame_of(self.sheet, name)
         return {
             "name": name,
             "topic": lecture.function(name).topic,
             **_points(outcome for outcome in self.sheet.outcomes if outcome.function == name),
             "verdict": self._verdict(name),
             "suspect": name in self.sheet.suspects,
-            "mistakes": [known.id for known in diagnosis.mistakes] if diagnosis else [],
-            "message": told(diagnosis) if diagnosis else "",
+            "mend_first": list(blame.mend_first),
+            "mistakes": [known.id for known in blame.diagnosis.mistakes] if blame.diagnosis else [],
+            "message": "\n".join(blame.lines()),
         }
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -11,9 +12,9 @@ from labs.grading.calling.remote import Remote
 from labs.grading.diagnosis.findings import Diagnosis
 from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
-from labs.grading.errors import FunctionMissing, GraderFailed, StudentError
+from labs.grading.errors import FunctionMissing, GraderFailed, OutOfTime, StudentError
 from labs.grading.judging.markers import is_hidden, marker
-from labs.grading.judging.score_sheet import Outcome, Part, Sheet
+from labs.grading.judging.score_sheet import Cause, Outcome, Part, Sheet
 from labs.grading.judging.suspects import suspects
 from labs.grading.safe_text import plain
 from labs.grading.submission.reading import Submission
@@ -37,7 +38,13 @@ def outcome_of(item: pytest.Item, passed: bool, error: BaseException | None, par
         help=marker(item, "help", ""),
         parts=parts,
         function=marker(item, "function", ""),
+        cause=cause_of(error),
     )
+
+
+def cause_of(error: BaseException | None) -> Cause:
+    """Why a test or a part failed: for want of time, or for any other reason."""
+    return "time" if isinstance(error, OutOfTime) else ""
 
 
 def said(error: BaseException | None, hidden: bool) -> str:
@@ -67,7 +74,8 @@ def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
     """Note what is wrong with each function that lost points, and which others pass their tests and are suspect.
 
     A function that ran out of time is not called again, since its probes would wait just as long. When the time of the
-    whole submission is used up, no function is.
+    whole submission is used up, no function is: one that failed before for another reason stays wrong. So does one that
+    is right for each single case of its probes, if it lost more than what several cases in one call cost.
     """
     for name in sheet.lost:
         sheet.borrows[name] = submission.borrows(name)
@@ -77,7 +85,10 @@ def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
         with contextlib.suppress(UnknownName, GraderFailed), remote.fresh() as call:  # it has no probes, or no process
             sheet.diagnoses[name] = diagnose(name, call)
         if not remote.budget.left:  # some of the probes, or all of them, got no answer for want of time
-            sheet.diagnoses[name] = Diagnosis(name, "not tried")
+            sheet.diagnoses[name] = Diagnosis(name, "not tried" if sheet.causes(name) == {"time"} else "wrong")
+        found = sheet.diagnoses.get(name)
+        if found and found.verdict == "one at a time" and "" in sheet.causes(name):
+            sheet.diagnoses[name] = replace(found, verdict="wrong")
     suspected = (
         suspects([name for name in sheet.passed if name not in remote.slow], remote) if remote.budget.left else {}
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field
+from typing import Literal
 
 from labs.grading.diagnosis.findings import Diagnosis, Verdict
 from labs.grading.judging.case_by_case import CaseByCase
@@ -12,6 +13,8 @@ from labs.grading.submission.cells import Complaint
 
 _UNTRIED: frozenset[Verdict] = frozenset({"not tried"})
 """Verdicts that say nothing about a function."""
+Cause = Literal["", "time", "several cases"]
+"""What was lost alone for want of time, or alone because a call had several cases; empty for everything else."""
 
 
 @dataclass(frozen=True)
@@ -19,13 +22,14 @@ class Part:
     """A part of a test that has points of its own.
 
     said: why it failed; None if it passed. others: functions besides the tested one that a scenario of a failed part
-    called.
+    called. cause: of the failure.
     """
 
     points: int
     reason: str
     said: str | None = None
     others: tuple[str, ...] = ()
+    cause: Cause = ""
 
     @property
     def passed(self) -> bool:
@@ -38,7 +42,7 @@ class Outcome:
     """One test. said: what happened, fit to be shown; for a hidden test without inputs or expected values.
 
     rationale: why the test is right to ask. help: what to look at. parts: those that have points of their own.
-    function: which one it is about; empty if it is about several.
+    function: which one it is about; empty if it is about several. cause: of the failure of a test without parts.
     """
 
     test: str
@@ -50,6 +54,7 @@ class Outcome:
     help: str = ""
     parts: tuple[Part, ...] = ()
     function: str = ""
+    cause: Cause = ""
 
     @property
     def title(self) -> str:
@@ -77,6 +82,11 @@ class Outcome:
         said = [words for _, words in lost]
         found = tuple((reason, "" if words in said[:at] else words) for at, (reason, words) in enumerate(lost))
         return found or (() if self.passed else ((self.title, self.said),))
+
+    @property
+    def causes(self) -> set[Cause]:
+        """The causes of all that was lost."""
+        return {part.cause for part in self.parts if not part.passed} or (set() if self.passed else {self.cause})
 
 
 @dataclass
@@ -110,6 +120,10 @@ class Sheet:
     def about(self, function: str) -> list[Outcome]:
         """The outcomes of a function's tests, asked for or beneath."""
         return [outcome for outcome in (*self.outcomes, *self.beneath) if outcome.function == function]
+
+    def causes(self, function: str) -> set[Cause]:
+        """The causes of all that a function lost."""
+        return {cause for outcome in self.about(function) for cause in outcome.causes}
 
     def add_beneath(self, other: Sheet) -> None:
         """Add the sheet of functions that wrong ones call."""

@@ -79,10 +79,10 @@ def test_a_grade_lists_points_by_test_part_function_and_topic():
         {"name": "detection", "got": 0, "possible": 2},
     ]
     named = {
-        "topic": "impulse", "verdict": "named", "suspect": False, "mistakes": [SIGN.id],
+        "topic": "impulse", "verdict": "named", "suspect": False, "mend_first": [], "mistakes": [SIGN.id],
         "message": told(SHEET.diagnoses["rebound_velocity"]),
     }  # fmt: skip
-    right = {"verdict": "right", "suspect": False, "mistakes": [], "message": ""}
+    right = {"verdict": "right", "suspect": False, "mend_first": [], "mistakes": [], "message": ""}
     assert content["functions"] == [
         {"name": "rebound_velocity", "got": 6, "possible": 10, **named},
         {"name": "is_colliding", "got": 0, "possible": 2, "topic": "detection", **right, "verdict": "wrong"},

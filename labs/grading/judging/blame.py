@@ -1,0 +1,129 @@
+"""Tells a function's own mistakes from those of the functions that it calls: no mistake counts twice."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.diagnosis.words import told
+from labs.grading.judging.score_sheet import Sheet
+from labs.grading.phrases import no_answer_in, was_raised
+
+_RIGHT_ALONE = ("right", "one at a time", "unwritten")
+"""Verdicts on functions that give no wrong number to a function that calls them for a single case."""
+_HOLDS_ANYWAY = ("unwritten", "not tried")
+"""Verdicts that hold whatever a function calls."""
+NOT_EXPLAINED = "wrong"
+"""The verdict on a function that failed a test, and of which nothing more is known."""
+CALLS_WRONG, BESIDE_WRONG = "calls a wrong function", "tested with a wrong function"
+"""Verdicts on functions that may be right: they call a wrong function, or all that they lost are runs that call one."""
+Failures = Sequence[tuple[str, str]]
+"""Lost parts, each with what was tried and the answer."""
+
+
+def gives_wrong_numbers(sheet: Sheet, name: str) -> bool:
+    """Whether a wrong or suspect function gives wrong numbers to one that calls it for a single, usual case."""
+    diagnosis = sheet.diagnosis(name)
+    if diagnosis is None or diagnosis.verdict in (*_RIGHT_ALONE, "not tried"):
+        return False
+    return not (name in sheet.suspects and diagnosis.limits_alone)
+
+
+def certain(sheet: Sheet, name: str, uses: Collection[str]) -> Diagnosis | None:
+    """What is certain of a function that lost points. uses: the wrong functions that it calls.
+
+    If one of these gives it wrong numbers, its own numbers say nothing about it.
+    """
+    diagnosis = sheet.diagnoses.get(name)
+    if any(gives_wrong_numbers(sheet, other) for other in uses):
+        return None
+    if diagnosis and uses:
+        return replace(diagnosis, crashes=(), one_alone=False)  # with many it fails as they do
+    return diagnosis
+
+
+def without_answers(sheet: Sheet, name: str, uses: Collection[str], failures: Failures) -> Failures:
+    """The failures of a function in which it gave no answer at all, or an error that it does not share with others.
+
+    They are its own even if one of the functions that it calls gives it wrong numbers.
+    """
+    theirs = {own_words(said, other) for other in uses for each in sheet.about(other) for _, said in each.failures}
+    none = [(reason, said) for reason, said in failures if was_raised(said) or no_answer_in(said)]
+    return [(reason, said) for reason, said in none if said not in theirs]
+
+
+def failures_of(sheet: Sheet, name: str) -> Failures:
+    """Everything that a function lost, and what was said of it."""
+    return [(reason, own_words(said, name)) for each in sheet.about(name) for reason, said in each.failures]
+
+
+def own_words(said: str, name: str) -> str:
+    """What was said of a function, without its name at the start of a line."""
+    return "\n".join(line.removeprefix(f"{name} ") for line in said.splitlines())
+
+
+def elsewhere(sheet: Sheet, name: str, uses: Collection[str]) -> dict[str, list[str]]:
+    """Lost parts in which a scenario called wrong functions that this one does not call, with those functions."""
+    found = {}
+    for part in [part for outcome in sheet.about(name) for part in outcome.parts]:
+        others = [other for other in part.others if gives_wrong_numbers(sheet, other)]
+        if others and not set(uses) & set(part.others):
+            found[part.reason] = others
+    return found
+
+
+@dataclass(frozen=True)
+class Blame:
+    """What may be held against a function that lost points or is suspect.
+
+    verdict: on it. mend_first: wrong and suspect functions that it calls, or that a scenario of a lost part calls.
+    diagnosis: as far as it is certain. why: what is said before it.
+    """
+
+    verdict: str
+    mend_first: tuple[str, ...] = ()
+    diagnosis: Diagnosis | None = None
+    why: tuple[str, ...] = ()
+
+    def lines(self) -> Iterator[str]:
+        """All that is said of the function."""
+        yield from self.why
+        if self.diagnosis:
+            yield told(self.diagnosis)
+
+
+def blame_of(sheet: Sheet, name: str) -> Blame:
+    """What may be held against a function, by the rule that the student's report follows as well.
+
+    A function without an answer in time is excused only if one that it calls had none either.
+    """
+    found, uses = sheet.diagnosis(name), sheet.wrong_uses(name)
+    if name not in sheet.lost:
+        return Blame(_verdict(found), tuple(uses) if found else (), found)
+    in_runs = elsewhere(sheet, name, uses)
+    mend_first = tuple(dict.fromkeys([*uses, *(other for others in in_runs.values() for other in others)]))
+    if misleading := _misleading(sheet, found, uses):
+        own = without_answers(sheet, name, uses, failures_of(sheet, name))
+        said = dict.fromkeys(words for _, words in own if words)
+        without_numbers = _verdict(found) if found and found.verdict in ("crashes", "shape") else NOT_EXPLAINED
+        why = f"{name} calls {', '.join(misleading)}: mend that first; until then its numbers say nothing about it."
+        return Blame(without_numbers if own else CALLS_WRONG, mend_first, None, (why, *said))
+    if found and found.right and not found.accepted and all(each in in_runs for each, _ in failures_of(sheet, name)):
+        why = f"{name} is right on every probe; the runs that it lost also call {', '.join(mend_first)}."
+        return Blame(BESIDE_WRONG, mend_first, None, (why,))
+    sure = certain(sheet, name, uses)
+    return Blame(_verdict(found), mend_first, replace(sure, verdict="wrong") if sure and sure.right else sure)
+
+
+def _verdict(found: Diagnosis | None) -> str:
+    return found.verdict if found and found.verdict != "right" else NOT_EXPLAINED
+
+
+def _misleading(sheet: Sheet, found: Diagnosis | None, uses: Collection[str]) -> list[str]:
+    """Those of the functions that one calls which explain its failures, as far as their numbers or their time can."""
+    if found and found.verdict in _HOLDS_ANYWAY:
+        return []
+    wrong = [other for other in uses if gives_wrong_numbers(sheet, other)]
+    slow = [other for other in wrong if (known := sheet.diagnosis(other)) and known.verdict == "too slow"]
+    return slow if found and found.verdict == "too slow" else wrong

@@ -1,0 +1,150 @@
+"""Whose mistake it is: a function that calls a wrong one is not accused of it, and lost time accuses nobody."""
+
+from __future__ import annotations
+
+import contextlib
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+from submissions import solved
+
+from labs.grading.diagnosis.deviations import Answer
+from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.diagnosis.fingerprints import known
+from labs.grading.diagnosis.probes import probes
+from labs.grading.diagnosis.recognition import judge
+from labs.grading.diagnosis.words import told
+from labs.grading.errors import NotTried
+from labs.grading.feedback.error_advice import Advice
+from labs.grading.feedback.faults import suspect
+from labs.grading.judging.grade import Grade
+from labs.grading.judging.outcomes import cause_of, explain
+from labs.grading.judging.pytest_run import run
+from labs.grading.judging.score_sheet import Outcome, Part, Sheet
+from labs.grading.phrases import gives_beside_physics
+
+NUMBER = f"collide(a=2)\n{gives_beside_physics('1', '2')}"
+BELOW = known("collide").mistakes[0]
+MISTAKEN = Diagnosis("collide", "named", (BELOW,))
+WRONG = Diagnosis("apply_impulse", "unknown")
+SLOW = Diagnosis("apply_impulse", "too slow")
+WRONG_AT_TIMES = """
+
+_right = world_inverse_inertia
+
+
+def world_inverse_inertia(inertia, orientation):
+    found = _right(inertia, orientation)
+    return 2 * found if 0 < np.asarray(orientation)[0] < 0.35 else found
+"""
+"""No probe of a single body has such an orientation."""
+
+
+def lost(function: str, said: str = "", **more) -> Outcome:
+    return Outcome("test_x", 1, False, parts=(Part(1, "any", said, **more),), function=function)
+
+
+def entry(found: Diagnosis, other: Diagnosis, said: str = NUMBER, **more):
+    """What the grade says of `collide`, which calls `apply_impulse`; and of that function."""
+    sheet = Sheet(
+        outcomes=[lost("apply_impulse", "gives 3"), lost("collide", said)],
+        diagnoses={"collide": found, "apply_impulse": other},
+        uses={"collide": ["apply_impulse"]},
+    )
+    functions = Grade(("impulse",), replace(sheet, **more)).content()["functions"]
+    return next(each for each in functions if each["name"] == "collide")
+
+
+def test_a_grade_accuses_no_function_of_the_mistake_of_one_that_it_calls():
+    found = entry(MISTAKEN, WRONG)
+    assert (found["verdict"], found["mistakes"]) == ("calls a wrong function", [])
+    assert found["mend_first"] == ["apply_impulse"]
+    assert found["message"].startswith("collide calls apply_impulse: mend that first;")
+
+
+def test_an_error_of_its_own_is_held_against_a_caller_of_a_wrong_function():
+    raised = "collide raised TypeError: no (line 3)"
+    found = entry(Diagnosis("collide", "crashes"), WRONG, raised)
+    assert (found["verdict"], found["mend_first"]) == ("crashes", ["apply_impulse"])
+    assert found["message"].endswith("\nraised TypeError: no (line 3)")
+    assert entry(MISTAKEN, WRONG, raised)["verdict"] == "wrong"
+
+
+def test_a_function_that_is_wrong_for_many_alone_excuses_no_number():
+    found = entry(MISTAKEN, Diagnosis("apply_impulse", "one at a time"))
+    assert (found["verdict"], found["mistakes"]) == ("named", [BELOW.id])
+    assert found["mend_first"] == ["apply_impulse"]
+
+
+def test_only_a_slow_function_excuses_one_that_calls_it_for_its_time():
+    slow = Diagnosis("collide", "too slow")
+    assert entry(slow, SLOW)["verdict"] == "calls a wrong function"
+    assert "loop" not in entry(slow, SLOW)["message"]
+    assert entry(slow, WRONG)["verdict"] == "too slow"
+
+
+@pytest.mark.parametrize("verdict", ["unwritten", "not tried"])
+def test_what_was_not_written_or_not_tried_is_said_whatever_it_calls(verdict):
+    assert entry(Diagnosis("collide", verdict), WRONG)["verdict"] == verdict
+
+
+@pytest.mark.parametrize(
+    ("accepted", "verdict"), [((), "tested with a wrong function"), (("a negative mass",), "wrong")]
+)
+def test_a_run_that_calls_a_wrong_function_is_no_mistake_of_the_tested_one(accepted, verdict):
+    sheet = Sheet(
+        outcomes=[lost("apply_impulse"), lost("collide", "gives 3", others=("apply_impulse",))],
+        diagnoses={"apply_impulse": WRONG, "collide": Diagnosis("collide", "right", accepted=accepted)},
+    )
+    found = Grade(("impulse",), sheet).content()["functions"][1]
+    assert (found["verdict"], found["mend_first"]) == (verdict, ["apply_impulse"])
+    assert "collide: right on every probe" not in found["message"]
+
+
+def test_a_wrong_number_stays_wrong_when_the_time_is_used_up():
+    late, early = cause_of(NotTried("it was not tried")), cause_of(AssertionError("gives 3"))
+    sheet = Sheet(
+        outcomes=[
+            lost("collide", NUMBER, cause=early),
+            lost("collide", "it was not tried", cause=late),
+            lost("apply_impulse", "it was not tried", cause=late),
+            lost("energy_lost", NUMBER, cause=early),
+        ]
+    )
+    uses = {"energy_lost": ["collide"], "collide": ["apply_impulse"]}
+    submission = SimpleNamespace(borrows=lambda name: {}, uses=lambda name: uses.get(name, []))
+    over = SimpleNamespace(
+        slow=frozenset(), budget=SimpleNamespace(left=0.0), fresh=lambda: contextlib.nullcontext(not_tried)
+    )
+    explain(sheet, submission, over)
+    verdicts = {each["name"]: each["verdict"] for each in Grade(("impulse",), sheet).content()["functions"]}
+    assert verdicts == {"collide": "wrong", "apply_impulse": "not tried", "energy_lost": "calls a wrong function"}
+
+
+def not_tried(*given):
+    raise NotTried("it was not tried")
+
+
+@pytest.mark.usefixtures("one_grader")
+def test_a_wrong_single_case_is_not_called_right_for_one_case(tmp_path):
+    path = solved(tmp_path, "impulse")
+    path.write_text(path.read_text() + WRONG_AT_TIMES)
+    sheet = run(path, ("impulse",), functions=("world_inverse_inertia",))
+    found = Grade(("impulse",), sheet).content()["functions"][0]
+    assert sheet.causes("world_inverse_inertia") == {"", "several cases"}
+    assert found["verdict"] == "wrong"
+    assert "right for one case" not in found["message"]
+
+
+def test_the_error_of_an_example_is_said_once():
+    error = "rebound_velocity raised ValueError: only one (line 3)"
+    cases = zip(probes("rebound_velocity"), known("rebound_velocity").right, strict=True)
+    answers = [
+        Answer(right.outputs[0]) if right and probe.group != "many" else Answer(error=error) for probe, right in cases
+    ]
+    found = judge("rebound_velocity", answers)
+    assert found.verdict == "one at a time"
+    for words in (told(found), " ".join(suspect("rebound_velocity", found, Advice()))):
+        assert words.count("raised ValueError") == 1
+        assert "ends in an error: " not in words
