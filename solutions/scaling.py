@@ -137,7 +137,7 @@ def _moderate(size: Array, power: int = 1) -> bool:
     low, high = SMALL**power, LARGE**power
     if not size.ndim:
         return low < float(size) < high
-    return not size.size or bool(size.min() > low and size.max() < high)
+    return not size.size or (float(size.min()) > low and float(size.max()) < high)
 
 
 def _extreme(length: Array, vector: Array) -> Booleans:
@@ -145,4 +145,5 @@ def _extreme(length: Array, vector: Array) -> Booleans:
 
     A length of zero may be that of a short vector. A vector that is zero is none.
     """
-    return np.asarray(~((length > SMALL) & (length < LARGE)) & np.any(vector != 0, axis=-1))
+    size = np.asarray(length, dtype=float)
+    return np.asarray(~((size > SMALL) & (size < LARGE)) & np.any(vector != 0, axis=-1))
