@@ -237,7 +237,7 @@ def test_functions_that_call_a_slow_one_share_its_time_and_name_it(clock):
     call("k")
     assert process.waits[6:] == [5.0, 5.0]
     assert call._patience.slow == {"g", "h"}
-    with pytest.raises(OutOfTime, match="^h was not called: it calls your f, which is too slow$"):
+    with pytest.raises(OutOfTime, match=r"^h was not called: it calls your f, which is too slow$"):
         call("h")
 
 
