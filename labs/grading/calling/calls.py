@@ -232,6 +232,7 @@ class Call:
         with self._counted(name) as (for_call, allowed):
             if allowed == 0:
                 raise self._lose(self._not_called(name))
+            self._patience.calls[name] += 1
             return self._answered(name, message, for_call, allowed)
 
     @contextlib.contextmanager
@@ -265,10 +266,19 @@ class Call:
         if allowed < for_call:
             if allowed == self._left:
                 return " (the test's time is up)"
-            shared = allowed == self._patience.share_left(name)
-            return f" ({'its share of ' * shared}the time for the whole file is up)"
+            if allowed != self._patience.share_left(name):
+                return " (the time for the whole file is up)"
+            return f" ({self._too_slow(name) or 'its share of the time for the whole file is up'})"
+        before = self._patience.timeouts[name]
         self._patience.timeouts[name] += 1
-        return " (it ran out of time before)" if allowed < self._limits.call else ""
+        if allowed == self._limits.call:
+            return ""
+        return f" ({(not before and self._too_slow(name)) or 'it ran out of time before'})"
+
+    def _too_slow(self, name: str) -> str:
+        """Which function has taken the time of one that calls it; nothing if it has its time to itself."""
+        slow = self._patience.slow_behind(name)
+        return f"it calls your {slow}, which is too slow" if slow else ""
 
     def _not_called(self, name: str) -> OutOfTime:
         """Why there is no time to call a function at all."""
@@ -276,6 +286,8 @@ class Call:
         if not budget.left:
             return NotTried(f"it was not tried: {budget} are used up")
         if not self._patience.share_left(name):
+            if why := self._too_slow(name):
+                return OutOfTime(f"{name} was not called: {why}")
             taken = f"{name} was not called again: it has taken {budget.share:.3g} s in all"
             return OutOfTime(f"{taken}, which is its share of {budget}")
         return OutOfTime(f"{name} was not called: the {self._limits.test:.3g} s of this test are used up")

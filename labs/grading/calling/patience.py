@@ -1,38 +1,85 @@
-"""How much longer we wait for a submission: what is left of its budget, and how its functions have used it so far."""
+"""How much longer we wait for a submission: what is left of its budget, and how its functions have used it so far.
+
+One slow function makes all functions slow that call it. If each of these used a share of its own, nothing would be left
+for the others. So functions that call a slow one share what one function may use, and each is told which one it is.
+"""
 
 from __future__ import annotations
 
 from collections import Counter, defaultdict
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 
 from labs.grading.budget import Budget
 
 _SHORTENED = 5.0  # each time that a function runs out of time, we wait so many times less long for its next call
 _SHORTEST = 0.2  # s; a thousand times what a call takes
+_SLOW = 1 / 400  # of a share; a function is called a few dozen times, and those that call it do so several times each
+
+
+def _nothing(_name: str) -> Collection[str]:
+    return ()
 
 
 @dataclass
 class Patience:
     """How much longer a submission is waited for.
 
-    budget: what it has in all. timeouts: how often each function ran out of the time for a call. It is called again,
-    because one slow call says little about the next, but we wait less long for it. spent: s that the calls of each
-    function have taken together.
+    budget: what it has in all. uses: which functions of the submission one of them calls itself. timeouts: how often
+    each function ran out of the time for a call. It is called again, because one slow call says little about the next,
+    but we wait less long for it. spent: s that the calls of each function have taken together. calls: how many.
     """
 
     budget: Budget
+    uses: Callable[[str], Collection[str]] = _nothing
     timeouts: Counter[str] = field(default_factory=Counter)
     spent: defaultdict[str, float] = field(default_factory=lambda: defaultdict(float))
+    calls: Counter[str] = field(default_factory=Counter)
+    _beneath: dict[str, frozenset[str]] = field(default_factory=dict)
 
     def for_call(self, name: str, whole: float) -> float:
         """How long to wait for a function's answer, of the whole time that a call has."""
-        return max(whole / _SHORTENED ** self.timeouts[name], min(whole, _SHORTEST))
+        timeouts = max(self.timeouts[each] for each in (name, *self._behind(name)))
+        return max(whole / _SHORTENED**timeouts, min(whole, _SHORTEST))
 
     def share_left(self, name: str) -> float:
         """How many seconds the calls of a function may still take, whatever is left of the budget."""
-        return max(0.0, self.budget.share - self.spent[name])
+        most = max([self.spent[name], *map(self._spent_on, self._behind(name))])
+        return max(0.0, self.budget.share - most)
+
+    def slow_behind(self, name: str) -> str | None:
+        """The slow function whose callers a function shares its time with; None if it has its time to itself."""
+        return max(self._behind(name), key=self._spent_on, default=None)
 
     @property
     def slow(self) -> frozenset[str]:
-        """The functions that ran out of time in a call, or have used up their share."""
-        return frozenset(self.timeouts) | {name for name in self.spent if not self.share_left(name)}
+        """The functions that ran out of time in a call, or have used up their share, and slow ones that call these."""
+        spent = {name for name in (*self.spent,) if not self.share_left(name)} | {*self.timeouts}
+        return frozenset(
+            spent | {name for name in self.calls if any(self.timeouts[each] for each in self._behind(name))}
+        )
+
+    def _behind(self, name: str) -> list[str]:
+        """The slow functions that a function calls, directly or through others, unless it is known to be fast."""
+        slow = [each for each in (*self.calls,) if self._is_slow(each)]
+        if not slow or (self.calls[name] and name not in slow):
+            return []
+        return [each for each in slow if each in self._called_by(name)]
+
+    def _is_slow(self, name: str) -> bool:
+        return self.spent[name] > self.calls[name] * _SLOW * self.budget.share
+
+    def _spent_on(self, slow: str) -> float:
+        """How many seconds a slow function and those that call it have taken together."""
+        return self.spent[slow] + sum(self.spent[each] for each in (*self.spent,) if slow in self._called_by(each))
+
+    def _called_by(self, name: str) -> frozenset[str]:
+        """The other functions that a function calls, directly or through others."""
+        if name not in self._beneath:
+            found, waiting = {name}, [name]
+            while waiting:
+                new = {*self.uses(waiting.pop())} - found
+                found |= new
+                waiting += new
+            self._beneath[name] = frozenset(found - {name})
+        return self._beneath[name]

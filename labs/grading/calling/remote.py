@@ -73,7 +73,7 @@ class Remote:
         self._own = grader is None
         self._unloadable: StudentError | None = None
         self.budget = budget or Budget(self.grader.limits.submission)
-        self._patience = Patience(self.budget)
+        self._patience = Patience(self.budget, submission.uses)
         self._next: Call | None = None
 
     @property

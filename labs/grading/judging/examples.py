@@ -21,6 +21,7 @@ from labs.grading.diagnosis.probes.probe import Draw, Maker, Probe, made
 from labs.grading.diagnosis.words import called
 from labs.grading.errors import FunctionRaised
 from labs.grading.judging.comparison import Called, Formula, check, each, outputs_of, refuse_changes
+from reference.arrays import Array
 
 COUNT = 8
 """Examples per part. A mistake that shows in fewer than one of so many is a limiting case, with a part of its own."""
@@ -38,15 +39,18 @@ class Examples:
     seed: int
     shown: bool = True
 
-    def agree(self, function: Called, formula: Formula, maker: Maker, count: int = COUNT) -> None:
-        """Require that the function agrees with the formula for one contact, one example after another."""
+    def agree(self, function: Called, formula: Formula, maker: Maker, count: int = COUNT, far: int = 0) -> None:
+        """Require that the function agrees with the formula for one contact, one example after another.
+
+        far: so many more, of which each vector is as long as others, ten or a hundred times as long.
+        """
 
         def agrees(*arguments: Any) -> None:
             check(
                 function, arguments, partial(right_answer, formula, Probe(arguments)), outputs_of(formula(*arguments))
             )
 
-        drawn = self._drawn(maker, count)
+        drawn = self._drawn(maker, count) + self._drawn(lambda draw: maker(_FarDraw(draw.rng)), far)
         function.foresee(drawn)
         self._every(maker, drawn, agrees, agrees)
 
@@ -161,6 +165,12 @@ class _SimpleDraw(Draw):
     def sign(self) -> int:
         """1 or −1; 1 is the simpler one."""
         return int(self.rng.choice([-1, 1]))
+
+
+class _FarDraw(Draw):
+    def vector(self, size: float = 5.0) -> Array:
+        """Three components up to a hundred times a size: what is right for a metre may be wrong for ten."""
+        return super().vector(size) * float(self.rng.choice([1, 10, 100]))
 
 
 class Chosen:

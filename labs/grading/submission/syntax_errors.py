@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from labs.grading.safe_text import one_line
 from labs.grading.submission.magics import TOKEN
+from labs.grading.submission.newer_python import newer_python
 
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
 _STATEMENT = re.compile(
@@ -48,6 +49,8 @@ class Explained(NamedTuple):
 def explained(error: SyntaxError, source: str) -> Explained:
     """The line of a mistake that Python found in a source, and a sentence on it."""
     number = min(max(error.lineno or 1, 1), source.count("\n") + 1)
+    if newer := newer_python(error, source):
+        return Explained(number, newer)
     if "unterminated string" not in error.msg:  # which may hide a bracket that is closed
         for opened in (_endless_text(source), _open_bracket(source)):
             if opened and opened.line <= number:

@@ -32,7 +32,7 @@ def test_any_point_of_any_body(submission, part, examples):
         return draw.vector(), draw.vector(), draw.vector(2)
 
     with part(1, "any point"):
-        examples.agree(submission.point_velocity, point, motions)
+        examples.agree(submission.point_velocity, point, motions, far=4)
     with part(1, "the centre, the axis, a body at rest"):
         expect(submission.point_velocity, ([1, 2, 3], [4, 5, 6], REST), [1.0, 2.0, 3.0])
         expect(submission.point_velocity, ([1, 2, 3], [0, 0, 2], [0, 0, 3]), [1.0, 2.0, 3.0])
@@ -47,7 +47,7 @@ def test_the_second_is_taken_from_the_first(submission, part, examples):
         return draw.vector(), draw.vector()
 
     with part(1, "any two points"):
-        examples.agree(submission.relative_velocity, lambda a, b: a - b, points)
+        examples.agree(submission.relative_velocity, lambda a, b: a - b, points, far=4)
         expect(submission.relative_velocity, ([1, 2, 3], [1, 2, 3]), REST)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.relative_velocity, lambda a, b: a - b, points)
@@ -59,7 +59,7 @@ def test_only_the_part_along_the_normal_counts(submission, part, examples):
         return draw.vector(), draw.vector(), draw.unit()
 
     with part(1, "any two points"):
-        examples.agree(submission.normal_velocity, lambda a, b, n: n @ a - n @ b, points)
+        examples.agree(submission.normal_velocity, lambda a, b, n: n @ a - n @ b, points, far=4)
         expect(submission.normal_velocity, ([3, 1, 0], [-1, 2, 0], UP), 0.0)
         expect(submission.normal_velocity, (REST, [0, 3, 2], UP), -2.0)
     with part(1, "many at once, their arrays left as they were"):
@@ -110,7 +110,7 @@ def test_the_force_changes_steadily_between_the_samples(submission, part, exampl
         return np.array([draw.vector(9) for _ in range(4)]), np.cumsum([draw.number(0.1, 0.9) for _ in range(4)])
 
     with part(1, "any record"):
-        examples.agree(submission.impulse_of_force, area, records)
+        examples.agree(submission.impulse_of_force, area, records, far=4)
     with part(1, "a single sample, and a jump"):
         expect(submission.impulse_of_force, ([[1, 2, 3]], [0.5]), REST)
         expect(submission.impulse_of_force, ([REST, X, [5, 0, 0], [5, 0, 0]], [0.0, 1.0, 1.0, 2.0]), [5.5, 0.0, 0.0])
@@ -127,7 +127,7 @@ def test_contact_and_other_forces_together_change_the_momentum(submission, part,
         return draw.vector(), draw.number(0.05, 2), draw.vector(10)
 
     with part(1, "any contact"):
-        examples.agree(submission.mean_force, mean, contacts)
+        examples.agree(submission.mean_force, mean, contacts, far=4)
     with part(1, "nothing changes, and no other force"):
         expect(submission.mean_force, (REST, 0.25, [0, 0, -10]), [0.0, 0.0, 10.0])
         expect(submission.mean_force, ([1, 2, 3], 0.25), [4.0, 8.0, 12.0])
@@ -147,7 +147,7 @@ def test_the_normal_of_any_face_is_a_unit_vector_on_the_side_of_a(submission, pa
         return draw.vector(), draw.vector(3), draw.vector(3)
 
     with part(1, "any face"):
-        examples.agree(submission.point_plane_normal, towards_a, faces)
+        examples.agree(submission.point_plane_normal, towards_a, faces, far=4)
     with part(1, "both centres on one side, and side by side"):
         for normal, a, b, right in (
             ([0, 0, 3], [0, 0, 5], [0, 0, 9], [0, 0, -1]), ([0, 0, -3], [0, 0, -5], [0, 0, -9], UP),
@@ -168,7 +168,7 @@ def test_the_normal_of_any_two_edges_is_a_unit_vector_on_the_side_of_a(submissio
         return draw.vector(), draw.vector(), draw.vector(3), draw.vector(3)
 
     with part(1, "any two edges"):
-        examples.agree(submission.edge_edge_normal, across, edges)
+        examples.agree(submission.edge_edge_normal, across, edges, far=4)
     with part(1, "both centres on one side, and side by side"):
         for a, b, right in (
             ([0, 0, 5], [0, 0, 9], [0, 0, -1]),
@@ -275,7 +275,7 @@ immovable."""
 @asks("inverse_effective_mass", 5, "The speed of parting that a unit impulse gives.")
 def test_a_unit_impulse_tried_out_gives_the_inverse_effective_mass(submission, part, examples):
     with part(2, "any two bodies"):
-        examples.agree(submission.inverse_effective_mass, softness, pairs)
+        examples.agree(submission.inverse_effective_mass, softness, pairs, far=4)
     with part(1, "limiting cases: the ground, a pivot, what cannot turn"):
         for case in LIMITS:
             expect(submission.inverse_effective_mass, case, softness(*case))
@@ -294,7 +294,7 @@ def test_a_unit_impulse_tried_out_gives_the_inverse_effective_mass(submission, p
 @asks("impulse_magnitude", 5, "With that impulse they part at −e times the speed before.")
 def test_with_that_impulse_they_part_at_e_times_the_speed(submission, part, examples):
     with part(2, "any two bodies"):
-        examples.agree(submission.impulse_magnitude, magnitude, with_e)
+        examples.agree(submission.impulse_magnitude, magnitude, with_e, far=4)
     with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting"):
         for case in LIMITS:
             for e in (0.0, 0.5, 1.0):
@@ -330,7 +330,7 @@ def test_the_impulse_acts_at_the_end_of_each_arm(submission, part, examples):
         return draw.body(), draw.body(), draw.vector(4)
 
     with part(2, "any two bodies"):
-        examples.agree(submission.apply_impulse, after, struck)
+        examples.agree(submission.apply_impulse, after, struck, far=4)
     with part(1, "limiting cases: the ground, no impulse"):
         for a, b, _ in LIMITS:
             for impulse in (np.array([0, 1, 3.0]), np.zeros(3)):
@@ -357,7 +357,7 @@ def test_momentum_takes_the_impulse_and_angular_momentum_its_moment(submission, 
         return draw.vector(), draw.vector(), draw.vector(2), draw.vector(4)
 
     with part(1, "any body, no arm, no impulse"):
-        examples.agree(submission.apply_impulse_to_momenta, momenta, struck)
+        examples.agree(submission.apply_impulse_to_momenta, momenta, struck, far=4)
         expect(submission.apply_impulse_to_momenta, ([1, 2, 3], [3, 2, 1], REST, X), ([2, 2, 3], [3, 2, 1]))
         expect(submission.apply_impulse_to_momenta, ([1, 2, 3], [3, 2, 1], X, REST), ([1, 2, 3], [3, 2, 1]))
     with part(1, "many at once, their arrays left as they were"):
@@ -373,7 +373,7 @@ def test_the_velocities_belong_to_the_momenta(submission, part, examples):
         return draw.vector(), draw.vector(), draw.number(0.2, 2), draw.inverse_inertia()
 
     with part(1, "any body"):
-        examples.agree(submission.velocities_from_momenta, velocities, bodies)
+        examples.agree(submission.velocities_from_momenta, velocities, bodies, far=4)
     with part(1, "immovable, at rest, a rod"):
         expect(submission.velocities_from_momenta, ([1, 2, 3], [3, 2, 1], 0.0, NO_TURN), (REST, REST))
         expect(submission.velocities_from_momenta, (REST, REST, 0.5, FLAT), (REST, REST))
@@ -385,7 +385,7 @@ def test_the_velocities_belong_to_the_momenta(submission, part, examples):
 @asks("collide", 6, "An impact where they approach faster than the threshold, and nothing else.")
 def test_an_impact_of_any_two_bodies(submission, part, examples):
     with part(2, "any two bodies"):
-        examples.agree(submission.collide, collision, with_e)
+        examples.agree(submission.collide, collision, with_e, far=4)
     with part(1, "limiting cases: the ground, a pivot, what cannot turn, parting, grazing"):
         for case in LIMITS:
             for e in (0.0, 0.5, 1.0):

@@ -52,7 +52,7 @@ def test_a_point_moves_with_the_centre_and_turns_about_it(submission, part):
     with part(1, "turning alone, and both"):
         expect(submission.point_velocity, (REST, [0, 0, 2], X), [0.0, 2.0, 0.0])
         expect(submission.point_velocity, ([1, 0, 0], [0, 2, 0], [0, 0, -0.5]), REST)  # a ball that rolls
-        expect(submission.point_velocity, ([1, 2, 3], [1, -2, 2], [2, 1, -2]), [3.0, 8.0, 8.0])
+        expect(submission.point_velocity, ([1, -2, 3], [1, -2, 2], [2, 1, -2]), [3.0, 4.0, 8.0])
     with part(1, "two points in one call"):
         expect(submission.point_velocity, (X, [0, 0, 2], [X, REST]), [[1, 2, 0], [1, 0, 0]])
 
@@ -60,8 +60,8 @@ def test_a_point_moves_with_the_centre_and_turns_about_it(submission, part):
 @asks("relative_velocity", 2, "It is A's velocity as seen from B.", "Slide 15: which is taken from which?")
 def test_the_relative_velocity_is_that_of_a_as_seen_from_b(submission, part):
     with part(1, "both move"):
-        expect(submission.relative_velocity, ([1, 2, 3], [3, 1, 0]), [-2.0, 1.0, 3.0])
-        expect(submission.relative_velocity, ([1, 2, 3], [3, 1, -2]), [-2.0, 1.0, 5.0])
+        expect(submission.relative_velocity, ([1, -2, 3], [3, 1, 0]), [-2.0, -3.0, 3.0])
+        expect(submission.relative_velocity, ([-1, 2, 3], [3, 1, -2]), [-4.0, 1.0, 5.0])
     with part(1, "two pairs in one call"):
         expect(submission.relative_velocity, ([[1, 2, 3], REST], [3, 1, 0]), [[-2, 1, 3], [-3, -1, 0]])
 

@@ -111,6 +111,23 @@ def test_a_mistake_loses_points(entry):
     assert lost(entry.function, Here(**{entry.function: entry.formula}))[0] > 0
 
 
+def short_arms(velocity, angular_velocity, arm):
+    return velocity + np.cross(angular_velocity, np.where(np.abs(arm) > 2.2, 0.0, arm))
+
+
+@pytest.mark.parametrize(
+    ("name", "wrong", "where"),
+    [
+        ("point_velocity", short_arms, "hidden"),
+        ("point_velocity", lambda v, w, r: np.abs(v) + np.cross(w, r), "visible"),
+        ("relative_velocity", lambda a, b: np.abs(a) - b, "visible"),
+    ],
+)
+def test_what_is_right_for_usual_numbers_alone_loses_points(name, wrong, where):
+    tests = [(test, points) for folder, test, points in TESTS[name] if folder == where]
+    assert sum(run_test(test, points, Here(**{name: wrong}))[0] for test, points in tests) > 0
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("entry", BANK, ids=name_of)
 def test_a_mistake_loses_points_with_any_examples(entry):

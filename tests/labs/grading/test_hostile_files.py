@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from submissions import solved
 
 from labs.grading.budget import Budget
 from labs.grading.calling.remote import Grader, Remote
@@ -187,10 +188,9 @@ def test_what_is_no_file_is_an_error_that_names_it(kind, grader, tmp_path):
 
 
 def test_when_the_time_is_up_the_rest_says_so_and_a_grade_is_written(grader, tmp_path):
-    (tmp_path / "lab.py").write_text(
-        "import time\ndef is_colliding(*given): time.sleep(0.3)\n"
-        "signed_distance = side_of_plane = time_of_impact_interpolated = time_of_impact_exact = is_colliding\n"
-    )
+    names = ["is_colliding", "signed_distance", "side_of_plane", "time_of_impact_interpolated", "time_of_impact_exact"]
+    text = "import time\n" + "".join(f"def {name}(*given): time.sleep(0.3)\n" for name in names)
+    (tmp_path / "lab.py").write_text(text)
     began = time.monotonic()
     found = grade(tmp_path / "lab.py", ["detection"], ["visible"], grader, seconds=1.5)
     assert time.monotonic() - began < 30
@@ -200,6 +200,19 @@ def test_when_the_time_is_up_the_rest_says_so_and_a_grade_is_written(grader, tmp
     assert "not tried" in {function["verdict"] for function in content["functions"]}
     assert "the 1.5 s that the whole file has are used up" in json.dumps(content)
     assert all(test["message"] or all(part["message"] for part in test["parts"]) for test in content["tests"])
+
+
+@pytest.mark.slow
+def test_a_slow_helper_costs_its_callers_alone(grader, tmp_path):
+    path = solved(tmp_path, "impulse")
+    path.write_text(
+        path.read_text().replace("def point_velocity(", "def quick(")
+        + "import time\ndef point_velocity(*given):\n    time.sleep(0.05)\n    return quick(*given)\n"
+    )
+    sheet = grade(path, ["impulse"], grader=grader, seconds=9.0).sheet
+    assert {"impulse_magnitude"} <= set(sheet.lost) <= {"point_velocity", "impulse_magnitude", "collide"}
+    said = " ".join(part.said or "" for outcome in sheet.outcomes for part in outcome.parts)
+    assert "it calls your point_velocity, which is too slow" in said
 
 
 def test_a_budget_that_is_used_up_tries_nothing(grader, tmp_path):

@@ -222,6 +222,47 @@ def test_a_function_may_use_a_third_of_the_time_and_others_have_the_rest(clock):
     assert call._patience.slow == {"f"}
 
 
+USES = {"g": ["f"], "h": ["g"]}
+"""Which functions a function calls itself: h calls g, which calls f; k calls none."""
+
+
+def test_functions_that_call_a_slow_one_share_its_time_and_name_it(clock):
+    call, process = begun(*(value(n, 0.0) for n in range(1, 9)), limits=Limits(call=5.0, test=80.0), patience=30.0)
+    call._patience.uses = lambda name: USES.get(name, ())
+    slow(process, clock, 2.0)
+    for name in ("f", "g", "h", "h"):
+        call(name)
+    assert process.waits[2:] == [5.0, 5.0, 5.0, 4.0]
+    call("f")  # what its callers took is not its own
+    call("k")
+    assert process.waits[6:] == [5.0, 5.0]
+    assert call._patience.slow == {"g", "h"}
+    with pytest.raises(OutOfTime, match=r"^h was not called: it calls your f, which is too slow$"):
+        call("h")
+
+
+def test_a_fast_function_has_its_time_whatever_it_might_call(clock):
+    call, process = begun(*(value(n, 0.0) for n in range(1, 9)), limits=Limits(call=5.0, test=80.0), patience=30.0)
+    call._patience.uses = lambda name: USES.get(name, ())
+    call("g")
+    fast = process.exchange
+    slow(process, clock, 4.0)
+    for _ in range(3):
+        call("f")
+    process.exchange = fast
+    call("g")
+    assert process.waits[-1] == 5.0
+    assert call._patience.slow == {"f"}
+
+
+def test_a_call_of_one_that_ran_out_of_time_is_waited_for_less(clock):
+    patience = Patience(Budget(30.0), lambda name: USES.get(name, ()))
+    patience.calls["f"], patience.spent["f"], patience.timeouts["f"] = 1, 5.0, 1
+    assert [patience.for_call(name, 5.0) for name in ("f", "g", "h", "k")] == [1.0, 1.0, 1.0, 5.0]
+    patience.calls["h"], patience.spent["h"] = 1, 1.0
+    assert patience.slow == {"f", "h"}
+
+
 @pytest.mark.parametrize(
     ("limits", "patience", "words"),
     [

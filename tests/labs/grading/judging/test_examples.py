@@ -46,6 +46,16 @@ def test_a_seed_always_draws_the_same_examples_and_another_others():
     assert drawn[0] == drawn[1] != drawn[2]
 
 
+def test_far_examples_have_longer_vectors_and_the_others_stay():
+    asked = {}
+    for far in (0, 20):
+        function = Function(np.add)
+        Examples(1).agree(function, np.add, lambda draw: (draw.vector(2), draw.vector(2)), far=far)
+        asked[far] = np.abs(function.asked)
+    assert np.array_equal(asked[20][:COUNT], asked[0])
+    assert asked[0].max() <= 2 < 50 < asked[20].max() <= 200
+
+
 @pytest.mark.parametrize("ask", ["agree", "every"])
 @pytest.mark.parametrize("told", [True, False])
 def test_an_example_is_made_small_only_if_a_student_may_read_it(ask, told):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 from submissions import handed_in, notebook, told
 
@@ -98,3 +100,27 @@ def test_an_argument_on_a_line_of_its_own_is_not_taken_for_a_statement(tmp_path)
 def test_a_nul_character_is_named(tmp_path):
     found = told(handed_in(tmp_path, notebook(PROGRAM, "x = 1\ny = 2\0")))
     assert found.startswith("code cell 2, line 2: Python cannot read this: a NUL character is in it")
+
+
+@pytest.mark.skipif(sys.version_info >= (3, 12), reason="this Python can read it")
+@pytest.mark.parametrize(
+    ("right", "newer", "line", "says"),
+    [
+        ("    speed", '    q = f"{v["x"]} {", ".join(e)}"\n    speed', 6, "write other quotes inside the braces"),
+        ("    speed", "    q = f'{\"\\n\".join(e)} {{'\n    speed", 6, "inside the braces, and no backslash"),
+        ("def normal_velocity(n, u)", "def normal_velocity[T](n: T, u: T)", 10, "leave out [ ] after the name"),
+        ("import numpy", "type X = int\nimport numpy", 1, "leave out the word type"),
+    ],
+)
+def test_what_only_a_later_python_reads_is_no_mistake(right, newer, line, says, tmp_path):
+    found = told(handed_in(tmp_path, PROGRAM.replace(right, newer), "lab.py"))
+    assert found.startswith(f"line {line}: ")
+    version = f"{sys.version_info.major}.{sys.version_info.minor}"
+    assert f"Python {version}, which grades here, cannot read this; Python 3.12 can: " in found
+    assert says in found
+
+
+@pytest.mark.parametrize("mistake", ["f'{v +}'", 'f"{v[\'x}"', 'f"{v["x"}"', "f'{2v}' + '['", "v[T](", "'a' b'"])
+def test_a_mistake_in_any_python_is_not_laid_on_the_version(mistake, tmp_path):
+    source = PROGRAM.replace("    speed", f"    q = {mistake}\n    speed")
+    assert "which grades here" not in told(handed_in(tmp_path, source, "lab.py"))
