@@ -29,7 +29,12 @@ _OTHER_COLOUR, _OTHER_MARKER = "#cc79a7", "v"
 """Those of an engine that is not the lab's own."""
 _MARKER_DISTANCE, _STAGGER = 0.4, 0.05
 """Between the markers of a curve, and between the first markers of two curves, as shares of the axes' diagonal."""
-_DASHES: dict[str, Any] = {"tuned": "-", "stock": (0, (1, 1.6))}
+_DASHES: dict[str, Any] = {
+    "tuned": "-",
+    "stock": (0, (1, 1.6)),
+    "poisson": (0, (7, 2, 1.5, 2)),
+    "stronge": (0, (5, 1.5, 1.2, 1.5, 1.2, 1.5)),
+}
 _OTHER_DASHES = (0, (5, 2))
 _BELOW = 4
 """How far below the smallest error above rounding, as a factor, errors of rounding are drawn."""

@@ -72,7 +72,7 @@ def shortened(family: Family) -> Scenario:
         scenario = replace(scenario, bodies=scenario.bodies[:4], pairs=scenario.pairs[:3])
     hops = family.name == "sliding-slab"  # at first, in stock MuJoCo, and is seldom in contact then
     duration = RESTING if geometry.starts_in_contact(scenario) and not hops else FALLING
-    return replace(scenario, name=family.name, duration=duration)
+    return replace(scenario, name=family.name, duration=min(duration, scenario.duration))
 
 
 CATALOGUE = tuple(map(shortened, catalogue().values()))
@@ -82,7 +82,16 @@ NEEDS_A_WORLD = (
     *("box-flat", "box-on-edge", "tipping-box", "stack", "twirled-box"),
 )
 """What rolls, tumbles or meets more than one thing."""
-STRIKING = ("thin-wall", "spinning-ball", "two-balls", "struck-rod", "rod-on-peg", "cradle", "parting-ball")
+STRIKING = (
+    "thin-wall",
+    "spinning-ball",
+    "two-balls",
+    "struck-rod",
+    "rod-on-peg",
+    "cradle",
+    "parting-ball",
+    "struck-cube",
+)
 """What strikes another body, or spins as it strikes."""
 SAYS_NO = {
     "handwritten": dict.fromkeys(NEEDS_A_WORLD, (NeedsFunction, r"^needs a rigid-body world \(world\)$")),
