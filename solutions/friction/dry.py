@@ -138,7 +138,7 @@ def sliding_motion(
     with np.errstate(over="ignore"):  # hardly any friction takes longer than any float
         second = metre / metre_a_second  # 1, unless a number is extreme
         stops = (speed_squared > 0) & (speed_squared <= closing * (dt / second))
-    stopping_time = np.where(stops, speed_squared / np.where(stops, closing, 1.0) * second, np.inf)
+        stopping_time = np.where(stops, speed_squared / np.where(stops, closing, 1.0) * second, np.inf)
     first = np.minimum(stopping_time, dt)[..., None]
     p = p + v * first + a * first * first / 2
     v = np.where(stops[..., None], 0.0, v + a * first)
