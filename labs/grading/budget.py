@@ -2,8 +2,8 @@
 
 Threat: limits for a call and for a test do not add up to a limit for a class of forty. A function that sleeps for 0.9 s
 in each of two hundred calls stays within both. So one clock runs from before the file is opened until the last word is
-written, whoever spends the time: the submission, or the grader on what the submission made it do. When the time is used
-up, no function is called again, the tests that remain say so, and the grade is written.
+written, no matter what spends the time: the submission, or the grader on what the submission made it do. When the time
+is used up, no function is called again, the tests that remain say so, and the grade is written.
 """
 
 from __future__ import annotations

@@ -140,7 +140,7 @@ class _Evidence:
         return ("several" if len(found) > 1 else "named" if certain else "likely"), tuple(found)
 
     def _order(self) -> tuple[int, ...]:
-        """The places of what is returned, if every single contact is right but for their order; empty if it is not."""
+        """The places of what is returned, if all single contacts are right except for their order; else empty."""
         single = [
             (right, answer) for probe, right, answer in self.answered if probe.group != "many" and not answer.error
         ]

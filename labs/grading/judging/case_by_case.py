@@ -1,6 +1,6 @@
 """Asks a function that fails for several cases in one call for one case at a time, and notes it.
 
-Broadcasting is no physics: whoever is right for each single case loses at most one part of a lab for it, as
+Broadcasting is no physics: a function right for each single case costs at most one part of a lab for it, as
 `CaseByCase.charge` decides. How arguments with different leading axes combine is left open, and costs nothing.
 """
 

@@ -21,7 +21,7 @@ ORDER = "The order does not matter."
 NEVER_USED = "The number is not used there."
 NOT_OF_THE_VELOCITIES = "How easily two bodies give way does not depend on how they move."
 UNIT = "The unit is 1 unless a number is extreme, and checks have ordinary ones."
-LEVER = "Without a lever r × n is zero but for rounding, and adds nothing."
+LEVER = "Without a lever r × n is zero except for rounding, and adds nothing."
 
 EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "overlap_interval": {
@@ -43,7 +43,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "along_surface": {TWICE: ("normal: sign flipped",)},
     "holds": {"Only the size of the push counts.": ("push: sign flipped",)},
     "sliding_motion": {
-        "At the stop v + a t is zero, but for rounding.": (
+        "At the stop v + a t is zero, except for rounding.": (
             "branch dropped: np.where(stops[..., None], 0.0, v + a * first) → shaped(v + a * first…",
         ),
         UNIT: (
@@ -78,7 +78,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "Below zero nothing is pressed together, which the next condition says as well.": (
             "limit dropped: np.maximum(0.0, press) → shaped(press, 0.0)",
         ),
-        "What is held is within the limit, but for rounding.": (
+        "What is held is within the limit, except for rounding.": (
             "limit dropped: np.minimum(0.0, np.vecdot(f, f) - (mu * press) ** 2) → shaped(np.vecdot…",
         ),
         ROUNDING: ("limit dropped: np.maximum(0.0, mu ** 2 * np.vecdot(spread, spread) - … → shaped(mu ** 2 …, 0.0)",),

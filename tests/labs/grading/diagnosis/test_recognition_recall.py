@@ -237,7 +237,7 @@ def test_four_of_five_mistakes_by_others_are_named(lot):
 @SLOW
 @pytest.mark.parametrize("function", [entry.name for entry in probed()])
 def test_a_mistake_that_is_not_listed_is_not_taken_for_another(function, monkeypatch):
-    """Each entry is left out in turn; at most the same mistake is named, but for touching, and with reserve."""
+    """Each entry is left out in turn; at most the same mistake is named, except for touching, and with reserve."""
     listed, certain = known(function), []
     for entry in (entry for entry in read_bank() if entry.function == function):
         others = tuple(other for other in listed.mistakes if other.id != entry.id)
