@@ -16,12 +16,18 @@ End = Literal["speed", "impulse", "work"]
 NORMAL = np.array([0.0, 0.0, 1.0])
 STOPPED = 1e-11
 """A slip below this share of the speed of the impact has stopped."""
+ROUNDING = 16 * float(np.finfo(float).eps)
+"""Rounding of u + K J, as a share of the speed of the impact, per condition of K."""
 STRAIGHT = 1e-12
 """A change of slip across the slip that is rounding, as a share of the largest."""
+SETTLED = 1e-3
+"""A slip may be turned by this angle at most into the direction that it settles in."""
 FIRST_STEP = 0.05
 """First step of a slip that turns: it changes by this share of the speed at most."""
 ACCURACY = 1e-10
-"""Error of a step, as a share of the speed of the impact."""
+"""Error of a step at most, as a share of the speed of the impact."""
+OF_THE_SLIP = 0.01
+"""Error of a step at most, as a share of the slip, or the slip would be all error."""
 HALVINGS = 60
 """How often an interval is halved at most: from π/2 down to rounding."""
 CLOSE = 1e-14
@@ -42,7 +48,8 @@ class Course:
         self.start, self.k, self.mu = start, k, mu
         self.impulse, self.work = np.zeros_like(start), np.zeros(len(start))
         speed = np.linalg.norm(start, axis=-1)
-        self.smallest, self.accepted = STOPPED * speed, ACCURACY * speed
+        rounding = ROUNDING * np.linalg.cond(k)
+        self.smallest, self.accepted = speed * np.maximum([[STOPPED], [ACCURACY]], rounding)
         self.rate = (1 + mu) * np.linalg.norm(k, axis=(-2, -1))
         self.step = FIRST_STEP * speed / self.rate
 
@@ -67,8 +74,11 @@ def follow(course: Course, end: End, target: Array) -> None:
     in p and W quadratic. The leg is one step, up to the end or until the slip stops.
 
     *The slip turns.* Steps of Runge and Kutta follow the equations. The smaller the
-    slip is, the faster it turns, so that a step takes away half of it at most. Once it
-    would turn no more than rounding before it stops, the rest is a straight leg.
+    slip is, the faster it turns, so that a step takes away half of it at most. Two
+    things end this leg, and the rest is straight: the slip would turn no more than
+    rounding before it stops, or it has settled in a direction that it keeps. What is
+    left across that direction falls off, and the faster, the shorter the steps would
+    have to be.
 
     *There is no slip.* It remains zero if friction can hold it, which takes the share
     h = K_tt⁻¹ K_tn of the normal impulse: it sticks if ‖h‖ ≤ μ. Otherwise it slips off
@@ -119,18 +129,43 @@ def _advance(course: Course, on: Integers, end: End, target: Array) -> Booleans:
     slip = np.linalg.norm(u[:, :2], axis=-1)
     still = slip <= course.smallest[on]
     s = u[:, :2] / np.where(still, 1.0, slip)[:, None]
+    turning, settling, slowing = _turn(course, on, s)
+    near = np.minimum(SETTLED, course.smallest[on] / np.where(still, 1.0, slip))
+    settled = ~still & (settling > 0) & (np.abs(turning) <= near * settling)
+    s[settled] += (turning[settled] / settling[settled])[:, None] * _across(s[settled])
+    s[settled] /= np.linalg.norm(s[settled], axis=-1, keepdims=True)
+    slowing[settled] = _turn(course, on[settled], s[settled])[2]
     push = np.concatenate([-course.mu[on][:, None] * s, np.ones((len(on), 1))], axis=-1)
     push[still] = _push_without_slip(course.k[on][still], course.mu[on][still])
     change = np.matvec(course.k[on], push)
-    turning = np.abs(s[:, 0] * change[:, 1] - s[:, 1] * change[:, 0])
-    slowing = np.where(still, 0.0, -np.vecdot(s, change[:, :2]))
-    straight = still | (turning <= STRAIGHT * course.rate[on]) | (slip * turning <= course.accepted[on] * slowing)
+    straight = still | settled | (np.abs(turning) <= STRAIGHT * course.rate[on])
+    straight |= slip * np.abs(turning) <= course.smallest[on] * slowing
     done = np.zeros(len(on), dtype=bool)
-    stop = np.where(slowing > 0, slip / np.where(slowing > 0, slowing, 1.0), np.inf)
+    stop = np.where(~still & (slowing > 0), slip / np.where(slowing > 0, slowing, 1.0), np.inf)
     legs = (x[straight] for x in (u[:, 2], push, change[:, 2], stop, target))
     done[straight] = _leg(course, on[straight], end, *legs)
-    done[~straight] = _steps(course, on[~straight], (stop / 2)[~straight], end, target[~straight])
+    accepted = np.minimum(course.accepted[on], OF_THE_SLIP * slip)
+    steps = (x[~straight] for x in (stop / 2, accepted, target))
+    done[~straight] = _steps(course, on[~straight], end, *steps)
     return done
+
+
+def _turn(course: Course, on: Integers, s: Array) -> tuple[Array, Array, Array]:
+    """How fast a slip along s turns, settles in a direction and slows down, (n,).
+
+    Each for a unit of normal impulse: the change of the velocity across the slip, the
+    share λ with which what is left across falls, and the loss of speed, all in 1/kg.
+    """
+    across, stiff = _across(s), course.k[on]
+    change = stiff[:, :2, 2] - course.mu[on][:, None] * np.matvec(stiff[:, :2, :2], s)
+    slowing = -np.vecdot(s, change)
+    settling = course.mu[on] * np.vecdot(across, np.matvec(stiff[:, :2, :2], across)) - slowing
+    return np.vecdot(across, change), settling, slowing
+
+
+def _across(s: Array) -> Array:
+    """The direction a quarter turn on from s, (n, 2)."""
+    return np.stack([-s[:, 1], s[:, 0]], axis=-1)
 
 
 def _push_without_slip(k: Array, mu: Array) -> Array:
@@ -164,13 +199,14 @@ def _leg(
     return np.asarray(whole <= stop)
 
 
-def _steps(course: Course, on: Integers, longest: Array, end: End, target: Array) -> Booleans:
+def _steps(course: Course, on: Integers, end: End, longest: Array, accepted: Array, target: Array) -> Booleans:
     """Advance by a step of a slip that turns, or by as much of it as leads to the end.
 
-    longest: how long a step may be, as a normal impulse, (n,). A step that is not
-    accurate enough is not taken, and the next one is shorter.
+    longest: how long a step may be, as a normal impulse, (n,). accepted: how wrong it
+    may be, (n,), m/s. A step that is not accurate enough is not taken, and the next one
+    is shorter.
     """
-    step, accepted = np.minimum(course.step[on], longest), course.accepted[on]
+    step = np.minimum(course.step[on], longest)
     impulse, work, error = _double_step(course, on, step)
     good = error <= accepted
     course.step[on] = step * np.clip(0.9 * (accepted / np.maximum(error, TINY)) ** 0.2, 0.2, 4.0)

@@ -41,6 +41,15 @@ def coupled(count, seed=0):
     return u, n, k, rng.uniform(size=count), rng.uniform(0, 1.5, count)
 
 
+def stiff(count, seed=0):
+    """Impacts with matrices of condition up to 100 and any friction, in which a slip turns fast and settles."""
+    rng = np.random.default_rng(seed)
+    u, n, _, e, _ = coupled(count, seed)
+    axes = np.linalg.qr(rng.normal(size=(count, 3, 3)))[0]
+    k = (axes * 100 ** rng.uniform(size=(count, 1, 3))) @ np.swapaxes(axes, -1, -2)
+    return u, n, k, e, 10 ** rng.uniform(-1, 1, count)
+
+
 def contact_energy(u, k):
     """Energy that an impact can take at most, J: that of stopping both points dead."""
     return np.vecdot(u, np.linalg.solve(k, u[..., None])[..., 0]) / 2
@@ -79,12 +88,13 @@ def test_no_law_adds_energy_where_newtons_adds_most():
     worst = np.argsort(gained)[-30:]
     assert (gained[worst] > 0).sum() >= 15
     assert gained.max() > 0.3
+    worst = np.append(worst, [5058, 7194])  # in these two the slip shrinks to the error of a step and must stop there
     check_energy(FOLLOWED.values(), *(value[worst] for value in cases))
 
 
 @pytest.mark.slow
-def test_no_law_adds_energy_in_two_thousand_impacts():
-    check_energy(FOLLOWED.values(), *coupled(2_000))
+def test_no_law_adds_energy_in_twenty_thousand_impacts():
+    check_energy(FOLLOWED.values(), *coupled(20_000))
 
 
 def test_maximal_dissipation_leaves_less_energy_than_any_other_friction():
@@ -143,14 +153,25 @@ def small_steps(u, n, k, mu, law, e):
 
 
 @pytest.mark.statement(16, oracle="scipy's integration of the impact over the normal impulse")
+@pytest.mark.parametrize("setups", [coupled, stiff])
 @pytest.mark.parametrize("law", FOLLOWED)
-def test_an_impact_in_space_is_the_one_that_scipy_integrates(law):
-    u, n, k, e, mu = coupled(12, seed=2)
+def test_an_impact_in_space_is_the_one_that_scipy_integrates(law, setups):
+    u, n, k, e, mu = setups(12, seed=2)
     ours = FOLLOWED[law](u, n, k, e, mu)
     for i in range(12):
         expected = small_steps(u[i], n[i], k[i], mu[i], law, e[i])
         # a millionth of the speed beside the slip
         assert ours[i] == pytest.approx(expected, abs=2e-5 * np.linalg.norm(expected))
+
+
+@pytest.mark.parametrize("law", FOLLOWED)
+def test_a_slip_that_settles_just_before_it_stops_is_followed(law):
+    u = np.array([0.1350432, 0.03200186, -0.71470324])
+    k = np.array([[61.75248476, -13.95128008, 14.47499758], [-13.95128008, 5.76065585, -2.99333409], [0, 0, 9.11837386]])
+    k[2, :2] = k[:2, 2]
+    expected = small_steps(u, UP, k, 0.6337905, law, 0.9953)
+    # The slip that scipy is allowed is a millionth of the speed
+    assert FOLLOWED[law](u, UP, k, 0.9953, 0.6337905) == pytest.approx(expected, abs=2e-5 * np.linalg.norm(expected))
 
 
 # What each means by e
