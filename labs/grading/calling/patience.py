@@ -61,10 +61,9 @@ class Patience:
 
     def _behind(self, name: str) -> list[str]:
         """The slow functions that a function calls, directly or through others, unless it is known to be fast."""
-        slow = [each for each in (*self.calls,) if self._is_slow(each)]
-        if not slow or (self.calls[name] and name not in slow):
+        if self.calls[name] and not self._is_slow(name):
             return []
-        return [each for each in slow if each in self._called_by(name)]
+        return [each for each in (*self.calls,) if self._is_slow(each) and each in self._called_by(name)]
 
     def _is_slow(self, name: str) -> bool:
         return self.spent[name] > self.calls[name] * _SLOW * self.budget.share

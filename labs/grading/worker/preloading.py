@@ -81,10 +81,11 @@ def prepare_for_closed_files() -> None:
 
 def _installed() -> Iterator[str]:
     """The names of the library's modules, and of those within its packages."""
-    for module in pkgutil.iter_modules():
+    library = sysconfig.get_path("stdlib")
+    for module in pkgutil.iter_modules([library, os.path.join(library, "lib-dynload")]):
         yield module.name
-        if module.ispkg and isinstance(folder := getattr(module.module_finder, "path", None), str):
-            within = pkgutil.iter_modules([os.path.join(folder, module.name)])
+        if module.ispkg:
+            within = pkgutil.iter_modules([os.path.join(library, module.name)])
             yield from (f"{module.name}.{part.name}" for part in within)
 
 
