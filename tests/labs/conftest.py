@@ -39,16 +39,16 @@ def lab(cells, monkeypatch, tmp_path):
         desk._grader.close()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def grader() -> Iterator[Grader]:
-    """A grader that the tests of a file share: starting one takes longer than most checks."""
+    """A grader that all tests of a worker share: starting one takes longer than most checks."""
     with Grader() as found:
         yield found
 
 
 @pytest.fixture
 def one_grader(grader, monkeypatch) -> None:
-    """Let whatever is checked or graded during a test use the file's grader, which stays open."""
+    """Let whatever is checked or graded during a test use the shared grader, which stays open."""
     monkeypatch.setattr(pytest_run, "Grader", lambda: contextlib.nullcontext(grader))
 
 

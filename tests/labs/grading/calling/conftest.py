@@ -13,7 +13,7 @@ from labs.grading.calling.remote import Grader, Remote
 from labs.grading.submission.reading import Submission
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def grader() -> Iterator[Grader]:
     with Grader(PATIENT) as found:
         yield found
