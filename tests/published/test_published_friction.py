@@ -8,9 +8,19 @@ import numpy as np
 import pytest
 
 from reference.comparison.verdicts import Verdict
+from reference.engines import load_engine
+from reference.engines.implementation import Implementation
+from reference.published.judging import compare_published
 from reference.published.rigid_law import rigid_law, rigid_sphere
 from reference.published.theirs import published
-from solutions.friction import sphere_grips, sphere_impact
+from solutions.friction import (
+    dissipative_impulse,
+    point_inverse_mass,
+    poisson_impulse,
+    sphere_grips,
+    sphere_impact,
+    stronge_impulse,
+)
 
 Y, UP = np.eye(3)[1:]
 
@@ -44,6 +54,32 @@ def test_a_sphere_by_hand_follows_the_rigid_law_to_rounding(judged):
         turned = np.radians(case.numbers(angles))
         assert sphere_grips(np.sin(turned), np.cos(turned), e, mu).tolist() == grips.tolist()
         assert [row.measured for row in judged("P11") if row.figure == figure] == pytest.approx(law, rel=1e-13)
+
+
+class UnderLaw(Implementation):
+    """The solutions, whose spheres strike by a law of impacts of any two bodies; a sphere of 2.3 kg."""
+
+    def __init__(self, law):
+        super().__init__()
+        object.__setattr__(self, "law", law)
+
+    def function(self, name):
+        return self.strike if name == "sphere_impact" else super().function(name)
+
+    def strike(self, velocity, spin, normal, radius, restitution, friction):
+        inverse_inertia, arm = np.eye(3) / (0.4 * 2.3 * radius**2), -radius * normal
+        k = point_inverse_mass(1 / 2.3, inverse_inertia, arm)
+        impulse = self.law(velocity + np.cross(spin, arm), normal, k, restitution, friction)
+        return velocity + impulse / 2.3, spin + np.cross(arm, impulse) @ inverse_inertia
+
+
+@pytest.mark.statement(16, oracle="P11: Kharaz' measured impacts; P17: Siconos' spinning ball")
+@pytest.mark.parametrize("law", [dissipative_impulse, poisson_impulse, stronge_impulse])
+@pytest.mark.parametrize("name", ["P11", "P17"])
+def test_each_law_of_impacts_answers_published_spheres_as_newtons_does(name, law, judged):
+    rows, _ = compare_published(published(name), load_engine("handwritten", UnderLaw(law)))
+    assert [row.verdict for row in rows] == [row.verdict for row in judged(name)]
+    assert [row.measured for row in rows] == pytest.approx([row.measured for row in judged(name)], rel=1e-9)
 
 
 def test_the_rigid_law_has_a_kink_but_no_jump_where_gripping_ends():
