@@ -26,7 +26,6 @@ from labs.grading.errors import (
     GraderFailed,
     NoAnswer,
     NotSteady,
-    NotTried,
     OutOfTime,
     ProcessDied,
     StudentError,
@@ -231,7 +230,7 @@ class Call:
         assert self._process is not None
         with self._counted(name) as (for_call, allowed):
             if allowed == 0:
-                raise self._lose(self._not_called(name))
+                raise self._lose(self._patience.not_called(name, self._limits.test))
             self._patience.calls[name] += 1
             return self._answered(name, message, for_call, allowed)
 
@@ -252,7 +251,8 @@ class Call:
         try:
             return messages.unpack(self._process.exchange(message, allowed))
         except TimeoutError:
-            limit = f"{allowed:.3g} s{self._cut_short(name, allowed, for_call)}"
+            why = self._patience.ran_out(name, allowed, for_call, self._limits.call, self._left)
+            limit = f"{allowed:.3g} s{why}"
             raise self._lose(OutOfTime(f"{name} gave no answer within {limit} and was stopped")) from None
         except (OSError, EOFError):
             if self._process.ended is LOST:
@@ -260,37 +260,6 @@ class Call:
             raise self._lose(ProcessDied(f"{name} gave no answer: {endings.reason(self._process.ended)}")) from None
         except messages.Refused as refused:
             raise self._lose(NoAnswer(f"{name} gave no answer: {one_line(str(refused))}")) from None
-
-    def _cut_short(self, name: str, allowed: float, for_call: float) -> str:
-        """Why the call had less time than usual; a call that had its full time counts as slow."""
-        if allowed < for_call:
-            if allowed == self._left:
-                return " (the test's time is up)"
-            if allowed != self._patience.share_left(name):
-                return " (the time for the whole file is up)"
-            return f" ({self._too_slow(name) or 'its share of the time for the whole file is up'})"
-        before = self._patience.timeouts[name]
-        self._patience.timeouts[name] += 1
-        if allowed == self._limits.call:
-            return ""
-        return f" ({(not before and self._too_slow(name)) or 'it ran out of time before'})"
-
-    def _too_slow(self, name: str) -> str:
-        """Which function has taken the time of one that calls it; nothing if it has its time to itself."""
-        slow = self._patience.slow_behind(name)
-        return f"it calls your {slow}, which is too slow" if slow else ""
-
-    def _not_called(self, name: str) -> OutOfTime:
-        """Why there is no time to call a function at all."""
-        budget = self._patience.budget
-        if not budget.left:
-            return NotTried(f"it was not tried: {budget} are used up")
-        if not self._patience.share_left(name):
-            if why := self._too_slow(name):
-                return OutOfTime(f"{name} was not called: {why}")
-            taken = f"{name} was not called again: it has taken {budget.share:.3g} s in all"
-            return OutOfTime(f"{taken}, which is its share of {budget}")
-        return OutOfTime(f"{name} was not called: the {self._limits.test:.3g} s of this test are used up")
 
     def _lose(self, error: StudentError) -> StudentError:
         self._lost = error

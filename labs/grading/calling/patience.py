@@ -11,6 +11,7 @@ from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 
 from labs.grading.budget import Budget
+from labs.grading.errors import NotTried, OutOfTime
 
 _SHORTENED = 5.0  # each time that a function runs out of time, we wait so many times less long for its next call
 _SHORTEST = 0.2  # s; a thousand times what a call takes
@@ -47,9 +48,34 @@ class Patience:
         most = max([self.spent[name], *map(self._spent_on, self._behind(name))])
         return max(0.0, self.budget.share - most)
 
-    def slow_behind(self, name: str) -> str | None:
-        """The slow function whose callers a function shares its time with; None if it has its time to itself."""
-        return max(self._behind(name), key=self._spent_on, default=None)
+    def ran_out(self, name: str, allowed: float, for_call: float, whole: float, left: float) -> str:
+        """Why a call that ran out of time had less of it than usual; one that had its full time counts as slow.
+
+        allowed: s that it had. for_call: s for any call of this function now. whole: s for a function that never ran
+        out of time. left: s that were left to the test.
+        """
+        if allowed < for_call:
+            if allowed == left:
+                return " (the test's time is up)"
+            if allowed != self.share_left(name):
+                return " (the time for the whole file is up)"
+            return f" ({self._too_slow(name) or 'its share of the time for the whole file is up'})"
+        before = self.timeouts[name]
+        self.timeouts[name] += 1
+        if allowed == whole:
+            return ""
+        return f" ({(not before and self._too_slow(name)) or 'it ran out of time before'})"
+
+    def not_called(self, name: str, test: float) -> OutOfTime:
+        """Why there is no time to call a function at all. test: s that a test has."""
+        if not self.budget.left:
+            return NotTried(f"it was not tried: {self.budget} are used up")
+        if not self.share_left(name):
+            if why := self._too_slow(name):
+                return OutOfTime(f"{name} was not called: {why}")
+            taken = f"{name} was not called again: it has taken {self.budget.share:.3g} s in all"
+            return OutOfTime(f"{taken}, which is its share of {self.budget}")
+        return OutOfTime(f"{name} was not called: the {test:.3g} s of this test are used up")
 
     @property
     def slow(self) -> frozenset[str]:
@@ -58,6 +84,11 @@ class Patience:
         return frozenset(
             spent | {name for name in self.calls if any(self.timeouts[each] for each in self._behind(name))}
         )
+
+    def _too_slow(self, name: str) -> str:
+        """Which function has taken the time of one that calls it; nothing if it has its time to itself."""
+        slow = max(self._behind(name), key=self._spent_on, default=None)
+        return f"it calls your {slow}, which is too slow" if slow else ""
 
     def _behind(self, name: str) -> list[str]:
         """The slow functions that a function calls, directly or through others, unless it is known to be fast."""
