@@ -51,7 +51,7 @@ def test_a_point_collides_behind_the_plane_by_more_than_the_tolerance(submission
 def test_the_separation_is_zero_where_a_straight_line_crosses_it(submission, part):
     with part(1, "half way, a quarter of the way, and from the plane on"):
         expect(submission.time_of_impact_interpolated, (1.0, -1.0, 0.0, 2.0), 1.0)
-        expect(submission.time_of_impact_interpolated, (1.0, -3.0, 5.0, 0.5), 5.125)
+        expect(submission.time_of_impact_interpolated, (1.0, -3.0, -5.0, 0.5), -4.875)
         expect(submission.time_of_impact_interpolated, (2.0, -1.0, 0.0, 3.0), 2.0)
         expect(submission.time_of_impact_interpolated, (0.0, -1.0, 4.0, 0.5), 4.0)
     with part(1, "no impact in this step"):
