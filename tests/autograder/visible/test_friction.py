@@ -227,7 +227,7 @@ def test_an_impact_grips_or_slips(submission, part):
     with part(1, "straight on, gripping, parting, grazing; bodies that turn, on a slanted face"):
         expect(submission.friction_impulse, ([2, -5, -3], LEANING, two, 0.5, 0.5), [-1.0, 2.0, 1.0])
         expect(submission.friction_impulse, ([-10, -11, -2], SLANTED, one, 0.5, 0.51), [12.0, 15.0, 6.0])
-        expect(submission.friction_impulse, ([1, 2, 0], UP, two, 0.5, 1.5), REST)
+        expect(submission.friction_impulse, ([-1, 2, 0], UP, two, 0.5, 1.5), REST)
         expect(submission.friction_impulse, ([0, 0, -2], UP, one, 0.5, 0.5), [0.0, 0.0, 3.0])
         expect(submission.friction_impulse, ([1, 0, -2], UP, one, 0.5, 0.5), [-1.0, 0.0, 3.0])
         expect(submission.friction_impulse, ([1, 0, 2], UP, one, 0.5, 0.5), REST)

@@ -50,7 +50,8 @@ HELPERS = {
 """What wrong expressions call."""
 
 
-OPERATORS = (operators.sums, operators.sizes, operators.products, operators.conditions, operators.calls, operators.results)
+OPERATORS = (operators.sums, operators.sizes, operators.products, operators.conditions, operators.calls,
+             operators.results)  # fmt: skip
 
 
 @dataclass(frozen=True)
