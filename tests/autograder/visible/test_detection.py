@@ -23,7 +23,7 @@ def test_a_point_has_a_distance_from_a_plane_with_a_sign(submission, part):
         expect(submission.signed_distance, ([0, 0, 3], UP, -1.0), 2.0)  # the plane z = 1
     with part(1, "a normal that is longer than 1"):
         expect(submission.signed_distance, ([0, 0, 3], [0, 0, 2], -4.0), 1.0)  # 2 z − 4 = 0 is the plane z = 2
-        expect(submission.signed_distance, ([3, 1, 2], [1, 2, 2], -3.0), 2.0)  # a plane along no axis: (9 − 3)/3
+        expect(submission.signed_distance, ([-3, 1, 2], [-1, 2, 2], -3.0), 2.0)  # a plane along no axis: (9 − 3)/3
     with part(1, "two points in one call, and two planes"):
         expect(submission.signed_distance, ([[0, 0, 1], [0, 0, -2]], UP, 0.0), [1.0, -2.0])
         expect(submission.signed_distance, ([[0, 0, 1], [5, 0, 0]], [[0, 0, 2], [3, 0, 4]], 0.0), [1.0, 3.0])

@@ -83,7 +83,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "friction_angle": {NOT_NEGATIVE: ("size for it: …",)},
     "sphere_grips": {NOT_NEGATIVE: ("size for it: …",)},
     "along_surface": {TWICE: ("normal: sign flipped",)},
-    "holds": {"Only the size of the push counts.": ("push: sign flipped",)},
+    "holds": {"Only the size of the push counts.": ("push: sign flipped", "push: size for it")},
     "sliding_motion": {
         NOT_NEGATIVE: ("size for it: dt[..., None] - first → …", "size for it: (p + after … np.abs(stopping_time))"),
         "At the stop v + a t is zero, except for rounding.": (
@@ -176,7 +176,11 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         NOT_NEGATIVE: ("size for it: np.max(…",),
     },
     "solve_by_sweeps": {
-        NOT_NEGATIVE: ("size for it: f[..., i] - … → np.abs(f[..., i]) - …", "size for it: f → np.abs(f)"),
+        "A force of the step before is never negative, and no other is.": (
+            "start: size for it",
+            "size for it: f[..., i] - … → np.abs(f[..., i]) - …",
+            "size for it: f → np.abs(f)",
+        ),
         "The first contact is solved before its force is used.": ("start: axis 0 left out",),
         "A contact that moves nothing gets no force, whatever its quotient is.": (
             "branch dropped: np.where(own > 0, own, 1.0) → shaped(own, own > 0)",
@@ -199,7 +203,10 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "in _direction: sum of components: np.linalg.norm(given, …",
         ),
     },
-    "world_inverse_inertia": {"q and −q are the same rotation.": ("orientation: sign flipped",)},
+    "world_inverse_inertia": {
+        "q and −q are the same rotation.": ("orientation: sign flipped",),
+        NOT_NEGATIVE: ("inertia: size for it",),
+    },
     "inverse_effective_mass": {
         NOT_OF_THE_VELOCITIES: (
             "velocity of body_…",
