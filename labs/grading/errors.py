@@ -12,7 +12,7 @@ class UnreadableSubmission(CollisionsError):
 
 
 class StudentError(CollisionsError):
-    """What the submission's code did instead of answering; the message is fit to be shown to the student.
+    """What the submission's code did instead of answering, or besides; the message is fit to be shown to the student.
 
     gist: the same in our own words only, for the feedback of a hidden test. A submission could smuggle a hidden test's
     inputs out in a message or in the name of a type.
@@ -66,6 +66,12 @@ class ProcessDied(StudentError):
 
 class NoAnswer(StudentError):
     """The bytes that came back are not a message of the worker: they are too long, or it did not write them."""
+
+
+class ArgumentsChanged(StudentError):
+    """The function wrote into its arguments, whatever it returned."""
+
+    gist = "writes into its arguments, as a += b and a[0] = b do: the caller's own arrays change"
 
 
 class NotSteady(StudentError):

@@ -92,6 +92,11 @@ def _wrapped(text: str) -> list[str]:
     return textwrap.wrap(text, WIDTH, break_on_hyphens=False)
 
 
+def listed(names: Sequence[str]) -> str:
+    """Names in a sentence."""
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
 def called(parameters: Sequence[str], arguments: Sequence[Any], function: str = "") -> str:
     """Arguments with their names if known, `velocity=(0, 0, -2), restitution=0.5`; with a function, as its call."""
     names = [f"{name}=" for name in parameters] or [""] * len(arguments)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis
-from labs.grading.diagnosis.words import ODD, besides, example_of, verdict
+from labs.grading.diagnosis.words import ODD, besides, example_of, listed, verdict
 from labs.grading.feedback.error_advice import Advice
 from labs.grading.feedback.one_at_a_time import explained
 from labs.grading.judging.blame import certain, elsewhere, failures_of, gives_wrong_numbers, without_answers
@@ -202,8 +202,3 @@ def _is_shown(diagnosis: Diagnosis, example: Counterexample, told: Sequence[str]
     if told and in_many:
         return True
     return any(map(has_physics, told)) and not (diagnosis.odd and any(map(has_no_number, told)))
-
-
-def listed(names: Sequence[str]) -> str:
-    """Names in a sentence."""
-    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

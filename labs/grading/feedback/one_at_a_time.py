@@ -11,7 +11,7 @@ from reference import lecture
 
 _DONE = (
     "Where a test has several cases in one call, the lab called it for one case after the other instead, and those"
-    " answers are right. That costs one part of the whole lab, this one, however many functions do it."
+    " answers are right. That costs one part of the {topic} lab, this one, however many of its functions do it."
 )
 _HOW = "To turn a function of one case into one of many:"
 _FORMS = (
@@ -35,8 +35,9 @@ def explained(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
     """What the lab did about a function that is right for one case alone, and how to write it; told once."""
     if name not in sheet.case_by_case.functions:
         return
-    if sheet.case_by_case.paid.get(lecture.function(name).topic) == name:
-        yield from folded(_DONE, 1)
+    topic = lecture.function(name).topic
+    if sheet.case_by_case.paid.get(topic) == name:
+        yield from folded(_DONE.format(topic=topic), 1)
     if advice.is_new(_HOW):
         yield from folded(_HOW, 1)
         width = max(len(one) for one, _ in _FORMS) + 2

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from labs.grading.diagnosis.words import listed
 from labs.grading.feedback.error_advice import Advice
-from labs.grading.feedback.faults import listed, share, suspect, wrong
+from labs.grading.feedback.faults import share, suspect, wrong
 from labs.grading.feedback.one_at_a_time import in_short
 from labs.grading.feedback.tries import Tries
 from labs.grading.judging.score_sheet import Sheet

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from labs.grading.diagnosis.findings import Diagnosis
-from labs.grading.diagnosis.words import told
+from labs.grading.diagnosis.words import listed, told
 from labs.grading.judging.score_sheet import Sheet
 from labs.grading.phrases import no_answer_in, was_raised
 
@@ -107,10 +107,14 @@ def blame_of(sheet: Sheet, name: str) -> Blame:
         own = without_answers(sheet, name, uses, failures_of(sheet, name))
         said = dict.fromkeys(words for _, words in own if words)
         without_numbers = _verdict(found) if found and found.verdict in ("crashes", "shape") else NOT_EXPLAINED
-        why = f"{name} calls {', '.join(misleading)}: mend that first; until then its numbers say nothing about it."
+        which = "that" if len(misleading) == 1 else "them"
+        why = (
+            f"{name} calls {listed(misleading)}: mend {which} first; until then the numbers of {name} say nothing about"
+            " its own code."
+        )
         return Blame(without_numbers if own else CALLS_WRONG, mend_first, None, (why, *said))
     if found and found.right and not found.accepted and all(each in in_runs for each, _ in failures_of(sheet, name)):
-        why = f"{name} is right on every probe; the runs that it lost also call {', '.join(mend_first)}."
+        why = f"{name} is right on every probe; the runs that it lost also call {listed(mend_first)}."
         return Blame(BESIDE_WRONG, mend_first, None, (why,))
     sure = certain(sheet, name, uses)
     return Blame(_verdict(found), mend_first, replace(sure, verdict="wrong") if sure and sure.right else sure)

@@ -20,7 +20,7 @@ from labs.grading.diagnosis.deviations import Answer, Right, deviation_of, outpu
 from labs.grading.diagnosis.output_names import labelled, output_names
 from labs.grading.diagnosis.probes.probe import usual
 from labs.grading.diagnosis.words import called, compared, shown
-from labs.grading.errors import FunctionRaised, WrongType
+from labs.grading.errors import ArgumentsChanged, FunctionRaised, WrongType
 from labs.grading.judging.case_by_case import right_alone
 from labs.grading.phrases import gives, no_answer
 from reference.arrays import Array
@@ -128,11 +128,9 @@ def _printed(function: Any) -> str:
 
 
 def refuse_changes(function: Any) -> None:
-    """Raise an AssertionError if the last call has written into its arguments."""
+    """Raise ArgumentsChanged if the last call has written into its arguments."""
     if function.functions.process().changed:
-        raise AssertionError(
-            f"{function.name} writes into its arguments, as a += b and a[0] = b do: the caller's arrays change"
-        )
+        raise ArgumentsChanged(f"{function.name} {ArgumentsChanged.gist}")
 
 
 def plainly(*arguments: Any) -> tuple[Any, ...]:

@@ -23,7 +23,7 @@ def test_a_point_has_a_distance_from_a_plane_with_a_sign(submission, part):
         expect(submission.signed_distance, ([0, 0, 3], UP, -1.0), 2.0)  # the plane z = 1
     with part(1, "a normal that is longer than 1"):
         expect(submission.signed_distance, ([0, 0, 3], [0, 0, 2], -4.0), 1.0)  # 2 z − 4 = 0 is the plane z = 2
-        expect(submission.signed_distance, ([3, 1, 2], [1, 2, 2], -3.0), 2.0)  # a plane along no axis: (9 − 3)/3
+        expect(submission.signed_distance, ([-3, 1, 2], [-1, 2, 2], -3.0), 2.0)  # a plane along no axis: (9 − 3)/3
     with part(1, "two points in one call, and two planes"):
         expect(submission.signed_distance, ([[0, 0, 1], [0, 0, -2]], UP, 0.0), [1.0, -2.0])
         expect(submission.signed_distance, ([[0, 0, 1], [5, 0, 0]], [[0, 0, 2], [3, 0, 4]], 0.0), [1.0, 3.0])
@@ -51,7 +51,7 @@ def test_a_point_collides_behind_the_plane_by_more_than_the_tolerance(submission
 def test_the_separation_is_zero_where_a_straight_line_crosses_it(submission, part):
     with part(1, "half way, a quarter of the way, and from the plane on"):
         expect(submission.time_of_impact_interpolated, (1.0, -1.0, 0.0, 2.0), 1.0)
-        expect(submission.time_of_impact_interpolated, (1.0, -3.0, 5.0, 0.5), 5.125)
+        expect(submission.time_of_impact_interpolated, (1.0, -3.0, -5.0, 0.5), -4.875)
         expect(submission.time_of_impact_interpolated, (2.0, -1.0, 0.0, 3.0), 2.0)
         expect(submission.time_of_impact_interpolated, (0.0, -1.0, 4.0, 0.5), 4.0)
     with part(1, "no impact in this step"):

@@ -13,7 +13,9 @@ from labs.grading.judging.markers import asks
 X, Y, UP, REST = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
 SLANTED = [1 / 3, 2 / 3, 2 / 3]
 """A unit normal along no axis. (2, 1, −2) and (2, −2, 1) are at right angles to it and to each other."""
-START = [1.0, 2.0, 3.0]
+LEANING = [-1 / 3, 2 / 3, 2 / 3]
+"""Its mirror image: it leans the other way along x."""
+START = [1.0, -2.0, 3.0]
 INFINITY = math.inf
 
 
@@ -43,7 +45,7 @@ def test_the_support_pushes_and_never_pulls(submission, part):
         expect(submission.normal_force, ([7, 0, -20], UP), 20.0)
         expect(submission.normal_force, ([7, 0, 0], UP), 0.0)
         expect(submission.normal_force, ([0, 0, 5], UP), 0.0)
-        expect(submission.normal_force, ([6, -9, -6], SLANTED), 8.0)
+        expect(submission.normal_force, ([-6, -9, -6], LEANING), 8.0)
     with part(1, "two bodies in one call"):
         expect(submission.normal_force, ([[0, 0, -20], [0, 0, 5]], UP), [20.0, 0.0])
 
@@ -57,7 +59,7 @@ def test_the_support_pushes_and_never_pulls(submission, part):
 def test_along_the_surface_is_what_the_normal_part_leaves(submission, part):
     with part(1, "on a floor, and on a slope along no axis"):
         expect(submission.along_surface, ([3, 4, -20], UP), [3.0, 4.0, 0.0])
-        expect(submission.along_surface, ([3, -6, -9], SLANTED), [6.0, 0.0, -3.0])
+        expect(submission.along_surface, ([-3, -6, -9], LEANING), [-6.0, 0.0, -3.0])
         expect(submission.along_surface, ([0, 0, -20], UP), REST)
     with part(1, "two forces in one call"):
         expect(submission.along_surface, ([[3, 4, -20], [1, 0, 9]], UP), [[3, 4, 0], [1, 0, 0]])
@@ -123,20 +125,20 @@ def test_a_sliding_body_stops_and_does_not_turn_round(submission, part):
     with part(1, "it slides on; at rest, it is held or breaks away"):
         found = ([2.5, 0, 0], [2, 0, 0], INFINITY)
         expect(submission.sliding_motion, (REST, [3, 0, 0], REST, 10.0, 0.5, 0.2, 2.0, 1.0), found)
-        found = ([7, 14, 15], [4, 8, 8], INFINITY)  # pushed on: it accelerates with (1, 2, 2) m/s²
-        expect(submission.sliding_motion, (START, [2, 4, 4], [3, 6, 6], 12.0, 0.5, 0.25, 2.0, 2.0), found)
+        found = ([7, -14, 15], [4, -8, 8], INFINITY)  # pushed on: it accelerates with (1, −2, 2) m/s²
+        expect(submission.sliding_motion, (START, [2, -4, 4], [3, -6, 6], 12.0, 0.5, 0.25, 2.0, 2.0), found)
         expect(submission.sliding_motion, (START, REST, [3, 1, 0], 12.0, 0.5, 0.25, 2.0, 2.0), (START, REST, INFINITY))
-        found = ([5, 0, 7], [4, -2, 4], INFINITY)
+        found = ([5, -4, 7], [4, -2, 4], INFINITY)
         expect(submission.sliding_motion, (START, REST, [6, -3, 6], 10.0, 0.875, 0.3, 2.0, 2.0), found)
     with part(1, "it stops within the step, and stays or is pushed back"):
         found = ([1.0, 0, 0], REST, 1.0)
         expect(submission.sliding_motion, (REST, [2, 0, 0], REST, 10.0, 0.5, 0.2, 1.0, 4.0), found)
-        found = ([6, 12, 13], REST, 2.0)  # 9 N against 9 N of friction
-        expect(submission.sliding_motion, (START, [5, 10, 10], [-3, -6, -6], 12.0, 0.75, 0.5, 2.0, 3.0), found)
-        found = ([0.5, 1, 2], [-2, -4, -4], 1.0)  # 12 N, and only 9 N of friction
-        expect(submission.sliding_motion, (START, [3, 6, 6], [-4, -8, -8], 12.0, 0.75, 0.5, 2.0, 3.0), found)
-        found = ([3, 6, 7], REST, 2.0)  # at its very end
-        expect(submission.sliding_motion, (START, [2, 4, 4], REST, 12.0, 0.5, 0.5, 2.0, 2.0), found)
+        found = ([6, -12, 13], REST, 2.0)  # 9 N against 9 N of friction
+        expect(submission.sliding_motion, (START, [5, -10, 10], [-3, 6, -6], 12.0, 0.75, 0.5, 2.0, 3.0), found)
+        found = ([0.5, -1, 2], [-2, 4, -4], 1.0)  # 12 N, and only 9 N of friction
+        expect(submission.sliding_motion, (START, [3, -6, 6], [-4, 8, -8], 12.0, 0.75, 0.5, 2.0, 3.0), found)
+        found = ([3, -6, 7], REST, 2.0)  # at its very end
+        expect(submission.sliding_motion, (START, [2, -4, 4], REST, 12.0, 0.5, 0.5, 2.0, 2.0), found)
     with part(1, "both in one call"):
         found = ([[2.5, 0, 0], [1, 0, 0]], [[2, 0, 0], REST], [INFINITY, 1.0])
         expect(
@@ -170,7 +172,7 @@ def test_a_force_beyond_the_limit_is_shortened(submission, part):
 def test_each_component_is_clamped_on_its_own(submission, part):
     with part(1, "along x and y, and along axes that are turned"):
         expect(submission.clamp_to_square, ([6, -3, 0], 5.0, X, Y), [5.0, -3.0, 0.0])
-        expect(submission.clamp_to_square, ([3, 4, 0], 4.0, [0.6, 0.8, 0], [-0.8, 0.6, 0]), [2.4, 3.2, 0.0])
+        expect(submission.clamp_to_square, ([3, 4, 0], 4.0, [0.8, -0.6, 0], [0.6, 0.8, 0]), [2.4, 3.2, 0.0])
         expect(submission.clamp_to_square, ([0, 2, 11], 4.0, [0, 0.6, 0.8], [0, -0.8, 0.6]), [0.0, -0.8, 5.6])
     with part(1, "two forces in one call"):
         expect(submission.clamp_to_square, ([[6, -3, 0], [-6, -9, 0]], 5.0, X, Y), [[5, -3, 0], [-5, -5, 0]])
@@ -191,7 +193,7 @@ def test_a_growing_push_breaks_the_body_away(submission, part):
         expect(submission.break_away_time, ([3, 0, -10], [0, 0, 2], UP, 0.5), 2.0)  # pressed less and less
         # After 2 s: (6, 8) times 3 N along the slope, 20 times 3 N against it; then (3, 4) and 10.
         expect(submission.break_away_time, ([-8, -64, -40], [8, 7, -2], SLANTED, 0.5), 2.0)
-        expect(submission.break_away_time, ([-12, -39, -18], [8, 7, -2], SLANTED, 0.5), 2.0)
+        expect(submission.break_away_time, ([12, -39, -18], [-8, 7, -2], LEANING, 0.5), 2.0)
         expect(submission.break_away_time, ([8, 0, -10], X, UP, 0.5), 0.0)
         expect(submission.break_away_time, ([8, 0, -10], [-1, 0, 0], UP, 0.5), 0.0)
         expect(submission.break_away_time, ([1, -1, -4], [-1, -0.5, 1], SLANTED, 0.95), 0.0)  # 3 N against 2.85 N
@@ -221,18 +223,18 @@ def test_a_sphere_grips_where_friction_can_stop_its_slip(submission, part):
 )  # fmt: skip
 def test_an_impact_grips_or_slips(submission, part):
     one = np.eye(3)  # of a body of 1 kg that does not turn
-    two = np.array([[2, 0, 1], [0, 3, 1], [1, 1, 2]])  # of bodies that turn: an impulse moves its point elsewhere
+    two = np.array([[2, 0, -1], [0, 3, 1], [-1, 1, 2]])  # of bodies that turn: an impulse moves its point elsewhere
     with part(1, "straight on, gripping, parting, grazing; bodies that turn, on a slanted face"):
-        expect(submission.friction_impulse, ([-2, -5, -3], SLANTED, two, 0.5, 0.5), [1.0, 2.0, 1.0])
+        expect(submission.friction_impulse, ([2, -5, -3], LEANING, two, 0.5, 0.5), [-1.0, 2.0, 1.0])
         expect(submission.friction_impulse, ([-10, -11, -2], SLANTED, one, 0.5, 0.51), [12.0, 15.0, 6.0])
-        expect(submission.friction_impulse, ([1, 2, 0], UP, two, 0.5, 1.5), REST)
+        expect(submission.friction_impulse, ([-1, 2, 0], UP, two, 0.5, 1.5), REST)
         expect(submission.friction_impulse, ([0, 0, -2], UP, one, 0.5, 0.5), [0.0, 0.0, 3.0])
         expect(submission.friction_impulse, ([1, 0, -2], UP, one, 0.5, 0.5), [-1.0, 0.0, 3.0])
         expect(submission.friction_impulse, ([1, 0, 2], UP, one, 0.5, 0.5), REST)
     with part(1, "slipping"):
         expect(submission.friction_impulse, ([9, 0, -2], UP, one, 0.5, 0.5), [-1.5, 0.0, 3.0])
         expect(submission.friction_impulse, ([-10, -11, -2], SLANTED, one, 0.5, 0.475), [11.7, 14.85, 6.3])
-        expect(submission.friction_impulse, ([-22.5, 5, -16.25], SLANTED, two, 0.5, 0.25), [3.0, 3.0, 4.5])
+        expect(submission.friction_impulse, ([22.5, 5, -16.25], LEANING, two, 0.5, 0.25), [-3.0, 3.0, 4.5])
     with part(1, "two contacts in one call"):
         expect(
             submission.friction_impulse, ([[1, 0, -2], [9, 0, -2]], UP, one, 0.5, 0.5), [[-1, 0, 3], [-1.5, 0, 3]]
@@ -251,8 +253,8 @@ def test_a_spinning_ball_that_grips_rolls_away(submission, part):
         found = ([-6.5, 10, -4.5], [-4, -2, 2])  # a cylinder, I = m r²/2: a third of the surface's speed
         expect(submission.sphere_impact, ([-5, 4, -6], [-6, -3, 4], SLANTED, 3.0, 0.5, 1.0, 0.5), found)
     with part(1, "too little friction, or none; parting already; straight on without spin"):
-        found = ([-1.32, 2.32, 2.84], [2.2, 2.6, 4.8])  # it would take 2/7
-        expect(submission.sphere_impact, ([-6, -2, -4], [5, 4, 2], SLANTED, 1.5, 0.5, 0.28), found)
+        found = ([1.32, 2.32, 2.84], [2.2, -2.6, -4.8])  # it would take 2/7
+        expect(submission.sphere_impact, ([6, -2, -4], [5, -4, -2], LEANING, 1.5, 0.5, 0.28), found)
         expect(submission.sphere_impact, ([1, 0, 4], [0, 7, 0], UP, 0.5, 0.5, 1.0), ([1, 0, 4], [0, 7, 0]))
         expect(submission.sphere_impact, ([1, 0, -4], [0, 7, 0], UP, 0.5, 0.5, 0.0), ([1, 0, 2], [0, 7, 0]))
         expect(submission.sphere_impact, ([0, 0, -4], REST, UP, 0.5, 0.5, 1.0), ([0, 0, 2], REST))
@@ -272,9 +274,9 @@ def test_the_impact_runs_through_the_row(submission, part):
         expect(submission.propagate_impacts, ([1, 0, 0, 0, 0], 1.0, 1.0), [0.0, 0.0, 0.0, 0.0, 1.0])
         expect(submission.propagate_impacts, ([1, 1, 0, 0, 0], 1.0, 1.0), [0.0, 0.0, 0.0, 1.0, 1.0])
     with part(1, "two balls that are not alike, and lose; three, two of which meet before the others"):
-        expect(submission.propagate_impacts, ([2, 0], [1, 3], 0.5), [-0.25, 0.75])
+        expect(submission.propagate_impacts, ([1, -1], [1, 3], 0.5), [-1.25, -0.25])
         expect(submission.propagate_impacts, ([6, 0], [2, 1], 0.5), [3.0, 6.0])
-        expect(submission.propagate_impacts, ([2, 1, 0], [1, 3, 1], 1.0), [0.5, 0.75, 2.25])
+        expect(submission.propagate_impacts, ([0, -1, -2], [1, 3, 1], 1.0), [-1.5, -1.25, 0.25])
     with part(1, "two rows in one call"):
         expect(submission.propagate_impacts, ([[1, 0, 0], [0, 0, 2]], 1.0, 1.0), [[0, 0, 1], [0, 0, 2]])
 
@@ -285,8 +287,8 @@ def test_the_impact_runs_through_the_row(submission, part):
 def test_the_problem_of_resting_contacts(submission, part):
     with part(1, "one body on one contact"):
         expect(submission.resting_problem, ([[0, 0, 1]], np.eye(3) / 2, [0, 0, -20]), ([[0.5]], [-10.0]))
-        g, w = [[1, 2, 0], [0, 1, 1]], [[2, 1, 0], [1, 3, 1], [0, 1, 4]]  # two contacts
-        expect(submission.resting_problem, (g, w, [1, 2, 3]), ([[18, 9], [9, 9]], [24.0, 24.0]))
+        g, w = [[1, 2, 0], [0, -1, -1]], [[2, 1, 0], [1, 3, 1], [0, 1, 4]]  # two contacts
+        expect(submission.resting_problem, (g, w, [1, 2, 3]), ([[18, -9], [-9, 9]], [24.0, -24.0]))
     with part(1, "two loads in one call"):
         found = ([[0.5]], [[-10.0], [-5.0]])
         g, w = np.broadcast_to([[0.0, 0.0, 1.0]], (2, 1, 3)), np.eye(3) / 2
@@ -305,10 +307,10 @@ def test_the_residual_is_zero_for_a_solution_alone(submission, part):
         expect(submission.complementarity_residual, ([[2]], [-4], [1.5]), 1.0)
         expect(submission.complementarity_residual, ([[2]], [4], [1]), 2.0)
         expect(submission.complementarity_residual, ([[0]], [3], [2]), 2.0)  # nothing that it could move
-        three = [[2, 1, 0], [1, 3, 1], [0, 1, 4]]
-        expect(submission.complementarity_residual, (three, [-4, -6, -5], [1, 1, 1]), 1.0)
+        three = [[2, -3, 0], [-3, 9, 1], [0, 1, 4]]
+        expect(submission.complementarity_residual, (three, [1, -7, -6], [1, 1, 1]), 1.0)
     with part(1, "two guesses in one call"):
-        expect(submission.complementarity_residual, ([[2]], [-4], [[2], [1.5]]), [0.0, 1.0])
+        expect(submission.complementarity_residual, ([[2]], [-4], [[2], [-1]]), [0.0, 6.0])  # the second one pulls
 
 
 @asks(
@@ -323,8 +325,8 @@ def test_sweeps_go_from_contact_to_contact(submission, part):
         expect(submission.solve_by_sweeps, ([[2, 1], [1, 2]], [-4, -4], 1), [2.0, 1.0])
         expect(submission.solve_by_sweeps, ([[2, 1], [1, 2]], [-6, -6], 60), [2.0, 2.0])
         expect(submission.solve_by_sweeps, ([[2, 1], [1, 2]], [4, -4], 1), [0.0, 2.0])
-        three = [[2, 1, 0], [1, 4, 1], [0, 1, 2]]
-        expect(submission.solve_by_sweeps, (three, [-6, -9, -5], 1, [1, 2, 3]), [2.0, 1.0, 2.0])
+        three = [[2, -1, 0], [-1, 4, 1], [0, 1, 2]]
+        expect(submission.solve_by_sweeps, (three, [-2, -8, -6], 1, [1, 4, 3]), [3.0, 2.0, 2.0])
         expect(submission.solve_by_sweeps, ([[0]], [-4], 1), [0.0])  # nothing that it could move
     with part(1, "two loads in one call"):
         expect(submission.solve_by_sweeps, ([[2]], [[-4], [4]], 1), [[2.0], [0.0]])

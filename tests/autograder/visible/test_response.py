@@ -12,8 +12,8 @@ from labs.grading.judging.markers import asks
 
 UP, REST = [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
 FALL = [0.0, 0.0, -8.0]
-SLANTED = [1 / 3, 2 / 3, 2 / 3]
-"""The unit normal of a plane that lies along no axis: n·(1, −4, −1) = −3."""
+SLANTED = [-1 / 3, 2 / 3, 2 / 3]
+"""The unit normal of a plane that lies along no axis: n·(−1, −4, −1) = −3."""
 INFINITY = math.inf
 
 
@@ -25,7 +25,7 @@ def test_a_bounce_turns_the_normal_part_and_leaves_the_other(submission, part, e
     with part(1, "down on a floor, and against a plane along no axis"):
         expect(submission.kinematic_response, ([3, 0, -4], UP, 0.5), [3.0, 0.0, 2.0])
         expect(submission.kinematic_response, ([3, 0, -4], UP, 1.0), [3.0, 0.0, 4.0])
-        expect(submission.kinematic_response, ([1, -4, -1], SLANTED, 0.5), [2.5, -1.0, 2.0])  # + 1.5 · 3 n
+        expect(submission.kinematic_response, ([-1, -4, -1], SLANTED, 0.5), [-2.5, -1.0, 2.0])  # + 1.5 · 3 n
     with part(1, "already on its way out"):
         expect(submission.kinematic_response, ([3, 0, 4], UP, 0.5), [3.0, 0.0, 4.0])
     with part(1, "no bounce makes a body faster"):
@@ -46,7 +46,7 @@ def test_a_bounce_turns_the_normal_part_and_leaves_the_other(submission, part, e
 def test_a_bounce_is_that_of_the_velocity_seen_from_the_plane(submission, part):
     with part(1, "a racket that comes to meet the ball"):
         expect(submission.moving_plane_response, ([0, 0, -2], [0, 0, 2], UP, 0.5), [0.0, 0.0, 4.0])
-        expect(submission.moving_plane_response, ([1, -4, -1], [-1, 1, 1], SLANTED, 0.5), [3.0, 0.0, 3.0])
+        expect(submission.moving_plane_response, ([-1, -4, -1], [1, 1, 1], SLANTED, 0.5), [-3.0, 0.0, 3.0])
     with part(1, "a plane that draws back, and one that catches up"):
         expect(submission.moving_plane_response, ([1, 0, -1], [0, 0, -3], UP, 0.5), [1.0, 0.0, -1.0])
         expect(submission.moving_plane_response, ([1, 0, 1], [0, 0, 3], UP, 1.0), [1.0, 0.0, 5.0])
@@ -61,21 +61,21 @@ def test_a_bounce_is_that_of_the_velocity_seen_from_the_plane(submission, part):
 )  # fmt: skip
 def test_a_body_behind_the_plane_at_the_end_of_the_step_turns_round_there(submission, part):
     slanted = (
-        [0.25, 3.25, 1.25],
-        [2, -5, 0],
-        [-2, 2, -2],
+        [-0.25, 3.25, 1.25],
+        [-2, -5, 0],
+        [2, 2, -2],
         SLANTED,
-    )  # to (1, 1, 1) with (1, −4, −1) after half a second
+    )  # to (−1, 1, 1) with (−1, −4, −1) after half a second
     with part(1, "it ends behind the floor, or behind a plane along no axis"):
         expect(
             submission.respond_at_step, ([0, 0, 1], [1, 0, -3], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -0.5], [1, 0, 1.5])
         )
-        expect(submission.respond_at_step, (*slanted, -2.0, 0.5, 0.5), ([1, 1, 1], [2.5, -1, 2]))
+        expect(submission.respond_at_step, (*slanted, -2.0, 0.5, 0.5), ([-1, 1, 1], [-2.5, -1, 2]))
     with part(
         1, "it ends above the floor, falling; just in front of a plane, or touching it; behind it, but on its way out"
     ):
         expect(submission.respond_at_step, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.0, 0.5, 0.5), ([0.5, 0, 8], [1, 0, -4]))
-        expect(submission.respond_at_step, (*slanted, -1.5, 0.5, 0.5), ([1, 1, 1], [1, -4, -1]))
+        expect(submission.respond_at_step, (*slanted, -1.5, 0.5, 0.5), ([-1, 1, 1], [-1, -4, -1]))
         expect(submission.respond_at_step, ([0, 0, 2], [1, 0, -4], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, 0], [1, 0, -4]))
         expect(submission.respond_at_step, ([0, 0, -2], [1, 0, 2], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -1], [1, 0, 2]))
     with part(1, "both in one call"):
@@ -96,8 +96,8 @@ def test_the_step_goes_on_after_the_impact(submission, part):
             submission.respond_at_impact, ([0, 0, 2], [1, 0, -4], REST, UP, 0.5, 0.5, 1.0), ([1, 0, 1], [1, 0, 2])
         )  # fmt: skip
         expect(
-            submission.respond_at_impact, ([1, 2, 3], [2, -5, 0], [-2, 2, -2], SLANTED, 0.5, 0.5, 1.0),
-            ([2.75, -0.5, 3.5], [1.5, 0, 1])
+            submission.respond_at_impact, ([-1, 2, 3], [-2, -5, 0], [2, 2, -2], SLANTED, 0.5, 0.5, 1.0),
+            ([-2.75, -0.5, 3.5], [-1.5, 0, 1])
         )  # fmt: skip
         expect(
             submission.respond_at_impact, ([0, 0, 2], [1, 0, -4], REST, UP, 0.5, 0.5, 0.5), ([0.5, 0, 0], [1, 0, 2])
@@ -152,7 +152,7 @@ def test_the_contact_pushes_while_they_overlap_and_never_pulls(submission, part)
     with part(1, "pressed in, moving in, moving out"):
         expect(submission.penalty_force, (-0.125, 0.0, UP, 800.0, 10.0), [0.0, 0.0, 100.0])
         expect(submission.penalty_force, (-0.125, -2.0, UP, 800.0, 10.0), [0.0, 0.0, 120.0])
-        expect(submission.penalty_force, (-0.125, -2.0, SLANTED, 800.0, 10.0), [40.0, 80.0, 80.0])
+        expect(submission.penalty_force, (-0.125, -2.0, SLANTED, 800.0, 10.0), [-40.0, 80.0, 80.0])
         expect(submission.penalty_force, (-0.125, 2.0, UP, 800.0, 10.0), [0.0, 0.0, 80.0])
     with part(1, "in front of the plane, or touching it"):
         expect(submission.penalty_force, (0.5, -2.0, UP, 800.0, 10.0), REST)

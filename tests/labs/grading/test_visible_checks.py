@@ -86,6 +86,9 @@ def test_the_source_that_is_mutated_passes_the_checks(name):
         ("impulse_magnitude", "arm of body_b: that of arm of body_a"),
         ("inverse_effective_mass", "inverse_mass of body_b: its inverse"),
         ("collide", "in apply_impulse: term dropped: b[1] - dw_b → b[1]"),
+        ("contact_impulses", "size for it: (impulse, -impulse) → (impulse, np.abs(-impulse))"),
+        ("apply_impulse", "size for it: b[1] - dw_b → b[1] - np.abs(dw_b)"),
+        ("impulse_magnitude", "arm of body_b: size for it"),
     ],
 )
 def test_mistakes_about_the_second_body_are_among_the_mutants(name, change):

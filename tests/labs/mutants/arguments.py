@@ -56,6 +56,7 @@ def _changes(value: Any) -> Iterator[tuple[str, Change]]:
             yield "its inverse", lambda given: np.where(given != 0, 1 / np.where(given != 0, given, 1.0), 0.0)
             yield "its square", lambda given: given * np.abs(given)
         case 1:
+            yield "size for it", np.abs
             for axis in AXES:
                 yield f"axis {axis} left out", functools.partial(without, axis)
                 yield f"axis {axis} alone", functools.partial(alone, axis)

@@ -22,9 +22,30 @@ NEVER_USED = "The number is not used there."
 NOT_OF_THE_VELOCITIES = "How easily two bodies give way does not depend on how they move."
 UNIT = "The unit is 1 unless a number is extreme, and checks have ordinary ones."
 LEVER = "Without a lever r × n is zero except for rounding, and adds nothing."
+NOT_NEGATIVE = "What the size is taken of is never negative."
 
 EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
+    "side_of_plane": {NOT_NEGATIVE: ("size for it: … → np.abs((s > tolerance).astype(np.int64)) - (s < -tolerance)",)},
+    "time_of_impact_interpolated": {
+        "Only a separation that is positive at the start crosses zero.": ("size for it: s0 - s1 → np.abs(s0) - s1",),
+        NOT_NEGATIVE: ("size for it: t + dt * fraction → t + np.abs(dt * fraction)",),
+    },
+    "time_of_impact_exact": {
+        "This root is taken only while the body does not approach, and then the velocity is not negative.": (
+            "size for it: u + root → np.abs(u) + root",
+        ),
+        NOT_NEGATIVE: (
+            "size for it: root - u → np.abs(root) - u",
+            "size for it: u + root → u + np.abs(root)",
+            "size for it: np.where(arrives, …",
+        ),
+    },
     "overlap_interval": {
+        NOT_NEGATIVE: (
+            "size for it: r - x → np.abs(r) - x",
+            "size for it: w + r → …",
+            "size for it: (np.where(meets, start, np.inf), …) → (np.abs(np.where(meets, start, np.inf)), …",
+        ),
         "The earlier and the later of the two are taken, whichever they are.": (
             "results swapped: ((r - x) / np.where(moves, u, 1.0), …",
         ),
@@ -32,17 +53,39 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "branch dropped: np.where(moves, np.minimum(at_front, at_back), 0.0) → shaped(np.minimum(…",
         ),
     },
-    "missing_probability": {FIRST_OF_BOTH: ("boundary: way > caught → way >= caught",)},
+    "missing_probability": {
+        FIRST_OF_BOTH: ("boundary: way > caught → way >= caught",),
+        NOT_NEGATIVE: ("size for it: …",),
+    },
+    "substeps_needed": {NOT_NEGATIVE: ("size for it: …",)},
+    "kinematic_response": {NOT_NEGATIVE: ("size for it: 1 + restitution → 1 + np.abs(restitution)",)},
+    "moving_plane_response": {NOT_NEGATIVE: ("size for it: 1 + e → 1 + np.abs(e)",)},
+    "respond_at_impact": {NOT_NEGATIVE: ("size for it: dt - before → …",)},
+    "time_until_rest": {NOT_NEGATIVE: ("size for it: …",)},
     "_arrival_speed": {
+        NOT_NEGATIVE: ("size for it: …",),
         "Only an acceleration away from the plane leaves no root, and then the time is infinite.": (
             "branch dropped: np.where(speed >= 0, speed, 0.0) → shaped(speed, speed >= 0)",
             "condition dropped: speed >= 0 → always(speed >= 0)",
         ),
         "At zero both give zero.": ("boundary: speed >= 0 → speed > 0",),
     },
+    "penalty_force": {
+        "Only a body behind the plane is pushed, and then the depth is positive.": (
+            "size for it: k * depth - c * normal_velocity → np.abs(k * depth) - c * normal_velocity",
+        ),
+    },
+    "penalty_rest_depth": {NOT_NEGATIVE: ("size for it: …",)},
+    "penalty_step_limit": {NOT_NEGATIVE: ("size for it: …",)},
+    "frequency_and_ratio": {NOT_NEGATIVE: ("size for it: …",)},
+    "mass_and_stiffness": {NOT_NEGATIVE: ("size for it: …",)},
+    "normal_force": {NOT_NEGATIVE: ("size for it: …",)},
+    "friction_angle": {NOT_NEGATIVE: ("size for it: …",)},
+    "sphere_grips": {NOT_NEGATIVE: ("size for it: …",)},
     "along_surface": {TWICE: ("normal: sign flipped",)},
-    "holds": {"Only the size of the push counts.": ("push: sign flipped",)},
+    "holds": {"Only the size of the push counts.": ("push: sign flipped", "push: size for it")},
     "sliding_motion": {
+        NOT_NEGATIVE: ("size for it: dt[..., None] - first → …", "size for it: (p + after … np.abs(stopping_time))"),
         "At the stop v + a t is zero, except for rounding.": (
             "branch dropped: np.where(stops[..., None], 0.0, v + a * first) → shaped(v + a * first…",
         ),
@@ -65,6 +108,15 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ORDER: ("results swapped: (axis_x, axis_y) → (axis_y, axis_x)",),
     },
     "break_away_time": {
+        "This quotient is taken only where b is positive.": ("size for it: b + root → np.abs(b) + root",),
+        NOT_NEGATIVE: (
+            "size for it: np.vecdot(rate, rate) - …",
+            "size for it: np.vecdot(f, f) - …",
+            "size for it: mu ** 2 * np.vecdot(spread, spread) - …",
+            "size for it: b + root → b + np.abs(root)",
+            "size for it: root - b → np.abs(root) - b",
+            "size for it: np.where(held, …",
+        ),
         UNIT: (
             "factor forgotten: np.minimum(leaves, lifts) * newton / newton_a_second → np.minimum…",
             "factor forgotten: np.minimum(leaves, lifts) * newton → np.minimum…",
@@ -87,6 +139,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
     },
     "friction_impulse": {
+        NOT_NEGATIVE: ("size for it: 1 + e → 1 + np.abs(e)",),
         "At the edge of the cone the impulse that grips is the one that slips.": (
             "boundary: np.linalg.norm(across, axis=-1) <= mu * np.vecdot(grip, n) → …",
         ),
@@ -101,10 +154,33 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "in friction_impulse: boundary: approach < 0 → approach <= 0",
         ),
     },
-    "propagate_impacts": {"Only the ratios of the masses count.": ("mass: sign flipped",)},
-    "_row": {"Only the ratios of the masses count.": ("twice the number: 1 → 2", "half the number: 1 → 0.5")},
-    "complementarity_residual": {SYMMETRIC: ("transposed: np.matvec(a, f) → np.matvec(transposed(a), f)",)},
+    "propagate_impacts": {
+        "Only the ratios of the masses count.": ("mass: sign flipped",),
+        NOT_NEGATIVE: (
+            "size for it: 1 + e[i] → 1 + np.abs(e[i])",
+            "size for it: share[i] + share[i + 1] → …",
+            "size for it: … + np.abs(j * share[i + 1])",
+            "size for it: … - np.abs(j * share[i])",
+        ),
+    },
+    "_row": {
+        "Only the ratios of the masses count.": ("twice the number: 1 → 2", "half the number: 1 → 0.5"),
+        NOT_NEGATIVE: (
+            "size for it: (v, share, …) → (v, np.abs(share), …",
+            "size for it: (v, share, …) → (v, share, np.abs(…",
+            "size for it: count - 1 → np.abs(count) - 1",
+        ),
+    },
+    "complementarity_residual": {
+        SYMMETRIC: ("transposed: np.matvec(a, f) → np.matvec(transposed(a), f)",),
+        NOT_NEGATIVE: ("size for it: np.max(…",),
+    },
     "solve_by_sweeps": {
+        "A force of the step before is never negative, and no other is.": (
+            "start: size for it",
+            "size for it: f[..., i] - … → np.abs(f[..., i]) - …",
+            "size for it: f → np.abs(f)",
+        ),
         "The first contact is solved before its force is used.": ("start: axis 0 left out",),
         "A contact that moves nothing gets no force, whatever its quotient is.": (
             "branch dropped: np.where(own > 0, own, 1.0) → shaped(own, own > 0)",
@@ -114,7 +190,10 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "half the number: 1.0 → 0.5",
         ),
     },
-    "rebound_velocity": {FIRST_OF_BOTH: ("boundary: u_n < 0 → u_n <= 0",)},
+    "rebound_velocity": {
+        FIRST_OF_BOTH: ("boundary: u_n < 0 → u_n <= 0",),
+        NOT_NEGATIVE: ("size for it: …",),
+    },
     "edge_edge_normal": {
         "The product of two edges that are both turned round is the same.": ("edge_a and edge_b: sign flipped",),
         SHORTENED: (
@@ -124,19 +203,25 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "in _direction: sum of components: np.linalg.norm(given, …",
         ),
     },
-    "world_inverse_inertia": {"q and −q are the same rotation.": ("orientation: sign flipped",)},
+    "world_inverse_inertia": {
+        "q and −q are the same rotation.": ("orientation: sign flipped",),
+        NOT_NEGATIVE: ("inertia: size for it",),
+    },
     "inverse_effective_mass": {
         NOT_OF_THE_VELOCITIES: (
             "velocity of body_…",
             "angular_velocity of body_…",
         ),
         TWICE: ("arm of body_…: sign flipped", "normal: sign flipped"),
+        NOT_NEGATIVE: ("size for it: …",),
     },
+    "impulse_magnitude": {NOT_NEGATIVE: ("size for it: _softness(…", "size for it: 1 + e → 1 + np.abs(e)")},
     "moved": {
         SYMMETRIC: ("transposed: inverse_inertia @ np.cross(r, impulse)[..., None] → …",),
     },
     "velocities_from_momenta": {SYMMETRIC: ("transposed: inverse_inertia @ angular_momentum[..., None] → …",)},
     "_softness": {
+        NOT_NEGATIVE: ("size for it: …",),
         LEVER: (
             "boundary: length_of(np.cross(r, normal)) > NO_LEVER * length_of(r) → …",
             "condition dropped: length_of(np.cross(r, normal)) > NO_LEVER * length_of(r) → always(…",
@@ -159,7 +244,13 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "in classify_contact: comparison turned round: u_n > threshold → u_n < threshold",
             "in classify_contact: condition dropped: u_n > threshold → …",
         ),
-        NEVER_USED: ("in contact_impulses: sign flipped: -impulse → impulse",),
+        NEVER_USED: (
+            "in contact_impulses: sign flipped: -impulse → impulse",
+            "in contact_impulses: size for it: (impulse, -impulse) → (impulse, np.abs(-impulse))",
+        ),
+        "Only bodies that approach get an impulse, and it is never negative.": (
+            "in impulse_magnitude: size for it: np.where(k > 0, …",
+        ),
         "Two bodies that nothing moves stay as they are with any impulse.": (
             "in impulse_magnitude: branch dropped: np.where(k > 0, wanted / np.where(k > 0, k, 1.0), 0.0) → shaped(w…",
             "in impulse_magnitude: boundary: k > 0 → k >= 0",

@@ -50,7 +50,8 @@ HELPERS = {
 """What wrong expressions call."""
 
 
-OPERATORS = (operators.sums, operators.products, operators.conditions, operators.calls, operators.results)
+OPERATORS = (operators.sums, operators.sizes, operators.products, operators.conditions, operators.calls,
+             operators.results)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -105,7 +106,8 @@ def _of_source(name: str) -> Iterator[tuple[str, str, Function]]:
         wrong = (*OPERATORS, operators.mistaken(known))
         for parent, field, at in list(_expressions(tree)):
             node = _at(parent, field, at)
-            for words, other in [pair for operator in wrong for pair in operator(node)]:
+            here = (*wrong, operators.sizes_returned) if isinstance(parent, ast.Return) else wrong
+            for words, other in [pair for operator in here for pair in operator(node)]:
                 if _said(other) == _said(node):
                     continue
                 _put(parent, field, at, other)

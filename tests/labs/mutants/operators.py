@@ -59,6 +59,36 @@ def sums(node: ast.expr) -> Wrong:
             yield "sign flipped", a
 
 
+def sizes(node: ast.expr) -> Wrong:
+    """The absolute value of one term of a sum or a difference."""
+    match node:
+        case ast.BinOp(a, (ast.Add() | ast.Sub()) as op, b):
+            sign = "+" if isinstance(op, ast.Add) else "-"
+            for form, term in ((f"np.abs({{a}}) {sign} {{b}}", a), (f"{{a}} {sign} np.abs({{b}})", b)):
+                if _may_be_negative(term):
+                    yield "size for it", made(form, a=a, b=b)
+
+
+def sizes_returned(node: ast.expr) -> Wrong:
+    """The absolute value of what a function returns, of one result at a time."""
+    if isinstance(node, ast.Tuple):
+        for at, part in enumerate(node.elts):
+            for name, other in sizes_returned(part):
+                yield name, ast.Tuple([*node.elts[:at], other, *node.elts[at + 1 :]], ast.Load())
+    elif _may_be_negative(node):
+        yield "size for it", made("np.abs({a})", a=node)
+
+
+def _may_be_negative(node: ast.expr) -> bool:
+    """Whether a node is anything but a positive constant, a comparison, a square or a root."""
+    match node:
+        case ast.Constant() | ast.Compare() | ast.BinOp(_, ast.Pow(), ast.Constant(2)):
+            return False
+        case ast.Call(function, [argument, *_]):
+            return text(function) != "np.sqrt" and (text(function) != "np.asarray" or _may_be_negative(argument))
+    return True
+
+
 def products(node: ast.expr) -> Wrong:
     """A factor forgotten, a ratio inverted, a square or a root forgotten."""
     match node:

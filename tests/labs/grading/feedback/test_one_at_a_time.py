@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from submissions import joined, sheet_of
 
+from labs.grading.errors import ArgumentsChanged
 from labs.grading.feedback import report
 from labs.grading.judging import pytest_run
 
@@ -26,11 +27,22 @@ def test_functions_of_one_case_lose_one_part_of_the_lab_together(tmp_path, grade
     assert set(sheet.case_by_case.functions) == {"rebound_velocity", "classify_contact"}
     text = joined("\n".join(report.report(sheet, ("impulse",))))
     assert "✗ rebound_velocity 1 of 2 parts right Not yet: several in one call raised ValueError" in text
-    assert "That costs one part of the whole lab" in text
+    assert "That costs one part of the impulse lab, this one, however many of its functions do it." in text
     assert text.count("np.where((s < 0)[..., None], b, c)") == 1
     assert "✓ classify_contact for one case at a time" in text
     assert "✓ point_velocity" in text
     assert "✓ point_velocity for" not in text
+
+
+def test_the_lab_that_lost_a_part_is_named_where_a_file_has_two(tmp_path, grader):
+    (tmp_path / "lab.py").write_text(
+        "def is_colliding(d, t=0.0):\n    return d < -t if d < 0 else False\n"
+        "def rebound_velocity(u, e):\n    return -e * u if u < 0 else u\n"
+    )
+    topics = ("detection", "impulse")
+    sheet = pytest_run.run(tmp_path / "lab.py", topics, grader=grader, functions=("is_colliding", "rebound_velocity"))
+    text = joined("\n".join(report.report(sheet, topics)))
+    assert text.index("one part of the detection lab") < text.index("one part of the impulse lab")
 
 
 def test_a_function_that_calls_one_of_one_case_loses_nothing_for_it(tmp_path, grader):
@@ -56,4 +68,5 @@ def test_arguments_that_one_case_writes_to_count_as_changed(tmp_path, grader):
     (tmp_path / "lab.py").write_text(writes)
     sheet = pytest_run.run(tmp_path / "lab.py", ("impulse",), grader=grader, functions=("relative_velocity",))
     hidden = next(outcome for outcome in sheet.outcomes if outcome.hidden)
-    assert not next(part for part in hidden.parts if "arrays left as they were" in part.reason).passed
+    part = next(part for part in hidden.parts if "arrays left as they were" in part.reason)
+    assert part.said == f"the function {ArgumentsChanged.gist}"

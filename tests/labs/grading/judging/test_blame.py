@@ -63,6 +63,18 @@ def test_a_grade_accuses_no_function_of_the_mistake_of_one_that_it_calls():
     assert found["message"].startswith("collide calls apply_impulse: mend that first;")
 
 
+def test_several_functions_to_mend_first_are_named_in_a_sentence():
+    others = ("classify_contact", "impulse_magnitude", "apply_impulse")
+    sheet = Sheet(
+        outcomes=[lost("collide", NUMBER), *(lost(name, "gives 3") for name in others)],
+        diagnoses={"collide": MISTAKEN, **{name: Diagnosis(name, "unknown") for name in others}},
+        uses={"collide": list(others)},
+    )
+    found = Grade(("impulse",), sheet).content()["functions"][0]
+    words = "collide calls classify_contact, impulse_magnitude and apply_impulse: mend them first; until then the"
+    assert found["message"].startswith(words)
+
+
 def test_an_error_of_its_own_is_held_against_a_caller_of_a_wrong_function():
     raised = "collide raised TypeError: no (line 3)"
     found = entry(Diagnosis("collide", "crashes"), WRONG, raised)

@@ -55,6 +55,8 @@ QUOTES = '"""'
         ("    return", "\u00a0   return", 7, "no plain space (U+00A0): delete it and type a space (2 lines have one)"),
         ("def normal", "\u200bdef normal", 10, "an invisible character (U+200B) is in it: delete the line"),
         # words and signs of other languages
+        ("    return np.where", "    print speed\n    return np.where", 7,
+         "'print speed': print is a function, so brackets belong around what follows it, as in print(x). Until"),
         ("v, e):", "v, e)", 4, "a colon is missing"),
         ("    return np.where", "    if e = 1: e = 0.9\n    return np.where", 7, "to compare, write =="),
         ("    return np.where", "    if e > 1:\n        e = 1\n    else if e < 0: e = 0\n    return np.where", 9,
