@@ -35,9 +35,7 @@ def main() -> None:
     control = socket.socket(fileno=int(sys.argv[3]))
     without, user = json.loads(sys.argv[4])
     rules = landlock.ruleset(preloading.prepare())
-    opens = preloading.files_open_to(user) if "user" not in without else True
-    if rules is None or "landlock" in without or not opens:
-        preloading.prepare_for_closed_files()
+    held = _reach_modules(user, "user" not in without, rules is not None and "landlock" not in without)
     with contextlib.suppress(OSError):
         system_calls.prctl(system_calls.CHILD_SUBREAPER, 1)
     with contextlib.suppress(OSError):
@@ -45,8 +43,18 @@ def main() -> None:
     offline = ("seccomp" in without or not seccomp.available()) and "namespace" not in without and leave_network()
     gc.collect()
     gc.freeze()  # memory that is shared with the tests' processes stays shared
-    Nursery(control, rules, offline).run()
+    Nursery(control, rules, held, offline).run()
     shutil.rmtree(os.getcwd(), ignore_errors=True)  # the grader does so, unless it was killed
+
+
+def _reach_modules(user: int, becomes: bool, landlocked: bool) -> list[int]:
+    """See to it that tests' processes have Python's modules; returns descriptors of folders that they need for that."""
+    held: list[int] = []
+    if landlocked and becomes and not preloading.files_open_to(user):
+        held = preloading.hold_folders()
+    if not landlocked or (becomes and not preloading.files_open_to(user)):
+        preloading.prepare_for_closed_files()
+    return held
 
 
 def leave_network() -> bool:
@@ -62,10 +70,13 @@ def leave_network() -> bool:
 
 
 class Nursery:
-    """Forks and ends the tests' processes. control: the grader's socket. rules, offline: as in `seal`."""
+    """Forks and ends the tests' processes.
 
-    def __init__(self, control: socket.socket, rules: int | None, offline: bool) -> None:
-        self._control, self._rules, self._offline = control, rules, offline
+    control: the grader's socket. rules, offline: as in `seal`. held: the folders of modules that stay open.
+    """
+
+    def __init__(self, control: socket.socket, rules: int | None, held: list[int], offline: bool) -> None:
+        self._control, self._rules, self._held, self._offline = control, rules, held, offline
         self._own_space = sandbox.address_space()  # a test's memory is the space that it takes beyond this
         self._processes: dict[int, int] = {}  # of every living test, by its number
         self._folders: dict[int, str] = {}
@@ -106,7 +117,7 @@ class Nursery:
         try:
             os.setsid()
             np.random.seed()  # noqa: NPY002 - otherwise all processes would draw the same numbers, and drawn answers would seem steady
-            serving.hush({*pipes} if self._rules is None else {*pipes, self._rules})
+            serving.hush({*pipes, *self._held} if self._rules is None else {*pipes, *self._held, self._rules})
             sealing = sandbox.seal(plan, self._rules, self._offline, parent)
             if self._rules is not None:
                 os.close(self._rules)

@@ -1,13 +1,17 @@
 """Loads the modules of Python and NumPy that a submission needs, before a test's process is shut in.
 
-A test's process may be unable to open Python's own files. Without Landlock, the filter of system calls denies opening
-any file. And a grader that root has started, with an interpreter in root's home, becomes a user who cannot enter that
-folder. There a submission has only the modules that are loaded already. Some of them nobody imports by name: Python
-itself loads `unicodedata` to compile an identifier such as ε, and NumPy loads many of its modules when they are first
-used. So the nursery, which can still open everything, loads these modules beforehand.
+A test's process may be unable to open Python's own files, for one of two reasons.
 
-A right answer must never lose points because of the machine. If a submission imports a module that is there, but was
-not loaded, its process says so before it runs any of the text, and nothing is graded.
+A grader that root has started, with an interpreter in root's home, becomes a user who cannot enter that folder. So the
+nursery opens the folders of modules beforehand, and Python looks for modules through these descriptors: a user who may
+read a folder, but not those on the way to it, can read it so. Landlock still denies everything else in them.
+
+Without Landlock, the filter of system calls denies opening any file. Then a submission has only the modules that are
+loaded already. Some of them nobody imports by name: Python itself loads `unicodedata` to compile an identifier such as
+ε, and NumPy loads many of its modules when they are first used. So the nursery loads what any solution might need.
+
+A right answer must never lose points because of the machine. If a submission imports a module of the library that is
+there, but was not loaded, its process says so before it runs any of the text, and nothing is graded.
 """
 
 from __future__ import annotations
@@ -15,6 +19,7 @@ from __future__ import annotations
 import ast
 import contextlib
 import importlib
+import importlib.util
 import os
 import pkgutil
 import sys
@@ -39,8 +44,10 @@ _CLOSED = (
     "json", "keyword", "linecache", "locale", "logging", "math", "mmap", "numpy.matlib", "pathlib", "pickle",
     "platform", "pprint", "queue", "re", "secrets", "select", "shlex", "shutil", "signal", "socket", "string", "struct",
     "subprocess", "symtable", "sysconfig", "tempfile", "textwrap", "threading", "time", "timeit", "tokenize",
-    "traceback", "tracemalloc", "types", "unittest", "uuid", "weakref", "zlib",
-    "encodings.ascii", "encodings.cp1252", "encodings.idna", "encodings.latin_1", "encodings.utf_16",
+    "traceback", "tracemalloc", "types", "unittest", "uuid", "weakref", "zlib", "_strptime", "asyncio",
+    "concurrent.futures.process", "concurrent.futures.thread", "doctest", "unittest.mock", "xml.dom.minidom",
+    "xml.etree.ElementTree", "encodings.ascii", "encodings.cp1252", "encodings.idna", "encodings.latin_1",
+    "encodings.utf_16",
 )  # fmt: skip
 """What else to load if a test's process cannot open Python's files: modules that a lab's solution might import."""
 _UNWANTED = {"tests", "conftest", "f2py", "distutils", "cversions", "testing", "_pyinstaller"}
@@ -65,6 +72,33 @@ def prepare() -> list[str]:
     return [*found, *(os.path.join(packages, name) for name in ("numpy", "numpy.libs"))]
 
 
+def hold_folders() -> list[int]:
+    """Have Python look for modules through open descriptors, which are returned; processes forked later keep them."""
+    held: list[int] = []
+    through: dict[str, str] = {}
+    packages = os.path.dirname(os.path.dirname(os.path.abspath(np.__file__)))
+    for folder in filter(os.path.isdir, dict.fromkeys([*sys.path, packages])):
+        held.append(os.open(folder, os.O_PATH | os.O_DIRECTORY))
+        through[folder] = f"/proc/self/fd/{held[-1]}"
+    sys.path[:] = [through.get(folder, folder) for folder in sys.path]
+    for module in list(sys.modules.values()):
+        if file := getattr(module, "__file__", None):
+            module.__file__ = _moved(file, through)
+        if isinstance(inner := getattr(module, "__path__", None), list):
+            inner[:] = [_moved(path, through) for path in inner]
+    importlib.invalidate_caches()
+    importlib.util.find_spec("a_module_that_is_nowhere")  # lists each folder, which a test's process may not
+    return held
+
+
+def _moved(path: str, through: dict[str, str]) -> str:
+    """The path below the longest of some folders, by the folder's other name."""
+    for folder in sorted(through, key=len, reverse=True):
+        if path.startswith(folder + os.sep):
+            return through[folder] + path[len(folder) :]
+    return path
+
+
 def prepare_for_closed_files() -> None:
     """Load what any solution might import, as a test's process cannot load it later."""
     global _there
@@ -82,11 +116,13 @@ def prepare_for_closed_files() -> None:
 def _installed() -> Iterator[str]:
     """The names of the library's modules, and of those within its packages."""
     library = sysconfig.get_path("stdlib")
-    for module in pkgutil.iter_modules([library, os.path.join(library, "lib-dynload")]):
-        yield module.name
-        if module.ispkg:
-            within = pkgutil.iter_modules([os.path.join(library, module.name)])
-            yield from (f"{module.name}.{part.name}" for part in within)
+    waiting = [("", [library, os.path.join(library, "lib-dynload")])]
+    while waiting:
+        package, folders = waiting.pop()
+        for module in pkgutil.iter_modules(folders):
+            yield package + module.name
+            if module.ispkg:
+                waiting.append((f"{package}{module.name}.", [os.path.join(folders[0], module.name)]))
 
 
 def _parts_of_numpy() -> Iterator[str]:
@@ -101,7 +137,8 @@ def _parts_of_numpy() -> Iterator[str]:
 def files_open_to(user: int) -> bool:
     """Whether that user can open the files of Python and NumPy; only root can become another user and need to ask.
 
-    It is tried, in a process that becomes this user, because folders on the way and lists of access may deny it.
+    It is tried, in a process that becomes this user, because folders on the way and lists of access may deny it, or
+    there may be no `/proc` for descriptors.
     """
     if os.geteuid() != 0:
         return True
@@ -135,3 +172,4 @@ def _imported(source: str) -> Iterator[str]:
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
             yield node.module
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)  # a module, or what is in it

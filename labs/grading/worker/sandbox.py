@@ -7,7 +7,8 @@ Each measure answers a threat that the others leave open:
 - another user, if started as root: root is exempt from the limit on processes, and may read every file;
 - no new privileges: a set-user-id program would undo all of it;
 - Landlock and the filter of system calls: files, network, signals, other processes; see these modules;
-- an empty current folder, no environment, and no descriptor except the two of this test;
+- an empty current folder, no environment, and no descriptor except the two of this test and, if its user cannot
+  reach Python's modules otherwise, those of their folders, in which Landlock lets it read the modules alone;
 - a death signal: the process ends with the nursery, however that ended.
 
 Any step may fail on some system. Then the tier is lower, and a line says what is missing. The process cannot switch off

@@ -27,7 +27,14 @@ RIGHT = {
         "import numpy as np\ndef rebound_velocity(u, e):\n    np.testing.assert_allclose(u, u)\n"
         "    return float(np.ma.array([-e * u]).sum())"
     ),
-    "the library": "import decimal, string, textwrap\ndef rebound_velocity(u, e): return -e * u",
+    "the library": (
+        "import decimal, string, textwrap\nimport xml.etree.ElementTree as tree\nfrom unittest import mock\n"
+        "def rebound_velocity(u, e):\n    tree.Element('a'), mock.call, decimal, string, textwrap\n    return -e * u"
+    ),
+    "a part of the library that is loaded late": (
+        "import datetime\ndef rebound_velocity(u, e):\n"
+        "    return -e * u * (datetime.datetime.strptime('2020', '%Y').year == 2020)"
+    ),
 }
 
 
@@ -42,6 +49,18 @@ def closed() -> Iterator[Grader]:
 def test_a_right_answer_is_right_where_no_file_can_be_opened(name, closed):
     with Remote(Submission("lab.py", RIGHT[name]), closed) as remote, remote.fresh() as call:
         assert call("rebound_velocity", -2.0, 0.5) == 1.0
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root becomes another user")
+def test_another_user_has_the_whole_library_and_no_other_file_of_its_folders(grader):
+    text = (
+        "import importlib, os\ndef rebound_velocity(u, e):\n    importlib.import_module('zoneinfo')\n    found = []\n"
+        "    for n in range(12):\n        for path in ('site-packages', '..', '../../../../..'):\n"
+        "            try:\n                found += os.listdir(f'/proc/self/fd/{n}/{path}')\n"
+        "            except OSError:\n                pass\n    return len(found)\n"
+    )
+    with Remote(Submission("lab.py", text), grader) as remote, remote.fresh() as call:
+        assert call("rebound_velocity", -2.0, 0.5) == 0
 
 
 def test_a_greek_letter_earns_its_points_from_root_and_from_an_ordinary_user(grader, tmp_path):
