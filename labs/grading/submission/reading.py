@@ -212,7 +212,9 @@ def _outdone(piece: Located, made_for_it: dict[str, Located]) -> bool:
 
 
 def _only(source: str, kept: list[Group]) -> list[str]:
-    """The source's lines, empty except for those of the kept groups."""
+    """The source's lines, empty except for those of the kept groups, and without a backslash behind a last one."""
     lines = source.split("\n")
     wanted = {number for group in kept for number in range(group.first, group.last + 1)}
+    for group in kept:
+        lines[group.last - 1] = lines[group.last - 1].rstrip().removesuffix("\\")
     return [line if number in wanted else "" for number, line in enumerate(lines, start=1)]

@@ -1,8 +1,8 @@
 """Finds the statements of a submission that its functions need, from the names in the syntax tree.
 
-A function needs the statements that define the names which it looks up outside itself, and these need others in turn.
-All other statements only plot, print, check or animate. They are left out, so that they can neither fail nor cost time,
-while a line number still means the line that the student sees.
+A function needs the statements that define the names which it looks up outside itself, and those that change what these
+names stand for; these need others in turn. All other statements only plot, print, check or animate. They are left out,
+so that they can neither fail nor cost time, while a line number still means the line that the student sees.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ class Group:
     """Statements that share lines, and so are kept or left out together. first, last: their lines, from 1.
 
     kinds: how each name that they bind is bound. touches: names whose objects they change. uses: names that they look
-    up.
+    up. calls: names that they call at once, decorators among them. changes: names that functions defined here change
+    when they are called.
     """
 
     first: int
@@ -31,6 +32,18 @@ class Group:
     kinds: Mapping[str, str]
     touches: frozenset[str]
     uses: frozenset[str]
+    calls: frozenset[str]
+    changes: frozenset[str]
+
+    @functools.cached_property
+    def concerns(self) -> frozenset[str]:
+        """The names that they bind, or whose objects they change."""
+        return self.defines | self.touches
+
+    @functools.cached_property
+    def bodies(self) -> tuple[ast.FunctionDef, ...]:
+        """The functions among them."""
+        return tuple(each for each in self.statements if isinstance(each, ast.FunctionDef))
 
     @functools.cached_property
     def defines(self) -> frozenset[str]:
@@ -55,20 +68,41 @@ def groups(source: str) -> tuple[Group, ...]:
 
 
 def needed(every: Sequence[Group], wanted: Collection[str]) -> set[int]:
-    """The numbers of the groups that the wanted names need."""
-    concerned: dict[str, list[int]] = {}
-    for at, group in enumerate(every):
-        for name in group.defines | group.touches:
-            concerned.setdefault(name, []).append(at)
+    """The numbers of the groups that the wanted names need.
+
+    A function that a needed function calls changes what it changes whenever that happens. But one that none of them
+    calls, such as a decorator that fills a table, counts through the statements that call it.
+    """
+    concerned, calling, changing, using = (_places(every, kind) for kind in ("concerns", "calls", "changes", "uses"))
     kept = {at for at, group in enumerate(every) if _is_star(group)}
-    waiting, seen = list(wanted), set(wanted)
-    while waiting:
-        for at in concerned.get(waiting.pop(), []):
+    seen, active = set(wanted), set[str]()
+    names, functions = list(wanted), list[str]()
+    while names or functions:
+        if names:
+            name = names.pop()
+            new = concerned.get(name, [])
+            functions += (each for at in changing.get(name, []) for each in every[at].defines)
+        elif (function := functions.pop()) in active or function in seen:
+            continue
+        else:
+            active.add(function)
+            new = calling.get(function, [])
+            functions += (each for at in using.get(function, []) if every[at].bodies for each in every[at].defines)
+        for at in new:
             if at not in kept:
                 kept.add(at)
-                waiting.extend(every[at].uses - seen)
+                names += every[at].uses - seen
                 seen |= every[at].uses
     return kept
+
+
+def _places(every: Sequence[Group], kind: str) -> dict[str, list[int]]:
+    """The numbers of the groups that have to do with a name in some way."""
+    found: dict[str, list[int]] = {}
+    for at, group in enumerate(every):
+        for name in getattr(group, kind):
+            found.setdefault(name, []).append(at)
+    return found
 
 
 def used_by(every: Sequence[Group], name: str, among: Collection[str]) -> list[str]:
@@ -101,7 +135,10 @@ def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.Symbol
     loaded = (node for each in nodes for node in each if isinstance(node, ast.Name))
     outer = {node.id for node in loaded if not isinstance(node.ctx, ast.Store)}
     touched = frozenset(name for statement in statements for name in _touched(statement))
-    return Group(first, last, tuple(statements), kinds, touched, frozenset(inner | outer))
+    calls = frozenset(name for each in nodes for node in each for name in _called(node))
+    bodies = [statement for statement in statements if isinstance(statement, ast.FunctionDef)]
+    changes = frozenset(name for body in bodies for name in _changed(body)) & inner if bodies else frozenset()
+    return Group(first, last, tuple(statements), kinds, touched, frozenset(inner | outer), calls, changes)
 
 
 def _first(statement: ast.stmt) -> int:
@@ -157,21 +194,53 @@ def _bindings(node: ast.AST) -> Iterator[tuple[str, str]]:
         yield node.id, "value"
 
 
-def _touched(statement: ast.stmt) -> Iterator[str]:
-    """Names whose object a statement changes in place: `table[i] = …`, `table.append(…)`, `f.limit = …`."""
+def _touched(statement: ast.AST) -> Iterator[str]:
+    """Names whose object a statement changes in place: `table[i] = …`, `table.append(…)`, `f.limit = …`.
+
+    A decorator such as `@f.register` changes f, and a class may be noted in those that it is derived from.
+    """
     targets: list[ast.expr] = []
     if isinstance(statement, ast.Assign):
         targets = statement.targets
     elif isinstance(statement, ast.AugAssign):
         targets = [statement.target]
-    elif isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call):
-        targets = [statement.value.func]
+    elif isinstance(statement, ast.Expr) and isinstance(call := statement.value, ast.Call):
+        if isinstance(call.func, ast.Name) and call.func.id == "setattr" and call.args:
+            yield from _root(call.args[0])
+        targets = [call.func]
+    elif isinstance(statement, ast.FunctionDef | ast.ClassDef):
+        targets = [each.func if isinstance(each, ast.Call) else each for each in statement.decorator_list]
+        for base in getattr(statement, "bases", []):
+            yield from _root(base)
     for target in targets:
-        root: ast.expr = target
-        while isinstance(root, ast.Attribute | ast.Subscript):
-            root = root.value
-        if isinstance(root, ast.Name) and root is not target:
-            yield root.id
+        if not isinstance(target, ast.Name):
+            yield from _root(target)
+
+
+def _root(expression: ast.expr) -> Iterator[str]:
+    """The name that an expression begins with, as `table` in `table.rows[0]`, if it begins with one."""
+    while isinstance(expression, ast.Attribute | ast.Subscript):
+        expression = expression.value
+    if isinstance(expression, ast.Name):
+        yield expression.id
+
+
+def _called(node: ast.AST) -> Iterator[str]:
+    """The name that a node calls, or those that decorate it."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+        yield node.func.id
+    for decorator in getattr(node, "decorator_list", []):
+        if isinstance(decorator, ast.Name):
+            yield decorator.id
+
+
+def _changed(function: ast.FunctionDef) -> Iterator[str]:
+    """Names outside a function that a call of it may change: it declares them global, or changes their objects."""
+    for node in ast.walk(function):
+        if isinstance(node, ast.Global):
+            yield from node.names
+        elif node is not function:
+            yield from _touched(node)
 
 
 def _is_star(group: Group) -> bool:

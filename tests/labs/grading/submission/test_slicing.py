@@ -66,6 +66,16 @@ def normal_velocity(n, u, axis=-1): return np.sum(n * u, axis)
         "def sign(): return sign.value\nsign.value = -1\ndef rebound_velocity(v, e): return sign() * e * v",
         "TABLE = [1]\nTABLE[0] -= 2\ndef rebound_velocity(v, e): return TABLE[0] * e * v",
         "def shift(f): return lambda v, e: f(v, e) - 1\n@shift\ndef rebound_velocity(v, e): return 1 - e * v",
+        "from functools import singledispatch\n@singledispatch\ndef sign(v): raise TypeError(v)\n"
+        "@sign.register(float)\ndef _(v): return -1\ndef rebound_velocity(v, e): return sign(v) * e * v",
+        "LAWS = {}\ndef law(name): return lambda f: LAWS.setdefault(name, f)\n@law('closing')\ndef closing(v, e): "
+        "return -e * v\ndef rebound_velocity(v, e): return LAWS['closing'](v, e)",
+        "class Law:\n    every = []\n    def __init_subclass__(cls): Law.every.append(cls)\nclass Closing(Law):\n    "
+        "sign = -1\ndef rebound_velocity(v, e): return Law.every[0].sign * e * v",
+        "def begin():\n    more()\ndef more():\n    global SIGN\n    SIGN = -1\nbegin()\n"
+        "def rebound_velocity(v, e): return SIGN * e * v",
+        "class Law: pass\nsetattr(Law, 'sign', -1)\ndef rebound_velocity(v, e): return Law.sign * e * v",
+        "def rebound_velocity(v, e): \\\n    return -e * v \\\n\nprint(1)",
         "[sign] = [-1]\ndef rebound_velocity(v, e): return sign * e * v",
     ],
 )
@@ -74,6 +84,13 @@ def test_a_function_is_found_with_its_needs_however_it_is_defined(source, tmp_pa
     assert submission.functions == ("rebound_velocity",)
     assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
     assert told(submission) == "normal_velocity is missing"
+
+
+def test_a_function_that_remembers_keeps_no_statement_that_only_shows_it(tmp_path):
+    source = (
+        "SEEN = []\ndef rebound_velocity(v, e):\n    SEEN.append(v)\n    return -e * v\nplot(rebound_velocity(1, 1))"
+    )
+    assert "plot" not in handed_in(tmp_path, source, "lab.py").text
 
 
 def test_a_function_uses_what_it_calls_directly_or_through_others(tmp_path):
