@@ -74,6 +74,7 @@ def needed(every: Sequence[Group], wanted: Collection[str]) -> set[int]:
     calls, such as a decorator that fills a table, counts through the statements that call it.
     """
     concerned, calling, changing, using = (_places(every, kind) for kind in ("concerns", "calls", "changes", "uses"))
+    imported = {name for group in every for name, kind in group.kinds.items() if kind == "import"}
     kept = {at for at, group in enumerate(every) if _is_star(group)}
     seen, active = set(wanted), set[str]()
     names, functions = list(wanted), list[str]()
@@ -81,7 +82,8 @@ def needed(every: Sequence[Group], wanted: Collection[str]) -> set[int]:
         if names:
             name = names.pop()
             new = concerned.get(name, [])
-            functions += (each for at in changing.get(name, []) for each in every[at].defines)
+            if name not in imported:  # nobody changes NumPy by a call of it
+                functions += (each for at in changing.get(name, []) for each in every[at].defines)
         elif (function := functions.pop()) in active or function in seen:
             continue
         else:
@@ -239,6 +241,8 @@ def _changed(function: ast.FunctionDef) -> Iterator[str]:
     for node in ast.walk(function):
         if isinstance(node, ast.Global):
             yield from node.names
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            yield from _root(node.func)
         elif node is not function:
             yield from _touched(node)
 
