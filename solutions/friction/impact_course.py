@@ -28,6 +28,8 @@ ACCURACY = 1e-10
 """Error of a step at most, as a share of the speed of the impact."""
 OF_THE_SLIP = 0.01
 """Error of a step at most, as a share of the slip, or the slip would be all error."""
+MOST_ROUNDS = 5_000
+"""Legs and steps of an impact at most; three hundred are enough for any two bodies."""
 HALVINGS = 60
 """How often an interval is halved at most: from π/2 down to rounding."""
 CLOSE = 1e-14
@@ -85,8 +87,11 @@ def follow(course: Course, end: End, target: Array) -> None:
     in the one direction in which it then continues (see `direction_of_renewed_slip`).
     """
     on = np.flatnonzero(_reached(course, np.arange(len(target)), course.impulse, course.work, end) < target)
-    while len(on):
+    for _ in range(MOST_ROUNDS):
+        if not len(on):
+            return
         on = on[~_advance(course, on, end, target[on])]
+    raise ValueError(f"friction or inverse_mass is too extreme to follow an impact: with mu = {course.mu[on[0]]:g}")
 
 
 def direction_of_renewed_slip(k: Array, mu: Array) -> Array:

@@ -187,6 +187,48 @@ def test_poissons_e_is_the_ratio_of_the_two_normal_impulses():
     assert whole == pytest.approx((1 + e) * np.vecdot(closing, n), rel=1e-9)
 
 
+@pytest.mark.statement(16, oracle="scipy's integration of the work over the normal impulse")
+def test_stronges_e_squared_is_the_ratio_of_the_two_works():
+    for u, n, k, e, mu in zip(*coupled(6, seed=8), strict=True):
+        soft = 1e-6 * np.linalg.norm(u)
+
+        def growth(_, state, u=u, n=n, k=k, mu=mu, soft=soft):
+            now = u + k @ state[:3]
+            slip = now - (now @ n) * n
+            return np.append(n - mu * slip / np.hypot(np.linalg.norm(slip), soft), now @ n)
+
+        ends = [stronge_impulse(u, n, k, each, mu) @ n for each in (0.0, e)]
+        work = solve_ivp(growth, (0, ends[1]), np.zeros(4), t_eval=ends, method="LSODA", rtol=1e-9, atol=1e-12).y[3]
+        # A millionth of the speed beside the slip, and e = 0 ends where the work has its turning point
+        assert (work[1] - work[0]) / -work[0] == pytest.approx(e**2, abs=1e-5)
+
+
+@pytest.mark.parametrize("law", FOLLOWED)
+def test_the_points_part_even_where_friction_makes_them_approach_again(law):
+    k = np.array([[26.0, 3, -17], [3, 29, 4], [-17, 4, 14]])
+    u = np.array([2.0, 5, -1])
+    for e in (0.0, 0.5, 1.0):
+        assert (u + k @ FOLLOWED[law](u, UP, k, e, 1.5))[2] >= (e > 0) * 0.1 - 1e-12
+    rng = np.random.default_rng(9)
+    rows = rng.integers(-4, 5, (500, 3, 3))
+    k = rows @ np.swapaxes(rows, 1, 2) + rng.uniform(0.1, 3, (500, 1, 1)) * np.eye(3)
+    u = rng.normal(size=(500, 3)) - 3 * UP
+    after = u + np.matvec(k, FOLLOWED[law](u, UP, k, rng.uniform(size=500), rng.uniform(0, 3, 500)))
+    assert np.all(after[u[:, 2] < 0, 2] > -1e-8)
+
+
+@pytest.mark.parametrize("law", [friction_impulse, *LAWS.values()])
+def test_an_impulse_grows_with_the_speed_and_falls_with_k_at_any_scale(law):
+    k = np.array([[4.0, 1, 1.5], [1, 3, -1], [1.5, -1, 5]])
+    u, n = np.array([1, -0.5, -2]), np.array([0.36, 0.48, 0.8])
+    usual = law(u, n, k, 0.6, 0.4)
+    for scale in (1e-170, 1e155):
+        assert law(scale * u, n, k, 0.6, 0.4) / scale == pytest.approx(usual, rel=1e-9)
+        assert law(u, n, scale * k, 0.6, 0.4) * scale == pytest.approx(usual, rel=1e-9)
+    one, other = law(np.array([u, 1e200 * u]), n, np.array([k, 1e20 * k]), 0.6, 0.4)
+    assert (one, other / 1e180) == (pytest.approx(usual, rel=1e-9), pytest.approx(usual, rel=1e-9))
+
+
 def in_the_plane(arm_x, arm_z, inertia, slip, speed, friction):
     """A body of 1 kg that moves in the x–z plane alone: K, u, and the contact as the closed form has it."""
     k = point_inverse_mass(1.0, np.diag([0, 1 / inertia, 0]), (arm_x, 0.0, arm_z)) + np.diag([0, 1.0, 0])
@@ -305,3 +347,10 @@ def test_the_page_of_responses_says_what_each_law_does_to_a_rod():
         after = u + k @ impulse
         assert after == pytest.approx([slip, 0.0, parting], abs=5e-5)
         assert impact_energy(u, impulse, k) == pytest.approx(gained, abs=1e-5)
+    u = u * [-1, 1, 1]  # the end slides the other way
+    for law, (slip, gained) in zip(
+        said, [(-0.3696, -0.3544), (-0.4932, -0.36)] + [(-0.3696, -0.3544)] * 2, strict=True
+    ):
+        impulse = law(u, UP, k, 1.0, 0.75)
+        assert u + k @ impulse == pytest.approx([slip, 0.0, (u + k @ impulse)[2]], abs=5e-5)
+        assert impact_energy(u, impulse, k) == pytest.approx(gained, abs=5e-5)
