@@ -93,6 +93,20 @@ def moderate_plane(normal: Array, offset: ArrayLike) -> tuple[Array, Array, Arra
     return normal, offset / unit, np.asarray(np.linalg.norm(normal, axis=-1))
 
 
+def moderate_equations(matrix: Array, right: Array) -> tuple[Array, Array, Array]:
+    """The equations M x = b in units in which no number is very large or very small.
+
+    Returns
+    -------
+    matrix, right : (..., d, d) and (..., d), M and b in the new units
+    smaller : (...), a power of two
+        Divide x by it (`in_unit`) to have it in the old unit.
+    """
+    right, _, of_right = in_moderate_units(right)
+    *_, of_matrix = in_moderate_units(matrix.reshape(*matrix.shape[:-2], matrix.shape[-1] ** 2))
+    return in_unit(matrix, of_matrix, 2), right, np.asarray(of_matrix / of_right)
+
+
 def root_of_difference(u: Array, p: Array, q: Array) -> Array:
     """√(u² − p q), as precise for 1e-300 and 1e300 as for 1; NaN where u² < p q."""
     with np.errstate(over="ignore", invalid="ignore"):

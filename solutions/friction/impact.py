@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Booleans
 from solutions.checks import between, finite, in_unit_interval, matrix, not_negative, positive, unit, vector
 from solutions.friction.support import along_surface
-from solutions.scaling import in_moderate_units, in_unit
+from solutions.scaling import in_unit, moderate_equations
 
 SINGULAR = 1e-12
 """Share of the product of its rows' lengths below which det K counts as zero.
@@ -67,16 +67,6 @@ def positive_definite(inverse_mass: Array) -> Array:
     return inverse_mass
 
 
-def in_contact_units(velocity: Array, inverse_mass: Array) -> tuple[Array, Array, Array]:
-    """Velocities and matrices K in units that suit them, and one over that of J = K⁻¹u.
-
-    Divide an impulse in the new units by the last of the three (`in_unit`).
-    """
-    u, _, of_velocity = in_moderate_units(velocity)
-    *_, of_matrix = in_moderate_units(inverse_mass.reshape(*inverse_mass.shape[:-2], 9))
-    return u, in_unit(inverse_mass, of_matrix, 2), np.asarray(of_matrix / of_velocity)
-
-
 def friction_impulse(
     velocity: ArrayLike,
     normal: ArrayLike,
@@ -133,7 +123,7 @@ def friction_impulse(
     """
     u, n = finite("velocity", vector("velocity", velocity)), unit("normal", vector("normal", normal))
     e, mu = in_unit_interval("restitution", restitution), finite("friction", not_negative("friction", friction))
-    u, k, smaller = in_contact_units(u, matrix("inverse_mass", inverse_mass))
+    k, u, smaller = moderate_equations(matrix("inverse_mass", inverse_mass), u)
     k, approach = positive_definite(k), np.vecdot(u, n)
     grip = np.linalg.solve(k, (-u - (e * approach)[..., None] * n)[..., None])[..., 0]
     across = along_surface(grip, n)

@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, matrix, not_negative, unit, vector
-from solutions.friction.impact import in_contact_units, positive_definite
+from solutions.friction.impact import positive_definite
 from solutions.friction.impact_course import HALVINGS, Course, follow
-from solutions.scaling import in_unit
+from solutions.scaling import in_unit, moderate_equations
 
 AGAIN = 1e-9
 """A speed of approach at the end below this share of the speed before is rounding."""
@@ -199,7 +199,7 @@ def _where_approaching(
     """
     u, n = finite("velocity", vector("velocity", velocity)), unit("normal", vector("normal", normal))
     e, mu = in_unit_interval("restitution", restitution), finite("friction", not_negative("friction", friction))
-    u, k, smaller = in_contact_units(u, matrix("inverse_mass", inverse_mass))
+    k, u, smaller = moderate_equations(matrix("inverse_mass", inverse_mass), u)
     k = positive_definite(k)
     if np.any(np.linalg.eigvalsh((k + np.swapaxes(k, -1, -2)) / 2) <= 0):
         raise ValueError("inverse_mass must be positive definite: an impact with this matrix need not end")
