@@ -31,7 +31,9 @@ surely stays at least half the tolerance apart, s.
 TOLERANCE = 1e-6
 """Distance at which two bodies count as touching, as a share of the smaller one."""
 LOOKS = 1000
-"""Largest number of looks. A pair that needs more remains undecided."""
+"""Number of looks at a pair. One that needs more remains undecided or is continued."""
+PATIENCE = 4
+"""How many times as many looks a pair may take that moves on at a steady pace."""
 HALVINGS = 16
 """How often the interval is halved in which a free time is searched."""
 
@@ -81,9 +83,10 @@ def sweep_convex(
     (...), s from now, 0 to dt
         It is never later than the true contact. At this time the bodies are at most the
         tolerance apart. It is infinity where the bodies stay apart over the step, and 0
-        if they overlap or touch now. It is NaN where 1000 rounds could not decide
-        whether the bodies touch, because they pass each other at hardly more than the
-        tolerance for very long.
+        if they overlap or touch now. It is NaN where the rounds were used up before it
+        was decided whether the bodies touch. They move or turn too fast then for how
+        near to each other they are: two rods that spin side by side, or bodies that
+        pass each other at hardly more than the tolerance.
 
     Warns
     -----
@@ -122,6 +125,12 @@ def sweep_convex(
     less, so that half the tolerance is left. This keeps the bodies apart, and it makes
     every round advance by a time above zero. The rounds end when the gap is at most the
     tolerance, or when the step is over.
+
+    Neither time knows that two bodies keep in step with each other. Two rods that spin
+    alike, side by side, may never meet. Yet each bound lets one of them point at the
+    other soon, so that every turn takes some twenty rounds. After 1000 rounds only
+    those pairs are continued that reach the end of the step within 4000 rounds at
+    their pace so far.
     """
     shapes = [np.shape(points_a)[:-2], np.shape(points_b)[:-2]]
     motions = (position_a, velocity_a, angular_velocity_a, position_b, velocity_b, angular_velocity_b)
@@ -146,7 +155,7 @@ def sweep_convex(
         ]
         return separation, np.maximum(least, _time_within(room, approach, turning, least, left))
 
-    time, undecided = advance(look, end, near, np.zeros(end.shape), LOOKS)
+    time, undecided = _advance_patiently(look, end, near)
     return or_undecided(time, undecided).reshape(shape)
 
 
@@ -275,13 +284,32 @@ def free_time(separation: Array, closing: Array) -> Array:
         return np.where(shrinks, separation / np.where(shrinks, closing, 1.0), np.inf)
 
 
-def advance(look: Look, dt: Array, tolerance: Array, began: Array, rounds: int) -> tuple[Array, NDArray[np.bool_]]:
+def _advance_patiently(look: Look, dt: Array, tolerance: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Advance, with further rounds for pairs whose pace suffices to end the step."""
+    began = np.zeros(dt.shape)
+    time, undecided = advance(look, dt, tolerance, began, LOOKS)
+    for more in range(PATIENCE - 1, 0, -1):
+        pairs = np.flatnonzero(undecided)
+        pairs = pairs[dt[pairs] - time[pairs] < more * (time[pairs] - began[pairs])]
+        if not pairs.size:
+            break
+        began = time
+        time, still_open = advance(look, dt, tolerance, began, LOOKS, pairs)
+        undecided[pairs] = still_open[pairs]
+    return time, undecided
+
+
+def advance(
+    look: Look, dt: Array, tolerance: Array, began: Array, rounds: int, pairs: Pairs | None = None
+) -> tuple[Array, NDArray[np.bool_]]:
     """Advance from one look to the next until the pair touches or the step is over.
 
     The pairs surely stay apart until the times that are returned. They touch then,
     unless the rounds were too few for a pair. The second array tells which these are.
+    Without the numbers of some pairs, all of them advance.
     """
-    time, pairs, undecided = began.copy(), np.arange(dt.size), np.zeros(dt.shape, dtype=bool)
+    time, undecided = began.copy(), np.zeros(dt.shape, dtype=bool)
+    pairs = np.arange(dt.size) if pairs is None else pairs
     for _ in range(rounds):
         separation, free = look(pairs, time[pairs])
         apart = separation > tolerance[pairs]
@@ -300,8 +328,9 @@ def or_undecided(time: Array, undecided: NDArray[np.bool_]) -> Array:
     """Return the times, with NaN and a warning where a pair is undecided."""
     if undecided.any():
         warnings.warn(
-            f"{undecided.sum()} of {time.size} pairs are undecided: they stay apart until {time[undecided][0]:.6g} and "
-            "pass each other at hardly more than the tolerance. A larger tolerance decides sooner",
+            f"{undecided.sum()} of {time.size} pairs are undecided: they stay apart until {time[undecided][0]:.6g}. "
+            "Then the rounds are used up, because the bodies move or turn so fast and so near to each other. "
+            "A shorter step from there on, or a larger tolerance, may decide",
             UndecidedWarning,
             stacklevel=3,
         )
