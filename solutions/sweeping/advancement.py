@@ -8,38 +8,25 @@ found. A poor direction costs more rounds, but never an impact.
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
-from solutions.checks import in_space, positive
+from solutions.checks import in_space
 from solutions.scaling import length_of
 from solutions.sweeping.motion import extent, motion_bound, rotated
 from solutions.sweeping.nearest import point_set, separation_of_hulls
+from solutions.sweeping.rounds import Look, Pairs, advance, flat, free_time, or_undecided, touching
 
-Pairs = NDArray[np.int64]
-Look = Callable[[Pairs, Array], tuple[Array, Array]]
-"""A function of the numbers of some pairs, and of a time for each of them.
-
-It returns how far each pair is apart at least, m. It also returns for how long the pair
-surely stays at least half the tolerance apart, s.
-"""
-TOLERANCE = 1e-6
-"""Distance at which two bodies count as touching, as a share of the smaller one."""
 LOOKS = 1000
 """Number of looks at a pair. One that needs more remains undecided or is continued."""
 PATIENCE = 4
 """How many times as many looks a pair may take that moves on at a steady pace."""
 HALVINGS = 16
 """How often the interval is halved in which a free time is searched."""
-
-
-class UndecidedWarning(UserWarning):
-    """Nobody knows whether these bodies touch: the rounds are used up."""
 
 
 def sweep_convex(
@@ -273,17 +260,6 @@ def _time_within(room: Array, approach: Array, turning: Sequence[_Turning], leas
     return np.where(fits, np.inf, low)
 
 
-def free_time(separation: Array, closing: Array) -> Array:
-    """Time until a separation that shrinks at most this fast is used up.
-
-    It is infinity if the separation does not shrink.
-    """
-    shrinks = closing > 0
-    # At a crawl the time may be longer than any float: infinity stands for it.
-    with np.errstate(over="ignore"):
-        return np.where(shrinks, separation / np.where(shrinks, closing, 1.0), np.inf)
-
-
 def _advance_patiently(look: Look, dt: Array, tolerance: Array) -> tuple[Array, NDArray[np.bool_]]:
     """Advance, with further rounds for pairs whose pace suffices to end the step."""
     began = np.zeros(dt.shape)
@@ -297,58 +273,3 @@ def _advance_patiently(look: Look, dt: Array, tolerance: Array) -> tuple[Array, 
         time, still_open = advance(look, dt, tolerance, began, LOOKS, pairs)
         undecided[pairs] = still_open[pairs]
     return time, undecided
-
-
-def advance(
-    look: Look, dt: Array, tolerance: Array, began: Array, rounds: int, pairs: Pairs | None = None
-) -> tuple[Array, NDArray[np.bool_]]:
-    """Advance from one look to the next until the pair touches or the step is over.
-
-    The pairs surely stay apart until the times that are returned. They touch then,
-    unless the rounds were too few for a pair. The second array tells which these are.
-    Without the numbers of some pairs, all of them advance.
-    """
-    time, undecided = began.copy(), np.zeros(dt.shape, dtype=bool)
-    pairs = np.arange(dt.size) if pairs is None else pairs
-    for _ in range(rounds):
-        separation, free = look(pairs, time[pairs])
-        apart = separation > tolerance[pairs]
-        pairs, free = pairs[apart], free[apart]
-        time[pairs] += free
-        over = time[pairs] > dt[pairs]
-        time[pairs[over]] = np.inf
-        pairs = pairs[~over]
-        if not pairs.size:
-            break
-    undecided[pairs] = True
-    return time, undecided
-
-
-def or_undecided(time: Array, undecided: NDArray[np.bool_]) -> Array:
-    """Return the times, with NaN and a warning where a pair is undecided."""
-    if undecided.any():
-        warnings.warn(
-            f"{undecided.sum()} of {time.size} pairs are undecided: they stay apart until {time[undecided][0]:.6g}. "
-            "Then the rounds are used up, because the bodies move or turn so fast and so near to each other. "
-            "A shorter step from there on, or a larger tolerance, may decide",
-            UndecidedWarning,
-            stacklevel=3,
-        )
-    return np.where(undecided, np.nan, time)
-
-
-def touching(tolerance: ArrayLike | None, shape: tuple[int, ...], size_a: Array, size_b: Array, apart: Array) -> Array:
-    """Distances (N,) at which two bodies count as touching, m.
-
-    Without a tolerance, they are a share of the smaller body. A point has no size, and
-    then the other body counts; for two points, it is how far they are apart at first.
-    """
-    if tolerance is not None:
-        return flat(positive("tolerance", tolerance), shape)
-    smaller = np.where(size_a * size_b > 0, np.minimum(size_a, size_b), np.maximum(size_a, size_b))
-    return np.asarray(TOLERANCE * np.where(smaller > 0, smaller, apart))
-
-
-def flat(value: Array, shape: tuple[int, ...], core: tuple[int, ...] = ()) -> Array:
-    """Broadcast over the leading axes and lay these in one row."""
-    return np.broadcast_to(value, shape + core).reshape(-1, *core)

@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.arrays import Array
 from solutions.checks import in_space
 from solutions.scaling import in_moderate_units, in_unit, length_of
-from solutions.sweeping.advancement import Pairs, advance, flat, free_time, or_undecided, touching
 from solutions.sweeping.nearest import nearest_weights, triangles
+from solutions.sweeping.rounds import Pairs, advance, flat, free_time, or_undecided, touching
 
 LOOKS_UNCUT = 40
 """Looks at a pair before it is cut into halves."""
