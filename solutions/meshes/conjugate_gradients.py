@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Integers
 from solutions.meshes.mesh import SpringMesh
 from solutions.meshes.springs import finite_vectors, node_vectors
+from solutions.scaling import in_moderate_units, in_unit
 
 ROUNDING = 64 * np.finfo(float).eps
 """Share of the largest terms that rounding may leave of a residual."""
@@ -67,8 +69,9 @@ def conjugate_gradient(
     neighbours stayed where they are. The residual itself would be a poor start beside
     heavy nodes: theirs are large for no other reason than their mass.
     """
-    held = np.where(mesh.pinned[:, None], 0.0, node_vectors(mesh, "right", right))
-    system, given = _System.of(mesh, blocks, finite_vectors(mesh, "right", held))
+    held = finite_vectors(mesh, "right", np.where(mesh.pinned[:, None], 0.0, node_vectors(mesh, "right", right)))
+    *_, unit = in_moderate_units(held.reshape(*held.shape[:-2], 3 * len(mesh.mass)))
+    system, given = _System.of(mesh, blocks, in_unit(held, unit, 2))
     x, residual, direction, square = np.zeros_like(given), given, np.zeros_like(given), np.zeros(())
     for _ in range(30 * len(mesh.mass) if iterations is None else iterations):
         towards = system.alone(residual)
@@ -86,7 +89,7 @@ def conjugate_gradient(
             f"conjugate gradients: a node has a residual of {np.max(worst):.1e} of its mass times the largest result; "
             f"{tolerance:.1e} is allowed"
         )
-    return np.moveaxis(x, 0, -1)
+    return np.moveaxis(x, 0, -1) * unit[..., None, None]
 
 
 @dataclass(frozen=True)
@@ -121,7 +124,7 @@ class _System:
         ]
         batch = np.broadcast_shapes(by_edge.shape[:-3], right.shape[:-2])
         given = np.moveaxis(np.broadcast_to(right, (*batch, *right.shape[-2:])), -1, 0)
-        rows = np.arange(given.size // len(mass))[:, None] * len(mass)
+        rows = np.arange(3 * math.prod(batch))[:, None] * len(mass)
         ends = (rows + mesh.edges[:, 0]).ravel(), (rows + mesh.edges[:, 1]).ravel()
         return cls(mesh, parts[0], parts[1], parts[2], mass, ends), np.ascontiguousarray(given)
 
@@ -141,9 +144,9 @@ class _System:
 
         A share of the largest terms that make up the residual may be left as rounding.
         """
-        size = _lengths(x).max(axis=-1, keepdims=True)
+        size = _lengths(x).max(axis=-1, keepdims=True, initial=0.0)
         left = _lengths(residual) - rounding * np.trace(self.own) * size
-        return np.asarray((left / self.mass).max(axis=-1, keepdims=True) / np.where(size > 0, size, 1.0))
+        return np.asarray((left / self.mass).max(axis=-1, keepdims=True, initial=0.0) / np.where(size > 0, size, 1.0))
 
 
 def _lengths(vectors: Array) -> Array:

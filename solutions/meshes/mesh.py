@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array, Booleans, Integers
 from solutions.checks import finite, not_negative, positive
+from solutions.scaling import in_moderate_units
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +71,8 @@ def lengths(vector: Array) -> Array:
     Every length of an edge is computed with this formula, so a mesh in its first shape
     is at rest to the last bit.
     """
-    return np.asarray(np.sqrt(np.einsum("...i,...i->...", vector, vector)))
+    _, length, unit = in_moderate_units(vector)
+    return length * unit if unit.ndim else length
 
 
 def checked_edges(edges: ArrayLike, nodes: int) -> Integers:

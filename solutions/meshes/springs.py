@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -51,12 +53,12 @@ def onto_nodes(mesh: SpringMesh, force: Array) -> Array:
     It turns (..., m, 3) into (..., n, 3).
     """
     shape = (*force.shape[:-2], len(mesh.mass), 3)
-    batch = np.arange(np.prod(shape[:-2], dtype=int))[:, None]
+    batch = np.arange(math.prod(shape[:-2]))[:, None]
     first, second = (
         ((batch * shape[-2] + end)[..., None] * 3 + np.arange(3)).ravel()
         for end in (mesh.edges[:, 0], mesh.edges[:, 1])
     )
-    size = int(np.prod(shape))
+    size = math.prod(shape)
     return np.asarray(np.bincount(first, force.ravel(), size) - np.bincount(second, force.ravel(), size)).reshape(shape)
 
 

@@ -121,7 +121,12 @@ def winding_number(point: ArrayLike, vertices: ArrayLike, faces: ArrayLike) -> A
     outside, every direction meets as many fronts as backs, and the sum is zero.
 
     For many points the sum is shortened (`winding_of_mesh`). It stays the same up to
-    rounding, which is some 10⁻¹³ for a thousand faces.
+    rounding, which is some 10⁻¹³ for a thousand faces. A part of the mesh is replaced
+    by faces with the same rim, so a closed mesh saves most. Where a third of the faces
+    is missing all over a mesh, every part has a long rim and nothing is saved. Then
+    1000 points and 7000 faces take about half a second, and the time grows with the
+    product of both numbers. `fast_winding_number` of libigl takes distant faces
+    together. It is some forty times as fast there, and right to a hundredth.
     """
     p = finite("point", vector("point", point))
     v, f = checked_mesh(vertices, faces)

@@ -12,8 +12,14 @@ from solutions.arrays import Array, Integers
 from solutions.polyhedra.surface import blocks, directed_edges
 
 FEW_FACES = 8
-FEW_POINTS = 1000
+FEW_POINTS = 150
 """Up to these numbers of faces, or of points, all solid angles are summed."""
+MANY_POINTS = 1000
+MANY_ANGLES = 5_000_000
+"""A mesh is cut for this many points, or for fewer ones with this many angles in all.
+
+For less than that, the search for caps takes longer than the sum.
+"""
 SAVING = 0.7
 """Caps with more than this share of the faces would not repay the search for them."""
 MARGIN = 2.0**-10
@@ -24,11 +30,12 @@ IN_CACHE = 4
 
 def winding_of_mesh(point: Array, vertices: Array, faces: Integers) -> Array:
     """How often the faces of a mesh go round points (p, 3)."""
-    if len(point) <= FEW_POINTS:
+    few = len(point) <= MANY_POINTS and len(point) * len(faces) <= MANY_ANGLES
+    if few or len(point) <= FEW_POINTS:
         return sum_of_angles(point, vertices, faces)
     # Vertices at the same place count as one, so that loose triangles have no rims.
-    places, number = np.unique(vertices[faces].reshape(-1, 3), axis=0, return_inverse=True)
-    return winding_of_part(point, places, number.reshape(-1, 3))
+    places, number = np.unique(vertices, axis=0, return_inverse=True)
+    return winding_of_part(point, places, number.reshape(-1)[faces])
 
 
 def winding_of_part(point: Array, vertices: Array, faces: Integers) -> Array:
@@ -77,7 +84,10 @@ def cap(faces: Integers) -> Integers:
     The rim consists of the edges through which more faces run one way than the other.
     """
     edges = directed_edges(faces)
-    edge, number = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
+    # One whole number for the two ends of an edge is sorted faster than the two.
+    count = np.max(edges, initial=0) + 1
+    code, number = np.unique(edges.min(axis=1) * count + edges.max(axis=1), return_inverse=True)
+    edge = np.column_stack(np.divmod(code, count))
     way = np.sign(edges[:, 1] - edges[:, 0])  # 0 for an edge without length
     excess = np.bincount(number.reshape(-1), way, len(edge)).astype(np.int64)
     rim = np.repeat(np.where(excess[:, None] > 0, edge, edge[:, ::-1]), np.abs(excess), axis=0)

@@ -4,12 +4,13 @@ Bodies that move without turning are reduced to a relative motion and a ray agai
 Minkowski sum. Bodies that turn are swept by conservative advancement.
 """
 
-from solutions.sweeping.advancement import UndecidedWarning, sweep_convex
+from solutions.sweeping.advancement import sweep_convex
 from solutions.sweeping.boxes import sweep_boxes, sweep_oriented_boxes
 from solutions.sweeping.features import edge_edge_impact, vertex_face_impact
 from solutions.sweeping.motion import motion_bound, relative_motion, rotated
 from solutions.sweeping.nearest import nearest_on_triangle, separation_of_hulls
 from solutions.sweeping.rays import ray_box, ray_capsule, ray_sphere
+from solutions.sweeping.rounds import UndecidedWarning
 from solutions.sweeping.spheres import sweep_sphere_plane, sweep_sphere_sphere, sweep_sphere_triangle
 
 __all__ = [

@@ -8,36 +8,25 @@ found. A poor direction costs more rounds, but never an impact.
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
-from solutions.checks import in_space, positive
+from solutions.checks import in_space
 from solutions.scaling import length_of
 from solutions.sweeping.motion import extent, motion_bound, rotated
 from solutions.sweeping.nearest import point_set, separation_of_hulls
+from solutions.sweeping.rounds import Look, Pairs, advance, flat, free_time, or_undecided, touching
 
-Pairs = NDArray[np.int64]
-Look = Callable[[Pairs, Array], tuple[Array, Array]]
-"""A function of the numbers of some pairs, and of a time for each of them.
-
-It returns how far each pair is apart at least, m. It also returns for how long the pair
-surely stays at least half the tolerance apart, s.
-"""
-TOLERANCE = 1e-6
-"""Distance at which two bodies count as touching, as a share of the smaller one."""
 LOOKS = 1000
-"""Largest number of looks. A pair that needs more remains undecided."""
+"""Number of looks at a pair. One that needs more remains undecided or is continued."""
+PATIENCE = 4
+"""How many times as many looks a pair may take that moves on at a steady pace."""
 HALVINGS = 16
 """How often the interval is halved in which a free time is searched."""
-
-
-class UndecidedWarning(UserWarning):
-    """Nobody knows whether these bodies touch: the rounds are used up."""
 
 
 def sweep_convex(
@@ -81,9 +70,10 @@ def sweep_convex(
     (...), s from now, 0 to dt
         It is never later than the true contact. At this time the bodies are at most the
         tolerance apart. It is infinity where the bodies stay apart over the step, and 0
-        if they overlap or touch now. It is NaN where 1000 rounds could not decide
-        whether the bodies touch, because they pass each other at hardly more than the
-        tolerance for very long.
+        if they overlap or touch now. It is NaN where the rounds were used up before it
+        was decided whether the bodies touch. They move or turn too fast then for how
+        near to each other they are: two rods that spin side by side, or bodies that
+        pass each other at hardly more than the tolerance.
 
     Warns
     -----
@@ -122,6 +112,12 @@ def sweep_convex(
     less, so that half the tolerance is left. This keeps the bodies apart, and it makes
     every round advance by a time above zero. The rounds end when the gap is at most the
     tolerance, or when the step is over.
+
+    Neither time knows that two bodies keep in step with each other. Two rods that spin
+    alike, side by side, may never meet. Yet each bound lets one of them point at the
+    other soon, so that every turn takes some twenty rounds. After 1000 rounds only
+    those pairs are continued that reach the end of the step within 4000 rounds at
+    their pace so far.
     """
     shapes = [np.shape(points_a)[:-2], np.shape(points_b)[:-2]]
     motions = (position_a, velocity_a, angular_velocity_a, position_b, velocity_b, angular_velocity_b)
@@ -146,7 +142,7 @@ def sweep_convex(
         ]
         return separation, np.maximum(least, _time_within(room, approach, turning, least, left))
 
-    time, undecided = advance(look, end, near, np.zeros(end.shape), LOOKS)
+    time, undecided = _advance_patiently(look, end, near)
     return or_undecided(time, undecided).reshape(shape)
 
 
@@ -264,62 +260,16 @@ def _time_within(room: Array, approach: Array, turning: Sequence[_Turning], leas
     return np.where(fits, np.inf, low)
 
 
-def free_time(separation: Array, closing: Array) -> Array:
-    """Time until a separation that shrinks at most this fast is used up.
-
-    It is infinity if the separation does not shrink.
-    """
-    shrinks = closing > 0
-    # At a crawl the time may be longer than any float: infinity stands for it.
-    with np.errstate(over="ignore"):
-        return np.where(shrinks, separation / np.where(shrinks, closing, 1.0), np.inf)
-
-
-def advance(look: Look, dt: Array, tolerance: Array, began: Array, rounds: int) -> tuple[Array, NDArray[np.bool_]]:
-    """Advance from one look to the next until the pair touches or the step is over.
-
-    The pairs surely stay apart until the times that are returned. They touch then,
-    unless the rounds were too few for a pair. The second array tells which these are.
-    """
-    time, pairs, undecided = began.copy(), np.arange(dt.size), np.zeros(dt.shape, dtype=bool)
-    for _ in range(rounds):
-        separation, free = look(pairs, time[pairs])
-        apart = separation > tolerance[pairs]
-        pairs, free = pairs[apart], free[apart]
-        time[pairs] += free
-        over = time[pairs] > dt[pairs]
-        time[pairs[over]] = np.inf
-        pairs = pairs[~over]
+def _advance_patiently(look: Look, dt: Array, tolerance: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Advance, with further rounds for pairs whose pace suffices to end the step."""
+    began = np.zeros(dt.shape)
+    time, undecided = advance(look, dt, tolerance, began, LOOKS)
+    for more in range(PATIENCE - 1, 0, -1):
+        pairs = np.flatnonzero(undecided)
+        pairs = pairs[dt[pairs] - time[pairs] < more * (time[pairs] - began[pairs])]
         if not pairs.size:
             break
-    undecided[pairs] = True
+        began = time
+        time, still_open = advance(look, dt, tolerance, began, LOOKS, pairs)
+        undecided[pairs] = still_open[pairs]
     return time, undecided
-
-
-def or_undecided(time: Array, undecided: NDArray[np.bool_]) -> Array:
-    """Return the times, with NaN and a warning where a pair is undecided."""
-    if undecided.any():
-        warnings.warn(
-            f"{undecided.sum()} of {time.size} pairs are undecided: they stay apart until {time[undecided][0]:.6g} and "
-            "pass each other at hardly more than the tolerance. A larger tolerance decides sooner",
-            UndecidedWarning,
-            stacklevel=3,
-        )
-    return np.where(undecided, np.nan, time)
-
-
-def touching(tolerance: ArrayLike | None, shape: tuple[int, ...], size_a: Array, size_b: Array, apart: Array) -> Array:
-    """Distances (N,) at which two bodies count as touching, m.
-
-    Without a tolerance, they are a share of the smaller body. A point has no size, and
-    then the other body counts; for two points, it is how far they are apart at first.
-    """
-    if tolerance is not None:
-        return flat(positive("tolerance", tolerance), shape)
-    smaller = np.where(size_a * size_b > 0, np.minimum(size_a, size_b), np.maximum(size_a, size_b))
-    return np.asarray(TOLERANCE * np.where(smaller > 0, smaller, apart))
-
-
-def flat(value: Array, shape: tuple[int, ...], core: tuple[int, ...] = ()) -> Array:
-    """Broadcast over the leading axes and lay these in one row."""
-    return np.broadcast_to(value, shape + core).reshape(-1, *core)

@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 from solutions.arrays import Array
 from solutions.checks import in_space
 from solutions.scaling import in_moderate_units, in_unit, length_of
-from solutions.sweeping.advancement import Pairs, advance, flat, free_time, or_undecided, touching
 from solutions.sweeping.nearest import nearest_weights, triangles
+from solutions.sweeping.rounds import Pairs, advance, flat, free_time, or_undecided, touching
 
 LOOKS_UNCUT = 40
 """Looks at a pair before it is cut into halves."""
@@ -146,7 +146,8 @@ def _first_contact(
     near = touching(
         tolerance, shape, flat(size_a, shape), flat(size_b, shape), flat(length_of(start[..., 0, :]), shape)
     )
-    *_, metre = in_moderate_units(np.concatenate([start, end], axis=-2).reshape(*start.shape[:-2], -1))
+    row = (*start.shape[:-2], 6 * start.shape[-2])
+    *_, metre = in_moderate_units(np.concatenate([start, end], axis=-2).reshape(row))
     start, end, near = in_unit(start, metre, 2), in_unit(end, metre, 2), near / flat(metre, shape)
     place = flat(start, shape, start.shape[-2:])
     motion = flat(end, shape, end.shape[-2:]) - place

@@ -170,7 +170,7 @@ def separation_of_hulls(
     a, b = point_set("points_a", points_a), point_set("points_b", points_b)
     shape = np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
     a, b = np.broadcast_to(a, (*shape, *a.shape[-2:])), np.broadcast_to(b, (*shape, *b.shape[-2:]))
-    *_, metre = in_moderate_units(np.concatenate([a, b], axis=-2).reshape(*shape, -1))
+    *_, metre = in_moderate_units(np.concatenate([a, b], axis=-2).reshape(*shape, 3 * (a.shape[-2] + b.shape[-2])))
     a, b = in_unit(a, metre, 2), in_unit(b, metre, 2)
     corners = np.repeat((a[..., :1, :] - b[..., :1, :]), 4, axis=-2)
     best, normal = np.zeros(shape), np.zeros((*shape, 3))

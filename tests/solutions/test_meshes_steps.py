@@ -508,6 +508,21 @@ def test_conjugate_gradients_of_nothing_are_nothing():
     assert not conjugate_gradient(mesh, blocks, np.zeros((4, 3))).any()
     all_pinned = pin(mesh, range(4))
     assert not conjugate_gradient(all_pinned, blocks, np.ones((4, 3))).any()
+    empty = spring_mesh(np.zeros((0, 3)), [], 1.0)
+    for shape in ((0, 3), (2, 0, 3)):
+        for state in implicit_mesh_step(empty, np.zeros(shape), np.zeros(shape), GRAVITY, 0.1):
+            assert state.shape == shape
+
+
+@pytest.mark.parametrize("move", MOVES)
+@pytest.mark.parametrize("unit", [2.0**-665, 2.0**665])  # some 1e-200 and 1e200
+def test_a_mesh_of_any_size_moves_alike(move, unit):
+    rng = np.random.default_rng(11)
+    rest, edges = lattice(2, 2, 2, 1.0)
+    state = rest + 0.2 * rng.normal(size=(2, 8, 3)), rng.normal(size=(2, 8, 3)), np.array(GRAVITY)
+    mesh, scaled = (spring_mesh(rest * metre, edges, 10.0, 0.1, pinned=[3]) for metre in (1.0, unit))
+    for plain, found in zip(move(mesh, *state, 0.1), move(scaled, *(unit * part for part in state), 0.1), strict=True):
+        assert np.array_equal(found, unit * plain)
 
 
 # One is many
@@ -559,8 +574,10 @@ def test_what_is_not_finite_is_refused_where_it_would_leave_no_trace(wrong):
             call(mesh, broken)
     with pytest.raises(ValueError, match=f"position must be finite, not {wrong}"):
         static_shape(mesh, broken, GRAVITY)
-    with pytest.raises(ValueError, match=f"right must be finite, not {wrong}"):
-        implicit_mesh_step(mesh, position, np.zeros_like(position), (0, 0, wrong), 0.1)
+    state = {"position": position, "velocity": 0 * position, "acceleration": (0, 0, -9.81), "dt": 0.1}
+    for name, value in {"position": broken, "velocity": broken, "acceleration": (0, 0, wrong), "dt": wrong}.items():
+        with pytest.raises(ValueError, match=f"^{name} must be (finite|positive), not {wrong}"):
+            implicit_mesh_step(mesh, **(state | {name: value}))
     assert not np.isfinite(mesh_step(mesh, position, np.zeros_like(position), (0, 0, wrong), 0.1)[0]).any(axis=0)[2]
 
 

@@ -50,9 +50,8 @@ POINTS = RNG.uniform(LOW - 0.3, HIGH + 0.3, (400, 3))
 
 
 @pytest.fixture
-def summed(monkeypatch):
-    """Tries caps for as few points as there are here, and counts the solid angles that are summed."""
-    monkeypatch.setattr(solid_angles, "FEW_POINTS", 3)
+def counted(monkeypatch):
+    """Counts the solid angles that are summed."""
     count = []
     angles = solid_angles._half_solid_angles
 
@@ -62,6 +61,14 @@ def summed(monkeypatch):
 
     monkeypatch.setattr(solid_angles, "_half_solid_angles", counting)
     return count
+
+
+@pytest.fixture
+def summed(monkeypatch, counted):
+    """Counts them, and tries caps for as few points as there are here."""
+    for few in ("FEW_POINTS", "MANY_POINTS"):
+        monkeypatch.setattr(solid_angles, few, 3)
+    return counted
 
 
 @pytest.mark.statement(9, oracle="the sum of the solid angles of all faces")
@@ -74,6 +81,13 @@ def test_caps_change_no_winding_number_by_more_than_rounding(name, summed):
     assert winding_number(POINTS, vertices, faces) == pytest.approx(every, abs=2e-13)
     most = {"soup": 1.0, "with many small holes": 0.9, "some faces turned over": 0.9}.get(name, 0.6)
     assert sum(summed) <= most * len(POINTS) * len(faces)  # and it takes fewer of them
+
+
+def test_caps_serve_a_few_hundred_points_if_there_are_many_faces(counted):
+    vertices, faces = torus(120, 100)
+    points = RNG.uniform(vertices.min(axis=0), vertices.max(axis=0), (220, 3))
+    winding_number(points, vertices, faces)
+    assert sum(counted) < 0.6 * len(points) * len(faces)
 
 
 @pytest.mark.statement(9, oracle="parity, with exact signs")

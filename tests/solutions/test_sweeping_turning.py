@@ -424,10 +424,33 @@ def test_a_spinning_rod_that_stays_clear_of_a_wall_never_hits_it(speed, scale):
 def test_a_pair_is_undecided_where_the_rounds_are_used_up(monkeypatch):
     monkeypatch.setattr(advancement, "LOOKS", 2)
     rod, post, dt = [[-0.5, 0, 0], [0.5, 0, 0]], [0.4, 0.2, 0], [0.01, 1.0]
-    with pytest.warns(UndecidedWarning, match=r"^1 of 2 pairs are undecided: they stay apart until 0\.0\d+ and"):
+    with pytest.warns(UndecidedWarning, match=r"^1 of 2 pairs are undecided: they stay apart until 0\.0\d+\. "):
         found = sweep_convex(rod, STILL, STILL, (0, 0, 10), 0, [STILL], post, STILL, STILL, 0.01, dt, tolerance=1e-9)
     assert found[0] == math.inf
     assert math.isnan(found[1])
+
+
+def test_pairs_at_a_steady_pace_get_more_rounds(monkeypatch):
+    # Two rods that turn alike, at a right angle to each other, stay 4 cm apart or more; a turn takes some 20 looks.
+    monkeypatch.setattr(advancement, "LOOKS", 100)
+    first, second = [[-0.5, 0, 0], [0.5, 0, 0]], [[0, -0.5, 0], [0, 0.5, 0]]
+    spin, place = [0, 0, 50.0], [0.75, 0, 0]
+    assert sweep_convex(first, STILL, STILL, spin, 0, second, place, STILL, spin, 0, 1.0) == math.inf
+    with pytest.warns(UndecidedWarning, match="move or turn so fast and so near to each other"):
+        assert math.isnan(sweep_convex(first, STILL, STILL, spin, 0, second, place, STILL, spin, 0, 9.0))
+
+
+def test_no_pairs_have_no_times():
+    none, triangle, edge = np.zeros((0, 3)), np.zeros((0, 3, 3)), np.zeros((0, 2, 3))
+    separation, normal = separation_of_hulls(triangle, edge)
+    times = [
+        vertex_face_impact(none, triangle, none, triangle),
+        edge_edge_impact(edge, edge, edge, edge),
+        sweep_convex(edge, none, none, none, 0, triangle, none, none, none, 0, 1.0),
+        separation,
+    ]
+    assert [time.shape for time in times] == 4 * [(0,)]
+    assert normal.shape == (0, 3)
 
 
 def test_features_are_undecided_where_the_cuts_are_used_up(monkeypatch):

@@ -1,0 +1,95 @@
+"""The rounds of conservative advancement, for many pairs at once (slide 10).
+
+What moves, and how, is the matter of a `Look`: whole bodies or single features.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from solutions.arrays import Array
+from solutions.checks import positive
+
+Pairs = NDArray[np.int64]
+Look = Callable[[Pairs, Array], tuple[Array, Array]]
+"""A function of the numbers of some pairs, and of a time for each of them.
+
+It returns how far each pair is apart at least, m. It also returns for how long the pair
+surely stays at least half the tolerance apart, s.
+"""
+TOLERANCE = 1e-6
+"""Distance at which two bodies count as touching, as a share of the smaller one."""
+
+
+class UndecidedWarning(UserWarning):
+    """Nobody knows whether these bodies touch: the rounds are used up."""
+
+
+def free_time(separation: Array, closing: Array) -> Array:
+    """Time until a separation that shrinks at most this fast is used up.
+
+    It is infinity if the separation does not shrink.
+    """
+    shrinks = closing > 0
+    # At a crawl the time may be longer than any float: infinity stands for it.
+    with np.errstate(over="ignore"):
+        return np.where(shrinks, separation / np.where(shrinks, closing, 1.0), np.inf)
+
+
+def advance(
+    look: Look, dt: Array, tolerance: Array, began: Array, rounds: int, pairs: Pairs | None = None
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Advance from one look to the next until the pair touches or the step is over.
+
+    The pairs surely stay apart until the times that are returned. They touch then,
+    unless the rounds were too few for a pair. The second array tells which these are.
+    Without the numbers of some pairs, all of them advance.
+    """
+    time, undecided = began.copy(), np.zeros(dt.shape, dtype=bool)
+    pairs = np.arange(dt.size) if pairs is None else pairs
+    for _ in range(rounds):
+        separation, free = look(pairs, time[pairs])
+        apart = separation > tolerance[pairs]
+        pairs, free = pairs[apart], free[apart]
+        time[pairs] += free
+        over = time[pairs] > dt[pairs]
+        time[pairs[over]] = np.inf
+        pairs = pairs[~over]
+        if not pairs.size:
+            break
+    undecided[pairs] = True
+    return time, undecided
+
+
+def or_undecided(time: Array, undecided: NDArray[np.bool_]) -> Array:
+    """Return the times, with NaN and a warning where a pair is undecided."""
+    if undecided.any():
+        warnings.warn(
+            f"{undecided.sum()} of {time.size} pairs are undecided: they stay apart until {time[undecided][0]:.6g}. "
+            "Then the rounds are used up, because the bodies move or turn so fast and so near to each other. "
+            "A shorter step from there on, or a larger tolerance, may decide",
+            UndecidedWarning,
+            stacklevel=3,
+        )
+    return np.where(undecided, np.nan, time)
+
+
+def touching(tolerance: ArrayLike | None, shape: tuple[int, ...], size_a: Array, size_b: Array, apart: Array) -> Array:
+    """Distances (N,) at which two bodies count as touching, m.
+
+    Without a tolerance, they are a share of the smaller body. A point has no size, and
+    then the other body counts; for two points, it is how far they are apart at first.
+    """
+    if tolerance is not None:
+        return flat(positive("tolerance", tolerance), shape)
+    smaller = np.where(size_a * size_b > 0, np.minimum(size_a, size_b), np.maximum(size_a, size_b))
+    return np.asarray(TOLERANCE * np.where(smaller > 0, smaller, apart))
+
+
+def flat(value: Array, shape: tuple[int, ...], core: tuple[int, ...] = ()) -> Array:
+    """Broadcast over the leading axes and lay these in one row."""
+    return np.broadcast_to(value, shape + core).reshape(-1, *core)
