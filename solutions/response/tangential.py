@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative, positive, vector
-from solutions.friction.support import along_surface
+from solutions.checks import finite, not_negative, positive, unit, vector
+from solutions.friction.support import less_normal_part
 from solutions.scaling import length_of
 
 
@@ -67,14 +67,17 @@ def tangential_spring(
     While it sticks, the contact is elastic, so that a body on a slope comes to rest.
     Friction that depends on the velocity alone would let it creep.
     """
-    press = finite("normal_force", not_negative("normal_force", normal_force))
+    n, press = (
+        unit("normal", vector("normal", normal)),
+        finite("normal_force", not_negative("normal_force", normal_force)),
+    )
     mu, k = (
         finite("friction", not_negative("friction", friction)),
         finite("stiffness", positive("stiffness", stiffness)),
     )
     c, dt = finite("damping", not_negative("damping", damping)), finite("dt", not_negative("dt", dt))
-    slip = along_surface(finite("slip_velocity", vector("slip_velocity", slip_velocity)), normal)
-    xi = _turned(finite("stretch", vector("stretch", stretch)), normal) + slip * dt[..., None]
+    slip = less_normal_part(finite("slip_velocity", vector("slip_velocity", slip_velocity)), n)
+    xi = _turned(finite("stretch", vector("stretch", stretch)), n) + slip * dt[..., None]
     asked, dashpot = -k[..., None] * xi - c[..., None] * slip, c[..., None] * slip
     size, most = length_of(asked), mu * press
     slides = size > most
@@ -84,8 +87,8 @@ def tangential_spring(
     return np.where(touches, force, 0.0), np.where(touches, xi, 0.0)
 
 
-def _turned(stretch: Array, normal: ArrayLike) -> Array:
+def _turned(stretch: Array, n: Array) -> Array:
     """The stretch in the surface of the new normal, as long as before."""
-    along = along_surface(stretch, normal)
+    along = less_normal_part(stretch, n)
     before, after = length_of(stretch)[..., None], length_of(along)[..., None]
     return np.asarray(along * np.where(after > 0, before / np.where(after > 0, after, 1.0), 0.0))
