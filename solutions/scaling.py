@@ -86,7 +86,8 @@ def moderate_plane(normal: Array, offset: ArrayLike) -> tuple[Array, Array, Arra
     -------
     normal, offset : (..., 3) and (...), n and d
         Both are divided by the same power of two, where a normal is so long or so short
-        that n·p might leave the range of the floats although the distance does not.
+        that n·p might leave the range of the floats although the distance does not. The
+        coordinates of p may be from 1e-290 to 1e290.
     length : (...), ‖n‖; 0 for a normal that is zero
     """
     offset = np.asarray(offset, dtype=float)

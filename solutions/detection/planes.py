@@ -25,8 +25,6 @@ def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> A
     Returns
     -------
     (...), m
-        Correct for points up to 1e290 m away and down to 1e-290 m, and for a normal of
-        any length.
 
     Raises
     ------
