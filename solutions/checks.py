@@ -32,6 +32,11 @@ def not_negative(name: str, value: ArrayLike) -> Array:
     return _where(name, value, lambda array: array >= 0, "zero or positive")
 
 
+def whole(name: str, value: ArrayLike) -> Array:
+    """Return the value; refuse NaN and what is no whole number. Infinity passes."""
+    return _where(name, value, lambda array: array == np.floor(array), "a whole number")
+
+
 def in_unit_interval(name: str, value: ArrayLike) -> Array:
     """Return the value; refuse NaN and every number that is not from 0 to 1."""
     return _where(name, value, lambda array: (array >= 0) & (array <= 1), "from 0 to 1")

@@ -17,6 +17,11 @@ from solutions.arrays import Array, Booleans
 
 SMALL, LARGE = 2.0**-200, 2.0**200
 """A product of four lengths between these two is an ordinary float."""
+NEAR_ONE = 1 / 4
+"""The power of `SMALL` and `LARGE` between which a normal needs no other length.
+
+These are some 1e-15 and 1e15.
+"""
 
 
 def length_of(vector: ArrayLike) -> Array:
@@ -24,7 +29,7 @@ def length_of(vector: ArrayLike) -> Array:
     v = np.asarray(vector, dtype=float)
     with np.errstate(over="ignore"):
         length = np.asarray(np.linalg.norm(v, axis=-1))
-    if not _moderate(length):
+    if not moderate(length):
         extreme = _extreme(length, v)
         unit = power_of_two(_largest(v[extreme]))
         length[extreme] = unit * np.linalg.norm(v[extreme] / unit[:, None], axis=-1)
@@ -44,7 +49,7 @@ def in_moderate_units(vector: Array) -> tuple[Array, Array, Array]:
     """
     with np.errstate(over="ignore"):
         length = np.asarray(np.sqrt(np.vecdot(vector, vector)))
-    if _moderate(length):
+    if moderate(length):
         return vector, length, np.ones(())
     unit = np.where(_extreme(length, vector), power_of_two(_largest(vector)), 1.0)
     vector = vector / unit[..., None]
@@ -67,7 +72,7 @@ def cross_product(first: Array, second: Array) -> tuple[Array, Array]:
     with np.errstate(over="ignore", invalid="ignore"):
         product = np.cross(first, second)
         length = np.asarray(np.linalg.norm(product, axis=-1))
-    if not _moderate(length):
+    if not moderate(length):
         (first, *_), (second, *_) = in_moderate_units(first), in_moderate_units(second)
         product = np.cross(first, second)
         length = np.asarray(np.linalg.norm(product, axis=-1))
@@ -75,20 +80,22 @@ def cross_product(first: Array, second: Array) -> tuple[Array, Array]:
 
 
 def moderate_plane(normal: Array, offset: ArrayLike) -> tuple[Array, Array, Array]:
-    """The same plane n·p + d = 0, its normal neither very long nor very short.
+    """The same plane n·p + d = 0, with a normal that leaves most of the range to p.
 
     Returns
     -------
     normal, offset : (..., 3) and (...), n and d
-        Both are divided by the same power of two, where the normal needs it.
+        Both are divided by the same power of two, where a normal is so long or so short
+        that n·p might leave the range of the floats although the distance does not. The
+        coordinates of p may be from 1e-290 to 1e290.
     length : (...), ‖n‖; 0 for a normal that is zero
     """
     offset = np.asarray(offset, dtype=float)
     with np.errstate(over="ignore"):
         length = np.asarray(np.linalg.norm(normal, axis=-1))
-    if _moderate(length):
+    if moderate(length, NEAR_ONE):
         return normal, offset, length
-    unit = np.where(_extreme(length, normal), power_of_two(_largest(normal)), 1.0)
+    unit = power_of_two(_largest(normal))
     normal = normal / unit[..., None]
     return normal, offset / unit, np.asarray(np.linalg.norm(normal, axis=-1))
 
@@ -113,9 +120,9 @@ def root_of_difference(u: Array, p: Array, q: Array) -> Array:
         difference = np.asarray(u * u - p * q)
         root = np.asarray(np.sqrt(difference))
     size = np.abs(difference)
-    if not _moderate(size, 4):
+    if not moderate(size, 4):
         size = size + ((u == 0) & ((p == 0) | (q == 0)))  # without these, whose root is 0
-        if not _moderate(size, 4):
+        if not moderate(size, 4):
             extreme = ~((size > SMALL**4) & (size < LARGE**4))
             root[extreme] = _root_in_units(*(np.broadcast_to(value, root.shape)[extreme] for value in (u, p, q)))
     return root
@@ -132,6 +139,15 @@ def power_of_two(size: ArrayLike) -> Array:
     return np.where(number > 0, np.ldexp(1.0, np.frexp(number)[1] - 1), 1.0)
 
 
+def moderate(size: Array, power: float = 1) -> bool:
+    """Whether all sizes are between `SMALL` and `LARGE`, each to a power."""
+    low: float = SMALL**power
+    high: float = LARGE**power
+    if not size.ndim:
+        return low < float(size) < high
+    return not size.size or (float(size.min()) > low and float(size.max()) < high)
+
+
 def _largest(vector: Array) -> Array:
     """The largest component of vectors (..., d), all signs apart."""
     return np.asarray(np.max(np.abs(vector), axis=-1, initial=0.0))
@@ -144,14 +160,6 @@ def _root_in_units(u: Array, p: Array, q: Array) -> Array:
     u, product = np.ldexp(u, of_u - k), np.ldexp(p * q, of_p + of_q - 2 * k)
     with np.errstate(invalid="ignore"):
         return np.asarray(np.ldexp(np.sqrt(u * u - product), k))
-
-
-def _moderate(size: Array, power: int = 1) -> bool:
-    """Whether all sizes are between `SMALL` and `LARGE`, each to a power."""
-    low, high = SMALL**power, LARGE**power
-    if not size.ndim:
-        return low < float(size) < high
-    return not size.size or (float(size.min()) > low and float(size.max()) < high)
 
 
 def _extreme(length: Array, vector: Array) -> Booleans:

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Integers
 from solutions.avoidance.directions import in_plane, limited, turned_left, unit_or_zero
 from solutions.checks import UNIT_TOLERANCE, not_negative
+from solutions.scaling import root_of_difference
 
 PARALLEL = 1e-12
 """Sine of the angle below which two borders count as parallel.
@@ -137,8 +138,8 @@ def _stretch(normal: Array, bound: Array, speed: Array, along: Array, k: int) ->
     asked = bound[:, :k] - b * np.sum(before * normal[:, k, None], axis=-1)
     parallel = np.abs(slope) <= PARALLEL
     place = asked / np.where(parallel, 1.0, slope)
-    room = (speed - bound[:, k]) * (speed + bound[:, k])
-    half = np.where(room >= 0, np.sqrt(np.maximum(room, 0.0)), -np.inf)
+    room = root_of_difference(np.zeros(()), bound[:, k] - speed, bound[:, k] + speed)  # √(speed² − b²)
+    half = np.fmax(room, -np.inf)  # there is no room, NaN, on a border beyond the speed limit
     low = np.max(place, axis=-1, where=slope > PARALLEL, initial=-np.inf)
     high = np.min(place, axis=-1, where=slope < -PARALLEL, initial=np.inf)
     # A parallel border counts only if it lies beyond this one by more than rounding. A

@@ -13,7 +13,7 @@ from solutions.arrays import Array, Booleans, Integers
 from solutions.avoidance.directions import in_plane, turned_left, unit_or_zero
 from solutions.avoidance.half_planes import permitted_velocity
 from solutions.avoidance.neighbours import neighbour_pairs
-from solutions.checks import not_negative, positive
+from solutions.checks import not_negative, positive, whole
 from solutions.scaling import length_of
 
 
@@ -116,7 +116,7 @@ def crowd_step(
     horizon, dt : s, positive
     neighbour_distance : (n,) or one for all, m, not negative
         A disc heeds no other whose centre is farther from its own.
-    max_neighbours : (n,) or one for all, not negative
+    max_neighbours : (n,) or one for all, a whole number or infinity, not negative
         A disc heeds at most that many others, the nearest ones. Of two that are equally
         near, the one with the lower index comes first.
 
@@ -130,8 +130,9 @@ def crowd_step(
     Raises
     ------
     ValueError
-        If a radius, a speed or a limit of neighbours is negative, a horizon or step is
-        not positive, a position is not finite, or the shapes do not fit.
+        If a radius, a speed or a limit of neighbours is negative, a number of
+        neighbours is not whole, a horizon or step is not positive, a position is not
+        finite, or the shapes do not fit.
 
     Notes
     -----
@@ -148,7 +149,7 @@ def crowd_step(
     r = np.broadcast_to(not_negative("radius", radius), len(p))
     speed = np.broadcast_to(not_negative("max_speed", max_speed), len(p))
     sight = np.broadcast_to(not_negative("neighbour_distance", neighbour_distance), len(p))
-    most = np.broadcast_to(not_negative("max_neighbours", max_neighbours), len(p))
+    most = np.broadcast_to(whole("max_neighbours", not_negative("max_neighbours", max_neighbours)), len(p))
     i, j = _who_may_meet(p, r, speed, horizon, sight)
     point, normal = orca_half_plane(p[i], v[i], r[i], p[j], v[j], r[j], horizon, dt)
     mirrored = v[j] - (point - v[i])  # the other half of the change, in reverse
@@ -184,7 +185,7 @@ def _heeded(p: Array, who: Integers, whom: Integers, sight: Array, most: Array) 
     """Which entries remain if each disc heeds only the nearest others in its sight."""
     if np.all(np.isinf(sight)) and np.all(np.isinf(most)):
         return np.ones(len(who), dtype=bool)
-    distance = np.linalg.norm(p[whom] - p[who], axis=-1)
+    distance = length_of(p[whom] - p[who])
     order = np.lexsort((whom, distance, who))
     count = np.bincount(who, minlength=len(p))
     rank = np.empty(len(who), dtype=int)  # 0 for the nearest

@@ -116,7 +116,7 @@ def universal_gravity(
     """
     m_1, m_2 = _masses(mass_1, mass_2)
     d, r = _apart(position_1, position_2, softening)
-    r = np.where(r == 0, 1.0, r)
+    r = np.where(r == 0, np.inf, r)  # no pull, however large the masses are
     size = GRAVITATIONAL_CONSTANT * ((m_1 / r) * (m_2 / r))  # r² alone may be too large for a float
     return np.asarray(size[..., None] * (d / r[..., None]))
 

@@ -129,9 +129,14 @@ def perpendicular_wall_factor(radius: ArrayLike, distance: ArrayLike) -> Array:
     Bevan and Prieve (1983) fitted this to the exact series of Brenner (1961). Near
     contact it is 1/z: the fluid has to be squeezed out of the gap, and the smaller the
     gap, the harder. In a perfect fluid the sphere would never touch the wall.
+
+    Far from the wall z² may be too large for a float. With x = r/h, which is never
+    above 1, z = (1 − x)/x, and the same factor is
+
+        (6 − 3 x − x²)/(2 (1 − x) (3 − 2 x))
     """
-    gap = 1 / _nearness(radius, distance) - 1
-    return np.asarray((6 * gap**2 + 9 * gap + 2) / (6 * gap**2 + 2 * gap))
+    share = _nearness(radius, distance)
+    return np.asarray((6 - 3 * share - share**2) / (2 * (1 - share) * (3 - 2 * share)))
 
 
 def _nearness(radius: ArrayLike, distance: ArrayLike) -> Array:

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Booleans
 from solutions.checks import between, finite, in_unit_interval, matrix, not_negative, positive, unit, vector
 from solutions.friction.support import along_surface
-from solutions.scaling import in_unit, moderate_equations
+from solutions.scaling import in_unit, moderate_equations, power_of_two
 
 SINGULAR = 1e-12
 """Share of the product of its rows' lengths below which det K counts as zero.
@@ -238,16 +238,17 @@ def sphere_impact(
     Notes
     -----
     The arm from the centre to the contact is r = −R n. The impulse and the inertia are
-    both proportional to the mass, so that the mass drops out.
+    both proportional to the mass, so that the mass drops out. The code measures lengths
+    in a power of two near R, so that they may have any size.
     """
     v, spin, n = vector("velocity", velocity), vector("angular_velocity", angular_velocity), vector("normal", normal)
     r = finite("radius", positive("radius", radius))[..., None]
-    share = finite("inertia_share", positive("inertia_share", inertia_share))
-    inertia = (share[..., None] * r**2)[..., None]
-    arm = -r * n
-    k = point_inverse_mass(1.0, np.eye(3) / inertia, arm)
-    j = friction_impulse(v + np.cross(spin, arm), n, k, restitution, friction)
-    return v + j, spin + np.cross(arm, j) / inertia[..., 0]
+    share = finite("inertia_share", positive("inertia_share", inertia_share))[..., None]
+    length = power_of_two(r)
+    arm, inertia = -(r / length) * n, share * (r / length) ** 2
+    k = point_inverse_mass(1.0, np.eye(3) / inertia[..., None], arm)
+    j = friction_impulse(v + np.cross(spin * length, arm), n, k, restitution, friction)
+    return v + j, spin + np.cross(arm, j) / inertia / length
 
 
 def superball_impact(

@@ -107,7 +107,12 @@ def along_surface(force: ArrayLike, normal: ArrayLike) -> Array:
         F_t = F − (F·n) n
     """
     f, n = vector("force", force), unit("normal", vector("normal", normal))
-    return np.asarray(f - np.vecdot(f, n)[..., None] * n)
+    return less_normal_part(f, n)
+
+
+def less_normal_part(vectors: Array, normal: Array) -> Array:
+    """What `along_surface` returns, for vectors and unit normals that are checked."""
+    return np.asarray(vectors - np.vecdot(vectors, normal)[..., None] * normal)
 
 
 def friction_angle(static_friction: ArrayLike) -> Array:

@@ -155,5 +155,5 @@ def _lengths(vectors: Array) -> Array:
 
 
 def _dot(a: Array, b: Array) -> Array:
-    """Scalar product over all nodes, (..., 1)."""
+    """Scalar product (..., 1) over all nodes, of vectors (3, ..., n)."""
     return np.asarray(np.einsum("i...n,i...n->...", a, b))[..., None]

@@ -147,5 +147,5 @@ def mesh_matrix(mesh: SpringMesh, blocks: ArrayLike) -> Array:
 
 
 def dot(a: Array, b: Array) -> Array:
-    """Scalar product over all nodes, (..., 1, 1)."""
+    """Scalar product (..., 1, 1) over all nodes, of vectors (..., n, 3)."""
     return np.asarray(np.sum(a * b, axis=(-2, -1), keepdims=True))

@@ -127,4 +127,5 @@ def _half_solid_angles(point: Array, vertices: Array, faces: Integers, normal: A
 
 
 def _dot(a: Array, b: Array) -> Array:
+    """Scalar product (...) of vectors (3, ...)."""
     return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
 from solutions.response.penalty_impact import penalty_damping, penalty_restitution
+from solutions.scaling import moderate
 
 ROUND_TRIP = 0.8 * math.sqrt(math.pi) * math.gamma(0.4) / math.gamma(0.9)
 """∫ 2 dx/√(1 − x^{5/2}) from 0 to 1, which is 2.943."""
@@ -122,9 +123,13 @@ def hertz_largest_depth(mass: ArrayLike, stiffness: ArrayLike, speed: ArrayLike)
     (2/5) k d^{5/2} of its force. So
 
         d = (5 m v²/(4 k))^{2/5}
+
+    Where v² is no ordinary float, the code writes this as (√(5 m/(4 k)) v)^{4/5}.
     """
     m, k = finite("mass", positive("mass", mass)), finite("stiffness", positive("stiffness", stiffness))
-    return np.asarray((5 * m * finite("speed", not_negative("speed", speed)) ** 2 / (4 * k)) ** 0.4)
+    v = finite("speed", not_negative("speed", speed))
+    ratio = 1.25 * (m / k)
+    return np.asarray((ratio * v**2) ** 0.4 if moderate(v) else (np.sqrt(ratio) * v) ** 0.8)
 
 
 def hertz_contact_time(mass: ArrayLike, stiffness: ArrayLike, speed: ArrayLike) -> Array:

@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.checks import finite, not_negative, positive, unit, vector
+from solutions.friction.support import less_normal_part
+from solutions.scaling import length_of
 
 
 def tangential_spring(
@@ -53,7 +55,9 @@ def tangential_spring(
     Notes
     -----
     1. The stretch of the last step is turned into the surface of now: its part along
-       the normal is dropped, and its length is kept.
+       the normal is dropped, and its length is kept. Nothing can be kept where the
+       stretch lies along the new normal, because no direction in the surface is left:
+       it then becomes 0.
     2. The slip of this step stretches the spring: ξ + u_t dt.
     3. The spring and the dashpot ask for the force −k_t ξ − c_t u_t. Up to μ N the
        contact sticks, and this is the force.
@@ -72,10 +76,10 @@ def tangential_spring(
         finite("stiffness", positive("stiffness", stiffness)),
     )
     c, dt = finite("damping", not_negative("damping", damping)), finite("dt", not_negative("dt", dt))
-    slip = _along(finite("slip_velocity", vector("slip_velocity", slip_velocity)), n)
+    slip = less_normal_part(finite("slip_velocity", vector("slip_velocity", slip_velocity)), n)
     xi = _turned(finite("stretch", vector("stretch", stretch)), n) + slip * dt[..., None]
     asked, dashpot = -k[..., None] * xi - c[..., None] * slip, c[..., None] * slip
-    size, most = np.linalg.norm(asked, axis=-1), mu * press
+    size, most = length_of(asked), mu * press
     slides = size > most
     force = asked * np.where(slides, most / np.where(slides, size, 1.0), 1.0)[..., None]
     xi = np.where(slides[..., None], -(force + dashpot) / k[..., None], xi)
@@ -83,13 +87,8 @@ def tangential_spring(
     return np.where(touches, force, 0.0), np.where(touches, xi, 0.0)
 
 
-def _along(vectors: Array, n: Array) -> Array:
-    """The part along the surface."""
-    return np.asarray(vectors - np.vecdot(vectors, n)[..., None] * n)
-
-
 def _turned(stretch: Array, n: Array) -> Array:
     """The stretch in the surface of the new normal, as long as before."""
-    along = _along(stretch, n)
-    before, after = (np.linalg.norm(each, axis=-1, keepdims=True) for each in (stretch, along))
+    along = less_normal_part(stretch, n)
+    before, after = length_of(stretch)[..., None], length_of(along)[..., None]
     return np.asarray(along * np.where(after > 0, before / np.where(after > 0, after, 1.0), 0.0))

@@ -595,6 +595,8 @@ def test_without_limits_of_neighbours_a_crowd_moves_as_before():
     for blind in ({"max_neighbours": 0}, {"neighbour_distance": 0.0}):
         _, alone = crowd_step(position, velocity, 0.1 * wish, 0.1, 1.5, 3.0, 0.1, **blind)
         assert np.array_equal(alone, 0.1 * wish)
+    with pytest.raises(ValueError, match=r"^max_neighbours must be a whole number, not 2\.5$"):
+        crowd_step(position, velocity, wish, 0.1, 1.5, 3.0, 0.1, max_neighbours=2.5)
     for name in ("neighbour_distance", "max_neighbours"):
         with pytest.raises(ValueError, match=f"^{name} must be zero or positive, not -1"):
             crowd_step(position, velocity, wish, 0.1, 1.5, 3.0, 0.1, **{name: -1})

@@ -120,6 +120,7 @@ def test_towards_a_wall_the_factor_is_brenners_series_at_any_distance():
     exact = 4 / 3 * np.sinh(alpha) * np.sum(n * (n + 1) / ((2 * n - 1) * (2 * n + 3)) * (quotient - 1), axis=0)
     factor = perpendicular_wall_factor(3.0, 3.0 * np.cosh(alpha))
     assert factor == pytest.approx(exact, rel=7.1e-3, abs=0)
+    assert perpendicular_wall_factor(1e-300, [1, 1e300]).tolist() == [1, 1]  # in a fluid without end
     assert perpendicular_wall_factor(1.0, 1 + 1e-9) * 1e-9 == pytest.approx(1, rel=1e-6)
     with pytest.raises(ValueError, match=r"^distance must be above the radius"):
         perpendicular_wall_factor(2.0, 1.0)

@@ -62,6 +62,12 @@ def test_an_elastic_hertz_impact_lasts_and_dips_as_its_closed_form_says(speed):
     closed = 0.8 * math.sqrt(math.pi) * gamma * 1.25**0.4 * (MASS**2 / (STIFFNESS**2 * speed)) ** 0.2
     assert hertz_contact_time(MASS, STIFFNESS, speed) == pytest.approx(closed, rel=1e-14)
     assert closed * (STIFFNESS**2 * speed / MASS**2) ** 0.2 == pytest.approx(3.218, abs=1e-3)
+    for slower in (1e-180, 1e-300, 1e160):  # also where the square of the speed is no ordinary float
+        scaled = hertz_contact_time(MASS, STIFFNESS, speed * slower) * slower**0.2
+        assert scaled == pytest.approx(closed, rel=1e-12)
+        scaled = hertz_largest_depth(MASS, STIFFNESS, speed * slower) / slower**0.8
+        assert scaled == pytest.approx(deepest, rel=1e-8)
+    assert hertz_contact_time(1e-20, 1e5, 1e-180) == pytest.approx(3.218e26, rel=1e-3)
 
 
 @pytest.mark.statement(8, oracle="scipy solve_ivp; Antypov and Elliott's linear oscillator")
@@ -179,6 +185,7 @@ def test_the_stretch_turns_with_the_surface_and_ends_with_the_contact():
     force, kept = tangential_spring(xi, np.zeros(3), turned, 10.0, 1.0, 100.0, 0.0, 0.1)
     assert kept == pytest.approx([0.024, 0.0, -0.018], abs=1e-17)  # as long as before, along the surface of now
     assert force == pytest.approx(-100 * kept, abs=1e-14)
+    assert tangential_spring(xi, np.zeros(3), X, 10.0, 1.0, 100.0, 0.0, 0.1)[1].tolist() == [0, 0, 0]  # none is left
     force, kept = tangential_spring(xi, X, UP, 0.0, 1.0, 100.0, 2.0, 0.1)
     assert force.tolist() == kept.tolist() == [0, 0, 0]
 

@@ -7,6 +7,7 @@ import importlib
 import numpy as np
 import pytest
 
+from solutions.avoidance.directions import unit_or_zero
 from solutions.detection import signed_distance, time_of_impact_exact
 from solutions.forces import spheroid_shape_factors
 from solutions.polyhedra import winding_number
@@ -155,6 +156,57 @@ CASES = [
     ("avoidance.is_in_the_way", [(vectors(), L), (vectors(), L), (vectors(), L), (numbers(), L)], [PURE]),
     ("avoidance.limited", [(vectors(), SPEED), (numbers() / 2, SPEED)], [SPEED]),
     (
+        "friction.sphere_impact",
+        [
+            (vectors() - 2 * NORMAL, SPEED),
+            (vectors(), -T),
+            (NORMAL, None),
+            (numbers(), L),
+            (numbers() / 2, None),
+            (numbers() / 9, None),
+        ],
+        [SPEED, -T],
+    ),
+    (
+        "response.tangential_spring",
+        [
+            (vectors(), L),
+            (vectors(), SPEED),
+            (NORMAL, None),
+            (numbers(), FORCE),
+            (numbers(), None),
+            (numbers(), FORCE - L),
+            (numbers(), FORCE - SPEED),
+            (numbers(), T),
+        ],
+        [FORCE, L],
+    ),
+    (
+        "avoidance.permitted_velocity",
+        [
+            (vectors()[:, :2], SPEED),
+            (numbers() * 2, SPEED),
+            (vectors(4)[..., :2] / 2, SPEED),
+            (unit_or_zero(vectors(4)[..., :2]), None),
+        ],
+        [SPEED],
+    ),
+    (
+        "avoidance.crowd_step",
+        [
+            (vectors()[:, :2], L),
+            (vectors()[:, :2], SPEED),
+            (vectors()[:, :2], SPEED),
+            (numbers() / 9, L),
+            (numbers() * 2, SPEED),
+            (2.0, T),
+            (0.5, T),
+            (2 * numbers(), L),
+            (3, None),
+        ],
+        [L, SPEED],
+    ),
+    (
         "avoidance.orca_half_plane",
         [
             (vectors()[:, :2], L),
@@ -217,9 +269,11 @@ def test_units_of_any_size_change_no_digit_of_a_result(name, arguments, units):
 
 
 @pytest.mark.statement(4, oracle="the distance of a plane whose normal is along an axis")
-@pytest.mark.parametrize("size", [1e-300, 1e-200, 1e-160, 1e150, 1e200, 1e300])
+@pytest.mark.parametrize("size", [1e-300, 1e-200, 1e-160, 1e-50, 1e-14, 1e14, 1e50, 1e150, 1e200, 1e300])
 def test_a_distance_does_not_depend_on_how_long_the_normal_is(size):
     assert signed_distance((1, 2, 7), (0, 0, size), -2 * size) == pytest.approx(5, rel=1e-15)
+    for far in (1e-290, 1e290):  # the numbers of the normal and of the point are no floats when multiplied
+        assert signed_distance((far, 2 * far, 7 * far), (0, 0, size), 0) == pytest.approx(7 * far, rel=1e-15, abs=0)
     both = signed_distance((1, 2, 7), [(0, 0, size), (0, 0, 2.0)], [-2 * size, -4.0])
     assert both == pytest.approx([5, 5], rel=1e-15)  # one normal needs another unit, its neighbour does not
     with pytest.raises(ValueError, match="normal is zero"):
