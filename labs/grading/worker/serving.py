@@ -180,10 +180,11 @@ def _described(error: BaseException) -> tuple[str, str, int | None]:
     for frame, number in traceback.walk_tb(error.__traceback__):
         if frame.f_code.co_filename == TITLE:
             line = number
-    if isinstance(error, SyntaxError) and error.filename == TITLE:
+    ours = isinstance(error, SyntaxError) and error.filename == TITLE
+    if ours:
         line = error.lineno
     try:
-        message = str(error) + _meant(error)
+        message = (str(error.msg) if ours else str(error)) + _meant(error)  # which would name the line once more
     except BaseException:
         message = "(its message cannot be shown)"
     return type(error).__name__[:100], message[:_MESSAGE_CHARACTERS], line
