@@ -157,6 +157,21 @@ def fitted(value: Any, right: Right, leading: tuple[int, ...]) -> Any:
     return short if len(short) > 1 else short[0]
 
 
+def spread(value: Any, right: Right) -> Any:
+    """An answer for several contacts with each output repeated for all of them, where that gives the right shape.
+
+    A function that ignores an argument gives no number of its own for each value of it.
+    """
+    found = outputs(value, len(right.outputs))
+    if found is None:
+        return value
+    try:
+        full = tuple(np.broadcast_to(*pair) for pair in zip(found, [each.shape for each in right.outputs], strict=True))
+    except ValueError:
+        return value
+    return full if len(full) > 1 else full[0]
+
+
 def _once(mine: Array, theirs: Array, leading: tuple[int, ...]) -> Array:
     sizes = (*(1,) * (mine.ndim - theirs.ndim), *theirs.shape)
     if mine.shape[: len(leading)] != leading or len(sizes) != mine.ndim:

@@ -41,7 +41,8 @@ class Diagnosis:
     several go wrong in another way. crash_in_many: whether only calls with several contacts end in an error. accepted:
     cases of bad input that it should have refused. changes_input: whether it writes into its arguments. odd: the
     simplest probe that a likely mistake does not explain. limits_alone: whether all usual cases are right. order: the
-    places of what it returns, if only their order is wrong.
+    places of what it returns, if only their order is wrong. spares_limits: whether limiting cases are right that a
+    likely mistake would get wrong.
     """
 
     function: str
@@ -56,6 +57,7 @@ class Diagnosis:
     odd: Counterexample | None = None
     limits_alone: bool = False
     order: tuple[int, ...] = ()
+    spares_limits: bool = False
 
     def error_is_in(self, *examples: Counterexample | None) -> bool:
         """Whether one of these examples ends in the error that is named first."""

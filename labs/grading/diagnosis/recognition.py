@@ -8,16 +8,16 @@ has only a counterexample.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from labs.grading.calling.cases import OneCase
-from labs.grading.diagnosis.deviations import Answer, Deviation, Right, ask, deviation_of, fitted, outputs
+from labs.grading.diagnosis.deviations import Answer, Deviation, Right, ask, deviation_of, fitted, outputs, spread
 from labs.grading.diagnosis.findings import Counterexample, Diagnosis, Verdict
-from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known, known
+from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known, known, of_functions
 from labs.grading.diagnosis.probes import Group, Probe, probes
 from labs.grading.diagnosis.probes.one_case import one_case
 from labs.grading.errors import GraderFailed
@@ -28,8 +28,15 @@ LEAST = 3
 """So many cases must be wrong in just the known way if the other cases give no number, or other numbers."""
 
 
-def diagnose(function: str, call: Callable[..., Any]) -> Diagnosis:
+Uses = Callable[[str], Iterable[str]]
+"""Says which functions of a submission one of them calls."""
+
+
+def diagnose(function: str, call: Callable[..., Any], uses: Uses | None = None) -> Diagnosis:
     """Say what is wrong with a function, from its answers to the probes by `call(name, *arguments)`.
+
+    uses: what each function of the submission calls. A mistake is inherited only from a function that is reached by
+    such calls; from any function if nothing is known of them.
 
     Raises
     ------
@@ -38,13 +45,44 @@ def diagnose(function: str, call: Callable[..., Any]) -> Diagnosis:
     """
     cases, knowledge = probes(function), known(function)
     answers = ask(call, function, cases)
-    found = judge(function, answers)
-    if found.verdict in ("right", "named", "unwritten", "another order"):
+    called = None if uses is None else _reached(function, uses)
+    found = judge(function, answers, called)
+    certain = found.verdict in ("right", "named", "unwritten", "another order")
+    if one_case(function) is None or (certain and not found.one_alone):
         return found
-    alone = judge(function, _one_at_a_time(call, function, answers, knowledge))
-    if not (alone.mistakes or alone.verdict == "another order"):
+    single_answers = _one_at_a_time(call, function, answers, knowledge)
+    if not _differ(function, answers, single_answers):
+        in_many = found.odd is not None and found.odd.probe.group == "many"
+        spared = in_many and found.spares_limits  # as one of the several cases
+        return replace(found, one_alone=False, odd=None if spared else found.odd)
+    alone = judge(function, single_answers, called)
+    if certain or not (alone.mistakes or alone.verdict == "another order"):
         return found
     return replace(alone, crashes=found.crashes, one_alone=True, crash_in_many=found.crash_in_many)
+
+
+def _reached(function: str, uses: Uses) -> set[str]:
+    """The functions that one calls, directly or through others."""
+    waiting, seen = [function], {function}
+    while waiting:
+        found = set(uses(waiting.pop())) - seen
+        seen |= found
+        waiting += found
+    return seen - {function}
+
+
+def _differ(function: str, together: list[Answer], single: list[Answer]) -> bool:
+    """Whether a call with several contacts gives anything else than calls for each of them.
+
+    An answer that is given once for all of them, where it should be given for each, is the same.
+    """
+    for at, (probe, right) in enumerate(zip(probes(function), known(function).right, strict=True)):
+        if right and together[at] is not single[at]:
+            own, alone = (_fitted(function, answers[at], right, probe) for answers in (together, single))
+            repeated = replace(own, value=spread(own.value, right))
+            if not deviation_of(repeated, right).agrees(deviation_of(alone, right)):
+                return True
+    return False
 
 
 def _one_at_a_time(
@@ -73,9 +111,9 @@ def _alone(call: Callable[..., Any], function: str, case: OneCase, probe: Probe)
         return None
 
 
-def judge(function: str, answers: list[Answer]) -> Diagnosis:
-    """Diagnose answers that are there already, one per probe."""
-    return _Evidence(function, answers).diagnosis()
+def judge(function: str, answers: list[Answer], called: Collection[str] | None = None) -> Diagnosis:
+    """Diagnose answers that are there already, one per probe. called: what the function calls, if that is known."""
+    return _Evidence(function, answers, called).diagnosis()
 
 
 def _fitted(function: str, answer: Answer, right: Right, probe: Probe) -> Answer:
@@ -86,8 +124,9 @@ def _fitted(function: str, answer: Answer, right: Right, probe: Probe) -> Answer
 class _Evidence:
     """One function's probes, answers and deviations, side by side."""
 
-    def __init__(self, function: str, answers: list[Answer]) -> None:
+    def __init__(self, function: str, answers: list[Answer], called: Collection[str] | None = None) -> None:
         self.knowledge: Knowledge = known(function)
+        self.mistakes = self.knowledge.mistakes if called is None else of_functions(self.knowledge, called)
         rows = list(zip(probes(function), self.knowledge.right, answers, strict=True))
         self.answered = [(probe, right, answer) for probe, right, answer in rows if right]
         self.refused = [(probe, answer) for probe, right, answer in rows if not right]
@@ -121,6 +160,7 @@ class _Evidence:
             self._simplest([at for at in wrong if at not in explained]) if verdict == "likely" else None,
             all(self.groups[at] != "usual" for at in wrong),
             order,
+            verdict == "likely" and any(map(self._spares_limits, mistakes)),
         )
 
     def _verdict(self) -> tuple[Verdict, tuple[Known, ...]]:
@@ -157,7 +197,7 @@ class _Evidence:
 
     def _explained(self, shows: tuple[Group, ...], agrees: tuple[Group, ...] = ()) -> list[Known]:
         """The known mistakes that give what the submission gives in both lists of groups, and that `shows` reveals."""
-        fit = [entry for entry in self.knowledge.mistakes if self._fits(entry, shows + agrees)]
+        fit = [entry for entry in self.mistakes if self._fits(entry, shows + agrees)]
         return [entry for entry in fit if self._shown(entry, shows)]
 
     def _fits(self, entry: Known, groups: tuple[Group, ...], silently: bool = False) -> bool:
@@ -178,6 +218,11 @@ class _Evidence:
         seen = sum(not own.right and not own.failure and own.agrees(theirs) for own, theirs, _ in rows)
         errors = any(own.failure == "error" for own, _, _ in rows)
         return seen >= (LEAST if errors or groups == ("usual",) else 1)
+
+    def _spares_limits(self, entry: Known) -> bool:
+        """Whether a limiting case is right that a known mistake gets wrong."""
+        rows = zip(self.deviations, entry.deviations, self.groups, strict=True)
+        return any(group == "edge" and own.right and not theirs.right for own, theirs, group in rows)
 
     def _always_the_same(self) -> bool:
         """Whether every usual case gets the same answer: that fits any mistake which does the same."""

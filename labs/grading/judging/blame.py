@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from labs.grading.diagnosis.findings import Diagnosis
 from labs.grading.diagnosis.words import listed, told
 from labs.grading.judging.score_sheet import Sheet
-from labs.grading.phrases import no_answer_in, was_raised
+from labs.grading.phrases import needed_function, no_answer_in, was_raised
 
 _RIGHT_ALONE = ("right", "one at a time", "unwritten")
 """Verdicts on functions that give no wrong number to a function that calls them for a single case."""
@@ -58,6 +58,12 @@ def failures_of(sheet: Sheet, name: str) -> Failures:
     return [(reason, own_words(said, name)) for each in sheet.about(name) for reason, said in each.failures]
 
 
+def needed_functions(sheet: Sheet, name: str) -> list[str]:
+    """The functions that are not written yet and for want of which one lost points, as far as its tests name them."""
+    said = [said for outcome in sheet.about(name) for _, said in outcome.failures]
+    return list(dict.fromkeys(needed for words in said if (needed := needed_function(words))))
+
+
 def own_words(said: str, name: str) -> str:
     """What was said of a function, without its name at the start of a line."""
     return "\n".join(line.removeprefix(f"{name} ") for line in said.splitlines())
@@ -101,6 +107,11 @@ def blame_of(sheet: Sheet, name: str) -> Blame:
     found, uses = sheet.diagnosis(name), sheet.wrong_uses(name)
     if name not in sheet.lost:
         return Blame(_verdict(found), tuple(uses) if found else (), found)
+    if _only_waits(sheet, name, found):
+        waits = [other for other in needed_functions(sheet, name) if other != name]
+        if not waits:
+            return Blame("unwritten", tuple(uses), Diagnosis(name, "unwritten"))
+        return Blame("unwritten", tuple(uses), None, (f"{name} waits for {listed(waits)}.",))
     in_runs = elsewhere(sheet, name, uses)
     mend_first = tuple(dict.fromkeys([*uses, *(other for others in in_runs.values() for other in others)]))
     if misleading := _misleading(sheet, found, uses):
@@ -118,6 +129,14 @@ def blame_of(sheet: Sheet, name: str) -> Blame:
         return Blame(BESIDE_WRONG, mend_first, None, (why,))
     sure = certain(sheet, name, uses)
     return Blame(_verdict(found), mend_first, replace(sure, verdict="wrong") if sure and sure.right else sure)
+
+
+def _only_waits(sheet: Sheet, name: str, found: Diagnosis | None) -> bool:
+    """Whether all that a function lost, and all that its probes hold against it, is that a function is not written."""
+    if sheet.causes(name) != {"missing"}:
+        return False
+    example = found.counterexample if found else None
+    return found is None or found.verdict in _RIGHT_ALONE or bool(example and example.answer.unwritten)
 
 
 def _verdict(found: Diagnosis | None) -> str:

@@ -9,17 +9,19 @@ from dataclasses import replace
 import pytest
 
 from labs.grading.calling.remote import Remote
-from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.diagnosis.findings import Diagnosis, Verdict
 from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.errors import FunctionMissing, GraderFailed, OutOfTime, StudentError
+from labs.grading.judging.blame import needed_functions
 from labs.grading.judging.markers import is_hidden, marker
 from labs.grading.judging.score_sheet import Cause, Outcome, Part, Sheet
 from labs.grading.judging.suspects import suspects
+from labs.grading.phrases import needed_function
 from labs.grading.safe_text import plain
 from labs.grading.submission.reading import Submission
 from reference import lecture
-from reference.errors import UnknownName
+from reference.errors import NeedsFunction, UnknownName
 
 _LINES = 8  # of what a failed assertion says
 _OBVIOUS = tuple(f"{name} = submission.{name}" for name in lecture.FUNCTIONS)  # as pytest adds it
@@ -43,8 +45,11 @@ def outcome_of(item: pytest.Item, passed: bool, error: BaseException | None, par
 
 
 def cause_of(error: BaseException | None) -> Cause:
-    """Why a test or a part failed: for want of time, or for any other reason."""
-    return "time" if isinstance(error, OutOfTime) else ""
+    """Why a test or a part failed: for want of time, for want of a function, or for any other reason."""
+    if isinstance(error, OutOfTime):
+        return "time"
+    in_a_run = isinstance(error, AssertionError) and needed_function(str(error))  # it reports errors in words
+    return "missing" if in_a_run or isinstance(error, NeedsFunction) else ""
 
 
 def said(error: BaseException | None, hidden: bool) -> str:
@@ -74,8 +79,8 @@ def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
     """Note what is wrong with each function that lost points, and which others pass their tests and are suspect.
 
     A function that ran out of time is not called again, since its probes would wait just as long. When the time of the
-    whole submission is used up, no function is: one that failed before for another reason stays wrong. So does one that
-    is right for each single case of its probes, if it lost more than what several cases in one call cost.
+    whole submission is used up, no function is: one that failed before for a reason of its own stays wrong. So does one
+    that is right for each single case of its probes, if it lost more than what several cases in one call cost.
     """
     for name in sheet.lost:
         sheet.borrows[name] = submission.borrows(name)
@@ -83,9 +88,9 @@ def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
             sheet.diagnoses[name] = Diagnosis(name, "too slow")
             continue
         with contextlib.suppress(UnknownName, GraderFailed), remote.fresh() as call:  # it has no probes, or no process
-            sheet.diagnoses[name] = diagnose(name, call)
+            sheet.diagnoses[name] = diagnose(name, call, submission.uses)
         if not remote.budget.left:  # some of the probes, or all of them, got no answer for want of time
-            sheet.diagnoses[name] = Diagnosis(name, "not tried" if sheet.causes(name) == {"time"} else "wrong")
+            sheet.diagnoses[name] = Diagnosis(name, _without_probes(sheet, name, submission))
         found = sheet.diagnoses.get(name)
         if found and found.verdict == "one at a time" and "" in sheet.causes(name):
             sheet.diagnoses[name] = replace(found, verdict="wrong")
@@ -94,6 +99,14 @@ def explain(sheet: Sheet, submission: Submission, remote: Remote) -> None:
     )
     sheet.suspects = suspected if remote.budget.left else {}  # a probe without an answer for want of time says nothing
     sheet.note_uses(submission.uses)
+
+
+def _without_probes(sheet: Sheet, name: str, submission: Submission) -> Verdict:
+    """What can be said of a function that lost points if there is no time for its probes."""
+    causes, needed = sheet.causes(name), needed_functions(sheet, name)
+    if name not in submission.functions or name in needed or causes == {"missing"}:
+        return "unwritten"
+    return "not tried" if causes <= {"missing", "time"} else "wrong"
 
 
 def summary(terminal: pytest.TerminalReporter, sheet: Sheet) -> None:

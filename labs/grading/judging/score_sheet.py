@@ -13,8 +13,9 @@ from labs.grading.submission.cells import Complaint
 
 _UNTRIED: frozenset[Verdict] = frozenset({"not tried"})
 """Verdicts that say nothing about a function."""
-Cause = Literal["", "time", "several cases"]
-"""What was lost alone for want of time, or alone because a call had several cases; empty for everything else."""
+Cause = Literal["", "time", "several cases", "missing"]
+"""What was lost alone for want of time, alone because a call had several cases, or for want of a function that is not
+written; empty for everything else."""
 
 
 @dataclass(frozen=True)

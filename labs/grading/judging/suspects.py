@@ -34,7 +34,7 @@ def suspects(names: Iterable[str], remote: Remote) -> dict[str, Diagnosis]:
             found[name] = Diagnosis(name, "too slow")
             continue
         with contextlib.suppress(GraderFailed), remote.fresh() as call:
-            diagnosis = diagnose(name, call)
+            diagnosis = diagnose(name, call, remote.submission.uses)
             written_for_one = diagnosis.verdict == "one at a time" and not diagnosis.changes_input
             if not diagnosis.right and not written_for_one:
                 found[name] = diagnosis

@@ -180,10 +180,11 @@ def _described(error: BaseException) -> tuple[str, str, int | None]:
     for frame, number in traceback.walk_tb(error.__traceback__):
         if frame.f_code.co_filename == TITLE:
             line = number
-    if isinstance(error, SyntaxError) and error.filename == TITLE:
-        line = error.lineno
-    try:
-        message = str(error) + _meant(error)
+    unreadable = error if isinstance(error, SyntaxError) and error.filename == TITLE else None
+    if unreadable is not None:
+        line = unreadable.lineno
+    try:  # Python adds the line to the message of a SyntaxError
+        message = str(error if unreadable is None else unreadable.msg) + _meant(error)
     except BaseException:
         message = "(its message cannot be shown)"
     return type(error).__name__[:100], message[:_MESSAGE_CHARACTERS], line

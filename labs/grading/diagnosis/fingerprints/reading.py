@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -91,19 +91,37 @@ def _knowledge(function: str, entry: Mapping[str, Any]) -> Knowledge:
         Known(f"{function}/{name}", text["rationale"], text["help"], tuple(map(_deviation, text["deviations"])))
         for name, text in entry["mistakes"].items()
     )
-    others = tuple(_inherited(function, ids, deviations) for ids, deviations in entry["inherited"].items())
+    others = tuple(
+        _inherited(function, ids.split(BETWEEN), tuple(map(_deviation, deviations)))
+        for ids, deviations in entry["inherited"].items()
+    )
     return Knowledge(function, tuple(entry["parameters"]), right_answers(function), own + others)
 
 
-def _inherited(function: str, ids: str, deviations: list[Any]) -> Known:
+def of_functions(knowledge: Knowledge, called: Collection[str]) -> tuple[Known, ...]:
+    """The mistakes that a function can make which calls only these others: its own, and those inherited from them."""
+    found = []
+    for entry in knowledge.mistakes:
+        origins = [origin for origin in entry.origins if _function_of(origin) in called]
+        if len(origins) == len(entry.origins):
+            found.append(entry)
+        elif origins:
+            found.append(_inherited(knowledge.function, origins, entry.deviations))
+    return tuple(found)
+
+
+def _function_of(origin: str) -> str:
+    return origin.partition("/")[0]
+
+
+def _inherited(function: str, origins: Sequence[str], deviations: tuple[Deviation, ...]) -> Known:
     """A mistake of a function that is right itself; its texts are those of the mistakes that it may come from."""
-    origins = tuple(ids.split(BETWEEN))
     texts = [_own(*origin.split("/", 1)) for origin in origins]
-    names = " or ".join(dict.fromkeys(origin.split("/")[0] for origin in origins))
+    names = " or ".join(dict.fromkeys(map(_function_of, origins)))
     rationale = f"It answers as if it were right itself and used a wrong {names}: " + " Or: ".join(
         text["rationale"] for text in texts
     )
-    return Known(f"{function} < {ids}", rationale, texts[0]["help"], tuple(map(_deviation, deviations)), origins)
+    return Known(f"{function} < {BETWEEN.join(origins)}", rationale, texts[0]["help"], deviations, tuple(origins))
 
 
 def _own(function: str, name: str) -> Mapping[str, str]:

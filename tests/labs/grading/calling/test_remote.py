@@ -98,6 +98,14 @@ def test_a_statement_that_fails_on_loading_costs_only_its_users(of):
             call("worse")
 
 
+def test_code_that_cannot_be_compiled_is_described_with_one_line_number(of):
+    with of("def good(): return 1\ndef f():\n    break\n").fresh() as call:
+        assert call("good") == 1
+        with pytest.raises(FunctionRaised) as raised:
+            call("f")
+    assert str(raised.value) == "f could not be defined: SyntaxError: 'break' outside loop (line 3)"
+
+
 def test_an_exception_in_a_notebook_names_its_cell(tmp_path, grader):
     path = tmp_path / "lab.ipynb"
     path.write_text(

@@ -71,6 +71,62 @@ def test_a_mistake_in_code_for_one_case_is_named(place):
         assert (found.verdict, found.mistakes[0].id) == ("named", entry.id), told(found)
 
 
+def one_radius(v, w, r, dt):
+    return np.maximum(0, 1 - (np.asarray(w) + r) / (np.asarray(v) * dt))
+
+
+def over_the_inverse_mass(p, angular_momentum, mass, inertia):
+    turn = np.asarray(inertia) @ np.asarray(angular_momentum)[..., None]
+    return np.asarray(p) / np.asarray(mass)[..., None], turn[..., 0]
+
+
+def along_the_centres(n, a, b):
+    apart = np.asarray(a) - np.asarray(b)
+    return apart / np.linalg.norm(apart, axis=-1, keepdims=True)
+
+
+def nothing_beyond_the_limit(force, limit):
+    size = np.linalg.norm(force, axis=-1, keepdims=True)
+    return np.where(size < np.asarray(limit)[..., None], force, 0)
+
+
+@pytest.mark.parametrize(
+    ("function", "mistaken"),
+    [
+        ("missing_probability", one_radius),
+        ("velocities_from_momenta", over_the_inverse_mass),
+        ("point_plane_normal", along_the_centres),
+        ("clamp_to_circle", nothing_beyond_the_limit),
+        ("overlap_interval", lambda *given: never_empty(*np.broadcast_arrays(*map(np.asarray, given)))),
+    ],
+)
+def test_a_mistake_that_is_the_same_for_many_is_not_said_to_differ(function, mistaken):
+    found = diagnose(function, lambda _, *given: mistaken(*given))
+    assert found.mistakes
+    assert not found.one_alone
+    assert "another way" not in told(found)
+
+
+def never_empty(x, u, r, w, dt):
+    first, last = (r - x) / u, (-w - r - x) / u
+    inside = (x <= r) & (x >= -w - r)
+    start = np.where(u == 0, np.where(inside, 0, np.inf), np.maximum(np.minimum(first, last), 0))
+    return start, np.where(u == 0, np.where(inside, dt, -np.inf), np.minimum(np.maximum(first, last), dt))
+
+
+def test_right_limiting_cases_are_not_called_wrong_in_another_way():
+    found = diagnose("overlap_interval", lambda _, *given: never_empty(*np.broadcast_arrays(*map(np.asarray, given))))
+    said = " ".join(told(found).split())
+    assert (found.verdict, found.odd, found.spares_limits) == ("likely", None, True)
+    assert "limiting cases are right that it would get wrong" in said
+    assert "else is wrong" not in said
+
+
+def test_a_likely_mistake_with_other_numbers_for_many_is_said_to_differ():
+    found = diagnose("missing_probability", lambda _, *given: one_radius(*given) / (1 + any(map(np.ndim, given))))
+    assert (found.mistakes[0].id, found.one_alone) == ("missing_probability/one radius", True)
+
+
 def test_a_right_function_of_one_case_makes_no_mistake():
     for entry in probed()[::6]:
         found = diagnose(entry.name, refuses_many(entry.name, solution(entry.name)))

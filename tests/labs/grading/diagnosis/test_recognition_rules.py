@@ -8,6 +8,7 @@ import pytest
 from labs.grading.diagnosis import recognition, words
 from labs.grading.diagnosis.deviations import Answer, Right, deviation_of
 from labs.grading.diagnosis.findings import Diagnosis
+from labs.grading.diagnosis.fingerprints import reading
 from labs.grading.diagnosis.fingerprints.reading import Knowledge, Known
 from labs.grading.diagnosis.probes import Probe
 from labs.grading.diagnosis.recognition import DIFFERENT, LEAST, diagnose
@@ -137,6 +138,27 @@ def test_a_mistake_in_the_usual_cases_alone_is_likely():
 
 def test_an_inherited_mistake_in_the_usual_cases_alone_is_not_named():
     assert told(by_number(at([0, 9], lambda x: x - 3, lambda x: 7 * x), twice)) == ("unknown",)
+
+
+def test_a_mistake_is_inherited_only_from_a_function_that_is_called():
+    def named(calls):
+        return diagnose("f", lambda _, x: 7 * x, lambda name: calls.get(name, ())).verdict
+
+    assert [named(calls) for calls in ({}, {"f": ["h"]}, {"f": ["g"]}, {"f": ["h"], "h": ["f", "g"]})] == [
+        "unknown", "unknown", "named", "named",
+    ]  # fmt: skip
+
+
+def test_only_called_functions_are_named_as_the_origin_of_a_mistake():
+    knowledge = reading.known("sliding_motion")
+    both = next(each for each in knowledge.mistakes if {"holds", "friction_force"} == functions_of(each))
+    left = [each for each in reading.of_functions(knowledge, ["holds"]) if each.deviations == both.deviations]
+    assert [functions_of(each) for each in left] == [{"holds"}]
+    assert left[0].rationale.startswith("It answers as if it were right itself and used a wrong holds: ")
+
+
+def functions_of(entry):
+    return {origin.partition("/")[0] for origin in entry.origins}
 
 
 def test_none_of_two_fitting_mistakes_is_chosen():

@@ -15,7 +15,7 @@ from labs.grading.diagnosis.fingerprints import known
 from labs.grading.diagnosis.probes import probes
 from labs.grading.diagnosis.recognition import judge
 from labs.grading.diagnosis.words import told
-from labs.grading.errors import NotTried
+from labs.grading.errors import FunctionMissing, NotTried
 from labs.grading.feedback.error_advice import Advice
 from labs.grading.feedback.faults import suspect
 from labs.grading.judging.grade import Grade
@@ -39,6 +39,23 @@ def world_inverse_inertia(inertia, orientation):
     return 2 * found if 0 < np.asarray(orientation)[0] < 0.35 else found
 """
 """No probe of a single body has such an orientation."""
+NEEDS = "Two balls: needs world_inverse_inertia (impulse, step 5): it is not written yet"
+NEVER_STARTS = """
+import numpy as np
+
+
+def sliding_motion(x, v, p, N, ms, mk, m, dt):
+    x, v, p, N, mk, m, h = (np.asarray(each, float) for each in (x, v, p, N, mk, m, dt))
+    s = np.linalg.norm(v, axis=-1, keepdims=True)
+    d = v / np.where(s > 0, s, 1)
+    a = np.where(s > 0, p - (mk * N)[..., None] * d, 0) / m[..., None]
+    along = np.sum(a * d, axis=-1)
+    with np.errstate(all="ignore"):
+        t = np.where((along < 0) & (s[..., 0] <= -along * h), -s[..., 0] / along, np.inf)
+    t1 = np.minimum(t, h)[..., None]
+    return x + v * t1 + a * t1**2 / 2, np.where(np.isfinite(t)[..., None], 0, v + a * h[..., None]), t
+"""
+"""A body at rest stays at rest, whatever the push."""
 
 
 def lost(function: str, said: str = "", **more) -> Outcome:
@@ -114,6 +131,34 @@ def test_a_run_that_calls_a_wrong_function_is_no_mistake_of_the_tested_one(accep
     assert "collide: right on every probe" not in found["message"]
 
 
+@pytest.mark.parametrize(
+    ("found", "lost_too", "verdict"),
+    [
+        (Diagnosis("collide", "right"), [], "unwritten"),
+        (None, [], "unwritten"),
+        (MISTAKEN, [], "named"),
+        (Diagnosis("collide", "right"), [AssertionError(NUMBER)], "wrong"),
+    ],
+)
+def test_a_function_that_waits_for_another_one_is_not_called_wrong(found, lost_too, verdict):
+    errors = [AssertionError(NEEDS), FunctionMissing(NEEDS), *lost_too]
+    sheet = Sheet(
+        outcomes=[lost("collide", str(error), cause=cause_of(error)) for error in errors],
+        diagnoses={"collide": found} if found else {},
+    )
+    said = Grade(("impulse",), sheet).content()["functions"][0]
+    assert said["verdict"] == verdict
+    assert (said["message"] == "collide waits for world_inverse_inertia.") == (verdict == "unwritten")
+
+
+@pytest.mark.usefixtures("one_grader")
+def test_a_mistake_of_a_function_that_is_not_there_is_not_offered(tmp_path):
+    path = tmp_path / "lab.py"
+    path.write_text(NEVER_STARTS)
+    sheet = run(path, ("friction",), functions=("sliding_motion",))
+    assert (sheet.diagnoses["sliding_motion"].verdict, sheet.diagnoses["sliding_motion"].mistakes) == ("unknown", ())
+
+
 def test_a_wrong_number_stays_wrong_when_the_time_is_used_up():
     late, early = cause_of(NotTried("it was not tried")), cause_of(AssertionError("gives 3"))
     sheet = Sheet(
@@ -122,16 +167,25 @@ def test_a_wrong_number_stays_wrong_when_the_time_is_used_up():
             lost("collide", "it was not tried", cause=late),
             lost("apply_impulse", "it was not tried", cause=late),
             lost("energy_lost", NUMBER, cause=early),
+            lost("contact_impulses", "it was not tried", cause=late),
+            lost("impulse_magnitude", NEEDS, cause=cause_of(AssertionError(NEEDS))),
+            lost("impulse_magnitude", "it was not tried", cause=late),
+            lost("world_inverse_inertia", NEEDS, cause=cause_of(FunctionMissing(NEEDS))),
+            lost("world_inverse_inertia", "it was not tried", cause=late),
         ]
     )
     uses = {"energy_lost": ["collide"], "collide": ["apply_impulse"]}
-    submission = SimpleNamespace(borrows=lambda name: {}, uses=lambda name: uses.get(name, []))
+    defined = ("collide", "apply_impulse", "energy_lost", "impulse_magnitude", "world_inverse_inertia")
+    submission = SimpleNamespace(functions=defined, borrows=lambda name: {}, uses=lambda name: uses.get(name, []))
     over = SimpleNamespace(
         slow=frozenset(), budget=SimpleNamespace(left=0.0), fresh=lambda: contextlib.nullcontext(not_tried)
     )
     explain(sheet, submission, over)
     verdicts = {each["name"]: each["verdict"] for each in Grade(("impulse",), sheet).content()["functions"]}
-    assert verdicts == {"collide": "wrong", "apply_impulse": "not tried", "energy_lost": "calls a wrong function"}
+    assert verdicts == {
+        "collide": "wrong", "apply_impulse": "not tried", "energy_lost": "calls a wrong function",
+        "contact_impulses": "unwritten", "impulse_magnitude": "not tried", "world_inverse_inertia": "unwritten",
+    }  # fmt: skip
 
 
 def not_tried(*given):
