@@ -16,7 +16,7 @@ End = Literal["speed", "impulse", "work"]
 NORMAL = np.array([0.0, 0.0, 1.0])
 STOPPED = 1e-11
 """A slip below this share of the speed of the impact has stopped."""
-ROUNDING = 16 * float(np.finfo(float).eps)
+SPEED_ROUNDING = 16 * float(np.finfo(float).eps)
 """Rounding of u + K J, as a share of the speed of the impact, per condition of K."""
 STRAIGHT = 1e-12
 """A change of slip across the slip that is rounding, as a share of the largest."""
@@ -50,7 +50,7 @@ class Course:
         self.start, self.k, self.mu = start, k, mu
         self.impulse, self.work = np.zeros_like(start), np.zeros(len(start))
         speed = np.linalg.norm(start, axis=-1)
-        rounding = ROUNDING * np.linalg.cond(k)
+        rounding = SPEED_ROUNDING * np.linalg.cond(k)
         self.smallest, self.accepted = speed * np.maximum([[STOPPED], [ACCURACY]], rounding)
         self.rate = (1 + mu) * np.linalg.norm(k, axis=(-2, -1))
         self.step = FIRST_STEP * speed / self.rate
