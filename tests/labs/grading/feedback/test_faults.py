@@ -171,6 +171,8 @@ def test_nan_is_explained_and_the_mistake_shown_at_another_input():
         (lambda m: np.sum(m[0, 0], axis=1), "axis=-1 is the last axis"),
         (lambda m: np.einsum("ij,ij->i", m[0, 0], m[0, 0]), "'...i,...i->...'"),
         (lambda m: np.array([m, m[0]]), "np.broadcast_arrays"),
+        (lambda m: m ^ 2, "A power is a ** b"),
+        (lambda m: 1.5 ^ 2, "A power is a ** b"),
     ],
 )
 def test_messages_of_numpy_get_advice_on_what_to_do(given, points_to):
