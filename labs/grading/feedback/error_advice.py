@@ -31,7 +31,7 @@ _ADVICE = (
         "The square root of a negative number is complex in (-1) ** 0.5, cmath and np.emath. Which case is that, and"
         " what should come out of it?",
     ),
-    (r"for \^: |ufunc 'bitwise_xor' not supported", "A power is a ** b in Python; a ^ b compares the bits of integers."),
+    (r"for \^: |ufunc 'bitwise_xor' not supported", "A power is a ** b in Python; a ^ b compares bits of integers."),
     (
         r"'Body' object has no attribute",
         "The parts of a body of the lab are velocity, angular_velocity, arm, inverse_mass and inverse_inertia.",
