@@ -12,6 +12,7 @@ from types import ModuleType
 from typing import ClassVar
 
 from reference.engines.implementation import Implementation
+from reference.engines.ranges import Allowed, check_options
 from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, UnknownName
 from reference.impact_truth import NEWTON
 from reference.scene.query import Query
@@ -59,7 +60,8 @@ class Engine(ABC):
     name: as typed on the command line. title: as printed. order: place in tables. package: the distribution that it
     needs, None for ours. extra: the extra of this project that installs it. wheels: where its package can be installed
     without a compiler. applies_forces: whether it lets a scenario's `forces` act; if not, it refuses them.
-    implementation: which hand-written code runs; only the hand-written engine reads it.
+    allowed: what each option may be; one that is not in it may be anything of its kind. implementation: which
+    hand-written code runs; only the hand-written engine reads it.
     """
 
     name: ClassVar[str]
@@ -69,6 +71,7 @@ class Engine(ABC):
     extra: ClassVar[str | None] = None
     wheels: ClassVar[str] = ""
     applies_forces: ClassVar[bool] = False
+    allowed: ClassVar[Mapping[str, Allowed]] = {}
 
     def __init__(self, implementation: Implementation | None = None) -> None:
         self.implementation = implementation or Implementation()
@@ -131,10 +134,12 @@ class Engine(ABC):
         Raises
         ------
         InvalidInput
-            If the timestep is longer than the scenario, or so short that there are too many.
+            If an option is out of its range, or if the timestep is longer than the scenario, or so short that there are
+            too many.
         CannotExpress
             If forces act that this engine does not apply.
         """
+        check_options(self.allowed, settings.options)
         if scenario.forces and not self.applies_forces:
             raise self.cannot(scenario, "it knows no forces but weight and those of contacts")
         interval = settings.timestep * settings.sample_every

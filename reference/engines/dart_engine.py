@@ -11,13 +11,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from reference.engines import dart_bodies, mixing
 from reference.engines.base import AT_STEP, Engine, Method
-from reference.errors import CannotExpress, InvalidInput
+from reference.engines.ranges import COUNT, POSITIVE, Allowed
+from reference.errors import CannotExpress
 from reference.scene import geometry
 from reference.scene.query import Query, Ray
 from reference.scene.scenario import Box, Scenario, Sphere
@@ -54,6 +55,13 @@ class Dart(Engine):
     extra = "dart"
     wheels = "CPython from 3.10 on Linux, macOS 15 on ARM and Windows"
     applies_forces = True
+    allowed: ClassVar[Mapping[str, Allowed]] = {
+        "detector": DETECTORS,
+        "ground": GROUNDS,
+        "solver": SOLVERS,
+        "solver_tolerance": POSITIVE,
+        "solver_iterations": COUNT,
+    }
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at DART's default."""
@@ -100,7 +108,6 @@ class Dart(Engine):
         dart: Any = self.module()
         self.check_friction(scenario)
         steps = self.check_settings(scenario, settings)
-        _check_words(settings)
         coefficients = self._restitution_and_friction(scenario)
         world = _world(dart, scenario, settings)
         shapes, bodies = [], []
@@ -156,14 +163,6 @@ class Dart(Engine):
         if friction is None:
             raise self.cannot(scenario, "it takes the smaller friction of two bodies, and no choice gives all pairs")
         return list(zip(restitution, friction, strict=True))
-
-
-def _check_words(settings: Settings) -> None:
-    """Refuse a detector, ground or solver that there is not, naming those there are."""
-    for option, choices in (("detector", DETECTORS), ("ground", GROUNDS), ("solver", SOLVERS)):
-        word = settings.options.get(option)
-        if word is not None and word not in choices:
-            raise InvalidInput(f"{option} is {word!r}; here it is one of {', '.join(choices)}")
 
 
 def _world(dart: Any, scenario: Scenario, settings: Settings) -> Any:

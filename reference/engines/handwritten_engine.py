@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import ClassVar
 
 import numpy as np
 
 from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
 from reference.engines.handwritten import ball_rows, queries, single_body, two_bodies
 from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part
+from reference.engines.ranges import NOT_NEGATIVE, Allowed
 from reference.errors import InvalidInput, NeedsFunction
 from reference.impact_truth import DISSIPATIVE, NEWTON, POISSON, STRONGE
 from reference.scene.query import Query
@@ -49,6 +51,11 @@ class Handwritten(Engine):
     name = "handwritten"
     title = "hand-written"
     order = 0
+    allowed: ClassVar[Mapping[str, Allowed]] = {
+        "policy": POLICIES,
+        "impact_law": (NEWTON, *LAWS),
+        "shortest_flight": NOT_NEGATIVE,
+    }
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
         """Exact root as `tuned`, the plainest policy as `stock`; the slide's T where something falls on a plane."""

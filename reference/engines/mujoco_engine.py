@@ -13,12 +13,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from reference import truth
 from reference.engines.base import AT_STEP, COMPLIANT, Engine, Method
+from reference.engines.ranges import NOT_NEGATIVE, POSITIVE, SHARE, Allowed, Range
 from reference.impact_truth import APART, NEWTON
 from reference.scene import geometry
 from reference.scene.query import Query, Ray
@@ -42,6 +43,17 @@ class MuJoCo(Engine):
     extra = "mujoco"
     wheels = "CPython from 3.11 on Linux, macOS on ARM and Windows"
     applies_forces = True
+    allowed: ClassVar[Mapping[str, Allowed]] = {
+        "contact": ("one step", "spring", "default"),
+        "integrator": ("Euler", "RK4", "implicit", "implicitfast"),
+        "cone": ("elliptic", "pyramidal"),
+        "impedance": Range(1e-4, 0.9999),  # MuJoCo takes the nearest of these for any other
+        "stiffness": POSITIVE,
+        "overlap_recovery": SHARE,
+        "impratio": POSITIVE,
+        "noslip_iterations": NOT_NEGATIVE,
+        "margin": NOT_NEGATIVE,
+    }
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
         """`spring`, the resolved contact of the textbooks, joins where something falls."""

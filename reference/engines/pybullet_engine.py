@@ -14,12 +14,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from reference.engines import mixing, pybullet_bodies
 from reference.engines.base import AT_STEP, Engine, Method
+from reference.engines.ranges import COUNT, NOT_NEGATIVE, SHARE, Allowed
 from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.query import Query, Ray
@@ -54,6 +55,18 @@ class PyBullet(Engine):
     extra = "pybullet"
     wheels = "CPython up to 3.11 on Linux x86-64 only"
     applies_forces = True
+    allowed: ClassVar[Mapping[str, Allowed]] = {
+        "coordinates": ("maximal", "multibody"),
+        "ground": ("box", "plane"),
+        "linear_damping": SHARE,
+        "angular_damping": SHARE,
+        "contact_slop": NOT_NEGATIVE,
+        "contact_erp": SHARE,
+        "contact_gap_falls": NOT_NEGATIVE,
+        "rest_threshold_steps": NOT_NEGATIVE,
+        "solver_iterations": COUNT,
+        "solver_residual": NOT_NEGATIVE,
+    }
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at Bullet's default."""
