@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Annotated
@@ -49,6 +50,8 @@ def record(
     if scenario and published:
         raise InvalidInput(f"--published takes no scenarios, and {scenario[0]!r} is one; name one of the two")
     families, here = _families(scenario), _here(engine)
+    if out:
+        _check_folder(out)
     cache = Cache(fresh=fresh, most_bytes=MOST_BYTES)
     written = [] if published else _scenarios(families, here, only_stale, workers, cache, out)
     if not scenario:
@@ -57,6 +60,16 @@ def record(
         _print_sizes(written)
     else:
         output.print("All recordings are of today's scenarios and settings.")
+
+
+def _check_folder(out: Path) -> None:
+    """Refuse, before anything runs, a folder that cannot be made or written to."""
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=out):
+            pass
+    except OSError as error:
+        raise InvalidInput(f"cannot record in {str(out)!r}: {error.strerror}; choose another --out") from None
 
 
 def _here(engines: Sequence[str] | None) -> list[str]:

@@ -23,7 +23,7 @@ __all__ = ["Engine", "engine_names", "load_engine"]
 def load_engine(name: str, implementation: Implementation | None = None) -> Engine:
     """Return the engine of that name, or the one that a `.py` file defines."""
     if name.endswith(".py"):
-        return _engine_class(_load_file(Path(name)))(implementation)
+        return _made(name, _engine_class(_load_file(Path(name))), implementation)
     classes = _found()
     if name not in classes:
         raise UnknownName("engine", name, classes)
@@ -55,6 +55,21 @@ def _load_file(path: Path) -> ModuleType:
     except Exception as error:
         raise InvalidInput(f"the engine file {str(path)!r} cannot be loaded: {one_line(error)}") from error
     return module
+
+
+def _made(file: str, engine: type[Engine], implementation: Implementation | None) -> Engine:
+    """Make the engine of somebody's file; refuse one that lacks a method, or that would pass for one of the lab's."""
+    if missing := sorted(engine.__abstractmethods__):
+        raise InvalidInput(f"the engine of {file!r} lacks {', '.join(missing)}; docs/design.md says what each does")
+    for word in ("name", "title"):
+        if not isinstance(getattr(engine, word, None), str):
+            raise InvalidInput(f"the engine of {file!r} has no {word}: give its class one, in words")
+    if engine.name in _found():
+        raise InvalidInput(f"the engine of {file!r} has the name {engine.name!r}, which is taken; give it another")
+    try:
+        return engine(implementation)
+    except Exception as error:
+        raise InvalidInput(f"the engine of {file!r} cannot be made: {one_line(error)}") from error
 
 
 def _engine_class(module: ModuleType) -> type[Engine]:

@@ -24,3 +24,9 @@ def test_hand_written_code_and_engine_files_are_not_recorded(name, tmp_path):
     refused = collisions("record", "parting-ball", "--engine", name, "--out", tmp_path)
     assert refused.code == 2
     assert f"'{name}' is not recorded; these engines are: pybullet, mujoco, dart" in refused.error
+
+
+def test_a_folder_that_cannot_be_made_is_refused_before_anything_runs(tmp_path):
+    (tmp_path / "file").touch()
+    refused = collisions("record", "parting-ball", "--out", tmp_path / "file" / "folder")
+    assert (refused.code, "Not a directory; choose another --out" in refused.error) == (2, True)

@@ -73,6 +73,10 @@ def test_a_scenario_that_the_toy_cannot_express_is_a_row_with_the_reason(rows):
     )
 
 
+HALF = "from reference.engines import Engine\nclass Half(Engine):\n    name = 'half'\n"
+REST = "    def settings(self, *_): pass\n    method = run = settings\n"
+
+
 @pytest.mark.parametrize(
     ("text", "complaint"),
     [
@@ -80,9 +84,13 @@ def test_a_scenario_that_the_toy_cannot_express_is_a_row_with_the_reason(rows):
         ("ENGINE = int\n", "does not define ENGINE"),
         ("ENGINE = 'toy'\n", "does not define ENGINE"),
         (None, "no engine file"),
+        (f"{HALF}ENGINE = Half\n", "lacks method, run, settings"),
+        (f"{HALF}{REST}ENGINE = Half\n", "has no title"),
+        (f"{HALF}{REST}    title = 'MuJoCo'\n    name = 'mujoco'\nENGINE = Half\n", "'mujoco', which is taken"),
+        (f"{HALF}{REST}    title = 'h'\n    def __init__(self): pass\nENGINE = Half\n", "cannot be made: TypeError"),
     ],
 )
-def test_a_file_without_an_engine_is_refused_by_name(text, complaint, tmp_path):
+def test_a_file_without_an_engine_that_can_run_is_refused_by_name(text, complaint, tmp_path):
     path = tmp_path / "no_engine.py"
     if text is not None:
         path.write_text(text)
