@@ -146,20 +146,20 @@ def static_shape(
     weight = np.where(mesh.pinned, 0.0, mesh.mass)[:, None] * np.asarray(acceleration, dtype=float)
     held_by = np.bincount(mesh.edges.ravel(), np.repeat(mesh.stiffness, 2), len(mesh.mass))[:, None]
     softness = np.where(mesh.pinned[:, None], 0.0, 1 / np.where(held_by > 0, held_by, 1.0))
-    v, energy, scale = np.zeros_like(p), np.zeros((*p.shape[:-2], 1, 1)), _largest(weight)
+    v, energy, scale = np.zeros_like(p), np.zeros((*p.shape[:-2], 1, 1)), _largest_force(weight)
     for _ in range(max(1, iterations)):
         net = np.where(mesh.pinned[:, None], 0.0, mesh_forces(mesh, p, np.zeros_like(p)) + weight)
-        scale = np.where(scale > 0, scale, _largest(net))
-        if np.all(_largest(net) <= tolerance * scale):
+        scale = np.where(scale > 0, scale, _largest_force(net))
+        if np.all(_largest_force(net) <= tolerance * scale):
             return np.array(p)
         v = v + softness * net
         before, energy = energy, np.sum(held_by * v * v, axis=(-2, -1), keepdims=True)
         v, energy = np.where(energy < before, 0.0, v), np.where(energy < before, 0.0, energy)
         p = p + v
-    left = np.max(_largest(net))
+    left = np.max(_largest_force(net))
     raise RuntimeError(f"no shape at rest found in {iterations} steps: a net force of {left:.3g} N is left")
 
 
-def _largest(force: Array) -> Array:
+def _largest_force(force: Array) -> Array:
     """The size of the largest of the forces (..., n, 3), as (...)."""
     return np.asarray(np.max(np.linalg.norm(force, axis=-1), axis=-1, initial=0.0))

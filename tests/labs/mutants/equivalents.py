@@ -135,7 +135,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
         ROUNDING: ("limit dropped: np.maximum(0.0, mu ** 2 * np.vecdot(spread, spread) - … → shaped(mu ** 2 …, 0.0)",),
         "The push and its rate are turned round together, and only their sizes and their product count.": (
-            "in along_surface: sign flipped: f - np.vecdot(f, n)[..., None] * n → np.vecdot…",
+            "in less_normal_part: sign flipped: vectors - np.vecdot(vectors, normal)[..., None] * normal → np.vecdot…",
         ),
     },
     "friction_impulse": {
