@@ -64,7 +64,7 @@ def test_an_unknown_law_of_impacts_is_refused_with_those_that_there_are():
     engine, scenario = by_hand(), TURNS_ROUND.scenarios[0]
     settings = engine.settings(scenario, "tuned").change(impact_law="huygens")
     with pytest.raises(
-        InvalidInput, match="impact_law is 'huygens'; it is one of newton, dissipative, poisson, stronge"
+        InvalidInput, match="impact_law is 'huygens'; here it is one of newton, dissipative, poisson, stronge"
     ):
         engine.run(scenario, settings)
 
