@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
@@ -56,12 +58,11 @@ def test_a_sphere_by_hand_follows_the_rigid_law_to_rounding(judged):
         assert [row.measured for row in judged("P11") if row.figure == figure] == pytest.approx(law, rel=1e-13)
 
 
+@dataclass(frozen=True)
 class UnderLaw(Implementation):
     """The solutions, whose spheres strike by a law of impacts of any two bodies; a sphere of 2.3 kg."""
 
-    def __init__(self, law):
-        super().__init__()
-        object.__setattr__(self, "law", law)
+    law: Callable = poisson_impulse
 
     def function(self, name):
         return self.strike if name == "sphere_impact" else super().function(name)
@@ -77,7 +78,7 @@ class UnderLaw(Implementation):
 @pytest.mark.parametrize("law", [dissipative_impulse, poisson_impulse, stronge_impulse])
 @pytest.mark.parametrize("name", ["P11", "P17"])
 def test_each_law_of_impacts_answers_published_spheres_as_newtons_does(name, law, judged):
-    rows, _ = compare_published(published(name), load_engine("handwritten", UnderLaw(law)))
+    rows, _ = compare_published(published(name), load_engine("handwritten", UnderLaw(law=law)))
     assert [row.verdict for row in rows] == [row.verdict for row in judged(name)]
     assert [row.measured for row in rows] == pytest.approx([row.measured for row in judged(name)], rel=1e-9)
 

@@ -59,7 +59,7 @@ def failures_of(sheet: Sheet, name: str) -> Failures:
 
 
 def needed_functions(sheet: Sheet, name: str) -> list[str]:
-    """The functions that are not written yet and for want of which one lost points, as far as its tests name them."""
+    """The functions that are not written yet and that a function waits for, as far as its tests name them."""
     said = [said for outcome in sheet.about(name) for _, said in outcome.failures]
     return list(dict.fromkeys(needed for words in said if (needed := needed_function(words))))
 

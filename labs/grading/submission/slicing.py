@@ -40,10 +40,10 @@ class Group:
         """The names that they bind, or whose objects they change."""
         return self.defines | self.touches
 
-    @functools.cached_property
-    def bodies(self) -> tuple[ast.FunctionDef, ...]:
-        """The functions among them."""
-        return tuple(each for each in self.statements if isinstance(each, ast.FunctionDef))
+    @property
+    def has_function(self) -> bool:
+        """Whether one of them is a function."""
+        return any(isinstance(each, ast.FunctionDef) for each in self.statements)
 
     @functools.cached_property
     def defines(self) -> frozenset[str]:
@@ -89,7 +89,9 @@ def needed(every: Sequence[Group], wanted: Collection[str]) -> set[int]:
         else:
             active.add(function)
             new = calling.get(function, [])
-            functions += (each for at in using.get(function, []) if every[at].bodies for each in every[at].defines)
+            functions += (
+                each for at in using.get(function, []) if every[at].has_function for each in every[at].defines
+            )
         for at in new:
             if at not in kept:
                 kept.add(at)
@@ -138,9 +140,8 @@ def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.Symbol
     outer = {node.id for node in loaded if not isinstance(node.ctx, ast.Store)}
     touched = frozenset(name for statement in statements for name in _touched(statement))
     calls = frozenset(name for each in nodes for node in each for name in _called(node))
-    bodies = [statement for statement in statements if isinstance(statement, ast.FunctionDef)]
-    changes = frozenset(name for body in bodies for name in _changed(body)) & inner if bodies else frozenset()
-    return Group(first, last, tuple(statements), kinds, touched, frozenset(inner | outer), calls, changes)
+    changes = frozenset(name for each in statements if isinstance(each, ast.FunctionDef) for name in _changed(each))
+    return Group(first, last, tuple(statements), kinds, touched, frozenset(inner | outer), calls, changes & inner)
 
 
 def _first(statement: ast.stmt) -> int:
