@@ -18,7 +18,7 @@ MAY_IMPORT = {"solutions": {"solutions"}, "reference": {"reference"}, "labs": {"
 """Which of our own packages each package may import."""
 FLOORS = {
     "reference": (
-        "report", "published", "running", "recording", "comparison", "catalogue", "viewer", "engines", "scene",
+        "report", "published", "running", "recording", "comparison", "catalogue", "prediction", "viewer", "engines", "scene",
         "lecture",
     ),
     "reference/published": (

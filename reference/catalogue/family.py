@@ -10,6 +10,8 @@ from reference.catalogue.case import Case
 from reference.catalogue.grid import Grid
 from reference.engines.base import EXACT, Engine, Method
 from reference.errors import InvalidInput, UnknownName
+from reference.prediction.predicted import Prediction
+from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 
@@ -21,9 +23,10 @@ _ANY_TIMESTEP = 1e-3
 class Expectation:
     """What theory says of one quantity, and how near is near enough; all in the quantity's unit.
 
-    value: the closed form. tolerance: accepted distance from it, with its reason. shift: the change of the value that
-    the method is known to cause, with its derivation in a few words. shift_tolerance: accepted distance from
-    value + shift.
+    value: the closed form. tolerance: what counts as near to it, a convention, with its reason. shift_reason: why the
+    method is farther off, in a few words. Where a prediction of the method exists, that says how far. Elsewhere shift
+    is the change of the value that the method is known to cause, and shift_tolerance the accepted distance from value +
+    shift, derived from the next order.
     """
 
     value: float
@@ -94,7 +97,8 @@ class Family:
     """A family of cases and all that the report says about it.
 
     statements: numbers of the lecture's statements. about: what it is. expected: the expected value and why.
-    why: why the implementations differ. grid: the parameters that can be moved, None if there are none.
+    why: why the implementations differ. grid: the parameters that can be moved, None if there are none. predict: what
+    a method must give in a scenario, None where no recurrence is written for the family.
     """
 
     name: str
@@ -109,6 +113,7 @@ class Family:
     curve: Curve
     convergence: Convergence
     grid: Grid | None = None
+    predict: Callable[[Scenario, Settings, Method], Prediction | None] | None = None
 
     def profiles(self, engine: Engine) -> Mapping[str, str]:
         """The profiles that an engine has for this family, tuned first, with a line on each."""

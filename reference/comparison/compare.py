@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.family import Expectation, Family, Quantity
 from reference.comparison.verdicts import NOTHING_FINITE, Row, Verdict, judge, verdict_of
@@ -20,6 +22,7 @@ from reference.errors import (
     Unforeseen,
     as_failed_run,
 )
+from reference.prediction.predicted import Prediction
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 
@@ -45,25 +48,33 @@ def compare_case(
 
 @dataclass(frozen=True)
 class Number:
-    """What was measured of one quantity: mean and standard deviation over an ensemble, or why there is no number."""
+    """What was measured of one quantity: one value for each scenario of a case, or a note why there is none."""
 
-    mean: float | None = None
-    spread: float | None = None
+    values: tuple[float, ...] = ()
     note: str = ""
     crashed: bool = False
 
+    @property
+    def mean(self) -> float | None:
+        """Mean over an ensemble; None where it is not finite."""
+        return _finite(np.mean, self.values) if self.values else None
+
+    @property
+    def spread(self) -> float | None:
+        """Standard deviation over an ensemble; None for a single value, or where it is not finite."""
+        return _finite(np.std, self.values) if len(self.values) > 1 else None
+
 
 def measured(quantity: Quantity, trajectories: Sequence[Trajectory]) -> Number:
-    """Measure a quantity of each trajectory, and take the mean."""
+    """Measure a quantity of each trajectory."""
     try:
         with as_failed_run():
-            values = [float(quantity.measure(trajectory)) for trajectory in trajectories]
+            values = tuple(float(quantity.measure(trajectory)) for trajectory in trajectories)
     except Unforeseen as error:
         return Number(note=str(error), crashed=True)
     except RunFailed as error:  # the run has no such number: a body that still moves has no stopping distance
         return Number(note=str(error))
-    mean, spread = _mean_and_spread(values)
-    return Number(mean, spread) if mean is not None else Number(note=NOTHING_FINITE)
+    return Number(values) if _finite(np.mean, values) is not None else Number(note=NOTHING_FINITE)
 
 
 def judged(
@@ -75,8 +86,9 @@ def judged(
     method: Method,
     numbers: Mapping[str, Number],
 ) -> list[Row]:
-    """A row for each quantity: its number, what theory says with these settings, and the verdict."""
+    """A row for each quantity: its number, what theory and the method's recurrence say of it, and the verdict."""
     blank = Row(family.name, case.name, engine, profile, "", "", Verdict.SHOWN, settings=settings.describe())
+    predictions = predicted(family, case, settings, method)
     rows = []
     for quantity in family.quantities:
         expectation = quantity.expect(case, settings, method) if quantity.expect else None
@@ -90,25 +102,73 @@ def judged(
                 reason=expectation.reason,
                 shift=expectation.shift,
             )
-        rows.append(_with_number(row, numbers[quantity.name], expectation))
+        rows.append(_with_number(row, numbers[quantity.name], expectation, _Against.of(quantity, predictions)))
     return rows
 
 
-def _with_number(row: Row, number: Number, expectation: Expectation | None) -> Row:
+def predicted(family: Family, case: Case, settings: Settings, method: Method) -> list[Prediction]:
+    """What the method's recurrence gives in each scenario of a case; none where it has none for all of them."""
+    if family.predict is None:
+        return []
+    found = [family.predict(scenario, settings, method) for scenario in case.scenarios]
+    return [each for each in found if each is not None] if all(found) else []
+
+
+@dataclass(frozen=True)
+class _Against:
+    """What is predicted of one quantity, and how near each number has to be: its band."""
+
+    number: Number
+    bands: tuple[float, ...]
+
+    @classmethod
+    def of(cls, quantity: Quantity, predictions: Sequence[Prediction]) -> _Against | None:
+        """None without a prediction."""
+        if not predictions:
+            return None
+        number = measured(quantity, [each.trajectory for each in predictions])
+        return cls(number, tuple(each.band(value) for each, value in zip(predictions, number.values, strict=False)))
+
+    def differences(self, number: Number) -> Array:
+        """Measured less predicted, for each scenario."""
+        return np.subtract(number.values, self.number.values)
+
+    def hold(self, number: Number) -> bool:
+        """Whether every number is as predicted."""
+        return bool(np.all(np.abs(self.differences(number)) <= self.bands))
+
+
+def _with_number(row: Row, number: Number, expectation: Expectation | None, against: _Against | None) -> Row:
     if number.crashed:
         return replace(row, verdict=Verdict.CRASHED, note=number.note)
     if number.mean is None:
         return replace(row, verdict=Verdict.FAIL if expectation else Verdict.SHOWN, note=number.note)
-    row = replace(row, measured=number.mean, spread=number.spread)
+    row = replace(row, measured=number.mean, spread=number.spread, values=number.values)
+    holds = None
+    if against is not None:
+        row, holds = _with_prediction(row, number, against)
     if expectation is None:
-        return row
-    verdict = judge(number.mean, expectation)
-    note = expectation.shift_reason if verdict is Verdict.KNOWN_DEVIATION else ""
-    return replace(row, verdict=verdict, note=note)
+        return row if holds is None else replace(row, verdict=Verdict.PASS if holds else Verdict.FAIL)
+    verdict = judge(number.mean, expectation, holds)
+    deviates = verdict in (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES)
+    return replace(row, verdict=verdict, note=expectation.shift_reason if deviates else row.note)
 
 
-def _mean_and_spread(values: Sequence[float]) -> tuple[float | None, float | None]:
-    """Mean and standard deviation, None for one that is not finite; a single value has no spread."""
+def _with_prediction(row: Row, number: Number, against: _Against) -> tuple[Row, bool]:
+    """The row with what is predicted, and whether the number is so; it is not where there is no such number."""
+    if against.number.mean is None:
+        return replace(row, note=f"predicted: {against.number.note}"), False
+    off = against.differences(number)
+    worst = int(np.argmax(np.abs(off)))
+    row = replace(row, predicted=against.number.mean, band=max(against.bands), off=float(off[worst]))
+    if holds := against.hold(number):
+        return row, holds
+    return replace(
+        row, note=f"predicted {against.number.values[worst]:.9g}, measured {number.values[worst]:.9g}"
+    ), holds
+
+
+def _finite(summary: Callable[..., Any], values: Sequence[float]) -> float | None:
     with np.errstate(over="ignore", invalid="ignore"):  # ∞ − ∞, or numbers whose squares are too large
-        mean, spread = float(np.mean(values)), float(np.std(values))
-    return mean if math.isfinite(mean) else None, spread if len(values) > 1 and math.isfinite(spread) else None
+        found = float(summary(values))
+    return found if math.isfinite(found) else None

@@ -25,10 +25,16 @@ NOTHING_FINITE = "no finite number: what is asked for did not happen before the 
 
 
 class Verdict(StrEnum):
-    """Whether a measured number agrees with what is expected of it, or why there is no number."""
+    """Whether a measured number agrees with what is expected of it, or why there is no number.
+
+    Two questions are kept apart: does the implementation do what its method must do, and how far is that from theory?
+    A number passes if it is as predicted and near theory; it is a known deviation if it is as predicted and away from
+    theory, and it disagrees if it is as predicted but as far from theory as the quantity is large. Anything else fails.
+    """
 
     PASS = "pass"
     KNOWN_DEVIATION = "known deviation"
+    DISAGREES = "disagrees"
     FAIL = "fail"
     CANNOT_EXPRESS = "cannot express"
     NEEDS = "needs"
@@ -42,7 +48,9 @@ class Row:
     """One number of one case in one implementation and profile.
 
     expected, shift, tolerance, reason: as in `Expectation`. scale: as in `Quantity`. spread: standard deviation over an
-    ensemble. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
+    ensemble, and values each of its numbers. predicted: what the recurrence of the method gives, band how near each number must be to it, and off the
+    largest difference from it, of any one of an ensemble; None where no recurrence is written. note: why there is no
+    number, or why it deviates. All numbers are finite and in `unit`, or None.
     """
 
     family: str
@@ -60,10 +68,15 @@ class Row:
     shift: float = 0.0
     note: str = ""
     scale: float | None = None
+    predicted: float | None = None
+    band: float | None = None
+    off: float | None = None
+    values: tuple[float, ...] = ()
     settings: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
-        for name in ("measured", "spread", "expected", "tolerance", "shift", "scale"):
+        numbers = ("measured", "spread", "expected", "tolerance", "shift", "scale", "predicted", "band", "off")
+        for name in numbers:
             if (value := getattr(self, name)) is not None:
                 checks.finite(f"{self.family}/{self.case}, {self.quantity}: {name}", value)
 
@@ -92,16 +105,24 @@ def why(verdict: Verdict, note: str) -> str:
     return note if note.startswith(verdict) else f"{verdict}: {note}"
 
 
-def judge(measured: float, expectation: Expectation) -> Verdict:
-    """Judge a number: it passes within its tolerance of theory, and deviates as known within that of theory + shift."""
+def judge(measured: float, expectation: Expectation, as_predicted: bool | None = None) -> Verdict:
+    """Judge a number by what theory says, and by whether it is as its method's recurrence predicts.
+
+    as_predicted: None where no recurrence is written. Then what the method must give is theory + the known shift, within
+    a derived bound.
+    """
     if not math.isfinite(measured):
         return Verdict.FAIL
-    if abs(measured - expectation.value) <= expectation.tolerance:
+    error = abs(measured - expectation.value)
+    near = error <= expectation.tolerance
+    if as_predicted is None:
+        off = abs(measured - expectation.value - expectation.shift)
+        as_predicted = near or bool(expectation.shift and off <= expectation.shift_tolerance)
+    if not as_predicted:
+        return Verdict.FAIL
+    if near:
         return Verdict.PASS
-    deviation = abs(measured - expectation.value - expectation.shift)
-    if expectation.shift and deviation <= expectation.shift_tolerance:
-        return Verdict.KNOWN_DEVIATION
-    return Verdict.FAIL
+    return Verdict.DISAGREES if 0 < abs(expectation.value) <= error else Verdict.KNOWN_DEVIATION
 
 
 def verdict_of(error: Exception) -> Verdict:

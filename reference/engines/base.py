@@ -21,8 +21,15 @@ from reference.scene.settings import Move, Settings
 from reference.scene.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
-ROUNDING = 1e-9
-"""A duration needs no further sample for a remainder smaller than this share of a sample."""
+RESPOND_THEN_STEP, CHORD, BULLET, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
+    "respond, then step",
+    "chord",
+    "Bullet's",
+    "MuJoCo's in one step",
+    "MuJoCo's spring",
+    "DART's",
+)
+"""The recurrences that `reference.prediction` has, step by step."""
 MOST_STEPS = 10**8
 """No engine takes more steps than this within the time limit of a job."""
 
@@ -41,6 +48,7 @@ class Method:
     softness: share of the change of speed, (1 + e) v, by which an impact falls short.
     weighed: share of the speed that gravity adds in the step of an impact, which the impact turns back as well.
     law: of restitution in an impact with friction, one of `reference.impact_truth`.
+    rule: the recurrence that a run follows step by step, one of those above; "" if none has been written down.
     """
 
     kind: str
@@ -52,6 +60,7 @@ class Method:
     softness: float = 0.0
     weighed: float = 0.0
     law: str = NEWTON
+    rule: str = ""
 
 
 class Engine(ABC):
@@ -142,13 +151,12 @@ class Engine(ABC):
         check_options(self.allowed, settings.options)
         if scenario.forces and not self.applies_forces:
             raise self.cannot(scenario, "it knows no forces but weight and those of contacts")
-        interval = settings.timestep * settings.sample_every
-        if interval > scenario.duration:
+        if settings.timestep * settings.sample_every > scenario.duration:
             raise InvalidInput(
                 f"timestep {settings.timestep:g} s × {settings.sample_every} steps a sample is longer than"
                 f" {scenario.name}, which lasts {scenario.duration:g} s"
             )
-        steps = settings.sample_every * math.ceil(scenario.duration / interval - ROUNDING)
+        steps = settings.steps_for(scenario.duration)
         if steps > MOST_STEPS:
             made = f"timestep {settings.timestep:g} s makes {steps:.1e} steps of {scenario.name}"
             raise InvalidInput(f"{made}; {MOST_STEPS:.0e} is the most")

@@ -16,7 +16,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from reference.engines import dart_bodies, mixing
-from reference.engines.base import AT_STEP, Engine, Method
+from reference.engines.base import AT_STEP, DART, Engine, Method
 from reference.engines.ranges import COUNT, POSITIVE, Allowed
 from reference.errors import CannotExpress
 from reference.scene import geometry
@@ -95,7 +95,7 @@ class Dart(Engine):
         """DART responds at the step, to the speed that this step has just gained; a ball is pushed where it is cut."""
         bouncing = [pair.restitution for pair in scenario.pairs if pair.restitution > 0]
         slowest = REST_SPEED / min(bouncing) if bouncing else 0.0
-        return Method(AT_STEP, rest_speed=slowest, inset=1.0, softness=SOFTNESS, weighed=1.0)
+        return Method(AT_STEP, rest_speed=slowest, inset=1.0, softness=SOFTNESS, weighed=1.0, rule=DART)
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A tenth of the friction solver's tolerance; the contact itself has nothing to move."""

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from reference.engines.base import AT_STEP, EXACT, INTERPOLATED, Engine, Method
+from reference.engines.base import AT_STEP, CHORD, EXACT, INTERPOLATED, RESPOND_THEN_STEP, Engine, Method
 from reference.engines.handwritten import ball_rows, queries, single_body, two_bodies
 from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part
 from reference.engines.ranges import NOT_NEGATIVE, Allowed
@@ -23,6 +23,8 @@ POLICIES = {
     "interpolated": INTERPOLATED,
     "at_step": AT_STEP,
 }
+RULES = {INTERPOLATED: CHORD, AT_STEP: RESPOND_THEN_STEP}
+"""The recurrences of the policies that have one; the exact root gives what theory says."""
 
 LAWS = {
     DISSIPATIVE: "exact root, maximal dissipation",
@@ -85,7 +87,8 @@ class Handwritten(Engine):
         gravity = float(np.linalg.norm(scenario.gravity))
         law = str(settings.options.get("impact_law", NEWTON))
         rest_speed = steps * settings.timestep * gravity / 2
-        return Method(POLICIES[str(settings["policy"])], rest_speed=rest_speed, law=law)
+        policy = POLICIES[str(settings["policy"])]
+        return Method(policy, rest_speed=rest_speed, law=law, rule=RULES.get(policy, ""))
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
         """Refuse also a `shortest_flight` below the one step that the slide's T can see."""

@@ -18,7 +18,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from reference import truth
-from reference.engines.base import AT_STEP, COMPLIANT, Engine, Method
+from reference.engines.base import AT_STEP, COMPLIANT, MUJOCO_ONE_STEP, MUJOCO_SPRING, Engine, Method
 from reference.engines.ranges import NOT_NEGATIVE, POSITIVE, SHARE, Allowed, Range
 from reference.impact_truth import APART, NEWTON
 from reference.scene import geometry
@@ -105,11 +105,13 @@ class MuJoCo(Engine):
     def method(self, scenario: Scenario, settings: Settings) -> Method:
         """A resolved spring is compliant; the others respond at the step. Overlap returns as speed."""
         if settings["contact"] == "spring":
-            return Method(COMPLIANT, stiffness=settings.number("stiffness"), inset=0.5)
+            rule = MUJOCO_SPRING if settings["integrator"] == "RK4" else ""
+            return Method(COMPLIANT, stiffness=settings.number("stiffness"), inset=0.5, rule=rule)
         share = settings.number("overlap_recovery") if "overlap_recovery" in settings.options else 0.0
         # The noslip passes change the friction and leave the normal impulse as it was without.
         passes = settings.options.get("noslip_iterations", 0)
-        return Method(AT_STEP, speed_recovery=share, inset=0.5, law=APART if passes else NEWTON)
+        rule = MUJOCO_ONE_STEP if settings["contact"] == "one step" and settings["integrator"] == "Euler" else ""
+        return Method(AT_STEP, speed_recovery=share, inset=0.5, law=APART if passes else NEWTON, rule=rule)
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A firmer contact for what rests, a weaker one for what rebounds, or a stiffer spring; more noslip passes."""

@@ -19,7 +19,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from reference.engines import mixing, pybullet_bodies
-from reference.engines.base import AT_STEP, Engine, Method
+from reference.engines.base import AT_STEP, BULLET, Engine, Method
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, SHARE, Allowed
 from reference.errors import RunFailed
 from reference.scene import geometry
@@ -100,8 +100,11 @@ class PyBullet(Engine):
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
         """Bullet resolves an impact at the step; split impulses take overlap back without adding speed."""
-        recovery = settings.number("contact_erp") if settings.options.get("split_impulse") is True else 0.0
-        return Method(AT_STEP, recovery, rest_speed=_rest_speed(scenario, settings))
+        split = settings.options.get("split_impulse") is True
+        recovery = settings.number("contact_erp") if split else 0.0
+        known = split or _is_undamped(settings)
+        rest_speed = _rest_speed(scenario, settings)
+        return Method(AT_STEP, recovery, rest_speed=rest_speed, rule=BULLET if known else "")
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A lower threshold of rest, and twice the solver's iterations."""
@@ -199,6 +202,11 @@ def _rest_speed(scenario: Scenario, settings: Settings) -> float:
     if "rest_threshold_steps" not in settings.options:
         return STOCK_REST_SPEED
     return settings.number("rest_threshold_steps") * settings.timestep * _gravity(scenario)
+
+
+def _is_undamped(settings: Settings) -> bool:
+    """Whether nothing but contacts and forces changes a velocity."""
+    return settings.options.get("linear_damping") == 0 == settings.options.get("angular_damping")
 
 
 def _gravity(scenario: Scenario) -> float:

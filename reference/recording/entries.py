@@ -76,26 +76,36 @@ class Entry:
         """The entry from its JSON: a fingerprint and a list of numbers, or a fingerprint, a verdict and a note."""
         fingerprint, *found = kept
         if len(found) == 1:
-            return cls(fingerprint, tuple(Number(*(each if isinstance(each, list) else [each])) for each in found[0]))
+            return cls(fingerprint, tuple(_read(each) for each in found[0]))
         return cls(fingerprint, (), Verdict(found[0]), found[1])
 
     def as_json(self) -> list[Any]:
-        """The entry as `read` reads it; a number that has no spread is a mean alone."""
+        """The entry as `read` reads it: of each quantity one value, a list for an ensemble, or a note why there is none."""
         if self.verdict is not None:
             return [self.fingerprint, str(self.verdict), self.note]
         return [
             self.fingerprint,
-            [
-                each.mean if each.mean is not None and each.spread is None else [each.mean, each.spread, each.note]
-                for each in self.numbers
-            ],
+            [_written(each) for each in self.numbers],
         ]
 
 
+def _read(kept: float | list[float] | str) -> Number:
+    if isinstance(kept, str):
+        return Number(note=kept)
+    return Number(tuple(kept) if isinstance(kept, list) else (kept,))
+
+
+def _written(number: Number) -> float | list[float] | str:
+    if number.mean is None:
+        return number.note
+    return number.values[0] if len(number.values) == 1 else list(number.values)
+
+
 def _number(row: Row, digits: int | None) -> Number:
-    mean, spread = (_rounded(value, digits) for value in (row.measured, row.spread))
-    return Number(mean, spread, row.note if mean is None else "")
+    if row.measured is None:
+        return Number(note=row.note)
+    return Number(tuple(_rounded(value, digits) for value in row.values))
 
 
-def _rounded(value: float | None, digits: int | None) -> float | None:
-    return value if value is None or digits is None else float(f"{value:.{digits}g}")
+def _rounded(value: float, digits: int | None) -> float:
+    return value if digits is None else float(f"{value:.{digits}g}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
@@ -12,6 +13,8 @@ from reference.errors import InvalidInput, UnknownName
 Option = float | int | bool | str
 SAMPLE_INTERVAL = 1e-3
 """Time between two samples of a trajectory, s, where the timestep allows it."""
+ROUNDING = 1e-9
+"""A duration needs no further sample for a remainder smaller than this share of a sample."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +50,10 @@ class Settings:
     def number(self, option: str) -> float:
         """Return an option that is a number."""
         return checks.finite(option, self[option])  # type: ignore[arg-type]
+
+    def steps_for(self, duration: float) -> int:
+        """How many steps, in whole samples, cover a duration, s; no further sample for a remainder that is rounding."""
+        return self.sample_every * math.ceil(duration / (self.timestep * self.sample_every) - ROUNDING)
 
     def change(self, **changes: Option) -> Settings:
         """Return a copy with some values changed; a name that the engine did not derive is refused."""

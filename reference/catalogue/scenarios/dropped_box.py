@@ -12,6 +12,7 @@ from reference.catalogue.family import Convergence, Curve, Expectation, Family, 
 from reference.catalogue.scenarios.bouncing_ball import FLOOR, REBOUND, dropped
 from reference.catalogue.scenarios.tolerances import DEGREE, MILLIMETRE, within_a_millimetre
 from reference.engines.base import Method
+from reference.prediction import bouncing
 from reference.scene.scenario import GRAVITY, Body, Box, Pair, Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
@@ -22,8 +23,8 @@ CUBE = Box((HALF, HALF, HALF))
 FRICTION = 0.5
 EDGE_GAP = 0.3
 """Gap below the lowest edge at the start, m."""
-DROPS = 31
-"""Drops of the flat cube: fewer than of the ball, since a box takes an engine longer."""
+DROPS = 11
+"""Drops of the flat cube."""
 ROCKING = 3.0
 """How long a cube that falls on its edge is watched, s."""
 
@@ -80,6 +81,7 @@ BOX_FLAT = Family(
         lambda trajectory: measure.separation(trajectory, "cube", "floor"),
     ),
     convergence=Convergence("e=0.5", "rebound"),
+    predict=bouncing.predict,
 )
 
 

@@ -1,0 +1,116 @@
+"""Bodies that fall straight on a plane, bounce and come to rest: one number, the gap, and how it changes."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from reference.arrays import Array
+from reference.engines.base import CHORD, MUJOCO_SPRING, Method
+from reference.prediction.laws import Law, law_of
+from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.scene import geometry
+from reference.scene.scenario import Box, Scenario
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Event
+
+CORNERS = 4
+"""Corners of a box that lies on a face: so many contacts share what it carries."""
+SWEPT = 1e-4
+"""What DART's sweeps leave of an impact on four corners, where three would do: 7·10⁻⁵ at most, in rad, m and shares."""
+
+
+def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
+    """The bounces of one body above one plane, without friction or spin; None where the method has no recurrence."""
+    body = next(body for body in scenario.bodies if not body.immovable)
+    plane = next(body for body in scenario.bodies if body.immovable)
+    normal, steps = np.array(plane.shape.normal), settings.steps_for(scenario.duration)  # type: ignore[union-attr]
+    gap, rate = geometry.gap(plane, body), float(np.array(body.velocity) @ normal)
+    fall = float(np.array(scenario.gravity) @ normal) * settings.timestep
+    restitution = scenario.pairs[0].restitution
+    if method.rule == CHORD:
+        gaps, rates, rest = by_chords(gap, rate, fall, settings.timestep, restitution, method.rest_speed, steps)
+    else:
+        law = law_of(settings, method, restitution, CORNERS if isinstance(body.shape, Box) else 1.0)
+        if law is None:
+            return None
+        gaps, rates, rest = by_steps(gap, rate, fall, law, steps)
+    path = Path(np.array(body.position) + (gaps - gap)[:, None] * normal, rates[:, None] * normal)
+    near, why = ROUNDING, "the recurrence of the method, to rounding"
+    if isinstance(body.shape, Box) and settings.options.get("solver") == "nsgs":
+        near, why = SWEPT, "the recurrence, and what DART's sweeps over four corners leave"
+    events = (Event(rest, "rest", body.name),) if rest < math.inf and settings.options.get("policy") else ()
+    return Prediction(trajectory_of(scenario, settings, {body.name: path}, events), near, why)
+
+
+def predict_to_rest(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
+    """The same down to rest. A spring of some steps a contact makes rounding ten times larger in each: none for it."""
+    return None if method.rule == MUJOCO_SPRING else predict(scenario, settings, method)
+
+
+def by_steps(gap: float, rate: float, fall: float, law: Law, steps: int) -> tuple[Array, Array, float]:
+    """Gap and rate after each step, (steps + 1,), start included, and when the body rests for good, s.
+
+    Flights are jumped over: in a step the rate gains `fall`, and the gap then changes by the new rate, so that after n
+    steps it has changed by dt (n rate + fall n (n + 1)/2), or in parabolas by dt (n rate + fall n²/2).
+    """
+    gaps, rates, done, rest = np.empty(steps + 1), np.empty(steps + 1), 0, math.inf
+    gaps[0], rates[0] = gap, rate
+    while done < steps:
+        flight = min(_steps_above(gap, rate, fall, law), steps - done)
+        if flight > 0:
+            count, now = np.arange(1, flight + 1), slice(done + 1, done + flight + 1)
+            weight = count**2 / 2 if law.in_parabolas else count * (count + 1) / 2
+            gaps[now], rates[now] = gap + law.dt * (count * rate + fall * weight), rate + fall * count
+            done, gap, rate = done + flight, float(gaps[done + flight]), float(rates[done + flight])
+            continue
+        before = gap, rate
+        gap, rate = law.step(gap, rate, fall)
+        done += 1
+        gaps[done], rates[done] = gap, rate
+        if (gap, rate) == before:  # and so it stays
+            gaps[done:], rates[done:], rest = gap, rate, (done - 2) * law.dt
+            break
+    return gaps, rates, rest
+
+
+def _steps_above(gap: float, rate: float, fall: float, law: Law) -> int:
+    """How many steps of free flight end above the plane; none from the plane or below."""
+    if gap <= 0:
+        return 0
+    # gap + dt (n rate + fall n (n + b)/2) > 0, with b = 1 for Euler's steps, 0 for parabolas
+    squared, linear = law.dt * fall / 2, law.dt * (rate + (0.0 if law.in_parabolas else fall / 2))
+    if squared == 0:
+        return math.ceil(gap / -linear) - 1 if linear < 0 else 2**53
+    root = math.sqrt(linear**2 - 4 * squared * gap) if linear**2 > 4 * squared * gap else 0.0
+    return max(0, math.ceil((-linear - root) / (2 * squared)) - 1)
+
+
+def by_chords(
+    gap: float, rate: float, fall: float, dt: float, restitution: float, rest_speed: float, steps: int
+) -> tuple[Array, Array, float]:
+    """The same with the slide's T: a ball flies to where the chord of its gap over what is left of a step is zero.
+
+    One that leaves the plane and is back within the step starts and ends on it; a chord cannot see that flight.
+    """
+    gaps, rates, rest = np.empty(steps + 1), np.empty(steps + 1), math.inf
+    gaps[0], rates[0] = gap, rate
+    for done in range(steps):
+        remaining = dt
+        while remaining > 0 and rest == math.inf:
+            after = gap + remaining * rate + fall / dt * remaining**2 / 2
+            before = max(gap, 0.0)
+            passed = remaining
+            strikes = after <= 0 and not (before == 0 and rate > 0)
+            if strikes:
+                passed = remaining * before / (before - after)
+            gap, rate = gap + passed * rate + fall / dt * passed**2 / 2, rate + fall / dt * passed
+            remaining -= passed
+            if not strikes:
+                break
+            rate = -restitution * rate
+            if rate <= rest_speed:
+                rate, rest = 0.0, done * dt + dt - remaining
+        gaps[done + 1], rates[done + 1] = gap, rate
+    return gaps, rates, rest

@@ -1,0 +1,191 @@
+"""What each implementation makes of one contact in one step, along the normal: its own rule, beside its documentation.
+
+`gap` is the distance of the surfaces at the start of a step, m; `rate` is its rate of change, m/s, negative when they
+approach; `fall` is what forces other than the contact add to the rate in one step, m/s.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar, Protocol
+
+from reference import truth
+from reference.engines.base import (
+    BULLET,
+    DART,
+    MUJOCO_ONE_STEP,
+    MUJOCO_SPRING,
+    RESPOND_THEN_STEP,
+    Method,
+)
+from reference.engines.dart_engine import REST_SPEED, SOFTNESS
+from reference.scene.settings import Settings
+
+DART_RECOVERY, DART_FASTEST_RECOVERY = 0.01, 1e-3
+"""Share of an overlap that DART takes back in a step, and how fast at most, m/s."""
+LARGEST_DAMPING_RATIO = 5.0
+"""MuJoCo's `spring` profile takes this ζ for e = 0, which has no finite one."""
+
+
+class Law(Protocol):
+    """One step of a method, with its contact."""
+
+    @property
+    def dt(self) -> float:
+        """The timestep, s."""
+
+    @property
+    def in_parabolas(self) -> bool:
+        """Whether it flies as theory does, and not in steps of semi-implicit Euler."""
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+
+
+@dataclass(frozen=True)
+class RespondThenStep:
+    """The lecture's response: behind the plane and approaching, the rate is turned back; then semi-implicit Euler.
+
+    rest_speed: of a rebound that is taken for rest, m/s. In the step of its impact, and at rest, a body is carried.
+    """
+
+    dt: float
+    restitution: float
+    rest_speed: float
+    in_parabolas: ClassVar[bool] = False
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        if gap <= 0 and rate <= 0 and (rate < 0 or self.rest_speed > 0):
+            rebound = -self.restitution * rate
+            rate = rebound if rebound > self.rest_speed else 0.0
+        else:
+            rate += fall
+        return gap + rate * self.dt, rate
+
+
+@dataclass(frozen=True)
+class Bullet:
+    """Bullet in maximal coordinates: the rate before the step is turned back, a share of the overlap moved away.
+
+    btSequentialImpulseConstraintSolver::setupContactConstraint: the impulse is what the rate needs to be e times that
+    of the approach, or zero below the threshold, and it never pulls. Split impulses move the body by `recovery` of its
+    overlap, and leave its velocity alone.
+    """
+
+    dt: float
+    restitution: float
+    rest_speed: float
+    recovery: float
+    in_parabolas: ClassVar[bool] = False
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        touches, push = gap <= 0, 0.0
+        after = rate + fall
+        if touches:
+            rebound = -self.restitution * rate if -rate >= self.rest_speed else 0.0
+            after, push = max(after, rebound, 0.0), -self.recovery * gap
+        return gap + after * self.dt + push, after
+
+
+@dataclass(frozen=True)
+class MuJoCoOneStep:
+    """MuJoCo under Euler with `solref = (−K, −B)`: in overlap the contact makes the acceleration a = −B u − K r.
+
+    "Computation", solver parameters: a₁ = (1 − d) a₀ + d a_ref with a_ref = −(B u + K r)/d, where a₀ is the acceleration
+    without the contact. It never pulls. d is the share that the constraint has of the whole: MuJoCo makes it so that
+    one contact with the inverse mass that it takes for that of its bodies has just the impedance; what gives more
+    easily, or is carried by several contacts, has more of it.
+    """
+
+    dt: float
+    damping: float
+    stiffness: float
+    impedance: float
+    ease: float = 1.0
+    in_parabolas: ClassVar[bool] = False
+
+    def acceleration(self, gap: float, rate: float, free: float) -> float:
+        """Acceleration of the gap, m/s². free: without contact."""
+        if gap >= 0:
+            return free
+        share = self.ease * self.impedance / (self.ease * self.impedance + 1 - self.impedance)
+        wanted = -(self.damping * rate + self.stiffness * gap) / self.impedance
+        return max(free, (1 - share) * free + share * wanted)
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        after = rate + self.acceleration(gap, rate, fall / self.dt) * self.dt
+        return gap + after * self.dt, after
+
+
+@dataclass(frozen=True)
+class MuJoCoSpring(MuJoCoOneStep):
+    """The same contact under RK4, which asks for the acceleration four times a step."""
+
+    in_parabolas: ClassVar[bool] = True
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        dt, free = self.dt, fall / self.dt
+        rates, pulls, at, with_rate = [], [], gap, rate
+        for ahead in (dt / 2, dt / 2, dt, 0.0):
+            rates.append(with_rate)
+            pulls.append(self.acceleration(at, with_rate, free))
+            at, with_rate = gap + ahead * rates[-1], rate + ahead * pulls[-1]
+        mean_rate, mean_pull = (
+            (first + 2 * (second + third) + last) / 6 for first, second, third, last in (rates, pulls)
+        )
+        return gap + dt * mean_rate, rate + dt * mean_pull
+
+
+@dataclass(frozen=True)
+class Dart:
+    """DART: forces first, then the rate that they have made is turned back, up to a softness.
+
+    ContactConstraint.cpp: the impulse is what the rate needs to be e times that of the approach, unless that is slower
+    than 0.1 m/s. Overlap is taken back at 1 mm/s at most, as a rate or, with split impulses, by moving the body.
+    """
+
+    dt: float
+    restitution: float
+    split: bool
+    in_parabolas: ClassVar[bool] = False
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        after, push = rate + fall, 0.0
+        if gap <= 0:
+            recovery = min(DART_RECOVERY * -gap / self.dt, DART_FASTEST_RECOVERY)
+            rebound = -self.restitution * after
+            wanted = rebound if rebound > REST_SPEED else 0.0
+            if self.split:
+                push = recovery * self.dt / (1 + SOFTNESS)
+            else:
+                wanted = max(wanted, recovery)
+            after += max(0.0, wanted - after) / (1 + SOFTNESS)
+        return gap + after * self.dt + push, after
+
+
+def law_of(settings: Settings, method: Method, restitution: float, ease: float = 1.0) -> Law | None:
+    """The law of a method for a pair with this restitution; None where none is written.
+
+    ease: how easily the contact gives, in MuJoCo's measure: what a unit impulse changes of the rate, times the mass
+    that MuJoCo takes for it, 1/(1/m_A + 1/m_B); and times the number of contacts that share it.
+    """
+    dt = settings.timestep
+    if method.rule == RESPOND_THEN_STEP:
+        return RespondThenStep(dt, restitution, method.rest_speed)
+    if method.rule == BULLET:
+        return Bullet(dt, restitution, method.rest_speed, method.recovery)
+    if method.rule == DART:
+        return Dart(dt, restitution, bool(settings.options.get("split_impulse")))
+    if method.rule == MUJOCO_ONE_STEP:
+        stiffness = settings.number("overlap_recovery") / dt**2
+        return MuJoCoOneStep(dt, (1 + restitution) / dt, stiffness, settings.number("impedance"), ease)
+    if method.rule == MUJOCO_SPRING:
+        stiffness, ratio = settings.number("stiffness"), min(truth.damping_ratio(restitution), LARGEST_DAMPING_RATIO)
+        return MuJoCoSpring(dt, 2 * ratio * math.sqrt(stiffness), stiffness, settings.number("impedance"), ease)
+    return None

@@ -1,0 +1,66 @@
+"""A prediction: the trajectory that a method must give, and how near to it the implementation must come."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from reference.arrays import Array
+from reference.scene.scenario import Scenario
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Event, Trajectory
+
+ROUNDING = 1e-9
+"""How near rounding leaves a run of some 10⁵ steps to its recurrence, as a share; measured, it is 10⁻¹¹ at most."""
+TITLE = "prediction"
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """trajectory: what the recurrence gives. near: how near each number must be, as a share of it or of one unit.
+
+    reason: what the share allows for.
+    """
+
+    trajectory: Trajectory
+    near: float = ROUNDING
+    reason: str = "the recurrence of the method, to rounding"
+
+    def band(self, predicted: float) -> float:
+        """Accepted distance from a predicted number, in its unit."""
+        return self.near * max(1.0, abs(predicted))
+
+
+@dataclass(frozen=True)
+class Path:
+    """How one body moves: position and velocity after each step, (steps + 1, 3), m and m/s, start included.
+
+    spin: angular velocity, (steps + 1, 3), rad/s. orientation: (steps + 1, 4), w x y z. Those of the start where they
+    are not given.
+    """
+
+    position: Array
+    velocity: Array
+    spin: Array | None = None
+    orientation: Array | None = None
+
+
+def trajectory_of(
+    scenario: Scenario, settings: Settings, paths: Mapping[str, Path], events: tuple[Event, ...] = ()
+) -> Trajectory:
+    """The trajectory with a sample every so many steps as the settings say; bodies without a path stay as they are."""
+    every = settings.sample_every
+    count = 1 + settings.steps_for(scenario.duration) // every
+    states = np.tile([body.state() for body in scenario.bodies], (count, 1, 1))
+    for name, path in paths.items():
+        place = scenario.index(name)
+        parts = {(0, 3): path.position, (3, 7): path.orientation, (7, 10): path.velocity, (10, 13): path.spin}
+        for (first, end), values in parts.items():
+            if values is not None:
+                states[:, place, first:end] = values[::every]
+    times = np.arange(count) * every * settings.timestep
+    position, orientation, velocity, spin = np.split(states, (3, 7, 10), axis=-1)
+    kept = tuple(event for event in events if event.time <= times[-1])
+    return Trajectory(scenario, settings, TITLE, times, position, orientation, velocity, spin, events=kept)
