@@ -18,8 +18,8 @@ MAY_IMPORT = {"solutions": {"solutions"}, "reference": {"reference"}, "labs": {"
 """Which of our own packages each package may import."""
 FLOORS = {
     "reference": (
-        "report", "published", "running", "recording", "comparison", "catalogue", "prediction", "viewer", "engines", "scene",
-        "lecture",
+        "report", "published", "running", "recording", "comparison", "catalogue", "prediction", "viewer", "engines",
+        "scene", "lecture",
     ),
     "reference/published": (
         "jobs", "recorded", "judging", "drivers", "in_engines", "by_hand", "results", "theirs",

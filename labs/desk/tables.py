@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 _MEANINGS = {
     Verdict.PASS: "within the tolerance of theory",
     Verdict.KNOWN_DEVIATION: "off by what the method is known to do",
+    Verdict.DISAGREES: "as far from theory as the quantity is large",
     Verdict.FAIL: "farther off than it should be",
     Verdict.SHOWN: "theory has no number",
 }

@@ -102,7 +102,10 @@ def judged(
                 reason=expectation.reason,
                 shift=expectation.shift,
             )
-        rows.append(_with_number(row, numbers[quantity.name], expectation, _Against.of(quantity, predictions)))
+        against = _Against.of(quantity, predictions)
+        if against is not None:
+            row = replace(row, shift=0.0)  # the recurrence says it better
+        rows.append(_with_number(row, numbers[quantity.name], expectation, against))
     return rows
 
 

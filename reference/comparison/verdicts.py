@@ -48,9 +48,9 @@ class Row:
     """One number of one case in one implementation and profile.
 
     expected, shift, tolerance, reason: as in `Expectation`. scale: as in `Quantity`. spread: standard deviation over an
-    ensemble, and values each of its numbers. predicted: what the recurrence of the method gives, band how near each number must be to it, and off the
-    largest difference from it, of any one of an ensemble; None where no recurrence is written. note: why there is no
-    number, or why it deviates. All numbers are finite and in `unit`, or None.
+    ensemble, and values each of its numbers. predicted: what the recurrence of the method gives; band: how near each
+    number must be to it; off: the largest difference from it, of any one of an ensemble; None where no recurrence is
+    written. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
     """
 
     family: str
@@ -108,8 +108,8 @@ def why(verdict: Verdict, note: str) -> str:
 def judge(measured: float, expectation: Expectation, as_predicted: bool | None = None) -> Verdict:
     """Judge a number by what theory says, and by whether it is as its method's recurrence predicts.
 
-    as_predicted: None where no recurrence is written. Then what the method must give is theory + the known shift, within
-    a derived bound.
+    as_predicted: None where no recurrence is written. Then what the method must give is theory + the known shift,
+    within a derived bound.
     """
     if not math.isfinite(measured):
         return Verdict.FAIL

@@ -48,6 +48,7 @@ class Method:
     softness: share of the change of speed, (1 + e) v, by which an impact falls short.
     weighed: share of the speed that gravity adds in the step of an impact, which the impact turns back as well.
     law: of restitution in an impact with friction, one of `reference.impact_truth`.
+    reach: gap up to which it makes a contact, m.
     rule: the recurrence that a run follows step by step, one of those above; "" if none has been written down.
     """
 
@@ -60,6 +61,7 @@ class Method:
     softness: float = 0.0
     weighed: float = 0.0
     law: str = NEWTON
+    reach: float = 0.0
     rule: str = ""
 
 

@@ -104,7 +104,9 @@ class PyBullet(Engine):
         recovery = settings.number("contact_erp") if split else 0.0
         known = split or _is_undamped(settings)
         rest_speed = _rest_speed(scenario, settings)
-        return Method(AT_STEP, recovery, rest_speed=rest_speed, rule=BULLET if known else "")
+        falls = settings.number("contact_gap_falls") if "contact_gap_falls" in settings.options else 0.0
+        reach = falls * _gravity(scenario) * settings.timestep**2
+        return Method(AT_STEP, recovery, rest_speed=rest_speed, reach=reach, rule=BULLET if known else "")
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A lower threshold of rest, and twice the solver's iterations."""

@@ -76,7 +76,8 @@ def by_steps(gap: float, rate: float, fall: float, law: Law, steps: int) -> tupl
 
 
 def _steps_above(gap: float, rate: float, fall: float, law: Law) -> int:
-    """How many steps of free flight end above the plane; none from the plane or below."""
+    """How many steps of free flight end out of the contact's reach; none from within it."""
+    gap -= law.reach
     if gap <= 0:
         return 0
     # gap + dt (n rate + fall n (n + b)/2) > 0, with b = 1 for Euler's steps, 0 for parabolas

@@ -36,6 +36,10 @@ class Law(Protocol):
         """The timestep, s."""
 
     @property
+    def reach(self) -> float:
+        """Gap up to which it makes a contact, m."""
+
+    @property
     def in_parabolas(self) -> bool:
         """Whether it flies as theory does, and not in steps of semi-implicit Euler."""
 
@@ -53,6 +57,7 @@ class RespondThenStep:
     dt: float
     restitution: float
     rest_speed: float
+    reach: ClassVar[float] = 0.0
     in_parabolas: ClassVar[bool] = False
 
     def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
@@ -70,23 +75,24 @@ class Bullet:
     """Bullet in maximal coordinates: the rate before the step is turned back, a share of the overlap moved away.
 
     btSequentialImpulseConstraintSolver::setupContactConstraint: the impulse is what the rate needs to be e times that
-    of the approach, or zero below the threshold, and it never pulls. Split impulses move the body by `recovery` of its
-    overlap, and leave its velocity alone.
+    of the approach, or zero below the threshold, and it never pulls. Where the surfaces are still apart, within
+    `reach`, they may approach by the gap in this step. Split impulses move the body by `recovery` of its overlap, and
+    leave its velocity alone.
     """
 
     dt: float
     restitution: float
     rest_speed: float
     recovery: float
+    reach: float = 0.0
     in_parabolas: ClassVar[bool] = False
 
     def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
         """Gap and rate at the end of a step."""
-        touches, push = gap <= 0, 0.0
-        after = rate + fall
-        if touches:
-            rebound = -self.restitution * rate if -rate >= self.rest_speed else 0.0
-            after, push = max(after, rebound, 0.0), -self.recovery * gap
+        after, push = rate + fall, 0.0
+        if gap <= self.reach:
+            rebound = max(-self.restitution * rate, 0.0) if -rate >= self.rest_speed else 0.0
+            after, push = max(after, rebound - max(gap, 0.0) / self.dt), self.recovery * max(-gap, 0.0)
         return gap + after * self.dt + push, after
 
 
@@ -94,10 +100,10 @@ class Bullet:
 class MuJoCoOneStep:
     """MuJoCo under Euler with `solref = (−K, −B)`: in overlap the contact makes the acceleration a = −B u − K r.
 
-    "Computation", solver parameters: a₁ = (1 − d) a₀ + d a_ref with a_ref = −(B u + K r)/d, where a₀ is the acceleration
-    without the contact. It never pulls. d is the share that the constraint has of the whole: MuJoCo makes it so that
-    one contact with the inverse mass that it takes for that of its bodies has just the impedance; what gives more
-    easily, or is carried by several contacts, has more of it.
+    "Computation", solver parameters: a₁ = (1 − d) a₀ + d a_ref with a_ref = −(B u + K r)/d, where a₀ is the
+    acceleration without the contact. It never pulls. d is the share that the constraint has of the whole: MuJoCo makes
+    it so that one contact with the inverse mass that it takes for that of its bodies has just the impedance; what gives
+    more easily, or is carried by several contacts, has more of it.
     """
 
     dt: float
@@ -105,6 +111,7 @@ class MuJoCoOneStep:
     stiffness: float
     impedance: float
     ease: float = 1.0
+    reach: ClassVar[float] = 0.0
     in_parabolas: ClassVar[bool] = False
 
     def acceleration(self, gap: float, rate: float, free: float) -> float:
@@ -152,6 +159,7 @@ class Dart:
     dt: float
     restitution: float
     split: bool
+    reach: ClassVar[float] = 0.0
     in_parabolas: ClassVar[bool] = False
 
     def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
@@ -179,7 +187,7 @@ def law_of(settings: Settings, method: Method, restitution: float, ease: float =
     if method.rule == RESPOND_THEN_STEP:
         return RespondThenStep(dt, restitution, method.rest_speed)
     if method.rule == BULLET:
-        return Bullet(dt, restitution, method.rest_speed, method.recovery)
+        return Bullet(dt, restitution, method.rest_speed, method.recovery, method.reach)
     if method.rule == DART:
         return Dart(dt, restitution, bool(settings.options.get("split_impulse")))
     if method.rule == MUJOCO_ONE_STEP:

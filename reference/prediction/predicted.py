@@ -60,7 +60,7 @@ def trajectory_of(
         for (first, end), values in parts.items():
             if values is not None:
                 states[:, place, first:end] = values[::every]
-    times = np.arange(count) * every * settings.timestep
+    times: Array = np.arange(count, dtype=np.float64) * every * settings.timestep
     position, orientation, velocity, spin = np.split(states, (3, 7, 10), axis=-1)
     kept = tuple(event for event in events if event.time <= times[-1])
     return Trajectory(scenario, settings, TITLE, times, position, orientation, velocity, spin, events=kept)

@@ -80,7 +80,7 @@ class Entry:
         return cls(fingerprint, (), Verdict(found[0]), found[1])
 
     def as_json(self) -> list[Any]:
-        """The entry as `read` reads it: of each quantity one value, a list for an ensemble, or a note why there is none."""
+        """The entry as `read` reads it: of each quantity its value, those of an ensemble, or why there is none."""
         if self.verdict is not None:
             return [self.fingerprint, str(self.verdict), self.note]
         return [

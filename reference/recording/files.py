@@ -20,7 +20,7 @@ from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.viewer.tracks import Track, read_tracks
 
-SCHEMA, VERSION = "collisions-lab/recording", 3
+SCHEMA, VERSION = "collisions-lab/recording", 4
 FOLDER = Path(__file__).parent / "recordings"
 MARK = "*"
 """Behind the title of an engine that did not run here."""

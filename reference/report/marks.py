@@ -10,6 +10,7 @@ from reference.running.protocol import Row
 MARKS = {
     Verdict.PASS: "✓",
     Verdict.KNOWN_DEVIATION: "≈",
+    Verdict.DISAGREES: "≠",
     Verdict.FAIL: "✗",
     Verdict.CANNOT_EXPRESS: "∅",
     Verdict.NEEDS: "…",
@@ -18,9 +19,10 @@ MARKS = {
     Verdict.SHOWN: "·",
 }
 LEGEND = {
-    Verdict.PASS: "within the tolerance of theory",
-    Verdict.KNOWN_DEVIATION: "off by what the method is known to do, for a tested reason; “left” is what remains then",
-    Verdict.FAIL: "neither; counted for tuned settings, only shown for all others",
+    Verdict.PASS: "as the method must, and near theory",
+    Verdict.KNOWN_DEVIATION: "as the method must, and away from theory; “left” is what the method does not explain",
+    Verdict.DISAGREES: "as the method must, and as far from theory as the quantity is large",
+    Verdict.FAIL: "not as the method must; counted for tuned settings, only shown for all others",
     Verdict.CANNOT_EXPRESS: "the engine has no words for it",
     Verdict.NEEDS: "a function that is not written yet",
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
@@ -30,6 +32,7 @@ LEGEND = {
 SEVERITY = (
     Verdict.CRASHED,
     Verdict.FAIL,
+    Verdict.DISAGREES,
     Verdict.NEEDS,
     Verdict.CANNOT_EXPRESS,
     Verdict.NOT_AVAILABLE,

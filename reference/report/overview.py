@@ -57,13 +57,16 @@ def verdict_line(rows: Sequence[Row]) -> str:
     tuned = [row for row in rows if row.profile == TUNED and row.verdict is not Verdict.SHOWN]
     agreeing = sum(row.verdict in AGREES for row in tuned)
     known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in tuned)
+    disagreeing = sum(row.verdict is Verdict.DISAGREES for row in tuned)
     failed = sum(row.verdict is Verdict.FAIL for row in tuned)
     waiting = sum(row.verdict is Verdict.NEEDS for row in tuned)
-    without = len(tuned) - agreeing - failed - waiting
+    without = len(tuned) - agreeing - disagreeing - failed - waiting
     judged = len(tuned) - waiting
     parts = [f"{agreeing} of {judged} checks of tuned settings agree with theory"]
     if known:
         parts.append(f"{known} of them off by what the method is known to do")
+    if disagreeing:
+        parts.append(f"{disagreeing} disagree{'s' if disagreeing == 1 else ''} with it as the method must")
     parts.append(f"{failed} fail{'s' if failed == 1 else ''}")
     if without:
         parts.append(f"{without} gave no answer")

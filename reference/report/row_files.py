@@ -14,6 +14,7 @@ from reference.comparison.results import JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.errors import InvalidInput
 from reference.published.results import PublishedRow
+from reference.recording.files import with_tuples
 
 ROWS, PUBLISHED = "collisions-lab/rows", "collisions-lab/published"
 SCHEMA_VERSION = 1
@@ -76,8 +77,8 @@ def read_published(path: Path) -> list[PublishedRow]:
 def _rows_of(path: Path, schema: str, kind: type[R]) -> list[R]:
     content = _read(path, schema)
     try:
-        return [kind(**entry | {"verdict": Verdict(entry["verdict"])}) for entry in content["rows"]]
-    except (KeyError, TypeError, ValueError) as error:
+        return [kind(**with_tuples(entry) | {"verdict": Verdict(entry["verdict"])}) for entry in content["rows"]]
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise InvalidInput(f"{path} holds a row that cannot be read: {error}") from None
 
 

@@ -16,8 +16,10 @@ def error_of(row: Row) -> str:
 
 
 def left_of(row: Row) -> str:
-    """Size of a row's error without the known shift, in percent where there is a scale, else in the unit."""
-    return "" if row.error is None else _as_share(row, row.error - row.shift).lstrip("+−")
+    """Size of what the method does not explain of an error, in percent where there is a scale, else in the unit."""
+    if row.error is None:
+        return ""
+    return _as_share(row, row.error - row.shift if row.off is None else row.off).lstrip("+−")
 
 
 def tolerance_of(row: Row) -> str:

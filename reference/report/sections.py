@@ -65,7 +65,7 @@ class Cell:
 
     @cached_property
     def left(self) -> str:
-        """What is left of the largest known deviation without the shift that the method makes."""
+        """What the method does not explain of the largest known deviation."""
         known = [row for row in self.rows if row.verdict is Verdict.KNOWN_DEVIATION]
         return f"left {left_of(max(known, key=_badness))}" if known else ""
 

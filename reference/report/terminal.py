@@ -27,6 +27,7 @@ _ANY_WIDTH = 1000
 _STYLES = {
     Verdict.PASS: "green",
     Verdict.KNOWN_DEVIATION: "yellow",
+    Verdict.DISAGREES: "red",
     Verdict.FAIL: "red",
     Verdict.CRASHED: "bold red",
 }

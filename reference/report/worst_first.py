@@ -11,8 +11,8 @@ from reference.report.sections import Line, Section
 def nearest_to_fail(found: Iterable[Section], count: int) -> list[tuple[Section, Line, Row, float]]:
     """The tuned rows that come closest to their limits, worst first, each with the share of the limit that it uses.
 
-    A known shift of the method does not count against a number: the distance is the smaller one of those from theory
-    and from theory + shift.
+    Where the method's recurrence predicts the number, its band is the limit. Elsewhere a known shift does not count
+    against it: the distance is the smaller one of those from theory and from theory + shift.
     """
     rows = [
         (section, line, row, used)
@@ -26,6 +26,8 @@ def nearest_to_fail(found: Iterable[Section], count: int) -> list[tuple[Section,
 
 
 def _used(row: Row) -> float | None:
+    if row.off is not None and row.band:
+        return abs(row.off) / row.band
     if row.error is None or not row.tolerance:
         return None
     return min(abs(row.error), abs(row.error - row.shift)) / row.tolerance

@@ -10,7 +10,7 @@ import pytest
 
 from reference.catalogue.case import Case
 from reference.catalogue.scenarios import catalogue
-from reference.catalogue.scenarios.bouncing_ball import DROPS, SPREAD
+from reference.catalogue.scenarios.bouncing_ball import SPREAD, dropped, falling_ball
 from reference.comparison.compare import compare_case
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row
@@ -18,6 +18,7 @@ from reference.engines import load_engine
 from reference.running.study import run_job
 
 G = 9.81  # m/s²
+DROPS = 107  # a prime: the phases within a step are evenly spread for any timestep
 FALL = math.sqrt(2 / G)  # s: from rest through 1 m
 SPEED = math.sqrt(2 * G)  # m/s: after 1 m
 # The mean of v/h = 2/t over fall times that spread evenly around that of 1 m, 1/s, by integration.
@@ -53,17 +54,31 @@ def row(family: str, engine: str, profile: str, case: str, quantity: str, **chan
     return next(found for found in rows if found.quantity == quantity)
 
 
+@functools.cache
+def many_drops(case: str) -> Case:
+    """A case with many more drops than the lab's own, for figures that are means."""
+    return dropped("dropped-ball", restitution(case), falling_ball, DROPS)
+
+
 def tenth_of_drops(case: str) -> Case:
-    """Every tenth drop of a case: enough where what is asked is coarser than a step's share of the mean."""
-    whole = catalogue()["dropped-ball"].case(case)
-    return replace(whole, scenarios=whole.scenarios[::10])
+    """Every tenth of these drops: enough where what is asked is coarser than a step's share of the mean."""
+    return replace(many_drops(case), scenarios=many_drops(case).scenarios[::10])
+
+
+def rebound_of(drops: Case, engine: str, profile: str, **changes: float) -> Row:
+    found = load_engine(engine)
+    settings = found.settings(drops.scenarios[0], profile).change(**changes)
+    rows, _ = compare_case(catalogue()["dropped-ball"], drops, found, profile, settings)
+    return next(row for row in rows if row.quantity == "rebound")
+
+
+@functools.cache
+def rebound_of_many(engine: str, profile: str, case: str, **changes: float) -> Row:
+    return rebound_of(many_drops(case), engine, profile, **changes)
 
 
 def rebound_of_a_tenth(engine: str, profile: str, case: str, **changes: float) -> Row:
-    few, found = tenth_of_drops(case), load_engine(engine)
-    settings = found.settings(few.scenarios[0], profile).change(**changes)
-    rows, _ = compare_case(catalogue()["dropped-ball"], few, found, profile, settings)
-    return next(row for row in rows if row.quantity == "rebound")
+    return rebound_of(tenth_of_drops(case), engine, profile, **changes)
 
 
 def restitution(case: str) -> float:

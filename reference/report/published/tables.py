@@ -27,6 +27,7 @@ TITLES: dict[Kind, str] = {
 LEGEND = {
     Verdict.PASS: "as published, within the tolerance",
     Verdict.KNOWN_DEVIATION: "off by what the method is known to do, for a reason",
+    Verdict.DISAGREES: "as far off as the figure is large, for a reason",
     Verdict.FAIL: "neither",
     Verdict.CANNOT_EXPRESS: "cannot be said to it",
     Verdict.NEEDS: "a function that is not written yet",

@@ -28,6 +28,7 @@ from reference.errors import (
     WorkerCrashed,
     WorkerTimeout,
 )
+from reference.prediction.predicted import Prediction
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Recorder, Trajectory
@@ -74,6 +75,12 @@ class Still(Engine):
 
 def height(trajectory: Trajectory) -> float:
     return float(trajectory.position("ball")[-1, 2])
+
+
+def height_below_ten(trajectory: Trajectory) -> float:
+    if height(trajectory) > 10:
+        raise RunFailed("above ten")
+    return height(trajectory)
 
 
 def family(expect=None, measure=height, heights=(1.0,), scale=None) -> Family:
@@ -142,6 +149,28 @@ def test_a_tolerance_of_zero_accepts_the_exact_number_alone():
     assert judge(math.nextafter(1.0, 2.0), Expectation(1.0, 0.0, "")) is Verdict.FAIL
 
 
+@pytest.mark.parametrize(
+    ("measured", "as_predicted", "verdict"),
+    [
+        (10.4, True, Verdict.PASS),
+        (10.4, False, Verdict.FAIL),  # near theory, and nearer than the method can be
+        (5.0, False, Verdict.FAIL),  # a known shift does not excuse what a recurrence does not give
+        (12.0, True, Verdict.KNOWN_DEVIATION),
+        (0.5, True, Verdict.KNOWN_DEVIATION),
+        (0.0, True, Verdict.DISAGREES),  # as far off as the quantity is large
+        (-3.0, True, Verdict.DISAGREES),
+        (20.0, True, Verdict.DISAGREES),
+        (math.nan, True, Verdict.FAIL),
+    ],
+)
+def test_where_a_recurrence_predicts_a_number_it_must_be_that(measured, as_predicted, verdict):
+    assert judge(measured, BIASED, as_predicted) is verdict
+
+
+def test_a_quantity_that_is_nothing_in_theory_has_no_size_to_be_off_by():
+    assert judge(3.0, Expectation(0.0, 1.0, ""), True) is Verdict.KNOWN_DEVIATION
+
+
 NUMBER = st.floats(-1e3, 1e3)
 BAND = st.floats(0, 1e3)
 
@@ -155,7 +184,7 @@ def test_a_verdict_is_the_same_in_the_mirror(measured, value, tolerance, shift, 
 
 @given(NUMBER, NUMBER, BAND, NUMBER, BAND)
 def test_wider_tolerances_keep_a_pass_a_pass(measured, value, tolerance, shift, shift_tolerance):
-    rank = [Verdict.FAIL, Verdict.KNOWN_DEVIATION, Verdict.PASS]
+    rank = [Verdict.FAIL, Verdict.DISAGREES, Verdict.KNOWN_DEVIATION, Verdict.PASS]
     narrow = Expectation(value, tolerance, "", shift, "", shift_tolerance)
     wide = Expectation(value, 2 * tolerance, "", shift, "", 2 * shift_tolerance)
     assert rank.index(judge(measured, narrow)) <= rank.index(judge(measured, wide))
@@ -204,6 +233,44 @@ def test_an_ensemble_is_judged_by_its_mean_and_shows_its_spread():
     assert row.measured == pytest.approx(2.0, abs=1e-12)  # rounding of 0.9 + 0.1
     assert row.spread == pytest.approx(math.sqrt(2 / 3))
     assert row.verdict is Verdict.PASS
+
+
+def predicted(*heights: float, near: float = 1e-9) -> Family:
+    """Balls 1, 2 and 3 m high, and a prediction that has them at these heights."""
+    found = family(lambda *_: replace(BIASED, value=2.0), heights=(1.0, 2.0, 3.0))
+    wanted = dict(zip(found.cases[0].scenarios, heights, strict=True))
+
+    def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction:
+        there = falling_ball("there", 0.5, wanted[scenario] - 0.1, 0.2)
+        return Prediction(Still().run(there, settings), near)
+
+    return replace(found, predict=predict)
+
+
+def test_every_member_of_an_ensemble_is_judged_by_its_own_prediction():
+    (row,) = compare(predicted(1.0, 2.0, 3.0))
+    assert (row.verdict, row.values) == (Verdict.PASS, pytest.approx((1.0, 2.0, 3.0)))
+    assert (row.predicted, row.off, row.shift) == (pytest.approx(2.0), pytest.approx(0.0, abs=1e-12), 0.0)
+    (scattered,) = compare(predicted(1.001, 2.0, 2.999))  # the mean is right, two members are not
+    assert scattered.verdict is Verdict.FAIL
+    assert scattered.predicted == pytest.approx(2.0)
+    assert abs(scattered.off) == pytest.approx(1e-3)
+    assert scattered.note.startswith("predicted ")
+    (accepted,) = compare(predicted(1.001, 2.0, 2.999, near=1e-3))
+    assert accepted.verdict is Verdict.PASS
+    assert accepted.band == pytest.approx(2.999e-3)  # a share of the number, or of one unit
+
+
+def test_a_number_that_the_recurrence_does_not_have_fails():
+    found = predicted(1.0, 2.0, 11.0)
+    (row,) = compare(replace(found, quantities=(Quantity("height", "height", "m", height_below_ten, None),)))
+    assert (row.verdict, row.note) == (Verdict.FAIL, "predicted: above ten")
+
+
+def test_a_quantity_without_theory_is_judged_by_its_prediction_alone():
+    found = predicted(1.0, 2.0, 3.0)
+    (row,) = compare(replace(found, quantities=(replace(found.quantities[0], expect=None),)))
+    assert (row.verdict, row.expected) == (Verdict.PASS, None)
 
 
 ENDLESS = {

@@ -20,6 +20,7 @@ REST = catalogue()["ball-to-rest"]
 WORST_FIRST = (
     Verdict.CRASHED,
     Verdict.FAIL,
+    Verdict.DISAGREES,
     Verdict.NEEDS,
     Verdict.CANNOT_EXPRESS,
     Verdict.NOT_AVAILABLE,
@@ -76,6 +77,14 @@ def test_every_verdict_has_its_own_mark_and_a_legend():
 def test_a_cell_counts_agreeing_rows_and_known_deviations():
     verdicts = (Verdict.PASS, Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.SHOWN)
     assert Cell(tuple(map(row, verdicts))).count == "3/4"
+
+
+def test_a_row_as_far_off_as_its_quantity_is_large_does_not_agree():
+    found = (row(), row(Verdict.DISAGREES, 0.0))
+    assert Cell(found).count == "1/2"
+    assert verdict_line(found) == (
+        "1 of 2 checks of tuned settings agree with theory, 1 disagrees with it as the method must, 0 fail."
+    )
 
 
 @pytest.mark.parametrize(
