@@ -2,6 +2,7 @@
 
 Bullet multiplies the coefficients of the two bodies; `pybullet_bodies.set_restitution_and_friction` sets them. It has
 one set of contact parameters for the whole world and cannot give them back: what a run used is what its settings say.
+What it can give back is compared with what it was told, before the first step; see `pybullet_read_back`.
 
 Tuned, where something falls: rigid bodies in maximal coordinates, so that restitution acts on the speed before the
 step, and split impulses, which take back a share `contact_erp` of the overlap without adding speed. Tuned, where bodies
@@ -18,7 +19,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from reference.engines import mixing, pybullet_bodies
+from reference.engines import mixing, pybullet_bodies, pybullet_read_back
 from reference.engines.base import AT_STEP, Engine, Method
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, SHARE, Allowed
 from reference.errors import RunFailed
@@ -138,6 +139,7 @@ class PyBullet(Engine):
         for first, second in scenario.unlisted_pairs():
             apart = numbers[scenario.index(first)], numbers[scenario.index(second)]
             bullet.setCollisionFilterPair(*apart, -1, -1, 0, **here)
+        pybullet_read_back.check_world(bullet, numbers, scenario, settings, here)
         places = {number: place for place, number in enumerate(numbers)}
         recorder = Recorder(self.name, scenario, settings)
         recorder.sample(_state(bullet, numbers, scenario, here))
@@ -207,7 +209,7 @@ def _gravity(scenario: Scenario) -> float:
 
 def _fixed(body: Body) -> Body:
     """The body as one that nothing moves."""
-    return replace(body, mass=math.inf, velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
+    return replace(body, mass=math.inf, inertia=(), velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
 
 
 def _push(bullet: Any, number: int, force: Force, here: dict[str, int]) -> None:
