@@ -25,9 +25,10 @@ def check_world(world: Any, bodies: list[Any], scenario: Scenario, settings: Set
     _check_options(world, settings)
     masses = [body.getMass() if body.getSkeleton().getNumDofs() else math.inf for body in bodies]
     tensors = [np.array(body.getInertia().getMoment()) for body in bodies]
-    read_back.check_bodies(TITLE, scenario, masses, [tensor.diagonal() for tensor in tensors])
+    read_back.check_bodies(TITLE, scenario, masses, [tensor.diagonal().tolist() for tensor in tensors])
     for body, tensor in zip(scenario.bodies, tensors, strict=True):
-        read_back.check(TITLE, f"products of inertia of {body.name}", (0, 0, 0), tensor[np.triu_indices(3, 1)], "kg m²")
+        products = tensor[np.triu_indices(3, 1)].tolist()
+        read_back.check(TITLE, f"products of inertia of {body.name}", (0, 0, 0), products, "kg m²")
     surfaces = [body.getShapeNode(0).getDynamicsAspect() for body in bodies]
     for pair in scenario.pairs:
         a, b = surfaces[scenario.index(pair.body_a)], surfaces[scenario.index(pair.body_b)]

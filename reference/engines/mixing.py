@@ -70,7 +70,9 @@ def _extreme(
     scenario: Scenario, of: Coefficient, of_a_body: Callable[..., float], of_two: Callable[..., float]
 ) -> list[float] | None:
     chosen = {
-        body.name: of_a_body((of(pair) for pair in scenario.pairs if body.name in (pair.body_a, pair.body_b)), default=0.0)
+        body.name: of_a_body(
+            (of(pair) for pair in scenario.pairs if body.name in (pair.body_a, pair.body_b)), default=0.0
+        )
         for body in scenario.bodies
     }
     if any(of_two(chosen[pair.body_a], chosen[pair.body_b]) != of(pair) for pair in scenario.pairs):

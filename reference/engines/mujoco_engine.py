@@ -210,6 +210,7 @@ class MuJoCo(Engine):
             options["mass"] = body.mass
         if body.inertia:
             frame.explicitinertial, frame.mass, frame.inertia = True, body.mass, body.inertia
+            frame.ipos, frame.iquat = (0, 0, 0), (1, 0, 0, 0)  # in the body; without it MuJoCo takes the body's pose
         frame.add_geom(name=body.name, type=kind, size=size, **options)
 
 

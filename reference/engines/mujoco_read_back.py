@@ -49,7 +49,6 @@ def _check_geoms(model: Any, scenario: Scenario) -> None:
 
 
 def _check_pairs(model: Any, scenario: Scenario, settings: Settings) -> None:
-    read_back.check(TITLE, "number of pairs", len(scenario.pairs), model.npair)
     geoms = zip(model.pair_geom1.tolist(), model.pair_geom2.tolist(), strict=True)
     places = {frozenset(two): place for place, two in enumerate(geoms)}
     for pair in scenario.pairs:

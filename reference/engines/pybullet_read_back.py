@@ -19,9 +19,7 @@ MASS, FRICTION, INERTIA, RESTITUTION = 0, 1, 2, 5
 """Fields of a body's dynamics as PyBullet returns them."""
 
 
-def check_world(
-    bullet: Any, numbers: list[int], scenario: Scenario, settings: Settings, here: dict[str, int]
-) -> None:
+def check_world(bullet: Any, numbers: list[int], scenario: Scenario, settings: Settings, here: dict[str, int]) -> None:
     """Refuse a world that is not what the scenario and the settings mean. numbers: of the bodies, in their order."""
     world = bullet.getPhysicsEngineParameters(**here)
     read_back.check(TITLE, "timestep", settings.timestep, world["fixedTimeStep"], "s")

@@ -13,8 +13,8 @@ from reference.errors import NotAsTold
 from reference.scene.scenario import Pair, Scenario
 
 NEAR = 1e-9
-"""Share by which two numbers may differ. A square root that is squared again, or the inverse of an inverse mass, differs
-in the sixteenth digit."""
+"""Share by which two numbers may differ. A square root that is squared again, or the inverse of an inverse mass, is off
+in its sixteenth digit."""
 
 Value = float | str | Sequence[float]
 
@@ -25,9 +25,7 @@ def check(title: str, name: str, told: Value, found: Value, unit: str = "") -> N
         raise NotAsTold(f"{title} says {name} {_shown(found, unit)}, and was told {_shown(told, unit)}")
 
 
-def check_bodies(
-    title: str, scenario: Scenario, masses: Sequence[float], moments: Sequence[Sequence[float]]
-) -> None:
+def check_bodies(title: str, scenario: Scenario, masses: Sequence[float], moments: Sequence[Sequence[float]]) -> None:
     """Check all masses, kg, infinite where nothing moves a body, and the principal moments of inertia of the others."""
     for body, mass, inertia in zip(scenario.bodies, masses, moments, strict=True):
         check(title, f"mass of {body.name}", body.mass, mass, "kg")
