@@ -129,7 +129,7 @@ def test_mujocos_spring_profile_solves_eulers_equations(installed):
 
 
 @pytest.mark.parametrize(
-    ("name", "near"), [("handwritten", 1e-12), ("pybullet", 1e-12), ("mujoco", 2e-3), ("dart", 2e-3)]
+    ("name", "near"), [("handwritten", 1e-12), ("pybullet", 1e-12), ("mujoco", 1e-3), ("dart", 1e-3)]
 )
 def test_a_hollow_ball_takes_two_fifths_of_its_surface_speed(name, near, installed):
     engine, case = installed(name), catalogue()["spinning-ball"].case("ω=5,μ=0.3,e=0.5")
@@ -138,7 +138,7 @@ def test_a_hollow_ball_takes_two_fifths_of_its_surface_speed(name, near, install
     scenario = replace(case.scenarios[0], bodies=(floor, replace(ball, inertia=(moment,) * 3)))
     trajectory = engine.run(scenario, engine.settings(scenario, "tuned"))
     # An impact that ends the slip: v = (I/m r²)/(1 + I/m r²) r ω, 2/7 for a solid ball. MuJoCo and DART let friction
-    # act inside the ball, some 0.1 % nearer to its centre.
+    # act inside the ball, up to 0.4 % nearer to its centre.
     assert trajectory.velocity("ball")[-1, 0] == pytest.approx(2 / 5 * 0.1 * 5, rel=near)
 
 

@@ -21,7 +21,7 @@ BOX = Body("box", Box((0.1, 0.2, 0.35)), 2.7, (0.0, 0.0, 2.0), TURNED, inertia=(
 SCENE = Scenario(
     "odd",
     (FLOOR, BALL, BOX),
-    (Pair("ball", "floor", 0.37, 0.41), Pair("box", "ball", 0.37, 0.41)),
+    (Pair("ball", "floor", 0.37, 0.41), Pair("box", "ball", 0.37, 0.53)),
     0.005,
     (0.11, 0.22, -9.33),
 )
