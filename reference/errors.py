@@ -58,6 +58,10 @@ class RunFailed(CollisionsError):
     """The run gave no usable answer: an exception, a non-finite state, a function that failed."""
 
 
+class NotAsTold(RunFailed):
+    """The engine says something else of its world than it was told: a fault of the lab, found before the first step."""
+
+
 class Unforeseen(RunFailed):
     """An exception that the lab did not foresee, from an engine, hand-written code or a measurement."""
 

@@ -16,7 +16,6 @@ import numpy as np
 from reference.arrays import Array, Mask
 from reference.errors import RunFailed
 from reference.scene import geometry
-from reference.scene.scenario import HalfSpace
 from reference.scene.trajectory import Trajectory
 
 FLIGHT_TOLERANCE = 0.1
@@ -203,9 +202,9 @@ def energy(trajectory: Trajectory, body: str) -> Array:
     index = trajectory.scenario.index(body)
     velocity, position = trajectory.velocities[:, index], trajectory.positions[:, index]
     spin = _into_body(trajectory.orientations[:, index], trajectory.angular_velocities[:, index])
-    if entry.immovable or isinstance(entry.shape, HalfSpace):
+    if entry.immovable:
         raise RunFailed(f"{body} is immovable: it has no energy to measure")
-    inertia = entry.mass * np.array(entry.shape.inertia_per_mass())
+    inertia = np.array(entry.moments_of_inertia())
     translation = entry.mass * np.sum(velocity**2, axis=1) / 2
     potential = -entry.mass * position @ np.array(trajectory.scenario.gravity)
     return np.asarray(translation + np.sum(inertia * spin**2, axis=1) / 2 + potential)

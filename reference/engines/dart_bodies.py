@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from reference.engines.ground_box import ground_box
 from reference.scene.scenario import Body, Box, HalfSpace, Sphere
 from reference.scene.settings import Settings
@@ -28,7 +30,8 @@ def add_body(
     shape_node.createCollisionAspect()
     set_restitution_and_friction(shape_node, restitution, friction)
     if not body.immovable:
-        node.setInertia(dart.dynamics.Inertia(body.mass, [0.0, 0.0, 0.0], shape.computeInertia(body.mass)))
+        inertia = np.diag(body.inertia) if body.inertia else shape.computeInertia(body.mass)
+        node.setInertia(dart.dynamics.Inertia(body.mass, [0.0, 0.0, 0.0], inertia))
     world.addSkeleton(skeleton)
     return shape, node
 

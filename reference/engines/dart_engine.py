@@ -15,8 +15,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from reference.engines import dart_bodies, mixing
+from reference.engines import dart_bodies, dart_read_back, mixing
 from reference.engines.base import AT_STEP, DART, Engine, Method
+from reference.engines.dart_read_back import SWEEPS
 from reference.engines.ranges import COUNT, POSITIVE, Allowed
 from reference.errors import CannotExpress
 from reference.scene import geometry
@@ -40,8 +41,6 @@ DETECTORS: Mapping[str, Callable[[Any], Any]] = {
     "ode": lambda dart: dart.collision.OdeCollisionDetector(),
 }
 GROUNDS = ("plane", "box")
-SWEEPS = {"nsgs": "maxSweeps", "fbf": "maxOuterIterations"}
-"""The solvers with a cone for friction, and what each calls its iterations."""
 SOLVERS = ("dantzig", *SWEEPS)
 
 
@@ -118,6 +117,7 @@ class Dart(Engine):
         apart = world.getConstraintSolver().getCollisionOption().collisionFilter
         for first, second in scenario.unlisted_pairs():
             apart.addBodyNodePairToBlackList(bodies[scenario.index(first)], bodies[scenario.index(second)])
+        dart_read_back.check_world(world, bodies, scenario, settings)
         recorder = Recorder(self.name, scenario, settings)
         recorder.sample([number for body in scenario.bodies for number in body.state()])
         pushes = [(bodies[scenario.index(force.body)], force.force) for force in scenario.forces]

@@ -55,10 +55,26 @@ def least(scenario: Scenario, of: Coefficient) -> list[float] | None:
     A body's number must be at least the largest coefficient of its pairs, and more than that can only make the smaller
     of two numbers larger. So each body gets just that.
     """
+    return _extreme(scenario, of, of_a_body=max, of_two=min)
+
+
+def greatest(scenario: Scenario, of: Coefficient) -> list[float] | None:
+    """One number for each body such that the larger of two is the pair's coefficient; None if there is no such choice.
+
+    As in `least`, with smaller and larger exchanged: each body gets the smallest coefficient of its pairs.
+    """
+    return _extreme(scenario, of, of_a_body=min, of_two=max)
+
+
+def _extreme(
+    scenario: Scenario, of: Coefficient, of_a_body: Callable[..., float], of_two: Callable[..., float]
+) -> list[float] | None:
     chosen = {
-        body.name: max((of(pair) for pair in scenario.pairs if body.name in (pair.body_a, pair.body_b)), default=0.0)
+        body.name: of_a_body(
+            (of(pair) for pair in scenario.pairs if body.name in (pair.body_a, pair.body_b)), default=0.0
+        )
         for body in scenario.bodies
     }
-    if any(min(chosen[pair.body_a], chosen[pair.body_b]) != of(pair) for pair in scenario.pairs):
+    if any(of_two(chosen[pair.body_a], chosen[pair.body_b]) != of(pair) for pair in scenario.pairs):
         return None
     return [chosen[body.name] for body in scenario.bodies]

@@ -12,12 +12,13 @@ one step, which is Newton's restitution; a small stiffness brings back what over
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
 
 from reference import truth
+from reference.engines import mixing, mujoco_read_back
 from reference.engines.base import AT_STEP, COMPLIANT, MUJOCO_ONE_STEP, MUJOCO_SPRING, Engine, Method
 from reference.engines.ranges import NOT_NEGATIVE, POSITIVE, SHARE, Allowed, Range
 from reference.impact_truth import APART, NEWTON
@@ -136,6 +137,7 @@ class MuJoCo(Engine):
         steps = self.check_settings(scenario, settings)
         mujoco.set_mju_user_warning(lambda message: None)  # a bad state is found in the samples; write no log file
         model = self._model(mujoco, scenario, settings)
+        mujoco_read_back.check_world(mujoco, model, scenario, settings)
         state = mujoco.MjData(model)
         movable = [place for place, body in enumerate(scenario.bodies) if not body.immovable]
         for slot, place in enumerate(movable):
@@ -178,8 +180,9 @@ class MuJoCo(Engine):
             spec.option.noslip_iterations = int(settings.number("noslip_iterations"))
             spec.option.noslip_tolerance = 0.0
         stock = settings["contact"] == "default"
-        for body in scenario.bodies:
-            self._add_body(mujoco, spec, scenario, body, stock)
+        friction = self._stock_friction(scenario) if stock else [None] * len(scenario.bodies)
+        for body, own_friction in zip(scenario.bodies, friction, strict=True):
+            self._add_body(mujoco, spec, body, own_friction)
         if not stock:
             for pair in scenario.pairs:
                 set_restitution_and_friction(spec, pair, settings)
@@ -188,21 +191,28 @@ class MuJoCo(Engine):
                 spec.add_exclude(bodyname1=first, bodyname2=second)
         return spec.compile()
 
-    def _add_body(self, mujoco: Any, spec: Any, scenario: Scenario, body: Body, stock: bool) -> None:
+    def _stock_friction(self, scenario: Scenario) -> Sequence[float]:
+        """One friction per body such that the larger one of every pair is what the scenario asks for."""
+        friction = mixing.greatest(scenario, lambda pair: pair.kinetic_friction)
+        if friction is None:
+            raise self.cannot(scenario, "it takes the larger friction of two geoms, and no choice gives all pairs")
+        return friction
+
+    def _add_body(self, mujoco: Any, spec: Any, body: Body, friction: float | None) -> None:
         orientation: Any = body.orientation
         if isinstance(body.shape, HalfSpace):
             orientation = geometry.upright_on(np.array(body.shape.normal))
         frame = spec.worldbody.add_body(name=body.name, pos=body.position, quat=orientation)
         kind, size = _geom(mujoco, body.shape)
         options: dict[str, Any] = {"contype": 0, "conaffinity": 0}  # only the pairs that are listed collide
-        if stock:
-            friction = max(
-                (p.kinetic_friction for p in scenario.pairs if body.name in (p.body_a, p.body_b)), default=1.0
-            )
+        if friction is not None:
             options = {"friction": [friction, 0.005, 0.0001]}  # the two others are MuJoCo's defaults
         if not body.immovable:
             frame.add_freejoint()
             options["mass"] = body.mass
+        if body.inertia:
+            frame.explicitinertial, frame.mass, frame.inertia = True, body.mass, body.inertia
+            frame.ipos, frame.iquat = (0, 0, 0), (1, 0, 0, 0)  # in the body; without it MuJoCo takes the body's pose
         frame.add_geom(name=body.name, type=kind, size=size, **options)
 
 
@@ -217,7 +227,7 @@ def set_restitution_and_friction(spec: Any, pair: Pair, settings: Settings) -> N
         options["solreffriction"] = [0, -1 / dt]  # takes away the whole slip in a step, as far as Coulomb allows
     else:
         stiffness = settings.number("stiffness")
-        ratio = min(truth.damping_ratio(restitution), 5.0)  # e = 0 has no finite one; 5 rebounds with 1 % of the speed
+        ratio = min(truth.damping_ratio(restitution), mujoco_read_back.MOST_DAMPED)
         options["solref"] = [-stiffness, -2 * ratio * math.sqrt(stiffness)]
     if "margin" in settings.options:
         options["margin"] = settings.number("margin")

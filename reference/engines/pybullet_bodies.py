@@ -34,6 +34,8 @@ def add_body(
         body = ground_box(body)
     number = stand(bullet, body, here, useMaximalCoordinates=settings["coordinates"] == "maximal")
     set_restitution_and_friction(bullet, number, restitution, friction, here)
+    if body.inertia:  # together with the mass, which a body in maximal coordinates would otherwise lose
+        bullet.changeDynamics(number, -1, mass=body.mass, localInertiaDiagonal=body.inertia, **here)
     if not body.immovable:
         _set_damping_and_contact_gap(bullet, number, settings, fall, here)
         bullet.resetBaseVelocity(number, body.velocity, body.angular_velocity, **here)

@@ -2,6 +2,7 @@
 
 Bullet multiplies the coefficients of the two bodies; `pybullet_bodies.set_restitution_and_friction` sets them. It has
 one set of contact parameters for the whole world and cannot give them back: what a run used is what its settings say.
+What it can give back is compared with what it was told, before the first step; see `pybullet_read_back`.
 
 Tuned, where something falls: rigid bodies in maximal coordinates, so that restitution acts on the speed before the
 step, and split impulses, which take back a share `contact_erp` of the overlap without adding speed. Tuned, where bodies
@@ -18,7 +19,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from reference.engines import mixing, pybullet_bodies
+from reference.engines import mixing, pybullet_bodies, pybullet_read_back
 from reference.engines.base import AT_STEP, BULLET, Engine, Method
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, SHARE, Allowed
 from reference.errors import RunFailed
@@ -41,6 +42,8 @@ WORLD = {
 """Our options for the whole world, and what Bullet calls them."""
 BODY_A, BODY_B, POINT_A, POINT_B, NORMAL, DISTANCE = 1, 2, 5, 6, 7, 8
 """Fields of a contact or closest point of Bullet's: bodies, a point on each, the normal from B to A, the distance."""
+NEAR_AT_THE_START = 1e-4
+"""Gap below which two bodies may touch in the first step, m: ten times the gap at which a contact counts, g dt²."""
 FARTHEST = 1e6
 """Distance beyond which no two bodies lie, m: Bullet searches for closest points up to it."""
 
@@ -132,6 +135,7 @@ class PyBullet(Engine):
 
     def _run(self, bullet: Any, scenario: Scenario, settings: Settings, here: dict[str, int]) -> Trajectory:
         self.check_friction(scenario)
+        self._check_inertia(scenario, settings)
         steps = self.check_settings(scenario, settings)
         bullet.resetSimulation(**here)
         self._set_world(bullet, scenario, settings, here)
@@ -143,6 +147,7 @@ class PyBullet(Engine):
         for first, second in scenario.unlisted_pairs():
             apart = numbers[scenario.index(first)], numbers[scenario.index(second)]
             bullet.setCollisionFilterPair(*apart, -1, -1, 0, **here)
+        pybullet_read_back.check_world(bullet, numbers, scenario, settings, here)
         places = {number: place for place, number in enumerate(numbers)}
         recorder = Recorder(self.name, scenario, settings)
         recorder.sample(_state(bullet, numbers, scenario, here))
@@ -188,6 +193,21 @@ class PyBullet(Engine):
         if chosen:
             bullet.setPhysicsEngineParameter(**chosen, **here)
 
+    def _check_inertia(self, scenario: Scenario, settings: Settings) -> None:
+        """Refuse a body that touches another in the first step and whose inertia is not its shape's.
+
+        In maximal coordinates the impulses of the first step turn it by its shape's; those of the next by its own.
+        """
+        if settings["coordinates"] == "multibody":
+            return
+        for pair in scenario.pairs:
+            a, b = scenario.body(pair.body_a), scenario.body(pair.body_b)
+            if (a.inertia or b.inertia) and geometry.gap(a, b) < NEAR_AT_THE_START:
+                raise self.cannot(
+                    scenario,
+                    f"{a.name} and {b.name} touch in the first step, which does not know their own inertia yet",
+                )
+
     def _restitution_and_friction(self, scenario: Scenario) -> list[tuple[float, float]]:
         """One restitution and friction per body such that every pair's product is what the scenario asks for."""
         restitution = mixing.factors(scenario, lambda pair: pair.restitution)
@@ -217,7 +237,7 @@ def _gravity(scenario: Scenario) -> float:
 
 def _fixed(body: Body) -> Body:
     """The body as one that nothing moves."""
-    return replace(body, mass=math.inf, velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
+    return replace(body, mass=math.inf, inertia=(), velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
 
 
 def _push(bullet: Any, number: int, force: Force, here: dict[str, int]) -> None:

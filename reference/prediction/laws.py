@@ -20,12 +20,11 @@ from reference.engines.base import (
     Method,
 )
 from reference.engines.dart_engine import REST_SPEED, SOFTNESS
+from reference.engines.mujoco_read_back import MOST_DAMPED
 from reference.scene.settings import Settings
 
 DART_RECOVERY, DART_FASTEST_RECOVERY = 0.01, 1e-3
 """Share of an overlap that DART takes back in a step, and how fast at most, m/s."""
-LARGEST_DAMPING_RATIO = 5.0
-"""MuJoCo's `spring` profile takes this ζ for e = 0, which has no finite one."""
 
 
 class Law(Protocol):
@@ -194,6 +193,6 @@ def law_of(settings: Settings, method: Method, restitution: float, ease: float =
         stiffness = settings.number("overlap_recovery") / dt**2
         return MuJoCoOneStep(dt, (1 + restitution) / dt, stiffness, settings.number("impedance"), ease)
     if method.rule == MUJOCO_SPRING:
-        stiffness, ratio = settings.number("stiffness"), min(truth.damping_ratio(restitution), LARGEST_DAMPING_RATIO)
+        stiffness, ratio = settings.number("stiffness"), min(truth.damping_ratio(restitution), MOST_DAMPED)
         return MuJoCoSpring(dt, 2 * ratio * math.sqrt(stiffness), stiffness, settings.number("impedance"), ease)
     return None

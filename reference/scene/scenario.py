@@ -16,6 +16,8 @@ from reference.errors import InvalidInput, UnknownName
 
 GRAVITY = 9.81
 """Acceleration of free fall in every scenario, m/s². The published cases that we compare with use this figure."""
+_ROUNDING = 1e-12
+"""Share by which a moment of inertia of a plate may exceed the sum of the two others, since all three are rounded."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,8 @@ class Body:
     """One rigid body and its state at the start.
 
     mass: kg, `math.inf` for an immovable one. position: centre of mass, m. orientation: unit quaternion w x y z,
-    body to world. velocity: m/s. angular_velocity: rad/s, world frame.
+    body to world. velocity: m/s. angular_velocity: rad/s, world frame. inertia: principal moments about the body's own
+    x, y and z axes, kg m², where they are not those of a solid body of this shape and mass.
 
     The impulse topic has a `Body` too, in `solutions.impulse`: what one impact needs to know of a body at its instant,
     with the arm to the contact and inverses of mass and inertia. Neither can stand for the other.
@@ -82,6 +85,7 @@ class Body:
     orientation: Quaternion = (1.0, 0.0, 0.0, 0.0)
     velocity: Vector = (0.0, 0.0, 0.0)
     angular_velocity: Vector = (0.0, 0.0, 0.0)
+    inertia: Vector | tuple[()] = ()
 
     def __post_init__(self) -> None:
         if not self.name:
@@ -99,6 +103,19 @@ class Body:
                 raise InvalidInput(f"{label} an immovable body (mass inf) has {name} {value}; only 0 makes sense")
         orientation = checks.unit_quaternion(f"{label} orientation", self.orientation)
         object.__setattr__(self, "orientation", orientation)
+        if not isinstance(self.inertia, tuple) or self.inertia:
+            object.__setattr__(self, "inertia", self._checked_inertia(f"{label} inertia"))
+
+    def _checked_inertia(self, name: str) -> Vector:
+        if self.immovable:
+            raise InvalidInput(f"{name} is {self.inertia!r}, and the body is immovable (mass inf): nothing turns it")
+        moments = checks.vector(name, self.inertia)
+        for place, moment in enumerate(moments):
+            checks.positive(f"{name}[{place}]", moment)
+        # I_x + I_y − I_z = 2 ∫ z² dm, which no distribution of mass makes negative; a flat plate makes it zero.
+        if 2 * max(moments) > sum(moments) * (1 + _ROUNDING):
+            raise InvalidInput(f"{name} is {moments}; no moment may exceed the sum of the two others")
+        return moments
 
     @property
     def immovable(self) -> bool:
@@ -109,6 +126,15 @@ class Body:
     def inverse_mass(self) -> float:
         """1/mass, 1/kg; zero for an immovable body."""
         return 0.0 if self.immovable else 1 / self.mass
+
+    def moments_of_inertia(self) -> Vector:
+        """Principal moments of inertia about its own axes, kg m², its own or its shape's; infinite if immovable."""
+        if self.inertia:
+            return self.inertia
+        if self.immovable or isinstance(self.shape, HalfSpace):
+            return math.inf, math.inf, math.inf
+        x, y, z = self.shape.inertia_per_mass()
+        return self.mass * x, self.mass * y, self.mass * z
 
     def state(self) -> tuple[float, ...]:
         """The 13 numbers that a sample of a trajectory has: position, orientation, velocity, angular velocity."""

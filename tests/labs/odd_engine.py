@@ -8,7 +8,7 @@ _FILE = """
 import os, time
 
 from reference.engines.base import Engine, Method
-from reference.errors import CannotExpress
+from reference.errors import CannotExpress, NotAsTold
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Recorder
 
@@ -36,6 +36,7 @@ ENGINE = Odd
 CRASH = "os._exit(3)"
 RAISE = "raise ZeroDivisionError('[bold]by the moon[/]')"
 NAN = "recorder.sample([float('nan')] * len(state))"
+ELSE = "raise NotAsTold('an odd one says timestep 0.02 s, and was told 0.01 s')"
 NO_WORDS = "raise CannotExpress('an odd one has no words for it')"
 
 

@@ -54,6 +54,8 @@ class RigidBodies:
 
 def _moments_of_inertia(body: Body, implementation: Implementation) -> Array:
     """Moments of inertia about the body's own axes, (3,), kg m²; infinite for a plane, which nothing turns."""
+    if body.inertia:
+        return np.array(body.inertia)
     if isinstance(body.shape, Sphere):
         return np.asarray(implementation.function("sphere_inertia")(body.mass, body.shape.radius))
     if isinstance(body.shape, Box):

@@ -69,7 +69,7 @@ def _over_a_plane(scenario: Scenario) -> Kind | None:
 def _is_row(scenario: Scenario) -> bool:
     """Whether all bodies are smooth balls on one line, move along it alone, and collide with their neighbours."""
     balls = scenario.bodies
-    if not all(isinstance(ball.shape, Sphere) and not ball.immovable for ball in balls):
+    if not all(_is_ball(ball) and not ball.immovable for ball in balls):
         return False
     if any(scenario.gravity) or _friction(scenario) > 0:
         return False
@@ -85,13 +85,20 @@ def _strikes(scenario: Scenario) -> Kind | None:
     """A ball that flies at another one, at a plane, or straight at a face of a box that does not turn."""
     ball, other = ball_and_other(scenario)
     pair = scenario.pairs[0]
-    if not isinstance(ball.shape, Sphere) or pair.static_friction != pair.kinetic_friction:
+    if not _is_ball(ball) or pair.static_friction != pair.kinetic_friction:
         return None
     if isinstance(other.shape, Sphere):
+        if not _is_ball(other):
+            return None
         one_falls = any(scenario.gravity) and ball.immovable != other.immovable
         return None if one_falls else Kind.BALLS  # seen from either ball, the other flies straight
     straight = isinstance(other.shape, HalfSpace) or _straight_at_a_face(scenario, ball, other)
     return Kind.FACE if straight else None
+
+
+def _is_ball(body: Body) -> bool:
+    """Whether a body is a sphere whose moments of inertia are equal, so that its spin stays constant in flight."""
+    return isinstance(body.shape, Sphere) and len(set(body.moments_of_inertia())) == 1
 
 
 def ball_and_other(scenario: Scenario) -> tuple[Body, Body]:

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from odd_engine import CRASH, NAN, NO_WORDS, RAISE
+from odd_engine import CRASH, ELSE, NAN, NO_WORDS, RAISE
 from program import QUICK, SLIDE, TUNED, collisions
 
 from labs.cli import jobs
@@ -59,8 +59,9 @@ def test_a_setting_that_makes_an_engine_wrong_fails(installed):
         (CRASH, "its process died (exit code 3)"),
         (RAISE, "ZeroDivisionError: [bold]by the moon[/]"),
         (NAN, "are not finite from t = 0.01 s on"),
+        (ELSE, "an odd one says timestep 0.02 s, and was told 0.01 s"),
     ],
-    ids=["crash", "exception", "NaN"],
+    ids=["crash", "exception", "NaN", "not as told"],
 )
 def test_a_run_without_a_usable_answer_ends_with_3_beside_the_others(body, said, odd):
     ended = collisions("compare", *TUNED, "--engine", odd(body))

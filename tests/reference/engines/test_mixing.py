@@ -28,7 +28,7 @@ shares = st.floats(0.01, 1.0)
 @given(st.lists(shares, min_size=3, max_size=3))
 def test_balls_that_meet_only_the_floor_may_have_their_own_coefficients(values):
     pairs = [Pair(ball.name, "floor", value) for ball, value in zip(BALLS, values, strict=True)]
-    for choose, mix in ((mixing.factors, lambda a, b: a * b), (mixing.least, min)):
+    for choose, mix in ((mixing.factors, lambda a, b: a * b), (mixing.least, min), (mixing.greatest, max)):
         chosen = choose(scenario(*pairs), restitution)
         for pair in pairs:
             got = mix(chosen[NAMES[pair.body_a]], chosen[NAMES["floor"]])
@@ -40,12 +40,15 @@ def test_equal_pairs_give_equal_bodies(value):
     pairs = [Pair("ball 0", "ball 1", value), Pair("ball 1", "ball 2", value), Pair("ball 0", "floor", value)]
     assert mixing.factors(scenario(*pairs), restitution) == [pytest.approx(value**0.5, rel=1e-15)] * 4
     assert mixing.least(scenario(*pairs), restitution) == [value] * 4
+    assert mixing.greatest(scenario(*pairs), restitution) == [value] * 4
 
 
 def test_pairs_that_no_choice_gives_are_reported():
     ring = [Pair("ball 0", "ball 1", 0.5), Pair("ball 1", "ball 2", 0.5), Pair("ball 2", "ball 0", 0.2)]
     assert mixing.least(scenario(*ring), restitution) is None  # whoever makes 0.2 spoils a 0.5
     assert mixing.factors(scenario(*ring), restitution) is None  # of the two ways that we try
+    other = [Pair("ball 0", "ball 1", 0.2), Pair("ball 1", "ball 2", 0.2), Pair("ball 2", "ball 0", 0.5)]
+    assert mixing.greatest(scenario(*other), restitution) is None  # a body that makes 0.5 spoils a 0.2
 
 
 def test_the_minimum_rule_can_express_pairs_that_a_product_cannot():

@@ -85,6 +85,30 @@ REFUSED = {
         lambda: Body("ball", Sphere(1.0), mass=1.0, orientation="wxyz"),
         "ball: orientation is 'wxyz'; it must hold four numbers",
     ),
+    "an inertia that is a number": (
+        lambda: Body("ball", Sphere(1.0), mass=1.0, inertia=0.4),
+        "ball: inertia is 0.4; it must hold three numbers",
+    ),
+    "an inertia of no numbers": (
+        lambda: Body("ball", Sphere(1.0), mass=1.0, inertia=[]),
+        "ball: inertia is []; it must hold three numbers",
+    ),
+    "a moment of inertia of zero": (
+        lambda: Body("ball", Sphere(1.0), mass=1.0, inertia=(0.4, 0.0, 0.4)),
+        "ball: inertia[1] is 0.0; it must be above zero",
+    ),
+    "an infinite moment of inertia": (
+        lambda: Body("ball", Sphere(1.0), mass=1.0, inertia=(math.inf, 0.4, 0.4)),
+        "ball: inertia[0] is inf; it must be a finite number",
+    ),
+    "moments of inertia of no body": (
+        lambda: Body("ball", Sphere(1.0), mass=1.0, inertia=(0.1, 0.30001, 0.2)),
+        "ball: inertia is (0.1, 0.30001, 0.2); no moment may exceed the sum of the two others",
+    ),
+    "an inertia of a body that nothing turns": (
+        lambda: Body("wall", Sphere(1.0), inertia=(0.4, 0.4, 0.4)),
+        "wall: inertia is (0.4, 0.4, 0.4), and the body is immovable (mass inf): nothing turns it",
+    ),
     "a pair of one body": (lambda: Pair("ball", "ball"), "pair ball–ball: a body cannot be paired with itself"),
     "a restitution above one": (
         lambda: Pair("ball", "floor", restitution=1.01),
@@ -170,6 +194,19 @@ def test_a_refusal_is_a_usage_error_and_a_value_error():
 @pytest.mark.parametrize("restitution", [0, 0.0, 1, 1.0, 0.5])
 def test_a_restitution_from_zero_to_one_is_accepted(restitution):
     assert Pair("ball", "floor", restitution=restitution).restitution == restitution
+
+
+def test_moments_of_inertia_are_a_bodys_own_or_its_shapes():
+    assert BALL.moments_of_inertia() == pytest.approx((0.004, 0.004, 0.004), rel=1e-15)
+    assert BOX.moments_of_inertia() == pytest.approx((2 * 0.13 / 3, 2 * 0.1 / 3, 2 * 0.05 / 3), rel=1e-15)
+    assert Body("ball", Sphere(0.1), 1.0, inertia=[1, 2, 2]).moments_of_inertia() == (1.0, 2.0, 2.0)
+    assert FLOOR.moments_of_inertia() == (math.inf,) * 3
+    assert Body("peg", Sphere(0.1)).moments_of_inertia() == (math.inf,) * 3
+
+
+def test_a_flat_plate_may_have_its_rounded_moments():
+    a, b = 0.1 / 3, 0.2 / 3  # in its plane; the third is their sum, which is rounded
+    assert Body("plate", Sphere(0.1), 1.0, inertia=(a, b, (a + b) * (1 + 1e-15))).inertia[:2] == (a, b)
 
 
 def test_bodies_and_pairs_have_plain_defaults():

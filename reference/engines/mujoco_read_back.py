@@ -1,0 +1,84 @@
+"""What MuJoCo's compiled model says, compared with what the scenario and the settings mean.
+
+All that the adapter sets is in the model. MuJoCo has no restitution: it is read out of the contact's damping.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from reference import truth
+from reference.engines import read_back
+from reference.scene.scenario import Pair, Scenario
+from reference.scene.settings import Settings
+
+TITLE = "MuJoCo"
+MOST_DAMPED = 5.0
+"""Damping ratio of a spring that stands for e = 0, which has no finite one: it rebounds with 1 % of the speed."""
+
+
+def check_world(mujoco: Any, model: Any, scenario: Scenario, settings: Settings) -> None:
+    """Refuse a model that is not what the scenario and the settings mean."""
+    read_back.check(TITLE, "timestep", settings.timestep, model.opt.timestep, "s")
+    read_back.check(TITLE, "gravity", scenario.gravity, model.opt.gravity, "m/s²")
+    for name, enumeration in (("integrator", mujoco.mjtIntegrator), ("cone", mujoco.mjtCone)):
+        found = enumeration(getattr(model.opt, name)).name.partition("_")[2]
+        read_back.check(TITLE, name, str(settings[name]).upper(), found)
+    if "impratio" in settings.options:
+        for name in ("impratio", "noslip_iterations"):
+            read_back.check(TITLE, name, settings.number(name), getattr(model.opt, name))
+        read_back.check(TITLE, "noslip_tolerance", 0.0, model.opt.noslip_tolerance)
+    masses = [mass if dofs else math.inf for mass, dofs in zip(model.body_mass, model.body_dofnum, strict=True)]
+    read_back.check_bodies(TITLE, scenario, masses[1:], model.body_inertia[1:])  # body 0 is the world
+    for body, axes in zip(scenario.bodies, model.body_iquat[1:], strict=True):
+        if not body.immovable:
+            read_back.check(TITLE, f"turn of the axes of inertia of {body.name}", (1, 0, 0, 0), axes)
+    if settings["contact"] == "default":
+        _check_geoms(model, scenario)
+    else:
+        _check_pairs(model, scenario, settings)
+
+
+def _check_geoms(model: Any, scenario: Scenario) -> None:
+    """Of two geoms that touch, MuJoCo takes the larger friction."""
+    for pair in scenario.pairs:
+        friction = [model.geom_friction[scenario.index(name), 0] for name in (pair.body_a, pair.body_b)]
+        read_back.check_pair(TITLE, "friction", pair, pair.kinetic_friction, max(friction))
+
+
+def _check_pairs(model: Any, scenario: Scenario, settings: Settings) -> None:
+    geoms = zip(model.pair_geom1.tolist(), model.pair_geom2.tolist(), strict=True)
+    places = {frozenset(two): place for place, two in enumerate(geoms)}
+    for pair in scenario.pairs:
+        place = places.get(frozenset((scenario.index(pair.body_a), scenario.index(pair.body_b))))
+        read_back.check_pair(TITLE, "contact pair", pair, True, place is not None)
+        for axis in range(2):
+            read_back.check_pair(TITLE, "friction", pair, pair.kinetic_friction, model.pair_friction[place, axis])
+        for number in range(2):
+            impedance = model.pair_solimp[place, number]
+            read_back.check_pair(TITLE, "impedance", pair, settings.number("impedance"), impedance)
+        if "margin" in settings.options:
+            read_back.check_pair(TITLE, "margin", pair, settings.number("margin"), model.pair_margin[place])
+        if settings["contact"] == "one step":
+            _check_one_step(pair, model.pair_solref[place], model.pair_solreffriction[place], settings)
+        else:
+            _check_spring(pair, model.pair_solref[place], settings)
+
+
+def _check_one_step(pair: Pair, solref: Sequence[float], along: Sequence[float], settings: Settings) -> None:
+    """A damping of (1 + e)/dt turns v into −e v in one step; one of 1/dt takes away the slip."""
+    dt = settings.timestep
+    recovery = settings.number("overlap_recovery")
+    read_back.check_pair(TITLE, "overlap_recovery", pair, recovery, -solref[0] * dt**2)
+    read_back.check_pair(TITLE, "1 + restitution", pair, 1 + pair.restitution, -solref[1] * dt)
+    read_back.check_pair(TITLE, "share of the slip that a step takes away", pair, 1.0, -along[1] * dt)
+
+
+def _check_spring(pair: Pair, solref: Sequence[float], settings: Settings) -> None:
+    """The restitution of a spring and a dashpot follows from its damping ratio, c/(2√k)."""
+    read_back.check_pair(TITLE, "stiffness", pair, settings.number("stiffness"), -solref[0])
+    found = truth.spring_dashpot_restitution(-solref[1] / (2 * math.sqrt(-solref[0])))
+    least = truth.spring_dashpot_restitution(MOST_DAMPED)
+    read_back.check_pair(TITLE, "restitution", pair, max(pair.restitution, least), found)
