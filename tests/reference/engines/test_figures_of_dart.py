@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from catalogue_rows import rebound_of_many
 
 from reference import truth
 from reference.catalogue import measure
@@ -305,6 +306,17 @@ def test_the_method_describes_the_contact():
 def test_a_fifth_impact_too_slow_to_rebound_disagrees_with_theory(case, verdict):
     (found,) = (row.verdict for row in job("two-walls", case).rows if row.quantity == "speed_left")
     assert found is verdict  # 2 · 0.5⁵ = 0.0625 m/s is below 0.1, and 2 · 0.8⁵ is not
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("profile", "percent"), [("stock", (-4.02, -0.005, 0.37, 0.44)), ("tuned", (-0.41, -0.006, 0.03, 0.04))]
+)
+def test_the_mean_rebounds_over_many_drops_are_those_of_the_table(profile, percent):
+    for restitution, share in zip((0.2, 0.5, 0.8, 1.0), percent, strict=True):
+        found = rebound_of_many("dart", profile, f"e={restitution:g}")
+        off = 100 * (found.measured / restitution**2 - 1)
+        assert off == pytest.approx(share, abs=0.006 if abs(share) > 0.01 else 0.0006)  # the last digit
 
 
 @pytest.mark.parametrize("option", ["detector", "ground", "solver"])
