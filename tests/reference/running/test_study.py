@@ -34,7 +34,7 @@ def test_a_job_runs_with_the_settings_that_it_changes():
     coarse = run_job(Job("dropped-ball", "handwritten", "stock", ("e=0.5",), changes=(("timestep", 4e-3),)))
     (fine_row, _), (coarse_row, _) = plain.rows, coarse.rows
     assert "timestep 0.004 s" in coarse.settings
-    assert coarse_row.error == pytest.approx(4 * fine_row.error, rel=0.05)  # first order, up to a term of second
+    assert coarse_row.error == pytest.approx(4 * fine_row.error, rel=1 / 6)  # first order; a sawtooth over 13 drops
 
 
 def test_a_job_says_what_ran_and_how_long():
