@@ -43,6 +43,8 @@ class Row:
 
     expected, shift, tolerance, reason: as in `Expectation`. scale: as in `Quantity`. spread: standard deviation over an
     ensemble. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
+    recorded_version, recorded_on: which version of the engine was recorded, and on which day (ISO 8601); both are empty
+    where the engine ran here.
     """
 
     family: str
@@ -61,6 +63,8 @@ class Row:
     note: str = ""
     scale: float | None = None
     settings: str = field(default="", compare=False)
+    recorded_version: str = field(default="", compare=False)
+    recorded_on: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         for name in ("measured", "spread", "expected", "tolerance", "shift", "scale"):

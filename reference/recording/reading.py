@@ -52,10 +52,11 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
     if not content or not taken:
         return None
     family, engine = catalogue()[job.family], load_engine(job.engine)
+    made = Made(**content["made"])
     rows = [row for case in job.chosen(family) for row in _rows(family, case, engine, job, taken)]
+    rows = [row if row.verdict is Verdict.NOT_AVAILABLE else replace(row, **made.mark) for row in rows]
     moved = bool(job.changes or job.at or job.grid)
     studied = job.with_studies and not moved and _is_current(family.case(family.convergence.case), engine, job, taken)
-    made = Made(**content["made"])
     return JobResult(
         job,
         f"{engine.title}{MARK}",
