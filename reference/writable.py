@@ -59,8 +59,8 @@ def folder_for(content: str, folder: Path, option: str) -> Iterator[None]:
             _try(folder)
         yield
     finally:
-        with contextlib.suppress(OSError):
-            for each in new:
+        for each in new:
+            with contextlib.suppress(OSError):
                 each.rmdir()  # succeeds only where it is empty
 
 

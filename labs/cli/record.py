@@ -98,9 +98,7 @@ def _scenarios(
     return recordings.write(_in_order(results, planned), folder)
 
 
-def _published(
-    engines: Sequence[str], only_stale: bool, workers: int | None, cache: Cache, folder: Path
-) -> list[Path]:
+def _published(engines: Sequence[str], only_stale: bool, workers: int | None, cache: Cache, folder: Path) -> list[Path]:
     """Record other people's cases; return the files."""
     wanted = [name for name in engines if not only_stale or published_recordings.is_stale(name, folder)]
     planned = published_jobs.plan((), wanted) if wanted else []

@@ -88,7 +88,12 @@ def recall(job: PublishedJob, folder: Path | None = None) -> PublishedResult | N
         return None
     made, case = Made(**content["made"]), published(job.case)
     rows, answers = _rows(case, job.engine, content["cases"].get(case.name))
-    rows = tuple(row if row.verdict is Verdict.NOT_AVAILABLE else replace(row, **made.mark) for row in rows)
+    rows = tuple(
+        row
+        if row.verdict is Verdict.NOT_AVAILABLE
+        else replace(row, recorded_version=made.version, recorded_on=made.date)
+        for row in rows
+    )
     title = f"{load_engine(job.engine).title}{MARK}"
     return PublishedResult(job, title, rows, made.version, answers, f"{MARK} {made}")
 

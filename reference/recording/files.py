@@ -44,11 +44,6 @@ class Made:
         day = (today or datetime.date.today()).isoformat()
         return cls(engine, version, where, platform.python_version(), day)
 
-    @property
-    def mark(self) -> dict[str, str]:
-        """What rows of the recording say of it, by the names of their fields."""
-        return {"recorded_version": self.version, "recorded_on": self.date}
-
     def __str__(self) -> str:
         where = f"Python {self.python}, {self.platform}"
         return f"{self.engine} {self.version} was recorded on {self.date} ({where}); it is not run here"

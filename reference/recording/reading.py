@@ -54,7 +54,12 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
     family, engine = catalogue()[job.family], load_engine(job.engine)
     made = Made(**content["made"])
     rows = [row for case in job.chosen(family) for row in _rows(family, case, engine, job, taken)]
-    rows = [row if row.verdict is Verdict.NOT_AVAILABLE else replace(row, **made.mark) for row in rows]
+    rows = [
+        row
+        if row.verdict is Verdict.NOT_AVAILABLE
+        else replace(row, recorded_version=made.version, recorded_on=made.date)
+        for row in rows
+    ]
     moved = bool(job.changes or job.at or job.grid)
     studied = job.with_studies and not moved and _is_current(family.case(family.convergence.case), engine, job, taken)
     return JobResult(

@@ -17,6 +17,8 @@ import pytest
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.errors import InvalidInput
+from reference.recording.files import content_of
+from reference.recording.reading import recall
 from reference.report.files import write
 from reference.report.row_files import read_rows, rows_csv, rows_json
 from reference.report.staging import staged
@@ -216,6 +218,17 @@ def test_the_csv_table_has_the_same_rows_with_their_errors(report):
         for name in ("measured", "expected", "tolerance", "scale", "error", "relative_error"):
             value = getattr(row, name)
             assert line[name] == "" if value is None else float(line[name]) == value
+
+
+def test_recorded_rows_say_which_version_was_recorded_and_when(report, tmp_path):
+    made = content_of("mujoco", "parting-ball")["made"]
+    result = recall(Job("parting-ball", "mujoco", "tuned"))
+    (tmp_path / "rows.json").write_text(rows_json([result]), encoding="utf-8")
+    table = csv.DictReader(rows_csv([result]).splitlines())
+    in_json = {(row.recorded_version, row.recorded_on) for row in read_rows(tmp_path / "rows.json")}
+    in_csv = {(line["recorded_version"], line["recorded_on"]) for line in table}
+    assert in_json == in_csv == {(made["version"], made["date"])}
+    assert {(row.recorded_version, row.recorded_on) for row in read_rows(report / "rows.json")} == {("", "")}
 
 
 def test_commas_quotes_and_line_breaks_stay_in_their_cell():
