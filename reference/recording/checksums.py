@@ -49,8 +49,14 @@ def changed(folder: Path) -> dict[str, str]:
 
 
 def renew(folder: Path, written: Iterable[Path]) -> None:
-    """Keep the checksums of files that have just been written, and drop those of files that are no longer there."""
-    known = kept(folder) | {_name(path, folder): _checksum(path) for path in written}
+    """Keep the checksums of files that have just been written, and drop those of files that are no longer there.
+
+    Where no file was written nothing is kept or dropped.
+    """
+    new = {_name(path, folder): _checksum(path) for path in written}
+    if not new:
+        return
+    known = kept(folder) | new
     lines = [f"{known[name]}{_BETWEEN}{name}\n" for name in sorted(known) if (folder / name).exists()]
     (folder / CHECKSUMS).write_bytes("".join(lines).encode())  # bytes: lines end in the same way on every system
 

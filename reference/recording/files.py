@@ -60,10 +60,15 @@ def content_of(engine: str, family: str, folder: Path | None = None) -> dict[str
     return _content((folder or FOLDER) / engine / f"{family}.json") if engine in engine_names() else None
 
 
-def never_recorded(family: str, engines: Iterable[str], folder: Path | None = None) -> str:
-    """What to do about a family that was never recorded in some of these engines; "" where each has recorded it."""
-    recordable = [engine for name in engines if (engine := load_engine(name)).package and name in engine_names()]
-    missing = [each.title for each in recordable if not ((folder or FOLDER) / each.name / f"{family}.json").exists()]
+def never_recorded(family: str, engines: Iterable[str]) -> str:
+    """What to do about a family that was never recorded in some of these engines; "" where each has recorded it.
+
+    Hand-written code and somebody's own engine files are never recorded, and are not spoken of.
+    """
+    unrecorded = [
+        name for name in engines if name in engine_names() and not (FOLDER / name / f"{family}.json").exists()
+    ]
+    missing = [engine.title for name in unrecorded if (engine := load_engine(name)).package]
     return f"{family} was never recorded in {listed(missing)}; collisions record {family} does it" if missing else ""
 
 

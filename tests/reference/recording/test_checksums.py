@@ -93,6 +93,14 @@ def test_new_recordings_leave_the_checksums_of_others_alone(folder):
     assert list(checksums.changed(folder)) == ["dart/corner.json"]
 
 
+def test_where_nothing_was_recorded_no_checksum_is_touched(folder, tmp_path):
+    (folder / "mujoco/corner.npz").unlink()
+    recorded.write([], folder)
+    assert checksums.changed(folder) == {"mujoco/corner.npz": "is missing"}
+    recorded.write([], tmp_path / "new")
+    assert not (tmp_path / "new").exists()
+
+
 def test_a_number_changed_with_its_checksum_changes_the_one_over_all(folder):
     before = checksums.over_all(folder)
     checksums.renew(folder, [folder / "mujoco/corner.npz"])
