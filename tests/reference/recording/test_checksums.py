@@ -118,11 +118,12 @@ def test_a_missing_engine_with_a_changed_recording_has_no_number(folder, monkeyp
     monkeypatch.setattr(files, "FOLDER", folder)
     job = Job("corner", "mujoco", "tuned")
     assert len(run_one(job, SCENARIOS).rows) > 1
-    change_one_number(folder / "mujoco/corner.json")
-    (row,) = run_one(job, SCENARIOS).rows
-    assert (row.verdict, row.measured) == (Verdict.NOT_AVAILABLE, None)
-    assert row.note.startswith("MuJoCo is not here; the recording ")
-    assert "corner.json' was changed since it was made" in row.note
+    for name in ("corner.npz", "corner.json"):  # the curve, then the numbers
+        change_one_number(folder / "mujoco" / name)
+        (row,) = run_one(job, SCENARIOS).rows
+        assert (row.verdict, row.measured) == (Verdict.NOT_AVAILABLE, None)
+        assert row.note.startswith("MuJoCo is not here; the recording ")
+        assert f"{name}' was changed since it was made" in row.note
 
 
 def test_no_job_is_moved_to_a_recording_that_cannot_be_used(folder, monkeypatch):
