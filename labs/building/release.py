@@ -17,12 +17,14 @@ from labs.building.excerpts import TopicExcerpts, imports_of, text_of
 from labs.project_folders import ROOT
 from reference import lecture
 from reference.errors import InvalidInput
+from reference.writable import check_file, folder_for
 
 NAME = "collisions-lab"
 _FOLDERS = ("labs", "reference", "tests/autograder/visible")
 _FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
 _LEFT_OUT = ("labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py")
 """Code that makes notebooks, and files that hold model answers. Notebooks and given functions are made per release."""
+_CONTENT, _OPTION = "the release", "--out"
 _DATE = (1980, 1, 1, 0, 0, 0)
 """The date of all files in an archive, so that the same release makes the same bytes on every day."""
 
@@ -35,21 +37,23 @@ def release(out: Path, through: str | None = None) -> list[str]:
     Raises
     ------
     InvalidInput
-        If there is already such a folder and it is not empty, if that lab has no lesson, or if this is an installed
-        copy of the lab rather than the project's folder.
+        If there is already such a folder and it is not empty, if it cannot be written, if that lab has no lesson, or if
+        this is an installed copy of the lab rather than the project's folder.
     """
     missing = [name for name in (*_FOLDERS, *_FILES) if not (ROOT / name).exists()]
     if missing:
         raise InvalidInput(f"a release is made from the project's folder; this copy of the lab lacks {missing[0]}")
     open_labs = _through(through)
     if out.suffix == ".zip":
+        check_file(_CONTENT, out, _OPTION)
         with tempfile.TemporaryDirectory() as folder:
             _write(Path(folder, NAME), open_labs)
             _pack(Path(folder), out)
     else:
-        if out.exists() and (not out.is_dir() or any(out.iterdir())):
-            raise InvalidInput(f"{str(out)!r} is there already and not empty: name a new folder")
-        _write(out, open_labs)
+        with folder_for(_CONTENT, out, _OPTION):
+            if any(out.iterdir()):
+                raise InvalidInput(f"{str(out)!r} is there already and not empty: name a new folder")
+            _write(out, open_labs)
     return open_labs
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
 from reference.errors import InvalidInput
+from reference.writable import check_file, refused_in_words
 
 
 @dataclass(frozen=True)
@@ -24,28 +24,18 @@ class FileOption:
         if file.suffix.lower() not in self.suffixes:
             endings = ", ".join(self.suffixes)
             raise InvalidInput(f"{self.name} {str(file)!r} is no {self.kind}; it ends in {endings}")
-        try:
-            with tempfile.TemporaryFile(dir=file.parent):
-                pass
-            if file.is_dir():
-                raise IsADirectoryError(None, "Is a directory")
-        except OSError as error:
-            raise self._unwritable(file, error) from None
+        check_file(self.content, file, self.name)
 
     def write(self, file: Path, content: bytes) -> None:
         """Write the whole file, or nothing."""
         unfinished = file.with_name(f".unfinished-{file.name}")
-        try:
-            unfinished.write_bytes(content)
-            os.replace(unfinished, file)
-        except OSError as error:
-            unfinished.unlink(missing_ok=True)
-            raise self._unwritable(file, error) from None
-
-    def _unwritable(self, file: Path, error: OSError) -> InvalidInput:
-        reason = f"{error.strerror}; choose another {self.name}"
-        return InvalidInput(f"cannot write the {self.content} to {str(file)!r}: {reason}")
+        with refused_in_words(self.content, file, self.name):
+            try:
+                unfinished.write_bytes(content)
+                os.replace(unfinished, file)
+            finally:
+                unfinished.unlink(missing_ok=True)
 
 
-PLOT = FileOption("--plot", (".svg", ".png", ".pdf"), "picture that can be drawn", "plot")
-PAGE = FileOption("--html", (".html", ".htm"), "page", "replay")
+PLOT = FileOption("--plot", (".svg", ".png", ".pdf"), "picture that can be drawn", "the plot")
+PAGE = FileOption("--html", (".html", ".htm"), "page", "the replay")

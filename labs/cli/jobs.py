@@ -22,6 +22,7 @@ from reference.engines import engine_names
 from reference.errors import InvalidInput
 from reference.published.results import PublishedResult
 from reference.published.theirs import published_cases
+from reference.recording.files import never_recorded
 from reference.running.cache import Cache
 from reference.running.jobs import TIME_LIMIT, J, R, Work, recall, run_all
 from reference.running.snapping import snapped
@@ -76,7 +77,11 @@ def planned(
     if timestep is not None:
         changes = _each_once([*changes.items(), ("timestep", timestep)])
     engines = engines or engine_names()
-    return snapped(plan(families, engines, profiles or (), cases, implementation, changes, with_studies, at))
+    found = plan(families, engines, profiles or (), cases, implementation, changes, with_studies, at)
+    for family in families:
+        if words := never_recorded(family.name, engines):
+            errors.print(f"Warning: {words}.", soft_wrap=True, markup=False)
+    return snapped(found)
 
 
 def _chosen(names: Sequence[str]) -> tuple[list[Family], dict[str, tuple[str, ...]]]:

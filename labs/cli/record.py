@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Annotated
@@ -21,10 +20,12 @@ from reference.errors import InvalidInput
 from reference.published import jobs as published_jobs
 from reference.published import recorded as published_recordings
 from reference.published.results import PublishedJob
+from reference.recording import checksums, files
 from reference.recording import making as recordings
 from reference.running.availability import absent
 from reference.running.cache import Cache
 from reference.running.jobs import R
+from reference.writable import folder_for
 
 MOST_BYTES = 512 * 2**20
 """Of the cache while recording: a run of thousands must not push its own first results out."""
@@ -50,26 +51,17 @@ def record(
     if scenario and published:
         raise InvalidInput(f"--published takes no scenarios, and {scenario[0]!r} is one; name one of the two")
     families, here = _families(scenario), _here(engine)
-    if out:
-        _check_folder(out)
+    folder = out or files.FOLDER
     cache = Cache(fresh=fresh, most_bytes=MOST_BYTES)
-    written = [] if published else _scenarios(families, here, only_stale, workers, cache, out)
-    if not scenario:
-        written += _published(here, only_stale, workers, cache, out)
+    with folder_for("recordings", folder, "--out"):
+        written = [] if published else _scenarios(families, here, only_stale, workers, cache, folder)
+        if not scenario:
+            written += _published(here, only_stale, workers, cache, folder)
     if written:
         _print_sizes(written)
+        output.print(f"Checksum over all recordings there: {checksums.over_all(folder)}", soft_wrap=True, markup=False)
     else:
         output.print("All recordings are of today's scenarios and settings.")
-
-
-def _check_folder(out: Path) -> None:
-    """Refuse, before anything runs, a folder that cannot be made or written to."""
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=out):
-            pass
-    except OSError as error:
-        raise InvalidInput(f"cannot record in {str(out)!r}: {error.strerror}; choose another --out") from None
 
 
 def _here(engines: Sequence[str] | None) -> list[str]:
@@ -94,26 +86,24 @@ def _scenarios(
     only_stale: bool,
     workers: int | None,
     cache: Cache,
-    out: Path | None,
+    folder: Path,
 ) -> list[Path]:
     """Record the lab's own scenarios; return the files."""
     wanted = [(family, name) for name in engines for family in families]
-    if only_stale and not (wanted := _stale(wanted, out)):
+    if only_stale and not (wanted := _stale(wanted, folder)):
         return []
     planned = [job for family, name in wanted for job in recordings.jobs_of(family, name)]
     results = jobs.run(planned, workers, cache)
     _check(results)
-    return recordings.write(_in_order(results, planned), out)
+    return recordings.write(_in_order(results, planned), folder)
 
 
-def _published(
-    engines: Sequence[str], only_stale: bool, workers: int | None, cache: Cache, out: Path | None
-) -> list[Path]:
+def _published(engines: Sequence[str], only_stale: bool, workers: int | None, cache: Cache, folder: Path) -> list[Path]:
     """Record other people's cases; return the files."""
-    wanted = [name for name in engines if not only_stale or published_recordings.is_stale(name, out)]
+    wanted = [name for name in engines if not only_stale or published_recordings.is_stale(name, folder)]
     planned = published_jobs.plan((), wanted) if wanted else []
     results = jobs.run_work(planned, published_jobs.PUBLISHED, workers, cache) if planned else []
-    return published_recordings.write(_in_order(results, planned), out)
+    return published_recordings.write(_in_order(results, planned), folder)
 
 
 def _families(names: Sequence[str] | None) -> list[Family]:
@@ -122,11 +112,11 @@ def _families(names: Sequence[str] | None) -> list[Family]:
     return [find(name)[0] for name in dict.fromkeys(names or catalogue())]
 
 
-def _stale(wanted: Iterable[tuple[Family, str]], out: Path | None) -> list[tuple[Family, str]]:
+def _stale(wanted: Iterable[tuple[Family, str]], folder: Path) -> list[tuple[Family, str]]:
     """The pairs that have to be recorded again, each printed with the reason."""
     found = []
     for family, engine in wanted:
-        if why := recordings.why_stale(family, engine, out):
+        if why := recordings.why_stale(family, engine, folder):
             output.print(f"{family.name} in {load_engine(engine).title}: {why}", soft_wrap=True, markup=False)
             found.append((family, engine))
     return found

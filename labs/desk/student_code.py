@@ -24,6 +24,7 @@ from labs.grading.errors import UnreadableSubmission
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.reading import Submission, read
 from reference import lecture
+from reference.engines.implementation import Implementation
 
 _UNWRITTEN = "NotImplementedError"
 _ABOVE = 1
@@ -251,9 +252,13 @@ def named_implementation(implementation: str) -> str:
     ------
     UnreadableSubmission
         If a notebook holds no code.
+    InvalidInput
+        If it is neither a notebook, nor a package, nor a `.py` file that Python can read.
     """
     path = Path(implementation)
     if path.suffix != ".ipynb":
+        if implementation != Implementation.source:  # a student's tree lacks the package that stands here by default
+            Implementation(implementation).check()
         return implementation
     written = [name for name, entry in lecture.FUNCTIONS.items() if entry.role == "written"]
     found = read(path, written)

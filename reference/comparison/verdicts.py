@@ -48,9 +48,15 @@ class Row:
     """One number of one case in one implementation and profile.
 
     expected, shift, tolerance, reason: as in `Expectation`. scale: as in `Quantity`. spread: standard deviation over an
+<<<<<<< HEAD
     ensemble, and values each of its numbers. predicted: what the recurrence of the method gives; band: how near each
     number must be to it; off: the largest difference from it, of any one of an ensemble; None where no recurrence is
     written. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
+=======
+    ensemble. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
+    recorded_version, recorded_on: which version of the engine was recorded, and on which day (ISO 8601); both are empty
+    where the engine ran here.
+>>>>>>> guard
     """
 
     family: str
@@ -73,6 +79,8 @@ class Row:
     off: float | None = None
     values: tuple[float, ...] = ()
     settings: str = field(default="", compare=False)
+    recorded_version: str = field(default="", compare=False)
+    recorded_on: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         numbers = ("measured", "spread", "expected", "tolerance", "shift", "scale", "predicted", "band", "off")

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import functools
 import importlib
+import importlib.util
 import sys
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from importlib.machinery import PathFinder
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from reference import lecture
-from reference.errors import InvalidInput, NeedsFunction, RunFailed
+from reference.errors import InvalidInput, NeedsFunction, RunFailed, one_line
 
 
 @dataclass(frozen=True)
@@ -31,6 +34,20 @@ class Implementation:
     def sources(self) -> tuple[str, ...]:
         """Each of the packages and files, in the order in which they are searched."""
         return tuple(part.strip() for part in self.source.split("|"))
+
+    def check(self) -> None:
+        """Refuse sources that cannot be loaded, and run none of their code.
+
+        Raises
+        ------
+        InvalidInput
+            If a source is neither a package nor a `.py` file, or if Python cannot read the file.
+        """
+        for source in self.sources:
+            if Path(source).suffix == ".py":
+                _check_file(Path(source))
+            elif not _is_package(source):
+                raise _no_implementation(source)
 
     def function(self, name: str) -> Callable[..., Any]:
         """Return the function of that name; where it is not written yet, raise `NeedsFunction` that says what to do."""
@@ -68,8 +85,43 @@ def _module(source: str, topic: str) -> ModuleType | None:
             return None
         if not f"{source}.".startswith(f"{missing.name}."):
             raise  # something that the implementation itself imports
+    raise _no_implementation(source)
+
+
+def _no_implementation(source: str) -> InvalidInput:
     choices = "a package such as 'solutions', or the path of a .py file"
-    raise InvalidInput(f"no implementation {source!r}; give {choices}")
+    return InvalidInput(f"no implementation {source!r}; give {choices}")
+
+
+def _is_package(source: str) -> bool:
+    """Whether Python would find a package of that name; it is not imported, and neither is a package that holds it."""
+    first, *others = source.split(".")
+    if not all(part.isidentifier() for part in (first, *others)) or first == "__main__":
+        return False
+    found, name = importlib.util.find_spec(first), first
+    for part in others:
+        inside, name = found and found.submodule_search_locations, f"{name}.{part}"
+        found = PathFinder.find_spec(name, inside) if inside else None
+    return found is not None
+
+
+def _check_file(path: Path) -> None:
+    """Refuse a file that does not exist, cannot be opened, or is not Python."""
+    if not path.is_file():
+        raise _no_file(path)
+    try:
+        with warnings.catch_warnings(action="ignore"):  # they come again where the file runs
+            compile(path.read_bytes(), path, "exec")
+    except OSError as error:
+        raise InvalidInput(f"cannot read the implementation {str(path)!r}: {error.strerror}") from None
+    except (SyntaxError, ValueError) as error:
+        line = f", line {error.lineno}" if isinstance(error, SyntaxError) and error.lineno else ""
+        raise InvalidInput(f"cannot read the implementation {str(path)!r}{line}: {one_line(error)}") from None
+
+
+def _no_file(path: Path) -> InvalidInput:
+    why = "it is a folder" if path.is_dir() else "there is no such file"
+    return InvalidInput(f"no implementation {str(path)!r}: {why}")
 
 
 _FILES: dict[tuple[Path, bytes], ModuleType] = {}
@@ -79,7 +131,7 @@ def _load_file(path: Path) -> ModuleType:
     """Import a file by path, once for each text in this process: a worker process outlives many edits of the file."""
     path = path.resolve()
     if not path.is_file():
-        raise InvalidInput(f"no implementation {str(path)!r}: there is no such file")
+        raise _no_file(path)
     text = path.read_bytes()
     if (path, text) not in _FILES:
         name = f"_implementation_{len(_FILES)}"

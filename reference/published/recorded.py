@@ -21,6 +21,7 @@ from reference.published.case import Figure, Published
 from reference.published.judging import judged
 from reference.published.results import PublishedJob, PublishedResult, PublishedRow
 from reference.published.theirs import published, published_cases
+from reference.recording import checksums
 from reference.recording.files import FOLDER, MARK, Made, read_json, with_tuples, write_json
 from reference.recording.fingerprint import hashed
 from reference.recording.making import version_here
@@ -60,6 +61,7 @@ def write(
         path = (folder or FOLDER) / name / FILE
         write_json(path, content, _LINES_DOWN_TO)
         written.append(path)
+    checksums.renew(folder or FOLDER, written)
     return written
 
 
@@ -86,6 +88,12 @@ def recall(job: PublishedJob, folder: Path | None = None) -> PublishedResult | N
         return None
     made, case = Made(**content["made"]), published(job.case)
     rows, answers = _rows(case, job.engine, content["cases"].get(case.name))
+    rows = tuple(
+        row
+        if row.verdict is Verdict.NOT_AVAILABLE
+        else replace(row, recorded_version=made.version, recorded_on=made.date)
+        for row in rows
+    )
     title = f"{load_engine(job.engine).title}{MARK}"
     return PublishedResult(job, title, rows, made.version, answers, f"{MARK} {made}")
 

@@ -2,7 +2,7 @@
 
 The first holds the measured numbers of full runs, of the family's cases and of every point of its grid. It never holds
 a verdict: each number is judged again whenever it is read. The second holds the poses for a replay, and the curve that
-is plotted.
+is plotted. `reference.recording.checksums` notices a file that was changed after it was written.
 """
 
 from __future__ import annotations
@@ -11,13 +11,14 @@ import datetime
 import functools
 import json
 import platform
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from reference.engines import engine_names
-from reference.errors import InvalidInput
+from reference.engines import engine_names, load_engine
+from reference.errors import InvalidInput, listed
+from reference.recording import checksums
 from reference.viewer.tracks import Track, read_tracks
 
 SCHEMA, VERSION = "collisions-lab/recording", 4
@@ -54,19 +55,40 @@ def content_of(engine: str, family: str, folder: Path | None = None) -> dict[str
     Raises
     ------
     InvalidInput
-        If it is no recording, or one of another version.
+        If it is no recording, or one of another version, or was changed since it was made.
     """
     return _content((folder or FOLDER) / engine / f"{family}.json") if engine in engine_names() else None
+
+
+def never_recorded(family: str, engines: Iterable[str]) -> str:
+    """What to do about a family that was never recorded in some of these engines; "" where each has recorded it.
+
+    Hand-written code and somebody's own engine files are never recorded, and are not spoken of.
+    """
+    unrecorded = [
+        name for name in engines if name in engine_names() and not (FOLDER / name / f"{family}.json").exists()
+    ]
+    missing = [engine.title for name in unrecorded if (engine := load_engine(name)).package]
+    return f"{family} was never recorded in {listed(missing)}; collisions record {family} does it" if missing else ""
 
 
 def tracks_of(
     engine: str, family: str, folder: Path | None = None
 ) -> tuple[dict[tuple[str, str], Track], dict[str, str]]:
-    """The recorded poses by profile and entry, and where and when they were made; both empty where there are none."""
+    """The recorded poses by profile and entry, and where and when they were made; both empty where there are none.
+
+    Raises
+    ------
+    InvalidInput
+        As in `content_of`.
+    """
     return _tracks((folder or FOLDER) / engine / f"{family}.npz") if engine in engine_names() else ({}, {})
 
 
-_tracks = functools.lru_cache(8)(read_tracks)
+@functools.lru_cache(8)
+def _tracks(path: Path) -> tuple[dict[tuple[str, str], Track], dict[str, str]]:
+    checksums.check(path)
+    return read_tracks(path)
 
 
 @functools.cache
@@ -86,8 +108,9 @@ def read_json(path: Path, schema: str, version: int) -> dict[str, Any] | None:
     Raises
     ------
     InvalidInput
-        If it holds something else, or another version.
+        If it holds something else, or another version, or was changed since it was made.
     """
+    checksums.check(path)
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -105,7 +128,7 @@ def write_json(path: Path, content: Mapping[str, Any], depth: int) -> None:
     A case that changes then changes one line.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(_lines(content, depth) + "\n", encoding="utf-8")
+    path.write_text(_lines(content, depth) + "\n", encoding="utf-8", newline="\n")
 
 
 def _lines(content: Any, depth: int) -> str:

@@ -17,6 +17,7 @@ from reference.comparison.verdicts import Row
 from reference.engines import engine_names, load_engine
 from reference.engines.base import Engine
 from reference.errors import EngineNotInstalled, InvalidInput
+from reference.recording import checksums
 from reference.recording.entries import Entry, name_as_own_case, name_of, names_of
 from reference.recording.files import FOLDER, SCHEMA, VERSION, Made, content_of, forget, tracks_of, write_json
 from reference.recording.fingerprint import fingerprint
@@ -130,6 +131,7 @@ def write(results: Iterable[JobResult], folder: Path | None = None, today: datet
     for (engine, family), own in found.items():
         made = Made.here(own[0].title, own[0].version, today)
         written += _write((folder or FOLDER) / engine / f"{family}.json", own, asdict(made))
+    checksums.renew(folder or FOLDER, written)
     forget()
     return written
 

@@ -46,16 +46,27 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
     """The result that an engine gave elsewhere, judged here and now; None where nothing of it was recorded.
 
     A case whose scenarios or settings are not those of the recording gets a row that says so, and no number.
+
+    Raises
+    ------
+    InvalidInput
+        If a file of the recording cannot be read, or was changed since it was made.
     """
     content = content_of(job.engine, job.family, folder)
     taken = content["profiles"].get(job.profile) if content else None
     if not content or not taken:
         return None
     family, engine = catalogue()[job.family], load_engine(job.engine)
+    made = Made(**content["made"])
     rows = [row for case in job.chosen(family) for row in _rows(family, case, engine, job, taken)]
+    rows = [
+        row
+        if row.verdict is Verdict.NOT_AVAILABLE
+        else replace(row, recorded_version=made.version, recorded_on=made.date)
+        for row in rows
+    ]
     moved = bool(job.changes or job.at or job.grid)
     studied = job.with_studies and not moved and _is_current(family.case(family.convergence.case), engine, job, taken)
-    made = Made(**content["made"])
     return JobResult(
         job,
         f"{engine.title}{MARK}",
@@ -76,8 +87,9 @@ def _series(family: Family, job: Job, folder: Path | None) -> Series | None:
     plotted = [case for case in job.chosen(family) if job.plots(family, case)]
     if not plotted:
         return None
+    known, _ = tracks_of(job.engine, job.family, folder)
     with contextlib.suppress(CollisionsError):  # the row says why
-        return curves.unpack(_track(job, plotted[0], tracks_of(job.engine, job.family, folder)[0]).curve)
+        return curves.unpack(_track(job, plotted[0], known).curve)
     return None
 
 

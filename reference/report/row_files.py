@@ -17,7 +17,8 @@ from reference.published.results import PublishedRow
 from reference.recording.files import with_tuples
 
 ROWS, PUBLISHED = "collisions-lab/rows", "collisions-lab/published"
-SCHEMA_VERSION = 1
+VERSIONS = {ROWS: 2, PUBLISHED: 2}
+"""Of the schemas of rows. Since version 2 a row says whether it was recorded: `recorded_version`, `recorded_on`."""
 R = TypeVar("R", Row, PublishedRow)
 
 
@@ -53,8 +54,8 @@ def run_of(result: JobResult) -> dict[str, Any]:
 
 
 def as_json(schema: str, content: Mapping[str, Any]) -> str:
-    """Any content of a report as JSON, with its schema and version."""
-    whole = {"schema": schema, "version": SCHEMA_VERSION, **content}
+    """Any content of a report as JSON, with its schema and the schema's version."""
+    whole = {"schema": schema, "version": VERSIONS.get(schema, 1), **content}
     return json.dumps(whole, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
@@ -90,8 +91,8 @@ def _read(path: Path, schema: str) -> dict[str, Any]:
     except ValueError as error:
         raise InvalidInput(f"{str(path)!r} is not JSON: {error}") from None
     found = (content.get("schema"), content.get("version")) if isinstance(content, dict) else (None, None)
-    if found != (schema, SCHEMA_VERSION):
+    if found != (schema, VERSIONS[schema]):
         said = f"{found[0]} version {found[1]}"
-        raise InvalidInput(f"{str(path)!r} is {said}; this program reads {schema} version {SCHEMA_VERSION}")
+        raise InvalidInput(f"{str(path)!r} is {said}; this program reads {schema} version {VERSIONS[schema]}")
     assert isinstance(content, dict)
     return content

@@ -9,8 +9,9 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from reference.errors import InvalidInput
+from reference.writable import folder_for, refused_in_words
 
+CONTENT, OPTION = "the report", "--out"
 PAGE = "index.html"
 """The file that is moved last, since it speaks of all the others."""
 
@@ -28,27 +29,14 @@ def staged(out: Path) -> Iterator[Path]:
     InvalidInput
         If `out` is no folder or cannot be written.
     """
-    with _writable(out):
-        new = [folder for folder in (out, *out.parents) if not folder.exists()]
-        out.mkdir(parents=True, exist_ok=True)
+    with folder_for(CONTENT, out, OPTION):
         stage = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=out))
-    try:
-        yield stage
-        with _writable(out):
-            _move(stage, out)
-    finally:
-        shutil.rmtree(stage, ignore_errors=True)
-        with contextlib.suppress(OSError):
-            for folder in new:
-                folder.rmdir()  # succeeds only where it is empty
-
-
-@contextlib.contextmanager
-def _writable(out: Path) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        raise InvalidInput(f"cannot write the report to {str(out)!r}: {error.strerror}; choose another --out") from None
+        try:
+            yield stage
+            with refused_in_words(CONTENT, out, OPTION):
+                _move(stage, out)
+        finally:
+            shutil.rmtree(stage, ignore_errors=True)
 
 
 def _move(stage: Path, out: Path) -> None:

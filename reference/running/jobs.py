@@ -9,7 +9,7 @@ from concurrent.futures import Executor, Future, as_completed, wait
 from dataclasses import dataclass
 from typing import Any, Generic, TypeVar
 
-from reference.errors import CannotExpress, CollisionsError, EngineNotInstalled, NeedsFunction, RunFailed
+from reference.errors import CannotExpress, CollisionsError, EngineNotInstalled, InvalidInput, NeedsFunction, RunFailed
 from reference.running.cache import Cache, key_of
 from reference.running.isolate import run_isolated, stop_workers
 from reference.running.protocol import Job, Result
@@ -86,13 +86,26 @@ def run_one(job: J, work: Work[J, R], timeout: float = TIME_LIMIT, cache: Cache 
         else:
             result = run_isolated(work.run, timeout, job)
     except EngineNotInstalled as error:
-        result = work.recorded(job) or work.refused(job, error, time.perf_counter() - start)
+        result = _recorded(job, work, error, start)
     except (NeedsFunction, CannotExpress, RunFailed) as error:
         result = work.refused(job, error, time.perf_counter() - start)
     _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)
     if cache:
         cache.put(job, key, result)
     return result
+
+
+def _recorded(job: J, work: Work[J, R], missing: EngineNotInstalled, start: float) -> R:
+    """The recorded result of a job; where there is none, or it cannot be used, a result that says why.
+
+    missing: what is said of the engine, which is not installed. start: when the job was started.
+    """
+    try:
+        found = work.recorded(job)
+    except InvalidInput as unusable:
+        _log.warning("%s: %s", job, unusable)
+        found, missing = None, EngineNotInstalled(f"{missing}; {unusable}")
+    return found or work.refused(job, missing, time.perf_counter() - start)
 
 
 def _run_with_key(run: Callable[[J], R], job: J) -> tuple[str | None, R]:

@@ -6,6 +6,7 @@ value in between would compare answers to two questions. So the question is move
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
@@ -14,7 +15,7 @@ from reference.catalogue.grid import nearest
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.engines import load_engine
-from reference.errors import listed
+from reference.errors import InvalidInput, listed
 from reference.recording.files import content_of
 from reference.running.availability import absent
 
@@ -25,7 +26,7 @@ def snapped(jobs: Sequence[Job]) -> list[Job]:
     found: list[Job] = []
     for job in jobs:
         own = [other for other in jobs if other.family == job.family and _movable(other) and missing[other.engine]]
-        engines = [other.engine for other in own if content_of(other.engine, other.family)]
+        engines = [other.engine for other in own if _is_recorded(other)]
         found.append(moved(job, dict.fromkeys(engines)) if engines and _movable(job) else job)
     return list(dict.fromkeys(found))
 
@@ -45,6 +46,13 @@ def moved(job: Job, recorded: Iterable[str]) -> Job:
     words = f"{job.family}: {point.moved} for all, since {listed(titles)} {answers} from recordings"
     at = tuple(point.at.items()) if job.at else ()
     return replace(job, at=at, changes=tuple(sorted(changes.items())), snapped=words)
+
+
+def _is_recorded(job: Job) -> bool:
+    """Whether an engine has a recording of a family that can be used; if it cannot, the job's own row will say why."""
+    with contextlib.suppress(InvalidInput):
+        return bool(content_of(job.engine, job.family))
+    return False
 
 
 def _movable(job: Job) -> bool:

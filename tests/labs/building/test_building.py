@@ -18,9 +18,11 @@ from labs.building.points import points_of
 from labs.building.release import given, release
 from labs.cli import lab
 from labs.grading.submission.reading import read
-from labs.project_folders import SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
+from labs.project_folders import ROOT, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
 from reference import lecture
 from reference.errors import CollisionsError, InvalidInput
+from reference.recording import checksums
+from reference.recording.files import FOLDER
 
 HEAD = """---
 jupyter:
@@ -210,6 +212,7 @@ def test_a_release_holds_no_solution_hidden_test_or_model_answer(lesson, tmp_pat
     assert "tests/autograder/visible/test_detection.py" in names
     for hidden in ("solutions", "tests/autograder/hidden", "tests/autograder/misconceptions", "labs/lessons"):
         assert hidden not in names
+    assert checksums.changed(tmp_path / "out" / FOLDER.relative_to(ROOT)) == {}, "recordings arrive as they were made"
     secret = "np.vecdot(normal, point)"  # of signed_distance
     for path in (tmp_path / "out").rglob("*"):
         if path.suffix in (".py", ".ipynb", ".md"):
@@ -223,6 +226,9 @@ def test_two_archives_are_the_same_and_a_full_folder_is_left_alone(lesson, tmp_p
     assert "collisions-lab/README.md" in zipfile.ZipFile(tmp_path / "a.zip").namelist()
     with pytest.raises(InvalidInput, match="not empty"):
         release(tmp_path, "detection")
+    for out in (tmp_path / "a.zip" / "folder", tmp_path / "missing" / "c.zip"):
+        with pytest.raises(InvalidInput, match=r"cannot write the release to .*; choose another --out"):
+            release(out, "detection")
     with pytest.raises(InvalidInput, match="no lesson yet"):
         release(tmp_path / "new", "avoidance")
 

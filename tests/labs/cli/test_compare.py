@@ -10,6 +10,7 @@ from odd_engine import CRASH, ELSE, NAN, NO_WORDS, RAISE
 from program import QUICK, SLIDE, TUNED, collisions
 
 from labs.cli import jobs
+from reference.recording import files
 
 TOY = str(Path(__file__).parents[2] / "reference" / "toy_engine.py")
 WRONG = "right = kinematic_response\ndef kinematic_response(v, n, e):\n    return right(v, n, 0.9 * e)\n"
@@ -121,6 +122,26 @@ def test_a_file_that_is_no_engine_is_refused(tmp_path):
         assert refused.code == 2, name
         assert name in refused.error
         assert "Traceback" not in refused.error
+
+
+@pytest.mark.parametrize("command", [("compare", *TUNED), ("compare", "--published", "P15"), ("show", "bounce")])
+def test_code_that_cannot_be_used_is_refused_before_anything_is_printed(command, tmp_path):
+    (tmp_path / "wrong.py").write_text("x = 1\ndef holds(:\n")
+    for source, said in (
+        (tmp_path, "give a package such as 'solutions'"),
+        (tmp_path / "wrong.py", "wrong.py', line 2: "),
+    ):
+        refused = collisions(*command, "--implementation", source)
+        assert (refused.code, refused.output, said in refused.error) == (2, "", True)
+        assert len(refused.errors.splitlines()) == 1, "neither a run nor a second line"
+
+
+def test_a_scenario_that_was_never_recorded_warns_and_runs(installed, tmp_path, monkeypatch):
+    installed("mujoco")
+    monkeypatch.setattr(files, "FOLDER", tmp_path)
+    said = collisions("compare", "parting-ball", "--engine", "mujoco", "--profile", "tuned")
+    assert (said.code, "MuJoCo, tuned" in said.text) == (0, True)
+    assert "parting-ball was never recorded in MuJoCo; collisions record parting-ball does it." in said.error
 
 
 # The cache

@@ -91,6 +91,8 @@ def test_names_with_a_star_leave_room_for_every_column(monkeypatch):
 @pytest.mark.parametrize("name", [ENGINES[0], *(pytest.param(name, marks=pytest.mark.slow) for name in ENGINES[1:])])
 def test_every_recorded_case_has_a_replay(name):
     for family in catalogue().values():
+        if files.never_recorded(family.name, (name,)):  # a new family, of which the tests of recordings warn
+            continue
         job = Job(family.name, name, "tuned")
         for case in {row.case for row in recall(job).rows if row.quantity}:
             poses = replay(job, case)

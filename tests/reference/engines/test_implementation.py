@@ -129,8 +129,45 @@ def test_a_file_that_is_not_there_is_refused_with_its_path(tmp_path):
         Implementation(str(missing)).function("holds")
     assert str(caught.value) == f"no implementation {str(missing)!r}: there is no such file"
     (tmp_path / "folder.py").mkdir()
-    with pytest.raises(InvalidInput, match="there is no such file"):
+    with pytest.raises(InvalidInput, match=r"folder\.py': it is a folder"):
         Implementation(str(tmp_path / "folder.py")).function("holds")
+
+
+@pytest.mark.parametrize(
+    ("source", "said"),
+    [
+        ("no_such_package", "no implementation 'no_such_package'; give a package such as 'solutions', or the path"),
+        ("solutions.no.such", "no implementation 'solutions.no.such'; give a package"),
+        ("__main__", "no implementation '__main__'; give a package"),
+        ("solutions | ", "no implementation ''; give a package"),
+        ("{}", "; give a package such as 'solutions', or the path of a .py file"),
+        ("{}/notes.txt", "; give a package such as 'solutions', or the path of a .py file"),
+        ("{}/missing.py", "missing.py': there is no such file"),
+        ("{}/folder.py", "folder.py': it is a folder"),
+        ("{}/wrong.py", "wrong.py', line 2: SyntaxError: invalid syntax"),
+        ("{}/good.py | {}/wrong.py", "wrong.py', line 2: SyntaxError: invalid syntax"),
+        ("{}/outside.py", "outside.py', line 1: SyntaxError: 'return' outside function"),
+        ("{}/bytes.py", "cannot read the implementation "),
+    ],
+)
+def test_a_source_is_refused_without_running_any_of_it(source, said, tmp_path):
+    (tmp_path / "folder.py").mkdir()
+    (tmp_path / "notes.txt").touch()
+    (tmp_path / "good.py").write_text(f"open({str(tmp_path / 'ran')!r}, 'w')\n")
+    (tmp_path / "wrong.py").write_text("x = 1\ndef holds(:\n")
+    (tmp_path / "outside.py").write_text("return 1\n")
+    (tmp_path / "bytes.py").write_bytes(b"x = '\xff'\0")
+    with pytest.raises(InvalidInput) as refused:
+        Implementation(source.replace("{}", str(tmp_path))).check()
+    assert said in str(refused.value)
+    assert "\n" not in str(refused.value)
+    assert not (tmp_path / "ran").exists()
+
+
+def test_packages_and_files_pass_the_check_without_being_run(tmp_path, package):
+    file = tmp_path / "good.py"
+    file.write_text("x = '\\d'\nraise RuntimeError\n")  # what would only warn, or fail, as it runs
+    Implementation(f"solutions | labs.grading | {file} | {package('friction', 'raise RuntimeError')}").check()
 
 
 def test_a_failing_import_inside_a_package_is_no_missing_topic(package):

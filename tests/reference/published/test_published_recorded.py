@@ -15,6 +15,7 @@ from reference.published.jobs import PUBLISHED, plan, run_job
 from reference.published.recorded import FILE, fingerprint, recall, write
 from reference.published.results import PublishedJob
 from reference.published.theirs import published
+from reference.recording import checksums
 from reference.running import jobs
 from reference.running.cache import Cache
 from reference.running.jobs import run_one
@@ -40,6 +41,7 @@ def edited(folder, change) -> None:
     content = json.loads(path.read_text(encoding="utf-8"))
     change(content)
     path.write_text(json.dumps(content), encoding="utf-8")
+    checksums.renew(folder, [path])
 
 
 def test_a_plan_has_every_published_case_in_every_engine_once():

@@ -16,7 +16,7 @@ from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.errors import EngineNotInstalled, InvalidInput, NotRecorded
-from reference.recording import files, reading
+from reference.recording import checksums, files, reading
 from reference.recording.fingerprint import fingerprint
 from reference.recording.making import jobs_of, why_stale, write
 from reference.recording.reading import recall, replay
@@ -86,11 +86,12 @@ def folder(written, tmp_path):
 
 
 def edited(folder, change) -> None:
-    """Change what the file holds."""
+    """Change what the file holds, as another version of the lab might have written it."""
     path = folder / "handwritten" / "incline.json"
     content = json.loads(path.read_text(encoding="utf-8"))
     change(content)
     path.write_text(json.dumps(content), encoding="utf-8")
+    checksums.renew(folder, [path])
     files.forget()
 
 
@@ -220,6 +221,7 @@ def test_a_file_without_a_recording_is_refused_by_name(content, tmp_path):
     path = tmp_path / "handwritten" / "incline.json"
     path.parent.mkdir()
     path.write_text(content, encoding="utf-8")
+    checksums.renew(tmp_path, [path])
     files.forget()
     with pytest.raises(InvalidInput, match=r"incline\.json' is no recording"):
         recall(JOBS[0], tmp_path)

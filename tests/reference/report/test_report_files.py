@@ -17,6 +17,8 @@ import pytest
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.errors import InvalidInput
+from reference.recording.files import content_of
+from reference.recording.reading import recall
 from reference.report.files import write
 from reference.report.row_files import read_rows, rows_csv, rows_json
 from reference.report.staging import staged
@@ -78,17 +80,17 @@ def test_the_figures_beside_the_page_are_those_in_it(report):
 
 
 @pytest.mark.parametrize(
-    ("name", "schema"),
+    ("name", "schema", "version"),
     [
-        ("rows.json", "collisions-lab/rows"),
-        ("timings.json", "collisions-lab/timings"),
-        ("provenance.json", "collisions-lab/provenance"),
+        ("rows.json", "collisions-lab/rows", 2),
+        ("timings.json", "collisions-lab/timings", 1),
+        ("provenance.json", "collisions-lab/provenance", 1),
     ],
 )
-def test_every_file_of_data_names_its_schema_and_version(name, schema, report):
+def test_every_file_of_data_names_its_schema_and_version(name, schema, version, report):
     data = json.loads((report / name).read_text(encoding="utf-8"))
     assert list(data)[:2] == ["schema", "version"]
-    assert (data["schema"], data["version"]) == (schema, 1)
+    assert (data["schema"], data["version"]) == (schema, version)
 
 
 def test_the_time_of_each_job_is_kept_apart_from_the_rows(report, results):
@@ -167,14 +169,14 @@ GIVEN = '{"family": "f", "case": "c", "engine": "e", "profile": "p", "quantity":
     [
         ("no JSON", "is not JSON"),
         ("", "is not JSON"),
-        ("[]", "is None version None; this program reads collisions-lab/rows version 1"),
-        ('{"rows": []}', "is None version None; this program reads collisions-lab/rows version 1"),
-        ('{"schema": "collisions-lab/rows", "version": 2, "rows": []}', "is collisions-lab/rows version 2; this"),
+        ("[]", "is None version None; this program reads collisions-lab/rows version 2"),
+        ('{"rows": []}', "is None version None; this program reads collisions-lab/rows version 2"),
+        ('{"schema": "collisions-lab/rows", "version": 1, "rows": []}', "is collisions-lab/rows version 1; this"),
         ('{"schema": "collisions-lab/timings", "version": 1}', "is collisions-lab/timings version 1; this program"),
-        ('{"schema": "collisions-lab/rows", "version": 1}', "cannot be read: 'rows'"),
-        ('{"schema": "collisions-lab/rows", "version": 1, "rows": 3}', "cannot be read"),
-        ('{"schema": "collisions-lab/rows", "version": 1, "rows": [3]}', "cannot be read"),
-        ('{"schema": "collisions-lab/rows", "version": 1, "rows": [{}]}', "cannot be read: 'verdict'"),
+        ('{"schema": "collisions-lab/rows", "version": 2}', "cannot be read: 'rows'"),
+        ('{"schema": "collisions-lab/rows", "version": 2, "rows": 3}', "cannot be read"),
+        ('{"schema": "collisions-lab/rows", "version": 2, "rows": [3]}', "cannot be read"),
+        ('{"schema": "collisions-lab/rows", "version": 2, "rows": [{}]}', "cannot be read: 'verdict'"),
         (GIVEN + ', "verdict": "good"}', "cannot be read: 'good' is not a valid Verdict"),
         (GIVEN + ', "verdict": "pass", "colour": 3}', "unexpected keyword argument 'colour'"),
         ('{"verdict": "pass"}', "missing 6 required positional arguments"),
@@ -185,7 +187,7 @@ GIVEN = '{"family": "f", "case": "c", "engine": "e", "profile": "p", "quantity":
 def test_a_file_without_rows_is_refused_by_name(text, said, tmp_path):
     path = tmp_path / "rows.json"
     is_row = '"verdict"' in text
-    whole = f'{{"schema": "collisions-lab/rows", "version": 1, "rows": [{text}]}}' if is_row else text
+    whole = f'{{"schema": "collisions-lab/rows", "version": 2, "rows": [{text}]}}' if is_row else text
     path.write_text(whole, encoding="utf-8")
     with pytest.raises(InvalidInput) as refused:
         read_rows(path)
@@ -216,6 +218,17 @@ def test_the_csv_table_has_the_same_rows_with_their_errors(report):
         for name in ("measured", "expected", "tolerance", "scale", "error", "relative_error"):
             value = getattr(row, name)
             assert line[name] == "" if value is None else float(line[name]) == value
+
+
+def test_recorded_rows_say_which_version_was_recorded_and_when(report, tmp_path):
+    made = content_of("mujoco", "parting-ball")["made"]
+    result = recall(Job("parting-ball", "mujoco", "tuned"))
+    (tmp_path / "rows.json").write_text(rows_json([result]), encoding="utf-8")
+    table = csv.DictReader(rows_csv([result]).splitlines())
+    in_json = {(row.recorded_version, row.recorded_on) for row in read_rows(tmp_path / "rows.json")}
+    in_csv = {(line["recorded_version"], line["recorded_on"]) for line in table}
+    assert in_json == in_csv == {(made["version"], made["date"])}
+    assert {(row.recorded_version, row.recorded_on) for row in read_rows(report / "rows.json")} == {("", "")}
 
 
 def test_commas_quotes_and_line_breaks_stay_in_their_cell():
