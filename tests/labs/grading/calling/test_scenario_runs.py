@@ -40,7 +40,7 @@ def test_a_wrong_run_is_reported_beside_theory_and_the_engines():
     assert lines[:3] == [
         "Dropped ball: bounce heights, e=0.2: first rebound ÷ drop height", "gives   0.01", "physics 0.04",
     ]  # fmt: skip
-    assert lines[3].startswith("engines PyBullet 0.04")
+    assert lines[3].startswith("engines PyBullet 0.03999")
     assert lines[3].endswith(" (recorded)")
     assert lines[3].count("0.0") == 3
     compared_with_theory(wrong, "dropped-ball", ["e=0"], ["rebound"])
