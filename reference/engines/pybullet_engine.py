@@ -99,7 +99,7 @@ class PyBullet(Engine):
             options = {
                 "coordinates": "maximal",
                 **undamped,
-                # A contact ahead of the touch would let the dashpot act for its share of the step, and the spring later.
+                # Contacts that count ahead of the touch would take 2.4 % from the rebound at e = 0.5.
                 "contact_gap_falls": 0.0,
                 "split_impulse": False,  # it would take deep overlap away from the spring
                 "solver_iterations": 50,
@@ -130,7 +130,7 @@ class PyBullet(Engine):
         return Settings(1e-3, options=options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
-        """Bullet resolves an impact at the step; split impulses take overlap back without adding speed. A spring yields."""
+        """A spring yields. Else Bullet resolves an impact at the step, and split impulses take overlap back."""
         if "stiffness" in settings.options:
             return Method(COMPLIANT, stiffness=settings.number("stiffness"))
         recovery = settings.number("contact_erp") if settings.options.get("split_impulse") is True else 0.0
@@ -166,9 +166,10 @@ class PyBullet(Engine):
         bullet.resetSimulation(**here)
         self._set_world(bullet, scenario, settings, here)
         fall = _gravity(scenario) * settings.timestep**2
+        both = self._restitution_and_friction(scenario, settings)
         numbers = [
             pybullet_bodies.add_body(bullet, body, settings, *coefficients, fall, here)
-            for body, coefficients in zip(scenario.bodies, self._restitution_and_friction(scenario, settings), strict=True)
+            for body, coefficients in zip(scenario.bodies, both, strict=True)
         ]
         if "stiffness" in settings.options:
             spring = pybullet_spring.spring_of(scenario, settings.number("stiffness"))
@@ -226,7 +227,7 @@ class PyBullet(Engine):
     def _restitution_and_friction(self, scenario: Scenario, settings: Settings) -> list[tuple[float, float]]:
         """One restitution and friction per body such that every pair's product is what the scenario asks for.
 
-        A spring's restitution is in its damping, and Bullet's own is 0.
+        With a spring, the restitution is in the damping, and Bullet's own coefficient is 0.
         """
         springs = "stiffness" in settings.options
         restitution = mixing.factors(scenario, lambda pair: 0.0 if springs else pair.restitution)

@@ -1,19 +1,19 @@
 """A contact of PyBullet's that is a spring with a dashpot, resolved over many steps.
 
-Bullet solves a contact for the impulse λ ≥ 0 of a step, with the gap x ≤ 0 from before the step, the speeds v before and
-v⁺ after the impulse, both with the step's gravity, and the effective mass m = 1/(1/m_A + 1/m_B):
+In each step Bullet solves a contact for an impulse λ ≥ 0. Let x ≤ 0 be the gap before the step, v the normal velocity
+with the step's gravity in it, v⁺ the velocity that the impulse leaves, and m = 1/(1/m_A + 1/m_B) the effective mass:
 
-    λ (1/m + cfm/dt) = −x erp/dt − v,     and since v⁺ = v + λ/m,     λ = −(x erp + v⁺ dt)/cfm.
+    λ (1/m + cfm/dt) = −x erp/dt − v,     and with v⁺ = v + λ/m this is     λ = −(x erp + v⁺ dt)/cfm.
 
-Two numbers, an error reduction `erp` and a softness `cfm`, say what a spring says with k and c. There are two places to
-put them, and they make two different steps:
+So the two numbers of a contact, an error reduction `erp` and a softness `cfm`, can say what a spring says with its
+stiffness k and its damping c. Bullet takes them in two places, and each makes a step of its own:
 
-`world`: Bullet's `contactERP` = k dt/c and `globalCFM` = 1/c give λ = dt (−k x − c v⁺). The spring acts with its length
-from before the step, as in semi-implicit Euler, and so does not damp by itself. All contacts share these numbers.
+`world`: the parameters `contactERP` = k dt/c and `globalCFM` = 1/c give λ = dt (−k x − c v⁺). The spring acts with the
+length that it has before the step, as in semi-implicit Euler, and does not damp by itself. All contacts share it.
 
-`bodies`: each body has a `contactStiffness` and a `contactDamping`. Bullet puts the two springs of a contact in series
-and adds the dashpots, and derives erp = k dt/(k dt + c) and cfm = 1/(k dt + c). With the gap x⁺ = x + v⁺ dt after the
-step that gives λ = dt (−k x⁺ − c v⁺), implicit Euler, which damps by itself as a dashpot of k dt would.
+`bodies`: each body has a `contactStiffness` and a `contactDamping`. Bullet puts the two springs of a contact in series,
+adds the two dashpots, and derives erp = k dt/(k dt + c) and cfm = 1/(k dt + c). With the gap x⁺ = x + v⁺ dt after the
+step this gives λ = dt (−k x⁺ − c v⁺). That is implicit Euler, which damps by itself as a dashpot of k dt would.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from reference.scene.scenario import Scenario, Sphere
 from reference.scene.settings import Settings
 
 LEAST_DAMPING = 1e-9
-"""The least damping of `world` as a share of k dt, for its inverse must be finite; the speed loses some 10⁻⁹ of itself."""
+"""The least damping in `world`, as a share of k dt: its inverse must be finite. It takes some 10⁻⁹ of the speed."""
 MOST_DAMPING_RATIO = 5.0
 """ζ where e = 0, which no finite one gives; 5 rebounds with 1 % of the speed."""
 
