@@ -21,10 +21,11 @@ from reference.scene.settings import Move, Settings
 from reference.scene.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
-RESPOND_THEN_STEP, CHORD, BULLET, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
+RESPOND_THEN_STEP, CHORD, BULLET, BULLET_SPRING, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
     "respond, then step",
     "chord",
     "Bullet's",
+    "Bullet's spring",
     "MuJoCo's in one step",
     "MuJoCo's spring",
     "DART's",

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.base import CHORD, MUJOCO_SPRING, Method
+from reference.engines.base import BULLET_SPRING, CHORD, MUJOCO_SPRING, Method
 from reference.prediction.laws import Law, law_of
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
 from reference.scene import geometry
@@ -46,7 +46,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
 
 def predict_to_rest(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
     """The same down to rest. A spring of some steps a contact makes rounding ten times larger in each: none for it."""
-    return None if method.rule == MUJOCO_SPRING else predict(scenario, settings, method)
+    return None if method.rule in (MUJOCO_SPRING, BULLET_SPRING) else predict(scenario, settings, method)
 
 
 def by_steps(gap: float, rate: float, fall: float, law: Law, steps: int) -> tuple[Array, Array, float]:

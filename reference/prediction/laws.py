@@ -13,6 +13,7 @@ from typing import ClassVar, Protocol
 from reference import truth
 from reference.engines.base import (
     BULLET,
+    BULLET_SPRING,
     DART,
     MUJOCO_ONE_STEP,
     MUJOCO_SPRING,
@@ -21,6 +22,7 @@ from reference.engines.base import (
 )
 from reference.engines.dart_engine import REST_SPEED, SOFTNESS
 from reference.engines.mujoco_read_back import MOST_DAMPED
+from reference.engines.pybullet_spring import LEAST_DAMPING, MOST_DAMPING_RATIO
 from reference.scene.settings import Settings
 
 DART_RECOVERY, DART_FASTEST_RECOVERY = 0.01, 1e-3
@@ -93,6 +95,30 @@ class Bullet:
             rebound = max(-self.restitution * rate, 0.0) if -rate >= self.rest_speed else 0.0
             after, push = max(after, rebound - max(gap, 0.0) / self.dt), self.recovery * max(-gap, 0.0)
         return gap + after * self.dt + push, after
+
+
+@dataclass(frozen=True)
+class BulletSpring:
+    """Bullet with a contact spring, k and c per unit mass: from the touch on it adds the acceleration −k r − c u⁺.
+
+    r is the gap before the step and u⁺ the rate after it, so that a = −(k r + c u)/(1 + c dt); it never pulls. That is
+    the spring of the world. A spring of the bodies takes the gap after the step, which is the same with a dashpot of
+    c + k dt. `reference.engines.pybullet_spring` derives both from what Bullet solves.
+    """
+
+    dt: float
+    stiffness: float
+    damping: float
+    reach: ClassVar[float] = 0.0
+    in_parabolas: ClassVar[bool] = False
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        after = rate + fall
+        if gap <= 0:
+            push = -(self.stiffness * gap + self.damping * after) / (1 + self.damping * self.dt)
+            after += max(push, 0.0) * self.dt
+        return gap + after * self.dt, after
 
 
 @dataclass(frozen=True)
@@ -187,6 +213,13 @@ def law_of(settings: Settings, method: Method, restitution: float, ease: float =
         return RespondThenStep(dt, restitution, method.rest_speed)
     if method.rule == BULLET:
         return Bullet(dt, restitution, method.rest_speed, method.recovery, method.reach)
+    if method.rule == BULLET_SPRING:
+        stiffness = settings.number("stiffness")
+        damping = 2 * min(truth.damping_ratio(restitution), MOST_DAMPING_RATIO) * math.sqrt(stiffness)
+        firmness = stiffness * dt
+        of_bodies = settings["spring_of"] == "bodies"
+        damping = damping + firmness if of_bodies else max(damping, LEAST_DAMPING * firmness)
+        return BulletSpring(dt, stiffness, damping)
     if method.rule == DART:
         return Dart(dt, restitution, bool(settings.options.get("split_impulse")))
     if method.rule == MUJOCO_ONE_STEP:

@@ -29,7 +29,7 @@ HANDWRITTEN = "handwritten"
 """The engine that runs the functions of an implementation."""
 NOT_SET_UP = "it is not set up there"
 NO_FLUID = "no scenario has a fluid"
-NO_SPRINGS = dict.fromkeys(("pybullet", "dart"), "its contacts have no spring and no dashpot that one could set")
+NO_SPRINGS = {"dart": "its contacts have no spring and no dashpot that one could set"}
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ ENGINES = ("pybullet", "mujoco", "dart")
 SLOW = ("P1", "P2")
 each_engine = pytest.mark.parametrize("name", ENGINES)
 FAST = {
-    "pybullet": ("P4", "P5", "P8", "P12", "P13", "P14", "P17", "P21"),
+    "pybullet": ("P3", "P4", "P5", "P8", "P12", "P13", "P14", "P17", "P18", "P21"),
     "mujoco": ("P3", "P6", "P7", "P9", "P12", "P15", "P18", "P22", "P26", "P27"),
     "dart": ("P10", "P11", "P12", "P19"),
 }
@@ -49,6 +49,8 @@ DEVIATES = {
 real contact that yields sideways, and an answer that comes when bodies touch."""
 DISAGREES = {("dart", "P12"): {("velocity", 0)}}
 """The deviations as large as the figure itself: after 1000 steps DART's ball is at another place of its bounce."""
+ALONE = {("P3", "pybullet"): {("position", 1)}}
+"""What deviates in one engine alone: steps of first order fall g t dt/2 too far."""
 UNASKED = {"P19": {("time_of_impact", 0)}, "P21": {("net_force", 0), ("contact_force", 0)}}
 
 
@@ -92,7 +94,8 @@ def test_an_engine_gives_the_published_numbers_or_differs_as_predicted(name, cas
     assert [row for row in found if row.verdict in (Verdict.FAIL, Verdict.CRASHED)] == []
     disagrees = with_verdict(found, Verdict.DISAGREES)
     assert disagrees == DISAGREES.get((name, case), set())
-    assert with_verdict(found, Verdict.KNOWN_DEVIATION) | disagrees == DEVIATES.get(case, set())
+    deviates = DEVIATES.get(case, set()) | ALONE.get((case, name), set())
+    assert with_verdict(found, Verdict.KNOWN_DEVIATION) | disagrees == deviates
     assert with_verdict(found, Verdict.CANNOT_EXPRESS) == UNASKED.get(case, set())
 
 
@@ -106,7 +109,7 @@ def test_the_fast_suite_runs_every_case_in_some_engine():
 def test_a_case_that_an_engine_cannot_run_is_one_row_with_the_reason(name, installed):
     installed(name)
     refused = [case for case in published_cases().values() if case not in run_by(name) and case.name not in SLOW]
-    assert len(refused) == {"pybullet": 8, "mujoco": 5, "dart": 8}[name]
+    assert len(refused) == {"pybullet": 5, "mujoco": 5, "dart": 8}[name]
     for case in refused:
         (row,) = rows(case, name)
         assert (row.verdict, row.figure) == (Verdict.CANNOT_EXPRESS, "")

@@ -235,9 +235,10 @@ BALL_TO_REST = Family(
         " rest; the bounces that are left out would have taken 2 e v/(g (1 − e)) more, and each impact before that was"
         " noticed up to a step late. In tuned PyBullet that speed is 3 g dt. Its stock threshold of 0.2 m/s ends"
         " the bounces early.",
-        "A resolved spring–dashpot contact lasts some π/√k, where the rigid one takes no time, so MuJoCo's spring"
-        " profile comes to rest late. Nor is it ever quite still: its contact chatters with about g dt/2, at 0.2 ms"
-        " just the 1 mm/s that counts as motion here. Half the timestep halves the chatter.",
+        "A resolved spring–dashpot contact lasts some π/√k, where the rigid one takes no time, so the spring profiles"
+        " of MuJoCo and PyBullet come to rest late. PyBullet's then lies still, g/k deep. MuJoCo's never does: its"
+        " contact chatters with about g dt/2, at 0.2 ms just the 1 mm/s that counts as motion here. Half the timestep"
+        " halves the chatter.",
         "DART lets a ball rest whose rebound would be below 0.1 m/s, a constant of its own. What a step adds to each"
         " rebound, e g dt, delays a lively ball: stock, at e = 0.9, by 10 %. At e = 0.95 it would never stop.",
         "With small timesteps the errors stop falling: a ball slower than 1 mm/s counts as resting, and that too cuts"

@@ -100,7 +100,8 @@ SPINNING_BALL = Family(
         " and with 0.3 % too much spin. This goes away with the timestep.",
         "In MuJoCo's spring profile friction takes slip away as gently as the dashpot takes speed, so that a ball"
         " which should grip still slips when it lets go: it has 26 to 65 % too little speed. Given a solreffriction of"
-        " its own, of a time step, it would be right to within 1 %.",
+        " its own, of a time step, it would be right to within 1 %. PyBullet's spring profile takes, in each step, all"
+        " the slip that Coulomb's law allows, and a ball that grips is right to the last digit.",
         "Stock, PyBullet's multibody loses up to 54 % of the speed that it should gain, and MuJoCo does not"
         " rebound at all, so that its friction acts for as long as the ball sinks in.",
     ),

@@ -145,9 +145,9 @@ TWO_BALLS = Family(
         " hand-written code that responds at the step alike; the error is proportional to the timestep.",
         "A heavy target, 10⁶ times the striker, is no trouble for any engine: with two bodies, one contact and no"
         " weight, their solvers have nothing to iterate.",
-        "In MuJoCo's spring profile the contact takes 3 ms, in which the balls slide around each other: the struck one"
-        " goes off by 10 mrad more. Stock, PyBullet damps the flight, and responds ahead of the contact; MuJoCo has no"
-        " restitution, and lets the two part with what its soft contact gives back.",
+        "In the spring profiles of MuJoCo and PyBullet the contact takes 3 ms, in which the balls slide around each"
+        " other: the struck one goes off by 10 mrad more. Stock, PyBullet damps the flight, and responds ahead of the"
+        " contact; MuJoCo has no restitution, and lets the two part with what its soft contact gives back.",
     ),
     cases=(
         *(_striking(1.0, 1.0, offset) for offset in (0.0, 0.3, 0.5, 0.8)),

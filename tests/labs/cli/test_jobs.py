@@ -134,7 +134,7 @@ def test_a_run_that_cannot_be_made_is_refused_with_the_choices(arguments, said):
             "restitution is given twice, as 0.4 and",
         ),
         (("dropped-ball", "--set", "timestep=0.002", "--timestep", "0.003"), "timestep is given twice, as 0.002 and"),
-        (("dropped-ball", "--set", "contact_erp=0.2", "--engine", "pybullet"), "setting of PyBullet's stock profile"),
+        (("dropped-ball", "--set", "contact_erp=0.2", "--engine", "pybullet"), "setting of PyBullet's spring profile"),
         (("p15",), "p15 is other people's case, no scenario: collisions compare --published p15"),
         (("--published", "dropped-ball"), "unknown published case 'dropped-ball'"),
     ],

@@ -34,7 +34,7 @@ JOBS = [
 ]
 PUBLISHED = {f"{name}/{recorded.FILE}" for name in ENGINES}
 MOST_BYTES = 10_000_000
-CHECKSUM = "d2489a7befeaccc214a8f5dafa162091af320ccb1aa12ee661e76ef639813c46"
+CHECKSUM = "bbfbf171f9ce03194a212975abbeb5f112613ecfa26621ace5af89366dbf6ada"
 """Over all recordings, as `collisions record` prints it at its end. Only a person changes it here, in the same commit
 as the recordings, and says why: so no number of a recording changes unnoticed, not even together with its checksum."""
 POINTS = 40

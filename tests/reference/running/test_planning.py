@@ -23,6 +23,7 @@ def test_without_named_profiles_an_engine_runs_all_of_them():
         ("dropped-ball", "handwritten", "slide"),
         ("dropped-ball", "handwritten", "stock"),
         ("dropped-ball", "pybullet", "tuned"),
+        ("dropped-ball", "pybullet", "spring"),
         ("dropped-ball", "pybullet", "stock"),
         ("dropped-ball", "mujoco", "tuned"),
         ("dropped-ball", "mujoco", "spring"),
@@ -45,6 +46,7 @@ def test_a_profile_of_one_engine_is_planned_for_that_engine():
     jobs = plan([DROPPED], engine_names(), ["spring", "tuned"])
     assert planned(jobs) == [
         ("dropped-ball", "handwritten", "tuned"),
+        ("dropped-ball", "pybullet", "spring"),
         ("dropped-ball", "pybullet", "tuned"),
         ("dropped-ball", "mujoco", "spring"),
         ("dropped-ball", "mujoco", "tuned"),
@@ -79,7 +81,7 @@ def test_an_unknown_name_in_a_plan_is_refused_with_the_known_ones(arguments, wro
 
 def test_a_profile_of_no_planned_engine_is_refused():
     with pytest.raises(UnknownName):
-        plan([DROPPED], ["handwritten", "pybullet"], ["spring"])
+        plan([DROPPED], ["handwritten", "dart"], ["spring"])
 
 
 def test_a_timestep_longer_than_a_case_is_refused_when_planned():
