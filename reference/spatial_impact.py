@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from reference.arrays import Array
-from reference.impact_truth import DISSIPATIVE, NEWTON, POISSON, STRONGE
+from reference.impact_truth import DISSIPATIVE, POISSON, STRONGE
 
 ALONG_GRIP, BY_AXES = "along grip", "by axes"
 """Two more of Newton's laws, which in a plane are NEWTON. ALONG_GRIP: friction that cannot hold has the direction of
@@ -124,7 +124,7 @@ def _least_energy(contact: SpatialContact, restitution: float) -> Array:
         return contact.energy_gained(impulse) if math.isfinite(impulse[2]) else math.inf
 
     def slope(angle: float) -> float:
-        """How the energy grows with the angle: u⁺·dJ, and dJ has the direction of push' (K push)_n − push (K push')_n."""
+        """How the energy grows with the angle: u⁺·dJ, where dJ is along push' (K push)_n − push (K push')_n."""
         push = np.array([contact.friction * math.cos(angle), contact.friction * math.sin(angle), 1.0])
         across = np.array([-push[1], push[0], 0.0])
         change = across * (k[2] @ push) - push * (k[2] @ across)
@@ -152,8 +152,8 @@ def _followed(contact: SpatialContact, restitution: float, law: str) -> Array:
 def _advance(contact: SpatialContact, state: Array, beyond: Callable[[Array], float]) -> Array:
     """Follow an impact until `beyond` is no longer negative.
 
-    The clock τ of a slip that turns runs with dp = |u_t| dτ. So du/dτ = K (|u_t| n − μ u_t) has no division by the slip,
-    which dies away as an exponential where it stops.
+    The clock τ of a slip that turns runs with dp = |u_t| dτ. So du/dτ = K (|u_t| n − μ u_t) has no division by the
+    slip, which dies away as an exponential where it stops.
     """
     rate = (1 + contact.friction) * float(np.linalg.norm(contact.k))
     size = float(np.linalg.norm(contact.before))

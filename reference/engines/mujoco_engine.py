@@ -132,7 +132,7 @@ class MuJoCo(Engine):
         """Build the model, step it in C between samples and read positions and velocities at the samples."""
         mujoco: Any = self.module()
         self.check_friction(scenario)
-        self.check_impacts(scenario, settings)
+        self.check_impacts(scenario)
         steps = self.check_settings(scenario, settings)
         mujoco.set_mju_user_warning(lambda message: None)  # a bad state is found in the samples; write no log file
         model = self._model(mujoco, scenario, settings)
@@ -152,13 +152,13 @@ class MuJoCo(Engine):
                 _keep_contacts(recorder, state.contact)
         return recorder.trajectory(spin_in_body_frame=True)
 
-    def check_impacts(self, scenario: Scenario, settings: Settings) -> None:
-        """Refuse impacts off the centre with rebound and friction, unless nothing was asked of the contact.
+    def check_impacts(self, scenario: Scenario) -> None:
+        """Refuse impacts off the centre of a body with rebound and friction; docs/engines.md says what was tried.
 
-        The convex solver pays for the slip that is left with μ times as much speed of parting. The noslip passes do
-        not, but they settle friction after the normal impulse, which off the centre depends on it.
+        The convex solver adds μ times the slip that is left to the speed of parting. The noslip passes take that away,
+        but they settle friction after the normal impulse, which off the centre depends on it.
         """
-        if settings["contact"] != "default" and may_strike_off_centre(scenario):
+        if may_strike_off_centre(scenario):
             raise self.cannot(scenario, "no setting of it keeps both e and μ in an impact off the centre of a body")
 
     def query(self, query: Query) -> float:

@@ -37,7 +37,6 @@ STOCK_REST_SPEED = 0.2
 WORLD = {
     "contact_slop": "contactSlop",
     "contact_erp": "contactERP",
-    "contact_distance": "contactBreakingThreshold",
     "solver_iterations": "numSolverIterations",
     "solver_residual": "solverResidualThreshold",
     "cone_friction": "enableConeFriction",  # without it friction is limited along two axes, each by itself
@@ -66,7 +65,6 @@ class PyBullet(Engine):
         "angular_damping": SHARE,
         "contact_slop": NOT_NEGATIVE,
         "contact_erp": SHARE,
-        "contact_distance": NOT_NEGATIVE,
         "contact_gap_falls": NOT_NEGATIVE,
         "rest_threshold_steps": NOT_NEGATIVE,
         "solver_iterations": COUNT,
@@ -109,7 +107,7 @@ class PyBullet(Engine):
         """Bullet resolves an impact at the step; split impulses take overlap back without adding speed."""
         recovery = settings.number("contact_erp") if settings.options.get("split_impulse") is True else 0.0
         rest_speed = _rest_speed(scenario, settings)
-        if "contact_distance" in settings.options:
+        if settings["coordinates"] == "multibody" and "rest_threshold_steps" in settings.options:
             return Method(AT_STEP, recovery, rest_speed=rest_speed, weighed=1.0, law=BY_AXES)
         return Method(AT_STEP, recovery, rest_speed=rest_speed)
 
@@ -217,7 +215,6 @@ def _settings_off_centre(common: Mapping[str, Option]) -> Settings:
         "contact_erp": 0.0,
         # A contact that is made while there is a gap loses gap/dt of its rebound.
         "contact_gap_falls": 0.0,
-        "contact_distance": 1e-7,
     }
     return Settings(1e-4, steps_per_sample(1e-4), options)
 

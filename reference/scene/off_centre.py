@@ -1,4 +1,4 @@
-"""Whether a scenario's impacts may act on a body off its centre, with rebound and friction: decided before it runs."""
+"""Whether a scenario's impacts may act on a body off its centre, with rebound: decided before it runs."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
 _ROUNDING = 1e-9  # a length (m) or a speed (m/s, rad/s) below this is zero
 
 
-def may_strike_off_centre(scenario: Scenario) -> bool:
+def may_strike_off_centre(scenario: Scenario, smooth: bool = False) -> bool:
     """Whether some pair with e > 0 and μ > 0 may meet where a push along the normal turns one of the two.
+
+    smooth: whether pairs without friction count too.
 
     Such an impact couples the normal with the surface: friction changes the speed of parting, and the normal impulse
     changes the slip. A ball alone never turns by a push along its normal, and a half-space never turns at all. So only
@@ -24,7 +26,7 @@ def may_strike_off_centre(scenario: Scenario) -> bool:
     return any(
         isinstance(body.shape, Box) and not body.immovable and _turned_by_a_push(scenario, body, other)
         for pair in scenario.pairs
-        if pair.restitution > 0 and pair.kinetic_friction > 0
+        if pair.restitution > 0 and (smooth or pair.kinetic_friction > 0)
         for body, other in itertools.permutations((scenario.body(pair.body_a), scenario.body(pair.body_b)))
     )
 

@@ -65,10 +65,12 @@ class _Boxes:
         whole = np.full(len(self.scenarios), self.dt)
         motion = self.function("ballistic_motion")
         struck = self.lowest_gap(motion, whole) < -_ROUNDING
+        if not struck.any():
+            self.box.move(motion, whole)
+            return
         until = np.where(struck, self._until_impact(motion), whole)
         self.box.move(motion, until)
-        if struck.any():
-            self.respond(struck, time + until)
+        self.respond(struck, time + until)
         self.box.move(motion, whole - until)
 
     def respond_then_step(self, time: float) -> None:

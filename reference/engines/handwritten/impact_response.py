@@ -49,7 +49,8 @@ def after_impact(
     point_velocity, point_inverse_mass = function("point_velocity"), function("point_inverse_mass")
     slip = function("relative_velocity")(point_velocity(*at_a[:3]), point_velocity(*at_b[:3]))
     softness = sum(
-        point_inverse_mass(inverse_mass, inverse_inertia, arm) for _, _, arm, inverse_mass, inverse_inertia in (at_a, at_b)
+        point_inverse_mass(inverse_mass, inverse_inertia, arm)
+        for _, _, arm, inverse_mass, inverse_inertia in (at_a, at_b)
     )
     impulse = function(law)(slip, normal, softness, restitution, friction)
     rough: tuple[Array, ...] = function("apply_impulse")(at_a, at_b, impulse)
