@@ -112,7 +112,8 @@ class Impact:
         arm = _lowest_point(box.shape, at_first)  # type: ignore[arg-type]
         own_arm = geometry.rotate(geometry.opposite(at_first), arm)
         axes = geometry.rotate(then, np.eye(3))  # one a row
-        inverse = axes.T @ (axes / np.array(box.shape.inertia_per_mass())[:, None])  # type: ignore[union-attr]
+        moments: Array = np.array(box.shape.inertia_per_mass())  # type: ignore[union-attr]
+        inverse: Array = axes.T @ (axes / moments[:, np.newaxis])
         where = geometry.rotate(then, own_arm) + np.array([0.0, 0.0, inset])
         return cls(where, np.array(box.velocity), spin, inverse, pair.restitution, pair.kinetic_friction)
 
