@@ -51,7 +51,7 @@ STARTS = {
     "edge": Start(CUBE, (0, 30, 0), (1, 0, -1)),
     "tilted edge": Start(CUBE, (8, 30, 20), (1, 0.4, -1)),
     "corner": Start(CUBE, (35, 25, 15), (1, -0.5, -1.5)),
-    "spinning corner": Start(CUBE, (35, 25, 15), (-0.5, 0.5, -1.5), (3, -5, 4)),
+    "spinning": Start(CUBE, (35, 25, 15), (-0.5, 0.5, -1.5), (3, -5, 4)),
     "rod": Start(ROD, (45, 25, 0), (0.5, 0, -1)),
     "rod ahead": Start(ROD, (45, 25, 0), (-0.5, 0, -1), (0, 2, 0)),
 }
@@ -198,7 +198,7 @@ def _quantity(name: str, title: str, unit: str = "") -> Quantity:
 CASES = (
     *(("corner", e, mu) for e in (0.5, 1.0) for mu in (0.2, 0.5)),
     ("corner", 0.5, 0.0),
-    *(("spinning corner", e, 0.2) for e in (0.5, 1.0)),
+    *(("spinning", e, 0.2) for e in (0.5, 1.0)),
     *(("tilted edge", 0.5, mu) for mu in (0.2, 0.5)),
     *(("edge", 0.5, mu) for mu in (0.2, 0.5)),
     ("rod", 0.5, 0.2),
@@ -220,8 +220,9 @@ OFF_CENTRE_IMPACT = Family(
     " impulses or of works. The slip may stop, continue or turn during the impact, and each law says what is"
     " left of it.",
     why=(
-        "Each implementation is judged by the law that it follows. The speed of parting, both components of the slip"
-        " that is left, the change of spin and the energy lost are compared with what that law's impulse gives.",
+        "Each implementation is judged by the law that it follows. The speed of parting and both components of the"
+        " slip that is left, as shares of the speed of approach, the change of spin and the share of the energy that is"
+        " lost are compared with what that law's impulse gives.",
         "DART keeps Newton's e, and its friction opposes the slip that is left. PyBullet keeps e too. For"
         " multibodies its friction has a true cone, but a slightly different direction: Bullet first divides each"
         " component of the slip that is left by what a unit impulse along that axis changes of it. The hand-written"
@@ -233,11 +234,11 @@ OFF_CENTRE_IMPACT = Family(
     ),
     cases=tuple(_strikes(*case) for case in CASES),
     quantities=(
-        _quantity("restitution", "speed of parting ÷ of approach"),
-        _quantity("slip_x", "slip along x after ÷ speed of approach"),
-        _quantity("slip_y", "slip along y after ÷ speed of approach"),
-        _quantity("spin", "change of spin", "rad/s"),
-        _quantity("lost", "share of the energy lost"),
+        _quantity("restitution", "parting"),
+        _quantity("slip_x", "slip x"),
+        _quantity("slip_y", "slip y"),
+        _quantity("spin", "added spin", "rad/s"),
+        _quantity("lost", "energy lost"),
     ),
     curve=Curve(
         "corner,e=0.5,μ=0.2",
@@ -245,7 +246,7 @@ OFF_CENTRE_IMPACT = Family(
         "gap below the cube, m",
         lambda trajectory: measure.separation(trajectory, "box", "floor"),
     ),
-    convergence=Convergence("spinning corner,e=0.5,μ=0.2", "restitution"),
+    convergence=Convergence("spinning,e=0.5,μ=0.2", "restitution"),
 )
 
 FAMILIES = (OFF_CENTRE_IMPACT,)

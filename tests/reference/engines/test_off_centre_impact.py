@@ -22,9 +22,9 @@ from reference.spatial_impact import ALONG_GRIP
 
 FAMILY, _ = find("off-centre-impact")
 LAWS = {"tuned": ALONG_GRIP, DISSIPATIVE: DISSIPATIVE, POISSON: POISSON, STRONGE: STRONGE}
-TURNS = FAMILY.case("spinning corner,e=0.5,μ=0.2")
+TURNS = FAMILY.case("spinning,e=0.5,μ=0.2")
 SLIPS = FAMILY.case("tilted edge,e=0.5,μ=0.5")
-FAST = ("spinning corner,e=0.5,μ=0.2", "edge,e=0.5,μ=0.2", "rod ahead,e=0.5,μ=0.2", "corner,e=0.5,μ=0")
+FAST = ("spinning,e=0.5,μ=0.2", "edge,e=0.5,μ=0.2", "rod ahead,e=0.5,μ=0.2", "corner,e=0.5,μ=0")
 each_case = pytest.mark.parametrize(
     "name",
     [name if name in FAST else pytest.param(name, marks=pytest.mark.slow) for name in (c.name for c in FAMILY.cases)],
