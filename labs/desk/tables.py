@@ -11,7 +11,7 @@ from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.predictions import Prediction
 from reference.catalogue.family import Quantity
 from reference.comparison.verdicts import Row, Verdict
-from reference.engines.handwritten.two_bodies import MEETS_AGAIN
+from reference.engines.handwritten.impact_response import MEETS_AGAIN
 from reference.report import numbers
 from reference.report.marks import MARKS
 from reference.report.row_text import error_of, tolerance_of

@@ -47,16 +47,12 @@ class Verdict(StrEnum):
 class Row:
     """One number of one case in one implementation and profile.
 
-        expected, shift, tolerance, reason: as in `Expectation`. scale: as in `Quantity`. spread: standard deviation over an
-    <<<<<<< HEAD
-        ensemble, and values each of its numbers. predicted: what the recurrence of the method gives; band: how near each
-        number must be to it; off: the largest difference from it, of any one of an ensemble; None where no recurrence is
-        written. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
-    =======
-        ensemble. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
-        recorded_version, recorded_on: which version of the engine was recorded, and on which day (ISO 8601); both are empty
-        where the engine ran here.
-    >>>>>>> guard
+    expected, shift, tolerance, reason: as in `Expectation`. scale: as in `Quantity`. spread: standard deviation over an
+    ensemble, and values each of its numbers. predicted: what the recurrence of the method gives; band: how near each
+    number must be to it; off: the largest difference from it, of any one of an ensemble; None where no recurrence is
+    written. note: why there is no number, or why it deviates. All numbers are finite and in `unit`, or None.
+    recorded_version, recorded_on: which version of the engine was recorded, and on which day (ISO 8601); both are empty
+    where the engine ran here.
     """
 
     family: str

@@ -48,7 +48,7 @@ class Method:
     inset: share of the overlap by which the point where forces act lies inside a body.
     softness: share of the change of speed, (1 + e) v, by which an impact falls short.
     weighed: share of the speed that gravity adds in the step of an impact, which the impact turns back as well.
-    law: of restitution in an impact with friction, one of `reference.impact_truth`.
+    law: of restitution in an impact with friction, one of `reference.impact_truth` or `reference.spatial_impact`.
     reach: gap up to which it makes a contact, m.
     rule: the recurrence that a run follows step by step, one of those above; "" if none has been written down.
     """

@@ -21,8 +21,9 @@ from reference.engines.dart_read_back import SWEEPS
 from reference.engines.ranges import COUNT, POSITIVE, Allowed
 from reference.errors import CannotExpress
 from reference.scene import geometry
+from reference.scene.off_centre import may_strike_off_centre
 from reference.scene.query import Query, Ray
-from reference.scene.scenario import Box, Scenario, Sphere
+from reference.scene.scenario import Box, HalfSpace, Scenario, Sphere
 from reference.scene.settings import Move, Option, Settings, steps_per_sample
 from reference.scene.trajectory import Recorder, Trajectory
 
@@ -76,6 +77,10 @@ class Dart(Engine):
             "split_impulse": True,
             "sleep": False,
         }
+        on_the_ground = any(isinstance(body.shape, HalfSpace) for body in scenario.bodies)
+        if may_strike_off_centre(scenario, smooth=True) and on_the_ground:
+            # Of a corner that digs into a box DART's own detector also gives points where the surfaces cut each other.
+            options["detector"] = "ode"
         if geometry.leaning(scenario) and boxes:
             # The default solver, by pivots, has a stack at once; sweeps go from one contact to the next. Its friction
             # cone is a pyramid, which does not matter where nothing slides.
@@ -94,7 +99,12 @@ class Dart(Engine):
         """DART responds at the step, to the speed that this step has just gained; a ball is pushed where it is cut."""
         bouncing = [pair.restitution for pair in scenario.pairs if pair.restitution > 0]
         slowest = REST_SPEED / min(bouncing) if bouncing else 0.0
-        return Method(AT_STEP, rest_speed=slowest, inset=1.0, softness=SOFTNESS, weighed=1.0, rule=DART)
+        # Open Dynamics Engine's detector gives the corner itself, but of a ball a point on the other surface.
+        at_corners = settings.options.get("detector") == "ode" and not any(
+            isinstance(body.shape, Sphere) for body in scenario.bodies
+        )
+        inset = 0.0 if at_corners else 1.0
+        return Method(AT_STEP, rest_speed=slowest, inset=inset, softness=SOFTNESS, weighed=1.0, rule=DART)
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A tenth of the friction solver's tolerance; the contact itself has nothing to move."""

@@ -8,7 +8,8 @@ from typing import ClassVar
 import numpy as np
 
 from reference.engines.base import AT_STEP, CHORD, EXACT, INTERPOLATED, RESPOND_THEN_STEP, Engine, Method
-from reference.engines.handwritten import ball_rows, queries, single_body, two_bodies
+from reference.engines.handwritten import ball_rows, corner_impact, queries, single_body, two_bodies
+from reference.engines.handwritten.impact_response import NEEDS_A_WORLD
 from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part
 from reference.engines.ranges import NOT_NEGATIVE, Allowed
 from reference.errors import InvalidInput, NeedsFunction
@@ -17,6 +18,7 @@ from reference.scene.query import Query
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
+from reference.spatial_impact import ALONG_GRIP
 
 POLICIES = {
     "exact_root": EXACT,
@@ -38,6 +40,7 @@ DRIVERS = {
     Kind.SLIDE: single_body.slide,
     Kind.BALLS: two_bodies.strike_ball,
     Kind.FACE: two_bodies.strike_face,
+    Kind.CORNER: corner_impact.strike_corner,
     Kind.ROW: ball_rows.cradle,
 }
 
@@ -86,6 +89,8 @@ class Handwritten(Engine):
         steps = settings.number("shortest_flight") if "shortest_flight" in settings.options else 0.0
         gravity = float(np.linalg.norm(scenario.gravity))
         law = str(settings.options.get("impact_law", NEWTON))
+        if law == NEWTON and kind(scenario) is Kind.CORNER:
+            law = ALONG_GRIP  # in a plane, where all other impacts of the drivers are, the two are one
         rest_speed = steps * settings.timestep * gravity / 2
         policy = POLICIES[str(settings["policy"])]
         return Method(policy, rest_speed=rest_speed, law=law, rule=RULES.get(policy, ""))
@@ -113,7 +118,7 @@ class Handwritten(Engine):
         for each, driver in DRIVERS.items():
             if kinds == {each}:
                 return driver(self.name, scenarios, settings, steps, self.implementation)
-        raise NeedsFunction(two_bodies.NEEDS_A_WORLD)
+        raise NeedsFunction(NEEDS_A_WORLD)
 
 
 ENGINE = Handwritten

@@ -91,10 +91,15 @@ STRIKING = (
     "cradle",
     "parting-ball",
     "struck-cube",
+    "off-centre-impact",
 )
 """What strikes another body, or spins as it strikes."""
 SAYS_NO = {
     "handwritten": dict.fromkeys(NEEDS_A_WORLD, (NeedsFunction, r"^needs a rigid-body world \(world\)$")),
+    "mujoco": dict.fromkeys(
+        ("struck-cube", "off-centre-impact"),
+        (CannotExpress, r"^MuJoCo cannot express \S+: no setting of it keeps both e and μ in an impact off the centre"),
+    ),
     TOY: dict.fromkeys(
         (*NEEDS_A_WORLD, *STRIKING, "sliding-slab", "incline", "lying-box", "twirled-ball"),
         (

@@ -18,6 +18,7 @@ MODULES = (
     "rolling",
     "two_balls",
     "struck_cube",
+    "struck_floor",
     "dropped_box",
     "cradle",
     "rods",

@@ -18,14 +18,15 @@ class Kind(Enum):
     """The kinds of scenario, one for each driver.
 
     BOUNCE: a ball over a plane that nothing makes spin. SLIDE: a box that slides as a point does. BALLS: two balls that
-    strike each other. FACE: a ball that strikes a plane, or straight on a face of a box. Both may spin and rub. ROW:
-    balls in a line, without weight.
+    strike each other. FACE: a ball that strikes a plane, or straight on a face of a box. CORNER: a box without weight
+    that flies at a plane. These three may spin and rub. ROW: balls in a line, without weight.
     """
 
     BOUNCE = "bounce"
     SLIDE = "slide"
     BALLS = "balls"
     FACE = "face"
+    CORNER = "corner"
     ROW = "row"
 
 
@@ -41,7 +42,9 @@ def kind(scenario: Scenario) -> Kind | None:
 
 
 def laws_may_part(scenario: Scenario) -> bool:
-    """Whether a ball strikes a box that can turn, with friction: the laws of restitution may differ there."""
+    """Whether a box that can turn may be struck with friction: the laws of restitution may differ there."""
+    if kind(scenario) is Kind.CORNER:
+        return True  # even without friction, so that all cases of a family have the same profiles
     if kind(scenario) is not Kind.FACE or _friction(scenario) == 0:
         return False
     _, other = ball_and_other(scenario)
@@ -82,10 +85,14 @@ def _is_row(scenario: Scenario) -> bool:
 
 
 def _strikes(scenario: Scenario) -> Kind | None:
-    """A ball that flies at another one, at a plane, or straight at a face of a box that does not turn."""
+    """A ball that flies at another one, at a plane, or straight at a face of a box that does not turn; or a box."""
     ball, other = ball_and_other(scenario)
     pair = scenario.pairs[0]
-    if not _is_ball(ball) or pair.static_friction != pair.kinetic_friction:
+    if pair.static_friction != pair.kinetic_friction:
+        return None
+    if not isinstance(ball.shape, Sphere):
+        return Kind.CORNER if _flies_at_a_plane(scenario) else None
+    if not _is_ball(ball):
         return None
     if isinstance(other.shape, Sphere):
         if not _is_ball(other):
@@ -105,6 +112,29 @@ def ball_and_other(scenario: Scenario) -> tuple[Body, Body]:
     """Return the two bodies, a ball first if there is one."""
     first, second = scenario.bodies
     return (first, second) if isinstance(first.shape, Sphere) else (second, first)
+
+
+def box_and_plane(scenario: Scenario) -> tuple[Body, Body]:
+    """Return the two bodies, the half-space last if there is one."""
+    first, second = scenario.bodies
+    return (second, first) if isinstance(first.shape, HalfSpace) else (first, second)
+
+
+def turns_steadily(body: Body, orientation: Array, spin: Array) -> bool:
+    """Whether a body that nothing pushes keeps its spin (3,), rad/s: it turns about a principal axis, or not at all."""
+    own_spin = geometry.rotate(geometry.opposite(orientation), spin)
+    moments = np.array(body.shape.inertia_per_mass())  # type: ignore[union-attr]
+    size = np.linalg.norm(spin) ** 2 * moments.max()
+    return bool(np.linalg.norm(np.cross(own_spin, moments * own_spin)) <= _ROUNDING * size)
+
+
+def _flies_at_a_plane(scenario: Scenario) -> bool:
+    """Whether a box without weight, clear of a half-space at the start, keeps its velocity and its spin on the way."""
+    box, plane = box_and_plane(scenario)
+    if not isinstance(box.shape, Box) or not isinstance(plane.shape, HalfSpace) or box.immovable:
+        return False
+    free = not any(scenario.gravity) and geometry.gap(plane, box) > 0
+    return free and turns_steadily(box, np.array(box.orientation), np.array(box.angular_velocity))
 
 
 def face_towards(ball: Body, box: Body) -> Array:

@@ -12,26 +12,22 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from reference.arrays import Array, Mask
+from reference.engines.handwritten.impact_response import (
+    MEETS_AGAIN,
+    NEEDS_A_WORLD,
+    after_impact,
+    impulse_function,
+)
 from reference.engines.handwritten.rigid_bodies import RigidBodies
 from reference.engines.handwritten.scenario_kind import ball_and_other, face_towards, in_own_axes
 from reference.engines.handwritten.stepping import policy_of, record, start
 from reference.engines.implementation import Implementation
 from reference.errors import NeedsFunction, RunFailed
-from reference.impact_truth import DISSIPATIVE, NEWTON, POISSON, STRONGE
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Event, Trajectory
 
-IMPULSE_BY = {
-    NEWTON: "friction_impulse",
-    DISSIPATIVE: "dissipative_impulse",
-    POISSON: "poisson_impulse",
-    STRONGE: "stronge_impulse",
-}
-"""The function that gives the impulse of an impact with friction, by its law."""
-NEEDS_A_WORLD = "needs a rigid-body world (world)"
-MEETS_AGAIN = f"{NEEDS_A_WORLD}: the two meet again after their impact, unless the result of the impact is wrong"
 _ROUNDING = 1e-9  # a gap or a speed below this, m or m/s, is rounding
 _MOST_IMPACTS = 100  # of one pair within one step; a ball that falls back so fast comes to rest, and is refused before
 
@@ -62,11 +58,6 @@ def _run(engine: str, pairs: _Pairs, settings: Settings, steps: list[int]) -> li
     return record(engine, pairs.scenarios, settings, steps, pairs.states, policy_of(policies, settings), pairs.events)
 
 
-def _law_of(settings: Settings) -> str:
-    """Name of the function that gives the impulse of an impact with friction."""
-    return IMPULSE_BY[str(settings.options.get("impact_law", NEWTON))]
-
-
 class _Pairs(ABC):
     """A ball A and what it strikes, B, in each of N scenarios: two ways to step them, and what the two share."""
 
@@ -76,7 +67,7 @@ class _Pairs(ABC):
         both = [ball_and_other(scenario) for scenario in scenarios]
         self.a, self.b = (RigidBodies(scenarios, bodies, implementation) for bodies in zip(*both, strict=True))
         self.radius = np.array([ball.shape.radius for ball, _ in both])  # type: ignore[union-attr]
-        self.law = _law_of(settings)
+        self.law = impulse_function(settings)
         self.whole_step = np.full(len(scenarios), self.dt)
         self.events: list[list[Event]] = [[] for _ in scenarios]
         self._start = start(scenarios)
@@ -141,7 +132,8 @@ class _Pairs(ABC):
         normal = self.normal()
         arm = -self.radius[:, None] * normal  # to the point of the ball that touches, or is deepest inside
         at_a, at_b = self.a.struck_at(arm), self.b.struck_at(self.a.position + arm - self.b.position)
-        velocity_a, spin_a, velocity_b, spin_b = self._after_impact(at_a, at_b, normal)
+        after = after_impact(self.function, self.law, self.scenarios, at_a, at_b, normal)
+        velocity_a, spin_a, velocity_b, spin_b = after
         self.a.set_velocities(struck, velocity_a, spin_a)
         self.b.set_velocities(struck, velocity_b, spin_b)
         for member in np.flatnonzero(struck).tolist():
@@ -154,23 +146,6 @@ class _Pairs(ABC):
         falls_back = struck & ~self.out_of_reach() & (pull > 0)
         if np.any(falls_back & (self.normal_velocity() <= pull * self.dt)):
             raise NeedsFunction(NEEDS_A_WORLD)
-
-    def _after_impact(self, at_a: tuple[Array, ...], at_b: tuple[Array, ...], normal: Array) -> tuple[Array, ...]:
-        """Velocity and angular velocity of A, then those of B, after an impact with or without friction."""
-        restitution = np.array([scenario.pairs[0].restitution for scenario in self.scenarios])
-        friction = np.array([scenario.pairs[0].kinetic_friction for scenario in self.scenarios])
-        if not friction.any():
-            smooth: tuple[Array, ...] = self.function("collide")(at_a, at_b, normal, restitution)
-            return smooth
-        point_velocity, point_inverse_mass = self.function("point_velocity"), self.function("point_inverse_mass")
-        slip = self.function("relative_velocity")(point_velocity(*at_a[:3]), point_velocity(*at_b[:3]))
-        softness = sum(
-            point_inverse_mass(inverse_mass, inverse_inertia, arm)
-            for _, _, arm, inverse_mass, inverse_inertia in (at_a, at_b)
-        )
-        impulse = self.function(self.law)(slip, normal, softness, restitution, friction)
-        rough: tuple[Array, ...] = self.function("apply_impulse")(at_a, at_b, impulse)
-        return rough
 
     def states(self) -> Array:
         """The states of all bodies as a sample keeps them, (N, 2, 13)."""

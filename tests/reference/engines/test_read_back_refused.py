@@ -14,14 +14,14 @@ from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.errors import NotAsTold
 from reference.running.study import run_job
-from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
+from reference.scene.scenario import Body, Pair, Scenario, Sphere
 
 BALL = Body("ball", Sphere(0.13), 1.3, (0.0, 0.0, 0.5))
-BOX = Body("box", Box((0.1, 0.2, 0.35)), 2.7, (0.0, 0.0, 2.0), TURNED, inertia=(0.05, 0.07, 0.04))
+WHEEL = Body("wheel", Sphere(0.21), 2.7, (0.0, 0.0, 2.0), TURNED, inertia=(0.05, 0.07, 0.04))
 SCENE = Scenario(
     "odd",
-    (FLOOR, BALL, BOX),
-    (Pair("ball", "floor", 0.37, 0.41), Pair("box", "ball", 0.37, 0.53)),
+    (FLOOR, BALL, WHEEL),
+    (Pair("ball", "floor", 0.37, 0.41), Pair("wheel", "ball", 0.37, 0.53)),
     0.005,
     (0.11, 0.22, -9.33),
 )
@@ -142,7 +142,7 @@ MISMATCHES = [
     ("pybullet", "gravity (0.11, 0.22, -9.32) m/s²", bullet_told("setGravity", slightly_less_gravity)),
     ("pybullet", "mass of ball 1.3013 kg", bullet_told("createMultiBody", first_times(1.001))),
     ("pybullet", "mass of floor 1 kg, and was told inf kg", bullet_told("createMultiBody", at_least_one)),
-    ("pybullet", "inertia of box (0.0505, ", bullet_told("changeDynamics", word_times("localInertiaDiagonal", 1.01))),
+    ("pybullet", "inertia of wheel (0.0505, ", bullet_told("changeDynamics", word_times("localInertiaDiagonal", 1.01))),
     ("pybullet", "friction of ball and floor ", bullet_told("changeDynamics", word_times("lateralFriction", 1.001))),
     (
         "pybullet",
@@ -167,7 +167,7 @@ MISMATCHES = [
     ("mujoco", "inertia of ball (", model_told("body_inertia", scaled(1.001))),
     (
         "mujoco",
-        "turn of the axes of inertia of box (0, 1, 0, 0)",
+        "turn of the axes of inertia of wheel (0, 1, 0, 0)",
         model_told("body_iquat", lambda turns: np.vstack([turns[:3], [0, 1, 0, 0]])),
     ),
     (
