@@ -30,7 +30,7 @@ def by_limits(
         way = math.copysign(1.0, slip + pull)
         slipping = abs(slip + pull) > ended[0]
         if slipping:
-            after = slip + count * pull - way * ease * np.cumsum(most)
+            after = slip + count * pull - way * ease * np.cumsum(most, dtype=np.float64)
         else:
             left = pull * softness  # a step leaves softness/(1 + softness) of slip + pull; in the end that is as much
             after = left + (softness / (1 + softness)) ** count * (slip - left)

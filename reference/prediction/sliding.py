@@ -24,7 +24,7 @@ STRAIGHT = 1e-9
 BALL_EASE = 3.5
 """How many times as much an impulse at the surface of a solid sphere changes the slip as the speed: 1 + m r²/I."""
 BULLETS_REACH = 0.02
-"""Bullet finds the corners of a box anew when a step moves it by this share of half its diagonal."""
+"""Bullet drops a contact point that a step moves by more than this share of the radius around a body."""
 WEAK_FRICTION = 1e-6
 """MuJoCo's main solver makes no friction with an impratio up to this."""
 
@@ -36,11 +36,18 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     normal = np.array(plane.shape.normal)  # type: ignore[union-attr]
     gravity, pair, dt = np.array(scenario.gravity), scenario.pairs[0], settings.timestep
     ahead = _direction(body, gravity, normal)
-    if ahead is None or not _rubs_as_coulomb_says(body, settings, method) or _may_tip(scenario, body, normal, ahead):
+    if ahead is None or not _has_a_cone(body, settings, method) or _may_tip(scenario, body, normal, ahead):
         return None
-    speed, pull, fall = float(np.array(body.velocity) @ ahead), float(gravity @ ahead) * dt, float(gravity @ normal) * dt
-    steps, static, kinetic = settings.steps_for(scenario.duration), pair.static_friction, pair.kinetic_friction
+    speed, pull, fall = (
+        float(np.array(body.velocity) @ ahead),
+        float(gravity @ ahead) * dt,
+        float(gravity @ normal) * dt,
+    )
+    steps, kinetic = settings.steps_for(scenario.duration), pair.kinetic_friction
+    static = float(pair.static_friction)  # type: ignore[arg-type]
     holds = speed == 0 and pull <= -static * fall
+    if method.rule == BULLET and not holds and not _on_bullets_axes(body, normal, ahead):
+        return None
     if method.rule == RESPOND_THEN_STEP:
         speeds = slips = friction.by_hand(speed, pull, -static * fall, -kinetic * fall, steps)
         gaps = rates = np.zeros(steps + 1)
@@ -63,7 +70,7 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
 
 
 def _direction(body: Body, gravity: Array, normal: Array) -> Array | None:
-    """Where the body goes, a unit vector (3,); None if its weight pulls it aside, or if it spins or leaves the plane."""
+    """Where the body goes, a unit vector (3,); None if its weight pulls it aside, if it spins, or leaves the plane."""
     velocity, pull = np.array(body.velocity), gravity - (gravity @ normal) * normal
     if any(body.angular_velocity) or abs(float(velocity @ normal)) > STRAIGHT:
         return None
@@ -74,7 +81,7 @@ def _direction(body: Body, gravity: Array, normal: Array) -> Array | None:
     return ways[0] if float(np.linalg.norm(np.cross(ways[0], ways[-1]))) < STRAIGHT else None
 
 
-def _rubs_as_coulomb_says(body: Body, settings: Settings, method: Method) -> bool:
+def _has_a_cone(body: Body, settings: Settings, method: Method) -> bool:
     """Whether the engine has a cone for friction, and all corners of a box in every step."""
     options = settings.options
     if method.rule == MUJOCO_ONE_STEP:
@@ -86,6 +93,26 @@ def _rubs_as_coulomb_says(body: Body, settings: Settings, method: Method) -> boo
     if method.rule == DART:
         return corners and (isinstance(body.shape, Sphere) or options.get("solver", "dantzig") != "dantzig")
     return True
+
+
+def _on_bullets_axes(body: Body, normal: Array, ahead: Array) -> bool:
+    """Whether Bullet's friction points against the slip.
+
+    Bullet has two directions of friction, those of btPlaneSpace1, each with its own effective mass, and limits the
+    length of both impulses together. They point against a slip along one of them, or where the masses are alike: for a
+    ball, and at all corners of a square that lies along both.
+    """
+    if isinstance(body.shape, Sphere):
+        return True
+    x, y, z = normal
+    first = np.array([0.0, -z, y] if abs(z) > 0.5**0.5 else [-y, x, 0.0])
+    first /= np.linalg.norm(first)
+    second = np.cross(normal, first)
+    if min(abs(float(ahead @ first)), abs(float(ahead @ second))) < STRAIGHT:
+        return True
+    own = [np.abs(_in_own_axes(body, direction)) for direction in (first, second)]
+    sides = [float(along @ np.array(body.shape.half_extents)) for along in own]  # type: ignore[union-attr]
+    return bool(np.min(np.max(own, axis=1)) > 1 - STRAIGHT and abs(sides[0] - sides[1]) < STRAIGHT)
 
 
 def _may_tip(scenario: Scenario, body: Body, normal: Array, ahead: Array) -> bool:
@@ -130,7 +157,10 @@ def _nearness(
     dt, near, why = settings.timestep, ROUNDING, "the recurrence of the method, to rounding"
     if method.rule in (MUJOCO_ONE_STEP, DART):
         if isinstance(body.shape, Sphere):
-            near, why = max(1e-7, dt**2), "the recurrence; friction acts at the depth of the overlap"  # 0.4 dt² measured
+            near, why = (
+                max(1e-7, dt**2),
+                "the recurrence; friction acts at the depth of the overlap",
+            )  # 0.4 dt² measured
         elif method.rule == DART:
             near, why = 1e-6, "the recurrence, and what DART's sweeps over four corners leave"  # 1.1·10⁻⁷ measured
         elif holds:
@@ -139,10 +169,14 @@ def _nearness(
             near, why = 2 * dt, "the recurrence, and a box that MuJoCo's friction makes rock"  # 0.4 dt measured
         if "margin" not in settings.options:
             near += 2 * abs(fall) * dt  # rounding decides whether the first step has a contact
-    elif method.rule == BULLET and isinstance(body.shape, Box):
-        if fastest * dt > BULLETS_REACH * float(np.linalg.norm(body.shape.half_extents)):
-            near, why = 5 * abs(fall) * dt, "the recurrence; at this speed Bullet loses corners for a step"
+    elif method.rule == BULLET and isinstance(body.shape, Box) and fastest * dt > _bullets_reach(body.shape):
+        near, why = 5 * abs(fall) * dt, "the recurrence; at this speed Bullet loses corners for a step"  # 0.05 measured
     return near, why
+
+
+def _bullets_reach(box: Box) -> float:
+    """How far a step may move a box without that Bullet loses its corners, m: 2 % of half the diagonal."""
+    return BULLETS_REACH * float(np.linalg.norm(box.half_extents))
 
 
 def _height(body: Body, normal: Array) -> float:
