@@ -25,7 +25,8 @@ def by_limits(
     steps, done = len(limits), 0
     speeds, slips = np.full(steps + 1, speed), np.full(steps + 1, speed)
     while done < steps:
-        slip, most, count = float(slips[done]), limits[done:], np.arange(1, steps - done + 1)
+        count: Array = np.arange(1.0, steps - done + 1)
+        slip, most = float(slips[done]), limits[done:]
         ended = ease * (1 + softness) * most  # the largest slip that friction can end
         way = math.copysign(1.0, slip + pull)
         slipping = abs(slip + pull) > ended[0]
