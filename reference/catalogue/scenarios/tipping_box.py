@@ -90,8 +90,9 @@ TIPPING_BOX = Family(
     why=(
         "Every engine, tuned, gets all three outcomes right. A box that slides is a t dt/2 ahead, as on the"
         " incline. In MuJoCo it is up to 0.4 mm farther ahead, for the noslip passes leave the normal forces as they"
-        " were, and friction spends a part of its first impulses on turning the box. Also in MuJoCo a cube that holds creeps by 0.4 mm in a second: its friction makes it rock on two corners"
-        " and four in turns, and on two they carry too little to hold. The higher boxes do not.",
+        " were, and friction spends a part of its first impulses on turning the box. A cube that holds creeps by 0.4"
+        " mm in a second there: its friction makes it rock on two corners and four in turns, and on two they carry too"
+        " little to hold. The higher boxes do not.",
         "The hand-written code for sliding boxes treats a box as a point and so runs only where the box cannot tip;"
         " the rest needs a rigid-body world.",
         "Stock MuJoCo creeps by millimetres where the box should hold. On stock PyBullet's plane a box rocks from one"
