@@ -161,3 +161,46 @@ def test_bullet_is_less_exact_where_a_step_moves_a_box_past_its_corners():
         for speed in (fast / 1.2, fast)
     ]
     assert near == [pytest.approx(1e-9), pytest.approx(5 * 9.81e-6)]
+
+
+def predicted(name: str, scene: str, installed, **changes):
+    """The prediction for a tuned engine, without a run."""
+    engine, scenario = installed(name), SCENES[scene]
+    settings = engine.settings(scenario, "tuned")
+    options = {key: value for key, value in settings.options.items() if key not in changes} | {
+        key: value for key, value in changes.items() if value is not None
+    }
+    return sliding.predict(scenario, replace(settings, options=options), engine.method(scenario, settings))
+
+
+def test_a_ball_sinks_into_darts_ground_as_predicted(installed):
+    engine, scenario = installed("dart"), SCENES["a ball begins to roll"]
+    run = engine.run(scenario, engine.settings(scenario, "tuned"))
+    height = positions(predicted("dart", "a ball begins to roll", installed).trajectory)[:, 2]
+    np.testing.assert_allclose(height, positions(run)[:, 2], rtol=0, atol=1e-14)
+    assert height[-1] - height[0] < -1e-9  # m
+
+
+def test_dart_leaves_a_share_of_what_makes_a_rolling_ball_slip(installed):
+    found = predicted("dart", "a ball rolls down", installed).trajectory
+    slip = np.linalg.norm(found.velocities[-1, 1]) - 0.07 * np.linalg.norm(found.angular_velocities[-1, 1])
+    assert slip == pytest.approx(
+        1e-5 * 9.81 * math.sin(0.3) * 1e-3, rel=0.01
+    )  # m/s; the ball moves also into the plane
+
+
+def test_a_box_that_mujoco_holds_is_predicted_to_stay(installed):
+    found = predicted("mujoco", "a box holds on a turned slope", installed)
+    assert np.max(np.abs(positions(found.trajectory) - positions(found.trajectory)[0])) < 1e-6
+    assert found.near == pytest.approx(1e-3)
+
+
+def test_without_a_margin_rounding_may_hide_the_first_contact(installed):
+    found = predicted("dart", "a ball rolls down", installed, margin=None)
+    assert found.near == pytest.approx(1e-6 + 2 * 9.81e-6 * math.cos(0.3))
+
+
+def test_a_ball_that_spins_has_no_recurrence():
+    plane, ball = SCENES["a ball begins to roll"].bodies
+    spinning = replace(SCENES["a ball begins to roll"], bodies=(plane, replace(ball, angular_velocity=(0.0, 1.0, 0.0))))
+    assert sliding.predict(spinning, BULLET_SETTINGS, BULLETS) is None
