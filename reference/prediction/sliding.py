@@ -1,0 +1,188 @@
+"""Bodies that slide in a straight line on one plane, roll or hold.
+
+Along the normal a body does what its method's law of contacts says. Along the plane friction may be as large as μ times
+the normal impulse of the same step.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from reference.arrays import Array
+from reference.engines.base import BULLET, DART, MUJOCO_ONE_STEP, RESPOND_THEN_STEP, Method
+from reference.engines.dart_engine import SOFTNESS
+from reference.prediction import friction
+from reference.prediction.bouncing import CORNERS, by_steps
+from reference.prediction.laws import law_of
+from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.scene import geometry
+from reference.scene.scenario import Body, Box, Scenario, Sphere
+from reference.scene.settings import Settings
+
+STRAIGHT = 1e-9
+"""Sine of the angle between two directions that count as one."""
+BALL_EASE = 3.5
+"""How many times as much an impulse at the surface of a solid sphere changes the slip as the speed: 1 + m r²/I."""
+BULLETS_REACH = 0.02
+"""Bullet drops a contact point that a step moves by more than this share of the radius around a body."""
+WEAK_FRICTION = 1e-6
+"""MuJoCo's main solver makes no friction with an impratio up to this."""
+
+
+def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
+    """The way of one body along one plane; None where it turns aside or may tip, or no recurrence is known."""
+    body = next(body for body in scenario.bodies if not body.immovable)
+    plane = next(body for body in scenario.bodies if body.immovable)
+    normal = np.array(plane.shape.normal)  # type: ignore[union-attr]
+    gravity, pair, dt = np.array(scenario.gravity), scenario.pairs[0], settings.timestep
+    ahead = _direction(body, gravity, normal)
+    if ahead is None or not _has_a_cone(body, settings, method) or _may_tip(scenario, body, normal, ahead):
+        return None
+    speed, pull, fall = (
+        float(np.array(body.velocity) @ ahead),
+        float(gravity @ ahead) * dt,
+        float(gravity @ normal) * dt,
+    )
+    steps, kinetic = settings.steps_for(scenario.duration), pair.kinetic_friction
+    static = float(pair.static_friction)  # type: ignore[arg-type]
+    holds = speed == 0 and pull <= -static * fall
+    if method.rule == BULLET and not holds and not _on_bullets_axes(body, normal, ahead):
+        return None
+    if method.rule == RESPOND_THEN_STEP:
+        speeds = slips = friction.by_hand(speed, pull, -static * fall, -kinetic * fall, steps)
+        gaps = rates = np.zeros(steps + 1)
+    else:
+        law = law_of(settings, method, pair.restitution, CORNERS if isinstance(body.shape, Box) else 1.0)
+        if law is None:
+            return None
+        gaps, rates, _ = by_steps(_overlap(settings, method), 0.0, fall, law, steps)
+        limits = kinetic * np.maximum(np.diff(rates) - fall, 0.0)  # the normal impulse is all of the rate but the fall
+        speeds, slips = friction.by_limits(speed, pull, limits, *_turning(body, normal, ahead, method, holds))
+    way = np.concatenate([[0.0], np.cumsum(speeds[1:])]) * dt
+    position = np.array(body.position) + way[:, None] * ahead + (gaps - gaps[0])[:, None] * normal
+    velocity = speeds[:, None] * ahead + rates[:, None] * normal
+    spin = None
+    if isinstance(body.shape, Sphere):
+        spin = (speeds - slips)[:, None] / body.shape.radius * np.cross(normal, ahead)
+    trajectory = trajectory_of(scenario, settings, {body.name: Path(position, velocity, spin)})
+    near, why = _nearness(body, settings, method, float(np.max(np.abs(speeds))), fall, holds)
+    return Prediction(trajectory, near, why)
+
+
+def _direction(body: Body, gravity: Array, normal: Array) -> Array | None:
+    """Where the body goes, a unit vector (3,); None if its weight pulls it aside, if it spins, or leaves the plane."""
+    velocity, pull = np.array(body.velocity), gravity - (gravity @ normal) * normal
+    if any(body.angular_velocity) or abs(float(velocity @ normal)) > STRAIGHT:
+        return None
+    sizes = [(float(np.linalg.norm(vector)), vector) for vector in (velocity, pull)]
+    ways = [vector / size for size, vector in sizes if size > STRAIGHT]
+    if not ways:
+        return np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])  # it rests, and any direction will do
+    return ways[0] if float(np.linalg.norm(np.cross(ways[0], ways[-1]))) < STRAIGHT else None
+
+
+def _has_a_cone(body: Body, settings: Settings, method: Method) -> bool:
+    """Whether the engine has a cone for friction, and all corners of a box in every step."""
+    options = settings.options
+    if method.rule == MUJOCO_ONE_STEP:
+        separate = settings.number("noslip_iterations") > 0 and settings.number("impratio") <= WEAK_FRICTION
+        return separate and options["cone"] == "elliptic"
+    corners = isinstance(body.shape, Sphere) or options.get("ground") == "box"
+    if method.rule == BULLET:
+        return corners and options["coordinates"] == "multibody"
+    if method.rule == DART:
+        return corners and (isinstance(body.shape, Sphere) or options.get("solver", "dantzig") != "dantzig")
+    return True
+
+
+def _on_bullets_axes(body: Body, normal: Array, ahead: Array) -> bool:
+    """Whether Bullet's friction points against the slip.
+
+    Bullet has two directions of friction, those of btPlaneSpace1, each with its own effective mass, and limits the
+    length of both impulses together. They point against a slip along one of them, or where the masses are alike: for a
+    ball, and at all corners of a square that lies along both.
+    """
+    if isinstance(body.shape, Sphere):
+        return True
+    x, y, z = normal
+    first = np.array([0.0, -z, y] if abs(z) > 0.5**0.5 else [-y, x, 0.0])
+    first /= np.linalg.norm(first)
+    second = np.cross(normal, first)
+    if min(abs(float(ahead @ first)), abs(float(ahead @ second))) < STRAIGHT:
+        return True
+    own = [np.abs(_in_own_axes(body, direction)) for direction in (first, second)]
+    sides = [float(along @ np.array(body.shape.half_extents)) for along in own]  # type: ignore[union-attr]
+    return bool(np.min(np.max(own, axis=1)) > 1 - STRAIGHT and abs(sides[0] - sides[1]) < STRAIGHT)
+
+
+def _may_tip(scenario: Scenario, body: Body, normal: Array, ahead: Array) -> bool:
+    """Whether the moment of friction moves the normal force out of the face that a box stands on."""
+    if not isinstance(body.shape, Box):
+        return False
+    gravity, extents = np.array(scenario.gravity), np.array(body.shape.half_extents)
+    share = scenario.pairs[0].kinetic_friction
+    if not any(body.velocity):
+        share = min(share, abs(float(gravity @ ahead) / float(gravity @ normal)))
+    moved = share * _height(body, normal) * _in_own_axes(body, ahead)
+    return bool(np.any(np.abs(moved) > extents))
+
+
+def _overlap(settings: Settings, method: Method) -> float:
+    """The gap at the start as the engine has it, m: some start deeper by a margin; Bullet allows for that much."""
+    margin = settings.number("margin") if "margin" in settings.options else 0.0
+    return 0.0 if method.rule == BULLET else -margin
+
+
+def _turning(body: Body, normal: Array, ahead: Array, method: Method, holds: bool) -> tuple[float, float]:
+    """Ease and softness of a body's friction, as `friction.by_limits` has them.
+
+    MuJoCo's noslip passes end the slip of a box's lower face with the normal forces as they were without friction, so
+    that friction turns the box about its centre: an impulse changes the slip by 1 + m h²/I times as much as the speed.
+    In the next step normal forces end the turn. Of the slip, m h²/I times what friction took is there again. A box that
+    is let go and holds rocks between two corners and four, which follows no such rule.
+    """
+    softness = SOFTNESS if method.rule == DART else 0.0
+    if isinstance(body.shape, Sphere):
+        return BALL_EASE, softness
+    if method.rule == MUJOCO_ONE_STEP and not holds:
+        across = _in_own_axes(body, np.cross(normal, ahead))
+        softness = _height(body, normal) ** 2 / float(across**2 @ np.array(body.shape.inertia_per_mass()))  # type: ignore[union-attr]
+    return 1.0, softness
+
+
+def _nearness(
+    body: Body, settings: Settings, method: Method, fastest: float, fall: float, holds: bool
+) -> tuple[float, str]:
+    """How near the engine comes to the recurrence, with the reason. Figures are for lengths in m and times in s."""
+    dt, near, why = settings.timestep, ROUNDING, "the recurrence of the method, to rounding"
+    if method.rule in (MUJOCO_ONE_STEP, DART):
+        if isinstance(body.shape, Sphere):
+            near, why = (
+                max(1e-7, dt**2),
+                "the recurrence; friction acts at the depth of the overlap",
+            )  # 0.4 dt² measured
+        elif method.rule == DART:
+            near, why = 1e-6, "the recurrence, and what DART's sweeps over four corners leave"  # 1.1·10⁻⁷ measured
+        elif holds:
+            near, why = 10 * dt, "rest, but for a box that MuJoCo's friction makes rock: it creeps"  # 4 dt measured
+        else:
+            near, why = 2 * dt, "the recurrence, and a box that MuJoCo's friction makes rock"  # 0.4 dt measured
+        if "margin" not in settings.options:
+            near += 2 * abs(fall) * dt  # rounding decides whether the first step has a contact
+    elif method.rule == BULLET and isinstance(body.shape, Box) and fastest * dt > _bullets_reach(body.shape):
+        near, why = 5 * abs(fall) * dt, "the recurrence; at this speed Bullet loses corners for a step"  # 0.05 measured
+    return near, why
+
+
+def _bullets_reach(box: Box) -> float:
+    """How far a step may move a box without that Bullet loses its corners, m: 2 % of half the diagonal."""
+    return BULLETS_REACH * float(np.linalg.norm(box.half_extents))
+
+
+def _height(body: Body, normal: Array) -> float:
+    """Height of a box's centre above the plane that it stands on, m."""
+    return float(np.abs(_in_own_axes(body, normal)) @ np.array(body.shape.half_extents))  # type: ignore[union-attr]
+
+
+def _in_own_axes(body: Body, direction: Array) -> Array:
+    return geometry.rotate(geometry.opposite(np.array(body.orientation)), direction)
