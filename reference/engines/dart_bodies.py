@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from reference.engines.ground_box import ground_box
+from reference.engines.ground_box import ground_box, raised
 from reference.scene.scenario import Body, Box, HalfSpace, Sphere
 from reference.scene.settings import Settings
 
@@ -58,6 +58,8 @@ def _placed(body: Body, settings: Settings) -> Body:
     """The body as DART gets it: a half-space's normal is the world's, and a large box may stand for it."""
     if not isinstance(body.shape, HalfSpace):
         return body
+    if "margin" in settings.options:
+        body = raised(body, settings.number("margin"))
     if settings.options.get("ground") != "box":
         return replace(body, orientation=(1.0, 0.0, 0.0, 0.0))
     return ground_box(body)

@@ -100,6 +100,8 @@ class MuJoCo(Engine):
             # gap of exactly zero rounding decides whether MuJoCo sees a contact; with the margin it sees all of them.
             options |= {"impratio": 1.0, "noslip_iterations": 0, "margin": 1e-9}
             return Settings(1e-3, options=options)
+        if sliding:
+            options["margin"] = 1e-9
         return Settings(1e-4, steps_per_sample(1e-4), options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:

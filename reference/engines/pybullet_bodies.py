@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from reference.engines.ground_box import ground_box
+from reference.engines.ground_box import ground_box, raised
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Sphere
 from reference.scene.settings import Settings
@@ -30,14 +30,21 @@ def add_body(
     here: dict[str, int],
 ) -> int:
     """Add a body as it starts and return its number. fall: how far a body at rest falls in one step, g dt², m."""
-    if isinstance(body.shape, HalfSpace) and settings.options.get("ground") == "box":
-        body = ground_box(body)
+    if isinstance(body.shape, HalfSpace):
+        body = _ground(body, settings)
     number = stand(bullet, body, here, useMaximalCoordinates=settings["coordinates"] == "maximal")
     set_restitution_and_friction(bullet, number, restitution, friction, here)
     if not body.immovable:
         _set_damping_and_contact_gap(bullet, number, settings, fall, here)
         bullet.resetBaseVelocity(number, body.velocity, body.angular_velocity, **here)
     return number
+
+
+def _ground(body: Body, settings: Settings) -> Body:
+    """A half-space as Bullet gets it: higher by the margin, and perhaps as a large box."""
+    if "margin" in settings.options:
+        body = raised(body, settings.number("margin"))
+    return ground_box(body) if settings.options.get("ground") == "box" else body
 
 
 def stand(bullet: Any, body: Body, here: dict[str, int], **options: bool) -> int:
