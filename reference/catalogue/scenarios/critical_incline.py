@@ -1,0 +1,37 @@
+"""Inclines 1 % and 3 % on either side of the critical one (slide 24)."""
+
+from __future__ import annotations
+
+import math
+
+from reference.catalogue.case import Case
+from reference.catalogue.family import Convergence, Curve, Family
+from reference.catalogue.scenarios.friction import INCLINE, INCLINE_DURATION, slab_on_plane, way_of
+
+RATIOS = (0.97, 0.99, 1.01, 1.03)
+"""tan θ ÷ μ: the critical slope is at 1."""
+
+
+def _incline(friction: float, ratio: float) -> Case:
+    name, slope = f"μ={friction:g},tanθ={ratio:g}μ", math.atan(ratio * friction)
+    scenario = slab_on_plane(f"critical-incline/{name}", friction, slope, 0.0, INCLINE_DURATION)
+    return Case(name, (scenario,), {"friction": friction, "slope": slope})
+
+
+CRITICAL_INCLINE = Family(
+    name="critical-incline",
+    title="Incline close to critical: hold or slide",
+    topic="friction",
+    statements=(24,),
+    about="A slab is let go on slopes whose tan θ is 1 % and 3 % below and above the coefficient of friction, for two"
+    f" coefficients, and watched for {INCLINE_DURATION:g} s.",
+    expected=INCLINE.expected + " Close to tan θ = μ the acceleration is a small difference of two large ones: an error"
+    " of 1 % in the friction would be all of it at 1 % above.",
+    why=("",),
+    cases=tuple(_incline(friction, ratio) for friction in (0.3, 0.7) for ratio in RATIOS),
+    quantities=INCLINE.quantities,
+    curve=Curve("μ=0.3,tanθ=1.01μ", "1 % above critical at μ = 0.3", "way, m", way_of),
+    convergence=Convergence("μ=0.3,tanθ=1.01μ", "way"),
+)
+
+FAMILIES = (CRITICAL_INCLINE,)
