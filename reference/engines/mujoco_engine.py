@@ -101,7 +101,10 @@ class MuJoCo(Engine):
             options |= {"impratio": 1.0, "noslip_iterations": 0, "margin": 1e-9}
             return Settings(1e-3, options=options)
         if sliding:
-            options["margin"] = 1e-9
+            # Friction turns a slab's nose down, which the normal forces of the main solver do not know of, and corners
+            # come off the ground in turn. Just above the critical slope, where the acceleration is a small difference,
+            # the way shows how well friction is solved: 0.16 % off as above, and 0.04 % like this.
+            options |= {"noslip_iterations": 20, "overlap_recovery": 0.02, "margin": 1e-9}
         return Settings(1e-4, steps_per_sample(1e-4), options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:

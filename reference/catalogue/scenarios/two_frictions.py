@@ -76,7 +76,9 @@ def _true_speed(case: Case) -> float:
 def _expect_way(case: Case, settings: Settings, method: Method) -> Expectation:
     a, stop, way, _ = _motion(case)
     if method.kind == EXACT or way == 0:
-        return Expectation(way, NEAR * (way or 1.0), "rounding only: what holds does not move, and a stop is solved for")
+        return Expectation(
+            way, NEAR * (way or 1.0), "rounding only: what holds does not move, and a stop is solved for"
+        )
     if stop < math.inf:
         shift = truth.semi_implicit_stopping_shift(abs(case.parameters["speed"]), settings.timestep)
         why = "−v₀ dt/2: a step moves with the velocity that friction has already reduced"
