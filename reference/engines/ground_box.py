@@ -36,7 +36,7 @@ def raised(body: Body, margin: float) -> Body:
 def from_raised(
     bodies: Sequence[Body], pair: tuple[int, int], middle: Array, normal: Array, separation: float, margin: float
 ) -> tuple[list[float], float]:
-    """Place and separation of a contact with the ground where it is, from those with the ground that is `margin` higher.
+    """Place and separation of a contact with the ground where it is, from those with ground `margin` higher.
 
     pair: places of A and B among the bodies. middle: midway between the surfaces. normal: from B to A.
     """

@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 
 from reference import truth
-from reference.arrays import Array
 from reference.catalogue import measure
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
@@ -106,9 +105,9 @@ TWO_FRICTIONS = Family(
     title="Static and kinetic friction that differ",
     topic="friction",
     statements=(24,),
-    about=f"A slab of 1 kg has a static coefficient of friction of {STATIC:g} and a kinetic one of {KINETIC:g}. It is let"
-    " go, set off or pushed on slopes and on the level, where static friction would hold it and kinetic friction would"
-    " not, and beyond.",
+    about=f"A slab of 1 kg has a static coefficient of friction of {STATIC:g} and a kinetic one of {KINETIC:g}. It is"
+    " let go, set off or pushed on slopes and on the level, where static friction would hold it and kinetic friction"
+    " would not, and beyond.",
     expected="A slab at rest stays at rest while the pull along the plane is at most μ_s N. Once it moves, μ_k N acts"
     " against it, however small its speed: between the two limits it holds at rest, and speeds up if it has been set"
     " off. What slides to a stop does so by μ_k alone, and then μ_s holds it.",

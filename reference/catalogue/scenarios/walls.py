@@ -74,9 +74,9 @@ CORNER = Family(
     " perpendicular, so neither impact disturbs the other, in either order: the ball leaves with −e v.",
     why=(
         "Without weight, impacts are all there is. PyBullet and the hand-written code are right to the last digits,"
-        " whether the two come in one step or in two. MuJoCo's one-step contact takes a ten-thousandth of the overlap back as speed, and that"
-        " is what is left of its error. DART's is not quite hard: 10⁻⁵ of the change of speed is missing, tuned and"
-        " stock.",
+        " whether the two come in one step or in two. MuJoCo's one-step contact takes a ten-thousandth of the overlap"
+        " back as speed, and that is what is left of its error. DART's is not quite hard: 10⁻⁵ of the change of speed"
+        " is missing, tuned and stock.",
         "Stock, PyBullet and MuJoCo lose the ball's speed: PyBullet by its damping and by contacts made before the"
         " walls are reached, MuJoCo because it has no restitution. The speed that is left is what its soft contact"
         " gives back.",
@@ -194,11 +194,12 @@ TWO_WALLS = Family(
     expected="Each impact keeps e of the speed, so every crossing takes 1/e of the time of the one before, and after n"
     " impacts eⁿ of the speed are left.",
     why=(
-        "Speeds are kept exactly by PyBullet and by hand, and to 0.06 % after five impacts by MuJoCo, whose weak contact"
-        " spring gives a little overlap back as speed. By hand, with the exact root or the slide's T, the times are right"
-        " too: without weight the way to a wall is straight. At the step and in the engines, times are late by up to dt (1 + 1/e) an impact, at every speed: it is"
-        " noticed at the end of its step, and the way back from behind the wall takes 1/e of what was overshot. In"
-        " MuJoCo at e = 0.5 that little speed weighs more, since 12 s pass: the last impact is 5 ms early.",
+        "Speeds are kept exactly by PyBullet and by hand, and to 0.06 % after five impacts by MuJoCo, whose weak"
+        " contact spring gives a little overlap back as speed. By hand, with the exact root or the slide's T, the"
+        " times are right too: without weight the way to a wall is straight. At the step and in the engines, times"
+        " are late by up to dt (1 + 1/e) an impact, at every speed: it is noticed at the end of its step, and the way"
+        " back from behind the wall takes 1/e of what was overshot. In MuJoCo at e = 0.5 that little speed weighs"
+        " more, since 12 s pass: the last impact is 5 ms early.",
         "DART has no rebound below 0.1 m/s, so the last one at e = 0.5, of 0.0625 m/s, does not happen.",
         "Stock PyBullet makes contacts ahead of the wall and damps the flight: at e = 0.5 the ball is caught after a"
         " bounce or two. Stock MuJoCo has no restitution and lets the ball creep off the wall. For no e does either"

@@ -17,9 +17,9 @@ _ROUNDING = 1e-9  # a length (m), speed (m/s) or sine below this is zero
 class Kind(Enum):
     """The kinds of scenario, one for each driver.
 
-    BOUNCE: a ball over a plane that nothing makes spin, or without weight between several. SLIDE: a box that slides as a
-    point does. BALLS: two balls that strike each other. FACE: a ball that strikes a plane, or straight on a face of a
-    box. Both may spin and rub. ROW: balls in a line, without weight.
+    BOUNCE: a ball over a plane that nothing makes spin, or without weight between several. SLIDE: a box that slides as
+    a point does. BALLS: two balls that strike each other. FACE: a ball that strikes a plane, or straight on a face of
+    a box. Both may spin and rub. ROW: balls in a line, without weight.
     """
 
     BOUNCE = "bounce"

@@ -213,7 +213,9 @@ class _Slabs(_Points):
         super().__init__(scenarios, settings, implementation)
         weight = self.function("uniform_gravity")
         self._friction_force, self._sliding_motion = self.function("friction_force"), self.function("sliding_motion")
-        others = [np.sum([force.force for force in scenario.forces] or [np.zeros(3)], axis=0) for scenario in scenarios]
+        others = [
+            np.sum([(0.0, 0.0, 0.0), *(each.force for each in scenario.forces)], axis=0) for scenario in scenarios
+        ]
         pull, normal = weight(self.mass, self.gravity) + np.array(others), self.normal[:, 0]
         self.normal_force = -np.sum(pull * normal, axis=1)
         self.push = pull + self.normal_force[:, None] * normal
