@@ -31,6 +31,8 @@ JOBS = [
     for profile in family.profiles(load_engine(name))
 ]
 PUBLISHED = {f"{name}/{recorded.FILE}" for name in ENGINES}
+IN_NO_ENGINE = ("two-frictions",)
+"""Families of which no engine can express a case, so that there are no poses."""
 MOST_BYTES = 10_000_000
 POINTS = 40
 """Points of the grids that are run again, of each engine."""
@@ -79,7 +81,8 @@ def test_every_grid_point_and_replay_is_recorded_and_up_to_date(engine):
 
 def test_the_recordings_are_small_and_hold_no_unknown_run():
     files = {path.relative_to(FOLDER) for path in FOLDER.rglob("*") if path.is_file()}
-    kept = {f"{job.engine}/{job.family}.{kind}" for job in JOBS for kind in ("json", "npz")}
+    kept = {f"{job.engine}/{job.family}.json" for job in JOBS}
+    kept |= {f"{job.engine}/{job.family}.npz" for job in JOBS if job.family not in IN_NO_ENGINE}
     assert {str(path) for path in files} == kept | PUBLISHED
     assert sum((FOLDER / path).stat().st_size for path in files) < MOST_BYTES
 
@@ -100,6 +103,8 @@ def test_recorded_tuned_numbers_agree_with_theory():
 def test_a_replay_starts_and_ends_with_its_scenario():
     """One of each family: first positions are the scenario's, to rounding; the last sample is in its last 1/60 s."""
     for family in catalogue().values():
+        if family.name in IN_NO_ENGINE:
+            continue
         case = family.cases[0]
         scenario = case.scenarios[0]
         poses = replay(Job(family.name, ENGINES[0], "tuned"), case.name)
