@@ -30,9 +30,9 @@ def test_the_first_step_of_what_starts_on_the_ground_is_made_with_contact(name, 
     made = engine.run(short, engine.settings(short, "tuned").change(sample_every=1))
     normal = np.array(scenario.bodies[0].shape.normal)
     first = (made.velocities[1, 1] - made.velocities[0, 1]) @ normal / made.times[1]
-    # Without a contact it would be −g cos θ, −7 m/s² and more. MuJoCo takes a share of its margin of 1 nm back in a
-    # step of 0.1 ms, a fiftieth: 0.002 m/s².
-    assert abs(first) < 0.0025
+    # Without a contact it would be −g cos θ, −7 m/s² and more. MuJoCo takes a share of its margin of 10 nm back in a
+    # step of 0.1 ms, a tenth: 0.1 m/s².
+    assert abs(first) < 0.11
 
 
 @pytest.mark.parametrize("name", ["handwritten", *ENGINES])
@@ -43,7 +43,7 @@ def test_one_percent_from_critical_decides_between_holding_and_sliding(name, cas
     assert {row.verdict for row in rows.values()} == {Verdict.PASS}
     way = rows["way"]
     if way.expected == 0:
-        assert abs(way.measured) < {"handwritten": 1e-15, "pybullet": 1e-8, "mujoco": 3e-4, "dart": 2e-7}[name]
+        assert abs(way.measured) < {"handwritten": 1e-15, "pybullet": 1e-8, "mujoco": 4e-4, "dart": 2e-7}[name]
     else:  # what is left once +a t dt/2 is taken off, as a share of the way
         left = abs(way.error - way.shift) / way.expected
-        assert left < {"handwritten": 1e-9, "pybullet": 1e-6, "mujoco": 5e-4, "dart": 1e-5}[name]
+        assert left < {"handwritten": 1e-9, "pybullet": 1e-6, "mujoco": 1e-3, "dart": 1e-5}[name]
