@@ -106,7 +106,7 @@ class MuJoCo(Engine):
             # the way shows how well friction is solved: 0.18 % off with 5 passes, 0.08 % with 20.
             options |= {"noslip_iterations": 20, "margin": 1e-8}
         elif sliding:
-            options["margin"] = 1e-9  # a ball rises by as much, and its lever arm grows
+            options["margin"] = 1e-10  # a ball rises by as much, and its lever arm grows
         return Settings(1e-4, steps_per_sample(1e-4), options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:

@@ -30,8 +30,8 @@ def test_the_first_step_of_what_starts_on_the_ground_is_made_with_contact(name, 
     made = engine.run(short, engine.settings(short, "tuned").change(sample_every=1))
     normal = np.array(scenario.bodies[0].shape.normal)
     first = (made.velocities[1, 1] - made.velocities[0, 1]) @ normal / made.times[1]
-    # Without a contact it would be −g cos θ, −7 m/s² and more. MuJoCo takes a share of its margin, 10 nm at most, back in a
-    # step of 0.1 ms, a tenth: 0.1 m/s².
+    # Without a contact it would be −g cos θ, −7 m/s² and more. MuJoCo takes a tenth of its margin, 10 nm at most, back
+    # in a step of 0.1 ms: 0.1 m/s².
     assert abs(first) < 0.11
 
 
