@@ -71,7 +71,7 @@ class Engine(ABC):
 
     name: as typed on the command line. title: as printed. order: place in tables. package: the distribution that it
     needs, None for ours. extra: the extra of this project that installs it. wheels: where its package can be installed
-    without a compiler. applies_forces: whether it lets a scenario's `forces` act; if not, it refuses them.
+    without a compiler. applies_forces: whether it lets a scenario's `forces` act, whatever the scenario.
     allowed: what each option may be; one that is not in it may be anything of its kind. implementation: which
     hand-written code runs; only the hand-written engine reads it.
     """
@@ -116,6 +116,10 @@ class Engine(ABC):
         """Run several scenarios with the same settings; an engine that can run them together overrides this."""
         return [self.run(scenario, settings) for scenario in scenarios]
 
+    def lets_forces_act(self, scenario: Scenario) -> bool:
+        """Whether it lets this scenario's `forces` act; an engine that does in some scenarios alone overrides this."""
+        return self.applies_forces
+
     def version(self) -> str:
         """Version of the engine's package, or of this project for our own; `EngineNotInstalled` where it is missing."""
         try:
@@ -152,7 +156,7 @@ class Engine(ABC):
             If forces act that this engine does not apply.
         """
         check_options(self.allowed, settings.options)
-        if scenario.forces and not self.applies_forces:
+        if scenario.forces and not self.lets_forces_act(scenario):
             raise self.cannot(scenario, "it knows no forces but weight and those of contacts")
         if settings.timestep * settings.sample_every > scenario.duration:
             raise InvalidInput(

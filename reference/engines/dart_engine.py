@@ -18,6 +18,7 @@ import numpy as np
 from reference.engines import dart_bodies, dart_read_back, mixing
 from reference.engines.base import AT_STEP, DART, Engine, Method
 from reference.engines.dart_read_back import SWEEPS
+from reference.engines.ground_box import from_raised
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, POSITIVE, Allowed
 from reference.errors import CannotExpress
 from reference.scene import geometry
@@ -143,7 +144,7 @@ class Dart(Engine):
             if number % settings.sample_every == 0:
                 recorder.sample(_state(scenario, bodies))
                 for contact in world.getLastCollisionResult().getContacts():
-                    _keep_contact(recorder, scenario, shapes, contact, settings.options.get("detector") == "dart")
+                    _keep_contact(recorder, scenario, shapes, contact, settings)
         return recorder.trajectory()
 
     def query(self, query: Query) -> float:
@@ -224,10 +225,10 @@ def _state(scenario: Scenario, bodies: list[Any]) -> list[float]:
     return state
 
 
-def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], contact: Any, flat: bool) -> None:
+def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], contact: Any, settings: Settings) -> None:
     """DART's normal points from its second object to its first, and depth is positive inside.
 
-    Its point lies midway between the surfaces, except for a ball on something flat with DART's own detector (`flat`):
+    Its point lies midway between the surfaces, except for a ball on something flat with DART's own detector:
     then it lies on the flat surface. Bodies are recognized by their shapes, since asking a collision object for its
     frame makes the process crash as it ends.
     """
@@ -236,9 +237,12 @@ def _keep_contact(recorder: Recorder, scenario: Scenario, shapes: list[Any], con
         for thing in (contact.collisionObject1, contact.collisionObject2)
     )
     normal, depth = contact.normal.ravel(), contact.penetrationDepth
+    flat = settings.options.get("detector") == "dart"
+    margin = settings.number("margin") if "margin" in settings.options else 0.0
     balls = [flat and isinstance(scenario.bodies[place].shape, Sphere) for place in (first, second)]
     middle = contact.point.ravel() + (balls[1] - balls[0]) * depth / 2 * normal
-    recorder.contact(first, second, middle.tolist(), normal.tolist(), -depth)
+    place, separation = from_raised(scenario.bodies, (first, second), middle, normal, -depth, margin)
+    recorder.contact(first, second, place, normal.tolist(), separation)
 
 
 ENGINE = Dart

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
+from reference.arrays import Array
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace
 
@@ -29,3 +31,15 @@ def raised(body: Body, margin: float) -> Body:
     """
     assert isinstance(body.shape, HalfSpace)
     return replace(body, position=tuple(np.array(body.position) + margin * np.array(body.shape.normal)))
+
+
+def from_raised(
+    bodies: Sequence[Body], pair: tuple[int, int], middle: Array, normal: Array, separation: float, margin: float
+) -> tuple[list[float], float]:
+    """Place and separation of a contact with the ground where it is, from those with ground `margin` higher.
+
+    pair: places of A and B among the bodies. middle: midway between the surfaces. normal: from B to A.
+    """
+    on_a, on_b = (isinstance(bodies[place].shape, HalfSpace) for place in pair)
+    up = (int(on_b) - int(on_a)) * margin
+    return (middle - up / 2 * normal).tolist(), separation + abs(up)

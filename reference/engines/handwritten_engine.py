@@ -103,6 +103,10 @@ class Handwritten(Engine):
                 raise InvalidInput(f"shortest_flight is {shortest:g}; with the policy interpolated it is at least 1")
         return super().check_settings(scenario, settings)
 
+    def lets_forces_act(self, scenario: Scenario) -> bool:
+        """A constant force pushes what slides; no other loop knows any."""
+        return kind(scenario) is Kind.SLIDE
+
     def query(self, query: Query) -> float:
         """Answer with the functions of swept volumes."""
         return queries.answer(query, self.implementation)

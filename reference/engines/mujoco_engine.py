@@ -102,8 +102,13 @@ class MuJoCo(Engine):
             # gap of exactly zero rounding decides whether MuJoCo sees a contact; with the margin it sees all of them.
             options |= {"impratio": 1.0, "noslip_iterations": 0, "margin": 1e-9}
             return Settings(1e-3, options=options)
-        if sliding:
-            options["margin"] = 1e-9
+        if sliding and any(isinstance(body.shape, Box) and not body.immovable for body in scenario.bodies):
+            # Friction turns a slab's nose down, which the normal forces of the main solver do not know of, and corners
+            # come off the ground in turn. Just above the critical slope, where the acceleration is a small difference,
+            # the way shows how well friction is solved: 0.18 % off with 5 passes, 0.08 % with 20.
+            options |= {"noslip_iterations": 20, "margin": 1e-8}
+        elif sliding:
+            options["margin"] = 1e-10  # a ball rises by as much, and its lever arm grows
         return Settings(1e-4, steps_per_sample(1e-4), options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:

@@ -24,6 +24,7 @@ import numpy as np
 
 from reference.engines import mixing, pybullet_bodies, pybullet_read_back, pybullet_spring
 from reference.engines.base import AT_STEP, BULLET, BULLET_SPRING, COMPLIANT, Engine, Method
+from reference.engines.ground_box import from_raised
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, POSITIVE, SHARE, Allowed
 from reference.errors import RunFailed
 from reference.scene import geometry
@@ -204,6 +205,7 @@ class PyBullet(Engine):
             bullet.setCollisionFilterPair(*apart, -1, -1, 0, **here)
         pybullet_read_back.check_world(bullet, numbers, scenario, settings, here)
         places = {number: place for place, number in enumerate(numbers)}
+        margin = settings.number("margin") if "margin" in settings.options else 0.0
         recorder = Recorder(self.name, scenario, settings)
         recorder.sample(_state(bullet, numbers, scenario, here))
         for step in range(1, steps + 1):
@@ -213,7 +215,7 @@ class PyBullet(Engine):
             if step % settings.sample_every == 0:
                 recorder.sample(_state(bullet, numbers, scenario, here))
                 for contact in bullet.getContactPoints(**here):
-                    _keep_contact(recorder, places, contact)
+                    _keep_contact(recorder, scenario, places, contact, margin)
         return recorder.trajectory()
 
     def query(self, query: Query) -> float:
@@ -322,10 +324,14 @@ def _push(bullet: Any, number: int, force: Force, here: dict[str, int]) -> None:
     bullet.applyExternalForce(number, -1, force.force, centre, bullet.WORLD_FRAME, **here)
 
 
-def _keep_contact(recorder: Recorder, places: Mapping[int, int], contact: Sequence[Any]) -> None:
+def _keep_contact(
+    recorder: Recorder, scenario: Scenario, places: Mapping[int, int], contact: Sequence[Any], margin: float
+) -> None:
     """Keep a contact of Bullet's; its place is midway between the two surfaces."""
-    middle = [(on_a + on_b) / 2 for on_a, on_b in zip(contact[POINT_A], contact[POINT_B], strict=True)]
-    recorder.contact(places[contact[BODY_A]], places[contact[BODY_B]], middle, contact[NORMAL], contact[DISTANCE])
+    middle, normal = (np.array(contact[POINT_A]) + contact[POINT_B]) / 2, np.array(contact[NORMAL])
+    pair = places[contact[BODY_A]], places[contact[BODY_B]]
+    place, separation = from_raised(scenario.bodies, pair, middle, normal, contact[DISTANCE], margin)
+    recorder.contact(*pair, place, contact[NORMAL], separation)
 
 
 def _state(bullet: Any, numbers: list[int], scenario: Scenario, here: dict[str, int]) -> list[float]:

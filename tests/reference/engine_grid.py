@@ -78,7 +78,7 @@ def shortened(family: Family) -> Scenario:
 CATALOGUE = tuple(map(shortened, catalogue().values()))
 SCENARIOS = {scenario.name: scenario for scenario in (*CATALOGUE, *EXTRA)}
 NEEDS_A_WORLD = (
-    *("corner", "two-walls", "sliding-ball", "rolling-ball"),
+    *("sliding-ball", "rolling-ball"),
     *("box-flat", "box-on-edge", "tipping-box", "stack", "twirled-box"),
 )
 """What rolls, tumbles or meets more than one thing."""
@@ -94,14 +94,20 @@ STRIKING = (
     "off-centre-impact",
 )
 """What strikes another body, or spins as it strikes."""
+WALLED = ("corner", "two-walls")
+SLIDING = ("sliding-slab", "incline", "critical-incline", "two-frictions")
+ONE_COEFFICIENT = {
+    "two-frictions": (CannotExpress, r"it has one coefficient of friction, not static 0\.5 and kinetic 0\.3$")
+}
 SAYS_NO = {
+    **dict.fromkeys(REPORT_CONTACTS, ONE_COEFFICIENT),
     "handwritten": dict.fromkeys(NEEDS_A_WORLD, (NeedsFunction, r"^needs a rigid-body world \(world\)$")),
     "mujoco": dict.fromkeys(
         ("struck-cube", "off-centre-impact"),
         (CannotExpress, r"^MuJoCo cannot express \S+: no setting of it keeps both e and μ in an impact off the centre"),
     ),
     TOY: dict.fromkeys(
-        (*NEEDS_A_WORLD, *STRIKING, "sliding-slab", "incline", "lying-box", "twirled-ball"),
+        (*NEEDS_A_WORLD, *STRIKING, *WALLED, *SLIDING, "lying-box", "twirled-ball"),
         (
             CannotExpress,
             r"^a toy cannot express \S+: it knows one ball over one plane, without friction and without spin$",

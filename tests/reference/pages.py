@@ -126,10 +126,9 @@ def without_answer(given: JobResult, verdict: Verdict, note: str) -> JobResult:
 
 def written(results: Iterable[JobResult], with_figures: bool = True) -> str:
     found = sections(results)
-    names = [f"{it.family.name}-{kind}" for it in found for kind in ("trajectories", "convergence")]
+    names = {it.family.name: [f"{it.family.name}-{kind}" for kind in ("trajectories", "convergence")] for it in found}
     pictures = {
-        it.family.name: [(PICTURE.format(name=name), f"What {name} shows.") for name in names if it.family.name in name]
-        for it in found
+        family: [(PICTURE.format(name=name), f"What {name} shows.") for name in own] for family, own in names.items()
     }
     shown = pictures if with_figures else dict.fromkeys(pictures, ())
     return page.render(found, shown, ["hand-written code", "an engine 1.2.3"], "Collisions Lab on a machine")

@@ -15,6 +15,8 @@ MODULES = (
     "bouncing_ball",
     "walls",
     "friction",
+    "critical_incline",
+    "two_frictions",
     "rolling",
     "two_balls",
     "struck_cube",

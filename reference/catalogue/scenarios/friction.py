@@ -99,7 +99,8 @@ def _sideways(trajectory: Trajectory) -> float:
     return float(np.hypot(across[0], across[1]))
 
 
-def _way(trajectory: Trajectory) -> Array:
+def way_of(trajectory: Trajectory) -> Array:
+    """Distance of the slab from where it started, at each sample (n,), m."""
     positions = trajectory.position("slab")
     return np.asarray(np.linalg.norm(positions - positions[0], axis=1))
 
@@ -159,7 +160,7 @@ SLIDING_SLAB = Family(
             within_a_millimetre,
         ),
     ),
-    curve=Curve("μ=0.4,v=2,heading=30°", "Sliding at μ = 0.4, v₀ = 2 m/s, heading 30°", "way, m", _way),
+    curve=Curve("μ=0.4,v=2,heading=30°", "Sliding at μ = 0.4, v₀ = 2 m/s, heading 30°", "way, m", way_of),
     convergence=Convergence("μ=0.4,v=2", "stopping_distance", (2.0, 1.0, 0.5, 0.25)),
     grid=Grid(
         (Parameter("friction", "", TENTHS[1:], 0.4), Parameter("speed", "m/s", (1.0, 2.0, 5.0), 2.0)),
@@ -214,10 +215,10 @@ INCLINE = Family(
     expected="Static friction can hold at most μ N = μ m g cos θ against the pull m g sin θ: the slab stays where it"
     " is if tan θ ≤ μ. Otherwise it slides with g (sin θ − μ cos θ).",
     why=(
-        "All, tuned, decide every case as tan θ ≤ μ does. What differs is how still a held slab is: hand-written"
-        " code sets its velocity to zero, PyBullet's solver leaves six micrometres at most, and MuJoCo's friction is a"
-        " soft constraint that creeps in proportion to the timestep: at 1 ms the steepest holds would lose millimetres,"
-        " at 0.1 ms fractions.",
+        "All, tuned, decide every case as tan θ ≤ μ does. What differs is how still a held slab is: hand-written code"
+        " sets its velocity to zero, PyBullet's and DART's solvers leave less than a micrometre, and MuJoCo's"
+        " friction is a soft constraint that creeps in proportion to the timestep: at 1 ms the steepest holds would"
+        " lose millimetres, at 0.1 ms fractions.",
         "MuJoCo, stock, creeps visibly on every slope but the gentlest, which counts as sliding here. PyBullet, stock,"
         " holds where it should, but its damping slows every slide by up to a quarter. DART, stock, rocks on its one"
         " contact, and some slabs that should hold walk off that way.",
@@ -238,7 +239,7 @@ INCLINE = Family(
             _slid,
         ),
     ),
-    curve=Curve("μ=0.3,θ=20°", "Sliding down 20° at μ = 0.3", "way, m", _way),
+    curve=Curve("μ=0.3,θ=20°", "Sliding down 20° at μ = 0.3", "way, m", way_of),
     convergence=Convergence("μ=0.3,θ=20°", "way"),
     grid=Grid(
         (Parameter("friction", "", TENTHS, 0.3), Parameter("angle", "°", (3.0, 10.0, 20.0, 30.0, 40.0), 20.0)),

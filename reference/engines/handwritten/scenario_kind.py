@@ -17,9 +17,10 @@ _ROUNDING = 1e-9  # a length (m), speed (m/s) or sine below this is zero
 class Kind(Enum):
     """The kinds of scenario, one for each driver.
 
-    BOUNCE: a ball over a plane that nothing makes spin. SLIDE: a box that slides as a point does. BALLS: two balls that
-    strike each other. FACE: a ball that strikes a plane, or straight on a face of a box. CORNER: a box without weight
-    that flies at a plane. These three may spin and rub. ROW: balls in a line, without weight.
+    BOUNCE: a ball over a plane that nothing makes spin, or without weight between several. SLIDE: a box that slides as
+    a point does. BALLS: two balls that strike each other. FACE: a ball that strikes a plane, or straight on a face of a
+    box. CORNER: a box without weight that flies at a plane. These three may spin and rub. ROW: balls in a line, without
+    weight.
     """
 
     BOUNCE = "bounce"
@@ -36,6 +37,8 @@ def kind(scenario: Scenario) -> Kind | None:
         return None
     if _is_row(scenario):
         return Kind.ROW
+    if len(scenario.bodies) > 2:
+        return Kind.BOUNCE if _is_between_planes(scenario) else None
     if len(scenario.bodies) != 2 or geometry.starts_in_contact(scenario):
         return _over_a_plane(scenario)
     return _over_a_plane(scenario) or _strikes(scenario)
@@ -67,6 +70,25 @@ def _over_a_plane(scenario: Scenario) -> Kind | None:
     gap = geometry.separation(scenario, body.name, fixed[0].name, *place)[0]
     flat = abs(gap) < _ROUNDING and _stands_on_a_face(body, normal) and not _may_tip(scenario, body, normal)
     return Kind.SLIDE if flat and _slides_straight(scenario, body, normal) else None
+
+
+def planes_met(scenario: Scenario) -> list[Body]:
+    """The bodies that the single movable one collides with, in the order of the pairs."""
+    (movable,) = (body.name for body in scenario.bodies if not body.immovable)
+    return [scenario.body(pair.body_b if pair.body_a == movable else pair.body_a) for pair in scenario.pairs]
+
+
+def _is_between_planes(scenario: Scenario) -> bool:
+    """Whether one ball without weight, friction and spin flies between planes, each of which it collides with."""
+    movable = [body for body in scenario.bodies if not body.immovable]
+    if len(movable) != 1 or not isinstance(movable[0].shape, Sphere) or any(movable[0].angular_velocity):
+        return False
+    fixed = [body for body in scenario.bodies if body.immovable]
+    listed = {frozenset((pair.body_a, pair.body_b)) for pair in scenario.pairs}
+    smooth = not any(pair.static_friction for pair in scenario.pairs)
+    only_planes = all(isinstance(body.shape, HalfSpace) for body in fixed)
+    meets_all = listed == {frozenset((movable[0].name, body.name)) for body in fixed}
+    return only_planes and meets_all and smooth and not any(scenario.gravity)
 
 
 def _is_row(scenario: Scenario) -> bool:
@@ -187,8 +209,12 @@ def in_own_axes(body: Body, vector: Array) -> Array:
 
 
 def _slides_straight(scenario: Scenario, body: Body, normal: Array) -> bool:
-    """Whether its weight presses the body onto the plane and pulls, if at all, along the way that it slides."""
-    velocity, gravity = np.array(body.velocity), np.array(scenario.gravity)
-    pull = gravity - (gravity @ normal) * normal
-    leaves = abs(velocity @ normal) > _ROUNDING or gravity @ normal > 0
+    """Whether weight and other forces press the body onto the plane and pull, if at all, along the way that it slides.
+
+    The forces act at the centre, as weight does, and so cannot tip the body either.
+    """
+    velocity, pushes = np.array(body.velocity), [force.force for force in scenario.forces]
+    acceleration = np.array(scenario.gravity) + np.sum([*pushes, (0.0, 0.0, 0.0)], axis=0) / body.mass
+    pull = acceleration - (acceleration @ normal) * normal
+    leaves = abs(velocity @ normal) > _ROUNDING or acceleration @ normal > 0
     return not leaves and bool(np.linalg.norm(np.cross(velocity, pull)) < _ROUNDING)

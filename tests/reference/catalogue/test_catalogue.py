@@ -30,7 +30,7 @@ from reference.scene.settings import Settings
 
 FAMILIES = list(catalogue().values())
 CASES = [(family, case) for family in FAMILIES for case in family.cases]
-COUNTED = {("incline", "moves"), ("box-on-edge", "face"), ("tipping-box", "outcome")}
+COUNTED = {("incline", "moves"), ("critical-incline", "moves"), ("box-on-edge", "face"), ("tipping-box", "outcome")}
 """Quantities that are whole numbers: an outcome is right or wrong."""
 each_family = pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
 METHODS = [

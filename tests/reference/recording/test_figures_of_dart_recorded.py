@@ -22,7 +22,7 @@ def test_bounces_end_two_percent_early_and_stock_ones_ten_percent_late():
 
 def test_recorded_slides_stop_half_a_step_short_and_keep_their_line():
     found = recorded("sliding-slab", "tuned", "stopping_distance")
-    assert max(abs(row.error - row.shift) / row.expected for row in found.values()) < 1.2e-5
+    assert max(abs(row.off) / row.expected for row in found.values()) < 1.2e-5
     assert max(abs(row.measured) for row in recorded("sliding-slab", "tuned", "sideways").values()) < 16e-9
 
 

@@ -33,6 +33,8 @@ JOBS = [
     for profile in family.profiles(load_engine(name))
 ]
 PUBLISHED = {f"{name}/{recorded.FILE}" for name in ENGINES}
+IN_NO_ENGINE = ("two-frictions",)
+"""Families of which no engine can express a case, so that there are no poses."""
 MOST_BYTES = 10_000_000
 CHECKSUM = "bbfbf171f9ce03194a212975abbeb5f112613ecfa26621ace5af89366dbf6ada"
 """Over all recordings, as `collisions record` prints it at its end. Only a person changes it here, in the same commit
@@ -94,7 +96,8 @@ def test_every_grid_point_and_replay_is_recorded_and_up_to_date(engine):
 def test_the_recordings_are_small_and_hold_no_unknown_run():
     files = {path.relative_to(FOLDER) for path in FOLDER.rglob("*") if path.is_file()}
     jobs = [job for job in JOBS if is_recorded(job.family, job.engine)]
-    kept = {f"{job.engine}/{job.family}.{kind}" for job in jobs for kind in ("json", "npz")}
+    kept = {f"{job.engine}/{job.family}.json" for job in jobs}
+    kept |= {f"{job.engine}/{job.family}.npz" for job in jobs if job.family not in IN_NO_ENGINE}
     assert {path.as_posix() for path in files} == kept | PUBLISHED | {checksums.CHECKSUMS}
     assert sum((FOLDER / path).stat().st_size for path in files) < MOST_BYTES
 
@@ -127,7 +130,7 @@ def test_recorded_tuned_numbers_agree_with_theory():
 def test_a_replay_starts_and_ends_with_its_scenario():
     """One of each family: first positions are the scenario's, to rounding; the last sample is in its last 1/60 s."""
     for family in catalogue().values():
-        if not is_recorded(family.name, ENGINES[0]):
+        if family.name in IN_NO_ENGINE or not is_recorded(family.name, ENGINES[0]):
             continue
         case = family.cases[0]
         scenario = case.scenarios[0]
