@@ -7,6 +7,7 @@ import math
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Family
 from reference.catalogue.scenarios.friction import INCLINE, INCLINE_DURATION, slab_on_plane, way_of
+from reference.prediction import sliding
 
 RATIOS = (0.97, 0.99, 1.01, 1.03)
 """tan θ ÷ μ: the critical slope is at 1."""
@@ -41,6 +42,7 @@ CRITICAL_INCLINE = Family(
     quantities=INCLINE.quantities,
     curve=Curve("μ=0.3,tanθ=1.01μ", "1 % above critical at μ = 0.3", "way, m", way_of),
     convergence=Convergence("μ=0.3,tanθ=1.01μ", "way"),
+    predict=sliding.predict,
 )
 
 FAMILIES = (CRITICAL_INCLINE,)

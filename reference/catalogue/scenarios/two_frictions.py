@@ -14,6 +14,7 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.scenarios.friction import slab_on_plane, way_of
 from reference.engines.base import EXACT, Method
+from reference.prediction import sliding
 from reference.scene.scenario import GRAVITY, Force, Pair
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
@@ -131,6 +132,7 @@ TWO_FRICTIONS = Family(
     ),
     curve=Curve("θ=22°,v=0.1", "Set off at 0.1 m/s on 22°", "way, m", way_of),
     convergence=Convergence("θ=22°,v=0.1", "way"),
+    predict=sliding.predict,
 )
 
 FAMILIES = (TWO_FRICTIONS,)

@@ -36,7 +36,7 @@ PUBLISHED = {f"{name}/{recorded.FILE}" for name in ENGINES}
 IN_NO_ENGINE = ("two-frictions",)
 """Families of which no engine can express a case, so that there are no poses."""
 MOST_BYTES = 10_000_000
-CHECKSUM = "bbfbf171f9ce03194a212975abbeb5f112613ecfa26621ace5af89366dbf6ada"
+CHECKSUM = "45cca6c89e7ef5fc3ccefdc6b00be4cc78731fb9a20c15e78a216eeded518dc0"
 """Over all recordings, as `collisions record` prints it at its end. Only a person changes it here, in the same commit
 as the recordings, and says why: so no number of a recording changes unnoticed, not even together with its checksum."""
 POINTS = 40
