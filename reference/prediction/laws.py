@@ -80,13 +80,18 @@ class Bullet:
     recovery: float
     in_parabolas: ClassVar[bool] = False
 
-    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
-        """Gap and rate at the end of a step."""
+    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Rate after a step, and how far the step moves the surfaces apart besides, m."""
         touches, push = gap <= 0, 0.0
         after = rate + fall
         if touches:
             rebound = -self.restitution * rate if -rate >= self.rest_speed else 0.0
             after, push = max(after, rebound, 0.0), -self.recovery * gap
+        return after, push
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        after, push = self.contact(gap, rate, fall)
         return gap + after * self.dt + push, after
 
 
@@ -154,8 +159,8 @@ class Dart:
     split: bool
     in_parabolas: ClassVar[bool] = False
 
-    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
-        """Gap and rate at the end of a step."""
+    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Rate after a step, and how far the step moves the surfaces apart besides, m."""
         after, push = rate + fall, 0.0
         if gap <= 0:
             recovery = min(DART_RECOVERY * -gap / self.dt, DART_FASTEST_RECOVERY)
@@ -166,6 +171,11 @@ class Dart:
             else:
                 wanted = max(wanted, recovery)
             after += max(0.0, wanted - after) / (1 + SOFTNESS)
+        return after, push
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        after, push = self.contact(gap, rate, fall)
         return gap + after * self.dt + push, after
 
 

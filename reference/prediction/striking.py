@@ -1,0 +1,216 @@
+"""Balls that strike balls, planes and boxes: every step of a contact, with friction and spin, and flights in between."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from reference.arrays import Array
+from reference.engines.base import BULLET, DART, MUJOCO_ONE_STEP, MUJOCO_SPRING, RESPOND_THEN_STEP, Method
+from reference.impact_truth import Contact
+from reference.prediction.bodies import Bodies, State
+from reference.prediction.impulses import Met, Rule, rule_of
+from reference.prediction.predicted import Path, Prediction, trajectory_of
+from reference.prediction.touching import Meeting, Touch, gaps, meetings, touch
+from reference.scene import geometry
+from reference.scene.scenario import Scenario, Sphere
+from reference.scene.settings import Settings
+
+LONGEST_FLIGHT = 2000
+"""So many steps of flight are looked at together."""
+PUSHED_TURN = {BULLET: 0.1}
+"""Share of the turn of a push that Bullet carries out; the others carry out all of it."""
+ASIDE = 1e-9
+"""A contact is no plane one if a unit impulse in the plane moves the bodies more than so much aside of it, as a share."""
+
+
+def predict(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:
+    """What the method makes of a ball and all that it strikes; None where a pair has no ball, or no rule is written."""
+    bodies = Bodies(scenario)
+    found = meetings(bodies)
+    rules = [rule_of(settings, method, meeting.pair) for meeting in found or ()]
+    if found is None or not all(rules):
+        return None
+    striking = Striking(bodies, found, [rule for rule in rules if rule], settings.timestep, method.rule)
+    states = striking.run(settings.steps_for(scenario.duration))
+    if states is None:
+        return None
+    paths = {
+        body.name: Path(*(part[:, place] for part in (states.position, states.velocity, states.spin, states.orientation)))
+        for place, body in enumerate(scenario.bodies)
+        if not body.immovable
+    }
+    return Prediction(trajectory_of(scenario, settings, paths))
+
+
+class NotInAPlane(Exception):
+    """A contact whose impulse moves the bodies aside of the plane of its normal and its slip."""
+
+
+class Striking:
+    """The bodies of one scenario, stepped by one method."""
+
+    def __init__(self, bodies: Bodies, meetings: list[Meeting], rules: list[Rule], dt: float, method: str) -> None:
+        self.bodies, self.meetings, self.rules, self.dt, self.method = bodies, meetings, rules, dt, method
+        self.in_parabolas = method == MUJOCO_SPRING
+
+    def run(self, steps: int) -> State | None:
+        """The states after each step, start included; None where a contact leaves its plane, or a box tumbles."""
+        state, done = self.bodies.start(), 0
+        blocks = [_one(state)]
+        try:
+            while done < steps:
+                flown = self.flight(state, min(steps - done, LONGEST_FLIGHT))
+                if not len(flown.position):
+                    flown = _one(self.step_with_contact(state))
+                if not self.bodies.spins_steadily(state):
+                    return None
+                blocks.append(flown)
+                done += len(flown.position)
+                state = State(*(part[-1] for part in flown))
+        except NotInAPlane:
+            return None
+        return State(*(np.concatenate(parts) for parts in zip(*blocks, strict=True)))
+
+    def flight(self, state: State, steps: int) -> State:
+        """The steps that neither begin nor end with an overlap, at most so many; within one that ends with an overlap
+        a method of several stages may see it."""
+        flown = self.bodies.flight(state, self.dt, self.in_parabolas, steps)
+        begun = bool(self._overlaps(_one(state))[0])
+        overlap = np.flatnonzero(self._overlaps(flown))
+        count = 0 if begun else int(overlap[0]) if len(overlap) else steps
+        return State(*(part[:count] for part in flown))
+
+    def _overlaps(self, states: State) -> Array:
+        found = [gaps(self.bodies, states.position, states.orientation, meeting) <= 0 for meeting in self.meetings]
+        return np.any(found, axis=0)
+
+    def step_with_contact(self, state: State) -> State:
+        """The state after one step that begins with an overlap."""
+        if self.in_parabolas:
+            return self._runge_kutta(state)
+        change, turn, push, pushed_turn = self.changes(state)
+        velocity, spin = state.velocity + change, state.spin + turn
+        return _moved(state, velocity * self.dt + push, spin * self.dt + pushed_turn, velocity, spin)
+
+    def _runge_kutta(self, state: State) -> State:
+        dt, slopes, at = self.dt, [], state
+        for ahead in (dt / 2, dt / 2, dt, 0.0):
+            change, turn, _, _ = self.changes(at)
+            slopes.append((at.velocity, at.spin, change / dt, turn / dt))
+            velocity, spin, pull, twist = slopes[-1]
+            at = _moved(state, velocity * ahead, spin * ahead, state.velocity + ahead * pull, state.spin + ahead * twist)
+        velocity, spin, pull, twist = (
+            (first + 2 * (second + third) + last) / 6 for first, second, third, last in zip(*slopes, strict=True)
+        )
+        return _moved(state, velocity * dt, spin * dt, state.velocity + dt * pull, state.spin + dt * twist)
+
+    def changes(self, state: State) -> tuple[Array, Array, Array, Array]:
+        """What a step changes of each body: velocity, spin, and, without speed, position and orientation."""
+        gravity = self.bodies.weight * self.dt
+        change, turn = gravity.copy(), np.zeros_like(gravity)
+        push, pushed_turn = np.zeros_like(gravity), np.zeros_like(gravity)
+        for meeting, rule in zip(self.meetings, self.rules, strict=True):
+            touched = touch(self.bodies, state, meeting)
+            if touched.gap > 0:
+                continue
+            both = _Both(self.bodies, state, meeting, touched, self.method)
+            given = rule.given(both.met(gravity))
+            impulse = given.along * both.along + given.pressed * touched.normal
+            moving = given.push / both.k(touched.normal, touched.normal) * touched.normal
+            share = PUSHED_TURN.get(self.method, 1.0)
+            for place, arm, inertia, sign in both.sides:
+                inverse_mass = self.bodies.inverse_mass[place]
+                change[place] += sign * inverse_mass * impulse
+                turn[place] += sign * inertia @ cross(arm, impulse)
+                if given.push:
+                    push[place] += sign * inverse_mass * moving
+                    pushed_turn[place] += sign * share * inertia @ cross(arm, moving)
+        return change, turn, push, pushed_turn
+
+
+class _Both:
+    """The two bodies of a contact: the arms to it, and what impulses do there."""
+
+    def __init__(self, bodies: Bodies, state: State, meeting: Meeting, touched: Touch, method: str) -> None:
+        self.bodies, self.state, self.meeting, self.touched = bodies, state, meeting, touched
+        at_ball, at_other = _points(touched, isinstance(bodies.shapes[meeting.other], Sphere), method)
+        self.sides = [
+            (place, point - state.position[place], bodies.inverse_inertia(state, place), sign)
+            for place, point, sign in ((meeting.ball, at_ball, 1.0), (meeting.other, at_other, -1.0))
+        ]
+        self.velocity = sum(
+            sign * (state.velocity[place] + cross(state.spin[place], arm)) for place, arm, _, sign in self.sides
+        )
+        self.along = self._along()
+
+    def k(self, one: Array, other: Array) -> float:
+        """What a unit impulse along a direction changes of the velocity along another one, 1/kg."""
+        found = float(one @ other) * self.inverse_mass
+        return found + sum(float(cross(arm, other) @ inertia @ cross(arm, one)) for _, arm, inertia, _ in self.sides)
+
+    @property
+    def inverse_mass(self) -> float:
+        """Sum of the inverse masses, 1/kg."""
+        return float(sum(self.bodies.inverse_mass[place] for place, *_ in self.sides))
+
+    def _along(self) -> Array:
+        """Unit vector along the slip, or where the normal impulse starts one, (3,)."""
+        normal = self.touched.normal
+        starts = sum(cross(inertia @ cross(arm, normal), arm) for _, arm, inertia, _ in self.sides)
+        for way in (self.velocity, starts, np.eye(3)[np.argmin(np.abs(normal))]):
+            slip = way - (way @ normal) * normal
+            size = float(np.sqrt(slip @ slip))
+            if size > ASIDE:
+                along = slip / size
+                break
+        aside = cross(normal, along)
+        if max(abs(self.k(along, aside)), abs(self.k(normal, aside))) > ASIDE * self.k(normal, normal):
+            raise NotInAPlane
+        return np.asarray(along)
+
+    def met(self, gravity: Array) -> Met:
+        """The contact at the start of a step in which gravity gives each body so much velocity."""
+        normal, along, pair = self.touched.normal, self.along, self.meeting.pair
+        contact = Contact(
+            self.k(along, along),
+            self.k(along, normal),
+            self.k(normal, normal),
+            float(self.velocity @ along),
+            float(self.velocity @ normal),
+            pair.kinetic_friction,
+        )
+        fall = gravity[self.meeting.ball] - gravity[self.meeting.other]
+        return Met(contact, self.touched.gap, (float(fall @ along), float(fall @ normal)), self.inverse_mass)
+
+
+def _points(touched: Touch, balls: bool, method: str) -> tuple[Array, Array]:
+    """Where a method lets the impulse act on the ball and on the other body, (3,) each.
+
+    Bullet: on each one's own surface. By hand: where the ball is deepest. MuJoCo: midway. DART: on what is flat.
+    """
+    if method == BULLET:
+        return touched.on_ball, touched.on_other
+    if method == RESPOND_THEN_STEP:
+        return touched.on_ball, touched.on_ball
+    if method == DART and not balls:
+        return touched.on_other, touched.on_other
+    assert method in (DART, MUJOCO_ONE_STEP, MUJOCO_SPRING)
+    middle = (touched.on_ball + touched.on_other) / 2
+    return middle, middle
+
+
+def _moved(state: State, way: Array, turn: Array, velocity: Array, spin: Array) -> State:
+    return State(state.position + way, geometry.turned(state.orientation, turn), velocity, spin)
+
+
+def _one(state: State) -> State:
+    """The state as a block of one."""
+    return State(*(part[None] for part in state))
+
+
+def cross(a: Array, b: Array) -> Array:
+    """a × b of two vectors (3,); NumPy's own takes ten times as long."""
+    (ax, ay, az), (bx, by, bz) = a.tolist(), b.tolist()
+    return np.array([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
