@@ -115,7 +115,7 @@ class MuJoCos:
         along, pressed = least_in_cone(
             contact.k_tt + yielding / self.impratio, contact.k_tn, contact.k_nn + yielding, lean, press, friction
         )
-        if self.noslip:
+        if self.noslip and contact.friction > 0:  # the passes leave so small a matrix, A μ², alone
             most = friction * pressed
             along = min(max(-(lean + contact.k_tn * pressed) / contact.k_tt, -most), most)
         return Given(along * dt, pressed * dt)

@@ -10,7 +10,7 @@ from reference.arrays import Array
 from reference.engines.base import BULLET, DART, MUJOCO_ONE_STEP, MUJOCO_SPRING, RESPOND_THEN_STEP, Method
 from reference.impact_truth import Contact
 from reference.prediction.bodies import Bodies, State
-from reference.prediction.impulses import Met, Rule, rule_of
+from reference.prediction.impulses import Given, Met, Rule, rule_of
 from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.prediction.touching import Meeting, Touch, gaps, meetings, touch
 from reference.scene import geometry
@@ -19,6 +19,8 @@ from reference.scene.settings import Settings
 
 LONGEST_FLIGHT = 2000
 """So many steps of flight are looked at together."""
+MOST_SWEEPS = 100
+"""Several contacts of one step are gone through in turn until none changes; so often at most."""
 PUSHED_TURN = {BULLET: 0.1}
 """Share of the turn of a push that Bullet carries out; the others carry out all of it."""
 ASIDE = 1e-9
@@ -108,26 +110,26 @@ class Striking:
 
     def changes(self, state: State) -> tuple[Array, Array, Array, Array]:
         """What a step changes of each body: velocity, spin, and, without speed, position and orientation."""
-        gravity = self.bodies.weight * self.dt
-        change, turn = gravity.copy(), np.zeros_like(gravity)
-        push, pushed_turn = np.zeros_like(gravity), np.zeros_like(gravity)
+        change = self.bodies.weight * self.dt
+        turn, push, pushed_turn = (np.zeros_like(change) for _ in range(3))
+        contacts = []
         for meeting, rule in zip(self.meetings, self.rules, strict=True):
             touched = touch(self.bodies, state, meeting)
-            if touched.gap > 0:
-                continue
-            both = _Both(self.bodies, state, meeting, touched, self.method)
-            given = rule.given(both.met(gravity))
-            impulse = given.along * both.along + given.pressed * touched.normal
-            moving = given.push / both.k(touched.normal, touched.normal) * touched.normal
-            share = PUSHED_TURN.get(self.method, 1.0)
-            for place, arm, inertia, sign in both.sides:
-                inverse_mass = self.bodies.inverse_mass[place]
-                change[place] += sign * inverse_mass * impulse
-                turn[place] += sign * inertia @ cross(arm, impulse)
-                if given.push:
-                    push[place] += sign * inverse_mass * moving
-                    pushed_turn[place] += sign * share * inertia @ cross(arm, moving)
-        return change, turn, push, pushed_turn
+            if touched.gap <= 0:
+                contacts.append((_Both(self.bodies, state, meeting, touched, self.method), rule))
+        given = [Given() for _ in contacts]
+        for _ in range(MOST_SWEEPS):
+            before = list(given)
+            for number, (both, rule) in enumerate(contacts):
+                both.give(-given[number].along, -given[number].pressed, change, turn)
+                given[number] = rule.given(both.met(change, turn))
+                both.give(given[number].along, given[number].pressed, change, turn)
+            if len(contacts) < 2 or _alike(given, before):
+                break
+        for (both, _), each in zip(contacts, given, strict=True):
+            if each.push:
+                both.give(0.0, each.push / both.k(both.touched.normal, both.touched.normal), push, pushed_turn)
+        return change, turn, push, pushed_turn * PUSHED_TURN.get(self.method, 1.0)
 
 
 class _Both:
@@ -170,8 +172,15 @@ class _Both:
             raise NotInAPlane
         return np.asarray(along)
 
-    def met(self, gravity: Array) -> Met:
-        """The contact at the start of a step in which gravity gives each body so much velocity."""
+    def give(self, along: float, pressed: float, change: Array, turn: Array) -> None:
+        """Add to velocities and spins (bodies, 3) what an impulse along and across the surface makes of them."""
+        impulse = along * self.along + pressed * self.touched.normal
+        for place, arm, inertia, sign in self.sides:
+            change[place] += sign * self.bodies.inverse_mass[place] * impulse
+            turn[place] += sign * inertia @ cross(arm, impulse)
+
+    def met(self, change: Array, turn: Array) -> Met:
+        """The contact at the start of a step in which all else changes velocities and spins by so much."""
         normal, along, pair = self.touched.normal, self.along, self.meeting.pair
         contact = Contact(
             self.k(along, along),
@@ -181,8 +190,8 @@ class _Both:
             float(self.velocity @ normal),
             pair.kinetic_friction,
         )
-        fall = gravity[self.meeting.ball] - gravity[self.meeting.other]
-        return Met(contact, self.touched.gap, (float(fall @ along), float(fall @ normal)), self.inverse_mass)
+        rest = sum(sign * (change[place] + cross(turn[place], arm)) for place, arm, _, sign in self.sides)
+        return Met(contact, self.touched.gap, (float(rest @ along), float(rest @ normal)), self.inverse_mass)
 
 
 def _points(touched: Touch, balls: bool, method: str) -> tuple[Array, Array]:
@@ -203,6 +212,12 @@ def _points(touched: Touch, balls: bool, method: str) -> tuple[Array, Array]:
 
 def _moved(state: State, way: Array, turn: Array, velocity: Array, spin: Array) -> State:
     return State(state.position + way, geometry.turned(state.orientation, turn), velocity, spin)
+
+
+def _alike(given: list[Given], before: list[Given]) -> bool:
+    """Whether the impulses of all contacts are as they were, to rounding."""
+    pairs = zip(given, before, strict=True)
+    return all(max(abs(a.along - b.along), abs(a.pressed - b.pressed)) <= 1e-15 * abs(a.pressed) for a, b in pairs)
 
 
 def _one(state: State) -> State:

@@ -24,9 +24,9 @@ END = HALF_LENGTH - 1e-3
 """Arm of an impact at the end, m: PyBullet's boxes are round within a millimetre of their edges."""
 SPEED = 2.0
 """Speed of the ball that strikes, m/s."""
-FLIGHT = 0.2503
-"""Time until the ball strikes, s. A quarter of a second would be a whole number of 1, 2 and 5 ms and of 1/240 s, and
-rounding would decide in which step the impact is noticed."""
+FLIGHT = 0.25034
+"""Time until the ball strikes, s. A quarter of a second would be a whole number of 0.1, 1, 2 and 5 ms and of 1/240 s,
+and rounding would decide in which step the impact is noticed."""
 DROP_HEIGHT = 0.5
 """Gap between the rod and the peg at the start, m."""
 AFTER = 0.05

@@ -21,7 +21,7 @@ CUBE_INERTIA, BALL_INERTIA = 2 / 3 * HALF**2, 2 / 5 * RADIUS**2
 """About any axis, kg m²."""
 SPEED, RESTITUTION = 2.0, 0.5
 """Speed of the ball, m/s, and e."""
-FLIGHT = 0.1003
+FLIGHT = 0.10034
 """Time until the ball strikes, s: no whole number of steps."""
 AFTER = 0.02
 """How long is watched after the impact, s."""

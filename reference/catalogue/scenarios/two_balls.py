@@ -27,8 +27,9 @@ STARTS = 11
 """Scenarios in an ensemble, a prime: their phases within a step are evenly spread for any timestep."""
 GRID_STARTS = 3
 """The same for a point of the grid, of which there are many."""
-FLIGHT, SPREAD = 0.15, 0.1
-"""Mean time until the impact, and what the times of an ensemble span, s."""
+FLIGHT, SPREAD = 0.15003, 0.1
+"""Mean time until the impact, and what the times of an ensemble span, s. No flight is a whole number of 0.1, 0.2, 1, 2
+or 5 ms or of 1/240 s: rounding would decide in which step the impact is noticed."""
 AFTER = 0.05
 """How long is watched after the impact, s."""
 SHARE = 1e-3
