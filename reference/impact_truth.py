@@ -75,16 +75,18 @@ def held(contact: Contact, wanted: float) -> tuple[float, float]:
     Three modes are tried: the slip stops, or slides on one way, or the other. A mode holds if its impulse lies in the
     cone and friction opposes the slip that is left.
     """
+    along, pressed = stuck(contact, wanted)
+    if abs(along) <= contact.friction * pressed:
+        return along, pressed
+    pressed = _edge(contact, wanted, math.copysign(1.0, along))
+    return math.copysign(contact.friction * pressed, along), pressed
+
+
+def stuck(contact: Contact, wanted: float) -> tuple[float, float]:
+    """The impulse that changes the normal velocity by `wanted` and ends the slip, however much friction that takes."""
     k = contact
     determinant = k.k_tt * k.k_nn - k.k_tn**2
-    along, pressed = (
-        (-k.slip * k.k_nn - wanted * k.k_tn) / determinant,
-        (wanted * k.k_tt + k.slip * k.k_tn) / determinant,
-    )
-    if abs(along) <= k.friction * pressed:
-        return along, pressed
-    pressed = _edge(k, wanted, math.copysign(1.0, along))
-    return math.copysign(k.friction * pressed, along), pressed
+    return (-k.slip * k.k_nn - wanted * k.k_tn) / determinant, (wanted * k.k_tt + k.slip * k.k_tn) / determinant
 
 
 def _edge(contact: Contact, wanted: float, sign: float) -> float:

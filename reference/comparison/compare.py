@@ -102,7 +102,8 @@ def judged(
                 reason=expectation.reason,
                 shift=expectation.shift,
             )
-        rows.append(_with_number(row, numbers[quantity.name], expectation, _Against.of(quantity, predictions)))
+        size = expectation.size if expectation and expectation.size else 1.0
+        rows.append(_with_number(row, numbers[quantity.name], expectation, _Against.of(quantity, predictions, size)))
     return rows
 
 
@@ -122,12 +123,14 @@ class _Against:
     bands: tuple[float, ...]
 
     @classmethod
-    def of(cls, quantity: Quantity, predictions: Sequence[Prediction]) -> _Against | None:
-        """None without a prediction."""
+    def of(cls, quantity: Quantity, predictions: Sequence[Prediction], size: float) -> _Against | None:
+        """None without a prediction. size: as in `Expectation`."""
         if not predictions:
             return None
         number = measured(quantity, [each.trajectory for each in predictions])
-        return cls(number, tuple(each.band(value) for each, value in zip(predictions, number.values, strict=False)))
+        return cls(
+            number, tuple(each.band(value, size) for each, value in zip(predictions, number.values, strict=False))
+        )
 
     def differences(self, number: Number) -> Array:
         """Measured less predicted, for each scenario."""

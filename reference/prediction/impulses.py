@@ -10,7 +10,7 @@ from typing import Protocol
 
 from reference.engines.base import BULLET, DART, MUJOCO_ONE_STEP, MUJOCO_SPRING, RESPOND_THEN_STEP, Method
 from reference.engines.dart_engine import SOFTNESS
-from reference.impact_truth import NEWTON, Contact, held, planar_impact
+from reference.impact_truth import NEWTON, Contact, held, planar_impact, stuck
 from reference.prediction.laws import Bullet, Dart, MuJoCoOneStep, law_of
 from reference.scene.scenario import Pair
 from reference.scene.settings import Settings
@@ -67,10 +67,13 @@ class ByVelocity:
     """Bullet and DART: the law along the normal says the rate after the step; friction is against the slip then left.
 
     Both go from row to row until nothing changes. softness: DART takes the diagonal of K for larger by this share.
+    pivots: DART's stock solver finds the normal impulse without friction first, and limits friction by μ times that;
+    what friction then changes of the normal velocity, a new normal impulse takes back.
     """
 
     law: Bullet | Dart
     softness: float = 0.0
+    pivots: bool = False
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
@@ -86,7 +89,12 @@ class ByVelocity:
             slip=met.contact.slip + along,
             normal=met.contact.normal + across,
         )
-        return Given(*held(contact, change), push)
+        if not self.pivots:
+            return Given(*held(contact, change), push)
+        most = contact.friction * change / contact.k_nn
+        along, _ = stuck(contact, change)
+        along = min(max(along, -most), most)
+        return Given(along, (change - contact.k_tn * along) / contact.k_nn, push)
 
 
 @dataclass(frozen=True)
@@ -145,7 +153,7 @@ def rule_of(settings: Settings, method: Method, pair: Pair) -> Rule | None:
     if method.rule == BULLET and isinstance(law, Bullet):
         return ByVelocity(law)
     if method.rule == DART and isinstance(law, Dart):
-        return ByVelocity(law, SOFTNESS)
+        return ByVelocity(law, SOFTNESS, pivots=settings.options.get("solver", "dantzig") == "dantzig")
     if method.rule in (MUJOCO_ONE_STEP, MUJOCO_SPRING) and isinstance(law, MuJoCoOneStep):
         options = settings.options
         impratio = settings.number("impratio") if "impratio" in options else 1.0

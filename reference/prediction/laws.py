@@ -99,10 +99,10 @@ class Bullet:
 class MuJoCoOneStep:
     """MuJoCo under Euler with `solref = (−K, −B)`: in overlap the contact makes the acceleration a = −B u − K r.
 
-    "Computation", solver parameters: a₁ = (1 − d) a₀ + d a_ref with a_ref = −(B u + K r)/d, where a₀ is the acceleration
-    without the contact. It never pulls. d is the share that the constraint has of the whole: MuJoCo makes it so that
-    one contact with the inverse mass that it takes for that of its bodies has just the impedance; what gives more
-    easily, or is carried by several contacts, has more of it.
+    "Computation", solver parameters: a₁ = (1 − d) a₀ + d a_ref with a_ref = −(B u + K r)/d, where a₀ is the
+    acceleration without the contact. It never pulls. d is the share that the constraint has of the whole: MuJoCo makes
+    it so that one contact with the inverse mass that it takes for that of its bodies has just the impedance; what gives
+    more easily, or is carried by several contacts, has more of it.
     """
 
     dt: float

@@ -19,7 +19,7 @@ TITLE = "prediction"
 
 @dataclass(frozen=True)
 class Prediction:
-    """trajectory: what the recurrence gives. near: how near each number must be, as a share of it or of one unit.
+    """trajectory: what the recurrence gives. near: how near each number must be, as a share of it or of its size.
 
     reason: what the share allows for.
     """
@@ -28,9 +28,9 @@ class Prediction:
     near: float = ROUNDING
     reason: str = "the recurrence of the method, to rounding"
 
-    def band(self, predicted: float) -> float:
-        """Accepted distance from a predicted number, in its unit."""
-        return self.near * max(1.0, abs(predicted))
+    def band(self, predicted: float, size: float = 1.0) -> float:
+        """Accepted distance from a predicted number, in its unit. size: how large such a number is, if not one unit."""
+        return self.near * max(size, abs(predicted))
 
 
 @dataclass(frozen=True)

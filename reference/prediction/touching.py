@@ -23,8 +23,11 @@ class Meeting:
 
 @dataclass(frozen=True)
 class Touch:
-    """Gap, m, negative in overlap; unit normal from B to A; the point of the ball's surface that is nearest to B or
-    deepest inside it, and the nearest point of B's surface, (3,) each, m."""
+    """How the two of a pair lie. gap: m, negative in overlap. normal: unit, from B to A.
+
+    on_ball: the point of the ball's surface that is nearest to B or deepest inside it. on_other: the nearest point of
+    B's surface. Both (3,), m.
+    """
 
     gap: float
     normal: Array
@@ -46,7 +49,7 @@ def meetings(bodies: Bodies) -> list[Meeting] | None:
 
 
 def touch(bodies: Bodies, state: State, meeting: Meeting) -> Touch:
-    """How the two of a pair lie. Out of a box that has the ball's centre inside it, the nearest face is the way."""
+    """Gap, normal and points of a pair; a box that has the ball's centre inside it pushes it out of the nearest face."""
     ball, shape = bodies.shapes[meeting.ball], bodies.shapes[meeting.other]
     assert isinstance(ball, Sphere)
     centre, place = state.position[meeting.ball], state.position[meeting.other]
