@@ -49,7 +49,7 @@ def meetings(bodies: Bodies) -> list[Meeting] | None:
 
 
 def touch(bodies: Bodies, state: State, meeting: Meeting) -> Touch:
-    """Gap, normal and points of a pair; a box that has the ball's centre inside it pushes it out of the nearest face."""
+    """Gap, normal and points of a pair; a box with the ball's centre inside it pushes it out of the nearest face."""
     ball, shape = bodies.shapes[meeting.ball], bodies.shapes[meeting.other]
     assert isinstance(ball, Sphere)
     centre, place = state.position[meeting.ball], state.position[meeting.other]

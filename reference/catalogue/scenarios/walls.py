@@ -27,7 +27,7 @@ IMPACTS = 5
 FLIGHT = 0.50004
 """Time until the ball in the corner meets the floor, s. Half a second would be a whole number of every timestep, and
 rounding would decide in which step the impact is noticed."""
-START = 1.3e-6
+START = 1e-6
 """Gap between the ball and the left one of two walls at the start, m: too small to see, but not zero, so that at no
 timestep the ball is exactly at a wall at the end of a step."""
 AFTER = 0.1
