@@ -24,11 +24,11 @@ REACH = 2 * RADIUS
 """Distance of two centres that touch, m."""
 SPEED = 2.0
 """First speed of the ball that strikes another, m/s."""
-STARTS = 7
+STARTS = 11
 """Scenarios in an ensemble, a prime: their phases within a step are evenly spread for any timestep."""
 GRID_STARTS = 3
 """The same for a point of the grid, of which there are many."""
-FLIGHT, SPREAD = 0.15003, 0.1
+FLIGHT, SPREAD = 0.14997, 0.1
 """Mean time until the impact, and what the times of an ensemble span, s. No flight is a whole number of 0.1, 0.2, 1, 2
 or 5 ms or of 1/240 s: rounding would decide in which step the impact is noticed."""
 AFTER = 0.05
