@@ -43,8 +43,11 @@ class Bodies:
 
     def inverse_inertia(self, state: State, place: int) -> Array:
         """Of one body, about the world's axes, (3, 3), 1/(kg m²)."""
+        moments = self.inverse_moments[place]
+        if moments[0] == moments[1] == moments[2]:
+            return np.diag(moments)
         axes = matrix(state.orientation[place])
-        return np.asarray(axes * self.inverse_moments[place] @ axes.T)
+        return np.asarray(axes * moments @ axes.T)
 
     def spins_steadily(self, state: State) -> bool:
         """Whether every spin is about a principal axis, so that nothing but a contact changes it."""

@@ -53,14 +53,14 @@ def trajectory_of(
     """The trajectory with a sample every so many steps as the settings say; bodies without a path stay as they are."""
     every = settings.sample_every
     count = 1 + settings.steps_for(scenario.duration) // every
-    states = np.tile([body.state() for body in scenario.bodies], (count, 1, 1))
+    states = np.tile(np.array([body.state() for body in scenario.bodies]), (count, 1, 1))
     for name, path in paths.items():
         place = scenario.index(name)
         parts = {(0, 3): path.position, (3, 7): path.orientation, (7, 10): path.velocity, (10, 13): path.spin}
         for (first, end), values in parts.items():
             if values is not None:
                 states[:, place, first:end] = values[::every]
-    times = np.arange(count) * every * settings.timestep
+    times: Array = np.arange(count, dtype=np.float64) * every * settings.timestep
     position, orientation, velocity, spin = np.split(states, (3, 7, 10), axis=-1)
     kept = tuple(event for event in events if event.time <= times[-1])
     return Trajectory(scenario, settings, TITLE, times, position, orientation, velocity, spin, events=kept)

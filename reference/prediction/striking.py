@@ -123,7 +123,7 @@ class Striking:
 
     def _overlaps(self, states: State) -> Array:
         found = [gaps(self.bodies, states.position, states.orientation, meeting) <= 0 for meeting in self.meetings]
-        return np.any(found, axis=0)
+        return np.asarray(np.any(found, axis=0))
 
     def step_with_contact(self, state: State) -> State:
         """The state after one step that begins with an overlap."""
@@ -263,7 +263,8 @@ def _along_its_base(both: _Both) -> bool:
 
 
 def _moved(state: State, way: Array, turn: Array, velocity: Array, spin: Array) -> State:
-    return State(state.position + way, geometry.turned(state.orientation, turn), velocity, spin)
+    orientation = geometry.turned(state.orientation, turn) if turn.any() else state.orientation
+    return State(state.position + way, orientation, velocity, spin)
 
 
 def _alike(given: list[Given], before: list[Given]) -> bool:

@@ -19,7 +19,7 @@ THICKNESS = 0.01
 CAUGHT = THICKNESS / 2 + RADIUS
 """Length of the way, m, on which a ball overlaps the wall and is still on its own side of the middle."""
 RESTITUTION = 0.5
-SHOTS = 13
+SHOTS = 53
 """Shots in an ensemble, a prime: their phases within a step are evenly spread for any timestep. Each is judged by
 itself; the mean is shown."""
 MIDDLE, SPREAD = 0.06003, 0.1

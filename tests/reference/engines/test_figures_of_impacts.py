@@ -53,7 +53,7 @@ def test_every_tuned_quantity_with_a_theory_is_near_it_or_predicted(family, case
     rows = job(family, name, case).rows
     assert {row.verdict for row in rows} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.SHOWN}
     assert all(row.predicted is not None for row in rows if row.verdict is Verdict.KNOWN_DEVIATION)
-    assert Verdict.PASS in {row.verdict for row in rows}
+    assert {row.verdict for row in rows} != {Verdict.SHOWN}
 
 
 @each_case

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from reference.catalogue.scenarios import catalogue
+from reference.catalogue.scenarios.tunnelling import SHOTS
 from reference.comparison.compare import Number, judged, measured
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
@@ -172,12 +173,12 @@ def test_a_ball_that_stays_at_a_wall_disagrees_with_theory():
 
 def test_a_share_of_balls_that_pass_a_wall_disagrees_with_theory():
     family, found = catalogue()["thin-wall"], load_engine("pybullet")
-    case, shots = family.case("v=20"), 13
+    case = family.case("v=20")
     settings = found.settings(case.scenarios[0], "stock")
-    for passed, verdict in ((0, Verdict.PASS), (9, Verdict.DISAGREES)):  # 70 % is the share of a method at the step
+    for passed, verdict in ((0, Verdict.PASS), (37, Verdict.DISAGREES)):  # 70 % is the share of a method at the step
         method = Method(AT_STEP) if passed else found.method(case.scenarios[0], settings)
-        ended = Number((1.0,) * passed + (0.0,) * (shots - passed))
-        kept = Number((1.0,) * passed + (-0.5,) * (shots - passed))
+        ended = Number((1.0,) * passed + (0.0,) * (SHOTS - passed))
+        kept = Number((1.0,) * passed + (-0.5,) * (SHOTS - passed))
         numbers = {"passed": ended, "velocity_kept": kept}
         rows = judged(family, case, "pybullet", "stock", settings, method, numbers)
         assert {row.verdict for row in rows} == {verdict}
