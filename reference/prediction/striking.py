@@ -27,6 +27,8 @@ BULLETS_PUSHED_TURN = 0.1
 """Share of the turn of a push that Bullet carries out; the others carry out all of it."""
 OWN, DEEPEST, FLAT, MIDWAY = "each on its own surface", "deepest of the ball", "on what is flat", "midway"
 """Where a method lets the impulse of an overlap act."""
+LEAST_ACROSS = 1e-6
+"""Sine of the angle between two directions that DART takes for parallel."""
 ASIDE = 1e-9
 """A contact is in a plane if an impulse in that plane moves the bodies aside of it by no larger share than this."""
 
@@ -71,10 +73,7 @@ def _nearness(scenario: Scenario, method: Method) -> tuple[float, str]:
         return ROUNDING, "the recurrence of the method, to rounding"
     masses = [body.mass for body in scenario.bodies if not body.immovable]
     if max(masses) > HEAVIER * min(masses):
-        return (
-            SOLVED_WITH_A_HEAVY_BODY,
-            "the recurrence, and the tolerance of MuJoCo's solver, which grows with the mass",
-        )
+        return SOLVED_WITH_A_HEAVY_BODY, "the recurrence, and MuJoCo's solver, whose tolerance grows with the mass"
     return SOLVED, "the recurrence, and the tolerance of MuJoCo's solver"
 
 
@@ -177,7 +176,7 @@ class _Both:
     """The two bodies of a contact: the arms to it, and what impulses do there."""
 
     def __init__(self, bodies: Bodies, state: State, meeting: Meeting, touched: Touch, points: str) -> None:
-        self.bodies, self.state, self.meeting, self.touched = bodies, state, meeting, touched
+        self.bodies, self.meeting, self.touched = bodies, meeting, touched
         at_ball, at_other = _points(touched, isinstance(bodies.shapes[meeting.other], Sphere), points)
         self.sides = [
             (place, point - state.position[place], bodies.inverse_inertia(state, place), sign)
@@ -255,9 +254,10 @@ def _points(touched: Touch, balls: bool, points: str) -> tuple[Array, Array]:
 
 
 def _along_its_base(both: _Both) -> bool:
-    """Whether the slip is along an edge of the base of DART's stock pyramid, of which one is across the world's z."""
-    normal = both.touched.normal
-    first = max((cross(normal, axis) for axis in (np.eye(3)[2], np.eye(3)[0])), key=np.linalg.norm)
+    """Whether the slip is along an axis of DART's stock pyramid. One is across the world's z, or x where z is normal."""
+    first = cross(both.touched.normal, np.array([0.0, 0.0, 1.0]))
+    if np.linalg.norm(first) < LEAST_ACROSS:
+        first = cross(both.touched.normal, np.array([1.0, 0.0, 0.0]))
     share = abs(float(first @ both.along)) / float(np.linalg.norm(first))
     return min(share, abs(1 - share)) < ASIDE
 
