@@ -254,7 +254,7 @@ def _points(touched: Touch, balls: bool, points: str) -> tuple[Array, Array]:
 
 
 def _along_its_base(both: _Both) -> bool:
-    """Whether the slip is along an axis of DART's stock pyramid. One is across the world's z, or x where z is normal."""
+    """Whether a slip is along an axis of DART's stock pyramid; one is across the world's z, or x where z is normal."""
     first = cross(both.touched.normal, np.array([0.0, 0.0, 1.0]))
     if np.linalg.norm(first) < LEAST_ACROSS:
         first = cross(both.touched.normal, np.array([1.0, 0.0, 0.0]))
