@@ -42,8 +42,7 @@ class Contact:
 def planar_impact(contact: Contact, restitution: float, law: str) -> tuple[float, float]:
     """Return the impulse of an impact along the surface and along the normal, N s.
 
-    NEWTON. Three modes are tried: the slip stops, or slides on one way, or the other. A mode holds if its impulse lies
-    in the cone and friction opposes the slip that is left.
+    NEWTON. The normal velocity changes by −(1 + e) u_n, and `held` says what friction does.
 
     DISSIPATIVE. With J_n = (−(1 + e) u_n − k_tn J_t)/k_nn the energy is a parabola in J_t, least where
     J_t (k_tt − k_tn²/k_nn) = −(u_t − k_tn u_n/k_nn). The cone cuts an interval around J_t = 0 out of it.
@@ -67,15 +66,27 @@ def planar_impact(contact: Contact, restitution: float, law: str) -> tuple[float
         low, high = (-k.friction * _edge(k, wanted, -1.0), k.friction * _edge(k, wanted, 1.0))
         along = min(max(along, low), high)
         return along, (wanted - k.k_tn * along) / k.k_nn
-    determinant = k.k_tt * k.k_nn - k.k_tn**2
-    along, pressed = (
-        (-k.slip * k.k_nn - wanted * k.k_tn) / determinant,
-        (wanted * k.k_tt + k.slip * k.k_tn) / determinant,
-    )
-    if abs(along) <= k.friction * pressed:
+    return held(contact, wanted)
+
+
+def held(contact: Contact, wanted: float) -> tuple[float, float]:
+    """The impulse that changes the normal velocity by `wanted`, with friction against the slip that is left, N s.
+
+    Three modes are tried: the slip stops, or slides on one way, or the other. A mode holds if its impulse lies in the
+    cone and friction opposes the slip that is left.
+    """
+    along, pressed = stuck(contact, wanted)
+    if abs(along) <= contact.friction * pressed:
         return along, pressed
-    pressed = _edge(k, wanted, math.copysign(1.0, along))
-    return math.copysign(k.friction * pressed, along), pressed
+    pressed = _edge(contact, wanted, math.copysign(1.0, along))
+    return math.copysign(contact.friction * pressed, along), pressed
+
+
+def stuck(contact: Contact, wanted: float) -> tuple[float, float]:
+    """The impulse that changes the normal velocity by `wanted` and ends the slip, however much friction that takes."""
+    k = contact
+    determinant = k.k_tt * k.k_nn - k.k_tn**2
+    return (-k.slip * k.k_nn - wanted * k.k_tn) / determinant, (wanted * k.k_tt + k.slip * k.k_tn) / determinant
 
 
 def _edge(contact: Contact, wanted: float, sign: float) -> float:

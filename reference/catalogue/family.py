@@ -26,7 +26,8 @@ class Expectation:
     value: the closed form. tolerance: what counts as near to it, a convention, with its reason. shift_reason: why the
     method is farther off, in a few words. Where a prediction of the method exists, that says how far. Elsewhere shift
     is the change of the value that the method is known to cause, and shift_tolerance the accepted distance from value +
-    shift, derived from the next order.
+    shift, derived from the next order. size: how large the quantity is, where the value does not say it: what a
+    deviation has to reach to be disagreement, and what the band of a prediction is a share of.
     """
 
     value: float
@@ -35,6 +36,7 @@ class Expectation:
     shift: float = 0.0
     shift_reason: str = ""
     shift_tolerance: float = 0.0
+    size: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -102,7 +102,8 @@ def judged(
                 reason=expectation.reason,
                 shift=expectation.shift,
             )
-        against = _Against.of(quantity, predictions)
+        size = expectation.size if expectation and expectation.size else 1.0
+        against = _Against.of(quantity, predictions, size)
         if against is not None:
             row = replace(row, shift=0.0)  # the recurrence says it better
         rows.append(_with_number(row, numbers[quantity.name], expectation, against))
@@ -125,12 +126,14 @@ class _Against:
     bands: tuple[float, ...]
 
     @classmethod
-    def of(cls, quantity: Quantity, predictions: Sequence[Prediction]) -> _Against | None:
-        """None without a prediction."""
+    def of(cls, quantity: Quantity, predictions: Sequence[Prediction], size: float) -> _Against | None:
+        """None without a prediction. size: as in `Expectation`."""
         if not predictions:
             return None
         number = measured(quantity, [each.trajectory for each in predictions])
-        return cls(number, tuple(each.band(value) for each, value in zip(predictions, number.values, strict=False)))
+        return cls(
+            number, tuple(each.band(value, size) for each, value in zip(predictions, number.values, strict=False))
+        )
 
     def differences(self, number: Number) -> Array:
         """Measured less predicted, for each scenario."""

@@ -126,7 +126,8 @@ def judge(measured: float, expectation: Expectation, as_predicted: bool | None =
         return Verdict.FAIL
     if near:
         return Verdict.PASS
-    return Verdict.DISAGREES if 0 < abs(expectation.value) <= error else Verdict.KNOWN_DEVIATION
+    size = expectation.size or abs(expectation.value)
+    return Verdict.DISAGREES if 0 < size <= error + expectation.tolerance else Verdict.KNOWN_DEVIATION
 
 
 def verdict_of(error: Exception) -> Verdict:

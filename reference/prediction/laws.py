@@ -88,12 +88,17 @@ class Bullet:
     reach: float = 0.0
     in_parabolas: ClassVar[bool] = False
 
-    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
-        """Gap and rate at the end of a step."""
+    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Rate after a step, and how far the step moves the surfaces apart besides, m."""
         after, push = rate + fall, 0.0
         if gap <= self.reach:
             rebound = max(-self.restitution * rate, 0.0) if -rate >= self.rest_speed else 0.0
             after, push = max(after, rebound - max(gap, 0.0) / self.dt), self.recovery * max(-gap, 0.0)
+        return after, push
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        after, push = self.contact(gap, rate, fall)
         return gap + after * self.dt + push, after
 
 
@@ -112,12 +117,17 @@ class BulletSpring:
     reach: ClassVar[float] = 0.0
     in_parabolas: ClassVar[bool] = False
 
-    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
-        """Gap and rate at the end of a step."""
+    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Rate after a step, and how far the step moves the surfaces apart besides, m: nothing."""
         after = rate + fall
         if gap <= 0:
             push = -(self.stiffness * gap + self.damping * after) / (1 + self.damping * self.dt)
             after += max(push, 0.0) * self.dt
+        return after, 0.0
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        after, _ = self.contact(gap, rate, fall)
         return gap + after * self.dt, after
 
 
@@ -187,8 +197,8 @@ class Dart:
     reach: ClassVar[float] = 0.0
     in_parabolas: ClassVar[bool] = False
 
-    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
-        """Gap and rate at the end of a step."""
+    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Rate after a step, and how far the step moves the surfaces apart besides, m."""
         after, push = rate + fall, 0.0
         if gap <= 0:
             recovery = min(DART_RECOVERY * -gap / self.dt, DART_FASTEST_RECOVERY)
@@ -199,6 +209,11 @@ class Dart:
             else:
                 wanted = max(wanted, recovery)
             after += max(0.0, wanted - after) / (1 + SOFTNESS)
+        return after, push
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        after, push = self.contact(gap, rate, fall)
         return gap + after * self.dt + push, after
 
 

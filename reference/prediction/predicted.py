@@ -19,7 +19,7 @@ TITLE = "prediction"
 
 @dataclass(frozen=True)
 class Prediction:
-    """trajectory: what the recurrence gives. near: how near each number must be, as a share of it or of one unit.
+    """trajectory: what the recurrence gives. near: how near each number must be, as a share of it or of its size.
 
     reason: what the share allows for.
     """
@@ -28,9 +28,9 @@ class Prediction:
     near: float = ROUNDING
     reason: str = "the recurrence of the method, to rounding"
 
-    def band(self, predicted: float) -> float:
-        """Accepted distance from a predicted number, in its unit."""
-        return self.near * max(1.0, abs(predicted))
+    def band(self, predicted: float, size: float = 1.0) -> float:
+        """Accepted distance from a predicted number, in its unit. size: how large such a number is, if not one unit."""
+        return self.near * max(size, abs(predicted))
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def trajectory_of(
     """The trajectory with a sample every so many steps as the settings say; bodies without a path stay as they are."""
     every = settings.sample_every
     count = 1 + settings.steps_for(scenario.duration) // every
-    states = np.tile([body.state() for body in scenario.bodies], (count, 1, 1))
+    states = np.tile(np.array([body.state() for body in scenario.bodies]), (count, 1, 1))
     for name, path in paths.items():
         place = scenario.index(name)
         parts = {(0, 3): path.position, (3, 7): path.orientation, (7, 10): path.velocity, (10, 13): path.spin}

@@ -184,10 +184,10 @@ def test_a_verdict_is_the_same_in_the_mirror(measured, value, tolerance, shift, 
 
 @given(NUMBER, NUMBER, BAND, NUMBER, BAND)
 def test_wider_tolerances_keep_a_pass_a_pass(measured, value, tolerance, shift, shift_tolerance):
-    rank = [Verdict.FAIL, Verdict.DISAGREES, Verdict.KNOWN_DEVIATION, Verdict.PASS]
+    rank = {Verdict.FAIL: 0, Verdict.DISAGREES: 1, Verdict.KNOWN_DEVIATION: 1, Verdict.PASS: 2}
     narrow = Expectation(value, tolerance, "", shift, "", shift_tolerance)
     wide = Expectation(value, 2 * tolerance, "", shift, "", 2 * shift_tolerance)
-    assert rank.index(judge(measured, narrow)) <= rank.index(judge(measured, wide))
+    assert rank[judge(measured, narrow)] <= rank[judge(measured, wide)]
 
 
 # Rows

@@ -48,11 +48,12 @@ def measured(family: str, engine: str, case: str, quantity: str, profile: str = 
 
 @every_engine
 @each_case
-def test_every_tuned_quantity_with_a_theory_passes(family, case, name, installed):
+def test_every_tuned_quantity_with_a_theory_is_near_it_or_predicted(family, case, name, installed):
     installed(name)
-    found = {row.verdict for row in job(family, name, case).rows}
-    assert found <= {Verdict.PASS, Verdict.SHOWN}
-    assert Verdict.PASS in found
+    rows = job(family, name, case).rows
+    assert {row.verdict for row in rows} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.SHOWN}
+    assert all(row.predicted is not None for row in rows if row.verdict is Verdict.KNOWN_DEVIATION)
+    assert {row.verdict for row in rows} != {Verdict.SHOWN}
 
 
 @each_case

@@ -1,0 +1,173 @@
+"""What each implementation makes of one contact with friction in one step: an impulse along and across the surface.
+
+A contact lies in a plane, as in `reference.impact_truth`: t along the slip and n along the normal.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+from reference.engines.base import (
+    BULLET,
+    BULLET_SPRING,
+    DART,
+    MUJOCO_ONE_STEP,
+    MUJOCO_SPRING,
+    RESPOND_THEN_STEP,
+    Method,
+)
+from reference.engines.dart_engine import SOFTNESS
+from reference.impact_truth import NEWTON, Contact, held, planar_impact, stuck
+from reference.prediction.laws import Bullet, BulletSpring, Dart, MuJoCoOneStep, law_of
+from reference.scene.scenario import Pair
+from reference.scene.settings import Settings
+
+LEAST_FRICTION = 1e-5
+"""MuJoCo takes this friction for any smaller one."""
+
+
+@dataclass(frozen=True)
+class Met:
+    """A contact at the start of a step.
+
+    contact: its velocities, without those that the forces of this step add: weight, along t and n, m/s. inverse_mass:
+    the sum of those of the two bodies, 1/kg.
+    """
+
+    contact: Contact
+    gap: float
+    weight: tuple[float, float]
+    inverse_mass: float
+
+
+@dataclass(frozen=True)
+class Given:
+    """An impulse along t and n, N s, and how far the step moves the surfaces apart without speed, m."""
+
+    along: float = 0.0
+    pressed: float = 0.0
+    push: float = 0.0
+
+
+class Rule(Protocol):
+    """What a method gives in a step of a contact."""
+
+    def given(self, met: Met) -> Given:
+        """The impulse of the step."""
+
+
+@dataclass(frozen=True)
+class ByHand:
+    """Hand-written code: what overlaps and approaches gets Newton's impulse, before weight adds to its velocity."""
+
+    restitution: float
+
+    def given(self, met: Met) -> Given:
+        """The impulse of the step."""
+        if met.gap >= 0 or met.contact.normal >= 0:
+            return Given()
+        return Given(*planar_impact(met.contact, self.restitution, NEWTON))
+
+
+@dataclass(frozen=True)
+class ByVelocity:
+    """Bullet and DART: the law along the normal says the rate after the step; friction is against the slip then left.
+
+    Both go from row to row until nothing changes. softness: DART takes the diagonal of K for larger by this share.
+    pivots: DART's stock solver finds the normal impulse without friction first, and limits friction by μ times that;
+    what friction then changes of the normal velocity, a new normal impulse takes back.
+    """
+
+    law: Bullet | BulletSpring | Dart
+    softness: float = 0.0
+    pivots: bool = False
+
+    def given(self, met: Met) -> Given:
+        """The impulse of the step."""
+        along, across = met.weight
+        after, push = self.law.contact(met.gap, met.contact.normal, across)
+        change = (after - met.contact.normal - across) * (1 + self.softness)
+        if change <= 0:
+            return Given(push=push)
+        contact = replace(
+            met.contact,
+            k_tt=met.contact.k_tt * (1 + self.softness),
+            k_nn=met.contact.k_nn * (1 + self.softness),
+            slip=met.contact.slip + along,
+            normal=met.contact.normal + across,
+        )
+        if not self.pivots:
+            return Given(*held(contact, change), push)
+        most = contact.friction * change / contact.k_nn
+        along, _ = stuck(contact, change)
+        along = min(max(along, -most), most)
+        return Given(along, (change - contact.k_tn * along) / contact.k_nn, push)
+
+
+@dataclass(frozen=True)
+class MuJoCos:
+    """MuJoCo: the force f in the cone with the least f·(A + R) f/2 + f·(a₀ − a_ref), "Computation", the dual problem.
+
+    A is K, a₀ the acceleration without contact, a_ref = −(B u + k r)/d along the normal and −B_t s/d along the slip,
+    and R = (1 − d)/d · (1/m_A + 1/m_B), divided by impratio along the slip. noslip: the passes after that keep the
+    normal force and let friction take the whole slip, as far as Coulomb's cone allows.
+    """
+
+    law: MuJoCoOneStep
+    friction_damping: float
+    impratio: float
+    noslip: bool
+
+    def given(self, met: Met) -> Given:
+        """The impulse of the step."""
+        if met.gap >= 0:
+            return Given()
+        law, contact, dt = self.law, met.contact, self.law.dt
+        friction = max(contact.friction, LEAST_FRICTION)
+        lean = met.weight[0] / dt + self.friction_damping * contact.slip / law.impedance
+        press = met.weight[1] / dt + (law.damping * contact.normal + law.stiffness * met.gap) / law.impedance
+        yielding = (1 - law.impedance) / law.impedance * met.inverse_mass
+        along, pressed = least_in_cone(
+            contact.k_tt + yielding / self.impratio, contact.k_tn, contact.k_nn + yielding, lean, press, friction
+        )
+        if self.noslip and contact.friction > 0:  # the passes leave so small a matrix, A μ², alone
+            most = friction * pressed
+            along = min(max(-(lean + contact.k_tn * pressed) / contact.k_tt, -most), most)
+        return Given(along * dt, pressed * dt)
+
+
+def least_in_cone(
+    h_tt: float, h_tn: float, h_nn: float, lean: float, press: float, friction: float
+) -> tuple[float, float]:
+    """The f_t and f_n ≥ 0, |f_t| ≤ μ f_n, with the least f·H f/2 + (lean, press)·f."""
+    determinant = h_tt * h_nn - h_tn**2
+    along, pressed = (-lean * h_nn + press * h_tn) / determinant, (-press * h_tt + lean * h_tn) / determinant
+    if abs(along) <= friction * pressed:
+        return along, pressed
+    found = [(0.0, 0.0, 0.0)]
+    for edge in (-friction, friction):
+        slope, curvature = edge * lean + press, edge**2 * h_tt + 2 * edge * h_tn + h_nn
+        pressed = max(0.0, -slope / curvature)
+        found.append((slope * pressed + curvature * pressed**2 / 2, edge * pressed, pressed))
+    return min(found)[1:]
+
+
+def rule_of(settings: Settings, method: Method, pair: Pair) -> Rule | None:
+    """The rule of a method for a pair; None where none is written."""
+    law = law_of(settings, method, pair.restitution)
+    if method.rule == RESPOND_THEN_STEP:
+        return ByHand(pair.restitution)
+    if method.rule == BULLET and isinstance(law, Bullet):
+        return ByVelocity(law)
+    if method.rule == BULLET_SPRING and isinstance(law, BulletSpring):
+        return ByVelocity(law)
+    if method.rule == DART and isinstance(law, Dart):
+        return ByVelocity(law, SOFTNESS, pivots=settings.options.get("solver", "dantzig") == "dantzig")
+    if method.rule in (MUJOCO_ONE_STEP, MUJOCO_SPRING) and isinstance(law, MuJoCoOneStep):
+        options = settings.options
+        impratio = settings.number("impratio") if "impratio" in options else 1.0
+        noslip = bool(options.get("noslip_iterations", 0))
+        friction_damping = 1 / settings.timestep if method.rule == MUJOCO_ONE_STEP else law.damping
+        return MuJoCos(law, friction_damping, impratio, noslip)
+    return None
