@@ -156,8 +156,9 @@ def test_a_tolerance_of_zero_accepts_the_exact_number_alone():
         (10.4, False, Verdict.FAIL),  # near theory, and nearer than the method can be
         (5.0, False, Verdict.FAIL),  # a known shift does not excuse what a recurrence does not give
         (12.0, True, Verdict.KNOWN_DEVIATION),
-        (0.5, True, Verdict.KNOWN_DEVIATION),
-        (0.0, True, Verdict.DISAGREES),  # as far off as the quantity is large
+        (1.5, True, Verdict.KNOWN_DEVIATION),
+        (0.5, True, Verdict.DISAGREES),  # as far off as the quantity is large, within the tolerance
+        (0.0, True, Verdict.DISAGREES),
         (-3.0, True, Verdict.DISAGREES),
         (20.0, True, Verdict.DISAGREES),
         (math.nan, True, Verdict.FAIL),
