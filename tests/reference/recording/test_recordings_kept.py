@@ -36,7 +36,7 @@ PUBLISHED = {f"{name}/{recorded.FILE}" for name in ENGINES}
 IN_NO_ENGINE = ("two-frictions",)
 """Families of which no engine can express a case, so that there are no poses."""
 MOST_BYTES = 10_000_000
-CHECKSUM = "45cca6c89e7ef5fc3ccefdc6b00be4cc78731fb9a20c15e78a216eeded518dc0"
+CHECKSUM = "f44edd35256efe4c8df37d15781d4d3adcb6705b16f3b447d4b0a98434532b45"
 """Over all recordings, as `collisions record` prints it at its end. Only a person changes it here, in the same commit
 as the recordings, and says why: so no number of a recording changes unnoticed, not even together with its checksum."""
 POINTS = 40
