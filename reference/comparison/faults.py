@@ -8,7 +8,7 @@ one of the true scenario and settings, so only the numbers can give the fault aw
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -109,8 +109,10 @@ def _other_mass(scenario: Scenario, settings: Settings, size: float) -> World:
 
 def _other_inertia(scenario: Scenario, settings: Settings, size: float) -> World:
     """All movable bodies have other moments of inertia, and still their own mass."""
-    moments = {body: tuple((1 + size) * moment for moment in body.moments_of_inertia()) for body in _movable(scenario)}
-    changed = {body.name: replace(body, inertia=inertia) for body, inertia in moments.items()}
+    changed = {}
+    for body in _movable(scenario):
+        x, y, z = ((1 + size) * moment for moment in body.moments_of_inertia())
+        changed[body.name] = replace(body, inertia=(x, y, z))
     return _with_bodies(scenario, settings, changed)
 
 
@@ -136,7 +138,7 @@ def _turnable(scenario: Scenario) -> Body | None:
 
 
 def _turned_normal(scenario: Scenario, settings: Settings, degrees: float) -> World:
-    """What is struck is turned about the y axis, across which the catalogue's motions lie; or about z, if it faces y."""
+    """What is struck is turned about the y axis, across which most motions here lie; or about z, if it faces y."""
     body = _turnable(scenario)
     assert body is not None
     about_y = not (isinstance(body.shape, HalfSpace) and abs(body.shape.normal[1]) > 0.5)
@@ -159,7 +161,7 @@ def _one_sample_early(trajectory: Trajectory) -> Trajectory:
     earlier = float(trajectory.times[1] - trajectory.times[0])
     contacts = trajectory.contacts
     later = contacts.sample > 0
-    parts = (contacts.body_a, contacts.body_b, contacts.position, contacts.normal, contacts.separation)
+    kept = Contacts(**{entry.name: getattr(contacts, entry.name)[later] for entry in fields(contacts)})
     return replace(
         trajectory,
         times=trajectory.times[:-1],
@@ -167,7 +169,7 @@ def _one_sample_early(trajectory: Trajectory) -> Trajectory:
         orientations=trajectory.orientations[1:],
         velocities=trajectory.velocities[1:],
         angular_velocities=trajectory.angular_velocities[1:],
-        contacts=Contacts(contacts.sample[later] - 1, *(part[later] for part in parts)),
+        contacts=replace(kept, sample=kept.sample - 1),
         events=tuple(Event(max(0.0, each.time - earlier), each.kind, each.body) for each in trajectory.events),
     )
 

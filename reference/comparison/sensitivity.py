@@ -26,7 +26,7 @@ NOTHING = 1e-9
 """Share of a number, or of one unit, that the largest fault has to change for it to have an effect at all."""
 MARGIN, CLOSE = 1.05, 1.25
 """A size is tried a little above the expected one, and kept if no smaller one than by this factor may be noticed."""
-MOST_RUNS = 8
+MOST_RUNS = 6
 """Of one fault in one case, after those that say where to look."""
 HALVINGS = 48
 """From the largest size down to rounding, on the line through two runs."""
@@ -61,12 +61,13 @@ class Finding:
 class Sensitivity:
     """What one implementation's verdicts notice in a family.
 
-    predicted: whether the method has a recurrence there, so that it is judged to rounding. findings: one for each fault
+    title: of the engine. predicted: whether the method has a recurrence there, so that it is judged to rounding. findings: one for each fault
     that the family's cases name.
     """
 
     family: str
     engine: str
+    title: str
     profile: str
     predicted: bool
     findings: tuple[Finding, ...]
@@ -98,7 +99,7 @@ def sensitivity(family: Family, engine: Engine, profile: str) -> tuple[Sensitivi
             finding = _with_effect(each.finding(fault) for each in others if each.names(fault)) or finding
         found.append(finding)
     judged_to_rounding = any(row.predicted is not None for row in rows)
-    return Sensitivity(family.name, engine.name, profile, judged_to_rounding, tuple(found)), rows
+    return Sensitivity(family.name, engine.name, engine.title, profile, judged_to_rounding, tuple(found)), rows
 
 
 def chosen(family: Family) -> list[Case]:
@@ -268,7 +269,7 @@ def _between(low: float, guess: float, high: float) -> float:
     if low < guess < high:
         return guess
     if math.isinf(high):
-        return 3 * low
+        return 10 * low
     return math.sqrt(low * high) if low > 0 else high / 10
 
 

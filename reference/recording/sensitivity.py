@@ -10,7 +10,7 @@ from typing import Any
 
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.sensitivity import Finding, Outcome, Sensitivity
-from reference.engines import engine_names
+from reference.engines import engine_names, load_engine
 from reference.recording.files import read_json, write_json
 
 SCHEMA, VERSION = "collisions-lab/sensitivity", 1
@@ -20,7 +20,7 @@ LINES_DOWN_TO = 4
 
 
 def as_content(found: Iterable[Sensitivity]) -> dict[str, Any]:
-    """What a file holds of these: family → engine → profile, in the order of the tables; sizes are shares or degrees."""
+    """What a file holds of these: family → engine → profile, in order; a size is a share, or in degrees."""
     families: dict[str, Any] = {}
     for each in sorted(found, key=_place):
         entry = {"predicted": each.predicted, "faults": {finding.fault: _entry(finding) for finding in each.findings}}
@@ -28,7 +28,7 @@ def as_content(found: Iterable[Sensitivity]) -> dict[str, Any]:
     return {"schema": SCHEMA, "version": VERSION, "families": families}
 
 
-def keep(found: Iterable[Sensitivity], file: Path = FILE) -> None:
+def keep(found: Iterable[Sensitivity], file: Path | None = None) -> None:
     """Write these to the file that the report reads, and leave there what was kept of other runs.
 
     What belongs to a family or an engine that the lab no longer has is left out.
@@ -36,12 +36,11 @@ def keep(found: Iterable[Sensitivity], file: Path = FILE) -> None:
     known, engines = catalogue(), engine_names()
     kept = {(each.family, each.engine, each.profile): each for each in (*read(file), *found)}
     current = [each for each in kept.values() if each.family in known and each.engine in engines]
-    write_json(file, as_content(current), LINES_DOWN_TO)
-    read.cache_clear()
+    write_json(file or FILE, as_content(current), LINES_DOWN_TO)
+    _read.cache_clear()
 
 
-@functools.cache
-def read(file: Path = FILE) -> tuple[Sensitivity, ...]:
+def read(file: Path | None = None) -> tuple[Sensitivity, ...]:
     """What is kept; nothing where there is no file.
 
     Raises
@@ -49,9 +48,14 @@ def read(file: Path = FILE) -> tuple[Sensitivity, ...]:
     InvalidInput
         If the file holds something else, or another version.
     """
+    return _read(file or FILE)
+
+
+@functools.cache
+def _read(file: Path) -> tuple[Sensitivity, ...]:
     content = read_json(file, SCHEMA, VERSION) or {"families": {}}
     return tuple(
-        Sensitivity(family, engine, profile, entry["predicted"], _findings(entry["faults"]))
+        Sensitivity(family, engine, load_engine(engine).title, profile, entry["predicted"], _findings(entry["faults"]))
         for family, engines in content["families"].items()
         for engine, profiles in engines.items()
         for profile, entry in profiles.items()

@@ -11,7 +11,6 @@ from rich.text import Text
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.faults import FAULTS, Fault
 from reference.comparison.sensitivity import Finding, Outcome, Sensitivity
-from reference.engines import load_engine
 from reference.engines.profiles import TUNED
 from reference.recording import sensitivity as kept
 from reference.report import numbers
@@ -41,25 +40,18 @@ def sentence(found: Sequence[Sensitivity]) -> str:
 
 def _sizes(found: Sequence[Sensitivity], fault: Fault) -> str:
     """The smallest size of a fault in the most and in the least sensitive implementation; "" where none has any."""
-    sizes = [(each.size, sens) for sens in found if (each := sens.finding(fault.name)) and each.size is not None]
+    sizes = {each.title: finding.size for each in found if (finding := each.finding(fault.name)) and finding.size}
     if not sizes:
         return ""
-    (least, best), (largest, worst) = min(sizes, key=_first), max(sizes, key=_first)
-    assert least is not None and largest is not None
-    if largest < ALIKE * least:
-        return f"{fault.title} {size_text(fault, largest)}"
-    return (
-        f"{fault.title} {size_text(fault, least)} ({_engine(best)}) to {size_text(fault, largest)} ({_engine(worst)})"
-    )
-
-
-def _first(pair: tuple[float | None, Sensitivity]) -> float:
-    return pair[0] or 0.0
+    best, worst = min(sizes, key=sizes.__getitem__), max(sizes, key=sizes.__getitem__)
+    if sizes[worst] < ALIKE * sizes[best]:
+        return f"{fault.title} {size_text(fault, sizes[worst])}"
+    return f"{fault.title} {size_text(fault, sizes[best])} ({best}) to {size_text(fault, sizes[worst])} ({worst})"
 
 
 def _missed(found: Sequence[Sensitivity], fault: Fault) -> str:
     """A fault that has an effect and is not noticed, with the implementations; "" where that is so in none."""
-    titles = [_engine(each) for each in found if _outcome(each, fault) is Outcome.NOT_NOTICED]
+    titles = [each.title for each in found if _outcome(each, fault) is Outcome.NOT_NOTICED]
     up_to = f" up to {size_text(fault, fault.most)}" if fault.most else ""
     return f"{fault.title}{up_to} ({', '.join(titles)})" if titles else ""
 
@@ -72,10 +64,6 @@ def _is_idle(found: Sequence[Sensitivity], fault: Fault) -> bool:
 def _outcome(found: Sensitivity, fault: Fault) -> Outcome | None:
     finding = found.finding(fault.name)
     return finding.outcome if finding else None
-
-
-def _engine(found: Sensitivity) -> str:
-    return load_engine(found.engine).title
 
 
 def size_text(fault: Fault, size: float) -> str:
@@ -108,7 +96,7 @@ def _table(found: Sequence[Sensitivity]) -> Table:
         table.add_column(f"{fault.name}, {fault.unit}" if fault.unit else fault.name)
     for each in found:
         cells = [_cell(fault, each.finding(fault.name)) for fault in faults]
-        table.add_row(Text(f"{_engine(each)}, {each.profile}", style="bold" if each.profile == TUNED else ""), *cells)
+        table.add_row(Text(f"{each.title}, {each.profile}", style="bold" if each.profile == TUNED else ""), *cells)
     return table
 
 
