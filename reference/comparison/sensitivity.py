@@ -61,8 +61,8 @@ class Finding:
 class Sensitivity:
     """What one implementation's verdicts notice in a family.
 
-    title: of the engine. predicted: whether the method has a recurrence there, so that it is judged to rounding. findings: one for each fault
-    that the family's cases name.
+    title: of the engine. predicted: whether the method has a recurrence there, so that it is judged to rounding.
+    findings: one for each fault that the family's cases name.
     """
 
     family: str

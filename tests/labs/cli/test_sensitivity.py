@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import pytest
 from program import collisions
 
 from reference.recording import sensitivity as kept
 
-TOY = Path(__file__).parents[2] / "reference" / "toy_engine.py"
 pytestmark = pytest.mark.usefixtures("one_worker")
 
 
@@ -46,10 +44,11 @@ def test_what_cannot_be_done_is_refused_before_anything_runs(wish, why, odd):
     assert (refused.code, why in refused.error) == (2, True), refused.error
 
 
-def test_an_engine_of_ones_own_is_tried_under_its_title():
-    said = collisions("sensitivity", "dropped-ball", "--engine", TOY)
+def test_an_engine_of_ones_own_is_tried_under_its_title(odd):
+    nothing_moves = "[recorder.sample(state) for _ in range(10)]"
+    said = collisions("sensitivity", "parting-ball", "--engine", odd(nothing_moves))
     assert said.code == 0
-    assert "toy, tuned" in said.text
+    assert "implementation an odd one, tuned" in said.text
 
 
 def test_an_engine_that_crashes_is_told_and_no_finding(odd):
