@@ -22,8 +22,8 @@ from reference.scene.trajectory import Trajectory
 
 FIRST_OF_AN_ENSEMBLE = 3
 """So many scenarios of an ensemble are run where each is judged by itself; where the mean is judged, all are."""
-NOTHING = 1e-9
-"""Share of a number, or of one unit, that the largest fault has to change for it to have an effect at all."""
+NOTHING = 1e-6
+"""Share of a number, or of one unit, that a fault has to change to have an effect at all; less may be a solver's rest."""
 MARGIN, CLOSE = 1.05, 1.25
 """A size is tried a little above the expected one, and kept if no smaller one than by this factor may be noticed."""
 MOST_RUNS = 6

@@ -18,6 +18,8 @@ from reference.report import numbers
 NO_SIZE = "✓"
 ALIKE = 2.0
 """Sizes that differ by less than this factor are told as one."""
+_NARROWEST = len("implementation")
+"""Width of the first column where many faults have an effect; engine and profile then have a line each."""
 _STYLES = {Outcome.NOTICED: "green", Outcome.NOT_NOTICED: "yellow"}
 
 
@@ -91,9 +93,9 @@ def _table(found: Sequence[Sensitivity]) -> Table:
     """A line for each implementation, a column for each fault that has an effect in one of them."""
     faults = [fault for fault in FAULTS if any(_has_effect(each.finding(fault.name)) for each in found)]
     table = Table(box=None, header_style="bold", padding=(0, 1, 0, 0), pad_edge=False)
-    table.add_column("implementation")
+    table.add_column("\nimplementation", min_width=_NARROWEST)
     for fault in faults:
-        table.add_column(f"{fault.name}, {fault.unit}" if fault.unit else fault.name)
+        table.add_column(f"{fault.name}\n{fault.unit}")
     for each in found:
         cells = [_cell(fault, each.finding(fault.name)) for fault in faults]
         table.add_row(Text(f"{each.title}, {each.profile}", style="bold" if each.profile == TUNED else ""), *cells)

@@ -48,7 +48,7 @@ def test_an_engine_of_ones_own_is_tried_under_its_title(odd):
     nothing_moves = "[recorder.sample(state) for _ in range(10)]"
     said = collisions("sensitivity", "parting-ball", "--engine", odd(nothing_moves))
     assert said.code == 0
-    assert "implementation an odd one, tuned" in said.text
+    assert "an odd one, tuned not noticed" in said.text
 
 
 def test_an_engine_that_crashes_is_told_and_no_finding(odd):
