@@ -23,7 +23,7 @@ from reference.scene.trajectory import Trajectory
 FIRST_OF_AN_ENSEMBLE = 3
 """So many scenarios of an ensemble are run where each is judged by itself; where the mean is judged, all are."""
 NOTHING = 1e-6
-"""Share of a number, or of one unit, that a fault has to change to have an effect at all; less may be a solver's rest."""
+"""Share of a number, or of one unit, that a fault has to change to have an effect; a solver may leave less."""
 MARGIN, CLOSE = 1.05, 1.25
 """A size is tried a little above the expected one, and kept if no smaller one than by this factor may be noticed."""
 MOST_RUNS = 6
@@ -46,7 +46,8 @@ class Outcome(StrEnum):
 class Finding:
     """What came of one fault. size: the smallest that was noticed, a share or in degrees; None for one without a size.
 
-    case, quantity: the row that turned red. note: why the fault was not tried.
+    case, quantity: the row that turned red; of a sign that is not noticed, one that did not. note: why the fault was not
+    tried.
     """
 
     fault: str
@@ -164,7 +165,11 @@ class Subject:
 
     def _without_size(self, fault: Fault) -> Finding:
         numbers = self.with_fault(fault, 0.0)
-        return self._noticed(fault, None, self.red(numbers)) or self._missed(fault, [numbers])
+        red, changed = self.red(numbers), self._changed(numbers)
+        judged = {row.quantity for row in self.rows if row.verdict not in (Verdict.FAIL, Verdict.SHOWN)}
+        if fault.mirrored and (missed := [name for name in changed if name in judged and name not in red]):
+            return Finding(fault.name, Outcome.NOT_NOTICED, None, self.case.name, missed[0])
+        return self._noticed(fault, None, red) or self._missed(fault, [numbers])
 
     def _smallest(self, fault: Fault) -> Finding:
         """Follow the line through two runs to where a verdict turns red, and run there, until a run confirms it."""
@@ -245,13 +250,14 @@ class Subject:
             low, high = (low, middle) if is_red(middle) else (middle, high)
         return high
 
-    def _changed(self, numbers: Numbers) -> bool:
-        """Whether any number, or the lack of one, is not what it was without the fault."""
-        for name, before in self.numbers.items():
-            then, now = np.array(before.values), np.array(numbers[name].values)
-            if then.shape != now.shape or np.any(np.abs(now - then) > NOTHING * np.maximum(1.0, np.abs(then))):
-                return True
-        return False
+    def _changed(self, numbers: Numbers) -> list[str]:
+        """The quantities whose number, or the lack of one, is not what it was without the fault."""
+        return [name for name, before in self.numbers.items() if _differ(before, numbers[name])]
+
+
+def _differ(before: Number, number: Number) -> bool:
+    then, now = np.array(before.values), np.array(number.values)
+    return then.shape != now.shape or bool(np.any(np.abs(now - then) > NOTHING * np.maximum(1.0, np.abs(then))))
 
 
 def _measured(family: Family, trajectories: Sequence[Trajectory]) -> dict[str, Number]:
