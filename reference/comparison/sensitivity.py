@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -46,8 +47,7 @@ class Outcome(StrEnum):
 class Finding:
     """What came of one fault. size: the smallest that was noticed, a share or in degrees; None for one without a size.
 
-    case, quantity: the row that turned red; of a sign that is not noticed, one that did not. note: why the fault was not
-    tried.
+    case, quantity: the row that turned red; of a sign not noticed, one that did not. note: why it was not tried.
     """
 
     fault: str
@@ -82,25 +82,31 @@ def sensitivity(family: Family, engine: Engine, profile: str) -> tuple[Sensitivi
     """Inject each fault that the family's cases name; return what came of it, and the rows without any fault.
 
     A coefficient that changes nothing in the chosen cases, such as the friction of a ball that rolls, is tried in the
-    family's other cases too.
+    family's other cases too. Cases that the implementation cannot run are left out; errors as those of the first case
+    where it can run none.
     """
-    cases = chosen(family)
-    names, known = [case.name for case in cases], {case.name: case for case in (*cases, *family.cases)}
-    subject = functools.cache(lambda name: Subject.of(family, known[name], engine, profile))
-    rows = tuple(row for name in names for row in subject(name).rows)
+    known = {case.name: case for case in (*chosen(family), *family.cases)}
+    names, others = list(known)[: len(chosen(family))], list(known)[len(chosen(family)) :]
+    run = functools.cache(lambda name: Subject.of(family, known[name], engine, profile))
+    subjects = list(_possible(names, run)) or list(_possible(others, run))[:1] or [run(names[0])]
     found = []
     for fault in FAULTS:
-        tried = [subject(name) for name in names if subject(name).names(fault)]
-        if not tried:
-            continue
-        finding = _with_effect(each.finding(fault) for each in tried)
-        assert finding is not None
-        if fault.of_a_pair and finding.outcome is Outcome.NO_EFFECT:
-            others = (subject(name) for name in known if name not in names)
-            finding = _with_effect(each.finding(fault) for each in others if each.names(fault)) or finding
-        found.append(finding)
+        finding = _with_effect(each.finding(fault) for each in subjects if each.names(fault))
+        if fault.of_a_pair and (finding is None or finding.outcome is Outcome.NO_EFFECT):
+            rest = (each for each in _possible(others, run) if each not in subjects)
+            finding = _with_effect(each.finding(fault) for each in rest if each.names(fault)) or finding
+        if finding is not None:
+            found.append(finding)
+    rows = tuple(row for each in subjects for row in each.rows)
     judged_to_rounding = any(row.predicted is not None for row in rows)
     return Sensitivity(family.name, engine.name, engine.title, profile, judged_to_rounding, tuple(found)), rows
+
+
+def _possible(names: Iterable[str], run: Callable[[str], Subject]) -> Iterator[Subject]:
+    """The runs of those cases that the implementation can run."""
+    for name in names:
+        with contextlib.suppress(CannotExpress, NeedsFunction):
+            yield run(name)
 
 
 def chosen(family: Family) -> list[Case]:
@@ -123,7 +129,7 @@ def _with_effect(found: Iterable[Finding]) -> Finding | None:
     return first
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # compared by identity: one run is one run
 class Subject:
     """One case in one implementation, run without a fault. judging: the family, its predictions computed once."""
 

@@ -11,6 +11,7 @@ from reference.comparison import sensitivity
 from reference.comparison.faults import FAULTS
 from reference.comparison.sensitivity import Finding, Outcome, Sensitivity, Subject, chosen
 from reference.engines import load_engine
+from reference.errors import CannotExpress
 from reference.prediction.predicted import ROUNDING
 from reference.recording import sensitivity as kept
 
@@ -87,6 +88,23 @@ def test_friction_is_tried_in_the_case_where_it_matters():
     found, _ = sensitivity.sensitivity(catalogue()["struck-cube"], HAND, "tuned")
     assert found.finding("friction").case == "x=0.08,ω=40,μ=0.1"
     assert found.finding("timestep") is None, "the exact root has no timestep"
+
+
+class _Choosy(type(HAND)):
+    """Hand-written code that has no words for the studied case of the three balls."""
+
+    def run_many(self, scenarios, settings):
+        if "v=0.1" in scenarios[0].name:
+            raise self.cannot(scenarios[0], "it is too slow")
+        return super().run_many(scenarios, settings)
+
+
+def test_another_case_is_tried_where_the_studied_one_cannot_be_run():
+    family = catalogue()["parting-ball"]
+    found, rows = sensitivity.sensitivity(family, _Choosy(), "tuned")
+    assert found.finding("restitution").case == rows[0].case == "v=0.3"
+    with pytest.raises(CannotExpress, match="too slow"):
+        sensitivity.sensitivity(replace(family, cases=family.cases[:1]), _Choosy(), "tuned")
 
 
 def test_what_is_kept_is_read_again_and_a_new_run_replaces_it(tmp_path):
