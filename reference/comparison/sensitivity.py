@@ -192,7 +192,7 @@ class Subject:
             sign, red = next(iter(reds.items()))
             high, low = fault.most, fault.first if sign == signs[0] and not self.red(first) else 0.0
         for _ in range(MOST_RUNS):
-            trial = _between(low, min(MARGIN * guess, fault.most), high)
+            trial = min(_between(low, min(MARGIN * guess, fault.most), high), fault.most)
             numbers = self.with_fault(fault, sign * trial)
             names = self.red(numbers)
             guess = self._guess(numbers, sign * trial, sign, fault.most)
