@@ -20,7 +20,7 @@ from labs.cli.console import errors, speak_unicode
 from reference.errors import CollisionsError
 
 INTERRUPTED = 130
-COMMANDS = ("check", "compare", "report", "engines", "show", "record", "bench")
+COMMANDS = ("check", "compare", "report", "sensitivity", "engines", "show", "record", "bench")
 """Each is a function of the same name in a module of the same name."""
 GROUPS = ("lab",)
 """Modules with several commands in their `app`. A student's tree has none: there is nothing to build from."""

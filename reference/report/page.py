@@ -16,6 +16,7 @@ from reference.report.marks import LEGEND, MARKS, occurring
 from reference.report.overview import Overview, verdict_line
 from reference.report.row_text import error_of
 from reference.report.sections import Section, recordings
+from reference.report.sensitivity import kept_sentence
 from reference.report.worst_first import furthest_from_theory, nearest_to_fail
 from reference.viewer import page as viewer
 from reference.viewer.clip import Clip
@@ -60,6 +61,7 @@ def render(
             nearest=[(*entry[:3], numbers.percent(entry[3]).lstrip("+")) for entry in nearest_to_fail(found, WORST)],
             furthest=furthest_from_theory(found, WORST),
             origins={section.family.name: origins(section) for section in found},
+            noticed={section.family.name: kept_sentence(section.family.name) for section in found},
             measured=_measured,
             error_of=error_of,
         )

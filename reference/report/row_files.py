@@ -14,6 +14,7 @@ from reference.comparison.results import JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.errors import InvalidInput
 from reference.published.results import PublishedRow
+from reference.recording import sensitivity
 from reference.recording.files import with_tuples
 
 ROWS, PUBLISHED = "collisions-lab/rows", "collisions-lab/published"
@@ -23,12 +24,15 @@ R = TypeVar("R", Row, PublishedRow)
 
 
 def rows_json(results: Iterable[JobResult]) -> str:
-    """The rows, the errors against timestep and their splits as JSON."""
+    """The rows, the errors against timestep, their splits, and the smallest faults that were noticed, as JSON."""
     results = list(results)
     studies = [run_of(result) | asdict(result.convergence) for result in results if result.convergence is not None]
     splits = [run_of(result) | asdict(result.split) for result in results if result.split is not None]
     rows = [asdict(row) for result in results for row in result.rows]
-    return as_json(ROWS, {"rows": rows, "convergence": studies, "splits": splits})
+    families = {result.job.family for result in results}
+    noticed = [each for each in sensitivity.read() if each.family in families]
+    content = {"rows": rows, "convergence": studies, "splits": splits}
+    return as_json(ROWS, content | {"sensitivity": sensitivity.as_content(noticed)["families"]})
 
 
 def published_json(rows: Iterable[PublishedRow]) -> str:

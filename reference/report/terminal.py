@@ -16,6 +16,7 @@ from reference.report.marks import LEGEND, MARKS, occurring
 from reference.report.overview import Overview, verdict_line
 from reference.report.row_text import error_of, left_of
 from reference.report.sections import Cell, Line, Section, recordings
+from reference.report.sensitivity import kept_sentence
 from reference.report.worst_first import nearest_to_fail
 
 WORST = 5
@@ -44,6 +45,8 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
         for table in _cases(section) if with_cases else [_implementations(section)]:
             console.print(table)
         _print_remarks(console, section, with_cases)
+        if noticed := kept_sentence(section.family.name):
+            console.print(Text(noticed, style="dim"))
     rows = [row for section in found for line in section.lines for row in line.result.rows]
     if len(found) > 1:
         _print_overview(console, Overview.of(found))
