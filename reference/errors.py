@@ -46,6 +46,10 @@ class NotRecorded(CollisionsError):
     """Nothing of this run was recorded, or its recording is stale; the message says which."""
 
 
+class NoWords(CollisionsError):
+    """The lab has no words yet for what a case needs, such as a fluid in a scenario. No engine is to blame."""
+
+
 class CannotExpress(CollisionsError):
     """The engine has no words for this scenario; the message says which part and why."""
 

@@ -174,7 +174,9 @@ def published_exit_code(results: Sequence[PublishedResult]) -> int:
 
 def exit_code_of(verdicts: Sequence[Verdict], failed: bool) -> int:
     """The exit code of some verdicts. failed: whether a verdict that counts did."""
-    nothing = all(each in (Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS) for each in verdicts)
+    nothing = all(
+        each in (Verdict.NOT_AVAILABLE, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS) for each in verdicts
+    )
     if failed:
         return FAILED
     return COULD_NOT_COMPARE if nothing or Verdict.CRASHED in verdicts else 0

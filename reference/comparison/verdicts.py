@@ -14,6 +14,7 @@ from reference.errors import (
     CannotExpress,
     EngineNotInstalled,
     NeedsFunction,
+    NoWords,
     RunFailed,
     WorkerCrashed,
     WorkerTimeout,
@@ -37,6 +38,7 @@ class Verdict(StrEnum):
     DISAGREES = "disagrees"
     FAIL = "fail"
     CANNOT_EXPRESS = "cannot express"
+    NO_WORDS = "no words"
     NEEDS = "needs"
     NOT_AVAILABLE = "not available"
     CRASHED = "crashed"
@@ -135,6 +137,7 @@ def verdict_of(error: Exception) -> Verdict:
     kinds: tuple[tuple[type[Exception], Verdict], ...] = (
         (NeedsFunction, Verdict.NEEDS),
         (CannotExpress, Verdict.CANNOT_EXPRESS),
+        (NoWords, Verdict.NO_WORDS),
         (EngineNotInstalled, Verdict.NOT_AVAILABLE),
         (WorkerTimeout, Verdict.CRASHED),
         (WorkerCrashed, Verdict.CRASHED),

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
-from reference.errors import CannotExpress
+from reference.errors import CannotExpress, NoWords
 from reference.published.answers import Answers
 from reference.published.by_hand import (
     avoidance,
@@ -27,8 +27,9 @@ from reference.published.in_engines import springs as springs_in_engines
 
 HANDWRITTEN = "handwritten"
 """The engine that runs the functions of an implementation."""
-NOT_SET_UP = "it is not set up there"
-NO_FLUID = "no scenario has a fluid"
+NOT_SET_UP = "the lab has not set it up there"
+NO_FLUID = "the lab has no words for a fluid in a scenario"
+NO_ANCHOR = "the lab has no words for a spring that ties a body to a place"
 NO_SPRINGS = {"dart": "its contacts have no spring and no dashpot that one could set"}
 
 
@@ -36,13 +37,15 @@ NO_SPRINGS = {"dart": "its contacts have no spring and no dashpot that one could
 class Drivers:
     """How one case is answered.
 
-    by_hand: by an implementation's functions. in_engines: by an engine that runs it. why_not: why no engine runs it.
-    why_not_in: the same of single engines, by name.
+    by_hand: by an implementation's functions. in_engines: by an engine that runs it. lacking: what the lab cannot say
+    yet, so that no engine runs it. why_not: why no engine could run it. why_not_in: the same of single engines, by
+    name.
     """
 
     by_hand: Callable[[Published, Implementation], Answers] | None = None
     in_engines: Callable[[Published, Engine], Answers] | None = None
-    why_not: str = NOT_SET_UP
+    lacking: str = NOT_SET_UP
+    why_not: str = ""
     why_not_in: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -62,16 +65,16 @@ DRIVERS = {
     "P13": Drivers(friction.rolls_down, rolling.down_a_slope),
     "P14": Drivers(forces.free_flight, sliding_in_engines.free_flight),
     "P15": Drivers(bounces.impacts_and_rest, bouncing.impacts_and_rest),
-    "P16": Drivers(forces.dry_oscillator, why_not="no scenario has a spring that ties a body to a place"),
+    "P16": Drivers(forces.dry_oscillator, lacking=NO_ANCHOR),
     "P17": Drivers(friction.spinning_ball, rolling.spinning_ball),
     "P18": Drivers(springs.undamped_spring, springs_in_engines.undamped_spring, why_not_in=NO_SPRINGS),
     "P19": Drivers(sweeping.box2d, questions.rays_and_distance),
-    "P20": Drivers(forces.glycerol, why_not=NO_FLUID),
+    "P20": Drivers(forces.glycerol, lacking=NO_FLUID),
     "P21": Drivers(impulse.textbook_bounce, striking.textbook_bounce),
     "P22": Drivers(impulse.elastic_bounce, striking.textbook_bounce),
     "P23": Drivers(avoidance.half_plane, why_not="no engine steers; it moves what is steered"),
     "P24": Drivers(polyhedra.neighbouring_points, why_not="no engine says on which side of a line a point lies"),
-    "P25": Drivers(forces.sand_grain, why_not=NO_FLUID),
+    "P25": Drivers(forces.sand_grain, lacking=NO_FLUID),
     "P26": Drivers(bounces.rebounds, bouncing.measured_rebounds),
     "P27": Drivers(impulse.colliding_pair, striking.colliding_pair),
 }
@@ -83,7 +86,9 @@ def answers_of(case: Published, engine: Engine) -> Answers:
     Raises
     ------
     CannotExpress
-        If the case is not run there; the message says why.
+        If the engine cannot run the case; the message says why.
+    NoWords
+        If the lab cannot say it to an engine yet.
     NeedsFunction
         If the implementation lacks a function.
     """
@@ -92,9 +97,11 @@ def answers_of(case: Published, engine: Engine) -> Answers:
         raise CannotExpress(why)
     if engine.name == HANDWRITTEN:
         if drivers.by_hand is None:
-            raise CannotExpress(NOT_SET_UP)
+            raise NoWords(NOT_SET_UP)
         return drivers.by_hand(case, engine.implementation)
-    if drivers.in_engines is None:
+    if drivers.in_engines is None and drivers.why_not:
         raise CannotExpress(drivers.why_not)
+    if drivers.in_engines is None:
+        raise NoWords(drivers.lacking)
     engine.module()
     return drivers.in_engines(case, engine)

@@ -11,7 +11,7 @@ import numpy as np
 from reference.catalogue.family import Expectation
 from reference.comparison.verdicts import NOTHING_FINITE, Verdict, judge, verdict_of
 from reference.engines.base import Engine
-from reference.errors import CannotExpress, CollisionsError, NeedsFunction, RunFailed, as_failed_run
+from reference.errors import CannotExpress, CollisionsError, NeedsFunction, NoWords, RunFailed, as_failed_run
 from reference.published.answers import Answer, Answers
 from reference.published.case import Figure, Published, numbers_of
 from reference.published.drivers import answers_of
@@ -24,7 +24,7 @@ def compare_published(case: Published, engine: Engine) -> tuple[tuple[PublishedR
         with as_failed_run():
             answers = {name: _plain(given) for name, given in answers_of(case, engine).items()}
             return judged(case, engine.name, answers), answers
-    except (NeedsFunction, CannotExpress, RunFailed) as error:
+    except (NeedsFunction, CannotExpress, NoWords, RunFailed) as error:
         return (refusal(case, engine.name, error),), {}
 
 

@@ -154,9 +154,10 @@ def _write(path: Path, results: Iterable[JobResult], made: dict[str, str]) -> li
         tracks |= {(track.profile, track.key): track for track in result.poses if track.key in new}
     content = {"schema": SCHEMA, "version": VERSION, "made": made, "profiles": profiles}
     write_json(path, content, _LINES_DOWN_TO)
-    if not tracks:
-        return [path]
     poses = path.with_suffix(".npz")
+    if not tracks:
+        poses.unlink(missing_ok=True)  # of runs that are refused now
+        return [path]
     write_tracks(poses, tracks.values(), made)
     return [path, poses]
 

@@ -112,7 +112,8 @@ def test_a_case_that_an_engine_cannot_run_is_one_row_with_the_reason(name, insta
     assert len(refused) == {"pybullet": 5, "mujoco": 5, "dart": 8}[name]
     for case in refused:
         (row,) = rows(case, name)
-        assert (row.verdict, row.figure) == (Verdict.CANNOT_EXPRESS, "")
+        lacking = case.name in ("P16", "P20", "P25")  # a spring that ties a body to a place, and a fluid
+        assert (row.verdict, row.figure) == (Verdict.NO_WORDS if lacking else Verdict.CANNOT_EXPRESS, "")
         assert len(row.note.split()) > 4
 
 

@@ -30,6 +30,7 @@ LEGEND = {
     Verdict.DISAGREES: "as far off as the figure is large, for a reason",
     Verdict.FAIL: "neither",
     Verdict.CANNOT_EXPRESS: "cannot be said to it",
+    Verdict.NO_WORDS: "the lab cannot say it yet",
     Verdict.NEEDS: "a function that is not written yet",
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
     Verdict.CRASHED: "the run died, hung or gave no usable state",
@@ -50,7 +51,9 @@ class PublishedCell:
     @cached_property
     def verdict(self) -> Verdict:
         """The worst verdict among the numbers that were found; without any, that on the whole case."""
-        judged = [row for row in self.rows if row.verdict is not Verdict.CANNOT_EXPRESS] or self.rows
+        judged = [
+            row for row in self.rows if row.verdict not in (Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS)
+        ] or self.rows
         return min((row.verdict for row in judged), key=SEVERITY.index)
 
     @property

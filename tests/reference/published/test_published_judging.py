@@ -102,9 +102,10 @@ def asked(engine, **drivers):
 
 
 def test_a_case_that_an_engine_does_not_run_says_why():
-    assert asked(HAND) == [(Verdict.CANNOT_EXPRESS, NOT_SET_UP)]
+    assert asked(HAND) == [(Verdict.NO_WORDS, NOT_SET_UP)]
     assert asked(HAND, why_not_in={"handwritten": "no step does it"}) == [(Verdict.CANNOT_EXPRESS, "no step does it")]
-    assert asked(PYBULLET, why_not="no fluid") == [(Verdict.CANNOT_EXPRESS, "no fluid")]
+    assert asked(PYBULLET, lacking="no fluid") == [(Verdict.NO_WORDS, "no fluid")]
+    assert asked(PYBULLET, why_not="no engine steers") == [(Verdict.CANNOT_EXPRESS, "no engine steers")]
     only = {
         "in_engines": lambda *_: as_answers(speed=2.0, times=(1.0, 3.0)),
         "why_not_in": {"pybullet": "no springs"},
@@ -133,7 +134,8 @@ def test_an_engine_that_is_not_installed_is_asked_nothing(monkeypatch):
     with pytest.raises(EngineNotInstalled, match="it is not here"):
         compare_published(published("P13"), PYBULLET)
     # But why a case cannot be said to it is known without it
-    assert asked(PYBULLET, why_not="no fluid") == [(Verdict.CANNOT_EXPRESS, "no fluid")]
+    assert asked(PYBULLET, lacking="no fluid") == [(Verdict.NO_WORDS, "no fluid")]
+    assert asked(PYBULLET, why_not="no engine steers") == [(Verdict.CANNOT_EXPRESS, "no engine steers")]
 
 
 def test_a_published_case_by_hand_runs_the_requested_implementation(tmp_path):

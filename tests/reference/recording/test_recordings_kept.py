@@ -33,10 +33,10 @@ JOBS = [
     for profile in family.profiles(load_engine(name))
 ]
 PUBLISHED = {f"{name}/{recorded.FILE}" for name in ENGINES}
-IN_NO_ENGINE = ("two-frictions",)
-"""Families of which no engine can express a case, so that there are no poses."""
+NOT_EXPRESSED = [*((name, "two-frictions") for name in ENGINES), ("mujoco", "struck-cube")]
+"""Engines, and families of which they can express no case, so that there are no poses."""
 MOST_BYTES = 10_000_000
-CHECKSUM = "f44edd35256efe4c8df37d15781d4d3adcb6705b16f3b447d4b0a98434532b45"
+CHECKSUM = "b2202e49451ab1848aac110e116d3b387750b1d990bb6860fad9a06ec21c8364"
 """Over all recordings, as `collisions record` prints it at its end. Only a person changes it here, in the same commit
 as the recordings, and says why: so no number of a recording changes unnoticed, not even together with its checksum."""
 POINTS = 40
@@ -97,7 +97,7 @@ def test_the_recordings_are_small_and_hold_no_unknown_run():
     files = {path.relative_to(FOLDER) for path in FOLDER.rglob("*") if path.is_file()}
     jobs = [job for job in JOBS if is_recorded(job.family, job.engine)]
     kept = {f"{job.engine}/{job.family}.json" for job in jobs}
-    kept |= {f"{job.engine}/{job.family}.npz" for job in jobs if job.family not in IN_NO_ENGINE}
+    kept |= {f"{job.engine}/{job.family}.npz" for job in jobs if (job.engine, job.family) not in NOT_EXPRESSED}
     assert {path.as_posix() for path in files} == kept | PUBLISHED | {checksums.CHECKSUMS}
     assert sum((FOLDER / path).stat().st_size for path in files) < MOST_BYTES
 
@@ -130,7 +130,7 @@ def test_recorded_tuned_numbers_agree_with_theory():
 def test_a_replay_starts_and_ends_with_its_scenario():
     """One of each family: first positions are the scenario's, to rounding; the last sample is in its last 1/60 s."""
     for family in catalogue().values():
-        if family.name in IN_NO_ENGINE or not is_recorded(family.name, ENGINES[0]):
+        if (ENGINES[0], family.name) in NOT_EXPRESSED or not is_recorded(family.name, ENGINES[0]):
             continue
         case = family.cases[0]
         scenario = case.scenarios[0]

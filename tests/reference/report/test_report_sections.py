@@ -23,6 +23,7 @@ WORST_FIRST = (
     Verdict.DISAGREES,
     Verdict.NEEDS,
     Verdict.CANNOT_EXPRESS,
+    Verdict.NO_WORDS,
     Verdict.NOT_AVAILABLE,
     Verdict.KNOWN_DEVIATION,
     Verdict.PASS,
