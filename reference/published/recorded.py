@@ -22,7 +22,7 @@ from reference.published.judging import judged
 from reference.published.results import PublishedJob, PublishedResult, PublishedRow
 from reference.published.theirs import published, published_cases
 from reference.recording import checksums
-from reference.recording.files import FOLDER, MARK, Made, read_json, with_tuples, write_json
+from reference.recording.files import FOLDER, MARK, Made, read_recording, with_tuples, write_json
 from reference.recording.fingerprint import hashed
 from reference.recording.making import version_here
 
@@ -83,7 +83,7 @@ def recall(job: PublishedJob, folder: Path | None = None) -> PublishedResult | N
     """
     if job.engine not in engine_names():  # an engine file, which nobody has recorded
         return None
-    content = read_json((folder or FOLDER) / job.engine / FILE, SCHEMA, VERSION)
+    content = read_recording((folder or FOLDER) / job.engine / FILE, SCHEMA, VERSION)
     if content is None:
         return None
     made, case = Made(**content["made"]), published(job.case)

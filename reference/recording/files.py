@@ -93,7 +93,7 @@ def _tracks(path: Path) -> tuple[dict[tuple[str, str], Track], dict[str, str]]:
 
 @functools.cache
 def _content(path: Path) -> dict[str, Any] | None:
-    return read_json(path, SCHEMA, VERSION)
+    return read_recording(path, SCHEMA, VERSION)
 
 
 def forget() -> None:
@@ -102,8 +102,8 @@ def forget() -> None:
     _tracks.cache_clear()
 
 
-def read_json(path: Path, schema: str, version: int) -> dict[str, Any] | None:
-    """What a file of recorded numbers holds; None where there is no such file.
+def read_recording(path: Path, schema: str, version: int) -> dict[str, Any] | None:
+    """What a file of a folder of recordings holds; None where there is no such file.
 
     Raises
     ------
@@ -111,6 +111,17 @@ def read_json(path: Path, schema: str, version: int) -> dict[str, Any] | None:
         If it holds something else, or another version, or was changed since it was made.
     """
     checksums.check(path)
+    return read_json(path, schema, version)
+
+
+def read_json(path: Path, schema: str, version: int) -> dict[str, Any] | None:
+    """What a file of numbers holds; None where there is no such file.
+
+    Raises
+    ------
+    InvalidInput
+        If it holds something else, or another version.
+    """
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
