@@ -279,7 +279,7 @@ BALL_TO_REST = Family(
         ),
     ),
     curve=Curve("e=0.8", "The bounces at e = 0.8", "gap below the ball, m", _gap, until=5.0),
-    convergence=Convergence("e=0.5", "rest_time", (2.0, 1.0, 0.5, 0.25, 0.125), every_step=True),
+    convergence=Convergence("e=0.5", "rest_time", (2.0, 1.0, 0.5, 0.25), every_step=True),
     grid=Grid((Parameter("restitution", "", TENTHS[1:10], 0.5),), (1e-3, 2e-3, 5e-3), _to_rest),
     predict=bouncing.predict_to_rest,
 )
