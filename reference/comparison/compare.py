@@ -103,7 +103,8 @@ def judged(
                 shift=expectation.shift,
             )
         size = expectation.size if expectation and expectation.size else 1.0
-        against = _Against.of(quantity, predictions, size)
+        slack = quantity.slack(settings, method) if quantity.slack else 0.0
+        against = _Against.of(quantity, predictions, size, slack)
         if against is not None:
             row = replace(row, shift=0.0)  # the recurrence says it better
         rows.append(_with_number(row, numbers[quantity.name], expectation, against))
@@ -126,14 +127,13 @@ class _Against:
     bands: tuple[float, ...]
 
     @classmethod
-    def of(cls, quantity: Quantity, predictions: Sequence[Prediction], size: float) -> _Against | None:
-        """None without a prediction. size: as in `Expectation`."""
+    def of(cls, quantity: Quantity, predictions: Sequence[Prediction], size: float, slack: float) -> _Against | None:
+        """None without a prediction. size: as in `Expectation`. slack: as `Quantity.slack` says."""
         if not predictions:
             return None
         number = measured(quantity, [each.trajectory for each in predictions])
-        return cls(
-            number, tuple(each.band(value, size) for each, value in zip(predictions, number.values, strict=False))
-        )
+        bands = (each.band(value, size) for each, value in zip(predictions, number.values, strict=False))
+        return cls(number, tuple(max(band, slack) for band in bands))
 
     def differences(self, number: Number) -> Array:
         """Measured less predicted, for each scenario."""

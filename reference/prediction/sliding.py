@@ -23,6 +23,10 @@ STRAIGHT = 1e-9
 """Sine of the angle between two directions that count as one."""
 BULLETS_REACH = 0.02
 """Bullet drops a contact point that a step moves by more than this share of the radius around a body."""
+ROCKING, ROCKING_NEAR_CRITICAL, NEAR_CRITICAL = 1.0, 3.0, 0.05
+"""How far MuJoCo's friction makes a sliding box rock, in m for each second of the timestep: times its height over its
+width, and more where its weight pulls it nearly as much as friction holds. 0.39 was measured for a cube, 0.015 for a
+slab a tenth as high as wide, and 1.5 for that slab 1 % above the critical slope."""
 WEAK_FRICTION = 1e-6
 """MuJoCo's main solver makes no friction with an impratio up to this."""
 
@@ -63,7 +67,9 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     if isinstance(body.shape, Sphere):
         spin = (speeds - slips)[:, None] / body.shape.radius * np.cross(normal, ahead)
     trajectory = trajectory_of(scenario, settings, {body.name: Path(position, velocity, spin)})
-    near, why = _nearness(body, settings, method, float(np.max(np.abs(speeds))), fall, holds)
+    critical = speed == 0 and abs(pull + kinetic * fall) < NEAR_CRITICAL * abs(pull)
+    rocking = ROCKING_NEAR_CRITICAL if critical else ROCKING * _height_over_width(body, normal, ahead)
+    near, why = _nearness(body, settings, method, float(np.max(np.abs(speeds))), fall, holds, rocking)
     return Prediction(trajectory, near, why)
 
 
@@ -157,9 +163,12 @@ def _turning(body: Body, normal: Array, ahead: Array, method: Method, holds: boo
 
 
 def _nearness(
-    body: Body, settings: Settings, method: Method, fastest: float, fall: float, holds: bool
+    body: Body, settings: Settings, method: Method, fastest: float, fall: float, holds: bool, rocking: float
 ) -> tuple[float, str]:
-    """How near the engine comes to the recurrence, with the reason. Figures are for lengths in m and times in s."""
+    """How near the engine comes to the recurrence, with the reason. Figures are for lengths in m and times in s.
+
+    rocking: of a box that slides in MuJoCo, m for each second of the timestep.
+    """
     dt, near, why = settings.timestep, ROUNDING, "the recurrence of the method, to rounding"
     if method.rule in (MUJOCO_ONE_STEP, DART):
         if isinstance(body.shape, Sphere):
@@ -172,7 +181,7 @@ def _nearness(
         elif holds:
             near, why = 10 * dt, "rest, but for a box that MuJoCo's friction makes rock: it creeps"  # 4 dt measured
         else:
-            near, why = 2 * dt, "the recurrence, and a box that MuJoCo's friction makes rock"  # 0.4 dt measured
+            near, why = rocking * dt, "the recurrence, and a box that MuJoCo's friction makes rock"
         if "margin" not in settings.options:
             near += 2 * abs(fall) * dt  # rounding decides whether the first step has a contact
     elif method.rule == BULLET and isinstance(body.shape, Box):
@@ -190,6 +199,14 @@ def _bullets_reach(box: Box) -> float:
 def _height(body: Body, normal: Array) -> float:
     """Height of a box's centre above the plane that it stands on, m."""
     return float(np.abs(_in_own_axes(body, normal)) @ np.array(body.shape.half_extents))  # type: ignore[union-attr]
+
+
+def _height_over_width(body: Body, normal: Array, ahead: Array) -> float:
+    """Height of a box over its length along the way that it slides; 1 for a ball."""
+    if not isinstance(body.shape, Box):
+        return 1.0
+    extents = np.array(body.shape.half_extents)
+    return float(np.abs(_in_own_axes(body, normal)) @ extents / (np.abs(_in_own_axes(body, ahead)) @ extents))
 
 
 def _in_own_axes(body: Body, direction: Array) -> Array:

@@ -15,7 +15,7 @@ from reference.catalogue.grid import TENTHS, Grid, Parameter
 from reference.catalogue.scenarios.slopes import downhill_on, normal_of
 from reference.catalogue.scenarios.tolerances import MILLIMETRE, ROUNDING, from_rest, within_a_millimetre
 from reference.checks import Vector
-from reference.engines.base import EXACT, Method
+from reference.engines.base import EXACT, MUJOCO_ONE_STEP, Method
 from reference.prediction import sliding
 from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario
@@ -99,6 +99,17 @@ def _sideways(trajectory: Trajectory) -> float:
     return float(np.hypot(across[0], across[1]))
 
 
+def _slack_of_the_stop(settings: Settings, method: Method) -> float:
+    """A sample, s: a slab whose speed MuJoCo's friction makes chatter drops below 1 mm/s in one of two samples."""
+    chatters = method.rule == MUJOCO_ONE_STEP
+    return 1.01 * settings.timestep * settings.sample_every if chatters else 0.0
+
+
+def _slack_aside(settings: Settings, method: Method) -> float:
+    """Its corners, which come off the ground in turn, push a slab aside in MuJoCo: by 0.4 m for each second of dt."""
+    return 1.5 * settings.timestep if method.rule == MUJOCO_ONE_STEP else 0.0
+
+
 def way_of(trajectory: Trajectory) -> Array:
     """Distance of the slab from where it started, at each sample (n,), m."""
     positions = trajectory.position("slab")
@@ -150,8 +161,16 @@ SLIDING_SLAB = Family(
             lambda trajectory: measure.rest_time(trajectory, "slab"),
             _expect_time,
             lambda case: truth.stopping_time(case.parameters["speed"], case.parameters["friction"], GRAVITY),
+            _slack_of_the_stop,
         ),
-        Quantity("sideways", "distance from the straight line", "m", _sideways, within_a_millimetre),
+        Quantity(
+            "sideways",
+            "distance from the straight line",
+            "m",
+            _sideways,
+            within_a_millimetre,
+            slack=_slack_aside,
+        ),
         Quantity(
             "creep",
             "creep after the stop",
