@@ -15,23 +15,42 @@ from reference.recording import sensitivity as kept
 from reference.running.sensitivity import SensitivityJob, plan, run_job
 
 JOBS = plan(list(catalogue()), engine_names())
-OF_THE_WORLD = ("restitution", "friction", "static", "gravity")
-OF_THE_METHOD = ("timestep", "sample", "sign")
-"""These move a number by no more than the method's own deviation from theory. Where no recurrence says how large that
-is, it lies within the tolerance of theory, and no verdict can tell one such deviation from another."""
+SIZED = ("restitution", "friction", "gravity", "timestep")
+WHOLE = ("static", "sample", "sign")
+"""Faults without a size. A sample and a sign move a number by no more than the method's own deviation from theory. Where
+no recurrence says how large that is, it lies within the tolerance of theory, and no verdict can tell such deviations
+apart."""
 TO_ROUNDING, BY_TOLERANCE = 1e-3, 5e-3
 """Largest share that may pass where a method is judged by its recurrence, and where theory has a tolerance."""
 KEPT_WITHIN = 3.0
 """Factor by which a kept figure may differ from one that is measured again."""
 EXCEPTIONS = {
-    ("thin-wall", "restitution"): "handwritten pybullet mujoco dart",  # the speed may be off by 1 % of it
-    ("box-flat", "friction"): "dart",  # nothing slides: what moves is what its sweeps over four corners leave
-    ("box-flat", "sign"): "dart",  # so is the lean, and its band is as large
-    ("rod-on-peg", "restitution"): "pybullet",  # 0.9 %: the tolerance is that of a step of gravity, 1 % of the spin
-    ("spinning-ball", "gravity"): "mujoco dart",  # an impact: gravity acts on it for a single step
-    ("box-on-edge", "friction"): "mujoco dart",  # the box tips without sliding: what moves is the solver's rest
-    ("stack", "gravity"): "pybullet dart",  # it stands still whatever its weight is
-    ("stack", "friction"): "pybullet dart",  # so does it whatever its friction is
+    # A thousandth of the timestep changes the shift of a slide or a roll, v dt/2 and the like, by 10⁻⁷ m. What friction
+    # leaves is more: 1.5·10⁻⁶ m and up of a box that rocks in MuJoCo, 3·10⁻⁷ m of a ball or of corners in DART.
+    ("sliding-slab", "timestep"): "mujoco",
+    ("incline", "timestep"): "mujoco dart",
+    ("critical-incline", "timestep"): "mujoco dart",
+    ("sliding-ball", "timestep"): "mujoco dart",
+    ("rolling-ball", "timestep"): "mujoco dart",
+    # Nor is the way aside of a slab a shift, or the lean of a cube: each is as large as its band.
+    ("sliding-slab", "sign"): "mujoco",
+    ("box-flat", "sign"): "dart",
+    ("box-flat", "friction"): "dart",
+    # Next to the critical slope the way is a small difference, 0.25 m in 3 s, and MuJoCo's box rocks by 0.15 mm.
+    ("critical-incline", "gravity"): "mujoco",
+    ("critical-incline", "sample"): "mujoco",
+    ("critical-incline", "sign"): "mujoco",
+    # The way in exactly 1 s depends on the number of steps alone, of which there are 1000: one more or less is 0.1 %.
+    ("tipping-box", "timestep"): "handwritten pybullet mujoco dart",
+    # Without weight the timestep only says how deep the bodies overlap, and that is within the tolerance.
+    ("off-centre-impact", "timestep"): "pybullet dart",
+    # The box tips over its edge and comes to rest without sliding: what moves is how still the solver holds it.
+    ("box-on-edge", "friction"): "mujoco",
+    ("box-on-edge", "timestep"): "mujoco",
+    # A stack stands, whatever its weight, its friction and the timestep are.
+    ("stack", "gravity"): "pybullet dart",
+    ("stack", "friction"): "pybullet dart",
+    ("stack", "timestep"): "pybullet dart",
 }
 """Scenario and fault: the engines in which a fault of the size of its limit passes, and why it has to."""
 every_job = pytest.mark.parametrize("job", JOBS, ids=str)
@@ -47,7 +66,7 @@ def found(job: SensitivityJob) -> Sensitivity | None:
 
 def let_pass(seen: Sensitivity) -> set[str]:
     """The faults that should have been noticed, and were not, or only when they were too large."""
-    must = (*OF_THE_WORLD, *OF_THE_METHOD) if seen.predicted else OF_THE_WORLD
+    must = (*SIZED, *WHOLE) if seen.predicted else (*SIZED, "static")
     limit = TO_ROUNDING if seen.predicted else BY_TOLERANCE
     asked = [each for each in seen.findings if each.fault in must]
     return {each.fault for each in asked if each.outcome is Outcome.NOT_NOTICED or (each.size or 0.0) > limit}
