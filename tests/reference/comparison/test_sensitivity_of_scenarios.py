@@ -17,9 +17,9 @@ from reference.running.sensitivity import SensitivityJob, plan, run_job
 JOBS = plan(list(catalogue()), engine_names())
 SIZED = ("restitution", "friction", "gravity", "timestep")
 WHOLE = ("static", "sample", "sign")
-"""Faults without a size. A sample and a sign move a number by no more than the method's own deviation from theory. Where
-no recurrence says how large that is, it lies within the tolerance of theory, and no verdict can tell such deviations
-apart."""
+"""Faults without a size. A sample and a sign move a number by no more than the method's own deviation from theory.
+Where no recurrence says how large that is, it lies within the tolerance of theory, and no verdict can tell such
+deviations apart."""
 TO_ROUNDING, BY_TOLERANCE = 1e-3, 5e-3
 """Largest share that may pass where a method is judged by its recurrence, and where theory has a tolerance."""
 KEPT_WITHIN = 3.0
