@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 _MEANINGS = {
     Verdict.PASS: "within the tolerance of theory",
-    Verdict.KNOWN_DEVIATION: "off by what the method is known to do",
+    Verdict.KNOWN_DEVIATION: "differs by the amount that the method predicts",
     Verdict.DISAGREES: "as far from theory as the quantity is large",
     Verdict.FAIL: "farther off than it should be",
     Verdict.SHOWN: "theory has no number",

@@ -64,7 +64,7 @@ def verdict_line(rows: Sequence[Row]) -> str:
     judged = len(tuned) - waiting
     parts = [f"{agreeing} of {judged} checks of tuned settings agree with theory"]
     if known:
-        parts.append(f"{known} of them off by what the method is known to do")
+        parts.append(f"{known} of them with the difference that their method predicts")
     if disagreeing:
         parts.append(f"{disagreeing} disagree{'s' if disagreeing == 1 else ''} with it as the method must")
     parts.append(f"{failed} fail{'s' if failed == 1 else ''}")

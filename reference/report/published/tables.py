@@ -26,7 +26,7 @@ TITLES: dict[Kind, str] = {
 
 LEGEND = {
     Verdict.PASS: "as published, within the tolerance",
-    Verdict.KNOWN_DEVIATION: "off by what the method is known to do, for a reason",
+    Verdict.KNOWN_DEVIATION: "differs by the amount that the method predicts",
     Verdict.DISAGREES: "as far off as the figure is large, for a reason",
     Verdict.FAIL: "neither",
     Verdict.CANNOT_EXPRESS: "cannot be said to it",

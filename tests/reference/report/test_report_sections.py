@@ -329,8 +329,8 @@ def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
         ([Verdict.PASS, Verdict.FAIL], "1 of 2 checks of tuned settings agree with theory, 1 fails."),
         (
             [Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.FAIL],
-            "2 of 4 checks of tuned settings agree with theory, 1 of them off by what the method is known to do,"
-            " 2 fail.",
+            "2 of 4 checks of tuned settings agree with theory, 1 of them with the difference that their method"
+            " predicts, 2 fail.",
         ),
         (
             [Verdict.PASS, Verdict.CRASHED, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE],
