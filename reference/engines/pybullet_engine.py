@@ -22,26 +22,18 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from reference.engines import mixing, pybullet_bodies, pybullet_read_back, pybullet_spring
-from reference.engines.base import AT_STEP, BULLET, BULLET_SPRING, COMPLIANT, Engine, Method
+from reference.engines import mixing, pybullet_bodies, pybullet_read_back, pybullet_settings, pybullet_spring
+from reference.engines.base import Engine, Method
 from reference.engines.ground_box import from_raised
+from reference.engines.pybullet_settings import gravity_of, rest_speed_of
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, POSITIVE, SHARE, Allowed
 from reference.errors import RunFailed
 from reference.scene import geometry
-from reference.scene.off_centre import may_strike_off_centre
 from reference.scene.query import Query, Ray
-from reference.scene.scenario import Body, Box, Force, Scenario
-from reference.scene.settings import Move, Option, Settings, steps_per_sample
+from reference.scene.scenario import Body, Force, Scenario
+from reference.scene.settings import Move, Settings
 from reference.scene.trajectory import Recorder, Trajectory
-from reference.spatial_impact import BY_AXES
 
-STOCK_TIMESTEP = 1 / 240
-STOCK_REST_SPEED = 0.2
-"""Bullet's default for the relative speed below which it lets a contact rest, m/s."""
-SPRING_STIFFNESS = 1e6
-"""Stiffness per unit mass of the `spring` profile, 1/s²: a contact lasts about π ms and a 1 m drop sinks in 4.4 mm."""
-SPRING_TIMESTEP = 5e-5
-"""Timestep of the `spring` profile, s: √stiffness · timestep = 0.05 gives some sixty steps a contact."""
 WORLD = {
     "contact_slop": "contactSlop",
     "contact_erp": "contactERP",
@@ -88,7 +80,7 @@ class PyBullet(Engine):
         """`spring`, the resolved contact of the textbooks, joins where balls fall or strike."""
         found = dict(super().profiles(scenario))
         stock = found.pop("stock")
-        expressible = pybullet_spring.spring_of(scenario, SPRING_STIFFNESS) is not None
+        expressible = pybullet_spring.spring_of(scenario, pybullet_settings.SPRING_STIFFNESS) is not None
         if expressible and not geometry.starts_in_contact(scenario):
             found["spring"] = "spring–dashpot contact"
         return found | {"stock": stock}
@@ -96,68 +88,11 @@ class PyBullet(Engine):
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at Bullet's default."""
         self.check_profile(scenario, profile)
-        options: dict[str, Option]
-        if profile == "stock":
-            return Settings(STOCK_TIMESTEP, options={"coordinates": "multibody"})
-        restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
-        movable = [body for body in scenario.bodies if not body.immovable]
-        boxes = any(isinstance(body.shape, Box) for body in movable)
-        undamped: dict[str, Option] = {"linear_damping": 0.0, "angular_damping": 0.0, "contact_slop": 0.0}
-        if profile == "spring":
-            options = {
-                "coordinates": "maximal",
-                **undamped,
-                # Contacts that count ahead of the touch would take 2.4 % from the rebound at e = 0.5.
-                "contact_gap_falls": 0.0,
-                "split_impulse": False,  # it would take deep overlap away from the spring
-                "solver_iterations": 50,
-                "solver_residual": 0.0,
-                "stiffness": SPRING_STIFFNESS,
-                "spring_of": "world",
-            }
-            return Settings(SPRING_TIMESTEP, steps_per_sample(SPRING_TIMESTEP), options)
-        # On a plane Bullet finds one more contact point of a box in each step; on a large box all four at once.
-        ground: dict[str, Option] = {"ground": "box"} if boxes else {}
-        firm: dict[str, Option] = {"solver_iterations": 200 if len(movable) == 1 else 100, "solver_residual": 0.0}
-        if restitution == 0 and geometry.starts_in_contact(scenario):
-            options = {"coordinates": "multibody", **undamped, **ground, **firm}
-            if boxes and not geometry.leaning(scenario):
-                # Bullet finds a contact of two boxes only where they overlap. At a gap of exactly zero rounding decides
-                # in which steps it does. On ground that is a margin higher, with an overlap of the margin allowed, it
-                # always does.
-                options |= {"margin": 1e-9, "contact_slop": 1e-9}
-            return Settings(1e-3, options=options)
-        if may_strike_off_centre(scenario):
-            return _settings_off_centre({**undamped, **ground, **firm})
-        options = {
-            "coordinates": "maximal",
-            **undamped,
-            # A rebound slower than this many steps of gravity is taken for rest. Without it micro-bounces never end.
-            "rest_threshold_steps": 3.0,
-            # The share of the overlap that makes the mean error of a rebound vanish; see truth.rebound_shift_at_step.
-            "contact_erp": 1.0 - restitution,
-            "split_impulse": True,
-            # The gap at which a contact counts, in falls of one step from rest, g dt². A gap of several falls
-            # spoils a ball's rebound; with none, a box that has landed askew rocks from corner to corner without end.
-            "contact_gap_falls": 1.0 if boxes else 0.0,
-            **ground,
-            **(firm if boxes or len(movable) > 1 else {"solver_iterations": 50}),
-        }
-        return Settings(1e-3, options=options)
+        return pybullet_settings.settings_of(scenario, profile)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
         """A spring yields. Else Bullet resolves an impact at the step, and split impulses take overlap back."""
-        if "stiffness" in settings.options:
-            return Method(COMPLIANT, stiffness=settings.number("stiffness"), rule=BULLET_SPRING)
-        rest_speed = _rest_speed(scenario, settings)
-        if settings["coordinates"] == "multibody" and "rest_threshold_steps" in settings.options:
-            return Method(AT_STEP, rest_speed=rest_speed, weighed=1.0, law=BY_AXES)
-        split = settings.options.get("split_impulse") is True
-        recovery = settings.number("contact_erp") if split else 0.0
-        known = split or _is_undamped(settings)
-        falls = settings.number("contact_gap_falls") if "contact_gap_falls" in settings.options else 0.0
-        reach = falls * _gravity(scenario) * settings.timestep**2
-        return Method(AT_STEP, recovery, rest_speed=rest_speed, reach=reach, rule=BULLET if known else "")
+        return pybullet_settings.method_of(scenario, settings)
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A lower threshold of rest or a stiffer spring, and twice the solver's iterations."""
@@ -189,7 +124,7 @@ class PyBullet(Engine):
         steps = self.check_settings(scenario, settings)
         bullet.resetSimulation(**here)
         self._set_world(bullet, scenario, settings, here)
-        fall = _gravity(scenario) * settings.timestep**2
+        fall = gravity_of(scenario) * settings.timestep**2
         both = self._restitution_and_friction(scenario, settings)
         numbers = [
             pybullet_bodies.add_body(bullet, body, settings, *coefficients, fall, here)
@@ -247,7 +182,7 @@ class PyBullet(Engine):
             # Bullet's own −0.04 m leaves small overlaps to the velocity
             chosen["splitImpulsePenetrationThreshold"] = 0.0
         if "rest_threshold_steps" in settings.options:
-            chosen["restitutionVelocityThreshold"] = _rest_speed(scenario, settings)
+            chosen["restitutionVelocityThreshold"] = rest_speed_of(scenario, settings)
         if chosen:
             bullet.setPhysicsEngineParameter(**chosen, **here)
 
@@ -279,38 +214,6 @@ class PyBullet(Engine):
                 scenario, "Bullet multiplies the coefficients of two bodies, and no choice gives all pairs"
             )
         return list(zip(restitution, friction, strict=True))
-
-
-def _settings_off_centre(common: Mapping[str, Option]) -> Settings:
-    """Settings for impacts off the centre with friction: multibodies, whose friction has a cone.
-
-    In a multibody overlap comes back as speed, so none is taken back, and a small timestep keeps it small.
-    """
-    options: dict[str, Option] = {
-        "coordinates": "multibody",
-        **common,
-        "rest_threshold_steps": 3.0,
-        "contact_erp": 0.0,
-        # A contact that is made while there is a gap loses gap/dt of its rebound.
-        "contact_gap_falls": 0.0,
-    }
-    return Settings(1e-4, steps_per_sample(1e-4), options)
-
-
-def _rest_speed(scenario: Scenario, settings: Settings) -> float:
-    """The relative speed, m/s, below which Bullet lets a contact rest."""
-    if "rest_threshold_steps" not in settings.options:
-        return STOCK_REST_SPEED
-    return settings.number("rest_threshold_steps") * settings.timestep * _gravity(scenario)
-
-
-def _is_undamped(settings: Settings) -> bool:
-    """Whether nothing but contacts and forces changes a velocity."""
-    return settings.options.get("linear_damping") == 0 == settings.options.get("angular_damping")
-
-
-def _gravity(scenario: Scenario) -> float:
-    return float(np.linalg.norm(scenario.gravity))
 
 
 def _fixed(body: Body) -> Body:
