@@ -94,7 +94,7 @@ def listed(words: Sequence[str]) -> str:
     return " and ".join(filter(None, [", ".join(words[:-1]), *words[-1:]]))
 
 
-def one_line(error: Exception) -> str:
+def one_line(error: BaseException) -> str:
     """The exception's type and message, as Python prints them last: `ZeroDivisionError: division by zero`."""
     return " ".join(traceback.format_exception_only(error)[-1].split())
 

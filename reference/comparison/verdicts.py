@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -106,8 +107,16 @@ class Row:
         return self.error / self.scale
 
 
+_WHAT_CANNOT = re.compile(rf"^.*? {Verdict.CANNOT_EXPRESS} .*?: ")
+
+
 def why(verdict: Verdict, note: str) -> str:
-    """A verdict with its note; a note that opens with the verdict's own word needs no more: `needs …`."""
+    """A verdict with its note; a note that opens with the verdict's own word needs no more: `needs …`.
+
+    Of `PyBullet cannot express corner/e=0.5: …` only the reason is left, which is the same for many cases.
+    """
+    if verdict is Verdict.CANNOT_EXPRESS:
+        note = _WHAT_CANNOT.sub("", note)
     return note if note.startswith(verdict) else f"{verdict}: {note}"
 
 

@@ -52,7 +52,7 @@ def _load_file(path: Path) -> ModuleType:
     sys.modules[spec.name] = module  # as any import does; a dataclass in the file looks itself up there
     try:
         spec.loader.exec_module(module)
-    except Exception as error:
+    except (Exception, SystemExit) as error:  # a file that ends Python ends with it whatever the lab was about to do
         raise InvalidInput(f"the engine file {str(path)!r} cannot be loaded: {one_line(error)}") from error
     return module
 
@@ -68,7 +68,7 @@ def _made(file: str, engine: type[Engine], implementation: Implementation | None
         raise InvalidInput(f"the engine of {file!r} has the name {engine.name!r}, which is taken; give it another")
     try:
         return engine(implementation)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise InvalidInput(f"the engine of {file!r} cannot be made: {one_line(error)}") from error
 
 

@@ -29,6 +29,10 @@ def check_world(world: Any, bodies: list[Any], scenario: Scenario, settings: Set
     for body, tensor in zip(scenario.bodies, tensors, strict=True):
         products = tensor[np.triu_indices(3, 1)].tolist()
         read_back.check(TITLE, f"products of inertia of {body.name}", (0, 0, 0), products, "kg m²")
+    for body, node in zip(scenario.bodies, bodies, strict=True):
+        centre = node.getInertia().getLocalCOM().ravel().tolist()
+        read_back.check(TITLE, f"centre of mass of {body.name}", (0, 0, 0), centre, "m")
+        read_back.check(TITLE, f"weight of {body.name}", True, node.getGravityMode())
     surfaces = [body.getShapeNode(0).getDynamicsAspect() for body in bodies]
     for pair in scenario.pairs:
         a, b = surfaces[scenario.index(pair.body_a)], surfaces[scenario.index(pair.body_b)]

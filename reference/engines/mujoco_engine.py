@@ -20,10 +20,10 @@ import numpy as np
 from reference import truth
 from reference.engines import mixing, mujoco_read_back
 from reference.engines.base import AT_STEP, COMPLIANT, MUJOCO_ONE_STEP, MUJOCO_SPRING, Engine, Method
-from reference.engines.ranges import NOT_NEGATIVE, POSITIVE, SHARE, Allowed, Range
+from reference.engines.ranges import COUNT_OR_NONE, NOT_NEGATIVE, POSITIVE, SHARE, Allowed, Range
 from reference.impact_truth import APART, NEWTON
 from reference.scene import geometry
-from reference.scene.off_centre import may_strike_off_centre
+from reference.scene.off_centre import may_rub_off_centre, may_strike_off_centre
 from reference.scene.query import Query, Ray
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Move, Option, Settings, steps_per_sample
@@ -53,7 +53,7 @@ class MuJoCo(Engine):
         "stiffness": POSITIVE,
         "overlap_recovery": SHARE,
         "impratio": POSITIVE,
-        "noslip_iterations": NOT_NEGATIVE,
+        "noslip_iterations": COUNT_OR_NONE,
         "margin": NOT_NEGATIVE,
     }
 
@@ -167,9 +167,10 @@ class MuJoCo(Engine):
         """Refuse impacts off the centre of a body with rebound and friction; docs/engines.md says what was tried.
 
         The convex solver adds μ times the slip that is left to the speed of parting. The noslip passes take that away,
-        but they settle friction after the normal impulse, which off the centre depends on it.
+        but they settle friction after the normal impulse, which off the centre depends on it. It also does where a face
+        or an edge lands and slips: friction presses the corners ahead, and each corner is beside the centre.
         """
-        if may_strike_off_centre(scenario):
+        if may_strike_off_centre(scenario) or may_rub_off_centre(scenario):
             raise self.cannot(scenario, "no setting of it keeps both e and μ in an impact off the centre of a body")
 
     def query(self, query: Query) -> float:
@@ -250,7 +251,11 @@ def set_restitution_and_friction(spec: Any, pair: Pair, settings: Settings) -> N
     if "margin" in settings.options:
         options["margin"] = settings.number("margin")
     spec.add_pair(
-        geomname1=pair.body_a, geomname2=pair.body_b, condim=3, friction=[friction, friction, 0, 0, 0], **options
+        geomname1=pair.body_a,
+        geomname2=pair.body_b,
+        condim=mujoco_read_back.DIMENSIONS,
+        friction=[friction, friction, 0, 0, 0],
+        **options,
     )
 
 

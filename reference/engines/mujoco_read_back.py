@@ -15,6 +15,8 @@ from reference.scene.scenario import Pair, Scenario
 from reference.scene.settings import Settings
 
 TITLE = "MuJoCo"
+DIMENSIONS = 3
+"""Of a contact's force: along the normal and in two directions along the surface. With one there is no friction."""
 MOST_DAMPED = 5.0
 """Damping ratio of a spring that stands for e = 0, which has no finite one: it rebounds with 1 % of the speed."""
 
@@ -23,6 +25,8 @@ def check_world(mujoco: Any, model: Any, scenario: Scenario, settings: Settings)
     """Refuse a model that is not what the scenario and the settings mean."""
     read_back.check(TITLE, "timestep", settings.timestep, model.opt.timestep, "s")
     read_back.check(TITLE, "gravity", scenario.gravity, model.opt.gravity, "m/s²")
+    reset = int(mujoco.mjtDisableBit.mjDSBL_AUTORESET)
+    read_back.check(TITLE, "disableflags", reset, model.opt.disableflags)
     for name, enumeration in (("integrator", mujoco.mjtIntegrator), ("cone", mujoco.mjtCone)):
         found = enumeration(getattr(model.opt, name)).name.partition("_")[2]
         read_back.check(TITLE, name, str(settings[name]).upper(), found)
@@ -54,13 +58,14 @@ def _check_pairs(model: Any, scenario: Scenario, settings: Settings) -> None:
     for pair in scenario.pairs:
         place = places.get(frozenset((scenario.index(pair.body_a), scenario.index(pair.body_b))))
         read_back.check_pair(TITLE, "contact pair", pair, True, place is not None)
+        read_back.check_pair(TITLE, "dimensions of the contact", pair, DIMENSIONS, int(model.pair_dim[place]))
         for axis in range(2):
             read_back.check_pair(TITLE, "friction", pair, pair.kinetic_friction, model.pair_friction[place, axis])
         for number in range(2):
             impedance = model.pair_solimp[place, number]
             read_back.check_pair(TITLE, "impedance", pair, settings.number("impedance"), impedance)
-        if "margin" in settings.options:
-            read_back.check_pair(TITLE, "margin", pair, settings.number("margin"), model.pair_margin[place])
+        margin = settings.number("margin") if "margin" in settings.options else 0.0
+        read_back.check_pair(TITLE, "margin", pair, margin, model.pair_margin[place])
         if settings["contact"] == "one step":
             _check_one_step(pair, model.pair_solref[place], model.pair_solreffriction[place], settings)
         else:

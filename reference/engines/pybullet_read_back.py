@@ -15,7 +15,7 @@ from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 
 TITLE = "PyBullet"
-MASS, FRICTION, INERTIA, RESTITUTION = 0, 1, 2, 5
+MASS, FRICTION, INERTIA, RESTITUTION, ROLLING, SPINNING = 0, 1, 2, 5, 6, 7
 """Fields of a body's dynamics as PyBullet returns them."""
 
 
@@ -32,6 +32,9 @@ def check_world(bullet: Any, numbers: list[int], scenario: Scenario, settings: S
     bodies = [bullet.getDynamicsInfo(number, -1, **here) for number in numbers]
     masses = [known[MASS] or math.inf for known in bodies]  # Bullet writes 0 for a body that nothing moves
     read_back.check_bodies(TITLE, scenario, masses, [known[INERTIA] for known in bodies])
+    for body, known in zip(scenario.bodies, bodies, strict=True):
+        torques = known[ROLLING], known[SPINNING]  # a scenario has neither of these frictions
+        read_back.check(TITLE, f"friction of {body.name} against rolling and spinning", (0, 0), torques)
     for pair in scenario.pairs:
         a, b = bodies[scenario.index(pair.body_a)], bodies[scenario.index(pair.body_b)]
         read_back.check_pair(TITLE, "friction", pair, pair.kinetic_friction, a[FRICTION] * b[FRICTION])

@@ -24,11 +24,14 @@ class Range:
 
     def __str__(self) -> str:
         if self.most < math.inf:
-            return f"from {self.least:g} to {self.most:g}"
+            return f"from {self.least:g} to {self.most:.10g}"
         return f"above {self.least:g}" if self.beyond else f"at least {self.least:g}"
 
 
-SHARE, NOT_NEGATIVE, POSITIVE, COUNT = Range(0, 1), Range(), Range(beyond=True), Range(1)
+MOST_COUNTED = 2**31 - 1
+"""The engines keep their counts in 32 bits with a sign."""
+SHARE, NOT_NEGATIVE, POSITIVE = Range(0, 1), Range(), Range(beyond=True)
+COUNT, COUNT_OR_NONE = Range(1, MOST_COUNTED), Range(0, MOST_COUNTED)
 Allowed = Range | Collection[str]
 """What an option may be: a number in a range, or one of some words."""
 

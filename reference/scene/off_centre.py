@@ -31,6 +31,33 @@ def may_strike_off_centre(scenario: Scenario, smooth: bool = False) -> bool:
     )
 
 
+def may_rub_off_centre(scenario: Scenario) -> bool:
+    """Whether some pair with e > 0 and μ > 0 may meet with an edge or a face that moves along the other body.
+
+    The corners that meet lie beside the centre, each by itself, even if their middle lies under it. Friction acts below
+    the centre and turns the box, so that the corners ahead are pressed more than those behind. A pair that touches at
+    the start has nothing to rebound from and is not looked at.
+    """
+    return any(
+        isinstance(body.shape, Box) and not body.immovable and _rubs_on_corners(scenario, body, other)
+        for pair in scenario.pairs
+        if pair.restitution > 0 and pair.kinetic_friction > 0
+        for body, other in itertools.permutations((scenario.body(pair.body_a), scenario.body(pair.body_b)))
+    )
+
+
+def _rubs_on_corners(scenario: Scenario, box: Body, other: Body) -> bool:
+    if isinstance(other.shape, Sphere) or geometry.gap(box, other) < geometry.TOUCHING:
+        return False
+    normal = _towards(box, other)
+    ways = [np.subtract(other.velocity, box.velocity)]
+    if other.immovable:
+        ways.append(np.array(scenario.gravity))  # else both fall alike
+    ways += [np.array(force.force) for force in scenario.forces if force.body in (box.name, other.name)]
+    moves_along = any(np.linalg.norm(np.cross(way, normal)) > _ROUNDING for way in ways)
+    return moves_along and len(_nearest_corners(box, normal)) > 1
+
+
 def _turned_by_a_push(scenario: Scenario, box: Body, other: Body) -> bool:
     """Whether a push on a box along the normal towards another body passes beside the centre of the box."""
     normal = _towards(box, other)
@@ -71,7 +98,12 @@ def _reach(box: Body, direction: Array) -> float:
 
 def _nearest_point(box: Body, direction: Array) -> Array:
     """Middle of the corner, edge or face of a box that lies farthest along a direction, across it, (3,), m."""
+    middle = np.mean(_nearest_corners(box, direction), axis=0)
+    return np.asarray(middle - (middle @ direction) * direction)
+
+
+def _nearest_corners(box: Body, direction: Array) -> Array:
+    """The corners of a box that lie farthest along a direction, from its centre, (n, 3), m."""
     corners = _corners(box)
     heights = corners @ direction
-    middle = np.mean(corners[heights > heights.max() - _ROUNDING], axis=0)
-    return np.asarray(middle - (middle @ direction) * direction)
+    return np.asarray(corners[heights > heights.max() - _ROUNDING])

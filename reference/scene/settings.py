@@ -32,7 +32,7 @@ class Settings:
     def __post_init__(self) -> None:
         object.__setattr__(self, "timestep", checks.positive("timestep", self.timestep))
         if not isinstance(self.sample_every, int) or self.sample_every < 1:
-            raise InvalidInput(f"sample_every is {self.sample_every!r}; it must be a whole number of steps")
+            raise InvalidInput(f"sample_every is {self.sample_every!r}; it must be a whole number of steps, at least 1")
         object.__setattr__(self, "options", MappingProxyType(dict(self.options)))
 
     def __reduce__(self) -> tuple[object, ...]:

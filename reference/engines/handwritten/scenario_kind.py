@@ -145,7 +145,7 @@ def box_and_plane(scenario: Scenario) -> tuple[Body, Body]:
 def turns_steadily(body: Body, orientation: Array, spin: Array) -> bool:
     """Whether a body that nothing pushes keeps its spin (3,), rad/s: it turns about a principal axis, or not at all."""
     own_spin = geometry.rotate(geometry.opposite(orientation), spin)
-    moments = np.array(body.shape.inertia_per_mass())  # type: ignore[union-attr]
+    moments = np.array(body.moments_of_inertia())
     size = np.linalg.norm(spin) ** 2 * moments.max()
     return bool(np.linalg.norm(np.cross(own_spin, moments * own_spin)) <= _ROUNDING * size)
 

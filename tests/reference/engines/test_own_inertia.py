@@ -173,3 +173,22 @@ def test_by_hand_a_ball_with_unequal_moments_needs_a_world(scenario):
     engine.run(replace(scenario, bodies=equal), settings)
     with pytest.raises(NeedsFunction, match="rigid-body world"):
         engine.run(scenario, settings)
+
+
+def flying_cube(inertia, spin):
+    cube = Body("cube", Box((0.1, 0.1, 0.1)), 1.0, (0, 0, 0.5), TURNED, (0, 0, -1), spin, inertia)
+    return Scenario("a cube that flies", (FLOOR, cube), (Pair("cube", "floor", 0.5, 0.3),), 0.1, (0, 0, 0))
+
+
+def test_by_hand_a_cube_with_unequal_moments_of_its_own_needs_a_world():
+    engine, scenario = load_engine("handwritten"), flying_cube(tuple(MOMENTS), SPIN)
+    with pytest.raises(NeedsFunction, match="rigid-body world"):
+        engine.run(scenario, engine.settings(scenario, "tuned"))
+
+
+def test_by_hand_a_box_whose_own_moments_are_equal_keeps_its_spin():
+    engine, scenario = load_engine("handwritten"), flying_cube((0.01, 0.01, 0.01), SPIN)
+    long = replace(scenario.body("cube"), shape=Box((0.2, 0.05, 0.05)))
+    scenario = replace(scenario, bodies=(FLOOR, long))
+    trajectory = engine.run(scenario, engine.settings(scenario, "tuned"))
+    assert trajectory.angular_velocity("cube")[-1] == pytest.approx(SPIN, rel=1e-12)

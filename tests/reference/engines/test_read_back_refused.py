@@ -115,14 +115,23 @@ def halved(real, owner, value):
     real(owner, np.array(value) / 2 if np.ndim(value) else value / 2)
 
 
-def with_inertia(mass=1.0, moment=1.0, product=0.0):
+def with_inertia(mass=1.0, moment=1.0, product=0.0, centre=(0, 0, 0)):
     """Makes DART get another inertia, of the same class as the one that it was told."""
 
     def changed(real, owner, inertia):
         tensor = inertia.getMoment() * moment + product * (1 - np.eye(3))
-        real(owner, type(inertia)(inertia.getMass() * mass, [0, 0, 0], tensor))
+        real(owner, type(inertia)(inertia.getMass() * mass, centre, tensor))
 
     return changed
+
+
+def weightless(real, owner, inertia):
+    real(owner, inertia)
+    owner.setGravityMode(False)
+
+
+def that_rolls_hard(positional, named):
+    return positional, named | {"rollingFriction": 0.01}
 
 
 def loose(real, skeleton):
@@ -143,6 +152,11 @@ MISMATCHES = [
     ("pybullet", "mass of ball 1.3013 kg", bullet_told("createMultiBody", first_times(1.001))),
     ("pybullet", "mass of floor 1 kg, and was told inf kg", bullet_told("createMultiBody", at_least_one)),
     ("pybullet", "inertia of wheel (0.0505, ", bullet_told("changeDynamics", word_times("localInertiaDiagonal", 1.01))),
+    (
+        "pybullet",
+        "friction of floor against rolling and spinning (0.01, 0)",
+        bullet_told("changeDynamics", that_rolls_hard),
+    ),
     ("pybullet", "friction of ball and floor ", bullet_told("changeDynamics", word_times("lateralFriction", 1.001))),
     (
         "pybullet",
@@ -184,6 +198,9 @@ MISMATCHES = [
         "share of the slip that a step takes away of ball and floor 0.5",
         model_told("pair_solreffriction", scaled(0.5)),
     ),
+    ("mujoco", "dimensions of the contact of ball and floor 1, and was told 3", model_told("pair_dim", lambda _: 1)),
+    ("mujoco", "disableflags ", model_told("disableflags", lambda flags: flags | 16)),
+    ("mujoco", "margin of ball and floor 0.01, and was told 0", model_told("pair_margin", lambda _: 0.01)),
     ("mujoco spring", "stiffness of ball and floor 1001000", model_told("pair_solref", scaled(1.001, 1))),
     ("mujoco spring", "restitution of ball and floor 0.36", model_told("pair_solref", scaled(1, 1.01))),
     ("mujoco stock", "friction of ball and floor 0.41041", model_told("geom_friction", scaled(1.001))),
@@ -201,6 +218,12 @@ MISMATCHES = [
         "products of inertia of ball (0.0001, ",
         dart_told("dynamics.BodyNode.setInertia", with_inertia(product=1e-4)),
     ),
+    (
+        "dart",
+        "centre of mass of ball (0.01, 0, 0) m",
+        dart_told("dynamics.BodyNode.setInertia", with_inertia(centre=[0.01, 0, 0])),
+    ),
+    ("dart", "weight of ball 0, and was told 1", dart_told("dynamics.BodyNode.setInertia", weightless)),
     ("dart", "restitution of ball and floor 0.0925", dart_told("dynamics.DynamicsAspect.setRestitutionCoeff", halved)),
     ("dart", "friction of ball and floor 0.205", dart_told("dynamics.DynamicsAspect.setFrictionCoeff", halved)),
     ("dart", "detector fcl, and was told dart", dart_told("constraint.ConstraintSolver.setCollisionDetector", nothing)),

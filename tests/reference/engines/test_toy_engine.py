@@ -91,6 +91,8 @@ REST = "    def settings(self, *_): pass\n    method = run = settings\n"
         (f"{HALF}{REST}ENGINE = Half\n", "has no title"),
         (f"{HALF}{REST}    title = 'MuJoCo'\n    name = 'mujoco'\nENGINE = Half\n", "'mujoco', which is taken"),
         (f"{HALF}{REST}    title = 'h'\n    def __init__(self): pass\nENGINE = Half\n", "cannot be made: TypeError"),
+        ("raise SystemExit(7)\n", "cannot be loaded: SystemExit: 7"),
+        ("raise ValueError('a')\n", "cannot be loaded: ValueError: a"),
     ],
 )
 def test_a_file_without_an_engine_that_can_run_is_refused_by_name(text, complaint, tmp_path):

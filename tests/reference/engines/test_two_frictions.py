@@ -12,7 +12,7 @@ from reference.catalogue import measure
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.friction import slab_on_plane
 from reference.comparison.verdicts import Verdict, judge
-from reference.engines import load_engine, mujoco_engine, pybullet_bodies
+from reference.engines import load_engine, mujoco_engine, mujoco_read_back, pybullet_bodies, pybullet_read_back
 from reference.engines.implementation import Implementation
 from reference.scene.scenario import GRAVITY, Force
 
@@ -93,6 +93,8 @@ def test_no_setting_that_was_tried_holds_more_at_rest_than_in_motion(what, insta
         more(*arguments)
 
     monkeypatch.setattr(module, "set_restitution_and_friction", both)
+    read_back = pybullet_read_back if name == "pybullet" else mujoco_read_back
+    monkeypatch.setattr(read_back, "check_world", lambda *_: None)  # it would refuse what the engine was not told
     for speed in (0.0, 0.1):
         level = slab_on_plane("level", 0.3, 0.0, speed, 0.2)
         pushed = replace(level, forces=(Force("slab", (0.4 * GRAVITY, 0.0, 0.0)),))

@@ -40,6 +40,7 @@ def test_a_page_without_results_is_well_formed():
         (Verdict.CRASHED, "its process died (SIGSEGV)", "crashed: its process died (SIGSEGV)"),
         (Verdict.NEEDS, "needs kinematic_response (step 1)", "needs kinematic_response (step 1)"),
         (Verdict.CANNOT_EXPRESS, "it has no words", "cannot express: it has no words"),
+        (Verdict.CANNOT_EXPRESS, "DART cannot express rods/a b: it has: none", "cannot express: it has: none"),
     ],
 )
 def test_an_engine_without_an_answer_has_a_line_that_says_why(verdict, note, said):

@@ -8,11 +8,12 @@ from dataclasses import replace
 import pytest
 
 from reference.catalogue.scenarios import catalogue
-from reference.scene.off_centre import may_strike_off_centre
-from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.off_centre import may_rub_off_centre, may_strike_off_centre
+from reference.scene.scenario import Body, Box, Force, HalfSpace, Pair, Scenario, Sphere
 
 TILTED = (math.cos(math.pi / 12), 0.0, math.sin(math.pi / 12), 0.0)
 ON_ITS_EDGE = (math.cos(math.pi / 8), 0.0, math.sin(math.pi / 8), 0.0)
+ON_ITS_CORNER = (0.8880738339771153, 0.3250575836718681, -0.3250575836718681, 0.0)  # a diagonal of the cube is upright
 FLOOR, TABLE = Body("other", HalfSpace()), Body("other", Box((1.0, 1.0, 0.1)))
 ROUGH, SMOOTH, DULL = Pair("box", "other", 0.5, 0.2), Pair("box", "other", 0.5), Pair("box", "other", 0.0, 0.2)
 
@@ -60,6 +61,34 @@ def test_without_rebound_or_friction_nothing_is_to_decide():
     assert not may_strike_off_centre(replace(tilted, pairs=(SMOOTH,)))
     assert may_strike_off_centre(replace(tilted, pairs=(SMOOTH,)), smooth=True)
     assert not may_strike_off_centre(replace(tilted, pairs=(DULL,)), smooth=True)
+
+
+RUBS = {
+    "level over a plane": scenario(velocity=(3, 1, 0)),
+    "an edge below the centre": scenario(orientation=ON_ITS_EDGE, velocity=(1, 0, -1)),
+    "level over a table, beside its centre": scenario(TABLE, position=(0.5, 0, 1), velocity=(1, 0, 0)),
+    "level over a slope": scenario(gravity=(1, 0, -9)),
+    "pushed along the plane": replace(scenario(), forces=(Force("box", (1, 0, 0)),)),
+}
+STRAIGHT = {
+    "straight down": scenario(velocity=(0, 0, -1)),
+    "spinning about the normal": scenario(angular_velocity=(0, 0, 5)),
+    "on a corner": scenario(orientation=ON_ITS_CORNER, velocity=(1, 0, -1)),
+    "on the floor already": scenario(position=(0, 0, 0.1), velocity=(1, 0, 0)),
+    "a ball that drifts aside": scenario(ball(velocity=(0.5, 0, 0))),
+    "without friction": scenario(pair=SMOOTH, velocity=(3, 1, 0)),
+    "without rebound": scenario(pair=DULL, velocity=(3, 1, 0)),
+}
+
+
+@pytest.mark.parametrize("what", RUBS)
+def test_corners_that_land_and_slip_are_found_before_the_run(what):
+    assert may_rub_off_centre(RUBS[what])
+
+
+@pytest.mark.parametrize("what", STRAIGHT)
+def test_corners_that_do_not_slip_or_are_alone_may_land(what):
+    assert not may_rub_off_centre(STRAIGHT[what])
 
 
 def test_of_the_catalogue_two_families_strike_off_centre():
