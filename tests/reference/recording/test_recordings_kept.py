@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import hashlib
 import random
 import warnings
 from dataclasses import replace
@@ -18,7 +19,7 @@ from reference.engines import engine_names, load_engine
 from reference.published import recorded
 from reference.published.jobs import plan
 from reference.published.jobs import run_job as published_now
-from reference.recording import checksums
+from reference.recording import checksums, sensitivity
 from reference.recording.files import FOLDER, never_recorded
 from reference.recording.making import OTHER_VERSION, jobs_of, why_stale
 from reference.recording.reading import recall, replay
@@ -39,6 +40,8 @@ MOST_BYTES = 10_000_000
 CHECKSUM = "10be08490ec4a66d29a776a74d976f6ebec21d2af674d0553435d1b086736588"
 """Over all recordings, as `collisions record` prints it at its end. Only a person changes it here, in the same commit
 as the recordings, and says why: so no number of a recording changes unnoticed, not even together with its checksum."""
+SENSITIVITY = "b7902dde343c7b02759b8187394f5c9281d0704229756677bba9f3724179964c"
+"""Of the file of the smallest faults, which `collisions sensitivity --keep` writes; changed here by a person as well."""
 POINTS = 40
 """Points of the grids that are run again, of each engine."""
 STRAIGHT = (
@@ -91,6 +94,10 @@ def test_every_grid_point_and_replay_is_recorded_and_up_to_date(engine):
     stale = {family.name: why_stale(family, engine) for family in kept}
     # An engine may be newer here than the one that was recorded.
     assert {name: why for name, why in stale.items() if why and not why.startswith(OTHER_VERSION)} == {}
+
+
+def test_the_smallest_faults_are_those_that_were_kept():
+    assert hashlib.sha256(sensitivity.FILE.read_bytes()).hexdigest() == SENSITIVITY
 
 
 def test_the_recordings_are_small_and_hold_no_unknown_run():
