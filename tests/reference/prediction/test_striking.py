@@ -55,7 +55,7 @@ def on_a_ball() -> Scenario:
 
 def on_a_plane() -> Scenario:
     ball = Body("ball", Sphere(0.05), 0.7, (0, 0, 0.25034), velocity=(0.4, 0, -2), angular_velocity=(0, 30, 0))
-    return scene("plane", Body("plane", HalfSpace()), ball, 0.6, 0.2, (0, 0, -9.81))
+    return scene("plane", Body("plane", HalfSpace()), ball, 0.6, 0.2, (1.5, 0, -9.81))  # weight acts along it as well
 
 
 SCENES = {each.name: each for each in (on_a_box(), on_a_ball(), on_a_plane())}
