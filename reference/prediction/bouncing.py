@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -32,6 +33,8 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     if method.rule == CHORD:
         gaps, rates, rest = by_chords(gap, rate, fall, settings.timestep, restitution, method.rest_speed, steps)
     else:
+        if isinstance(body.shape, Box) and settings.options.get("ground") == "box":
+            method = replace(method, reach=0.0)  # Bullet finds a contact of two boxes only where they overlap
         law = law_of(settings, method, restitution, CORNERS if isinstance(body.shape, Box) else 1.0)
         if law is None:
             return None

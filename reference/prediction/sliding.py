@@ -13,6 +13,7 @@ from reference.engines.base import BULLET, DART, MUJOCO_ONE_STEP, RESPOND_THEN_S
 from reference.engines.dart_engine import SOFTNESS
 from reference.prediction import friction
 from reference.prediction.bouncing import CORNERS, by_steps
+from reference.prediction.impulses import LEAST_FRICTION
 from reference.prediction.laws import law_of
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
 from reference.scene import geometry
@@ -45,7 +46,8 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         float(gravity @ ahead) * dt,
         float(gravity @ normal) * dt,
     )
-    steps, kinetic = settings.steps_for(scenario.duration), pair.kinetic_friction
+    steps, least = settings.steps_for(scenario.duration), LEAST_FRICTION if method.rule == MUJOCO_ONE_STEP else 0.0
+    kinetic = max(pair.kinetic_friction, least)
     static = float(pair.static_friction)  # type: ignore[arg-type]
     holds = speed == 0 and pull <= -static * fall
     if method.rule == BULLET and not holds and not _on_bullets_axes(body, normal, ahead):

@@ -12,6 +12,7 @@ from reference.catalogue.scenarios.friction import HALF_EXTENTS, slab_on_plane
 from reference.catalogue.scenarios.rolling import ball_on_plane
 from reference.engines.base import AT_STEP, BULLET, EXACT, Method
 from reference.prediction import sliding
+from reference.prediction.impulses import LEAST_FRICTION
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
@@ -193,6 +194,15 @@ def test_a_box_that_mujoco_holds_is_predicted_to_stay(installed):
     found = predicted("mujoco", "a box holds on a turned slope", installed)
     assert np.max(np.abs(positions(found.trajectory) - positions(found.trajectory)[0])) < 1e-6
     assert found.near == pytest.approx(1e-3)
+
+
+def test_mujoco_brakes_a_slab_a_little_without_friction(installed):
+    scenario = slab_on_plane("slips", 0.0, 0.05, 0.0, 3.0)
+    engine = installed("mujoco")
+    settings = engine.settings(scenario, "tuned")
+    found = sliding.predict(scenario, settings, engine.method(scenario, settings))
+    off = np.linalg.norm(positions(found.trajectory) - positions(engine.run(scenario, settings)), axis=1)
+    assert np.max(off) < found.near < 0.1 * LEAST_FRICTION * 9.81 * 3.0**2 / 2
 
 
 def test_without_a_margin_rounding_may_hide_the_first_contact(installed):

@@ -55,7 +55,7 @@ def on_a_ball() -> Scenario:
 
 def on_a_plane() -> Scenario:
     ball = Body("ball", Sphere(0.05), 0.7, (0, 0, 0.25034), velocity=(0.4, 0, -2), angular_velocity=(0, 30, 0))
-    return scene("plane", Body("plane", HalfSpace()), ball, 0.6, 0.2, (0, 0, -9.81))
+    return scene("plane", Body("plane", HalfSpace()), ball, 0.6, 0.2, (1.5, 0, -9.81))  # weight acts along it as well
 
 
 SCENES = {each.name: each for each in (on_a_box(), on_a_ball(), on_a_plane())}
@@ -63,7 +63,7 @@ SCENES["smooth box"] = replace(on_a_box(), pairs=(Pair("box", "ball", 0.6),))
 
 
 def farthest_off(name: str, engine: str, profile: str, installed) -> float:
-    """The largest difference of any velocity or spin at the end from the predicted one, in bands."""
+    """The largest difference of any velocity, spin or pose at the end from the predicted one, in bands."""
     scenario, found = SCENES[name], installed(engine)
     settings = found.settings(scenario, profile)
     prediction = striking.predict(scenario, settings, found.method(scenario, settings))
@@ -72,7 +72,10 @@ def farthest_off(name: str, engine: str, profile: str, installed) -> float:
     assert np.max(np.abs(ran.velocities[-1] - ran.velocities[0])) > 0.5  # there was an impact
     pairs = ((ran.velocities, prediction.trajectory.velocities), (ran.positions, prediction.trajectory.positions))
     spins = ran.angular_velocities, prediction.trajectory.angular_velocities
-    return max(float(np.max(np.abs(one[-1] - other[-1]))) for one, other in (*pairs, spins)) / (30 * prediction.near)
+    same = np.sign(np.sum(ran.orientations * prediction.trajectory.orientations, axis=-1, keepdims=True))
+    turns = ran.orientations, same * prediction.trajectory.orientations  # q and −q are one orientation
+    compared = (*pairs, spins, turns)
+    return max(float(np.max(np.abs(one[-1] - other[-1]))) for one, other in compared) / (30 * prediction.near)
 
 
 @pytest.mark.parametrize(("name", "engine", "profile"), EVERY)
