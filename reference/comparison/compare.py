@@ -148,7 +148,9 @@ def _with_number(row: Row, number: Number, expectation: Expectation | None, agai
     if number.crashed:
         return replace(row, verdict=Verdict.CRASHED, note=number.note)
     if number.mean is None:
-        return replace(row, verdict=Verdict.FAIL if expectation else Verdict.SHOWN, note=number.note)
+        as_it_must = against is not None and against.number.mean is None
+        missing = Verdict.DISAGREES if as_it_must else Verdict.FAIL
+        return replace(row, verdict=missing if expectation else Verdict.SHOWN, note=number.note)
     row = replace(row, measured=number.mean, spread=number.spread, values=number.values)
     holds = None
     if against is not None:

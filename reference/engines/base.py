@@ -21,7 +21,7 @@ from reference.scene.settings import Move, Settings
 from reference.scene.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
-RESPOND_THEN_STEP, CHORD, BULLET, BULLET_SPRING, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
+RULES = RESPOND_THEN_STEP, CHORD, BULLET, BULLET_SPRING, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
     "respond, then step",
     "chord",
     "Bullet's",
@@ -64,6 +64,10 @@ class Method:
     law: str = NEWTON
     reach: float = 0.0
     rule: str = ""
+
+    def __post_init__(self) -> None:
+        if self.rule and self.rule not in RULES:
+            raise InvalidInput(f"the rule of a method is {self.rule!r}; it is one of {', '.join(RULES)}, or none, ''")
 
 
 class Engine(ABC):

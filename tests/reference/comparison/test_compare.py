@@ -268,6 +268,14 @@ def test_a_number_that_the_recurrence_does_not_have_fails():
     assert (row.verdict, row.note) == (Verdict.FAIL, "predicted: above ten")
 
 
+def test_a_number_that_neither_has_disagrees_with_theory_as_it_must():
+    found, rising = predicted(11.0, 12.0, 13.0), family(lambda *_: BIASED, height_below_ten, (11.0, 12.0, 13.0))
+    heights = dict(zip(rising.cases[0].scenarios, found.cases[0].scenarios, strict=True))
+    entry = replace(rising, predict=lambda scenario, *more: found.predict(heights[scenario], *more))
+    (row,) = compare(entry)
+    assert (row.verdict, row.note, row.measured) == (Verdict.DISAGREES, "above ten", None)
+
+
 def test_a_quantity_without_theory_is_judged_by_its_prediction_alone():
     found = predicted(1.0, 2.0, 3.0)
     (row,) = compare(replace(found, quantities=(replace(found.quantities[0], expect=None),)))

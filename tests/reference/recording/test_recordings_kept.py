@@ -41,7 +41,7 @@ CHECKSUM = "10be08490ec4a66d29a776a74d976f6ebec21d2af674d0553435d1b086736588"
 """Over all recordings, as `collisions record` prints it at its end. Only a person changes it here, in the same commit
 as the recordings, and says why: so no number of a recording changes unnoticed, not even together with its checksum."""
 SENSITIVITY = "b7902dde343c7b02759b8187394f5c9281d0704229756677bba9f3724179964c"
-"""Of the file of the smallest faults, which `collisions sensitivity --keep` writes; changed here by a person as well."""
+"""Of the file of the smallest faults, which `collisions sensitivity --keep` writes; changed here by a person too."""
 POINTS = 40
 """Points of the grids that are run again, of each engine."""
 STRAIGHT = (
@@ -94,6 +94,12 @@ def test_every_grid_point_and_replay_is_recorded_and_up_to_date(engine):
     stale = {family.name: why_stale(family, engine) for family in kept}
     # An engine may be newer here than the one that was recorded.
     assert {name: why for name, why in stale.items() if why and not why.startswith(OTHER_VERSION)} == {}
+
+
+@pytest.mark.parametrize("family", ["sliding-slab", "incline"])
+def test_mujocos_slabs_are_as_predicted_at_ten_times_their_timestep(family):
+    found = recall(Job(family, "mujoco", "tuned", changes=(("timestep", 1e-3),), grid=True))
+    assert {row.verdict for row in found.rows} <= {Verdict.PASS, Verdict.KNOWN_DEVIATION}
 
 
 def test_the_smallest_faults_are_those_that_were_kept():
