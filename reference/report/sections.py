@@ -53,7 +53,7 @@ class Cell:
     @property
     def count(self) -> str:
         """`5/6` of the rows agree; "" where no row is judged, the verdict where no row has a number."""
-        if all(row.measured is None and row.verdict is not Verdict.FAIL for row in self.rows):
+        if all(row.measured is None and row.verdict not in (Verdict.FAIL, Verdict.DISAGREES) for row in self.rows):
             return str(self.verdict)
         return f"{self.agreeing}/{self.judged}" if self.judged else ""
 

@@ -102,7 +102,8 @@ ONE_COEFFICIENT = {
 SAYS_NO = {
     **dict.fromkeys(REPORT_CONTACTS, ONE_COEFFICIENT),
     "handwritten": dict.fromkeys(NEEDS_A_WORLD, (NeedsFunction, r"^needs a rigid-body world \(world\)$")),
-    "mujoco": dict.fromkeys(
+    "mujoco": ONE_COEFFICIENT
+    | dict.fromkeys(
         ("struck-cube", "off-centre-impact"),
         (CannotExpress, r"^MuJoCo cannot express \S+: no setting of it keeps both e and μ in an impact off the centre"),
     ),

@@ -237,8 +237,8 @@ OFF_CENTRE_IMPACT = Family(
         _quantity("restitution", "parting"),
         _quantity("slip_x", "slip x"),
         _quantity("slip_y", "slip y"),
-        _quantity("spin", "added spin", "rad/s"),
-        _quantity("lost", "energy lost"),
+        _quantity("spin", "spin", "rad/s"),
+        _quantity("lost", "lost"),
     ),
     curve=Curve(
         "corner,e=0.5,μ=0.2",

@@ -28,7 +28,7 @@ NUMBERS = (0.0, -0.12345, 1.35457, -5.5e-6, 5.5e-4)
 """Measured values that print as short and as long as values near the expected ones do."""
 WILD = (*NUMBERS, -12345.6, -1.23456e7)
 """What a failure may come to."""
-WITHOUT_QUANTITIES = (Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE)
+WITHOUT_QUANTITIES = (Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS, Verdict.NOT_AVAILABLE)
 MEASURED = {
     Verdict.PASS: NUMBERS,
     Verdict.KNOWN_DEVIATION: NUMBERS,
