@@ -175,8 +175,8 @@ def line_style(line: Line, thin: bool = False, as_tuned: bool = False) -> dict[s
 
 
 def _own_ids(text: str, name: str) -> str:
-    """The SVG element alone, its ids prefixed."""
-    svg = text[text.index("<svg") :]
+    """The SVG element alone, its ids prefixed and its numbers short."""
+    svg = re.sub(r"(\.\d\d)\d+", r"\1", text[text.index("<svg") :])  # a hundredth of a point is not seen
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{name}-\1"', svg)
     return re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", svg)
