@@ -147,7 +147,7 @@ def _let_go(speed: float, stiffness: float, ratio: float, gravity: float) -> tup
 
 
 def _as_stepped(case: Published, figure: str, found: Array, predicted: Array) -> Answer:
-    """Answer with the shift that the engine's own steps make, which are known but for rounding."""
+    """Answer with the shift that the engine's own steps make, which are known except for rounding."""
     shift = predicted - np.array(case.expected[figure])
     reason = "its contact never pulls, and its steps of first order fall g t dt/2 too far; predicted step by step"
     return Answer(tuple(found.tolist()), None, "", tuple(shift.tolist()), reason, (ROUNDING,) * len(found))
