@@ -57,19 +57,6 @@ def rebound_shift_at_step(
     return -(1 - restitution - recovery) * impact_speed(drop_height, gravity) * timestep / 2
 
 
-def rebound_shift_of_weighed_step(drop_height: float, restitution: float, gravity: float, timestep: float) -> float:
-    """Shift of the first apex, m, where an impact also turns back the g dt that its own step has added to the speed.
-
-    The rebound has e g dt more, and (e v)²/(2g) grows by e v · e g dt/g = e² v dt.
-    """
-    return restitution**2 * impact_speed(drop_height, gravity) * timestep
-
-
-def interpolated_earliness(gravity: float, timestep: float, speed: float) -> float:
-    """By how much the slide's T is early at most, s: the chord of a parabola is up to g dt²/(8 v) too soon."""
-    return gravity * timestep**2 / (8 * speed)
-
-
 def stopping_distance(speed: float, friction: float, gravity: float) -> float:
     """Way that a block slides on the level until it stops, m: m v²/2 = μ m g d."""
     return speed**2 / (2 * friction * gravity)

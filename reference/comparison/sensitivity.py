@@ -79,7 +79,7 @@ class Sensitivity:
 
 
 def sensitivity(family: Family, engine: Engine, profile: str) -> tuple[Sensitivity, tuple[Row, ...]]:
-    """Inject each fault that the family's cases name; return what came of it, and the rows without any fault.
+    """Inject each fault that the family's cases name; return the findings, and the rows without any fault.
 
     A coefficient that changes nothing in the chosen cases, such as the friction of a ball that rolls, is tried in the
     family's other cases too. Cases that the implementation cannot run are left out; errors as those of the first case

@@ -7,6 +7,7 @@ approach; `fall` is what forces other than the contact add to the rate in one st
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar, Protocol
 
@@ -71,8 +72,23 @@ class RespondThenStep:
         return gap + rate * self.dt, rate
 
 
+class ByContact(ABC):
+    """A law that gives a rate and a push, with which semi-implicit Euler then moves the surfaces."""
+
+    dt: float
+
+    @abstractmethod
+    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Rate after a step, m/s, and how far the step moves the surfaces apart besides, m."""
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        after, push = self.contact(gap, rate, fall)
+        return gap + after * self.dt + push, after
+
+
 @dataclass(frozen=True)
-class Bullet:
+class Bullet(ByContact):
     """Bullet in maximal coordinates: the rate before the step is turned back, a share of the overlap moved away.
 
     btSequentialImpulseConstraintSolver::setupContactConstraint: the impulse is what the rate needs to be e times that
@@ -96,14 +112,9 @@ class Bullet:
             after, push = max(after, rebound - max(gap, 0.0) / self.dt), self.recovery * max(-gap, 0.0)
         return after, push
 
-    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
-        """Gap and rate at the end of a step."""
-        after, push = self.contact(gap, rate, fall)
-        return gap + after * self.dt + push, after
-
 
 @dataclass(frozen=True)
-class BulletSpring:
+class BulletSpring(ByContact):
     """Bullet with a contact spring, k and c per unit mass: from the touch on it adds the acceleration −k r − c u⁺.
 
     r is the gap before the step and u⁺ the rate after it, so that a = −(k r + c u)/(1 + c dt); it never pulls. That is
@@ -124,11 +135,6 @@ class BulletSpring:
             push = -(self.stiffness * gap + self.damping * after) / (1 + self.damping * self.dt)
             after += max(push, 0.0) * self.dt
         return after, 0.0
-
-    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
-        """Gap and rate at the end of a step."""
-        after, _ = self.contact(gap, rate, fall)
-        return gap + after * self.dt, after
 
 
 @dataclass(frozen=True)
@@ -184,7 +190,7 @@ class MuJoCoSpring(MuJoCoOneStep):
 
 
 @dataclass(frozen=True)
-class Dart:
+class Dart(ByContact):
     """DART: forces first, then the rate that they have made is turned back, up to a softness.
 
     ContactConstraint.cpp: the impulse is what the rate needs to be e times that of the approach, unless that is slower
@@ -210,11 +216,6 @@ class Dart:
                 wanted = max(wanted, recovery)
             after += max(0.0, wanted - after) / (1 + SOFTNESS)
         return after, push
-
-    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
-        """Gap and rate at the end of a step."""
-        after, push = self.contact(gap, rate, fall)
-        return gap + after * self.dt + push, after
 
 
 def law_of(settings: Settings, method: Method, restitution: float, ease: float = 1.0) -> Law | None:

@@ -181,7 +181,7 @@ def _nearness(
         elif method.rule == DART:
             near, why = 1e-6, "the recurrence, and what DART's sweeps over four corners leave"  # 1.1·10⁻⁷ measured
         elif holds:
-            near, why = 10 * dt, "rest, but for a box that MuJoCo's friction makes rock: it creeps"  # 4 dt measured
+            near, why = 10 * dt, "rest, except that MuJoCo's friction makes a box rock and creep"  # 4 dt measured
         else:
             near, why = rocking * dt, "the recurrence, and a box that MuJoCo's friction makes rock"
         if "margin" not in settings.options:

@@ -10,7 +10,7 @@ from reference import truth
 from reference.catalogue import measure, turning
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
-from reference.catalogue.scenarios.friction import HOLDS, SLIDES, slack_of_creep
+from reference.catalogue.scenarios.friction import CREEPS, HOLDS, SLIDES, slack_of_creep
 from reference.catalogue.scenarios.slopes import normal_of
 from reference.catalogue.scenarios.tolerances import DEGREE, MILLIMETRE, ROUNDING, from_rest
 from reference.engines.base import EXACT, Method
@@ -54,7 +54,8 @@ def _true_outcome(case: Case) -> float:
 
 
 def _expect_outcome(case: Case, settings: Settings, method: Method) -> Expectation:
-    return Expectation(_true_outcome(case), 0.0, "holds (0) below 1 mm in 1 s, tips (2) beyond 10°, else slides (1)")
+    words = "holds (0) below 1 mm in 1 s, tips (2) beyond 10°, else slides (1)"
+    return Expectation(_true_outcome(case), 0.0, words, shift_reason=CREEPS)
 
 
 def _acceleration(case: Case) -> float:

@@ -32,6 +32,9 @@ FAMILIES = list(catalogue().values())
 CASES = [(family, case) for family in FAMILIES for case in family.cases]
 COUNTED = {("incline", "moves"), ("critical-incline", "moves"), ("box-on-edge", "face"), ("tipping-box", "outcome")}
 """Quantities that are whole numbers: an outcome is right or wrong."""
+FROM_THEORY_ON = ("two-balls", "rod-on-peg", "two-walls", "spinning-ball")
+"""Families in which a step that comes by chance at the touch shifts nothing, and one that comes late shifts a number to
+one side: without a prediction it lies between theory and the largest shift, which is twice the mean one."""
 each_family = pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
 METHODS = [
     Method(EXACT),
@@ -228,8 +231,11 @@ def test_a_known_deviation_has_a_reason_and_a_narrower_band(family):
             assert 0 < expectation.shift_tolerance < math.inf, (case.name, quantity)
             assert method.kind != EXACT, "an exact method has nothing to explain"
         if abs(expectation.shift) > expectation.tolerance:  # only then can it be what a row is judged by
-            farthest = abs(expectation.shift) + expectation.tolerance
-            assert expectation.shift_tolerance <= farthest * (1 + 1e-12), f"{quantity}: the band reaches beyond theory"
+            band, farthest = expectation.shift_tolerance, abs(expectation.shift)
+            if family.name in FROM_THEORY_ON:
+                assert band <= (farthest + expectation.tolerance) * (1 + 1e-12), f"{quantity}: it reaches beyond theory"
+            else:
+                assert band < farthest, f"{quantity}: the band reaches back to theory, it explains anything"
 
 
 @each_family

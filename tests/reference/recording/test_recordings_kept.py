@@ -117,7 +117,7 @@ def test_the_recordings_are_small_and_hold_no_unknown_run():
 
 def test_no_recording_was_changed_since_it_was_made():
     assert checksums.changed(FOLDER) == {}
-    assert checksums.over_all(FOLDER) == CHECKSUM, "if the recordings were made anew, put their checksum here"
+    assert checksums.over_all(FOLDER) == CHECKSUM, "if they were recorded again, put their checksum here"
 
 
 def test_a_family_without_recordings_is_named_with_the_command_to_run():
