@@ -95,28 +95,30 @@ def method_of(scenario: Scenario, settings: Settings) -> Method:
     if "stiffness" in settings.options:
         return Method(COMPLIANT, stiffness=settings.number("stiffness"), rule=BULLET_SPRING)
     rest_speed = rest_speed_of(scenario, settings)
+    rule = BULLET if _is_known(scenario, settings) else ""
     if settings["coordinates"] == "multibody" and "rest_threshold_steps" in settings.options:
-        return Method(AT_STEP, rest_speed=rest_speed, weighed=1.0, law=BY_AXES)
+        return Method(AT_STEP, rest_speed=rest_speed, weighed=1.0, law=BY_AXES, rule=rule)
     split = settings.options.get("split_impulse") is True
     recovery = settings.number("contact_erp") if split else 0.0
     falls = settings.number("contact_gap_falls") if "contact_gap_falls" in settings.options else 0.0
     reach = falls * gravity_of(scenario) * settings.timestep**2
-    return Method(
-        AT_STEP, recovery, rest_speed=rest_speed, reach=reach, rule=BULLET if _is_known(scenario, settings) else ""
-    )
+    return Method(AT_STEP, recovery, rest_speed=rest_speed, reach=reach, rule=rule)
 
 
 def _is_known(scenario: Scenario, settings: Settings) -> bool:
     """Whether the rule in `reference.prediction` holds: nothing damps, and overlap does not come back as speed.
 
-    A multibody turns back the speed that the step has already changed, so that the rule is right without restitution.
+    A multibody turns back the speed that the step has already changed, and its overlap comes back as speed. So the rule
+    is right without restitution, or without weight if overlap is left alone.
     """
     options = settings.options
     if options.get("linear_damping") != 0 or options.get("angular_damping") != 0:
         return False
     if options["coordinates"] == "maximal":
         return options.get("split_impulse") is True or options.get("contact_erp") == 0
-    return all(pair.restitution == 0 for pair in scenario.pairs)
+    if any(pair.restitution > 0 for pair in scenario.pairs):
+        return options.get("contact_erp") == 0 and not any(scenario.gravity)
+    return True
 
 
 def rest_speed_of(scenario: Scenario, settings: Settings) -> float:

@@ -28,10 +28,7 @@ class Bodies:
         self.shapes = [body.shape for body in scenario.bodies]
         self.inverse_mass = np.array([body.inverse_mass for body in scenario.bodies])
         self.inverse_moments = np.array(
-            [
-                np.zeros(3) if body.immovable else 1 / (body.mass * np.array(body.shape.inertia_per_mass()))  # type: ignore[union-attr]
-                for body in scenario.bodies
-            ]
+            [np.zeros(3) if body.immovable else 1 / np.array(body.moments_of_inertia()) for body in scenario.bodies]
         )
         self.weight = np.where(self.inverse_mass[:, None] > 0, np.array(scenario.gravity), 0.0)
         """Acceleration of each, (bodies, 3), m/s²."""

@@ -31,14 +31,20 @@ LEAST_FRICTION = 1e-5
 class Met:
     """A contact at the start of a step.
 
-    contact: its velocities, without those that the forces of this step add: weight, along t and n, m/s. inverse_mass:
-    the sum of those of the two bodies, 1/kg.
+    contact: its velocities, without what this step adds to them. weight, others: what weight and the other contacts of
+    the step add, along t and n, m/s. inverse_mass: the sum of those of the two bodies, 1/kg.
     """
 
     contact: Contact
     gap: float
     weight: tuple[float, float]
+    others: tuple[float, float]
     inverse_mass: float
+
+    @property
+    def added(self) -> tuple[float, float]:
+        """What the step adds to the velocities without this contact, along t and n, m/s."""
+        return self.weight[0] + self.others[0], self.weight[1] + self.others[1]
 
 
 @dataclass(frozen=True)
@@ -85,8 +91,8 @@ class ByVelocity:
 
     def given(self, met: Met) -> Given:
         """The impulse of the step."""
-        along, across = met.weight
-        after, push = self.law.contact(met.gap, met.contact.normal, across)
+        along, across = met.added
+        after, push = self.law.contact(met.gap, met.contact.normal, met.weight[1], met.others[1])
         change = (after - met.contact.normal - across) * (1 + self.softness)
         if change <= 0:
             return Given(push=push)
@@ -125,8 +131,9 @@ class MuJoCos:
             return Given()
         law, contact, dt = self.law, met.contact, self.law.dt
         friction = max(contact.friction, LEAST_FRICTION)
-        lean = met.weight[0] / dt + self.friction_damping * contact.slip / law.impedance
-        press = met.weight[1] / dt + (law.damping * contact.normal + law.stiffness * met.gap) / law.impedance
+        along, across = met.added
+        lean = along / dt + self.friction_damping * contact.slip / law.impedance
+        press = across / dt + (law.damping * contact.normal + law.stiffness * met.gap) / law.impedance
         yielding = (1 - law.impedance) / law.impedance * met.inverse_mass
         along, pressed = least_in_cone(
             contact.k_tt + yielding / self.impratio, contact.k_tn, contact.k_nn + yielding, lean, press, friction

@@ -29,6 +29,9 @@ from reference.scene.settings import Settings
 DART_RECOVERY, DART_FASTEST_RECOVERY = 0.01, 1e-3
 """Share of an overlap that DART takes back in a step, and how fast at most, m/s."""
 
+BULLETS_PUSHED_TURN = 0.1
+"""Share of the turn of a push that Bullet carries out; the others carry out all of it."""
+
 
 class Law(Protocol):
     """One step of a method, with its contact."""
@@ -78,8 +81,11 @@ class ByContact(ABC):
     dt: float
 
     @abstractmethod
-    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
-        """Rate after a step, m/s, and how far the step moves the surfaces apart besides, m."""
+    def contact(self, gap: float, rate: float, fall: float, others: float = 0.0) -> tuple[float, float]:
+        """Rate after a step, m/s, and how far the step moves the surfaces apart besides, m.
+
+        others: what other contacts add to the rate in the same step, m/s.
+        """
 
     def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
         """Gap and rate at the end of a step."""
@@ -104,9 +110,9 @@ class Bullet(ByContact):
     reach: float = 0.0
     in_parabolas: ClassVar[bool] = False
 
-    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+    def contact(self, gap: float, rate: float, fall: float, others: float = 0.0) -> tuple[float, float]:
         """Rate after a step, and how far the step moves the surfaces apart besides, m."""
-        after, push = rate + fall, 0.0
+        after, push = rate + fall + others, 0.0
         if gap <= self.reach:
             rebound = max(-self.restitution * rate, 0.0) if -rate >= self.rest_speed else 0.0
             after, push = max(after, rebound - max(gap, 0.0) / self.dt), self.recovery * max(-gap, 0.0)
@@ -128,9 +134,9 @@ class BulletSpring(ByContact):
     reach: ClassVar[float] = 0.0
     in_parabolas: ClassVar[bool] = False
 
-    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+    def contact(self, gap: float, rate: float, fall: float, others: float = 0.0) -> tuple[float, float]:
         """Rate after a step, and how far the step moves the surfaces apart besides, m: nothing."""
-        after = rate + fall
+        after = rate + fall + others
         if gap <= 0:
             push = -(self.stiffness * gap + self.damping * after) / (1 + self.damping * self.dt)
             after += max(push, 0.0) * self.dt
@@ -203,12 +209,12 @@ class Dart(ByContact):
     reach: ClassVar[float] = 0.0
     in_parabolas: ClassVar[bool] = False
 
-    def contact(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+    def contact(self, gap: float, rate: float, fall: float, others: float = 0.0) -> tuple[float, float]:
         """Rate after a step, and how far the step moves the surfaces apart besides, m."""
-        after, push = rate + fall, 0.0
+        after, push = rate + fall + others, 0.0
         if gap <= 0:
             recovery = min(DART_RECOVERY * -gap / self.dt, DART_FASTEST_RECOVERY)
-            rebound = -self.restitution * after
+            rebound = -self.restitution * (rate + fall)
             wanted = rebound if rebound > REST_SPEED else 0.0
             if self.split:
                 push = recovery * self.dt / (1 + SOFTNESS)

@@ -12,6 +12,7 @@ from reference.arrays import Array
 from reference.engines.base import BULLET, DART, MUJOCO_ONE_STEP, RESPOND_THEN_STEP, Method
 from reference.engines.dart_engine import SOFTNESS
 from reference.prediction import friction
+from reference.prediction.axes import bullets_axes
 from reference.prediction.bouncing import CORNERS, by_steps
 from reference.prediction.impulses import LEAST_FRICTION
 from reference.prediction.laws import law_of
@@ -116,10 +117,7 @@ def _on_bullets_axes(body: Body, normal: Array, ahead: Array) -> bool:
     """
     if isinstance(body.shape, Sphere):
         return True
-    x, y, z = normal
-    first = np.array([0.0, -z, y] if abs(z) > 0.5**0.5 else [-y, x, 0.0])
-    first /= np.linalg.norm(first)
-    second = np.cross(normal, first)
+    first, second, _ = bullets_axes(normal)
     if min(abs(float(ahead @ first)), abs(float(ahead @ second))) < STRAIGHT:
         return True
     own = [np.abs(_in_own_axes(body, direction)) for direction in (first, second)]

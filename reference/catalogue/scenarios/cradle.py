@@ -12,6 +12,7 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
 from reference.catalogue.grid import Grid, Parameter
 from reference.engines.base import EXACT, Method
+from reference.prediction import striking
 from reference.scene.scenario import Body, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
@@ -166,6 +167,7 @@ CRADLE = Family(
         (5e-4, 1e-3, 2e-3, 5e-3),
         _one_struck,
     ),
+    predict=striking.predict,
 )
 
 PARTING_BALL = Family(
@@ -196,6 +198,7 @@ PARTING_BALL = Family(
         lambda trajectory: trajectory.velocities[:, 1, 0],
     ),
     convergence=Convergence("v=0.1", "off"),
+    predict=striking.predict,
 )
 
 FAMILIES = (CRADLE, PARTING_BALL)

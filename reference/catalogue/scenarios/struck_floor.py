@@ -17,6 +17,7 @@ from reference.catalogue.family import Convergence, Curve, Expectation, Family, 
 from reference.checks import Vector
 from reference.engines.base import EXACT, Method
 from reference.impact_truth import NEWTON
+from reference.prediction import corners
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
@@ -247,6 +248,7 @@ OFF_CENTRE_IMPACT = Family(
         lambda trajectory: measure.separation(trajectory, "box", "floor"),
     ),
     convergence=Convergence("spinning,e=0.5,μ=0.2", "restitution"),
+    predict=corners.predict,
 )
 
 FAMILIES = (OFF_CENTRE_IMPACT,)

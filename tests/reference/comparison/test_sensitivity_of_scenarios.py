@@ -42,8 +42,6 @@ EXCEPTIONS = {
     ("critical-incline", "sign"): "mujoco",
     # The way in exactly 1 s depends on the number of steps alone, of which there are 1000: one more or less is 0.1 %.
     ("tipping-box", "timestep"): "handwritten pybullet mujoco dart",
-    # Without weight the timestep only says how deep the bodies overlap, and that is within the tolerance.
-    ("off-centre-impact", "timestep"): "pybullet dart",
     # The box tips over its edge and comes to rest without sliding: what moves is how still the solver holds it.
     ("box-on-edge", "friction"): "mujoco",
     ("box-on-edge", "timestep"): "mujoco",

@@ -13,7 +13,7 @@ from reference.comparison.compare import Number, judged, measured
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Method
-from reference.prediction import impulses, striking
+from reference.prediction import both, impulses, striking
 from reference.prediction.impulses import least_in_cone
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
@@ -84,16 +84,16 @@ def test_an_engine_does_what_is_predicted_of_it_step_by_step(name, engine, profi
     assert farthest_off(name, engine, profile, installed) < (300 if (engine, name) == ("dart", "box") else 1)
 
 
-def without_weight(self, change, turn):
-    return replace(met(self, change, turn), weight=(0.0, 0.0))
+def without_weight(self, weight, others):
+    return met(self, 0 * weight, others)
 
 
-met = striking._Both.met
+met = both.Both.met
 MUTATIONS = {
     "friction with the slip": (impulses, "held", lambda *args: (-held(*args)[0], held(*args)[1])),
-    "another arm": (striking, "_points_of", lambda settings, method: striking.DEEPEST),
+    "another arm": (striking, "points_of", lambda settings, method: both.DEEPEST),
     "flights half a step apart": (striking.Striking, "in_parabolas", property(lambda self: True, lambda *_: None)),
-    "an impact without its weight": (striking._Both, "met", without_weight),
+    "an impact without its weight": (both.Both, "met", without_weight),
 }
 held = impulses.held
 NOTICED = [
