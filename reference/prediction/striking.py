@@ -137,16 +137,23 @@ class Striking:
         """The steps in which no stage of the method sees an overlap, at most so many; RK4 looks half-way as well."""
         stages = 2 if self.in_parabolas else 1
         begun = self._gaps(_one(state))
-        if np.any(begun <= 0):
+        idle = (begun[:, 0] == 0) & self._together(state)
+        if np.any((begun[:, 0] <= 0) & ~idle):
             return State(*(part[:0] for part in _one(state)))
         flown = self.bodies.flight(state, self.dt / stages, self.in_parabolas, stages * steps)
         found = self._gaps(flown)
+        found[idle] = np.inf
         overlap = np.flatnonzero(np.any(found <= 0, axis=0))
         count = int(overlap[0]) // stages if len(overlap) else steps
         seen = found[:, : stages * count + stages]
         if self.to_rounding and np.any((np.abs(seen) < UNDECIDED) & (np.abs(seen - begun) > UNDECIDED)):
             raise NoRule
         return State(*(part[stages - 1 : stages * count : stages] for part in flown))
+
+    def _together(self, state: State) -> Array:
+        """Whether the two of each pair move alike, (pairs,), without weight or spin: those that touch stay as they are."""
+        ways = [state.velocity[each.ball] - state.velocity[each.other] for each in self.meetings]
+        return np.array([not (way.any() or self.bodies.weight.any() or state.spin.any()) for way in ways])
 
     def _gaps(self, states: State) -> Array:
         """The gaps of all pairs at some instants, (pairs, n), m."""
