@@ -151,7 +151,7 @@ class Striking:
         return State(*(part[stages - 1 : stages * count : stages] for part in flown))
 
     def _together(self, state: State) -> Array:
-        """Whether the two of each pair move alike, (pairs,), without weight or spin: those that touch stay as they are."""
+        """Whether the two of each pair move alike, without weight or spin, (pairs,): then those that touch stay so."""
         ways = [state.velocity[each.ball] - state.velocity[each.other] for each in self.meetings]
         return np.array([not (way.any() or self.bodies.weight.any() or state.spin.any()) for way in ways])
 
