@@ -14,6 +14,7 @@ from typing import Any
 from reference.comparison.results import JobResult
 from reference.published.results import PublishedResult
 from reference.report import figures, page
+from reference.report.agreement import pairs_csv
 from reference.report.provenance import compared, engine_versions, machine, provenance
 from reference.report.published import page as published_page
 from reference.report.published.figures import oblique_impacts
@@ -44,6 +45,7 @@ def write(results: Iterable[JobResult], folder: Path, published: Iterable[Publis
     in_page = {name: _write_figures(pictures, folder) for name, pictures in drawn.items()}
     _write(folder / "rows.json", rows_json(ordered))
     _write(folder / "rows.csv", rows_csv(ordered))
+    _write(folder / "pairs.csv", pairs_csv(row for result in ordered for row in result.rows))
     _write(folder / "timings.json", as_json(TIMINGS, {"seconds": [_timing(result) for result in ordered]}))
     _write(folder / "provenance.json", as_json(PROVENANCE, provenance(engine_versions(ordered))))
     address = PUBLISHED_PAGE if others else ""

@@ -20,7 +20,7 @@ MARKS = {
     Verdict.SHOWN: "·",
 }
 LEGEND = {
-    Verdict.PASS: "as the method must, and near theory",
+    Verdict.PASS: "as the method must, and near theory where it has a figure",
     Verdict.KNOWN_DEVIATION: "as the method must, and away from theory; “left” is what the method does not explain",
     Verdict.DISAGREES: "as the method must, and as far from theory as the quantity is large",
     Verdict.FAIL: "not as the method must; counted for tuned settings, only shown for all others",

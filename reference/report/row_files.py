@@ -16,6 +16,7 @@ from reference.errors import InvalidInput
 from reference.published.results import PublishedRow
 from reference.recording import sensitivity
 from reference.recording.files import with_tuples
+from reference.report.agreement import as_content
 
 ROWS, PUBLISHED = "collisions-lab/rows", "collisions-lab/published"
 VERSIONS = {ROWS: 2, PUBLISHED: 2}
@@ -24,14 +25,15 @@ R = TypeVar("R", Row, PublishedRow)
 
 
 def rows_json(results: Iterable[JobResult]) -> str:
-    """The rows, the errors against timestep, their splits, and the smallest faults that were noticed, as JSON."""
+    """The rows, who agrees with whom, errors against timestep and their splits, and the smallest faults, as JSON."""
     results = list(results)
     studies = [run_of(result) | asdict(result.convergence) for result in results if result.convergence is not None]
     splits = [run_of(result) | asdict(result.split) for result in results if result.split is not None]
     rows = [asdict(row) for result in results for row in result.rows]
     families = {result.job.family for result in results}
     noticed = [each for each in sensitivity.read() if each.family in families]
-    content = {"rows": rows, "convergence": studies, "splits": splits}
+    agreement = as_content(row for result in results for row in result.rows)
+    content = {"rows": rows, "agreement": agreement, "convergence": studies, "splits": splits}
     return as_json(ROWS, content | {"sensitivity": sensitivity.as_content(noticed)["families"]})
 
 

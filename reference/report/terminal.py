@@ -10,8 +10,10 @@ from rich.table import Table
 from rich.text import Text
 
 from reference import lecture
+from reference.comparison.pairs import Relation
 from reference.comparison.verdicts import Row, Verdict
-from reference.report import numbers
+from reference.report import agreement, numbers
+from reference.report.agreement import Matrix
 from reference.report.marks import LEGEND, MARKS, occurring
 from reference.report.overview import Overview, verdict_line
 from reference.report.row_text import error_of, left_of
@@ -32,6 +34,7 @@ _STYLES = {
     Verdict.FAIL: "red",
     Verdict.CRASHED: "bold red",
 }
+_RELATIONS = {Relation.ALIKE: "green", Relation.EXPLAINED: "yellow", Relation.APART: "red"}
 
 
 def print_comparison(console: Console, found: Iterable[Section], with_cases: bool = False) -> None:
@@ -45,6 +48,7 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
         for table in _cases(section) if with_cases else [_implementations(section)]:
             console.print(table)
         _print_remarks(console, section, with_cases)
+        _print_agreement(console, Matrix.of(section))
         if noticed := kept_sentence(section.family.name):
             console.print(Text(noticed, style="dim"))
     rows = [row for section in found for line in section.lines for row in line.result.rows]
@@ -55,7 +59,27 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
     print_legend(console, occurring(rows), LEGEND)
     for recorded in recordings(line.result for section in found for line in section.lines):
         console.print(Text(recorded))
+    if compared := agreement.sentence(rows):
+        console.print(Text(compared))
     console.print(Text(verdict_line(rows), style="bold"))
+
+
+def _print_agreement(console: Console, matrix: Matrix) -> None:
+    """Print who agrees with whom, each implementation against those above it, and why some are apart."""
+    if len(matrix.titles) < 2:
+        return
+    console.print()
+    table = Table(box=None, header_style="bold", padding=(0, 1, 0, 0), pad_edge=False)
+    table.add_column("who agrees with whom", no_wrap=True)
+    for number in range(1, len(matrix.titles)):
+        table.add_column(str(number), no_wrap=True)
+    for number, (title, entries) in enumerate(zip(matrix.titles, matrix.rows, strict=True), 1):
+        cells = [Text(entry.text, style=_RELATIONS[entry.relation]) if entry else Text("") for entry in entries]
+        table.add_row(Text(f"{number} {short_title(title)}"), *cells)
+    console.print(table)
+    for why, titles in matrix.whys:
+        whose = f"{' and '.join(map(short_title, titles))}: " if titles else ""
+        console.print(Text(f"≠ {whose}{why}", style="dim"))
 
 
 def print_legend(console: Console, verdicts: Iterable[Verdict], legend: Mapping[Verdict, str]) -> None:

@@ -50,7 +50,7 @@ def test_a_report_is_written_to_its_folder_and_names_the_page(written):
     assert said.code == 0
     assert "4 of 4 checks of tuned settings agree with theory, 0 fail." in said.text
     assert f"Open {out / 'index.html'} in a browser." in said.output
-    names = {"index.html", "rows.json", "rows.csv", "timings.json", "provenance.json", "figures"}
+    names = {"index.html", "rows.json", "rows.csv", "pairs.csv", "timings.json", "provenance.json", "figures"}
     assert set(os.listdir(out)) == names
     assert len(read_rows(out / "rows.json")) == 2 * 4
     studied = {it["profile"] for it in json.loads((out / "rows.json").read_text(encoding="utf-8"))["convergence"]}

@@ -65,6 +65,7 @@ def test_a_report_consists_of_page_rows_timings_provenance_and_figures(report):
         "index.html",
         "rows.json",
         "rows.csv",
+        "pairs.csv",
         "timings.json",
         "provenance.json",
         "figures/ball-to-rest-trajectories.svg",
@@ -261,7 +262,7 @@ def test_another_process_writes_the_same_bytes_from_another_order(report, tmp_pa
     subprocess.run(command, env=environment, timeout=ENOUGH, check=True)
     first, second = content(report), content(out)
     assert first.keys() == second.keys()
-    assert len(first) == 8
+    assert len(first) == 9
     differing = {name for name in first if first[name] != second[name]}
     assert differing <= {"timings.json", "provenance.json"}
 

@@ -1,0 +1,162 @@
+"""Why an implementation's numbers are apart from the others', where neither theory nor its method says that they are.
+
+One sentence or two for each engine and profile that fails in a family, and one for each family in which theory is
+silent. A test asks for a reason wherever two numbers of the catalogue are apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from reference.engines.profiles import STOCK
+
+SPRING = "spring"
+_DRAG = "PyBullet, as installed, damps every velocity by 4 % a second, and by more at speed."
+_EARLY = (
+    "PyBullet, as installed, makes a contact while there is still a gap, and takes gap/Δt off the rebound. Its damping"
+    " slows the flight as well."
+)
+_NO_RESTITUTION = "MuJoCo, as installed, has no restitution: its contact is a soft, critically damped spring."
+_CREEPS = "MuJoCo, as installed, creeps: its friction is a soft constraint, and any pull makes it yield a little."
+_ONE_POINT = "DART, as installed, finds one contact point of a box on its half-space, so the box rocks without end."
+
+REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
+    "thin-wall": {
+        ("pybullet", STOCK): (
+            "At 1/240 s PyBullet moves a fast ball past the wall in one step, and its damping slows it."
+        ),
+        ("mujoco", STOCK): (
+            "MuJoCo's contact, as installed, is so soft that the ball sinks past the middle of the wall and is pushed"
+            " out behind it."
+        ),
+    },
+    "dropped-ball": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
+    "ball-to-rest": {
+        ("pybullet", STOCK): "PyBullet, as installed, takes any rebound below 0.2 m/s for rest, and damps the flight.",
+        ("mujoco", STOCK): _NO_RESTITUTION,
+        ("mujoco", SPRING): (
+            "The contact of MuJoCo's spring profile chatters at about g Δt/2, just the 1 mm/s that counts as motion."
+        ),
+    },
+    "corner": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
+    "two-walls": {
+        ("pybullet", STOCK): (
+            "PyBullet, as installed, catches the ball after two or three impacts: it makes each early."
+        ),
+        ("mujoco", STOCK): "MuJoCo, as installed, has no restitution, so the ball never meets the walls five times.",
+    },
+    "sliding-slab": {
+        ("pybullet", STOCK): f"{_DRAG} That shortens long slides, and a slab that rocks calms down late.",
+        ("mujoco", STOCK): (
+            "MuJoCo's friction cone, as installed, is a pyramid: at 30° to its axes it is weaker, and pulls sideways."
+        ),
+        ("dart", STOCK): f"{_ONE_POINT} It never counts as stopped. Its friction cone is a pyramid.",
+    },
+    "incline": {
+        ("pybullet", STOCK): f"{_DRAG} That slows every slide by up to a quarter.",
+        ("mujoco", STOCK): _CREEPS,
+        ("dart", STOCK): f"{_ONE_POINT} Some slabs that should hold walk off that way.",
+    },
+    "critical-incline": {
+        ("pybullet", STOCK): (
+            "PyBullet, as installed, creeps by 2 to 3 mm in 3 s at 1 % below critical, and damps every slide."
+        ),
+        ("mujoco", STOCK): _CREEPS,
+        ("dart", STOCK): f"{_ONE_POINT} Rocking, it slides where it should hold.",
+    },
+    "sliding-ball": {
+        ("pybullet", STOCK): f"{_DRAG} A ball that rolls has no drive to set against it, and gets slower and slower.",
+        ("mujoco", STOCK): (
+            "A ball that slides hops in MuJoCo, as installed: its convex cone pays for slip with lift. It rolls late."
+        ),
+    },
+    "rolling-ball": {
+        ("pybullet", STOCK): f"{_DRAG} The spin loses most.",
+        ("mujoco", STOCK): "At MuJoCo's own 2 ms the way is longer by a t Δt/2, 0.1 %.",
+    },
+    "struck-cube": {
+        ("pybullet", STOCK): (
+            "PyBullet, as installed, takes overlap back as speed, and its maximal bodies have a pyramid for a friction"
+            " cone."
+        )
+    },
+    "off-centre-impact": {
+        ("pybullet", STOCK): (
+            "PyBullet, as installed, strikes early at 1/240 s, and takes overlap back as speed. Of a leaning box it"
+            " finds one contact point in each step, not always the corner that strikes."
+        ),
+        ("mujoco", SPRING): "The corner of MuJoCo's spring profile sinks in for some 3 ms, while the cube turns.",
+        ("mujoco", STOCK): _NO_RESTITUTION,
+        ("dart", STOCK): (
+            "DART's solver, as installed, has a pyramid for a friction cone: it brakes the slip along each axis by"
+            " itself."
+        ),
+    },
+    "two-balls": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
+    "box-flat": {
+        ("pybullet", STOCK): (
+            "PyBullet finds one new contact point of a box on its half-space in each step, so a flat cube is kicked at"
+            " one corner first and tumbles."
+        ),
+        ("mujoco", STOCK): _NO_RESTITUTION,
+    },
+    "cradle": {
+        ("", ""): (
+            "The balls touch, and Newton's rule allows more than one result. Hand-written code at the exact instant"
+            " takes the impacts in turn, so the last ball flies off; the others solve all contacts together, so that"
+            " the first one comes back. A contact that lasts gives a third result."
+        ),
+        ("pybullet", STOCK): (
+            "PyBullet, as installed, responds ahead of the contact, and makes energy where balls are apart."
+        ),
+        ("mujoco", STOCK): _NO_RESTITUTION,
+        ("dart", STOCK): "DART's solver, as installed, finds four contacts at once to 0.07 % only.",
+    },
+    "parting-ball": {
+        ("", ""): (
+            "The balls touch, and three rules that sound right give three results: one impact after another, all at"
+            " once, or every relative velocity turned back."
+        ),
+        ("pybullet", STOCK): "PyBullet, as installed, solves all contacts at once, and damps every velocity.",
+        ("mujoco", STOCK): _NO_RESTITUTION,
+    },
+    "struck-rod": {
+        ("pybullet", STOCK): f"{_DRAG} Overlap that is taken back adds speed.",
+        ("mujoco", STOCK): _NO_RESTITUTION,
+    },
+    "rod-on-peg": {
+        ("pybullet", STOCK): "PyBullet, as installed, takes overlap back as speed, so the rod rebounds too high.",
+        ("mujoco", STOCK): _NO_RESTITUTION,
+    },
+    "spinning-ball": {
+        ("pybullet", STOCK): (
+            "PyBullet's multibody, as installed, loses up to half of the speed that spin should become."
+        ),
+        ("mujoco", STOCK): (
+            "MuJoCo, as installed, has no restitution: friction acts for as long as the ball sinks in and is pushed"
+            " out."
+        ),
+    },
+    "box-on-edge": {("dart", STOCK): "DART, as installed, leaves the box 1.5 to 3.1 mm deep in the floor."},
+    "tipping-box": {
+        ("", ""): (
+            "A box that tips falls from edge to edge. Where it is a second later depends on every contact of its way,"
+            " and no closed form says so."
+        ),
+        ("pybullet", STOCK): (
+            "On PyBullet's half-space a box rocks from one contact point to the next, and slides too far."
+        ),
+        ("mujoco", STOCK): _CREEPS,
+        ("dart", STOCK): f"{_ONE_POINT} Two of three boxes that should tip slide.",
+    },
+    "stack": {
+        ("pybullet", STOCK): "PyBullet, as installed, lets the stack drift by a centimetre and sink by what it allows.",
+        ("mujoco", STOCK): "MuJoCo's contacts, as installed, give by 0.2 mm each under the weight of a stack of ten.",
+    },
+}
+"""By family, then by engine and profile; under two empty names, why theory is silent and what there is instead."""
+
+
+def why_apart(family: str, engine: str = "", profile: str = "") -> str:
+    """The reason for an engine and profile, or without them for a family; empty where the catalogue has none."""
+    return REASONS.get(family, {}).get((engine, profile), "")

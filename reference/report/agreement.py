@@ -1,0 +1,136 @@
+"""Who agrees with whom: a matrix of all implementations of a family, as text, for the page, the terminal and files."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, fields
+from typing import Any
+
+from reference.comparison.pairs import Agreement, Name, Pair, Relation, agreements, pairs
+from reference.comparison.verdicts import Row
+from reference.engines.profiles import TUNED
+from reference.report import numbers
+from reference.report.sections import Line, Section
+
+MARKS = {Relation.ALIKE: "✓", Relation.EXPLAINED: "≈", Relation.APART: "≠"}
+LEGEND = {
+    Relation.ALIKE: "no farther apart than both may be from theory",
+    Relation.EXPLAINED: "farther apart in so many numbers, each as theory and the two methods say",
+    Relation.APART: "farther apart in so many numbers, some of them for a reason that is listed below",
+}
+
+
+@dataclass(frozen=True)
+class Entry:
+    """Two implementations in one family. text: as in a cell, `≠ 7`; title: what it means, with the largest example."""
+
+    relation: Relation
+    text: str
+    title: str
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """All implementations of a family against each other.
+
+    titles: of the implementations that have a number. rows: for each of them, an entry for each one before it, None
+    where the two never have a number of the same quantity. whys: each reason why some are apart, with the titles of
+    those that it belongs to; with none where theory is silent about all.
+    """
+
+    titles: tuple[str, ...]
+    rows: tuple[tuple[Entry | None, ...], ...]
+    whys: tuple[tuple[str, tuple[str, ...]], ...]
+
+    @classmethod
+    def of(cls, section: Section) -> Matrix:
+        """The matrix of a section's lines, in their order."""
+        found = agreements(row for line in section.lines for row in line.result.rows).get(section.family.name, {})
+        met = {name for names in found for name in names}
+        lines = [line for line in section.lines if _name(line) in met]
+        rows = tuple(
+            tuple(_entry(section, one, other, found.get((_name(other), _name(one)))) for other in lines[:place])
+            for place, one in enumerate(lines)
+        )
+        return cls(tuple(line.title for line in lines), rows, _whys(lines, found))
+
+
+def _name(line: Line) -> Name:
+    return line.result.job.engine, line.result.job.profile
+
+
+def _entry(section: Section, one: Line, other: Line, agreement: Agreement | None) -> Entry | None:
+    if agreement is None:
+        return None
+    relation = agreement.relation
+    count = len(agreement.pairs) - agreement.count(Relation.ALIKE)
+    text = MARKS[relation] if relation is Relation.ALIKE else f"{MARKS[relation]} {count}"
+    between = f"{other.title} and {one.title}: {count} of {len(agreement.pairs)} numbers differ"
+    return Entry(relation, text, f"{between}; most in {_largest(section, agreement.worst)}" if count else between)
+
+
+def _largest(section: Section, pair: Pair) -> str:
+    """Where two are farthest apart, and by how much."""
+    where = f"{pair.case}, {section.family.quantity(pair.quantity).title}"
+    if pair.difference is None:
+        return f"{where}, of which one has no number"
+    return f"{where}, by {numbers.size(abs(pair.difference), pair.unit)}"
+
+
+def _whys(
+    lines: Sequence[Line], found: Mapping[tuple[Name, Name], Agreement]
+) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Each reason with the implementations that every pair apart for it has in common; none where theory is silent."""
+    titles = {_name(line): line.title for line in lines}
+    named: dict[str, list[tuple[Name, Name]]] = {}
+    for names, agreement in found.items():
+        for why in agreement.whys:
+            named.setdefault(why, []).append(names)
+    return tuple(
+        (why, tuple(title for name, title in titles.items() if all(name in names for names in both)))
+        for why, both in named.items()
+    )
+
+
+def sentence(rows: Sequence[Row]) -> str:
+    """How many pairs of counted implementations are alike, in one sentence; empty where there is no pair."""
+    counted = [row for row in rows if row.profile == TUNED]
+    found = [pair.relation for pair in pairs(counted)]
+    if not found:
+        return ""
+    alike, explained, apart = (found.count(relation) for relation in Relation)
+    return (
+        f"Compared with each other, {alike} of {len(found)} pairs of numbers are alike, {explained} differ as their"
+        f" methods say, and {apart} are apart, with a reason."
+    )
+
+
+def as_content(rows: Iterable[Row]) -> list[dict[str, Any]]:
+    """The matrices of all families as plain data: for each two implementations the counts, and the farthest pair."""
+    return [
+        {
+            "family": family,
+            "first": {"engine": first[0], "profile": first[1]},
+            "second": {"engine": second[0], "profile": second[1]},
+            **{relation.value: agreement.count(relation) for relation in Relation},
+            "farthest": {
+                key: getattr(agreement.worst, key) for key in ("case", "quantity", "unit", "difference", "near", "why")
+            },
+        }
+        for family, both in agreements(rows).items()
+        for (first, second), agreement in both.items()
+    ]
+
+
+def pairs_csv(rows: Iterable[Row]) -> str:
+    """Every pair of numbers as CSV."""
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    names = [entry.name for entry in fields(Pair) if entry.name not in ("first", "second")]
+    table.writerow(["first_engine", "first_profile", "second_engine", "second_profile", *names])
+    for pair in pairs(rows):
+        values = asdict(pair) | {"why": " ".join(pair.why)}
+        table.writerow([*pair.first, *pair.second, *(values[name] for name in names)])
+    return text.getvalue()

@@ -1,0 +1,82 @@
+"""Each implementation against each: numbers that are alike, explained or apart, and the reason for those apart."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+
+from reference.catalogue.apart import REASONS, why_apart
+from reference.catalogue.scenarios import catalogue
+from reference.comparison.pairs import Relation, agreements, pairs
+from reference.comparison.results import Job
+from reference.comparison.verdicts import Row, Verdict
+from reference.engines import engine_names, load_engine
+from reference.recording.reading import recall
+
+
+def row(engine: str, measured: float | None, verdict: Verdict = Verdict.PASS, profile: str = "tuned", **others) -> Row:
+    given = {"expected": 1.0, "tolerance": 0.01} | others
+    return Row("stack", "boxes=5", engine, profile, "height", "m", verdict, measured, **given)
+
+
+def relation(one: Row, other: Row) -> Relation:
+    (pair,) = pairs([one, other])
+    return pair.relation
+
+
+def test_numbers_within_what_both_may_miss_theory_by_are_alike():
+    assert relation(row("a", 1.009), row("b", 0.9911)) is Relation.ALIKE
+    assert relation(row("a", 1.009), row("b", 0.988, Verdict.KNOWN_DEVIATION)) is Relation.EXPLAINED
+
+
+def test_two_predicted_numbers_explain_their_difference_though_theory_is_silent():
+    silent = {"expected": None, "tolerance": None}
+    assert relation(row("a", 0.667, **silent), row("b", 1.0, **silent)) is Relation.EXPLAINED
+    assert relation(row("a", 0.667, **silent), row("b", 1.0, Verdict.SHOWN, **silent)) is Relation.APART
+    assert relation(row("a", 1.0005, **silent), row("b", 1.0, Verdict.SHOWN, **silent)) is Relation.ALIKE
+
+
+def test_a_number_that_fails_is_apart_even_where_another_has_none():
+    (pair,) = pairs([row("mujoco", 1.0), row("pybullet", 1.3, Verdict.FAIL, profile="stock")])
+    assert (pair.relation, pair.difference) == (Relation.APART, pytest.approx(-0.3))
+    assert pair.why == (why_apart("stack", "pybullet", "stock"),)
+    (pair,) = pairs([row("mujoco", 1.0), row("pybullet", None, Verdict.FAIL, profile="stock")])
+    assert (pair.relation, pair.difference) == (Relation.APART, None)
+
+
+def test_an_implementation_without_words_is_in_no_pair():
+    assert not list(pairs([row("a", 1.0), row("b", None, Verdict.CANNOT_EXPRESS)]))
+
+
+def test_two_implementations_have_one_agreement_with_their_farthest_numbers():
+    several = [(1.0, 1.5), (1.0, 1.001), (1.0, 0.2)]
+    rows = [
+        Row("stack", f"case {number}", engine, "stock", "height", "m", Verdict.FAIL, value, None, 1.0, 0.01)
+        for number, both in enumerate(several)
+        for engine, value in zip(("pybullet", "mujoco"), both, strict=True)
+    ]
+    found = agreements(rows)["stack"][("pybullet", "stock"), ("mujoco", "stock")]
+    assert (found.count(Relation.ALIKE), found.count(Relation.APART)) == (1, 2)
+    assert (found.relation, found.worst.case) == (Relation.APART, "case 2")
+
+
+def test_reasons_are_of_families_engines_and_profiles_that_there_are():
+    families = catalogue()
+    for family, reasons in REASONS.items():
+        for engine, profile in reasons:
+            assert not engine or profile in families[family].profiles(load_engine(engine)), (family, engine, profile)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("family", catalogue())
+def test_every_recorded_number_that_nothing_accounts_for_has_a_reason(family):
+    found = [
+        recall(Job(family, name, profile))
+        for name in engine_names()
+        for profile in catalogue()[family].profiles(load_engine(name))
+    ]
+    rows = list(itertools.chain.from_iterable(result.rows for result in found if result is not None))
+    assert rows
+    for pair in pairs(rows):
+        assert pair.why or pair.relation is not Relation.APART, pair

@@ -1,0 +1,57 @@
+"""The matrix of who agrees with whom, as text."""
+
+from __future__ import annotations
+
+import json
+
+from reference.catalogue.apart import why_apart
+from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Row, Verdict
+from reference.report.agreement import Matrix, as_content, pairs_csv, sentence
+from reference.report.sections import sections
+
+CASE = "3 touching"
+ENGINES = {
+    ("handwritten", "tuned"): (0.0, Verdict.SHOWN),
+    ("pybullet", "tuned"): (-1 / 3, Verdict.PASS),
+    ("mujoco", "tuned"): (-0.3333, Verdict.PASS),
+    ("dart", "stock"): (None, Verdict.FAIL),
+}
+ROWS = [
+    Row("cradle", CASE, engine, profile, "first", "", verdict, measured)
+    for (engine, profile), (measured, verdict) in ENGINES.items()
+]
+SECTION = sections([JobResult(Job("cradle", row.engine, row.profile), row.engine, "", (row,)) for row in ROWS])[0]
+
+
+def test_each_implementation_is_compared_with_those_above_it():
+    matrix = Matrix.of(SECTION)
+    assert matrix.titles == ("handwritten, tuned", "pybullet, tuned", "mujoco, tuned", "dart, stock")
+    texts = [[entry.text if entry else None for entry in entries] for entries in matrix.rows]
+    assert texts == [[], ["≠ 1"], ["≠ 1", "✓"], ["≠ 1", "≠ 1", "≠ 1"]]
+    assert matrix.rows[1][0].title == (
+        "handwritten, tuned and pybullet, tuned: 1 of 1 numbers differ; most in 3 touching, first ball, by 0.33"
+    )
+    assert matrix.rows[3][2].title.endswith("of which one has no number")
+
+
+def test_a_reason_is_listed_once_with_those_that_it_belongs_to():
+    assert dict(Matrix.of(SECTION).whys) == {
+        why_apart("cradle"): ("handwritten, tuned",),
+        why_apart("cradle", "dart", "stock"): ("dart, stock",),
+    }
+
+
+def test_counted_implementations_alone_are_summed_up():
+    assert sentence(ROWS) == (
+        "Compared with each other, 1 of 3 pairs of numbers are alike, 0 differ as their methods say, and 2 are apart,"
+        " with a reason."
+    )
+    assert sentence(ROWS[:1]) == ""
+
+
+def test_files_hold_every_pair_and_the_counts_of_each_two():
+    assert len(pairs_csv(ROWS).splitlines()) == 1 + 6
+    content = json.loads(json.dumps(as_content(ROWS)))
+    assert [(each["alike"], each["apart"]) for each in content] == [(0, 1), (0, 1), (0, 1), (1, 0), (0, 1), (0, 1)]
+    assert content[0]["farthest"]["why"] == [why_apart("cradle")]
