@@ -1,4 +1,4 @@
-"""What docs/engines.md says of DART, as recorded runs have it; in the slow run a live engine measures them again."""
+"""What docs/engines-dart.md says of DART, as recorded runs have it; in the slow run a live engine measures them again."""
 
 from __future__ import annotations
 
