@@ -38,7 +38,7 @@ lint: $(READY)   ## style and types
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-docs: $(READY)   ## draw the figures of the statements and write their page
+docs: $(READY)   ## draw the figures of the pages and write the pages that come from code
 	$(BIN)/python docs/figures/draw.py
 	$(BIN)/python docs/statement_table.py
 	$(BIN)/python docs/symbol_table.py

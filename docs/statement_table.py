@@ -14,6 +14,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 
 from reference.lecture import STATEMENTS, TOPICS, Statement, functions_of
 
@@ -61,16 +62,22 @@ def _tests_in(path: Path) -> Iterator[Test]:
 
 
 @functools.cache
-def figures() -> list[tuple[int, str, str]]:
-    """Statement, name and caption of every figure."""
+def drawing() -> ModuleType:
+    """The program that draws the figures."""
     spec = importlib.util.spec_from_file_location("draw", ROOT / "docs" / "figures" / "draw.py")
     assert spec is not None
     assert spec.loader is not None
     draw = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(draw)
+    return draw
+
+
+@functools.cache
+def figures() -> list[tuple[int, str, str]]:
+    """Statement, name and caption of every figure."""
     return [
-        (number, draw.file_name(number, name), " ".join((function.__doc__ or "").split()))
-        for (number, name), function in draw.figures().items()
+        (number, drawing().file_name(number, name), " ".join((function.__doc__ or "").split()))
+        for (number, name), function in drawing().figures().items()
     ]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,8 @@ _FILE = re.compile(
 )  # as in `reading.py` or `submission/reading.py`, wherever it lies
 _MODULE = re.compile(r"(?<![\w./])((?:labs|reference|solutions)(?:\.\w+)+)")
 _LINK = re.compile(r"\]\((?!\w+:)([^)#\s]+)[^)]*\)")
+_ANCHOR = re.compile(r"\]\((?!\w+:)([^)#\s]*)#([^)\s]+)\)")
+_HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
 
 
 def missing(page: Path) -> list[str]:
@@ -31,6 +34,26 @@ def missing(page: Path) -> list[str]:
     lost += [file for file in _FILE.findall(text) if not any(there.endswith(f"/{file}") for there in _files())]
     lost += [name for name in _MODULE.findall(text) if not _is_there(name)]
     return [name for name in lost if not name.startswith(ELSEWHERE)]
+
+
+def missing_anchors(page: Path) -> list[str]:
+    """Links of a page to headings that are not there, in itself or in another page."""
+    links = [
+        (page.parent / file if file else page, anchor) for file, anchor in _ANCHOR.findall(page.read_text("utf-8"))
+    ]
+    return [f"{file.name}#{anchor}" for file, anchor in links if file.suffix == ".md" and anchor not in _anchors(file)]
+
+
+@functools.cache
+def _anchors(page: Path) -> set[str]:
+    """The anchors of a page's headings, as GitHub makes them: the second of a name has -1 at its end."""
+    seen: Counter[str] = Counter()
+    anchors = set()
+    for heading in _HEADING.findall(page.read_text("utf-8")):
+        name = re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+        anchors.add(f"{name}-{seen[name]}" if seen[name] else name)
+        seen[name] += 1
+    return anchors
 
 
 @functools.cache
@@ -52,7 +75,7 @@ def _is_there(name: str) -> bool:
 
 @pytest.mark.parametrize("page", [page for page in PAGES if page.name not in HISTORY], ids=lambda page: page.name)
 def test_what_a_page_names_is_there(page):
-    assert missing(page) == []
+    assert missing(page) + missing_anchors(page) == []
 
 
 @pytest.mark.parametrize("building", ["solutions", "reference", "labs", "labs/grading", "tests"])
@@ -79,3 +102,11 @@ def test_what_has_moved_away_is_found(tmp_path):
         "`reference/scene/`, `scene/scenario.py`, `reference.scene.scenario.Body`, [itself](page.md#there), (no link)"
     )
     assert missing(page) == []
+
+
+def test_a_link_to_a_heading_that_is_gone_is_found(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text(
+        "# Two balls, rods\n## Rest\n## Rest\n[a](#two-balls-rods) [b](page.md#rest-1) [c](#rest-2) [d](#walls)"
+    )
+    assert missing_anchors(page) == ["page.md#rest-2", "page.md#walls"]

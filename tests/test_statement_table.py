@@ -1,8 +1,9 @@
-"""The page of the statements is the one that the code writes, and the topics that are done have no gap in it."""
+"""The page of the statements is what the code writes and has no gap; the findings about the engines have figures."""
 
 from __future__ import annotations
 
 import importlib.util
+import re
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -60,3 +61,9 @@ def test_every_figure_is_drawn_and_every_drawing_is_a_figure(table):
     drawn = {path.name for path in (ROOT / "docs" / "images" / "statements").glob("*.svg")}
     assert drawn == {name for _, name, _ in table.figures()}
     assert all(caption.endswith(".") for _, _, caption in table.figures())
+
+
+def test_every_finding_with_a_figure_is_drawn_and_shown(table):
+    drawn = {path.stem for path in (ROOT / "docs" / "images" / "engines").glob("*.svg")}
+    shown = re.findall(r"images/engines/([\w-]+)\.svg", (ROOT / "docs" / "engines.md").read_text(encoding="utf-8"))
+    assert drawn == set(shown) == set(table.drawing().findings())

@@ -164,7 +164,7 @@ class MuJoCo(Engine):
         return recorder.trajectory(spin_in_body_frame=True)
 
     def check_impacts(self, scenario: Scenario) -> None:
-        """Refuse impacts off the centre of a body with rebound and friction; docs/engines.md says what was tried.
+        """Refuse impacts off the centre of a body with rebound and friction; see docs/engines-mujoco.md.
 
         The convex solver adds μ times the slip that is left to the speed of parting. The noslip passes take that away,
         but they settle friction after the normal impulse, which off the centre depends on it. It also does where a face

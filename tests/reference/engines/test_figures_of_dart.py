@@ -1,4 +1,4 @@
-"""What docs/engines.md says of DART, measured."""
+"""What docs/engines-dart.md says of DART, measured."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What docs/engines.md says of DART, as recorded runs have it; in the slow run a live engine measures them again."""
+"""What docs/engines-dart.md says of DART, as recorded runs have it; the slow run measures it again in a live engine."""
 
 from __future__ import annotations
 
