@@ -10,7 +10,7 @@ from typing import Any
 
 from reference.comparison.pairs import Agreement, Name, Pair, Relation, agreements, pairs
 from reference.comparison.verdicts import Row
-from reference.engines.profiles import TUNED
+from reference.engines.profiles import counts
 from reference.report import numbers
 from reference.report.sections import Line, Section
 
@@ -96,7 +96,7 @@ def _whys(
 
 def sentence(rows: Sequence[Row]) -> str:
     """How many pairs of counted implementations are alike, in one sentence; empty where there is no pair."""
-    counted = [row for row in rows if row.profile == TUNED]
+    counted = [row for row in rows if counts(row.profile)]
     found = [pair.relation for pair in pairs(counted)]
     if not found:
         return ""

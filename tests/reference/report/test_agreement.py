@@ -12,7 +12,7 @@ from reference.report.sections import sections
 
 CASE = "3 touching"
 ENGINES = {
-    ("handwritten", "tuned"): (0.0, Verdict.SHOWN),
+    ("handwritten", "exact"): (0.0, Verdict.SHOWN),
     ("pybullet", "tuned"): (-1 / 3, Verdict.PASS),
     ("mujoco", "tuned"): (-0.3333, Verdict.PASS),
     ("dart", "stock"): (None, Verdict.FAIL),
@@ -26,18 +26,18 @@ SECTION = sections([JobResult(Job("cradle", row.engine, row.profile), row.engine
 
 def test_each_implementation_is_compared_with_those_above_it():
     matrix = Matrix.of(SECTION)
-    assert matrix.titles == ("handwritten, tuned", "pybullet, tuned", "mujoco, tuned", "dart, stock")
+    assert matrix.titles == ("handwritten, exact", "pybullet, tuned", "mujoco, tuned", "dart, stock")
     texts = [[entry.text if entry else None for entry in entries] for entries in matrix.rows]
     assert texts == [[], ["≠ 1"], ["≠ 1", "✓"], ["≠ 1", "≠ 1", "≠ 1"]]
     assert matrix.rows[1][0].title == (
-        "handwritten, tuned and pybullet, tuned: 1 of 1 numbers differ; most in 3 touching, first ball, by 0.33"
+        "handwritten, exact and pybullet, tuned: 1 of 1 numbers differ; most in 3 touching, first ball, by 0.33"
     )
     assert matrix.rows[3][2].title.endswith("of which one has no number")
 
 
 def test_a_reason_is_listed_once_with_those_that_it_belongs_to():
     assert dict(Matrix.of(SECTION).whys) == {
-        why_apart("cradle"): ("handwritten, tuned",),
+        why_apart("cradle"): ("handwritten, exact",),
         why_apart("cradle", "dart", "stock"): ("dart, stock",),
     }
 

@@ -83,7 +83,7 @@ def test_a_case_run_in_one_engine_is_an_empty_cell_in_the_other():
 # Worst first, and where errors come from
 
 
-def test_the_worst_tuned_row_is_first_with_the_share_of_its_limit():
+def test_the_worst_row_that_counts_is_first_with_the_share_of_its_limit():
     bad = replace(OURS[0].rows[0], measured=0.33)  # 0.08 of a tolerance of 0.1; all others use 0.01 of it
     worst = with_id(read(written([replace(OURS[0], rows=(bad, *OURS[0].rows[1:]))])), "worst")
     first = worst.all("tbody")[0].all("tr")[0]
@@ -91,13 +91,13 @@ def test_the_worst_tuned_row_is_first_with_the_share_of_its_limit():
     assert "80 %" in first.text
 
 
-def test_stock_rows_that_fail_are_listed_separately():
-    stock = next(it for it in OURS if it.job.profile == "stock")
-    failed = replace(stock.rows[0], verdict=Verdict.FAIL, measured=1.25)
-    worst = with_id(read(written([OURS[0], replace(stock, rows=(failed, *stock.rows[1:]))])), "worst")
-    tuned, others = worst.all("tbody")
-    assert "stock" not in tuned.text
-    assert [line.all("td")[0].text.strip() for line in others.all("tr")] == ["hand-written, stock"]
+def test_rows_at_the_step_that_fail_are_listed_separately():
+    at_step = next(it for it in OURS if it.job.profile == "step")
+    failed = replace(at_step.rows[0], verdict=Verdict.FAIL, measured=1.25)
+    worst = with_id(read(written([OURS[0], replace(at_step, rows=(failed, *at_step.rows[1:]))])), "worst")
+    counted, others = worst.all("tbody")
+    assert "step" not in counted.text
+    assert [line.all("td")[0].text.strip() for line in others.all("tr")] == ["hand-written, step"]
 
 
 def test_a_split_error_lists_each_moved_setting_and_both_errors():
@@ -136,7 +136,7 @@ def test_messages_of_engines_are_shown_as_text_and_never_run():
     assert len(tree.all("script")) == 1  # our own, for printing
     section, shown = with_id(tree, "ball-to-rest"), " ".join(EVIL.split())
     ours, theirs = came_out(section).all("tbody")[0].all("tr")
-    assert ours.all("th")[0].text == f"{shown}, tuned {shown}"
+    assert ours.all("th")[0].text == f"{shown}, exact {shown}"
     assert ours.all("td", "settings")[0].text == shown
     assert theirs.all("td")[0].text == f"{MARKS[Verdict.CRASHED]} crashed: {shown}"
     assert section.all("figcaption")[0].text == shown
@@ -157,7 +157,7 @@ def test_a_known_deviation_shows_its_remainder_and_its_reason():
         "+30 %",
         "left 1 %",
     )
-    assert "hand-written, tuned · known deviation: half a step." in [it.text for it in section.all("p", "note")]
+    assert "hand-written, exact · known deviation: half a step." in [it.text for it in section.all("p", "note")]
 
 
 # What waits for a rigid-body world
@@ -165,14 +165,14 @@ def test_a_known_deviation_shows_its_remainder_and_its_reason():
 
 def test_the_page_shows_which_scenarios_need_a_world():
     both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
-    jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
+    jobs = [Job("tipping-box", "handwritten", "exact", both), Job("stack", "handwritten", "exact")]
     tree = read(written([run_job(job) for job in jobs]))
     overview = [[cell.text for cell in line.inside] for line in tree.all("table", "overview")[0].all("tr")]
     assert ["Stack of boxes", "… needs"] in overview
     assert ["Box on a slope: holds, slides or tips", "… 2/3"] in overview
     for name, times in (("tipping-box", ""), ("stack", " (2×)")):
         notes = [note.text for note in with_id(tree, name).all("p", "note")]
-        assert f"hand-written, tuned{times} · needs a rigid-body world (world)." in notes
+        assert f"hand-written, exact{times} · needs a rigid-body world (world)." in notes
     (whole,) = (cell for cell in came_out(with_id(tree, "stack")).all("td", "needs"))
     assert whole.text == "… needs a rigid-body world (world)"
     halves = [cell.text for cell in came_out(with_id(tree, "tipping-box")).all("td", "needs")]
