@@ -7,6 +7,7 @@ import re
 import pytest
 from program import collisions
 
+from labs.cli import show
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.engines import engine_names, load_engine
