@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from reference.catalogue.case import Case
 from reference.comparison.results import JobResult
@@ -21,13 +21,8 @@ def replay_of(section: Section) -> Clip | None:
     return case_clip(case, [line for line in section.lines if line.counts], f"{family.title}: {case.name}")
 
 
-def case_clip(
-    case: Case, lines: Iterable[Line], title: str, profiles: Mapping[str, Mapping[str, str]] | None = None
-) -> Clip | None:
-    """One case in these implementations, the first of them drawn solid, profiles that do not count hidden at first.
-
-    profiles: other words for a profile, by engine and profile, where its own name says too little.
-    """
+def case_clip(case: Case, lines: Iterable[Line], title: str) -> Clip | None:
+    """One case in these implementations, the first of them drawn solid, profiles that do not count hidden at first."""
     found: dict[str, Poses] = {}
     hidden = set()
     for line in lines:
@@ -35,8 +30,7 @@ def case_clip(
         if track is not None:
             engine, profile = line.result.job.engine, line.result.job.profile
             name = engine if line.counts else f"{engine} {profile}"
-            known = (profiles or {}).get(engine, {}).get(profile) or ("" if line.counts else profile)
-            called = f"{line.result.title}, {known}".removesuffix(", ")
+            called = line.result.title if line.counts else line.title
             found[name] = unpack(track, called, line.result.recording)
             hidden |= set() if line.counts else {name}
     return clip(case.scenarios[0], found, title, hidden) if found else None
