@@ -54,7 +54,7 @@ def columns(found: Sequence[Section]) -> list[str]:
 
 def verdict_line(rows: Sequence[Row]) -> str:
     """One sentence on how many checks of the tuned settings agree with theory."""
-    tuned = [row for row in rows if row.profile == TUNED and row.verdict is not Verdict.SHOWN]
+    tuned = [row for row in rows if row.profile == TUNED and row.verdict not in (Verdict.SHOWN, Verdict.RUNNING)]
     agreeing = sum(row.verdict in AGREES for row in tuned)
     known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in tuned)
     disagreeing = sum(row.verdict is Verdict.DISAGREES for row in tuned)

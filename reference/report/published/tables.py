@@ -34,6 +34,7 @@ LEGEND = {
     Verdict.NEEDS: "a function that is not written yet",
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
     Verdict.CRASHED: "the run died, hung or gave no usable state",
+    Verdict.RUNNING: "the run is still going on",
 }
 
 

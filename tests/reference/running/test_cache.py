@@ -15,8 +15,9 @@ import pytest
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.running import cache, sources
-from reference.running.cache import Cache, default_folder, key_of
+from reference.running.cache import Cache, key_of
 from reference.running.jobs import recall, run_all, run_one
+from reference.running.shelf import default_folder
 from reference.running.study import SCENARIOS, run_job
 
 JOB = Job("sliding-slab", "handwritten", "tuned", ("μ=0.7,v=1",))
@@ -199,7 +200,7 @@ def test_a_full_cache_drops_the_result_used_longest_ago(result, cache_folder):
     long_ago = time.time() - 1000
     for age, job in enumerate(jobs[:2]):
         keeps.put(job, key_of(job), dataclasses.replace(result, job=job))
-        os.utime(keeps._file(key_of(job)), (long_ago + age, long_ago + age))
+        os.utime(cache_folder / f"{key_of(job)}.result", (long_ago + age, long_ago + age))
     assert keeps.get(jobs[0]) is not None  # used just now, so the other is the oldest
     keeps.put(jobs[2], key_of(jobs[2]), dataclasses.replace(result, job=jobs[2]))
     assert [keeps.get(job) is not None for job in jobs] == [True, False, True]
