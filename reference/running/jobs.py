@@ -18,7 +18,8 @@ from reference.running.sources import Texts
 
 J = TypeVar("J", bound=Job)
 R = TypeVar("R", bound=Result)
-A, B = TypeVar("A"), TypeVar("B")
+A = TypeVar("A")
+B = TypeVar("B")
 
 TIME_LIMIT = 300.0
 """Wall-clock limit of one job, s."""
@@ -118,9 +119,9 @@ def run_one(job: J, work: Work[J, R], timeout: float = TIME_LIMIT, cache: Cache 
         else:
             result = run_isolated(work.run, timeout, job)
     except EngineNotInstalled as error:
-        found = cache.get_recorded(job) if cache else None
-        if found is not None:
-            return found
+        kept: R | None = cache.get_recorded(job) if cache else None
+        if kept is not None:
+            return kept
         result = _recorded(job, work, error, start)
         key = key_of_recorded(job) if cache and result.recording else None
     except (NeedsFunction, CannotExpress, RunFailed) as error:

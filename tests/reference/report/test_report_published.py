@@ -17,8 +17,7 @@ from reference.published import recorded
 from reference.published.jobs import run_job
 from reference.published.results import PublishedJob
 from reference.published.theirs import published
-from reference.report import files, row_files
-from reference.report.published.figures import oblique_impacts
+from reference.report import drawing, files, row_files
 from reference.report.published.page import set_up
 from reference.report.published.tables import PublishedTables, figure, label
 from reference.report.published.terminal import print_published
@@ -165,7 +164,7 @@ def test_report_and_published_page_link_to_each_other_if_both_exist(folder, text
 
 def test_measured_impacts_are_drawn_beside_the_rigid_law(tables, folder, text):
     (line,) = tables.of_kind("validation")
-    pictures = oblique_impacts(line)
+    pictures = [(each.name, each(), each.caption) for each in drawing.of_impacts(line)]
     assert [name for name, _, _ in pictures] == ["published-tangent-restitution", "published-spin"]
     for name, svg, caption in pictures:
         assert svg == (folder / "figures" / f"{name}.svg").read_text(encoding="utf-8")
