@@ -153,6 +153,7 @@ def run_work(
 ) -> list[R]:
     """Take from the cache what it has, run the rest in parallel behind a progress bar, and return the results.
 
+    They come in the order of the jobs, whichever run was through first, so that a report has the same bytes each time.
     had: what the cache has, if somebody has looked already.
     """
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
@@ -171,7 +172,7 @@ def run_work(
         for result in finished:
             results.append(result)
             progress.update(task, advance=1, description=result.label)
-    return results
+    return sorted(results, key=lambda result: jobs.index(result.job))
 
 
 def _counted(runs: int, cached: int) -> str:

@@ -173,6 +173,13 @@ def test_measured_impacts_are_drawn_beside_the_rigid_law(tables, folder, text):
         assert {"rigid sphere", "hand-written", "measured"} <= set(re.findall(">([a-z -]+)</text>", svg))
 
 
+def test_a_case_that_is_still_running_is_not_counted_as_missed(results):
+    running = with_rows(results, verdict=Verdict.RUNNING, measured=None)[1]
+    before, after = PublishedTables.of([results[0]]), PublishedTables.of([results[0], running])
+    assert len(after.lines) == 2
+    assert (after.sentence, after.exceptions) == (before.sentence, before.exceptions)
+
+
 def test_published_rows_are_read_back_as_they_were_written(folder, tables):
     assert row_files.read_published(folder / "published.json") == tables.rows
 
