@@ -58,6 +58,10 @@ class NeedsFunction(CollisionsError):
     """The hand-written code lacks a function that the scenario needs."""
 
 
+class StillRunning(CollisionsError):
+    """The run is still going on: it is what is said instead of a number on a page that is written before the end."""
+
+
 class RunFailed(CollisionsError):
     """The run gave no usable answer: an exception, a non-finite state, a function that failed."""
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from reference.errors import CollisionsError, RunFailed
-from reference.running.cache import default_folder
+from reference.running.shelf import default_folder
 
 _LOOKS_EVERY = 0.1  # s between two looks at the memory, which take a third processor beside the grader and its worker
 _SAID = 400  # characters of the output of a program that failed

@@ -134,18 +134,38 @@ def _assignment(option: str, text: str, example: str) -> tuple[str, str]:
 
 def run(jobs: Sequence[Job], workers: int | None, cache: Cache | None = None) -> list[JobResult]:
     """Run scenarios, as `run_work` does."""
+    return run_work(not_empty(jobs), SCENARIOS, workers, cache)
+
+
+def not_empty(jobs: Sequence[Job]) -> Sequence[Job]:
+    """The same jobs; `InvalidInput` where there are none."""
     if not jobs:
         raise InvalidInput("no engine has these profiles for these scenarios: there is nothing to run")
-    return run_work(jobs, SCENARIOS, workers, cache)
+    return jobs
 
 
-def run_work(jobs: Sequence[J], work: Work[J, R], workers: int | None, cache: Cache | None = None) -> list[R]:
-    """Take from the cache what it has, run the rest in parallel behind a progress bar, and return the results."""
+def at_a_time(workers: int | None) -> int:
+    """How many runs there are at a time: one a processor if no number is given."""
+    return workers or os.cpu_count() or 1
+
+
+def run_work(
+    jobs: Sequence[J],
+    work: Work[J, R],
+    workers: int | None,
+    cache: Cache | None = None,
+    had: Sequence[R] | None = None,
+) -> list[R]:
+    """Take from the cache what it has, run the rest in parallel behind a progress bar, and return the results.
+
+    They come in the order of the jobs, whichever run was through first, so that a report has the same bytes each time.
+    had: what the cache has, if somebody has looked already.
+    """
     columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    workers, results = workers or os.cpu_count() or 1, recall(jobs, cache) if cache else []
+    workers, results = at_a_time(workers), list(recall(jobs, cache) if cache and had is None else had or ())
     errors.print(f"{_counted(len(jobs), len(results))}, {workers} at a time.")
-    had = {result.job for result in results}
-    missing = work.in_order(job for job in jobs if job not in had)
+    known = {result.job for result in results}
+    missing = work.in_order(job for job in jobs if job not in known)
     with (
         Progress(*columns, console=errors, transient=True) as progress,
         ThreadPoolExecutor(workers) as executor,
@@ -157,7 +177,7 @@ def run_work(jobs: Sequence[J], work: Work[J, R], workers: int | None, cache: Ca
         for result in finished:
             results.append(result)
             progress.update(task, advance=1, description=result.label)
-    return results
+    return sorted(results, key=lambda result: jobs.index(result.job))
 
 
 def _counted(runs: int, cached: int) -> str:

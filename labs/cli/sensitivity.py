@@ -45,9 +45,7 @@ def sensitivity(
         raise InvalidInput(f"{others[0]!r} is no engine of the lab's own; only what these notice is kept")
     if out:
         OUT.check(out)
-    results = sorted(
-        jobs.run_work(planned, SENSITIVITY, workers, Cache(fresh=fresh)), key=lambda it: planned.index(it.job)
-    )
+    results = jobs.run_work(planned, SENSITIVITY, workers, Cache(fresh=fresh))
     found = [result.sensitivity for result in results if result.sensitivity]
     print_sensitivity(output, found, map(_why_not, results))
     if out:

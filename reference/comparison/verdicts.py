@@ -17,6 +17,7 @@ from reference.errors import (
     NeedsFunction,
     NoWords,
     RunFailed,
+    StillRunning,
     WorkerCrashed,
     WorkerTimeout,
 )
@@ -44,6 +45,7 @@ class Verdict(StrEnum):
     NOT_AVAILABLE = "not available"
     CRASHED = "crashed"
     SHOWN = "shown"
+    RUNNING = "running"
 
 
 @dataclass(frozen=True)
@@ -148,6 +150,7 @@ def verdict_of(error: Exception) -> Verdict:
         (CannotExpress, Verdict.CANNOT_EXPRESS),
         (NoWords, Verdict.NO_WORDS),
         (EngineNotInstalled, Verdict.NOT_AVAILABLE),
+        (StillRunning, Verdict.RUNNING),
         (WorkerTimeout, Verdict.CRASHED),
         (WorkerCrashed, Verdict.CRASHED),
         (RunFailed, Verdict.CRASHED),

@@ -25,6 +25,7 @@ SCHEMA, VERSION = "collisions-lab/recording", 4
 FOLDER = Path(__file__).parent / "recordings"
 MARK = "*"
 """Behind the title of an engine that did not run here."""
+NOT_RUN = "it is not run here"
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class Made:
 
     def __str__(self) -> str:
         where = f"Python {self.python}, {self.platform}"
-        return f"{self.engine} {self.version} was recorded on {self.date} ({where}); it is not run here"
+        return f"{self.engine} {self.version} was recorded on {self.date} ({where}); {NOT_RUN}"
 
 
 def content_of(engine: str, family: str, folder: Path | None = None) -> dict[str, Any] | None:

@@ -13,16 +13,17 @@ from typing import Any
 
 from reference.comparison.results import JobResult
 from reference.published.results import PublishedResult
-from reference.report import figures, page
+from reference.report import drawing, page
 from reference.report.agreement import pairs_csv
+from reference.report.drawing import Drawing
 from reference.report.provenance import compared, engine_versions, machine, provenance
 from reference.report.published import page as published_page
-from reference.report.published.figures import oblique_impacts
-from reference.report.published.tables import PublishedTables
+from reference.report.published.tables import PublishedCell, PublishedTables
 from reference.report.replays import replay_of
 from reference.report.row_files import as_json, published_json, rows_csv, rows_json, run_of
 from reference.report.sections import Section, sections
 from reference.report.staging import PAGE
+from reference.running.cache import Cache
 
 PUBLISHED_PAGE = "published.html"
 TIMINGS, PROVENANCE = "collisions-lab/timings", "collisions-lab/provenance"
@@ -35,53 +36,58 @@ STUDY_CAPTION = (
 )
 
 
-def write(results: Iterable[JobResult], folder: Path, published: Iterable[PublishedResult] = ()) -> None:
-    """Write all files of a report into a folder; those of published cases only where there are any."""
-    others = list(published)
+def write(
+    results: Iterable[JobResult],
+    folder: Path,
+    published: Iterable[PublishedResult] = (),
+    cache: Cache | None = None,
+    workers: int = 1,
+    unfinished: str = "",
+) -> None:
+    """Write all files of a report into a folder; those of published cases only where there are any.
+
+    cache: where figures are kept. workers: how many are drawn at a time. unfinished: what the pages and the rows say of
+    themselves where runs are still going on.
+    """
+    tables = PublishedTables.of(published)
     found = sections(results)
     ordered = [line.result for section in found for line in section.lines]
-    drawn = {section.family.name: _figures(section) for section in found}
-    (folder / "figures").mkdir()
-    in_page = {name: _write_figures(pictures, folder) for name, pictures in drawn.items()}
-    _write(folder / "rows.json", rows_json(ordered))
+    in_page = _figures(found, tables, folder, cache, workers)
+    _write(folder / "rows.json", rows_json(ordered, unfinished))
     _write(folder / "rows.csv", rows_csv(ordered))
     _write(folder / "pairs.csv", pairs_csv(row for result in ordered for row in result.rows))
     _write(folder / "timings.json", as_json(TIMINGS, {"seconds": [_timing(result) for result in ordered]}))
     _write(folder / "provenance.json", as_json(PROVENANCE, provenance(engine_versions(ordered))))
-    address = PUBLISHED_PAGE if others else ""
+    address = PUBLISHED_PAGE if tables.lines else ""
     replays = {section.family.name: clip for section in found if (clip := replay_of(section)) is not None}
-    _write(folder / PAGE, page.render(found, in_page, compared(ordered), machine(), address, replays))
-    if others:
-        _write_published(others, folder)
+    _write(folder / PAGE, page.render(found, in_page, compared(ordered), machine(), address, replays, unfinished))
+    if tables.lines:
+        _write(folder / "published.json", published_json(tables.rows, unfinished))
+        versions = compared([cell.result for name in tables.engines for cell in _cells(tables, name)])
+        of_cases = {IMPACTS: in_page[IMPACTS]}
+        whole = published_page.render(tables, of_cases, versions, machine(), PAGE, unfinished)
+        _write(folder / PUBLISHED_PAGE, whole)
 
 
-def _write_published(results: Sequence[PublishedResult], folder: Path) -> None:
-    """The page of published cases and their rows."""
-    tables = PublishedTables.of(results)
+def _cells(tables: PublishedTables, engine: str) -> list[PublishedCell]:
+    """The cells of one engine."""
+    return [cell for line in tables.lines if (cell := line.cells.get(engine))]
+
+
+def _figures(
+    found: Sequence[Section], tables: PublishedTables, folder: Path, cache: Cache | None, workers: int
+) -> dict[str, list[tuple[str, str]]]:
+    """Write figures to files of their own, and return SVG and caption of each, by family or published case."""
     impacts = next((line for line in tables.lines if line.case.name == IMPACTS), None)
-    in_page = {IMPACTS: _write_figures(oblique_impacts(impacts) if impacts else [], folder)}
-    _write(folder / "published.json", published_json(tables.rows))
-    ordered = [cell.result for name in tables.engines for line in tables.lines if (cell := line.cells.get(name))]
-    _write(folder / PUBLISHED_PAGE, published_page.render(tables, in_page, compared(ordered), machine(), PAGE))
-
-
-def _figures(section: Section) -> list[tuple[str, str, str]]:
-    """Name, SVG and caption of the family's figures."""
-    family = section.family
-    pictures = [
-        (f"{family.name}-trajectories", figures.trajectories(section), f"{family.curve.title}: all implementations."),
-        (f"{family.name}-convergence", figures.convergence(section), STUDY_CAPTION),
-    ]
-    return [picture for picture in pictures if picture[1]]
-
-
-def _write_figures(pictures: Iterable[tuple[str, str, str]], folder: Path) -> list[tuple[str, str]]:
-    """Write figures to files of their own, and return SVG and caption of each for the page."""
-    in_page = []
-    for name, svg, caption in pictures:
+    wanted: dict[str, list[Drawing]] = {IMPACTS: drawing.of_impacts(impacts) if impacts else []}
+    wanted |= {section.family.name: drawing.of_section(section, STUDY_CAPTION) for section in found}
+    every = [each for drawings in wanted.values() for each in drawings]
+    names = [each.name for each in every]
+    svgs = dict(zip(names, drawing.drawn(every, cache, workers), strict=True))
+    (folder / "figures").mkdir()
+    for name, svg in svgs.items():
         _write(folder / "figures" / f"{name}.svg", svg)
-        in_page.append((svg, caption))
-    return in_page
+    return {name: [(svgs[each.name], each.caption) for each in drawings] for name, drawings in wanted.items()}
 
 
 def _timing(result: JobResult) -> dict[str, Any]:

@@ -18,6 +18,7 @@ MARKS = {
     Verdict.NOT_AVAILABLE: "–",
     Verdict.CRASHED: "!",
     Verdict.SHOWN: "·",
+    Verdict.RUNNING: "▷",
 }
 LEGEND = {
     Verdict.PASS: "as the method must, and near theory where it has a figure",
@@ -30,6 +31,7 @@ LEGEND = {
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
     Verdict.CRASHED: "the run died, hung or gave no usable state",
     Verdict.SHOWN: "theory has no figure; the largest value is shown",
+    Verdict.RUNNING: "the run is still going on; it counts nowhere",
 }
 SEVERITY = (
     Verdict.CRASHED,
@@ -39,6 +41,7 @@ SEVERITY = (
     Verdict.CANNOT_EXPRESS,
     Verdict.NO_WORDS,
     Verdict.NOT_AVAILABLE,
+    Verdict.RUNNING,
     Verdict.KNOWN_DEVIATION,
     Verdict.PASS,
     Verdict.SHOWN,

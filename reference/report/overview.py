@@ -54,7 +54,7 @@ def columns(found: Sequence[Section]) -> list[str]:
 
 def verdict_line(rows: Sequence[Row]) -> str:
     """One sentence on how many checks that count agree with theory."""
-    counted = [row for row in rows if counts(row.profile) and row.verdict is not Verdict.SHOWN]
+    counted = [row for row in rows if counts(row.profile) and row.verdict not in (Verdict.SHOWN, Verdict.RUNNING)]
     agreeing = sum(row.verdict in AGREES for row in counted)
     known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in counted)
     disagreeing = sum(row.verdict is Verdict.DISAGREES for row in counted)

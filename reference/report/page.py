@@ -32,12 +32,13 @@ def render(
     provenance: str,
     published: str = "",
     replays: Mapping[str, Clip] | None = None,
+    unfinished: str = "",
 ) -> str:
     """Return the page.
 
     figures: by family, SVG texts with their captions. versions: what was compared, as in the opening sentence.
     provenance: on which machine and with what, as in the last sentence. published: the address of the page of published
-    cases, if there is one. replays: by family.
+    cases, if there is one. replays: by family. unfinished: what the page says of itself where runs are still going on.
     """
     rows = [row for section in found for line in section.lines for row in line.result.rows]
     return (
@@ -53,6 +54,7 @@ def render(
             versions=versions,
             provenance=provenance,
             published=published,
+            unfinished=unfinished,
             statements=_statements(found),
             verdict_line=verdict_line(rows),
             marks=MARKS,

@@ -24,8 +24,11 @@ VERSIONS = {ROWS: 2, PUBLISHED: 2}
 R = TypeVar("R", Row, PublishedRow)
 
 
-def rows_json(results: Iterable[JobResult]) -> str:
-    """The rows, who agrees with whom, errors against timestep and their splits, and the smallest faults, as JSON."""
+def rows_json(results: Iterable[JobResult], unfinished: str = "") -> str:
+    """The rows, who agrees with whom, errors against timestep and their splits, and the smallest faults, as JSON.
+
+    unfinished: what is said where runs are still going on; nothing where all rows are there.
+    """
     results = list(results)
     studies = [run_of(result) | asdict(result.convergence) for result in results if result.convergence is not None]
     splits = [run_of(result) | asdict(result.split) for result in results if result.split is not None]
@@ -34,12 +37,17 @@ def rows_json(results: Iterable[JobResult]) -> str:
     noticed = [each for each in sensitivity.read() if each.family in families]
     agreement = as_content(row for result in results for row in result.rows)
     content = {"rows": rows, "agreement": agreement, "convergence": studies, "splits": splits}
+    content = _remark(unfinished) | content
     return as_json(ROWS, content | {"sensitivity": sensitivity.as_content(noticed)["families"]})
 
 
-def published_json(rows: Iterable[PublishedRow]) -> str:
-    """The rows of published cases as JSON."""
-    return as_json(PUBLISHED, {"rows": [asdict(row) for row in rows]})
+def published_json(rows: Iterable[PublishedRow], unfinished: str = "") -> str:
+    """The rows of published cases as JSON; unfinished as in `rows_json`."""
+    return as_json(PUBLISHED, _remark(unfinished) | {"rows": [asdict(row) for row in rows]})
+
+
+def _remark(unfinished: str) -> dict[str, Any]:
+    return {"unfinished": unfinished} if unfinished else {}
 
 
 def rows_csv(results: Iterable[JobResult]) -> str:

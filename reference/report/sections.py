@@ -42,7 +42,7 @@ class Cell:
     @property
     def judged(self) -> int:
         """How many rows have an expectation, or should have had one."""
-        return sum(row.verdict is not Verdict.SHOWN for row in self.rows)
+        return sum(row.verdict not in (Verdict.SHOWN, Verdict.RUNNING) for row in self.rows)
 
     @property
     def agreeing(self) -> int:

@@ -9,148 +9,110 @@ at run time.
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
 import hashlib
 import importlib
 import io
 import json
 import logging
-import os
 import pickle
 import platform
-import tempfile
-import time
 from enum import Enum
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-import platformdirs
 
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import CollisionsError
+from reference.recording import checksums, files
 from reference.running import sources
 from reference.running.protocol import Job, Result
+from reference.running.shelf import RESULT, Shelf, sealed, unsealed
+from reference.running.sources import Texts
 
 SCHEMA = "collisions-lab result 1\n"
-VARIABLE = "COLLISIONS_CACHE"
-"""Environment variable that names another folder."""
-MOST_BYTES = 64 * 2**20
-"""How much the folder may hold; beyond that, the results that were used longest ago are removed."""
-_KEPT, _UNFINISHED = ".result", ".unfinished"
-"""Suffixes of a kept result and of a file that is being written."""
-_ABANDONED = 3600.0
-"""Age, s, from which an unfinished file was left behind by a process that is gone."""
 _INCOMPLETE = (Verdict.CRASHED, Verdict.NOT_AVAILABLE)
 """A result with one of these verdicts is not kept: the next run may give a number."""
 
 _log = logging.getLogger(__name__)
 
 
-def default_folder() -> Path:
-    """The folder that `COLLISIONS_CACHE` names, or the user's own for caches."""
-    return Path(os.environ.get(VARIABLE) or platformdirs.user_cache_dir("collisions-lab", appauthor=False))
-
-
-class Cache:
+class Cache(Shelf):
     """Results of jobs in a folder. Where the folder cannot be read or written, everything is a miss and nothing fails.
 
     fresh: take nothing from the folder, but keep new results there. most_bytes: how much it may hold.
     """
 
-    def __init__(self, folder: Path | None = None, fresh: bool = False, most_bytes: int = MOST_BYTES) -> None:
-        self.folder, self.fresh, self.most_bytes = folder or default_folder(), fresh, most_bytes
+    def get(self, job: Job, texts: Texts | None = None) -> Any:
+        """The result of this job if it ran before under the same key; None otherwise.
 
-    def get(self, job: Job) -> Any:
-        """The result of this job if it ran before under the same key; None otherwise."""
-        key = None if self.fresh else key_of(job)
-        if key is None:
+        texts: what was read of the code before, and is not to be read again.
+        """
+        return None if self.fresh else self._found(job, key_of(job, texts=texts))
+
+    def get_recorded(self, job: Job, texts: Texts | None = None) -> Any:
+        """What the recording of this job gave before, with the same code and the same recording; None otherwise."""
+        return None if self.fresh else self._found(job, key_of_recorded(job, texts))
+
+    def put(self, job: Job, key: str | None, result: Result, texts: Texts | None = None) -> None:
+        """Keep a complete result under the key that its worker had, if it is still the job's, or its recording's.
+
+        texts: what has been read of the code since the job ran, and is not to be read again.
+        """
+        if key is None or any(row.verdict in _INCOMPLETE for row in result.rows):
+            return
+        if key == (key_of_recorded(job, texts) if result.recording else key_of(job, texts=texts)):
+            kept: Any = result  # of any kind, with a job of its own kind
+            self.keep(f"{key}{RESULT}", _packed(dataclasses.replace(kept, job=_identity(job))))
+
+    def _found(self, job: Job, key: str | None) -> Any:
+        content = self.read(f"{key}{RESULT}") if key else None
+        result = _unpacked(content) if content is not None else None
+        if result is None:
             return None
-        try:
-            content = self._file(key).read_bytes()
-            with contextlib.suppress(OSError):
-                os.utime(self._file(key))  # used just now
-        except FileNotFoundError:
-            return None
-        except OSError as error:
-            _log.info("the cache cannot be read: %s", error)
-            return None
-        result = _unpacked(content)
-        if result is None or result.job != _identity(job):
+        if result.job != _identity(job):
             _log.info("%s: what the cache holds is no result of it", job)
             return None
         _log.info("%s: from the cache, where it took %.1f s", job, result.seconds)
         return dataclasses.replace(result, job=job, cached=True)
 
-    def put(self, job: Job, key: str | None, result: Result) -> None:
-        """Keep a complete result that ran here under the key that its worker had, if it is still the job's."""
-        if key is None or result.recording or any(row.verdict in _INCOMPLETE for row in result.rows):
-            return
-        if key != key_of(job):
-            return
-        try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-            kept: Any = result  # of any kind, with a job of its own kind
-            self._write(self._file(key), _packed(dataclasses.replace(kept, job=_identity(job))))
-            self._make_room()
-        except OSError as error:
-            _log.info("%s: not kept, the cache cannot be written: %s", job, error)
 
-    def _file(self, key: str) -> Path:
-        return self.folder / f"{key}{_KEPT}"
-
-    def _write(self, path: Path, content: bytes) -> None:
-        """Write a whole file or none, even if another process writes the same one."""
-        handle, name = tempfile.mkstemp(_UNFINISHED, dir=self.folder)
-        try:
-            with os.fdopen(handle, "wb") as file:
-                file.write(content)
-            os.replace(name, path)
-        except BaseException:
-            with contextlib.suppress(OSError):
-                os.unlink(name)
-            raise
-
-    def _make_room(self) -> None:
-        """Remove the results used longest ago while there are too many, and files that an interrupted write left."""
-        files, now = [], time.time()
-        for path in self.folder.iterdir():
-            with contextlib.suppress(OSError):  # another process may have removed it
-                status = path.stat()
-                if path.suffix == _KEPT:
-                    files.append((status.st_mtime, status.st_size, path))
-                elif path.suffix == _UNFINISHED and now - status.st_mtime > _ABANDONED:
-                    path.unlink()
-        held = sum(size for _, size, _ in files)
-        for _, size, path in sorted(files):
-            if held <= self.most_bytes:
-                return
-            with contextlib.suppress(OSError):
-                path.unlink()
-            held -= size
-
-
-def key_of(job: Job, once: bool = False) -> str | None:
+def key_of(job: Job, once: bool = False, texts: Texts | None = None) -> str | None:
     """A hash of everything that a job's result depends on; None where it is unknown, as for a missing engine.
 
-    once: read each package once in a process, for a worker, which imports it once and never again.
+    once: read each package once in a process, for a worker, which imports it once and never again. texts: what was read
+    of the code before, and is not to be read again.
     """
+    texts = sources.IMPORTED if once else texts or Texts()
     try:
         engine = load_engine(job.engine)
-        code = {"reference": sources.digest("reference", once)}
+        code = {"reference": sources.digest("reference", texts)}
         if job.engine.endswith(".py"):
-            code["engine"] = sources.digest(job.engine, once)
+            code["engine"] = sources.digest(job.engine, texts)
         if _reads_hand_written(job):
             parts = Implementation(job.implementation).sources
-            code["implementation"] = " ".join(sources.digest(part, once) for part in parts)
-        known = [SCHEMA, dataclasses.asdict(_identity(job)), engine.version(), _surroundings(), code]
+            code["implementation"] = " ".join(sources.digest(part, texts) for part in parts)
+        return key([SCHEMA, dataclasses.asdict(_identity(job)), engine.version(), code])
     except (CollisionsError, OSError) as error:
         _log.info("%s: without cache: %s", job, error)
         return None
-    return hashlib.sha256(json.dumps(known, sort_keys=True).encode()).hexdigest()
+
+
+def key_of_recorded(job: Job, texts: Texts | None = None) -> str | None:
+    """A hash of everything that a job's recording gives depends on; None where the engine has no recordings."""
+    known = texts or Texts()
+    recorded = known.data(files.FOLDER / job.engine)
+    if not recorded:
+        return None
+    code, sums = sources.digest("reference", known), checksums.kept(files.FOLDER)
+    return key([SCHEMA, "recorded", dataclasses.asdict(_identity(job)), recorded, sums, code])
+
+
+def key(known: list[Any]) -> str:
+    """A hash of what is known to make a result, and of the versions and the machine that make it."""
+    return hashlib.sha256(json.dumps([*known, _surroundings()], sort_keys=True).encode()).hexdigest()
 
 
 def _surroundings() -> dict[str, str]:
@@ -175,15 +137,13 @@ def _identity(job: Job) -> Any:
 
 
 def _packed(result: Result) -> bytes:
-    body = pickle.dumps(result, protocol=5)
-    return SCHEMA.encode() + hashlib.sha256(body).digest() + body
+    return sealed(SCHEMA, pickle.dumps(result, protocol=5))
 
 
 def _unpacked(content: bytes) -> Any:
     """The result in a file's bytes; None for a file that is damaged, of another version or no result at all."""
-    header = SCHEMA.encode()
-    digest, body = content[len(header) : len(header) + 32], content[len(header) + 32 :]
-    if not content.startswith(header) or hashlib.sha256(body).digest() != digest:
+    body = unsealed(SCHEMA, content)
+    if body is None:
         return None
     try:
         found: Any = _OwnData(io.BytesIO(body)).load()

@@ -5,17 +5,21 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Callable, Generator, Iterable, Sequence
-from concurrent.futures import Executor, Future, as_completed, wait
+from concurrent.futures import Executor, Future, ThreadPoolExecutor, as_completed, wait
 from dataclasses import dataclass
 from typing import Any, Generic, TypeVar
 
+from reference.engines import load_engine
 from reference.errors import CannotExpress, CollisionsError, EngineNotInstalled, InvalidInput, NeedsFunction, RunFailed
-from reference.running.cache import Cache, key_of
+from reference.running.cache import Cache, key_of, key_of_recorded
 from reference.running.isolate import run_isolated, stop_workers
 from reference.running.protocol import Job, Result
+from reference.running.sources import Texts
 
 J = TypeVar("J", bound=Job)
 R = TypeVar("R", bound=Result)
+A = TypeVar("A")
+B = TypeVar("B")
 
 TIME_LIMIT = 300.0
 """Wall-clock limit of one job, s."""
@@ -41,8 +45,24 @@ class Work(Generic[J, R]):
 
 
 def recall(jobs: Iterable[Job], cache: Cache) -> list[Any]:
-    """The results of those jobs that the cache has."""
-    return [result for job in jobs if (result := cache.get(job)) is not None]
+    """The results of those jobs that the cache has; of an engine that is not installed, what its recording gave."""
+    texts = Texts()
+
+    def found(job: Job) -> Any:
+        return cache.get(job, texts) if _has_version(job) else cache.get_recorded(job, texts)
+
+    return [result for job in jobs if (result := found(job)) is not None]
+
+
+def _has_version(job: Job) -> bool:
+    """Whether the package of a job's engine is here, as far as its metadata say; it is not imported."""
+    try:
+        load_engine(job.engine).version()
+    except EngineNotInstalled:
+        return False
+    except CollisionsError:
+        pass
+    return True
 
 
 def run_all(
@@ -62,7 +82,20 @@ def run_all(
         _abandon(waiting)
 
 
-def _abandon(futures: Iterable[Future[R]]) -> None:
+def each_isolated(function: Callable[[A], B], arguments: Sequence[A], workers: int) -> list[B]:
+    """What a function gives for each argument, in their order, several worker processes at a time.
+
+    An error or an interrupt stops every worker process and waits for none.
+    """
+    with ThreadPoolExecutor(workers) as executor:
+        waiting = [executor.submit(run_isolated, function, TIME_LIMIT, argument) for argument in arguments]
+        try:
+            return [future.result() for future in waiting]
+        finally:
+            _abandon(waiting)
+
+
+def _abandon(futures: Iterable[Future[Any]]) -> None:
     """Cancel the jobs that have not started, and stop the workers of the others until no job is running."""
     running = {future for future in futures if not (future.cancel() or future.done())}
     while running:  # repeatedly, because a thread may be about to start a worker
@@ -86,7 +119,11 @@ def run_one(job: J, work: Work[J, R], timeout: float = TIME_LIMIT, cache: Cache 
         else:
             result = run_isolated(work.run, timeout, job)
     except EngineNotInstalled as error:
+        kept: R | None = cache.get_recorded(job) if cache else None
+        if kept is not None:
+            return kept
         result = _recorded(job, work, error, start)
+        key = key_of_recorded(job) if cache and result.recording else None
     except (NeedsFunction, CannotExpress, RunFailed) as error:
         result = work.refused(job, error, time.perf_counter() - start)
     _log.info("%s: finished after %.1f s", job, time.perf_counter() - start)

@@ -22,18 +22,50 @@ _ONE_AT_A_TIME = threading.Lock()
 """Two threads that parse at the same time sometimes raise "AST constructor recursion depth mismatch" (CPython 3.11)."""
 
 
-def digest(source: str, once: bool = False) -> str:
+class Texts:
+    """What was read of packages and files, so that each is read only once.
+
+    files_again: whether a `.py` file is read each time all the same, as it is in a worker, which imports a package only
+    once, but runs such a file again for each job.
+    """
+
+    def __init__(self, files_again: bool = False) -> None:
+        self._files_again, self._known = files_again, dict[str, tuple[str, frozenset[str]]]()
+        self._data = dict[str, str]()
+
+    def part(self, name: str) -> tuple[str, frozenset[str]]:
+        """A hash of the text of a package or a file, and the first names of the modules that it imports."""
+        if name not in self._known or (self._files_again and name.endswith(".py")):
+            self._known[name] = _part(name)
+        return self._known[name]
+
+    def data(self, folder: Path) -> str:
+        """A hash of all files of a folder; empty where it has none."""
+        if str(folder) not in self._data:
+            whole, paths = hashlib.sha256(), sorted(path for path in folder.glob("*") if path.is_file())
+            for path in paths:
+                text = path.read_bytes()
+                whole.update(f"{path.name} {len(text)}\n".encode() + text)
+            self._data[str(folder)] = whole.hexdigest() if paths else ""
+        return self._data[str(folder)]
+
+
+IMPORTED = Texts(files_again=True)
+"""What this process read when it began, for a worker."""
+
+
+def digest(source: str, texts: Texts | None = None) -> str:
     """A hash of a package or a `.py` file, and of everything that it imports except installed packages.
 
-    Nothing is imported: files are found as Python would find them, and read. once: read a package only the first time
-    in this process, since Python imports it only once as well; a `.py` file is always read.
+    Nothing is imported: files are found as Python would find them, and read. texts: what was read before, and is not
+    to be read again.
     """
-    whole, seen, waiting = hashlib.sha256(), set(), [source]
+    whole, seen, waiting, texts = hashlib.sha256(), set(), [source], texts or Texts()
     while waiting:
         name = waiting.pop()
         if name not in seen:
             seen.add(name)
-            text, imported = _first_part(name) if once and not name.endswith(".py") else _part(name)
+            text, imported = texts.part(name)
             whole.update(f"{name} {text}\n".encode())
             waiting += sorted(imported)
     return whole.hexdigest()
@@ -47,9 +79,6 @@ def _part(name: str) -> tuple[str, frozenset[str]]:
         whole.update(f"{path.relative_to(place.parent).as_posix()} {len(text)}\n".encode() + text)
         names |= _imported(text)
     return whole.hexdigest(), frozenset(name for name in names if _is_own(name))
-
-
-_first_part = functools.cache(_part)
 
 
 def _files(name: str) -> Iterator[tuple[Path, Path]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -17,15 +17,32 @@ if TYPE_CHECKING:
 _MEASURED = "Crosses are measured (Kharaz); the line is the law of a rigid sphere, with a kink where it stops gripping."
 _SIZES = (13, 10, 7, 4)
 """Sizes of the implementations' markers, so that each shows around the next where their numbers coincide."""
-_PANELS = (
-    (
+
+
+class Panel(NamedTuple):
+    """One figure. figure, angles: names of what is drawn, and of the angles against which it is drawn."""
+
+    figure: str
+    angles: str
+    title: str
+    limits: tuple[float, float]
+    caption: str
+
+    @property
+    def name(self) -> str:
+        """Of the figure's file."""
+        return f"published-{self.figure.replace('_', '-')}"
+
+
+PANELS = (
+    Panel(
         "tangent_restitution",
         "angle",
         "Tangential speed after over before",
         (0.5, 1.02),
         f"{_MEASURED} All implementations follow it: 5/7 while it grips. The measured dip near 20° is not theirs.",
     ),
-    (
+    Panel(
         "spin",
         "angle_of_spin",
         "Spin after the impact, rad/s",
@@ -33,24 +50,22 @@ _PANELS = (
         f"{_MEASURED} Where the sphere grips, the real one spins faster: its contact yields sideways and swings back.",
     ),
 )
+"""Tangential restitution and spin of P11 against the angle."""
 
 
-def oblique_impacts(line: PublishedLine) -> list[tuple[str, str, str]]:
-    """Tangential restitution and spin of P11 against the angle: name, SVG and caption of each figure."""
+def oblique_impact(line: PublishedLine, place: int) -> str:
+    """One of the panels, by its place, as SVG."""
     import matplotlib  # late: its import takes half a second, and a table needs none of it
     from matplotlib.figure import Figure
 
-    pictures = []
-    for place, (figure, angles, title, limits, caption) in enumerate(_PANELS):
-        name = f"published-{figure.replace('_', '-')}"
-        with matplotlib.rc_context(STYLE | {"svg.hashsalt": name}):
-            drawn = Figure(figsize=(WIDTH, HEIGHT), layout="constrained")
-            axes = drawn.add_subplot()
-            _draw(axes, line, figure, angles, place)
-            axes.set(title=title, xlabel="angle from the normal, °", xlim=(0, 90), ylim=limits)
-            drawn.legend(loc="outside lower left", ncols=3, handlelength=2)
-            pictures.append((name, as_svg(drawn, name), caption))
-    return pictures
+    panel = PANELS[place]
+    with matplotlib.rc_context(STYLE | {"svg.hashsalt": panel.name}):
+        drawn = Figure(figsize=(WIDTH, HEIGHT), layout="constrained")
+        axes = drawn.add_subplot()
+        _draw(axes, line, panel.figure, panel.angles, place)
+        axes.set(title=panel.title, xlabel="angle from the normal, °", xlim=(0, 90), ylim=panel.limits)
+        drawn.legend(loc="outside lower left", ncols=3, handlelength=2)
+        return as_svg(drawn, panel.name)
 
 
 def _draw(axes: Axes, line: PublishedLine, figure: str, angles: str, place: int) -> None:

@@ -34,8 +34,12 @@ def render(
     versions: Sequence[str],
     provenance: str,
     report: str,
+    unfinished: str = "",
 ) -> str:
-    """Return the page. figures: by case, SVG texts with their captions. report: the address of the other page."""
+    """Return the page. figures: by case, SVG texts with their captions. report: the address of the other page.
+
+    unfinished: what the page says of itself where runs are still going on.
+    """
     return (
         environment()
         .get_template("published.html.j2")
@@ -47,6 +51,7 @@ def render(
             versions=versions,
             provenance=provenance,
             report=report,
+            unfinished=unfinished,
             legend={verdict: LEGEND[verdict] for verdict in occurring(tables.rows)},
             marks=MARKS,
             few=FEW,

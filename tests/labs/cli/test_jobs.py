@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from made_results import made
 from program import EXACT, QUICK, collisions
 
 from labs.cli import jobs
 from reference.catalogue.scenarios import catalogue
 from reference.engines import engine_names
 from reference.errors import InvalidInput
+from reference.running.study import SCENARIOS
 
 pytestmark = pytest.mark.usefixtures("one_worker")
 
@@ -147,3 +149,10 @@ def test_an_ambiguous_request_is_refused_with_what_to_say_instead(arguments, sai
     refused = collisions("compare", *arguments)
     assert refused.code == 2
     assert said in refused.error
+
+
+def test_results_come_in_the_order_of_the_jobs(monkeypatch):
+    planned = jobs.planned(["struck-cube"], ["handwritten"])
+    monkeypatch.setattr(jobs, "run_all", lambda missing, *_: (made(job, 1.0) for job in reversed(missing)))
+    had = [made(planned[1], 1.0)]
+    assert [result.job for result in jobs.run_work(planned, SCENARIOS, 1, had=had)] == planned

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import time
 from pathlib import Path
 from typing import NamedTuple
@@ -12,7 +13,9 @@ from typing import NamedTuple
 import pytest
 from program import QUICK, SLIDE, Said, collisions, files_in
 
+from labs.cli import jobs
 from reference.catalogue.scenarios import catalogue
+from reference.comparison.results import JobResult
 from reference.engines import engine_names
 from reference.engines.profiles import counts
 from reference.report.row_files import read_published, read_rows
@@ -60,11 +63,13 @@ def test_a_report_is_written_to_its_folder_and_names_the_page(written):
 
 def test_a_report_from_the_cache_is_the_same_report(written, tmp_path, monkeypatch):
     monkeypatch.setenv("COLLISIONS_CACHE", str(written.cache))
-    assert report(tmp_path).code == 0
+    said = report(tmp_path)
+    assert said.code == 0
     first, second = files_in(written.folder), files_in(tmp_path)
     assert first.keys() == second.keys()
     for name in first.keys() - {"timings.json", "provenance.json"}:
         assert second[name] == first[name], name
+    assert "first page" not in said.error, "nothing is running"
     cached = [[it["cached"] for it in json.loads(files["timings.json"])["seconds"]] for files in (first, second)]
     assert [set(found) for found in cached] == [{False}, {True}]
 
@@ -89,6 +94,47 @@ def test_a_report_with_a_crashed_engine_is_finished_and_ends_with_3(written, tmp
     assert said.code == 3
     page = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
     assert "crashed: RuntimeError: &lt;script&gt;x&lt;/script&gt;" in page
+
+
+# The first page
+
+
+def test_a_first_page_from_recordings_is_there_until_the_runs_are_through(written, tmp_path, monkeypatch, one_worker):
+    out = tmp_path / "out"
+    shutil.copytree(written.folder, out)
+    earlier, at_the_start = files_in(out), {}
+    run = jobs.run_work
+
+    def run_later(*arguments) -> list[JobResult]:
+        at_the_start.update(files_in(out))
+        return run(*arguments) if "finish" in os.environ else interrupted()
+
+    def interrupted() -> list[JobResult]:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(jobs, "run_work", run_later)
+    said = report(out, "--engine", "mujoco")
+    assert said.code == 130
+    assert "first page, written from recordings at" in said.error
+    assert (
+        f"The runs did not finish. {out / 'index.html'} is still the first page, written from recordings" in said.error
+    )
+    assert files_in(out) == at_the_start, "it is left as it was written"
+    page = at_the_start["index.html"].decode()
+    rows = json.loads(at_the_start["rows.json"])
+    assert rows["unfinished"] in page
+    assert rows["unfinished"].startswith("This is a first page, written from recordings at")
+    assert "running: the numbers come with the finished page" in page
+    marks = {(row.engine, str(row.verdict) == "running", bool(row.recorded_on)) for row in read_rows(out / "rows.json")}
+    assert marks == {("handwritten", True, False), ("mujoco", False, True)}
+    assert b",running," in at_the_start["rows.csv"]
+    assert "0 fail." in page
+    monkeypatch.setenv("finish", "yes")
+    monkeypatch.setenv("COLLISIONS_CACHE", str(written.cache))
+    assert report(out).code == 0
+    finished = files_in(out)
+    timeless = earlier.keys() - {"timings.json", "provenance.json"}
+    assert {name: finished[name] for name in timeless} == {name: earlier[name] for name in timeless}
 
 
 # What is refused

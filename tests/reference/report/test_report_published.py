@@ -17,8 +17,7 @@ from reference.published import recorded
 from reference.published.jobs import run_job
 from reference.published.results import PublishedJob
 from reference.published.theirs import published
-from reference.report import files, row_files
-from reference.report.published.figures import oblique_impacts
+from reference.report import drawing, files, row_files
 from reference.report.published.page import set_up
 from reference.report.published.tables import PublishedTables, figure, label
 from reference.report.published.terminal import print_published
@@ -165,13 +164,20 @@ def test_report_and_published_page_link_to_each_other_if_both_exist(folder, text
 
 def test_measured_impacts_are_drawn_beside_the_rigid_law(tables, folder, text):
     (line,) = tables.of_kind("validation")
-    pictures = oblique_impacts(line)
+    pictures = [(each.name, each(), each.caption) for each in drawing.of_impacts(line)]
     assert [name for name, _, _ in pictures] == ["published-tangent-restitution", "published-spin"]
     for name, svg, caption in pictures:
         assert svg == (folder / "figures" / f"{name}.svg").read_text(encoding="utf-8")
         assert svg in text
         assert caption in text
         assert {"rigid sphere", "hand-written", "measured"} <= set(re.findall(">([a-z -]+)</text>", svg))
+
+
+def test_a_case_that_is_still_running_is_not_counted_as_missed(results):
+    running = with_rows(results, verdict=Verdict.RUNNING, measured=None)[1]
+    before, after = PublishedTables.of([results[0]]), PublishedTables.of([results[0], running])
+    assert len(after.lines) == 2
+    assert (after.sentence, after.exceptions) == (before.sentence, before.exceptions)
 
 
 def test_published_rows_are_read_back_as_they_were_written(folder, tables):

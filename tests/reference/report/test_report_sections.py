@@ -26,6 +26,7 @@ WORST_FIRST = (
     Verdict.CANNOT_EXPRESS,
     Verdict.NO_WORDS,
     Verdict.NOT_AVAILABLE,
+    Verdict.RUNNING,
     Verdict.KNOWN_DEVIATION,
     Verdict.PASS,
     Verdict.SHOWN,
@@ -77,7 +78,7 @@ def test_every_verdict_has_its_own_mark_and_a_legend():
 
 
 def test_a_cell_counts_agreeing_rows_and_known_deviations():
-    verdicts = (Verdict.PASS, Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.SHOWN)
+    verdicts = (Verdict.PASS, Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.SHOWN, Verdict.RUNNING)
     assert Cell(tuple(map(row, verdicts))).count == "3/4"
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import pickle
+import shutil
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -14,12 +15,15 @@ import pytest
 
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
+from reference.recording import files as recordings
 from reference.running import cache, sources
-from reference.running.cache import Cache, default_folder, key_of
+from reference.running.cache import Cache, key_of, key_of_recorded
 from reference.running.jobs import recall, run_all, run_one
+from reference.running.shelf import default_folder
 from reference.running.study import SCENARIOS, run_job
 
 JOB = Job("sliding-slab", "handwritten", "exact", ("μ=0.7,v=1",))
+OF_SLABS = {"sliding-slab.json"}
 OWN_CODE = """
 import numpy as np
 from solutions import *
@@ -199,7 +203,7 @@ def test_a_full_cache_drops_the_result_used_longest_ago(result, cache_folder):
     long_ago = time.time() - 1000
     for age, job in enumerate(jobs[:2]):
         keeps.put(job, key_of(job), dataclasses.replace(result, job=job))
-        os.utime(keeps._file(key_of(job)), (long_ago + age, long_ago + age))
+        os.utime(cache_folder / f"{key_of(job)}.result", (long_ago + age, long_ago + age))
     assert keeps.get(jobs[0]) is not None  # used just now, so the other is the oldest
     keeps.put(jobs[2], key_of(jobs[2]), dataclasses.replace(result, job=jobs[2]))
     assert [keeps.get(job) is not None for job in jobs] == [True, False, True]
@@ -221,6 +225,19 @@ def test_other_files_in_the_cache_folder_are_not_touched(result, cache_folder):
     os.utime(stranger, (0, 0))
     Cache(most_bytes=1).put(JOB, key_of(JOB), result)
     assert stranger.read_text(encoding="utf-8") == "precious"
+
+
+def test_what_a_recording_gave_is_found_until_the_recording_changes(tmp_path, monkeypatch):
+    shutil.copytree(recordings.FOLDER / "mujoco", tmp_path / "mujoco", ignore=lambda _, names: set(names) - OF_SLABS)
+    monkeypatch.setattr(recordings, "FOLDER", tmp_path)
+    job, keeps = dataclasses.replace(JOB, engine="mujoco"), Cache()
+    found = dataclasses.replace(run_job(JOB), job=job, recording="* MuJoCo was recorded")
+    keeps.put(job, key_of_recorded(job), found)
+    assert keeps.get_recorded(job) == found
+    assert keeps.get(job) is None, "a recorded number is never taken for one that was measured here"
+    with (tmp_path / "mujoco" / "sliding-slab.json").open("a") as file:
+        file.write(" ")
+    assert keeps.get_recorded(job) is None
 
 
 # What goes wrong on a disk

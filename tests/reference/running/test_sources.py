@@ -73,14 +73,14 @@ def test_a_text_that_is_not_python_has_a_hash_too(folder):
 
 
 def test_imported_packages_are_read_once_and_files_always(folder):
-    package, file = digest("kit_of_mine", once=True), digest(str(folder / "mine.py"), once=True)
+    texts = sources.Texts(files_again=True)
+    package, file = digest("kit_of_mine", texts), digest(str(folder / "mine.py"), texts)
     for name in ("kit_of_mine/part.py", "mine.py"):
         with (folder / name).open("a", encoding="utf-8") as text:
             text.write("# a change\n")
-    assert digest("kit_of_mine", once=True) == package
+    assert digest("kit_of_mine", texts) == package
     assert digest("kit_of_mine") != package
-    assert digest(str(folder / "mine.py"), once=True) != file
-    sources._first_part.cache_clear()
+    assert digest(str(folder / "mine.py"), texts) != file
 
 
 def test_the_digest_covers_the_lab_and_not_installed_packages():
