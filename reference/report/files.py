@@ -14,6 +14,7 @@ from typing import Any
 from reference.comparison.results import JobResult
 from reference.published.results import PublishedResult
 from reference.report import figures, page
+from reference.report.first_screen import findings
 from reference.report.provenance import compared, engine_versions, machine, provenance
 from reference.report.published import page as published_page
 from reference.report.published.figures import oblique_impacts
@@ -27,11 +28,7 @@ PUBLISHED_PAGE = "published.html"
 TIMINGS, PROVENANCE = "collisions-lab/timings", "collisions-lab/provenance"
 IMPACTS = "P11"
 """The published case that has figures."""
-STUDY_CAPTION = (
-    "Error against timestep; the order is the slope of a straight line through a method's points. An error that is"
-    " rounding lies on the lower edge, whatever its size. Where an error changes its sign on the way, or does not go"
-    " away with the timestep, the slope is no order."
-)
+STUDY_CAPTION = "Error against timestep."
 
 
 def write(results: Iterable[JobResult], folder: Path, published: Iterable[PublishedResult] = ()) -> None:
@@ -48,7 +45,9 @@ def write(results: Iterable[JobResult], folder: Path, published: Iterable[Publis
     _write(folder / "provenance.json", as_json(PROVENANCE, provenance(engine_versions(ordered))))
     address = PUBLISHED_PAGE if others else ""
     replays = {section.family.name: clip for section in found if (clip := replay_of(section)) is not None}
-    _write(folder / PAGE, page.render(found, in_page, compared(ordered), machine(), address, replays))
+    first = findings(found)
+    small = {section.family.name: _glance(section) for section in found if section.family.name in {it.family for it in first}}
+    _write(folder / PAGE, page.render(found, in_page, compared(ordered), machine(), address, replays, small))
     if others:
         _write_published(others, folder)
 
@@ -71,6 +70,11 @@ def _figures(section: Section) -> list[tuple[str, str, str]]:
         (f"{family.name}-convergence", figures.convergence(section), STUDY_CAPTION),
     ]
     return [picture for picture in pictures if picture[1]]
+
+
+def _glance(section: Section) -> tuple[str, str]:
+    """The small picture of a family, and what it shows."""
+    return figures.glance(section), f"{section.family.curve.title}: {section.family.curve.y_label} against time."
 
 
 def _write_figures(pictures: Iterable[tuple[str, str, str]], folder: Path) -> list[tuple[str, str]]:

@@ -10,8 +10,10 @@ from markupsafe import Markup
 from reference import lecture
 from reference.comparison.verdicts import Row
 from reference.lecture import Statement
-from reference.report import numbers
+from reference.report import numbers, results_in_words
 from reference.report.error_split import origins
+from reference.report.first_screen import findings
+from reference.report.formulas import typeset
 from reference.report.marks import LEGEND, MARKS, occurring
 from reference.report.overview import Overview, verdict_line
 from reference.report.row_text import error_of
@@ -32,12 +34,13 @@ def render(
     provenance: str,
     published: str = "",
     replays: Mapping[str, Clip] | None = None,
+    pictures: Mapping[str, tuple[str, str]] | None = None,
 ) -> str:
     """Return the page.
 
     figures: by family, SVG texts with their captions. versions: what was compared, as in the opening sentence.
     provenance: on which machine and with what, as in the last sentence. published: the address of the page of published
-    cases, if there is one. replays: by family.
+    cases, if there is one. replays: by family. pictures: by family, the small SVG of the first screen and what it shows.
     """
     rows = [row for section in found for line in section.lines for row in line.result.rows]
     return (
@@ -45,6 +48,8 @@ def render(
         .get_template("report.html.j2")
         .render(
             sections=found,
+            findings=findings(found),
+            pictures={name: (Markup(svg), label) for name, (svg, label) in (pictures or {}).items() if svg},
             overview=Overview.of(found),
             figures=as_markup(figures),
             replays={name: Markup(viewer.fragment(clip)) for name, clip in (replays or {}).items()},
@@ -64,6 +69,10 @@ def render(
             noticed={section.family.name: kept_sentence(section.family.name) for section in found},
             measured=_measured,
             error_of=error_of,
+            typeset=typeset,
+            accepted=results_in_words.accepted,
+            counted=results_in_words.counted,
+            plain=results_in_words.plain,
         )
     )
 

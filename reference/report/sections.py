@@ -26,9 +26,13 @@ from reference.report.row_text import error_of, left_of
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell of a table, for the rows of one quantity in one implementation, or of all quantities."""
+    """One cell of a table, for the rows of one quantity in one implementation, or of all quantities.
+
+    family: theirs, where the cell has to name a quantity, or what a run does that has no number.
+    """
 
     rows: tuple[Row, ...]
+    family: Family | None = None
 
     @cached_property
     def verdict(self) -> Verdict:
@@ -59,9 +63,33 @@ class Cell:
 
     @cached_property
     def worst(self) -> str:
-        """The largest error of the rows with a number, or the largest value where nothing is expected."""
+        """The largest error, or the largest value where nothing is expected; runs that have no number come first."""
+        absent = [row for row in self.rows if row.measured is None and row.quantity and row.verdict is Verdict.FAIL]
+        if absent:
+            quantity = absent[0].quantity
+            asked = sum(row.quantity in (quantity, "") for row in self.rows)
+            words = self.family.quantity(quantity).absent if self.family else "no number"
+            return f"{words}: {sum(row.quantity == quantity for row in absent)} of {asked}"
         measured = [row for row in self.rows if row.measured is not None and row.tolerance != 0]  # 0: yes or no
         return error_of(max(measured, key=_badness)) if measured else ""
+
+    @cached_property
+    def in_words(self) -> str:
+        """The worst row of several quantities, with the name of its quantity: `stopping distance −0.1 %`."""
+        judged = [row for row in self.rows if row.verdict is not Verdict.SHOWN]
+        if not judged or self.family is None or not self.count.partition("/")[2]:
+            return ""
+        worst = max(judged, key=lambda row: (-SEVERITY.index(row.verdict), row.measured is None, _distance(row)))
+        if not worst.quantity:
+            cases = {row.case for row in judged}
+            return f"{worst.verdict}: {sum(not row.quantity for row in judged)} of {len(cases)} cases"
+        own = Cell(tuple(row for row in self.rows if row.quantity in (worst.quantity, "")), self.family)
+        title = self.family.quantity(worst.quantity).title
+        if worst.measured is None:
+            return own.worst
+        if worst.tolerance == 0:
+            return f"{title}: {own.judged - own.agreeing} of {own.judged} wrong"
+        return f"{title} {error_of(worst)}"
 
     @cached_property
     def left(self) -> str:
@@ -88,6 +116,11 @@ class Line:
         return self.result.job.profile == TUNED
 
     @property
+    def plain(self) -> bool:
+        """Whether this is what one gets who sets nothing, or by hand the plainest method."""
+        return self.result.job.profile == STOCK
+
+    @property
     def note(self) -> str:
         """Why there is no number at all; empty where there are numbers."""
         if any(row.quantity for row in self.result.rows):
@@ -98,14 +131,14 @@ class Line:
     def cells(self) -> tuple[Cell, ...]:
         """One cell for each quantity. A case without any number counts in each of them."""
         return tuple(
-            Cell(tuple(row for row in self.result.rows if row.quantity in (quantity.name, "")))
+            Cell(tuple(row for row in self.result.rows if row.quantity in (quantity.name, "")), self.family)
             for quantity in self.family.quantities
         )
 
     @cached_property
     def whole(self) -> Cell:
         """All rows of this line, quantities together."""
-        return Cell(self.result.rows)
+        return Cell(self.result.rows, self.family)
 
     @property
     def _studied_unit(self) -> str:
@@ -243,6 +276,15 @@ def _badness(row: Row) -> tuple[int, float]:
     error = row.relative_error if row.relative_error is not None else row.error
     size = abs(error) if error is not None else abs(row.measured or 0.0)
     return -SEVERITY.index(row.verdict), size if math.isfinite(size) else math.inf
+
+
+def _distance(row: Row) -> float:
+    """How far a row is from theory, so that all quantities can be compared.
+
+    As a share of what counts as near; of a failed row as a share of what theory expects, where it expects something.
+    """
+    size = row.scale or row.expected or row.tolerance if row.verdict is Verdict.FAIL else row.tolerance
+    return abs(row.error / size) if row.error is not None and size else 0.0
 
 
 def _times(title: str, count: int) -> str:

@@ -255,6 +255,7 @@ BALL_TO_REST = Family(
             lambda trajectory: measure.rest_time(trajectory, "ball"),
             _expect_rest_time,
             lambda case: truth.bounce_end(DROP_HEIGHT, case.parameters["restitution"], GRAVITY),
+            absent="never rests",
         ),
         Quantity(
             "rest_height",

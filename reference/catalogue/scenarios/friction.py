@@ -165,6 +165,7 @@ SLIDING_SLAB = Family(
             lambda trajectory: measure.stopping_distance(trajectory, "slab", "plane"),
             _expect_distance,
             _distance,
+            absent="never stops",
         ),
         Quantity(
             "stopping_time",
@@ -174,6 +175,7 @@ SLIDING_SLAB = Family(
             _expect_time,
             lambda case: truth.stopping_time(case.parameters["speed"], case.parameters["friction"], GRAVITY),
             _slack_of_the_stop,
+            absent="never stops",
         ),
         Quantity(
             "sideways",

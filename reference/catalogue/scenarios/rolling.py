@@ -143,6 +143,7 @@ SLIDING_BALL = Family(
             lambda trajectory: turning.rolling_time(trajectory, "ball", "plane"),
             _expect_start,
             _rolling_start,
+            absent="never rolls",
         ),
         Quantity("way", "way", "m", _way, _expect_way, _rolling_way),
         Quantity("slip", "slip at the end", "m/s", _slips, _expect_grip),

@@ -186,6 +186,8 @@ def _expect_last_impact(case: Case, settings: Settings, method: Method) -> Expec
     return Expectation(exact, SHARE * exact, "0.1 %", delays / 2, why, delays / 2 + SHARE * exact)
 
 
+_TOO_FEW = f"no impact {IMPACTS}"
+
 TWO_WALLS = Family(
     name="two-walls",
     title="Ball between two walls",
@@ -215,8 +217,17 @@ TWO_WALLS = Family(
             _speed_at_end,
             _expect_speed_left,
             _speed_left,
+            absent=_TOO_FEW,
         ),
-        Quantity("last_impact", f"impact {IMPACTS}", "s", _last_impact, _expect_last_impact, _true_last_impact),
+        Quantity(
+            "last_impact",
+            f"impact {IMPACTS}",
+            "s",
+            _last_impact,
+            _expect_last_impact,
+            _true_last_impact,
+            absent=_TOO_FEW,
+        ),
     ),
     curve=Curve("e=0.8", "To and fro at e = 0.8", "place, m", lambda trajectory: trajectory.position("ball")[:, 0]),
     convergence=Convergence("e=0.8", "last_impact"),
