@@ -1,4 +1,4 @@
-"""The split of an error in words: where it comes from, as the page prints it."""
+"""The split of an error as text: where it comes from, as the page prints it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISA
 from reference.report import numbers
 from reference.report.sections import Section
 
-_KINDS = (DISCRETISATION, CONTACT_MODEL, SOLVER, REMAINDER)
+KINDS = (DISCRETISATION, CONTACT_MODEL, SOLVER, REMAINDER)
 VISIBLE = 0.01
 """A move has no visible effect if it changes less than this share of the largest change, or of the error itself."""
 
@@ -29,16 +29,18 @@ class Step:
 class Origin:
     """The split of one engine's error.
 
-    title: the engine. quantity, case: whose error it is. steps: the moves with an effect. idle: those without one.
-    sentence: all shares together.
+    title: the engine. quantity, case: whose error it is. stock, tuned: the error, as installed and as it counts; stock
+    is empty where it was not measured. shares: what each of `KINDS` makes of the tuned error, empty where nothing was
+    moved; no share at all where that error is rounding. steps: the moves with an effect.
     """
 
     title: str
     quantity: str
     case: str
+    stock: str
+    tuned: str
+    shares: tuple[str, ...]
     steps: tuple[Step, ...]
-    idle: tuple[str, ...]
-    sentence: str
 
 
 def origins(section: Section) -> list[Origin]:
@@ -62,24 +64,16 @@ def _origin(section: Section, title: str, split: Split) -> Origin:
     sizes = [abs(share.size) for share in split.shares if share.size is not None]
     floor = VISIBLE * max((size for size in sizes if size > 0), default=0.0)
     error = _tuned_error(split)
-    steps, idle = [], []
+    steps = []
     for share in split.shares:
         least = floor if share.kind == DEFAULTS else VISIBLE * abs(error)
-        if share.size is not None and abs(share.size) <= least:
-            idle.append(share.moved if share.kind != REMAINDER else REMAINDER)
-        else:
+        if share.size is None or abs(share.size) > least:
             steps.append(Step(share.kind, share.moved, text(share.before), text(share.after), text(share.size)))
-    stock = next((share.before for share in split.shares if share.kind == DEFAULTS), None)
-    opening = (
-        f"Stock is off by {text(stock)}, tuned by {text(error)}." if stock is not None else f"Tuned: {text(error)}."
-    )
+    shares = tuple(text(_total(split, kind)) if _has(split, kind) else "" for kind in KINDS)
     if abs(error) <= ROUNDING * abs(scale or 1.0):
-        opening += " That is rounding: there is nothing left to split."
-        steps = [step for step in steps if step.kind == DEFAULTS]
-    else:
-        parts = [f"{text(_total(split, kind))} {kind}" for kind in _KINDS if _has(split, kind)]
-        opening += f" {'It' if stock is None else 'The latter'} is made up of {', '.join(parts)}."
-    return Origin(title, quantity.title, split.case, tuple(steps), tuple(idle), opening)
+        shares, steps = (), [step for step in steps if step.kind == DEFAULTS]
+    stock = next((text(share.before) for share in split.shares if share.kind == DEFAULTS), "")
+    return Origin(title, quantity.title, split.case, stock, text(error), shares, tuple(steps))
 
 
 def _tuned_error(split: Split) -> float:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 WIDTH, HEIGHT = 5.8, 3.9
 """Size of a figure, inches: two fit side by side on a desktop screen, one fills a phone."""
-GLANCE = (3.9, 1.75)
+GLANCE = (3.7, 1.5)
 """Size of a picture beside a finding of the first screen, inches."""
 COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00", "dart": "#009e73"}
 _STROKES = {"handwritten": (5.0, 0.35), "pybullet": (3.2, 1.0), "mujoco": (1.9, 1.0), "dart": (0.8, 1.0)}

@@ -112,8 +112,7 @@ def _bounce(by_name: dict[str, Section]) -> Finding | None:
     def question(row: Row) -> str:
         return (
             "A ball that keeps half its speed, e = 0.5, falls 1 m. Theory: it rises to"
-            f" {1e3 * (row.expected or 0.0):.1f} mm. Each number is the mean of {len(row.values)} drops,"
-            " with their standard deviation behind ±."
+            f" {1e3 * (row.expected or 0.0):.1f} mm. Means of {len(row.values)} drops ± their scatter."
         )
 
     why = (

@@ -11,7 +11,7 @@ from reference import lecture
 from reference.comparison.verdicts import Row
 from reference.lecture import Statement
 from reference.report import numbers, results_in_words
-from reference.report.error_split import origins
+from reference.report.error_split import KINDS, origins
 from reference.report.first_screen import findings
 from reference.report.formulas import typeset
 from reference.report.marks import LEGEND, MARKS, occurring
@@ -66,6 +66,7 @@ def render(
             nearest=[(*entry[:3], numbers.percent(entry[3]).lstrip("+")) for entry in nearest_to_fail(found, WORST)],
             furthest=furthest_from_theory(found, WORST),
             origins={section.family.name: origins(section) for section in found},
+            kinds=KINDS,
             noticed={section.family.name: kept_sentence(section.family.name) for section in found},
             measured=_measured,
             error_of=error_of,
