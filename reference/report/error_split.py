@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from reference.comparison.convergence import ROUNDING
 from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Split
+from reference.engines.profiles import PLAIN_OF
 from reference.report import numbers
-from reference.report.sections import Section
+from reference.report.sections import Line, Section
 
 _KINDS = (DISCRETISATION, CONTACT_MODEL, SOLVER, REMAINDER)
 VISIBLE = 0.01
@@ -43,14 +44,10 @@ class Origin:
 
 def origins(section: Section) -> list[Origin]:
     """The splits of a family's lines, one an engine."""
-    return [
-        _origin(section, line.result.title, line.result.split)
-        for line in section.lines
-        if line.result.split is not None
-    ]
+    return [_origin(section, line, line.result.split) for line in section.lines if line.result.split is not None]
 
 
-def _origin(section: Section, title: str, split: Split) -> Origin:
+def _origin(section: Section, line: Line, split: Split) -> Origin:
     quantity, case = section.family.quantity(split.quantity), section.family.case(split.case)
     scale = quantity.scale(case) if quantity.scale else None
 
@@ -61,7 +58,7 @@ def _origin(section: Section, title: str, split: Split) -> Origin:
 
     sizes = [abs(share.size) for share in split.shares if share.size is not None]
     floor = VISIBLE * max((size for size in sizes if size > 0), default=0.0)
-    error = _tuned_error(split)
+    error, profile = _own_error(split), line.result.job.profile
     steps, idle = [], []
     for share in split.shares:
         least = floor if share.kind == DEFAULTS else VISIBLE * abs(error)
@@ -69,20 +66,20 @@ def _origin(section: Section, title: str, split: Split) -> Origin:
             idle.append(share.moved if share.kind != REMAINDER else REMAINDER)
         else:
             steps.append(Step(share.kind, share.moved, text(share.before), text(share.after), text(share.size)))
-    stock = next((share.before for share in split.shares if share.kind == DEFAULTS), None)
-    opening = (
-        f"Stock is off by {text(stock)}, tuned by {text(error)}." if stock is not None else f"Tuned: {text(error)}."
-    )
+    plain = next((share.before for share in split.shares if share.kind == DEFAULTS), None)
+    opening = f"{profile}: {text(error)}.".capitalize()
+    if plain is not None:
+        opening = f"{PLAIN_OF[profile].capitalize()} is off by {text(plain)}, {profile} by {text(error)}."
     if abs(error) <= ROUNDING * abs(scale or 1.0):
         opening += " That is rounding: there is nothing left to split."
         steps = [step for step in steps if step.kind == DEFAULTS]
     else:
         parts = [f"{text(_total(split, kind))} {kind}" for kind in _KINDS if _has(split, kind)]
-        opening += f" {'It' if stock is None else 'The latter'} is made up of {', '.join(parts)}."
-    return Origin(title, quantity.title, split.case, tuple(steps), tuple(idle), opening)
+        opening += f" {'It' if plain is None else 'The latter'} is made up of {', '.join(parts)}."
+    return Origin(line.result.title, quantity.title, split.case, tuple(steps), tuple(idle), opening)
 
 
-def _tuned_error(split: Split) -> float:
+def _own_error(split: Split) -> float:
     before = next(share.before for share in split.shares if share.kind == REMAINDER)
     assert before is not None
     return before

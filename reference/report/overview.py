@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines.handwritten_engine import Handwritten
-from reference.engines.profiles import TUNED
+from reference.engines.profiles import counts
 from reference.report.marks import AGREES
 from reference.report.sections import Line, Section
 
@@ -34,12 +34,12 @@ class Overview:
             yield section, [(title, section.line(title)) for title in self.titles]
 
     def in_parts(self) -> list[Overview]:
-        """The columns of tuned settings, which count, other methods by hand, and the engines' other settings.
+        """The columns that count, other methods by hand, and the engines' other settings.
 
         For a terminal that is too narrow for all of them together; a part without columns is left out.
         """
         lines = [line for section in self.sections for line in section.lines]
-        counting = {line.title for line in lines if line.tuned}
+        counting = {line.title for line in lines if line.counts}
         by_hand = {line.title for line in lines if line.result.job.engine == Handwritten.name} - counting
         rest = set(self.titles) - counting - by_hand
         parts = [tuple(title for title in self.titles if title in part) for part in (counting, by_hand, rest)]
@@ -53,16 +53,16 @@ def columns(found: Sequence[Section]) -> list[str]:
 
 
 def verdict_line(rows: Sequence[Row]) -> str:
-    """One sentence on how many checks of the tuned settings agree with theory."""
-    tuned = [row for row in rows if row.profile == TUNED and row.verdict is not Verdict.SHOWN]
-    agreeing = sum(row.verdict in AGREES for row in tuned)
-    known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in tuned)
-    disagreeing = sum(row.verdict is Verdict.DISAGREES for row in tuned)
-    failed = sum(row.verdict is Verdict.FAIL for row in tuned)
-    waiting = sum(row.verdict is Verdict.NEEDS for row in tuned)
-    without = len(tuned) - agreeing - disagreeing - failed - waiting
-    judged = len(tuned) - waiting
-    parts = [f"{agreeing} of {judged} checks of tuned settings agree with theory"]
+    """One sentence on how many checks that count agree with theory."""
+    counted = [row for row in rows if counts(row.profile) and row.verdict is not Verdict.SHOWN]
+    agreeing = sum(row.verdict in AGREES for row in counted)
+    known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in counted)
+    disagreeing = sum(row.verdict is Verdict.DISAGREES for row in counted)
+    failed = sum(row.verdict is Verdict.FAIL for row in counted)
+    waiting = sum(row.verdict is Verdict.NEEDS for row in counted)
+    without = len(counted) - agreeing - disagreeing - failed - waiting
+    judged = len(counted) - waiting
+    parts = [f"{agreeing} of {judged} checks that count agree with theory"]
     if known:
         parts.append(f"{known} of them with the difference that their method predicts")
     if disagreeing:
