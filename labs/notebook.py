@@ -120,7 +120,7 @@ class Lab:
         predicted: str | Sequence[str] = (),
         quantity: str | Sequence[str] = (),
         engines: Sequence[str] | None = None,
-        profile: str = "tuned",
+        profile: str = "exact",
         timestep: float | None = None,
         **parameters: float,
     ) -> None:
@@ -128,7 +128,7 @@ class Lab:
 
         predicted: the key of a prediction to show beside the result, or several keys. quantity: which numbers; all if
         none is named. engines: such as ("mujoco",); no engine runs if it is empty. profile: the method of your code,
-        such as "stock", which responds at the end of a step. timestep: s, for all. Give parameters of the scenario,
+        such as "step", which responds at the end of a step. timestep: s, for all. Give parameters of the scenario,
         such as restitution=0.3, instead of a case.
         """
         from labs.desk import case_runs, display, student_code, tables  # noqa: PLC0415
@@ -152,7 +152,7 @@ class Lab:
         scenario: str,
         *,
         engines: Sequence[str] | None = None,
-        profile: str = "tuned",
+        profile: str = "exact",
         timestep: float | None = None,
         **parameters: float,
     ) -> None:
@@ -174,7 +174,7 @@ class Lab:
         predicted: str | Sequence[str] = (),
         quantity: str = "",
         engines: Sequence[str] | None = None,
-        profile: str = "tuned",
+        profile: str = "exact",
     ) -> None:
         """Move one parameter of a scenario, or its timestep: a slider beside small pictures of every value."""
         from labs.desk import case_runs, sweeps  # noqa: PLC0415

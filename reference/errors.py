@@ -25,17 +25,17 @@ class InvalidInput(CollisionsError, ValueError):
 
 
 class UnknownName(InvalidInput):
-    """A name that is not among the choices; the closest one is suggested."""
+    """A name that is not among the choices. One of them is suggested: the one that was surely meant, or the closest."""
 
-    def __init__(self, kind: str, value: object, choices: Iterable[str]) -> None:
-        self.kind, self.value, self.choices = kind, value, tuple(choices)
+    def __init__(self, kind: str, value: object, choices: Iterable[str], meant: str = "") -> None:
+        self.kind, self.value, self.choices, self.meant = kind, value, tuple(choices), meant
         between = "; " if any("," in choice for choice in self.choices) else ", "
-        close = difflib.get_close_matches(str(value), self.choices, n=1, cutoff=0.5)
+        close = [meant] if meant in self.choices else difflib.get_close_matches(str(value), self.choices, 1, 0.5)
         hint = f" Did you mean {close[0]!r}?" if close else ""
         super().__init__(f"unknown {kind} {str(value)!r}.{hint} Choices: {between.join(self.choices) or 'none'}.")
 
     def __reduce__(self) -> tuple[object, ...]:
-        return UnknownName, (self.kind, self.value, self.choices)
+        return UnknownName, (self.kind, self.value, self.choices, self.meant)
 
 
 class EngineNotInstalled(CollisionsError):

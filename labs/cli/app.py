@@ -1,6 +1,6 @@
 """The program `collisions`: its commands, how it reports errors, and its exit codes.
 
-Exit codes: 0 fine; 1 a tuned verdict failed; 2 usage; 3 could not compare; 130 interrupted.
+Exit codes: 0 fine; 1 a verdict that counts failed; 2 usage; 3 could not compare; 130 interrupted.
 """
 
 from __future__ import annotations

@@ -43,7 +43,12 @@ Engines = Annotated[
 ]
 Profiles = Annotated[
     list[str] | None,
-    typer.Option("--profile", help="tuned, stock, …; repeat for several; all if none is named.", show_default=False),
+    typer.Option(
+        "--profile",
+        help="exact, slide, step, … by hand; tuned, stock, … of an engine; repeat for several; all if none is named."
+        " Whoever has none of them runs exact or tuned.",
+        show_default=False,
+    ),
 ]
 Implementations = Annotated[
     str,
@@ -161,13 +166,13 @@ def _counted(runs: int, cached: int) -> str:
 
 
 def exit_code(results: Sequence[JobResult]) -> int:
-    """0 if all is well; 1 if a tuned verdict failed; 3 if a run crashed, or if no run gave a number to compare."""
+    """0 if all is well; 1 if a verdict that counts failed; 3 if a run crashed, or if none gave a number to compare."""
     rows = [row for result in results for row in result.rows]
     return exit_code_of([row.verdict for row in rows], bool(failures(rows)))
 
 
 def published_exit_code(results: Sequence[PublishedResult]) -> int:
-    """The exit code of published cases; nothing there is stock."""
+    """The exit code of published cases; all of them count."""
     verdicts = [row.verdict for result in results for row in result.rows]
     return exit_code_of(verdicts, Verdict.FAIL in verdicts)
 

@@ -98,7 +98,9 @@ def _list() -> None:
     for demonstration in DEMONSTRATIONS:
         table.add_row(Text(demonstration.name, style="bold"), Text(demonstration.question))
     output.print(table)
-    output.print("Tuned: settings that say what the question means. Stock: an engine as it is installed.")
+    output.print(
+        "By hand: exact, the slide's T, at the step. An engine: tuned to the question; stock, as it is installed."
+    )
 
 
 def _planned(demonstration: Demonstration, engines: Sequence[str] | None, implementation: str) -> list[Job]:
@@ -211,7 +213,7 @@ def _figure(outcome: Outcome, kind: str) -> bytes:
                 style = {**figures.marker(curve.line), **figures.line_style(curve.line), "label": curve.line.title}
                 nested = {"linestyle": "none", "markersize": max(SMALLEST_MARKER, LARGEST_MARKER - SMALLER * place)}
                 style |= figures.staggered(place) if curve.joined else nested
-                style["zorder"] = 3 if curve.line.tuned else 2
+                style["zorder"] = 3 if curve.line.counts else 2
             axes.plot(curve.xs, curve.ys, **style)
         x_label, y_label = outcome.axes
         axes.set(title=outcome.demonstration.title, xlabel=x_label, ylabel=y_label)

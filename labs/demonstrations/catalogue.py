@@ -11,8 +11,8 @@ from reference.catalogue.scenarios import bouncing_ball, friction, stacks, tippi
 from reference.errors import UnknownName
 
 ENGINES: Profiles = {engine: {"tuned": "", "stock": ""} for engine in ("pybullet", "mujoco")}
-STEPPED: Profiles = {"handwritten": {"tuned": "exact", "stock": "at the step"}, **ENGINES}
-WORLD: Profiles = {"handwritten": {"tuned": ""}, **ENGINES}
+STEPPED: Profiles = {"handwritten": {"exact": "", "step": ""}, **ENGINES}
+WORLD: Profiles = {"handwritten": {"exact": ""}, **ENGINES}
 _KEPT = 0.8
 """Restitution of the ball that bounces."""
 _SPEED = 20.0
@@ -45,7 +45,7 @@ BOUNCE = Demonstration(
         Line("Infinitely many bounces, each shorter than the last, end after ", Theory("rest_time"), "."),
         Line(
             "A step method misses the last ones: hand-written, at the step, ",
-            Error("handwritten", "stock", "rest_time"),
+            Error("handwritten", "step", "rest_time"),
             ".",
         ),
         Line(
@@ -59,7 +59,7 @@ BOUNCE = Demonstration(
     ),
     family="ball-to-rest",
     cases={f"e = {_KEPT:g}": f"e={_KEPT:g}"},
-    profiles={**STEPPED, "handwritten": {"tuned": "exact", "slide": "the slide's T", "stock": "at the step"}},
+    profiles={**STEPPED, "handwritten": {"exact": "", "slide": "", "step": ""}},
     quantity="rest_time",
     heading="time of rest",
 )
@@ -75,7 +75,7 @@ STOP = Demonstration(
         Line(
             "A step method stops v dt/2 short: ",
             Listed(
-                IfKnown(Error("handwritten", "stock", "stopping_distance"), " at the step"),
+                IfKnown(Error("handwritten", "step", "stopping_distance"), " at the step"),
                 IfKnown(Error("pybullet", "tuned", "stopping_distance"), " in PyBullet"),
             ),
             ".",
@@ -156,13 +156,13 @@ TUNNELLING = Demonstration(
                 ". ",
             ),
             "Cure: small steps",
-            IfKnown(", or a swept test: ", Measured("handwritten", "tuned", "passed", at="1/60 s")),
+            IfKnown(", or a swept test: ", Measured("handwritten", "exact", "passed", at="1/60 s")),
             ".",
         ),
     ),
     family="thin-wall",
     cases={f"{_SPEED:g} m/s": f"v={_SPEED:g}"},
-    profiles={"handwritten": {"tuned": "swept"}, **{engine: {"tuned": ""} for engine in ENGINES}},
+    profiles={"handwritten": {"exact": "swept"}, **{engine: {"tuned": ""} for engine in ENGINES}},
     timesteps={"0.5 ms": 5e-4, "1 ms": 1e-3, "2 ms": 2e-3, "1/240 s": 1 / 240, "1/120 s": 1 / 120, "1/60 s": 1 / 60},
     quantity="passed",
     heading="balls that pass",
@@ -236,14 +236,14 @@ CRADLE = Demonstration(
     lesson=(
         Line(
             "Newton's rule is for one impact. Two at a time, the last ball gets ",
-            Measured("handwritten", "tuned", "last"),
+            Measured("handwritten", "exact", "last"),
             ".",
         ),
         Line(
             "All at once, it gets ",
-            Measured("handwritten", "stock", "last"),
+            Measured("handwritten", "step", "last"),
             ", and the first one ",
-            Measured("handwritten", "stock", "first"),
+            Measured("handwritten", "step", "first"),
             ". Both ways keep energy.",
         ),
         Line(
@@ -255,7 +255,7 @@ CRADLE = Demonstration(
     ),
     family="cradle",
     cases={"five, touching": "5 touching"},
-    profiles={"handwritten": {"tuned": "in turn", "stock": "at once"}, **ENGINES},
+    profiles={"handwritten": {"exact": "in turn", "step": "at once"}, **ENGINES},
     quantity="last",
     heading="last ball",
     beside={"first": "first ball", "energy": "energy"},

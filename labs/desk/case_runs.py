@@ -13,7 +13,7 @@ from reference.catalogue.family import Family
 from reference.catalogue.scenarios import find
 from reference.comparison.results import Job, JobResult
 from reference.engines import load_engine
-from reference.engines.profiles import TUNED
+from reference.engines.profiles import EXACT, TUNED
 from reference.errors import UnknownName
 from reference.recording.reading import recall
 from reference.report.sections import Line, Section, sections
@@ -101,7 +101,7 @@ class Request:
 
     scenario: str
     engines: Sequence[str] = ENGINES
-    profile: str = TUNED
+    profile: str = EXACT
     timestep: float | None = None
     at: Mapping[str, float] = field(default_factory=dict)
     recorded: bool = False

@@ -111,7 +111,7 @@ def _widen(axes: Any) -> None:
 
 def look(line: Line) -> dict[str, Any]:
     """A line's colour and stroke: the student's is a broad band in every profile, so it shows below all others."""
-    return figures.line_style(line, as_tuned=line.result.job.engine == HANDWRITTEN)
+    return figures.line_style(line, as_counted=line.result.job.engine == HANDWRITTEN)
 
 
 def replay(runs: CaseRuns) -> Replay | None:

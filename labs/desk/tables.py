@@ -106,8 +106,8 @@ def tables(runs: CaseRuns, quantities: Sequence[str], predictions: Sequence[Pred
 
 
 def who(line: Line) -> str:
-    """`yours`, `PyBullet`; with the profile if it is not tuned."""
-    return line.result.title if line.tuned else line.title
+    """`yours`, `PyBullet`; with the profile if it is not the one that counts."""
+    return line.result.title if line.counts else line.title
 
 
 def capital(text: str) -> str:

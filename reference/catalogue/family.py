@@ -122,7 +122,7 @@ class Family:
     predict: Callable[[Scenario, Settings, Method], Prediction | None] | None = None
 
     def profiles(self, engine: Engine) -> Mapping[str, str]:
-        """The profiles that an engine has for this family, tuned first, with a line on each."""
+        """The profiles that an engine has for this family, the one that counts first, with a line on each."""
         return engine.profiles(self.cases[0].scenarios[0])
 
     def case(self, name: str) -> Case:

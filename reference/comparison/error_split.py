@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from reference.comparison.errors_by_settings import Question
 from reference.engines.base import Engine
-from reference.engines.profiles import STOCK, TUNED
+from reference.engines.profiles import counts, is_plain
 from reference.errors import InvalidInput, RunFailed
 from reference.scene.settings import Move, Option, Settings
 
@@ -59,7 +59,7 @@ def split(asked: Question, order: float | None = None) -> Split | None:
     and for first order otherwise.
     """
     engine, scenario = asked.engine, asked.case.scenarios[0]
-    tuned = engine.settings(scenario, TUNED)
+    tuned = engine.settings(scenario, next(filter(counts, engine.profiles(scenario))))
     error = asked.mean_error(tuned)
     if error is None:
         return None
@@ -91,7 +91,9 @@ def _from_stock(asked: Question, tuned: Settings) -> list[Share]:
 
     A share covers several options where only all of them together give a number.
     """
-    settings = asked.engine.settings(asked.case.scenarios[0], STOCK)
+    scenario = asked.case.scenarios[0]
+    plain = next(filter(is_plain, asked.engine.profiles(scenario)))
+    settings = asked.engine.settings(scenario, plain)
     before, waiting, shares = asked.mean_error(settings), [], []
     names = (*tuned.options, *(name for name in settings.options if name not in tuned.options), "timestep")
     present: Option | None

@@ -10,7 +10,7 @@ from enum import StrEnum
 
 from reference import checks
 from reference.catalogue.family import Expectation
-from reference.engines.profiles import TUNED
+from reference.engines.profiles import counts
 from reference.errors import (
     CannotExpress,
     EngineNotInstalled,
@@ -156,5 +156,5 @@ def verdict_of(error: Exception) -> Verdict:
 
 
 def failures(rows: Sequence[Row]) -> list[Row]:
-    """The rows that count against a comparison: tuned ones that failed."""
-    return [row for row in rows if row.profile == TUNED and row.verdict is Verdict.FAIL]
+    """The rows that count against a comparison: those of counted profiles that failed."""
+    return [row for row in rows if counts(row.profile) and row.verdict is Verdict.FAIL]

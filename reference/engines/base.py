@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import ClassVar
 
+from reference.engines import profiles
 from reference.engines.implementation import Implementation
 from reference.engines.ranges import Allowed, check_options
 from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, UnknownName
@@ -93,8 +94,11 @@ class Engine(ABC):
         self.implementation = implementation or Implementation()
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
-        """Name → one-line description of each set of settings that makes sense here: `tuned` first, `stock` last."""
-        return {"tuned": "says what the scenario means", "stock": "what a user gets who sets nothing"}
+        """Name → one-line description of each set of settings that makes sense here: `tuned` first, `stock` last.
+
+        The hand-written engine has methods in their place, `exact` first and `step` last.
+        """
+        return {profiles.TUNED: "says what the scenario means", profiles.STOCK: "what a user gets who sets nothing"}
 
     @abstractmethod
     def settings(self, scenario: Scenario, profile: str) -> Settings:
@@ -146,7 +150,8 @@ class Engine(ABC):
     def check_profile(self, scenario: Scenario, profile: str) -> None:
         """Refuse a profile that this engine does not have for this scenario, naming those it has."""
         if profile not in self.profiles(scenario):
-            raise UnknownName(f"profile of {self.title} for {scenario.name}", profile, self.profiles(scenario))
+            kind, choices = f"profile of {self.title} for {scenario.name}", self.profiles(scenario)
+            raise UnknownName(kind, profile, choices, profiles.counterpart(profile))
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
         """Return how many steps cover the scenario, in whole samples; refuse what cannot be stepped through.

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from reference.engines import profiles
 from reference.engines.base import AT_STEP, CHORD, EXACT, INTERPOLATED, RESPOND_THEN_STEP, Engine, Method
 from reference.engines.handwritten import ball_rows, corner_impact, queries, single_body, two_bodies
 from reference.engines.handwritten.impact_response import NEEDS_A_WORLD
@@ -63,18 +64,18 @@ class Handwritten(Engine):
     }
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
-        """Exact root as `tuned`, the plainest policy as `stock`; the slide's T where something falls on a plane."""
-        found = {"tuned": "exact root"}
+        """The exact root counts; the plainest method is the step. The slide's T is for what falls on a plane."""
+        found = {profiles.EXACT: "exact root"}
         if kind(scenario) is Kind.BOUNCE:
-            found["slide"] = "the slide's T"
+            found[profiles.SLIDE] = "the slide's T"
         if laws_may_part(scenario):
             found |= LAWS
-        return found | {"stock": "respond at the step"}
+        return found | {profiles.STEP: "respond at the step"}
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Timestep 1 ms. A ball rests if its next flight would be over within `shortest_flight` steps."""
         self.check_profile(scenario, profile)
-        policy = {"slide": "interpolated", "stock": "at_step"}.get(profile, "exact_root")
+        policy = {profiles.SLIDE: "interpolated", profiles.STEP: "at_step"}.get(profile, "exact_root")
         options: dict[str, float | str] = {"policy": policy}
         if laws_may_part(scenario):
             options["impact_law"] = profile if profile in LAWS else NEWTON

@@ -29,16 +29,16 @@ class Step:
 class Origin:
     """The split of one engine's error.
 
-    title: the engine. quantity, case: whose error it is. stock, tuned: the error, as installed and as it counts; stock
-    is empty where it was not measured. shares: what each of `KINDS` makes of the tuned error, empty where nothing was
+    title: the engine. quantity, case: whose error it is. plain, counted: the error, as installed and as it counts; plain
+    is empty where it was not measured. shares: what each of `KINDS` makes of the latter, empty where nothing was
     moved; no share at all where that error is rounding. steps: the moves with an effect.
     """
 
     title: str
     quantity: str
     case: str
-    stock: str
-    tuned: str
+    plain: str
+    counted: str
     shares: tuple[str, ...]
     steps: tuple[Step, ...]
 
@@ -63,7 +63,7 @@ def _origin(section: Section, title: str, split: Split) -> Origin:
 
     sizes = [abs(share.size) for share in split.shares if share.size is not None]
     floor = VISIBLE * max((size for size in sizes if size > 0), default=0.0)
-    error = _tuned_error(split)
+    error = _own_error(split)
     steps = []
     for share in split.shares:
         least = floor if share.kind == DEFAULTS else VISIBLE * abs(error)
@@ -72,11 +72,11 @@ def _origin(section: Section, title: str, split: Split) -> Origin:
     shares = tuple(text(_total(split, kind)) if _has(split, kind) else "" for kind in KINDS)
     if abs(error) <= ROUNDING * abs(scale or 1.0):
         shares, steps = (), [step for step in steps if step.kind == DEFAULTS]
-    stock = next((text(share.before) for share in split.shares if share.kind == DEFAULTS), "")
-    return Origin(title, quantity.title, split.case, stock, text(error), shares, tuple(steps))
+    plain = next((text(share.before) for share in split.shares if share.kind == DEFAULTS), "")
+    return Origin(title, quantity.title, split.case, plain, text(error), shares, tuple(steps))
 
 
-def _tuned_error(split: Split) -> float:
+def _own_error(split: Split) -> float:
     before = next(share.before for share in split.shares if share.kind == REMAINDER)
     assert before is not None
     return before

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from reference.engines.profiles import TUNED
+from reference.engines.profiles import EXACT, STEP, STOCK, TUNED, counts
 from reference.report import numbers
 from reference.report.sections import Line, Section
 
@@ -25,15 +25,17 @@ GLANCE = (3.7, 1.5)
 """Size of a picture beside a finding of the first screen, inches."""
 COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00", "dart": "#009e73"}
 _STROKES = {"handwritten": (5.0, 0.35), "pybullet": (3.2, 1.0), "mujoco": (1.9, 1.0), "dart": (0.8, 1.0)}
-"""Width in points and opacity of tuned curves: where they coincide, each still shows on both sides of the next."""
+"""Width in points and opacity of curves that count: where they coincide, each still shows on both sides of the next."""
 MARKERS = {"handwritten": "o", "pybullet": "s", "mujoco": "^", "dart": "D"}
 _OTHER_COLOUR, _OTHER_MARKER = "#cc79a7", "v"
 """Those of an engine that is not the lab's own."""
 _MARKER_DISTANCE, _STAGGER = 0.4, 0.05
 """Between the markers of a curve, and between the first markers of two curves, as shares of the axes' diagonal."""
 _DASHES: dict[str, Any] = {
-    "tuned": "-",
-    "stock": (0, (1, 1.6)),
+    EXACT: "-",
+    TUNED: "-",
+    STEP: (0, (1, 1.6)),
+    STOCK: (0, (1, 1.6)),
     "poisson": (0, (7, 2, 1.5, 2)),
     "stronge": (0, (5, 1.5, 1.2, 1.5, 1.2, 1.5)),
 }
@@ -70,7 +72,7 @@ def trajectories(section: Section) -> str:
 
 def glance(section: Section) -> str:
     """The same curve small: what counts as lines, what is plain dashed, with the engines named beside it."""
-    plotted = [line for line in section.lines if (line.tuned or line.plain) and line.result.series is not None]
+    plotted = [line for line in section.lines if (line.counts or line.plain) and line.result.series is not None]
     if not plotted:
         return ""
     import matplotlib  # late, as below
@@ -82,14 +84,14 @@ def glance(section: Section) -> str:
         figure = Figure(figsize=GLANCE, layout="constrained")
         axes = figure.add_subplot()
         named = {}
-        for line in sorted(plotted, key=lambda line: line.tuned):
+        for line in sorted(plotted, key=lambda line: line.counts):
             series = line.result.series
             assert series is not None
             sparse = staggered(len(axes.get_lines())) if series.times else {}
             axes.plot(*series.dense(), **sparse, **(marker(line) | {"markersize": 3.5}), **line_style(line))
-            if line.tuned:
+            if line.counts:
                 named[line.result.title] = axes.get_lines()[-1]
-        dashed = Line2D([], [], color="#5b5b58", linestyle=_DASHES["stock"], linewidth=1.3)
+        dashed = Line2D([], [], color="#5b5b58", linestyle=_DASHES[STOCK], linewidth=1.3)
         axes.set(xlabel="time, s", ylabel=curve.y_label)
         handles = {title: named[title] for line in section.lines if (title := line.result.title) in named}
         figure.legend(
@@ -134,7 +136,7 @@ def _figure(
     labels: dict[str, str],
     lower_edge: float | None = None,
 ) -> str:
-    """Draw lines, tuned ones on top, with a legend below in the order of the tables, as an SVG with ids of its own."""
+    """Draw lines, those that count on top, with a legend below in the order of the tables: an SVG with its own ids."""
     if not lines:
         return ""
     import matplotlib  # late: its import takes half a second, and a table needs none of it
@@ -144,7 +146,7 @@ def _figure(
         figure = Figure(figsize=(WIDTH, HEIGHT), layout="constrained")
         axes = figure.add_subplot()
         drawn = {}
-        for line in sorted(lines, key=lambda line: line.tuned):
+        for line in sorted(lines, key=lambda line: line.counts):
             label = draw(axes, line)
             drawn[line.title] = axes.get_lines()[-1], label
         axes.set(**labels)
@@ -180,9 +182,9 @@ def _label_with_powers(axes: Axes) -> None:
 
 
 def marker(line: Line) -> dict[str, Any]:
-    """How a line's points are drawn: with the engine's own shape, hollow where the settings are not tuned."""
+    """How a line's points are drawn: with the engine's own shape, hollow where the profile does not count."""
     style = {"marker": marker_of(line.result.job.engine), "markersize": 5}
-    return style if line.tuned else style | {"markerfacecolor": "white"}
+    return style if line.counts else style | {"markerfacecolor": "white"}
 
 
 def colour_of(engine: str) -> str:
@@ -200,11 +202,11 @@ def staggered(number: int) -> dict[str, Any]:
     return {"markevery": (_STAGGER * number, _MARKER_DISTANCE)}
 
 
-def line_style(line: Line, thin: bool = False, as_tuned: bool = False) -> dict[str, Any]:
-    """The engine's colour and the profile's dashes; tuned curves are wide, so that those that coincide all show."""
-    engine, profile = line.result.job.engine, TUNED if as_tuned else line.result.job.profile
+def line_style(line: Line, thin: bool = False, as_counted: bool = False) -> dict[str, Any]:
+    """The engine's colour and the profile's dashes; curves that count are wide, so that coinciding ones show."""
+    engine, profile = line.result.job.engine, TUNED if as_counted else line.result.job.profile
     style = {"color": colour_of(engine), "linestyle": _DASHES.get(profile, _OTHER_DASHES)}
-    if thin or profile != TUNED:
+    if thin or not counts(profile):
         return style | {"linewidth": 1.3}
     width, opacity = _STROKES.get(engine, (1.5, 1.0))
     return style | {"linewidth": width, "alpha": opacity}

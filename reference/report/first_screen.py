@@ -164,7 +164,7 @@ def _finding(
 def _rows(section: Section, pick: _Pick) -> Iterator[tuple[Line, Row]]:
     """The lines that count and the plain ones, each with its row, in the order of the tables."""
     for line in section.lines:
-        row = pick.row(line) if line.tuned or line.plain else None
+        row = pick.row(line) if line.counts or line.plain else None
         if row is not None:
             yield line, row
 
@@ -175,7 +175,7 @@ def _group(
     own = [(line, row) for line, row in rows if row.verdict in verdicts]
     if not own:
         return None
-    own.sort(key=lambda found: not found[0].tuned)
+    own.sort(key=lambda found: not found[0].counts)
     figures = tuple(_figure(pick, line, row) for line, row in own)
     alike = [row.measured for _, row in own if row.measured is not None and verdicts[0] is Verdict.KNOWN_DEVIATION]
     closing = f"alike to {_upper(max(alike) - min(alike), own[0][1].unit)}" if _are_alike(alike) else ""
@@ -186,16 +186,16 @@ def _figure(pick: _Pick, line: Line, row: Row) -> Figure:
     said = pick.said(row) or line.family.quantity(pick.quantity).absent
     by_hand = line.result.job.engine == Handwritten.name
     if by_hand:
-        who = "by hand, exact" if line.tuned else "by hand, at the step"
+        who = "by hand, exact" if line.counts else "by hand, at the step"
     else:
-        who = line.result.title if line.tuned else f"{line.result.title} as installed"
-    return Figure(who, said, "" if by_hand and line.tuned else timestep_of(row))
+        who = line.result.title if line.counts else f"{line.result.title} as installed"
+    return Figure(who, said, "" if by_hand and line.counts else timestep_of(row))
 
 
 def _stack(section: Section | None) -> str:
     """How far the top of ten boxes is below its place in each engine; empty where they were not stacked."""
     rows = [(line, row) for line, row in _rows(section, _STACK)] if section else []
-    low = [f"{numbers.size(abs(row.error), row.unit)} in {line.result.title}" for line, row in rows if line.tuned and row.error]
+    low = [f"{numbers.size(abs(row.error), row.unit)} in {line.result.title}" for line, row in rows if line.counts and row.error]
     if not low:
         return ""
     return f"A stack of ten boxes stands in all of them: the top is low by {', '.join(low[:-1])} and {low[-1]}."

@@ -23,7 +23,7 @@ LEGEND = {
     Verdict.PASS: "as the method must, and near theory",
     Verdict.KNOWN_DEVIATION: "as the method must, and away from theory; “left” is what the method does not explain",
     Verdict.DISAGREES: "as the method must, and as far from theory as the quantity is large",
-    Verdict.FAIL: "not as the method must; counted for tuned settings, only shown for all others",
+    Verdict.FAIL: "not as the method must; counted where it is exact by hand or a tuned engine, else only shown",
     Verdict.CANNOT_EXPRESS: "the engine has no words for it",
     Verdict.NO_WORDS: "the lab has no words for it yet, whatever the engine can do",
     Verdict.NEEDS: "a function that is not written yet",

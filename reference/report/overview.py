@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from reference.comparison.verdicts import Row, Verdict
-from reference.engines.profiles import TUNED
+from reference.engines.profiles import counts
 from reference.report.sections import Line, Section
 
 COUNTED, PLAIN, OTHER = "what counts", "as installed, and by hand at the step", "other methods"
@@ -41,7 +41,7 @@ class Overview:
         A part without columns is left out.
         """
         lines = [line for section in self.sections for line in section.lines]
-        counting = {line.title for line in lines if line.tuned}
+        counting = {line.title for line in lines if line.counts}
         plain = {line.title for line in lines if line.plain} - counting
         rest = set(self.titles) - counting - plain
         parts = [
@@ -73,11 +73,11 @@ _ALWAYS = (Verdict.FAIL,)
 
 def verdict_line(rows: Sequence[Row]) -> str:
     """One sentence on the checks that count: near theory, away from it as predicted, failed, not made, and waiting."""
-    tuned = [row for row in rows if row.profile == TUNED and row.verdict is not Verdict.SHOWN]
-    near = sum(row.verdict is Verdict.PASS for row in tuned)
-    parts = [f"Of {_checks(len(tuned))} that count, {near:,} are as their method predicts and near theory"]
+    counted = [row for row in rows if counts(row.profile) and row.verdict is not Verdict.SHOWN]
+    near = sum(row.verdict is Verdict.PASS for row in counted)
+    parts = [f"Of {_checks(len(counted))} that count, {near:,} are as their method predicts and near theory"]
     for words, verdicts in _SAID.items():
-        count = sum(row.verdict in verdicts for row in tuned)
+        count = sum(row.verdict in verdicts for row in counted)
         if count or verdicts == _ALWAYS:
             parts.append(words.format(f"{count:,}" if count else "none"))
     return f"{', '.join(parts[:-1])} and {parts[-1]}."

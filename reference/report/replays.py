@@ -15,16 +15,16 @@ from reference.viewer.tracks import Track, unpack
 
 
 def replay_of(section: Section) -> Clip | None:
-    """The plotted case of a family in its tuned implementations; None where none of them gave poses of it."""
+    """The plotted case of a family in the profiles that count; None where none of them gave poses of it."""
     family = section.family
     case = family.case(family.curve.case)
-    return case_clip(case, [line for line in section.lines if line.tuned], f"{family.title}: {case.name}")
+    return case_clip(case, [line for line in section.lines if line.counts], f"{family.title}: {case.name}")
 
 
 def case_clip(
     case: Case, lines: Iterable[Line], title: str, profiles: Mapping[str, Mapping[str, str]] | None = None
 ) -> Clip | None:
-    """One case in these implementations, the first of them drawn solid, profiles other than tuned hidden at first.
+    """One case in these implementations, the first of them drawn solid, profiles that do not count hidden at first.
 
     profiles: other words for a profile, by engine and profile, where its own name says too little.
     """
@@ -34,11 +34,11 @@ def case_clip(
         track = _track(line.result, case)
         if track is not None:
             engine, profile = line.result.job.engine, line.result.job.profile
-            name = engine if line.tuned else f"{engine} {profile}"
-            known = (profiles or {}).get(engine, {}).get(profile) or ("" if line.tuned else profile)
+            name = engine if line.counts else f"{engine} {profile}"
+            known = (profiles or {}).get(engine, {}).get(profile) or ("" if line.counts else profile)
             called = f"{line.result.title}, {known}".removesuffix(", ")
             found[name] = unpack(track, called, line.result.recording)
-            hidden |= set() if line.tuned else {name}
+            hidden |= set() if line.counts else {name}
     return clip(case.scenarios[0], found, title, hidden) if found else None
 
 

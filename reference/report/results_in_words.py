@@ -24,7 +24,7 @@ _WITHOUT_NUMBER = (Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS, Verd
 
 def counted(section: Section) -> str:
     """What the implementations give that count: hand-written code at its best, engines told what the scenario means."""
-    return _sentences([line for line in section.lines if line.tuned], _name)
+    return _sentences([line for line in section.lines if line.counts], _name)
 
 
 def plain(section: Section) -> str:

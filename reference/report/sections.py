@@ -17,8 +17,7 @@ from reference.catalogue.scenarios import catalogue
 from reference.comparison.convergence import ROUNDING
 from reference.comparison.results import JobResult
 from reference.comparison.verdicts import Row, Verdict
-from reference.engines import engine_names
-from reference.engines.profiles import STOCK, TUNED
+from reference.engines import engine_names, profiles
 from reference.report import numbers
 from reference.report.marks import AGREES, MARKS, SEVERITY
 from reference.report.row_text import error_of, left_of
@@ -107,18 +106,18 @@ class Line:
 
     @property
     def title(self) -> str:
-        """Engine and profile, as in every table: `PyBullet, tuned`."""
+        """Engine and profile, as in every table: `PyBullet, tuned` or `hand-written, exact`."""
         return f"{self.result.title}, {self.result.job.profile}"
 
     @property
-    def tuned(self) -> bool:
+    def counts(self) -> bool:
         """Whether this line's verdicts count."""
-        return self.result.job.profile == TUNED
+        return profiles.counts(self.result.job.profile)
 
     @property
     def plain(self) -> bool:
         """Whether this is what one gets who sets nothing, or by hand the plainest method."""
-        return self.result.job.profile == STOCK
+        return profiles.is_plain(self.result.job.profile)
 
     @property
     def note(self) -> str:
@@ -230,7 +229,7 @@ class Section:
 
 
 def sections(results: Iterable[JobResult]) -> list[Section]:
-    """Gather results by family, in the catalogue's order; engines in the order of the tables, tuned first."""
+    """Gather results by family, in the catalogue's order; engines in the order of the tables, what counts first."""
     results, families = _with_own_titles(list(results)), catalogue()
     engines = engine_names()
 
@@ -238,13 +237,10 @@ def sections(results: Iterable[JobResult]) -> list[Section]:
         name = result.job.engine
         return engines.index(name) if name in engines else len(engines), name
 
-    def tuned_first(result: JobResult) -> int:
-        return {TUNED: 0, STOCK: 2}.get(result.job.profile, 1)
-
     found = []
     for family in families.values():
         own = [result for result in results if result.job.family == family.name]
-        own.sort(key=lambda result: (*place(result), tuned_first(result)))
+        own.sort(key=lambda result: (*place(result), profiles.place(result.job.profile)))
         if own:
             found.append(Section(family, tuple(Line(result, family) for result in own)))
     return found

@@ -11,7 +11,7 @@ from rich.text import Text
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.faults import FAULTS, Fault
 from reference.comparison.sensitivity import Finding, Outcome, Sensitivity
-from reference.engines.profiles import TUNED
+from reference.engines.profiles import counts
 from reference.recording import sensitivity as kept
 from reference.report import numbers
 
@@ -24,13 +24,13 @@ _STYLES = {Outcome.NOTICED: "green", Outcome.NOT_NOTICED: "yellow"}
 
 
 def kept_sentence(family: str) -> str:
-    """What the tuned verdicts of a family notice, as the lab has measured it; "" where it has not."""
+    """What the verdicts that count in a family notice, as the lab has measured it; "" where it has not."""
     return sentence([each for each in kept.read() if each.family == family])
 
 
 def sentence(found: Sequence[Sensitivity]) -> str:
-    """The smallest fault of each kind that the tuned verdicts of one family notice, and what they do not notice."""
-    tuned = [each for each in found if each.profile == TUNED]
+    """The smallest fault of each kind that a verdict that counts notices in one family, and what they do not notice."""
+    tuned = [each for each in found if counts(each.profile)]
     sizes = list(filter(None, (_sizes(tuned, fault) for fault in FAULTS if fault.most)))
     parts = {
         "The smallest fault that a verdict here would notice": sizes,
@@ -98,7 +98,7 @@ def _table(found: Sequence[Sensitivity]) -> Table:
         table.add_column(f"{fault.name}\n{fault.unit}")
     for each in found:
         cells = [_cell(fault, each.finding(fault.name)) for fault in faults]
-        table.add_row(Text(f"{each.title}, {each.profile}", style="bold" if each.profile == TUNED else ""), *cells)
+        table.add_row(Text(f"{each.title}, {each.profile}", style="bold" if counts(each.profile) else ""), *cells)
     return table
 
 

@@ -66,7 +66,7 @@ def print_legend(console: Console, verdicts: Iterable[Verdict], legend: Mapping[
 
 
 def _print_overview(console: Console, overview: Overview) -> None:
-    """Print all families in one screen; where that is too wide, in parts, the tuned settings first."""
+    """Print all families in one screen; where that is too wide, in parts, what counts first."""
     tables = [_overview(overview)]
     if console.measure(tables[0], options=console.options.update(width=_ANY_WIDTH)).maximum > console.width:
         tables = [_overview(part) for part in overview.in_parts()]
@@ -99,7 +99,7 @@ def _print_worst_first(console: Console, found: Sequence[Section]) -> None:
     worst = nearest_to_fail(found, WORST)
     if worst:
         console.print()
-        console.print(Text("tuned, worst first: share of its limit", style="bold"))
+        console.print(Text("counted, worst first: share of its limit", style="bold"))
     for section, line, row, used in worst:
         what = f"{section.family.name}, {row.case}: {section.family.quantity(row.quantity).title}"
         console.print(Text(f"  {numbers.percent(used).lstrip('+'):>7}  {line.result.title}, {what} {error_of(row)}"))
@@ -121,7 +121,7 @@ def _implementations(section: Section) -> Table:
     table = _table("implementation", *(quantity.title for quantity in section.family.quantities))
     for line in section.lines:
         cells = [Text(str(line.whole.verdict), style=style_of(line.whole.verdict))] if line.note else _texts(line.cells)
-        table.add_row(Text(line.title, style="bold" if line.tuned else ""), *cells)
+        table.add_row(Text(line.title, style="bold" if line.counts else ""), *cells)
     return table
 
 

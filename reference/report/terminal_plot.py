@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from rich.text import Text
 
-from reference.engines.profiles import STOCK
+from reference.engines.profiles import is_plain
 from reference.report.sections import Line
 
 _GLYPHS = {"handwritten": "●○×", "pybullet": "■□+", "mujoco": "▲△*", "dart": "◆◇~"}
@@ -41,12 +41,12 @@ class Points:
 
 
 def marked(line: Line | None) -> Text:
-    """The character that marks an implementation's curve: its shape shows the engine, and filled means tuned."""
+    """The character that marks an implementation's curve: its shape shows the engine, and a filled one counts."""
     if line is None:
         return Text("─")
     job, colour = line.result.job, _colour(line)
     glyphs = _GLYPHS.get(job.engine, _OTHER_GLYPHS)
-    glyph = glyphs[0] if line.tuned else glyphs[1] if job.profile == STOCK else glyphs[2]
+    glyph = glyphs[0] if line.counts else glyphs[1] if is_plain(job.profile) else glyphs[2]
     return Text(glyph, style="" if colour is None else f"color({colour})")
 
 

@@ -9,7 +9,7 @@ from reference.report.sections import Line, Section
 
 
 def nearest_to_fail(found: Iterable[Section], count: int) -> list[tuple[Section, Line, Row, float]]:
-    """The tuned rows that come closest to their limits, worst first, each with the share of the limit that it uses.
+    """The rows that count and come closest to their limits, worst first, each with the share of the limit that it uses.
 
     Where the method's recurrence predicts the number, its band is the limit. Elsewhere a known shift does not count
     against it: the distance is the smaller one of those from theory and from theory + shift.
@@ -18,7 +18,7 @@ def nearest_to_fail(found: Iterable[Section], count: int) -> list[tuple[Section,
         (section, line, row, used)
         for section in found
         for line in section.lines
-        if line.tuned
+        if line.counts
         for row in line.result.rows
         if (used := _used(row)) is not None
     ]
@@ -34,12 +34,12 @@ def _used(row: Row) -> float | None:
 
 
 def furthest_from_theory(found: Iterable[Section], count: int) -> list[tuple[Section, Line, Row]]:
-    """The rows of other profiles than tuned that miss theory by the largest share, worst first, one a line."""
+    """The rows of profiles that do not count that miss theory by the largest share, worst first, one a line."""
     worst = [
         (section, line, max(failed, key=lambda row: abs(row.relative_error or 0.0)))
         for section in found
         for line in section.lines
-        if not line.tuned
+        if not line.counts
         if (
             failed := [
                 row for row in line.result.rows if row.verdict is Verdict.FAIL and row.relative_error is not None

@@ -13,7 +13,7 @@ from reference.comparison.sensitivity import Sensitivity
 from reference.comparison.verdicts import ALL_CASES, Row, verdict_of
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
-from reference.engines.profiles import STOCK, TUNED
+from reference.engines.profiles import STOCK, counts
 from reference.errors import CollisionsError
 from reference.running.jobs import Work
 from reference.running.study import longest_first
@@ -58,7 +58,7 @@ class SensitivityResult:
 
 
 def plan(families: Sequence[str], engines: Sequence[str]) -> list[SensitivityJob]:
-    """List the jobs: tuned profiles, and those others whose method has a recurrence; no engine's stock profile."""
+    """List the jobs: profiles that count, and those others whose method has a recurrence; none that is stock."""
     found = []
     for name in families:
         family = catalogue()[name]
@@ -66,9 +66,9 @@ def plan(families: Sequence[str], engines: Sequence[str]) -> list[SensitivityJob
         for engine in engines:
             loaded = load_engine(engine)
             for profile in family.profiles(loaded):
-                if profile == STOCK and loaded.package is not None:
+                if profile == STOCK:
                     continue  # what a user gets who sets nothing counts nowhere
-                if profile == TUNED or loaded.method(scenario, loaded.settings(scenario, profile)).rule:
+                if counts(profile) or loaded.method(scenario, loaded.settings(scenario, profile)).rule:
                     found.append(SensitivityJob(name, engine, profile))
     return list(dict.fromkeys(found))
 

@@ -19,7 +19,7 @@ from reference.comparison.verdicts import ALL_CASES, Row, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
-from reference.engines.profiles import TUNED
+from reference.engines.profiles import counterpart, counts
 from reference.errors import CollisionsError, InvalidInput, UnknownName, one_line
 from reference.recording import reading
 from reference.recording.reading import track_of
@@ -42,8 +42,9 @@ def plan(
 ) -> list[Job]:
     """List the jobs that compare these families in these engines, each job once.
 
-    Where no profiles are named, an engine runs in all that it has. Where no cases are named, a family runs all of its
-    own, or one case `at` the given parameters.
+    Where no profiles are named, an engine runs in all that it has. An engine that has none of the named ones for a
+    family runs in the one that counts. Where no cases are named, a family runs all of its own, or one case `at` the
+    given parameters.
 
     Raises
     ------
@@ -58,7 +59,7 @@ def plan(
     known = [profile for engine in loaded.values() for family in families for profile in family.profiles(engine)]
     for profile in profiles if known else ():
         if profile not in known:
-            raise UnknownName("profile", profile, dict.fromkeys(known))
+            raise UnknownName("profile", profile, dict.fromkeys(known), counterpart(profile))
     jobs = []
     for family in families:
         wanted = tuple(dict.fromkeys((cases or {}).get(family.name, ())))
@@ -66,11 +67,11 @@ def plan(
         chosen = [family.case(case) for case in wanted] or Job(family.name, "", "", at=place).chosen(family)
         for name, engine in loaded.items():
             has = family.profiles(engine)
-            for profile in profiles or has:
-                if profile in has:  # or it is another engine's word, or another family's
-                    _check(engine, profile, chosen, changes)
-                    fixed = tuple(sorted(changes.items()))
-                    jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies, place))
+            own = [profile for profile in profiles or has if profile in has]
+            for profile in own or filter(counts, has):
+                _check(engine, profile, chosen, changes)
+                fixed = tuple(sorted(changes.items()))
+                jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies, place))
     return list(dict.fromkeys(jobs))
 
 
@@ -168,10 +169,10 @@ def run_job(job: Job) -> JobResult:
 
 
 def _studies(asked: Question, family: Family, job: Job) -> tuple[Errors | None, Split | None]:
-    """Error against timestep; and the split of the error, which exists for unchanged tuned settings alone."""
+    """Error against timestep; and the split of the error, which exists for the unchanged settings that count alone."""
     settings = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
     convergence = errors_against_timestep(asked, settings, family.convergence.factors)
-    if job.profile != TUNED or job.changes:
+    if not counts(job.profile) or job.changes:
         return convergence, None
     return convergence, split(asked, convergence.order if convergence else None)
 

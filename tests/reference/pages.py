@@ -148,4 +148,4 @@ def came_out(section: Element) -> Element:
     return section.all("table")[0]
 
 
-OURS = [result(REST, "handwritten", profile) for profile in ("tuned", "slide", "stock")]
+OURS = [result(REST, "handwritten", profile) for profile in ("exact", "slide", "step")]

@@ -29,6 +29,7 @@ from reference.comparison.results import Job
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
 from reference.engines.implementation import Implementation
+from reference.engines.profiles import EXACT, TUNED
 from reference.errors import InvalidInput, NeedsFunction, RunFailed
 from reference.recording.reading import recall
 
@@ -137,8 +138,8 @@ def compared_with_theory(
 
 def _rows(code: Implementation, family: Family, case: Case) -> list[Row]:
     engine = load_engine("handwritten", code)
-    settings = engine.settings(case.scenarios[0], "tuned").change(timestep=TIMESTEP)
-    return compare_case(family, case, engine, "tuned", settings)[0]
+    settings = engine.settings(case.scenarios[0], EXACT).change(timestep=TIMESTEP)
+    return compare_case(family, case, engine, EXACT, settings)[0]
 
 
 def _is_right(row: Row) -> bool:
@@ -163,7 +164,7 @@ def _told(family: Family, row: Row) -> str:
 def _engines(row: Row) -> list[tuple[str, float]]:
     found = []
     for name in engine_names():
-        result = recall(Job(row.family, name, "tuned", (row.case,))) if name != "handwritten" else None
+        result = recall(Job(row.family, name, TUNED, (row.case,))) if name != "handwritten" else None
         for other in result.rows if result else ():
             if other.quantity == row.quantity and other.measured is not None:
                 found.append((load_engine(name).title, other.measured))

@@ -141,7 +141,7 @@ CRADLE = Family(
         " first: each impact then has a step of its own. PyBullet leaves out a contact whose gap is 10⁻¹² m, MuJoCo one"
         " beyond its margin of 10⁻⁹ m, DART one that is open at all. Hence a radius that is a power of two: with 0.1 m,"
         " rounding would decide.",
-        "The hand-written code has one reading in each profile: tuned two at a time, at the step all that touch.",
+        "The hand-written code has a reading for each method: exact, two balls at a time; at the step, all that touch.",
         "A real contact lasts. In MuJoCo's spring profile it is 1 mm deep, and with the gap one reading goes over into"
         " the other: the first of five comes back with −0.60 m/s where they touch, and with −0.08 m/s where they are"
         " 1 mm apart. In PyBullet's spring profile each contact is a spring that knows of no other. Where they touch,"
@@ -182,7 +182,7 @@ PARTING_BALL = Family(
     " The pair that would part is thrown together, and its contact pushes with 0.6 N s per kg so that the two leave"
     " together. It pushes while the pair opens, at 0.05 m/s on average, and this work is the energy that is made.",
     why=(
-        "Each implementation follows a rule that sounds right, and they give three results. Hand-written, tuned: in"
+        "Each implementation follows a rule that sounds right, and they give three results. Hand-written, exact: in"
         " turn, (0, 0.1, 1). At the step, in PyBullet and in DART: all at once, with 6 to 13 % more energy than"
         " before. MuJoCo's contact reverses every relative velocity, also that of the two that part: (−0.267, 0.733,"
         " 0.633). These two then approach, and collide in the next step: (−0.267, 0.633, 0.733). Both impacts keep the"

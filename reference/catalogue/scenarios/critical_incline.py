@@ -29,7 +29,7 @@ CRITICAL_INCLINE = Family(
     expected=INCLINE.expected + " Close to tan θ = μ the acceleration is a small difference of two large ones: an error"
     " of 1 % in the friction would be all of it at 1 % above.",
     why=(
-        "All, tuned, decide every case rightly. The hand-written code is exact, and PyBullet and DART differ from it by"
+        "All, exact or tuned, decide every case rightly. PyBullet and DART differ from the exact hand-written code by"
         " a t dt/2 alone: 0.033 % of the way at 1 ms.",
         "MuJoCo creeps on slopes that hold, by 0.31 mm in 3 s at most, and by about as much its way is too long where"
         " the slab slides, which is 0.08 % at 1 % above critical. Friction presses on the front corners, its main"

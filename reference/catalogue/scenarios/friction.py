@@ -251,10 +251,10 @@ INCLINE = Family(
     expected="Static friction can hold at most μ N = μ m g cos θ against the pull m g sin θ: the slab stays where it"
     " is if tan θ ≤ μ. Otherwise it slides with g (sin θ − μ cos θ).",
     why=(
-        "All, tuned, decide every case as tan θ ≤ μ does. What differs is how still a held slab is: hand-written code"
-        " sets its velocity to zero, PyBullet's and DART's solvers leave less than a micrometre, and MuJoCo's"
-        " friction is a soft constraint that creeps in proportion to the timestep: at 1 ms the steepest holds would"
-        " lose millimetres, at 0.1 ms fractions.",
+        "All, exact or tuned, decide every case as tan θ ≤ μ does. What differs is how still a held slab is:"
+        " hand-written code sets its velocity to zero, PyBullet's and DART's solvers leave less than a micrometre, and"
+        " MuJoCo's friction is a soft constraint that creeps in proportion to the timestep: at 1 ms the steepest holds"
+        " would lose millimetres, at 0.1 ms fractions.",
         "MuJoCo, stock, creeps visibly on every slope but the gentlest, which counts as sliding here. PyBullet, stock,"
         " holds where it should, but its damping slows every slide by up to a quarter. DART, stock, rocks on its one"
         " contact, and some slabs that should hold walk off that way.",

@@ -101,7 +101,7 @@ STRUCK_CUBE = Family(
     " Newton's leaves e times the speed of the approach. Poisson's makes the impulse of parting e times that of the"
     " approach; the work of Stronge's is e² times it. Where the slip goes on, in the last case, they are one law.",
     why=(
-        "The hand-written code has all four laws: tuned, Newton's with friction against the slip that is left; as"
+        "The hand-written code has all four laws: as exact, Newton's with friction against the slip that is left; as"
         " profiles of their own Newton's with maximal dissipation, Poisson's and Stronge's. Each is judged by what its"
         " own law predicts.",
         "PyBullet and DART follow Newton's law with friction against the slip that is left. In DART the contact lies"

@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 import pytest
-from program import QUICK, TUNED, collisions, files_in
+from program import EXACT, QUICK, collisions, files_in
 
 from labs.cli import main
 
@@ -49,7 +49,7 @@ def test_an_ascii_console_gets_utf_8_and_progress_goes_to_stderr(monkeypatch):
     written = {name: io.BytesIO() for name in ("stdout", "stderr")}
     for name, stream in written.items():
         monkeypatch.setattr(sys, name, io.TextIOWrapper(stream, encoding="ascii", write_through=True))
-    monkeypatch.setattr(sys, "argv", ["collisions", "compare", *TUNED])
+    monkeypatch.setattr(sys, "argv", ["collisions", "compare", *EXACT])
     with pytest.raises(SystemExit) as ended:
         main()
     assert ended.value.code == 0
@@ -61,8 +61,8 @@ def test_an_ascii_console_gets_utf_8_and_progress_goes_to_stderr(monkeypatch):
 
 @pytest.mark.usefixtures("one_worker")
 def test_verbose_logs_what_is_run():
-    assert "started" in collisions("-v", "compare", *TUNED).error
-    assert "started" not in collisions("compare", *TUNED).error
+    assert "started" in collisions("-v", "compare", *EXACT).error
+    assert "started" not in collisions("compare", *EXACT).error
 
 
 # Interrupts

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from odd_engine import CRASH, ELSE, NAN, NO_WORDS, RAISE
-from program import QUICK, SLIDE, TUNED, collisions
+from program import EXACT, QUICK, SLIDE, collisions
 
 from labs.cli import jobs
 from reference.recording import files
@@ -22,28 +22,28 @@ pytestmark = pytest.mark.usefixtures("one_worker")
 def test_a_comparison_in_which_all_agree_ends_with_0():
     said = collisions("compare", *QUICK)
     assert said.code == 0
-    for title in ("Ball coming to rest", "hand-written, tuned", "hand-written, slide", "hand-written, stock"):
+    for title in ("Ball coming to rest", "hand-written, exact", "hand-written, slide", "hand-written, step"):
         assert title in said.text
-    assert said.text.endswith("4 of 4 checks of tuned settings agree with theory, 0 fail.")
+    assert said.text.endswith("4 of 4 checks that count agree with theory, 0 fail.")
     assert "3 runs, " in said.error
 
 
 def test_with_cases_the_numbers_are_printed():
-    assert "e=0.5 1.3546 s expected hand-written, tuned 1.3546 s" in collisions("compare", *TUNED, "--cases").text
+    assert "e=0.5 1.3546 s expected hand-written, exact 1.3546 s" in collisions("compare", *EXACT, "--cases").text
 
 
-def test_a_tuned_verdict_that_fails_ends_with_1(homework):
-    said = collisions("compare", *TUNED, "--implementation", homework(WRONG))
+def test_a_verdict_that_counts_and_fails_ends_with_1(homework):
+    said = collisions("compare", *EXACT, "--implementation", homework(WRONG))
     assert said.code == 1
     assert "✗ fail" in said.text
-    assert said.text.endswith("3 of 4 checks of tuned settings agree with theory, 1 fails.")  # it rests too early
+    assert said.text.endswith("3 of 4 checks that count agree with theory, 1 fails.")  # it rests too early
 
 
-def test_a_stock_verdict_that_fails_is_shown_and_not_counted(homework):
-    said = collisions("compare", *QUICK, "--profile", "stock", "--implementation", homework(WRONG))
+def test_a_failure_at_the_step_is_shown_and_not_counted(homework):
+    said = collisions("compare", *QUICK, "--profile", "step", "--implementation", homework(WRONG))
     assert said.code == 0
     assert "✗ fail" in said.text
-    assert said.text.endswith("0 of 0 checks of tuned settings agree with theory, 0 fail.")
+    assert said.text.endswith("0 of 0 checks that count agree with theory, 0 fail.")
 
 
 def test_a_setting_that_makes_an_engine_wrong_fails(installed):
@@ -65,10 +65,10 @@ def test_a_setting_that_makes_an_engine_wrong_fails(installed):
     ids=["crash", "exception", "NaN", "not as told"],
 )
 def test_a_run_without_a_usable_answer_ends_with_3_beside_the_others(body, said, odd):
-    ended = collisions("compare", *TUNED, "--engine", odd(body))
+    ended = collisions("compare", *EXACT, "--engine", odd(body))
     assert ended.code == 3
     assert f"an odd one, tuned: crashed: {said}" in ended.text or said in ended.text
-    assert "hand-written, tuned ✓ 1/1" in ended.text
+    assert "hand-written, exact ✓ 1/1" in ended.text
     assert "gave no answer." in ended.text
 
 
@@ -81,13 +81,13 @@ def test_a_run_that_hangs_is_stopped_and_ends_with_3(odd, monkeypatch):
 
 
 def test_a_tuned_failure_counts_for_more_than_a_crash(odd, homework):
-    ended = collisions("compare", *TUNED, "--engine", odd(RAISE), "--implementation", homework(WRONG))
+    ended = collisions("compare", *EXACT, "--engine", odd(RAISE), "--implementation", homework(WRONG))
     assert ended.code == 1
 
 
 def test_an_engine_that_is_not_installed_costs_nothing_beside_others(odd):
     missing = odd(package="no_such_package")
-    beside = collisions("compare", *TUNED, "--engine", missing)
+    beside = collisions("compare", *EXACT, "--engine", missing)
     assert beside.code == 0
     alone = collisions("compare", QUICK[0], "--profile", "tuned", "--engine", missing)
     assert alone.code == 3
@@ -99,12 +99,12 @@ def test_an_engine_that_is_not_installed_costs_nothing_beside_others(odd):
 def test_a_scenario_that_no_engine_can_express_is_not_compared(odd):
     speechless = odd(NO_WORDS)
     assert collisions("compare", QUICK[0], "--profile", "tuned", "--engine", speechless).code == 3
-    beside = collisions("compare", *TUNED, "--engine", speechless)
+    beside = collisions("compare", *EXACT, "--engine", speechless)
     assert (beside.code, "cannot express: an odd one has no words for it" in beside.text) == (0, True)
 
 
 def test_an_unwritten_function_is_named_and_costs_nothing_beside_engines(homework):
-    ours = ("compare", "dropped-ball/e=0.5", "--profile", "tuned", "--engine", "handwritten")
+    ours = ("compare", "dropped-ball/e=0.5", "--profile", "exact", "--engine", "handwritten")
     unfinished = ("--implementation", homework(MISSING))
     beside = collisions(*ours, "--engine", TOY, *unfinished)
     assert beside.code == 0
@@ -112,7 +112,7 @@ def test_an_unwritten_function_is_named_and_costs_nothing_beside_engines(homewor
     alone = collisions(*ours, *unfinished)
     assert alone.code == 3
     for ended in (beside, alone):
-        assert "hand-written, tuned: needs kinematic_response (response, step 1)" in ended.text
+        assert "hand-written, exact: needs kinematic_response (response, step 1)" in ended.text
 
 
 def test_a_file_that_is_no_engine_is_refused(tmp_path):
@@ -124,7 +124,7 @@ def test_a_file_that_is_no_engine_is_refused(tmp_path):
         assert "Traceback" not in refused.error
 
 
-@pytest.mark.parametrize("command", [("compare", *TUNED), ("compare", "--published", "P15"), ("show", "bounce")])
+@pytest.mark.parametrize("command", [("compare", *EXACT), ("compare", "--published", "P15"), ("show", "bounce")])
 def test_code_that_cannot_be_used_is_refused_before_anything_is_printed(command, tmp_path):
     (tmp_path / "wrong.py").write_text("x = 1\ndef holds(:\n")
     for source, said in (
@@ -148,19 +148,19 @@ def test_a_scenario_that_was_never_recorded_warns_and_runs(installed, tmp_path, 
 
 
 def test_a_second_run_comes_from_the_cache_and_prints_the_same():
-    first, second, anew = (collisions("compare", *TUNED, *more) for more in ((), (), ("--fresh",)))
+    first, second, anew = (collisions("compare", *EXACT, *more) for more in ((), (), ("--fresh",)))
     assert "from the cache" not in first.errors + anew.errors
     assert "1 run, 1 of them from the cache" in second.errors
     assert first.output == second.output == anew.output
 
 
 def test_a_comparison_takes_what_the_cache_has_and_runs_the_rest():
-    collisions("compare", *TUNED)
+    collisions("compare", *EXACT)
     assert re.search(r"3 runs, 1 of them from the cache", collisions("compare", *QUICK).errors)
 
 
 def test_changed_homework_is_run_and_not_taken_from_the_cache(homework):
-    command = ("compare", *TUNED, "--implementation", homework("# a thought\n"))
+    command = ("compare", *EXACT, "--implementation", homework("# a thought\n"))
     collisions(*command)
     assert "1 of them from the cache" in collisions(*command).errors
     homework("# a second thought\n")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from program import QUICK, TUNED, collisions
+from program import EXACT, QUICK, collisions
 
 from labs.cli import jobs
 from reference.catalogue.scenarios import catalogue
@@ -17,7 +17,7 @@ pytestmark = pytest.mark.usefixtures("one_worker")
 
 def test_a_scenario_named_without_a_case_means_all_of_its_cases():
     def cases(*names: str) -> dict[str, tuple[str, ...]]:
-        return {job.family: job.cases for job in jobs.planned(names, ["handwritten"], ["tuned"])}
+        return {job.family: job.cases for job in jobs.planned(names, ["handwritten"], ["exact"])}
 
     assert cases("ball-to-rest/e=0.8", "incline", "ball-to-rest/e=0.5", "ball-to-rest/e=0.8") == {
         "ball-to-rest": ("e=0.8", "e=0.5"),
@@ -30,24 +30,24 @@ def test_a_scenario_named_without_a_case_means_all_of_its_cases():
 
 def test_a_setting_may_be_written_as_it_is_printed():
     for text in ("shortest_flight=3", "shortest-flight = 3", "shortest flight=3"):
-        (job,) = jobs.planned([QUICK[0]], ["handwritten"], ["tuned"], assignments=[text])
+        (job,) = jobs.planned([QUICK[0]], ["handwritten"], ["exact"], assignments=[text])
         assert job.changes == (("shortest_flight", "3"),)
 
 
 def test_parameters_replace_the_cases_and_take_any_value_in_range():
-    found = jobs.planned(["incline"], ["handwritten"], ["tuned"], parameters=["friction=0.123", "angle = 7"])
+    found = jobs.planned(["incline"], ["handwritten"], ["exact"], parameters=["friction=0.123", "angle = 7"])
     assert [job.at for job in found] == [(("friction", 0.123), ("angle", 7.0))]
-    rest = "ball-to-rest", "--engine", "handwritten", "--profile", "tuned", "--at", "restitution=0.37", "--cases"
+    rest = "ball-to-rest", "--engine", "handwritten", "--profile", "exact", "--at", "restitution=0.37", "--cases"
     # √(2h/g) (1 + e)/(1 − e) = 0.451524 · 1.37/0.63
-    assert "e=0.37 0.98188 s expected hand-written, tuned 0.98188 s" in collisions("compare", *rest).text
+    assert "e=0.37 0.98188 s expected hand-written, exact 0.98188 s" in collisions("compare", *rest).text
 
 
 def test_settings_of_the_command_line_reach_the_run():
-    assert "e=0.5 1.3546 s expected" in collisions("compare", *TUNED, "--cases").text
-    late = collisions("compare", *TUNED, "--cases", "--set", "policy=at_step", "--timestep", "0.01").text
-    assert "hand-written, tuned 1.3546 s <10" not in late
+    assert "e=0.5 1.3546 s expected" in collisions("compare", *EXACT, "--cases").text
+    late = collisions("compare", *EXACT, "--cases", "--set", "policy=at_step", "--timestep", "0.01").text
+    assert "hand-written, exact 1.3546 s <10" not in late
     with pytest.raises(InvalidInput):
-        jobs.planned([QUICK[0]], ["handwritten"], ["tuned"], timestep=-1.0)
+        jobs.planned([QUICK[0]], ["handwritten"], ["exact"], timestep=-1.0)
 
 
 # What is refused
@@ -75,10 +75,14 @@ def test_settings_of_the_command_line_reach_the_run():
             f"such.py'; an engine is a name ({', '.join(engine_names())}) or a .py file",
         ),
         (
-            [*QUICK, "--profile", "tunde"],
-            "unknown profile 'tunde'. Did you mean 'tuned'? Choices: tuned, slide, stock.",
+            [*QUICK, "--profile", "exat"],
+            "unknown profile 'exat'. Did you mean 'exact'? Choices: exact, slide, step.",
         ),
-        ([*QUICK, "--profile", "spring"], "unknown profile 'spring'. Choices: tuned, slide, stock."),
+        (
+            [*QUICK, "--profile", "tuned"],
+            "unknown profile 'tuned'. Did you mean 'exact'? Choices: exact, slide, step.",
+        ),
+        ([*QUICK, "--profile", "spring"], "unknown profile 'spring'. Choices: exact, slide, step."),
         ([*QUICK, "--timestep", "-1"], "timestep is -1.0; it must be above zero"),
         ([*QUICK, "--timestep", "0"], "timestep is 0.0; it must be above zero"),
         ([*QUICK, "--timestep", "nan"], "timestep is nan; it must be a finite number"),
@@ -102,15 +106,15 @@ def test_settings_of_the_command_line_reach_the_run():
         ([*QUICK, "--set", "policy="], "--set 'policy=' is not of the form name=value, such as"),
         (
             [*QUICK, "--set", "polcy=at_step"],
-            "unknown setting of hand-written's tuned profile 'polcy'. Did you mean 'policy'? Choices: timestep, ",
+            "unknown setting of hand-written's exact profile 'polcy'. Did you mean 'policy'? Choices: timestep, ",
         ),
         ([*QUICK, "--set", "shortest_flight=long"], "shortest_flight is 'long'; it must be a number"),
         ([*QUICK, "--set", "policy=guess"], "policy is 'guess'; here it is one of exact_root, interpolated, at_step"),
         ([*QUICK, "--jobs", "0"], "Invalid value for '--jobs' / '-j'"),
         ([*QUICK, "--jobs", "-2"], "Invalid value for '--jobs' / '-j'"),
-        ([*TUNED, "--implementation", "solution"], "no implementation 'solution'; give a package such as 'solutions'"),
-        ([*TUNED, "--implementation", "no/such/homework.py"], "homework.py': there is no such file"),
-        ([*TUNED, "--implementation", "../homework"], "no implementation '../homework'; give a package"),
+        ([*EXACT, "--implementation", "solution"], "no implementation 'solution'; give a package such as 'solutions'"),
+        ([*EXACT, "--implementation", "no/such/homework.py"], "homework.py': there is no such file"),
+        ([*EXACT, "--implementation", "../homework"], "no implementation '../homework'; give a package"),
     ],
     ids=lambda value: " ".join(value).replace(" ".join(QUICK), "…") if isinstance(value, list) else "",
 )

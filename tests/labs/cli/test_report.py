@@ -48,13 +48,13 @@ def written(tmp_path_factory) -> Written:
 def test_a_report_is_written_to_its_folder_and_names_the_page(written):
     said, out = written.said, written.folder
     assert said.code == 0
-    assert "4 of 4 checks of tuned settings agree with theory, 0 fail." in said.text
+    assert "4 of 4 checks that count agree with theory, 0 fail." in said.text
     assert f"Open {out / 'index.html'} in a browser." in said.output
     names = {"index.html", "rows.json", "rows.csv", "timings.json", "provenance.json", "figures"}
     assert set(os.listdir(out)) == names
     assert len(read_rows(out / "rows.json")) == 2 * 4
     studied = {it["profile"] for it in json.loads((out / "rows.json").read_text(encoding="utf-8"))["convergence"]}
-    assert studied == {"tuned", "stock"}, "a report always shows error against timestep"
+    assert studied == {"exact", "step"}, "a report always shows error against timestep"
 
 
 def test_a_report_from_the_cache_is_the_same_report(written, tmp_path, monkeypatch):
@@ -127,7 +127,7 @@ def test_a_report_that_cannot_be_written_is_refused_before_any_run(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.timeout(1200)
-def test_in_the_whole_report_every_tuned_verdict_agrees(tmp_path, installed, capsys):
+def test_in_the_whole_report_every_counted_verdict_agrees(tmp_path, installed, capsys):
     for name in engine_names():
         installed(name)
     start = time.monotonic()
@@ -136,20 +136,20 @@ def test_in_the_whole_report_every_tuned_verdict_agrees(tmp_path, installed, cap
         print(f"\nthe whole report took {time.monotonic() - start:.0f} s")
     assert said.code == 0
     rows = read_rows(tmp_path / "report" / "rows.json")
-    tuned = [row for row in rows if row.profile == "tuned" and row.expected is not None]
+    judged = [row for row in rows if counts(row.profile) and row.expected is not None]
     families = set(catalogue())
     waiting = {"sliding-ball", "rolling-ball", "box-flat", "box-on-edge", "stack"}  # for a world
-    assert {(row.family, row.engine) for row in tuned} == {
+    assert {(row.family, row.engine) for row in judged} == {
         (family, name)
         for name in engine_names()
         for family in (families - waiting if name == "handwritten" else families - {"two-frictions"})
         if (family, name) != ("struck-cube", "mujoco")
     }
-    away = [row for row in tuned if str(row.verdict) not in ("pass", "known deviation")]
+    away = [row for row in judged if str(row.verdict) not in ("pass", "known deviation")]
     assert [(row.family, row.engine, str(row.verdict)) for row in away] == [("two-walls", "dart", "disagrees")]
-    without = [row for row in rows if row.profile == "tuned" and str(row.verdict) == "cannot express"]
-    counted = len(tuned) + len(without)
-    assert re.search(rf"^{len(tuned) - 1} of {counted} checks of tuned settings agree with theory", said.text)
+    without = [row for row in rows if counts(row.profile) and str(row.verdict) == "cannot express"]
+    counted = len(judged) + len(without)
+    assert re.search(rf"^{len(judged) - 1} of {counted} checks that count agree with theory", said.text)
     assert not [row for row in rows if str(row.verdict) in ("crashed", "not available")]
     unsaid = {(row.family, row.engine) for row in rows if str(row.verdict) == "cannot express"}
     off_centre = {("struck-cube", "mujoco"), ("off-centre-impact", "mujoco")}

@@ -18,12 +18,12 @@ def test_the_smallest_fault_is_printed_written_and_kept(tmp_path, monkeypatch):
     wish = "sensitivity", "parting-ball", "--engine", "handwritten"
     said = collisions(*wish, "--out", tmp_path / "found.json", "--keep")
     assert said.code == 0
-    assert "hand-written, tuned 0.11" in said.text
+    assert "hand-written, exact 0.11" in said.text
     assert "The smallest fault that a verdict here would notice: restitution 0.11 %, mass" in said.text
     assert "Without effect on any number: inertia" in said.text
     content = json.loads((tmp_path / "found.json").read_text(encoding="utf-8"))
     assert (content["schema"], content["version"]) == ("collisions-lab/sensitivity", 1)
-    noticed = content["families"]["parting-ball"]["handwritten"]["tuned"]["faults"]["restitution"]
+    noticed = content["families"]["parting-ball"]["handwritten"]["exact"]["faults"]["restitution"]
     assert noticed == {"outcome": "noticed", "size": 0.0011, "case": "v=0.1", "quantity": "off"}
     assert file.read_bytes() == (tmp_path / "found.json").read_bytes()
 

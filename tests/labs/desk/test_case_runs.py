@@ -111,8 +111,8 @@ def test_a_run_at_parameters_is_named_after_them(lab, installed):
         ("dropped-ball/e=2", {}, "unknown case of dropped-ball 'e=2'"),
         ("dropped-ball", {"restitution": 3.0}, "restitution is 3"),
         ("dropped-ball", {"colour": 3.0}, "unknown option, or parameter of dropped-ball, 'colour'"),
-        ("dropped-ball/e=0.5", {"profil": "stock"}, "Did you mean 'profile'?"),
-        ("dropped-ball", {"profile": "tunned"}, "Did you mean 'tuned'?"),
+        ("dropped-ball/e=0.5", {"profil": "step"}, "Did you mean 'profile'?"),
+        ("dropped-ball", {"profile": "stock"}, "Did you mean 'step'?"),
         ("dropped-ball", {"engines": ("bullet",)}, "unknown engine 'bullet'"),
         ("dropped-ball/e=0.5", {"timestep": -1.0}, "timestep"),
         ("dropped-ball/e=0.5", {"predicted": "nothing", "engines": ()}, "There is no prediction 'nothing' yet"),
@@ -227,8 +227,8 @@ def test_a_time_of_impact_in_the_past_is_reported_at_once(lab, cells):
 def test_a_run_says_where_to_see_what_a_function_prints(lab, cells, capsys):
     printing = "def is_colliding(separation, tolerance=0.0):\n    print(1)\n    return separation < -tolerance"
     cells += [*right_cells(), printing]
-    stock = {"quantity": "rebound", "engines": (), "profile": "stock"}
-    assert "What is_colliding prints is not shown here" in said(capsys, lab.run, "dropped-ball/e=0.5", **stock)
+    at_step = {"quantity": "rebound", "engines": (), "profile": "step"}
+    assert "What is_colliding prints is not shown here" in said(capsys, lab.run, "dropped-ball/e=0.5", **at_step)
     assert "prints" not in said(capsys, lab.run, "dropped-ball/e=0.5", quantity="rebound", engines=())
 
 

@@ -94,7 +94,7 @@ def test_an_end_of_a_range_may_be_typed_as_it_is_printed():
 
 def test_a_plan_fills_in_default_parameters_and_refuses_nonsense():
     incline = catalogue()["incline"]
-    (job,) = study.plan([incline], ["handwritten"], ["tuned"], at={"angle": 25.0})
+    (job,) = study.plan([incline], ["handwritten"], ["exact"], at={"angle": 25.0})
     assert job.at == (("friction", 0.3), ("angle", 25.0))
     assert str(job) == "incline, friction 0.3, angle 25 in handwritten, tuned"
     with pytest.raises(InvalidInput, match=r"stack has no parameters that can be moved; these have: .*dropped-ball"):
@@ -106,7 +106,7 @@ def test_a_plan_fills_in_default_parameters_and_refuses_nonsense():
 
 
 def test_a_job_at_some_parameters_runs_one_case_with_curve_and_poses():
-    job = Job("cradle", "handwritten", "tuned", at=(("balls", 3.0), ("gap", 2e-4)), with_poses=True)
+    job = Job("cradle", "handwritten", "exact", at=(("balls", 3.0), ("gap", 2e-4)), with_poses=True)
     result = study.run_job(job)
     assert {row.case for row in result.rows} == {"3, 200 µm apart"}
     assert result.series is not None

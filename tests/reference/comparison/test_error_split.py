@@ -311,11 +311,11 @@ def split_of(
 
 
 def test_only_the_unchanged_tuned_profile_is_split():
-    assert split_of("parting-ball", "handwritten", "stock") is None
+    assert split_of("parting-ball", "handwritten", "step") is None
     assert split_of("parting-ball", "handwritten", changes={"timestep": 2e-3}) is None
     assert split_of("parting-ball", "handwritten") is not None
     case = catalogue()["parting-ball"].convergence.case
-    assert run_job(Job("parting-ball", "handwritten", "tuned", (case,))).split is None, "no studies were asked for"
+    assert run_job(Job("parting-ball", "handwritten", "exact", (case,))).split is None, "no studies were asked for"
 
 
 def test_a_run_that_needs_a_missing_function_is_not_split():

@@ -61,7 +61,7 @@ def test_faults_are_named_where_a_scenario_has_the_quantity():
 
 def test_a_faulted_run_passes_for_one_of_the_true_world():
     scenario = find("dropped-ball/e=0.5")[1].scenarios[0]
-    settings = HAND.settings(scenario, "stock")
+    settings = HAND.settings(scenario, "step")
     true = HAND.run(scenario, settings)
     for name in ("gravity", "timestep", "normal"):
         found = run_with_fault(HAND, FAULT[name], 0.01, [scenario], settings)[0]

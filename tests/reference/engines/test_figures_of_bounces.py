@@ -58,7 +58,7 @@ def test_the_exact_root_lands_at_the_times_of_the_geometric_series():
 
 
 def test_the_exact_root_comes_to_rest_when_the_series_ends():
-    end = row("ball-to-rest", "handwritten", "tuned", "e=0.9", "rest_time").measured
+    end = row("ball-to-rest", "handwritten", "exact", "e=0.9", "rest_time").measured
     assert f"{end:.5f}" == "8.57895"
     # What is cut off below 1e-12 s of flight is 2 e v/(g (1 − e)) = 1e-11 s; the rest is rounding.
     assert end == pytest.approx(FALL * 1.9 / 0.1, abs=1e-9)
@@ -111,7 +111,7 @@ def test_the_slides_t_rebounds_too_high_by_at_most_the_chords_sagitta(case):
 @fast_and_slow("case", ("e=0.2",), BOUNCES[1:])
 def test_the_step_method_rebounds_low_by_one_minus_e_times_half_a_step(case):
     e = restitution(case)
-    found = rebound_of_many("handwritten", "stock", case)
+    found = rebound_of_many("handwritten", "step", case)
     assert found.error == pytest.approx(-(1 - e) * MEAN_SPEED * 1e-3 / 2, abs=near(1e-3))
 
 

@@ -66,7 +66,7 @@ def test_solving_for_the_instant_leaves_nothing_but_rounding(family, case):
 @pytest.mark.parametrize("name", ["handwritten", "pybullet"])
 def test_the_struck_ball_deviates_by_the_lean_of_half_a_step(name, installed):
     installed(name)
-    profile = "stock" if name == "handwritten" else "tuned"
+    profile = "step" if name == "handwritten" else "exact"
     for offset in (0.5, 0.8):
         alpha = math.asin(offset)
         # d/D · tan α at the mean depth v cos α dt/2; to second order in d/D ~ 1 %, and one of eleven phases.
@@ -179,8 +179,8 @@ def test_a_contact_that_pushes_while_it_opens_makes_the_energy():
 def test_three_plausible_rules_give_three_answers_for_a_parting_ball(parting, installed):
     before, case = np.array([1.0, 0.0, parting]), f"v={parting:g}"
     readings = {
-        ("handwritten", "tuned"): truth.cradle_in_turn(before),
-        ("handwritten", "stock"): truth.cradle_at_once(before, 0),
+        ("handwritten", "exact"): truth.cradle_in_turn(before),
+        ("handwritten", "step"): truth.cradle_at_once(before, 0),
         ("pybullet", "tuned"): truth.cradle_at_once(before, 0),
         ("mujoco", "tuned"): truth.cradle_turned_back(before),
     }

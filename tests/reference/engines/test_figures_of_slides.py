@@ -31,11 +31,11 @@ def test_an_engines_sliding_slab_stops_half_a_step_short_of_theory(name, case, i
 
 @fast_and_slow("case", SOME_SLIDES, SLIDES)
 def test_the_hand_written_slab_stops_where_theory_says(case):
-    found = row("sliding-slab", "handwritten", "tuned", case, "stopping_distance")
+    found = row("sliding-slab", "handwritten", "exact", case, "stopping_distance")
     parameters = catalogue()["sliding-slab"].case(case).parameters
     # 1e-9: the stop within a step is solved for; rounding of some thousand steps is left.
     assert found.measured == pytest.approx(parameters["speed"] ** 2 / (2 * parameters["friction"] * G), rel=1e-9)
-    assert row("sliding-slab", "handwritten", "tuned", case, "creep").measured == 0
+    assert row("sliding-slab", "handwritten", "exact", case, "creep").measured == 0
 
 
 # The incline
@@ -91,7 +91,7 @@ def test_mujocos_creep_is_proportional_to_the_timestep(installed):
 
 @pytest.mark.parametrize("timestep", [7e-3, 6e-3, pytest.param(1e-3, marks=slow), pytest.param(3e-4, marks=slow)])
 def test_the_way_in_three_seconds_is_right_for_any_timestep(timestep):
-    found = row("incline", "handwritten", "tuned", "μ=0.3,θ=20°", "way", timestep=timestep)
+    found = row("incline", "handwritten", "exact", "μ=0.3,θ=20°", "way", timestep=timestep)
     assert found.verdict is Verdict.PASS
 
 

@@ -17,7 +17,7 @@ UP = (0.0, 0.0, 1.0)
 TILTED = (math.sin(SLOPE), 0.0, math.cos(SLOPE))
 DOWNHILL = np.array([math.cos(SLOPE), 0.0, -math.sin(SLOPE)])
 HANDWRITTEN = load_engine("handwritten")
-PROFILES = ("tuned", "slide", "stock")
+PROFILES = ("exact", "slide", "step")
 
 
 def ball(normal=UP, restitution=0.5, friction=0.0, duration=2.0, gap=0.5, **state):
@@ -39,7 +39,7 @@ def slab(normal=UP, friction=0.3, turn=None, duration=2.0, height=0.1, gravity=(
     return Scenario("slab", bodies, (pair,), duration, gravity)
 
 
-def run(scenario, profile="tuned", **changes):
+def run(scenario, profile="exact", **changes):
     return HANDWRITTEN.run(scenario, HANDWRITTEN.settings(scenario, profile).change(**changes))
 
 
@@ -59,10 +59,10 @@ def test_a_ball_that_no_longer_bounces_slides_over_a_smooth_floor(profile):
 @pytest.mark.parametrize(
     ("restitution", "profile"),
     [
-        (0.5, "tuned"),
+        (0.5, "exact"),
         (0.0, "slide"),
-        (0.5, "stock"),
-        *(pytest.param(*each, marks=pytest.mark.slow) for each in ((0.0, "tuned"), (0.5, "slide"), (0.0, "stock"))),
+        (0.5, "step"),
+        *(pytest.param(*each, marks=pytest.mark.slow) for each in ((0.0, "exact"), (0.5, "slide"), (0.0, "step"))),
     ],
 )
 def test_a_ball_on_a_smooth_slope_accelerates_by_g_sin_theta(profile, restitution):
@@ -70,7 +70,7 @@ def test_a_ball_on_a_smooth_slope_accelerates_by_g_sin_theta(profile, restitutio
     pull, duration = G * math.sin(SLOPE), 2.0
     # 2000 steps of rounding: only the normal velocity is ever answered
     assert made.velocity("ball")[-1] @ DOWNHILL == pytest.approx(pull * duration, abs=1e-10)
-    ahead = pull * duration * 1e-3 / 2 if profile == "stock" else 0.0  # a step moves with the velocity just gained
+    ahead = pull * duration * 1e-3 / 2 if profile == "step" else 0.0  # a step moves with the velocity just gained
     way = (made.position("ball")[-1] - made.position("ball")[0]) @ DOWNHILL
     assert way == pytest.approx(pull * duration**2 / 2 + ahead, abs=1e-10)
     assert measure.rest_height(made, "ball", "plane") == pytest.approx(0, abs=4e-3)
@@ -92,9 +92,9 @@ def test_the_first_impact_is_as_early_or_late_as_its_method_makes_it(profile):
         fall, speed = math.sqrt(2 * gap / G), math.sqrt(2 * gap * G)
         (impact,) = made.events  # once, though it may be behind the floor for another step
         late = impact.time - fall
-        early = {"tuned": 0.0, "slide": G * 1e-6 / (8 * (speed - G * 1e-3)), "stock": 1e-3}[profile]
+        early = {"exact": 0.0, "slide": G * 1e-6 / (8 * (speed - G * 1e-3)), "step": 1e-3}[profile]
         # A step of semi-implicit Euler is half a step ahead of the fall; it is answered when the next one begins
-        assert -early - 1e-12 <= late <= (1e-3 if profile == "stock" else 1e-12)
+        assert -early - 1e-12 <= late <= (1e-3 if profile == "step" else 1e-12)
 
 
 @pytest.mark.parametrize(("steps", "impacts"), [(0.9, 1), (1.1, 2)])
@@ -106,20 +106,20 @@ def test_a_rebound_shorter_than_the_shortest_flight_is_taken_for_rest(steps, imp
 
 
 def test_the_rest_speed_is_that_of_half_the_shortest_flight():
-    steps = {"tuned": 1e-9, "slide": 1.0, "stock": 2.0}
+    steps = {"exact": 1e-9, "slide": 1.0, "step": 2.0}
     for profile in PROFILES:
         method = HANDWRITTEN.method(ball(), HANDWRITTEN.settings(ball(), profile))
         assert method.rest_speed == pytest.approx(G * steps[profile] * 1e-3 / 2, rel=1e-15)
-    assert HANDWRITTEN.method(slab(), HANDWRITTEN.settings(slab(), "stock")).rest_speed == 0
+    assert HANDWRITTEN.method(slab(), HANDWRITTEN.settings(slab(), "step")).rest_speed == 0
 
 
 def test_the_slides_t_refuses_flights_shorter_than_a_step():
     scenario = ball()
     with pytest.raises(InvalidInput, match="shortest_flight is 1e-09; with the policy interpolated it is at least 1"):
-        run(scenario, "tuned", policy="interpolated")
+        run(scenario, "exact", policy="interpolated")
     with pytest.raises(InvalidInput, match=r"shortest_flight is 0\.5"):
         run(scenario, "slide", shortest_flight=0.5)
-    settings = HANDWRITTEN.settings(scenario, "tuned").change(policy="interpolated", shortest_flight=1.0)
+    settings = HANDWRITTEN.settings(scenario, "exact").change(policy="interpolated", shortest_flight=1.0)
     assert np.array_equal(HANDWRITTEN.run(scenario, settings).positions, run(scenario, "slide").positions)
 
 
@@ -191,7 +191,7 @@ def test_a_body_that_moves_as_a_point_needs_no_world(what):
 def test_a_batch_of_balls_and_slabs_needs_a_world():
     scenario = ball()
     with pytest.raises(NeedsFunction, match="needs a rigid-body world"):
-        HANDWRITTEN.run_many([scenario, slab()], HANDWRITTEN.settings(scenario, "tuned"))
+        HANDWRITTEN.run_many([scenario, slab()], HANDWRITTEN.settings(scenario, "exact"))
 
 
 # A slab
@@ -208,7 +208,7 @@ def test_a_slab_that_has_stopped_is_sampled_to_the_end():
 
 def test_a_batch_continues_while_one_of_its_members_moves():
     short, long = slab(velocity=(0.1, 0.0, 0.0)), slab(velocity=(3.0, 0.0, 0.0))
-    settings = HANDWRITTEN.settings(long, "tuned").change(timestep=5e-3)
+    settings = HANDWRITTEN.settings(long, "exact").change(timestep=5e-3)
     together = HANDWRITTEN.run_many([short, long], settings)
     for scenario, found in zip((short, long), together, strict=True):
         alone = HANDWRITTEN.run(scenario, settings)
@@ -234,7 +234,7 @@ def test_a_slab_that_slides_up_a_smooth_slope_comes_back_as_fast():
 
 def test_a_stepped_slab_stops_half_a_step_of_its_first_speed_short():
     friction, speed = 0.3, 1000.5 * 0.3 * G * 1e-3  # in the middle of a step, so that rounding does not decide in which
-    made = run(slab(friction=friction, velocity=(speed, 0.0, 0.0)), "stock")
+    made = run(slab(friction=friction, velocity=(speed, 0.0, 0.0)), "step")
     way = speed**2 / (2 * friction * G) - speed * 1e-3 / 2
     # A stop in the middle of a step is μ g dt²/8 off the sum over whole ones
     assert made.position("slab")[-1] == pytest.approx([way, 0, 0.1], abs=friction * G * 1e-6 / 7)
@@ -242,14 +242,14 @@ def test_a_stepped_slab_stops_half_a_step_of_its_first_speed_short():
 
 
 def test_a_stepped_slab_gains_half_a_step_of_its_last_speed():
-    made = run(slab(TILTED, friction=0.1), "stock")
+    made = run(slab(TILTED, friction=0.1), "step")
     pull = G * (math.sin(SLOPE) - 0.1 * math.cos(SLOPE))
     assert made.velocity("slab")[-1] @ DOWNHILL == pytest.approx(pull * 2.0, abs=1e-10)  # 2000 steps of rounding
     assert measure.displacement(made, "slab") == pytest.approx(pull * 2.0 + pull * 2.0 * 1e-3 / 2, abs=1e-10)
 
 
 def test_a_stepped_slab_does_not_creep_where_it_holds():
-    assert measure.displacement(run(slab(TILTED, friction=0.5), "stock"), "slab") < 1e-12
+    assert measure.displacement(run(slab(TILTED, friction=0.5), "step"), "slab") < 1e-12
 
 
 def test_a_slab_that_slides_up_a_rough_slope_stays_up():

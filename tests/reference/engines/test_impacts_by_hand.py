@@ -19,14 +19,14 @@ from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Spher
 
 WEIGHTLESS = (0.0, 0.0, 0.0)
 HANDWRITTEN = load_engine("handwritten")
-PROFILES = ("tuned", "stock")
+PROFILES = ("exact", "step")
 SPEED, R = 2.0, 0.1
 STRUCK = 0.2003  # s: in the middle of a step
 ROD = Box((0.5, 0.03, 0.02))
 TURNED = (math.cos(0.3), 0.0, math.sin(0.3), 0.0)  # about y
 
 
-def run(scenario, profile="tuned", timestep=5e-3, **changes):
+def run(scenario, profile="exact", timestep=5e-3, **changes):
     return HANDWRITTEN.run(scenario, HANDWRITTEN.settings(scenario, profile).change(timestep=timestep, **changes))
 
 
@@ -90,7 +90,7 @@ def test_two_balls_at_the_exact_instant_leave_as_theory_says(offset, restitution
 
 
 def test_at_the_step_the_line_of_centres_has_turned_with_the_overlap():
-    made = run(balls(0.5, gap=0.3003), "stock", timestep=1e-3)
+    made = run(balls(0.5, gap=0.3003), "step", timestep=1e-3)
     reach, time = 2 * R * math.sqrt(0.75), 0.151  # s: the first step that begins in overlap
     distance = math.hypot(reach + 0.3003 - SPEED * time, R)
     _, target = truth.balls_after(SPEED, R / distance, 1.0, 1.0, 1.0)
@@ -151,7 +151,7 @@ def test_an_immovable_ball_throws_a_striker_back():
 
 def test_impacts_in_a_batch_give_what_each_gives_alone():
     scenarios = [balls(0.0), balls(0.7, 0.5), replace(balls(0.3, other=3.0), duration=0.2)]
-    chosen = HANDWRITTEN.settings(scenarios[0], "tuned").change(timestep=5e-3)
+    chosen = HANDWRITTEN.settings(scenarios[0], "exact").change(timestep=5e-3)
     for alone, together in zip(scenarios, HANDWRITTEN.run_many(scenarios, chosen), strict=True):
         np.testing.assert_allclose(together.positions, HANDWRITTEN.run(alone, chosen).positions, atol=1e-15)
 
@@ -208,7 +208,7 @@ def test_a_fast_ball_passes_a_thin_wall_only_in_the_step_method():
     ball = Body("ball", Sphere(0.02), 1.0, (-1.03, 0, 0), velocity=(100.0, 0, 0))
     scenario = Scenario("shot", (wall, ball), (Pair("ball", "wall", 0.5),), 0.03, WEIGHTLESS)
     assert run(scenario).velocity("ball")[-1, 0] == pytest.approx(-50.0, abs=1e-12)
-    through = run(scenario, "stock", timestep=1e-3)  # 0.1 m a step, from 3 cm before the wall to 7 cm behind it
+    through = run(scenario, "step", timestep=1e-3)  # 0.1 m a step, from 3 cm before the wall to 7 cm behind it
     assert not through.events
     assert through.velocity("ball")[-1, 0] == 100.0
 
@@ -233,7 +233,7 @@ def test_balls_apart_answer_one_after_another_in_both_methods():
 
 
 def test_two_groups_of_touching_balls_answer_separately():
-    made = run(row([1.0, 0, 0, 0], gaps=[0.0, 1.0]), "stock")
+    made = run(row([1.0, 0, 0, 0], gaps=[0.0, 1.0]), "step")
     np.testing.assert_allclose(along_row(made), [-1 / 3, 2 / 3, 2 / 3, 0], atol=1e-14)
 
 

@@ -284,4 +284,4 @@ def test_a_scene_that_needs_a_world_needs_one_at_any_place(what):
     for scenario in (NEEDS_A_WORLD[what], moved(NEEDS_A_WORLD[what])):
         assert kind(scenario) is None
         with pytest.raises(NeedsFunction, match="needs a rigid-body world"):
-            HANDWRITTEN.run(scenario, HANDWRITTEN.settings(scenario, "tuned"))
+            HANDWRITTEN.run(scenario, HANDWRITTEN.settings(scenario, "exact"))

@@ -14,7 +14,7 @@ from reference.scene import geometry
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 
 HANDWRITTEN = load_engine("handwritten")
-PROFILES = ("tuned", "slide", "stock")
+PROFILES = ("exact", "slide", "step")
 RADIUS = 0.1
 TURN = np.array([0.4, -0.2, 0.8, 0.4])  # a unit quaternion: no normal below lies along an axis
 
@@ -49,7 +49,7 @@ def reflected(scenario, until):
         v = v - (1 + e) * (n @ v) * n
 
 
-def run(scenario, profile="tuned", **changes):
+def run(scenario, profile="exact", **changes):
     return HANDWRITTEN.run(scenario, HANDWRITTEN.settings(scenario, profile).change(**changes))
 
 
@@ -70,7 +70,7 @@ def test_a_ball_in_a_turned_wedge_flies_straight_between_reflections(degrees, pr
     assert len(made.events) == len(met)
     np.testing.assert_allclose(made.velocity("ball")[-1], v, atol=1e-12)
     # At the step each impact is up to a step late, at some 4 m/s and twice that in the change.
-    near = 1e-12 if profile != "stock" else len(met) * 8 * 1e-3
+    near = 1e-12 if profile != "step" else len(met) * 8 * 1e-3
     np.testing.assert_allclose(made.position("ball")[-1], p, atol=near)
 
 
@@ -106,7 +106,7 @@ def test_a_ball_that_sticks_to_two_walls_stays_outside_both(profile):
     for name in "ab":
         n = np.array(scenario.body(name).shape.normal)
         gap = (made.position("ball") - np.array(scenario.body(name).position)) @ n - RADIUS
-        assert gap.min() > (-1e-12 if profile != "stock" else -5e-3)  # at the step it enters by v dt at most
+        assert gap.min() > (-1e-12 if profile != "step" else -5e-3)  # at the step it enters by v dt at most
 
 
 def test_planes_that_leave_no_way_out_end_the_run(monkeypatch):
@@ -118,7 +118,7 @@ def test_planes_that_leave_no_way_out_end_the_run(monkeypatch):
 
 def test_a_batch_between_walls_is_run_as_each_member_alone():
     starts = [wedge(50, (0.9, 0.0, 0.4), (-4.0, 0.5, 0.1 * number)) for number in range(3)]
-    settings = HANDWRITTEN.settings(starts[0], "tuned")
+    settings = HANDWRITTEN.settings(starts[0], "exact")
     for scenario, found in zip(starts, HANDWRITTEN.run_many(starts, settings), strict=True):
         alone = HANDWRITTEN.run(scenario, settings)
         assert np.array_equal(found.positions, alone.positions)

@@ -29,7 +29,7 @@ SLAB = Scenario(
 )
 METHODS = [
     ("handwritten", "slide"),
-    ("handwritten", "stock"),
+    ("handwritten", "step"),
     ("pybullet", "tuned"),
     ("pybullet", "spring"),
     ("mujoco", "tuned"),

@@ -27,7 +27,7 @@ from reference.running.study import SCENARIOS, run_job
 from reference.viewer.poses import poses_of
 
 DAY = datetime.date(2026, 11, 21)
-JOBS = [Job("incline", "handwritten", profile, with_studies=True, with_poses=True) for profile in ("tuned", "stock")]
+JOBS = [Job("incline", "handwritten", profile, with_studies=True, with_poses=True) for profile in ("exact", "step")]
 CASE = "μ=0.1,θ=10°"
 
 
@@ -132,7 +132,7 @@ def test_studies_are_recalled_only_on_request(folder):
 
 def test_a_job_that_was_never_recorded_has_no_recording(folder):
     assert recall(replace(JOBS[0], profile="slide"), folder) is None
-    assert recall(Job("stack", "handwritten", "tuned"), folder) is None
+    assert recall(Job("stack", "handwritten", "exact"), folder) is None
 
 
 def test_a_stale_case_has_no_number_while_the_others_answer(folder):
@@ -257,7 +257,7 @@ def test_a_missing_engine_answers_from_its_recording_and_is_not_cached(folder, m
     assert found.recording
     assert found.rows[0].measured is not None
     assert cache.get(JOBS[0]) is None
-    without = run_one(Job("stack", "handwritten", "tuned"), SCENARIOS)
+    without = run_one(Job("stack", "handwritten", "exact"), SCENARIOS)
     assert [row.verdict for row in without.rows] == [Verdict.NOT_AVAILABLE]
 
 
@@ -289,7 +289,7 @@ def test_every_point_of_a_recorded_grid_returns_the_same_rows(cradle):
 
 def test_parameters_are_found_at_grid_points_and_not_between_them(cradle):
     folder, _ = cradle
-    job = Job("cradle", "handwritten", "stock", changes=(("timestep", 2e-3),), at=(("balls", 4.0), ("gap", 1e-4)))
+    job = Job("cradle", "handwritten", "step", changes=(("timestep", 2e-3),), at=(("balls", 4.0), ("gap", 1e-4)))
     live, found = run_job(job), recall(job, folder)
     assert [row.measured for row in found.rows] == pytest.approx([row.measured for row in live.rows], rel=1e-10)
     assert {row.case for row in found.rows} == {"4, 100 µm apart"}
@@ -301,10 +301,10 @@ def test_parameters_are_found_at_grid_points_and_not_between_them(cradle):
 
 def test_a_recorded_case_is_found_at_its_grid_timestep(cradle):
     folder, _ = cradle
-    rows = recall(Job("cradle", "handwritten", "tuned", changes=(("timestep", 2e-3),)), folder).rows
+    rows = recall(Job("cradle", "handwritten", "exact", changes=(("timestep", 2e-3),)), folder).rows
     assert {row.case for row in rows} == {"3 touching", "5, 1 mm apart", "5, 1 mm apart, two struck"}
     assert {row.verdict for row in rows} & {Verdict.NOT_AVAILABLE, Verdict.CRASHED} == set()
-    job = Job("cradle", "handwritten", "stock", ("3 touching",), changes=(("timestep", 2e-3),), with_poses=True)
+    job = Job("cradle", "handwritten", "step", ("3 touching",), changes=(("timestep", 2e-3),), with_poses=True)
     job = replace(job, with_curve=True)
     live, found = run_job(job), recall(job, folder)
     assert found.series.times == live.series.times
@@ -313,7 +313,7 @@ def test_a_recorded_case_is_found_at_its_grid_timestep(cradle):
 
 def test_a_timestep_without_recording_is_refused_with_the_recorded_ones(cradle):
     folder, _ = cradle
-    job = Job("cradle", "handwritten", "tuned", ("3 touching",), changes=(("timestep", 3e-3),))
+    job = Job("cradle", "handwritten", "exact", ("3 touching",), changes=(("timestep", 3e-3),))
     (row,) = {row.note for row in recall(job, folder).rows}
     absent = "hand-written is not installed here"
     assert row == f"{absent}; it was recorded with timesteps of 1 and 2 ms, not of 3 ms"
@@ -351,7 +351,7 @@ def test_a_recorded_replay_agrees_with_the_run_itself(cradle):
     folder, _ = cradle
     engine, case = load_engine("handwritten"), catalogue()["cradle"].case("5, 1 mm apart")
     for changes in ((), (("timestep", 1e-3),)):
-        found = replay(Job("cradle", "handwritten", "stock", changes=changes), case.name, folder)
+        found = replay(Job("cradle", "handwritten", "step", changes=changes), case.name, folder)
         settings = engine.settings(case.scenarios[0], "stock").change(**dict(changes))
         live = poses_of(engine.run(case.scenarios[0], settings))
         assert found.bodies == live.bodies == tuple(f"ball {number}" for number in range(1, 6))
@@ -369,7 +369,7 @@ def test_a_recorded_result_has_the_same_poses_as_a_live_one(cradle):
 
 def test_a_replay_that_is_missing_or_stale_is_refused(cradle, monkeypatch):
     folder, _ = cradle
-    job = Job("cradle", "handwritten", "tuned")
+    job = Job("cradle", "handwritten", "exact")
     with pytest.raises(NotRecorded, match="no poses of 3 touching were recorded with these settings"):
         replay(replace(job, changes=(("timestep", 3e-3),)), "3 touching", folder)
     first, *others = catalogue()["cradle"].cases

@@ -150,8 +150,8 @@ def test_engines_differ_by_marker_and_profiles_by_dashes(family, draw):
             assert (left.colour == right.colour) == same_engine, (left.label, right.label)
             if same_engine and one is not other:
                 assert left.dashes != right.dashes, (left.label, right.label)
-    assert {line.result.job.profile for line, entry in entries if not entry.dashes} == {"tuned"}
-    assert {line.tuned for line, entry in entries if entry.face == entry.colour} == {True}
+    assert {line.result.job.profile for line, entry in entries if not entry.dashes} <= {"exact", "tuned"}
+    assert {line.counts for line, entry in entries if entry.face == entry.colour} == {True}
 
 
 @both
@@ -217,7 +217,7 @@ def test_lines_without_numbers_are_left_out_of_the_figure(draw):
 
 @pytest.mark.parametrize("series", [Series((), ()), Series((0.0,), (1.0,)), Series((0.0, 1.0), (2.0, 2.0))])
 def test_a_curve_of_few_points_or_none_is_drawn_anyway(series):
-    assert [entry.label for entry in legend(figures.trajectories(alone(series=series)))] == ["hand-written, tuned"]
+    assert [entry.label for entry in legend(figures.trajectories(alone(series=series)))] == ["hand-written, exact"]
 
 
 @pytest.mark.parametrize(
@@ -231,7 +231,7 @@ def test_a_curve_of_few_points_or_none_is_drawn_anyway(series):
 )
 def test_errors_that_a_logarithm_cannot_show_are_drawn_anyway(study, said):
     assert [entry.label for entry in legend(figures.convergence(alone(convergence=study)))] == [
-        f"hand-written, tuned: {said}"
+        f"hand-written, exact: {said}"
     ]
 
 

@@ -24,12 +24,12 @@ from reference.report.row_files import read_rows, rows_csv, rows_json
 from reference.report.staging import staged
 from reference.running.study import run_job
 
-GOOD = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
-STUDIED = Job("parting-ball", "handwritten", "tuned", ("v=0.1",), with_studies=True)
+GOOD = Job("ball-to-rest", "handwritten", "exact", ("e=0.5",))
+STUDIED = Job("parting-ball", "handwritten", "exact", ("v=0.1",), with_studies=True)
 JOBS = [
     GOOD,
     replace(GOOD, profile="stock"),
-    Job("sliding-slab", "handwritten", "stock", ("μ=0.7,v=1",)),
+    Job("sliding-slab", "handwritten", "step", ("μ=0.7,v=1",)),
     replace(GOOD, profile="slide", cases=("e=0.5", "e=0.8")),
     STUDIED,
     replace(STUDIED, profile="stock"),
@@ -153,7 +153,7 @@ def test_names_are_not_escaped_in_the_rows(report):
 
 def test_convergence_studies_are_written_beside_the_rows(report, results):
     studies = json.loads((report / "rows.json").read_text(encoding="utf-8"))["convergence"]
-    assert [(it["engine"], it["profile"]) for it in studies] == [("handwritten", "tuned"), ("handwritten", "stock")]
+    assert [(it["engine"], it["profile"]) for it in studies] == [("handwritten", "exact"), ("handwritten", "step")]
     for study, result in zip(studies, results[4:], strict=True):
         assert study["family"] == "parting-ball"
         assert study["timesteps"] == list(result.convergence.timesteps)

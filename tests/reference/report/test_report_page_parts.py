@@ -97,7 +97,7 @@ def test_stock_rows_that_fail_are_listed_separately():
     worst = with_id(read(written([OURS[0], replace(stock, rows=(failed, *stock.rows[1:]))])), "worst")
     tuned, others = worst.all("tbody")
     assert "stock" not in tuned.text
-    assert [line.all("td")[0].text.strip() for line in others.all("tr")] == ["hand-written, stock"]
+    assert [line.all("td")[0].text.strip() for line in others.all("tr")] == ["hand-written, step"]
 
 
 def test_a_split_error_lists_each_moved_setting_and_both_errors():
@@ -157,7 +157,7 @@ def test_a_known_deviation_shows_its_remainder_and_its_reason():
         "+30 %",
         "left 1 %",
     )
-    assert "hand-written, tuned · known deviation: half a step." in [it.text for it in section.all("p", "note")]
+    assert "hand-written, exact · known deviation: half a step." in [it.text for it in section.all("p", "note")]
 
 
 # What waits for a rigid-body world
@@ -165,14 +165,14 @@ def test_a_known_deviation_shows_its_remainder_and_its_reason():
 
 def test_the_page_shows_which_scenarios_need_a_world():
     both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
-    jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
+    jobs = [Job("tipping-box", "handwritten", "exact", both), Job("stack", "handwritten", "exact")]
     tree = read(written([run_job(job) for job in jobs]))
     overview = [[cell.text for cell in line.inside] for line in tree.all("table", "overview")[0].all("tr")]
     assert ["Stack of boxes", "… needs"] in overview
     assert ["Box on a slope: holds, slides or tips", "… 2/3"] in overview
     for name, times in (("tipping-box", ""), ("stack", " (2×)")):
         notes = [note.text for note in with_id(tree, name).all("p", "note")]
-        assert f"hand-written, tuned{times} · needs a rigid-body world (world)." in notes
+        assert f"hand-written, exact{times} · needs a rigid-body world (world)." in notes
     (whole,) = (cell for cell in came_out(with_id(tree, "stack")).all("td", "needs"))
     assert whole.text == "… needs a rigid-body world (world)"
     halves = [cell.text for cell in came_out(with_id(tree, "tipping-box")).all("td", "needs")]

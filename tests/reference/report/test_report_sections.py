@@ -33,7 +33,7 @@ WORST_FIRST = (
 
 def row(verdict: Verdict = Verdict.PASS, measured: float | None = 1.1, case: str = "e=0.5", **more) -> Row:
     """A row of ball-to-rest; expects 1 s unless it is only shown or has no number."""
-    given = {"quantity": "rest_time", "unit": "s", "profile": "tuned", "engine": "handwritten"} | more
+    given = {"quantity": "rest_time", "unit": "s", "profile": "exact", "engine": "handwritten"} | more
     if verdict is not Verdict.SHOWN and measured is not None:
         given = {"expected": 1.0, "tolerance": 0.2, "scale": 1.0} | given
     return Row("ball-to-rest", case, verdict=verdict, measured=measured, **given)
@@ -43,7 +43,7 @@ def without_number(verdict: Verdict, note: str = "why", case: str = ALL_CASES) -
     return row(verdict, None, case, quantity="", unit="", note=note)
 
 
-def result(*rows: Row, engine: str = "handwritten", profile: str = "tuned", title: str = "", **more) -> JobResult:
+def result(*rows: Row, engine: str = "handwritten", profile: str = "exact", title: str = "", **more) -> JobResult:
     titles = {"handwritten": "hand-written", "pybullet": "PyBullet", "mujoco": "MuJoCo"}
     job = Job(more.pop("family", "ball-to-rest"), engine, profile)
     return JobResult(job, title or titles.get(engine, engine), "what it is", rows or (row(),), **more)
@@ -84,7 +84,7 @@ def test_a_row_as_far_off_as_its_quantity_is_large_does_not_agree():
     found = (row(), row(Verdict.DISAGREES, 0.0))
     assert Cell(found).count == "1/2"
     assert verdict_line(found) == (
-        "1 of 2 checks of tuned settings agree with theory, 1 disagrees with it as the method must, 0 fail."
+        "1 of 2 checks that count agree with theory, 1 disagrees with it as the method must, 0 fail."
     )
 
 
@@ -194,9 +194,9 @@ def test_a_line_finds_the_row_of_a_case_or_the_reason_for_its_absence():
 
 
 def test_only_tuned_lines_count():
-    assert line().tuned
-    assert not line(profile="stock").tuned
-    assert not line(profile="spring").tuned
+    assert line().counts
+    assert not line(profile="stock").counts
+    assert not line(profile="spring").counts
 
 
 @pytest.mark.parametrize(
@@ -238,14 +238,14 @@ def test_lines_are_ordered_by_engine_with_tuned_first_and_stock_last():
         ("mujoco", "spring"),
         ("pybullet", "stock"),
         ("mujoco", "tuned"),
-        ("handwritten", "stock"),
+        ("handwritten", "step"),
         ("pybullet", "tuned"),
-        ("handwritten", "tuned"),
+        ("handwritten", "exact"),
     ]
     found = section(*(result(engine=engine, profile=profile) for engine, profile in asked))
     assert [line.title for line in found.lines] == [
-        "hand-written, tuned",
-        "hand-written, stock",
+        "hand-written, exact",
+        "hand-written, step",
         "PyBullet, tuned",
         "PyBullet, stock",
         "MuJoCo, tuned",
@@ -263,14 +263,14 @@ def test_columns_are_all_lines_once_in_the_fullest_sections_order():
         "PyBullet, tuned",
         "MuJoCo, tuned",
         "toy.py, tuned",
-        "hand-written, tuned",
+        "hand-written, exact",
     ]
     assert columns([]) == []
 
 
 def test_a_section_finds_a_line_by_its_title():
     found = section(result(), result(profile="stock"))
-    assert found.line("hand-written, stock") is found.lines[1]
+    assert found.line("hand-written, step") is found.lines[1]
     assert found.line("PyBullet, tuned") is None
 
 
@@ -298,7 +298,7 @@ def test_a_remark_is_made_once_with_its_lines_and_number_of_cases():
         result(without_number(Verdict.CRASHED, "SIGSEGV"), engine="mujoco"),
     )
     assert found.remarks() == [
-        ("known deviation: half a step late", ["hand-written, tuned (2×)", "hand-written, stock"]),
+        ("known deviation: half a step late", ["hand-written, exact (2×)", "hand-written, step"]),
         ("crashed: SIGSEGV", ["MuJoCo, tuned"]),
     ]
 
@@ -311,10 +311,10 @@ def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
         result(step, engine="mujoco"),
     )
     assert found.tolerances("rest_time") == [
-        ("rounding only", ["hand-written, tuned"]),
-        ("a step late", ["hand-written, stock", "MuJoCo, tuned"]),
+        ("rounding only", ["hand-written, exact"]),
+        ("a step late", ["hand-written, step", "MuJoCo, tuned"]),
     ]
-    assert found.tolerances("drift") == [("1 mm", ["hand-written, stock"])]
+    assert found.tolerances("drift") == [("1 mm", ["hand-written, step"])]
     assert found.tolerances("rest_height") == []
 
 
@@ -324,20 +324,20 @@ def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
 @pytest.mark.parametrize(
     ("verdicts", "sentence"),
     [
-        ([], "0 of 0 checks of tuned settings agree with theory, 0 fail."),
-        ([Verdict.PASS] * 3, "3 of 3 checks of tuned settings agree with theory, 0 fail."),
-        ([Verdict.PASS, Verdict.FAIL], "1 of 2 checks of tuned settings agree with theory, 1 fails."),
+        ([], "0 of 0 checks that count agree with theory, 0 fail."),
+        ([Verdict.PASS] * 3, "3 of 3 checks that count agree with theory, 0 fail."),
+        ([Verdict.PASS, Verdict.FAIL], "1 of 2 checks that count agree with theory, 1 fails."),
         (
             [Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.FAIL],
-            "2 of 4 checks of tuned settings agree with theory, 1 of them with the difference that their method"
+            "2 of 4 checks that count agree with theory, 1 of them with the difference that their method"
             " predicts, 2 fail.",
         ),
         (
             [Verdict.PASS, Verdict.CRASHED, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE],
-            "1 of 4 checks of tuned settings agree with theory, 0 fail, 3 gave no answer,"
+            "1 of 4 checks that count agree with theory, 0 fail, 3 gave no answer,"
             " 1 case waits for hand-written functions.",
         ),
-        ([Verdict.PASS, Verdict.SHOWN], "1 of 1 checks of tuned settings agree with theory, 0 fail."),
+        ([Verdict.PASS, Verdict.SHOWN], "1 of 1 checks that count agree with theory, 0 fail."),
     ],
 )
 def test_one_sentence_summarises_the_tuned_settings(verdicts, sentence):
@@ -350,6 +350,6 @@ def test_engines_of_two_files_that_share_a_title_have_a_column_each():
         found = [result(row(), engine=engine, title="an odd one") for engine in engines]
         return columns(sections([*found, result(row(), title="hand-written")]))
 
-    assert titles("a/one.py") == ["hand-written, tuned", "an odd one, tuned"]
+    assert titles("a/one.py") == ["hand-written, exact", "an odd one, tuned"]
     assert titles("a/one.py", "a/two.py")[1:] == ["an odd one (one.py), tuned", "an odd one (two.py), tuned"]
     assert titles("a/one.py", "b/one.py")[1:] == ["an odd one (a/one.py), tuned", "an odd one (b/one.py), tuned"]

@@ -19,7 +19,7 @@ from reference.report.sensitivity import sentence
 from reference.report.terminal import print_comparison
 from reference.running.study import run_job
 
-JOB = Job("parting-ball", "handwritten", "tuned", ("v=0.1",))
+JOB = Job("parting-ball", "handwritten", "exact", ("v=0.1",))
 
 
 def noticed(fault, size=None):

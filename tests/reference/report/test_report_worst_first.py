@@ -53,7 +53,7 @@ def test_a_failure_has_used_up_more_than_its_limit():
 
 def test_rows_without_limit_or_number_are_left_out():
     shown = row(3.0, Verdict.SHOWN, expected=None, tolerance=None)
-    nothing = Row("ball-to-rest", "e=0.5", "handwritten", "tuned", "", "", Verdict.NEEDS)
+    nothing = Row("ball-to-rest", "e=0.5", "handwritten", "exact", "", "", Verdict.NEEDS)
     yes_or_no = row(10.0, tolerance=0.0)
     assert used(shown, nothing, yes_or_no, row(19.0, Verdict.FAIL, "stock")) == []
 

@@ -86,7 +86,7 @@ def without_answer(verdict: Verdict, note: str, engine: str = "mujoco", title: s
 @pytest.fixture(scope="module")
 def real() -> list[JobResult]:
     """Real results of the hand-written code, quick ones."""
-    return [run_job(Job("ball-to-rest", "handwritten", profile, ("e=0.5",))) for profile in ("tuned", "slide", "stock")]
+    return [run_job(Job("ball-to-rest", "handwritten", profile, ("e=0.5",))) for profile in ("exact", "slide", "step")]
 
 
 # Width
@@ -149,12 +149,12 @@ def test_long_notes_are_broken_into_lines(with_cases):
 
 def test_the_overview_has_counts_and_worst_errors_of_each_implementation(real):
     text = printed(real)
-    for title in ("hand-written, tuned", "hand-written, slide", "hand-written, stock"):
+    for title in ("hand-written, exact", "hand-written, slide", "hand-written, step"):
         (line,) = (line for line in text.splitlines() if line.startswith(title))
         assert line.count("✓ 1/1") == 4
     assert "Ball coming to rest" in text
     assert "−0.13 %" in text  # of the slide's T, which cannot see the last bounces
-    assert text.rstrip().endswith("4 of 4 checks of tuned settings agree with theory, 0 fail.")
+    assert text.rstrip().endswith("4 of 4 checks that count agree with theory, 0 fail.")
 
 
 def test_with_cases_every_quantity_has_a_table_of_measured_values(real):
@@ -162,8 +162,8 @@ def test_with_cases_every_quantity_has_a_table_of_measured_values(real):
     headings = [line.partition("  ")[0] for line in lines if line.rstrip().endswith("verdict")]
     assert headings == [quantity.title for quantity in catalogue()["ball-to-rest"].quantities]
     assert next(line.split() for line in lines if line.startswith("e=0.5")) == ["e=0.5", "1.3546", "s", "expected"]
-    (first, *_) = (line.split() for line in lines if line.startswith("  hand-written, tuned"))
-    assert first == ["hand-written,", "tuned", "1.3546", "s", *first[4:-2], "✓", "pass"]
+    (first, *_) = (line.split() for line in lines if line.startswith("  hand-written, exact"))
+    assert first == ["hand-written,", "exact", "1.3546", "s", *first[4:-2], "✓", "pass"]
     assert sum(line.startswith("  hand-written, ") for line in lines) == 3 * 4
 
 
@@ -175,9 +175,9 @@ def test_a_printed_known_deviation_shows_its_remainder(real):
     assert "left 0.4 %" in printed(changed)
     assert "half a step late" not in printed(changed)
     detailed = printed(changed, with_cases=True)
-    (line,) = (line for line in detailed.splitlines() if "≈" in line and "hand-written, tuned" in line)
-    assert words(line) == "hand-written, tuned 1.5 s +11 % 0.4 % ≈ known deviation"
-    assert "hand-written, tuned: known deviation: half a step late" in detailed
+    (line,) = (line for line in detailed.splitlines() if "≈" in line and "hand-written, exact" in line)
+    assert words(line) == "hand-written, exact 1.5 s +11 % 0.4 % ≈ known deviation"
+    assert "hand-written, exact: known deviation: half a step late" in detailed
 
 
 @with_and_without_cases
@@ -210,7 +210,7 @@ def test_the_legend_explains_the_verdicts_that_occur_and_no_other(real):
 
 
 def test_no_results_are_printed_as_one_sentence():
-    assert printed([]).strip() == "0 of 0 checks of tuned settings agree with theory, 0 fail."
+    assert printed([]).strip() == "0 of 0 checks that count agree with theory, 0 fail."
 
 
 def test_families_come_in_the_order_of_teaching():
@@ -223,12 +223,12 @@ def test_families_come_in_the_order_of_teaching():
 
 
 def test_several_families_end_with_a_table_of_marks(real):
-    other = JobResult(Job("stack", "handwritten", "tuned"), "hand-written", "", (Row("stack", ALL_CASES, "handwritten",
-        "tuned", "", "", Verdict.NEEDS, note="needs a world"),))  # fmt: skip
+    other = JobResult(Job("stack", "handwritten", "exact"), "hand-written", "", (Row("stack", ALL_CASES, "handwritten",
+        "exact", "", "", Verdict.NEEDS, note="needs a world"),))  # fmt: skip
     lines = printed([*real, other]).splitlines()
     start = next(place for place, text in enumerate(lines) if text.startswith("at a glance"))
     assert words(lines[start - 1]) == "by hand by hand by hand"
-    assert words(lines[start]) == "at a glance tuned slide stock"
+    assert words(lines[start]) == "at a glance exact slide step"
     assert words(lines[start + 1]) == "ball-to-rest ✓ 4/4 ✓ 4/4 ✓ 4/4"
     assert words(lines[start + 2]) == "stack … needs"
 
@@ -240,16 +240,15 @@ def test_the_catalogue_fits_one_screen_of_marks():
         assert lines[place].startswith(name)
 
 
-def test_a_narrow_screen_has_the_tuned_settings_in_a_table_of_their_own():
+def test_a_narrow_screen_has_what_counts_in_a_table_of_its_own():
     lines = of_catalogue(Verdict.PASS).splitlines()
     starts = [place for place, text in enumerate(lines) if text.startswith("at a glance")]
-    tuned, *others = (words(lines[start]).split()[3:] for start in starts)
-    assert set(tuned) == {"tuned"}
-    assert len(tuned) == len(engine_names())
+    counted, *others = (words(lines[start]).split()[3:] for start in starts)
+    assert counted == ["exact", *["tuned"] * (len(engine_names()) - 1)]
     assert len(others) == 2  # other methods by hand, and the engines' other settings
     for names in others:
         assert names
-        assert "tuned" not in names
+        assert not {"exact", "tuned"} & set(names)
     for start in starts:
         assert not any("…" in line for line in lines[start - 1 : start + 1 + len(catalogue())])  # nothing is cut
         assert max(map(len, lines[start - 1 : start + 1 + len(catalogue())])) <= WIDTH
@@ -260,11 +259,11 @@ def test_one_family_needs_no_summary(real):
 
 
 def test_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
-    one = run_job(Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",)))
+    one = run_job(Job("ball-to-rest", "handwritten", "exact", ("e=0.5",)))
     half = replace(one.rows[0], measured=2.0, expected=1.0, tolerance=2.0, scale=None)
     stack = [replace(half, family="stack", quantity=name, measured=1.0) for name in ("drift", "speed")]
     three_quarters = replace(half, family="stack", quantity="height", measured=2.5)
-    other = JobResult(Job("stack", "handwritten", "tuned"), "hand-written", "", (three_quarters, *stack))
+    other = JobResult(Job("stack", "handwritten", "exact"), "hand-written", "", (three_quarters, *stack))
     text = printed([replace(one, rows=(half, *one.rows[1:])), other])
     listed = text[text.index("worst first") :].splitlines()[1:3]
     assert [line.split()[0] for line in listed] == ["75", "50"]
@@ -276,13 +275,13 @@ def test_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
 
 def test_the_terminal_shows_which_scenarios_need_a_world():
     both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
-    jobs = [Job("tipping-box", "handwritten", "tuned", both), Job("stack", "handwritten", "tuned")]
+    jobs = [Job("tipping-box", "handwritten", "exact", both), Job("stack", "handwritten", "exact")]
     text = printed([run_job(job) for job in jobs])
     lines = [words(line) for line in text.splitlines()]
-    assert "hand-written, tuned … 1/2 … 1/2" in lines  # one of two cases answered, in both quantities
-    assert "hand-written, tuned needs" in lines  # the whole stack
-    assert "hand-written, tuned: needs a rigid-body world (world)" in lines
-    assert "hand-written, tuned (2×): needs a rigid-body world (world)" in lines
+    assert "hand-written, exact … 1/2 … 1/2" in lines  # one of two cases answered, in both quantities
+    assert "hand-written, exact needs" in lines  # the whole stack
+    assert "hand-written, exact: needs a rigid-body world (world)" in lines
+    assert "hand-written, exact (2×): needs a rigid-body world (world)" in lines
     assert "stack … needs" in lines
     assert "tipping-box … 2/3" in lines  # outcome and way, and one case without either
     assert "3 cases wait for hand-written functions" in words(text)

@@ -105,7 +105,7 @@ def test_jobs_that_nobody_waits_for_are_not_started():
 
 
 def test_the_longest_jobs_are_started_first(tmp_path):
-    short = Job("ball-to-rest", "handwritten", "tuned", ("e=0.5",))
+    short = Job("ball-to-rest", "handwritten", "exact", ("e=0.5",))
     whole, fine = replace(short, cases=()), replace(short, changes=(("timestep", 1e-5),))
     broken = replace(short, engine=engine_file(tmp_path, "broken", "raise OSError"), profile="no such")
     for jobs in itertools.permutations((short, whole, fine, broken)):

@@ -23,7 +23,7 @@ EVERYTHING = "".join(f"from solutions.{topic} import *\n" for topic in ("detecti
 def test_an_unwritten_function_is_named_in_one_row_and_others_finish(missing, tmp_path):
     path = tmp_path / "homework.py"
     path.write_text(EVERYTHING + missing)
-    unfinished = Job("dropped-ball", "handwritten", "tuned", ("e=0.5",), str(path))
+    unfinished = Job("dropped-ball", "handwritten", "exact", ("e=0.5",), str(path))
     not_needed = replace(GOOD, implementation=str(path))
     results = results_of([unfinished, not_needed, GOOD])
     (row,) = results[unfinished].rows
@@ -44,7 +44,7 @@ def test_hand_written_bugs_crash_and_wrong_signs_fail(tmp_path):
     wrong.write_text(
         EVERYTHING + "def kinematic_response(v, n, e):\n    return v - 2 * (v * n).sum(-1, keepdims=True) * n\n"
     )
-    jobs = [Job("dropped-ball", "handwritten", "tuned", ("e=0.5",), str(path)) for path in (broken, wrong)]
+    jobs = [Job("dropped-ball", "handwritten", "exact", ("e=0.5",), str(path)) for path in (broken, wrong)]
     results = results_of(jobs)
     (row,) = results[jobs[0]].rows
     assert row.verdict is Verdict.CRASHED

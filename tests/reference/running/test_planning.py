@@ -19,9 +19,9 @@ def planned(jobs: list[Job]) -> list[tuple[str, str, str]]:
 
 def test_without_named_profiles_an_engine_runs_all_of_them():
     assert planned(plan([DROPPED], engine_names())) == [
-        ("dropped-ball", "handwritten", "tuned"),
+        ("dropped-ball", "handwritten", "exact"),
         ("dropped-ball", "handwritten", "slide"),
-        ("dropped-ball", "handwritten", "stock"),
+        ("dropped-ball", "handwritten", "step"),
         ("dropped-ball", "pybullet", "tuned"),
         ("dropped-ball", "pybullet", "spring"),
         ("dropped-ball", "pybullet", "stock"),
@@ -42,10 +42,10 @@ def test_a_plan_of_everything_has_every_family_engine_and_profile():
                 assert (family.name, name, profile) in jobs
 
 
-def test_a_profile_of_one_engine_is_planned_for_that_engine():
+def test_an_engine_without_a_named_profile_runs_the_one_that_counts():
     jobs = plan([DROPPED], engine_names(), ["spring", "tuned"])
     assert planned(jobs) == [
-        ("dropped-ball", "handwritten", "tuned"),
+        ("dropped-ball", "handwritten", "exact"),
         ("dropped-ball", "pybullet", "spring"),
         ("dropped-ball", "pybullet", "tuned"),
         ("dropped-ball", "mujoco", "spring"),
@@ -54,21 +54,24 @@ def test_a_profile_of_one_engine_is_planned_for_that_engine():
     ]
 
 
-def test_a_profile_of_one_family_is_planned_for_that_family():
-    assert planned(plan([SLIDING, DROPPED], ["handwritten"], ["slide"])) == [("dropped-ball", "handwritten", "slide")]
+def test_a_family_without_a_named_profile_runs_the_one_that_counts():
+    assert planned(plan([SLIDING, DROPPED], ["handwritten"], ["slide"])) == [
+        ("sliding-slab", "handwritten", "exact"),
+        ("dropped-ball", "handwritten", "slide"),
+    ]
 
 
 def test_families_may_come_from_a_generator():
-    jobs = plan((family for family in (DROPPED, SLIDING)), ["handwritten"], ["tuned"])
+    jobs = plan((family for family in (DROPPED, SLIDING)), ["handwritten"], ["exact"])
     assert [job.family for job in jobs] == ["dropped-ball", "sliding-slab"]
 
 
 @pytest.mark.parametrize(
     ("arguments", "wrong", "choice"),
     [
-        ({"profiles": ["tunde"]}, "tunde", "tuned"),
+        ({"profiles": ["exat"]}, "exat", "exact"),
         ({"engines": ["pybulet"]}, "pybulet", "pybullet"),
-        ({"profiles": ["tuned"], "changes": {"polcy": "at_step"}}, "polcy", "policy"),
+        ({"profiles": ["exact"], "changes": {"polcy": "at_step"}}, "polcy", "policy"),
         ({"cases": {"dropped-ball": ("e=0.7",)}}, "e=0.7", "e=0.5"),
     ],
 )
@@ -89,18 +92,19 @@ def test_a_timestep_longer_than_a_case_is_refused_when_planned():
     between = (shortest.scenarios[0].duration + longest.scenarios[0].duration) / 2
     for cases in ({"dropped-ball": (shortest.name,)}, {}):
         with pytest.raises(InvalidInput, match="longer than"):
-            plan([DROPPED], ["handwritten"], ["tuned"], cases, changes={"timestep": between})
-    assert plan([DROPPED], ["handwritten"], ["tuned"], {"dropped-ball": (longest.name,)}, changes={"timestep": between})
+            plan([DROPPED], ["handwritten"], ["exact"], cases, changes={"timestep": between})
+    assert plan([DROPPED], ["handwritten"], ["exact"], {"dropped-ball": (longest.name,)}, changes={"timestep": between})
 
 
 def test_a_family_or_engine_named_twice_is_planned_once():
     twice = plan(
         [DROPPED, SLIDING, DROPPED],
         ["handwritten", "pybullet", "handwritten"],
-        ["tuned", "stock", "tuned"],
+        ["exact", "step", "tuned", "stock", "tuned"],
         {"dropped-ball": ("e=1", "e=0.5", "e=1")},
     )
-    once = plan([DROPPED, SLIDING], ["handwritten", "pybullet"], ["tuned", "stock"], {"dropped-ball": ("e=1", "e=0.5")})
+    profiles, cases = ["exact", "step", "tuned", "stock"], {"dropped-ball": ("e=1", "e=0.5")}
+    once = plan([DROPPED, SLIDING], ["handwritten", "pybullet"], profiles, cases)
     assert twice == once
     assert len(once) == 8
     assert once[0].cases == ("e=1", "e=0.5")

@@ -30,8 +30,8 @@ def test_a_job_runs_the_cases_that_it_names_or_else_all():
 
 
 def test_a_job_runs_with_the_settings_that_it_changes():
-    plain = run_job(Job("dropped-ball", "handwritten", "stock", ("e=0.5",)))
-    coarse = run_job(Job("dropped-ball", "handwritten", "stock", ("e=0.5",), changes=(("timestep", 4e-3),)))
+    plain = run_job(Job("dropped-ball", "handwritten", "step", ("e=0.5",)))
+    coarse = run_job(Job("dropped-ball", "handwritten", "step", ("e=0.5",), changes=(("timestep", 4e-3),)))
     (fine_row, _), (coarse_row, _) = plain.rows, coarse.rows
     assert "timestep 0.004 s" in coarse.settings
     assert coarse_row.error == pytest.approx(4 * fine_row.error, rel=1 / 6)  # first order; a sawtooth over 13 drops
@@ -50,16 +50,16 @@ def test_a_job_says_what_ran_and_how_long():
 def test_a_job_has_a_curve_for_the_plotted_case_or_on_request(monkeypatch):
     curve, single = DROPPED.curve, [replace(case, scenarios=case.scenarios[:1]) for case in DROPPED.cases]
     monkeypatch.setitem(catalogue(), "dropped-ball", replace(DROPPED, cases=tuple(single)))
-    other = Job("dropped-ball", "handwritten", "tuned", ("e=1",))
+    other = Job("dropped-ball", "handwritten", "exact", ("e=1",))
     assert run_job(other).series is None
     assert run_job(replace(other, with_curve=True)).series.values[-1] > 0.9  # it rises again to where it came from
-    series = run_job(Job("dropped-ball", "handwritten", "tuned", (curve.case,))).series
+    series = run_job(Job("dropped-ball", "handwritten", "exact", (curve.case,))).series
     assert len(series.times) == len(series.values)
     assert 30 <= len(series.times) <= 200  # a fall and a rise: enough for a smooth line, few enough to be kept
     assert series.times[0] == 0
     assert series.values[0] == pytest.approx(1.0, abs=1e-6)  # the gap at the start; curves are rounded to 1e-7 m
     until = catalogue()["ball-to-rest"].curve.until
-    assert run_job(Job("ball-to-rest", "handwritten", "tuned", ("e=0.8",))).series.times[-1] <= until
+    assert run_job(Job("ball-to-rest", "handwritten", "exact", ("e=0.8",))).series.times[-1] <= until
 
 
 def test_a_curve_has_a_gap_where_its_value_is_not_finite():

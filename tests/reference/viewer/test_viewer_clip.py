@@ -201,7 +201,7 @@ def test_every_run_has_a_letter_of_its_own():
 
 
 def test_a_run_can_be_hidden_at_first():
-    made = clip(BALL, {"handwritten": bouncing(), "stock": bouncing("stock")}, hidden={"stock"})
+    made = clip(BALL, {"handwritten": bouncing(), "step": bouncing("step")}, hidden={"step"})
     assert [run["shown"] for run in read(made)["runs"]] == [True, False]
 
 

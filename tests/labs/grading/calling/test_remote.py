@@ -258,7 +258,7 @@ def test_a_driver_runs_alike_with_remote_and_local_functions(tmp_path, grader):
     path = tmp_path / "lab.py"
     path.write_text(STUDENT)
     here = load_engine("handwritten", Implementation(str(path)))
-    settings = here.settings(BOUNCE, "stock")
+    settings = here.settings(BOUNCE, "step")
     with Remote(Submission("lab.py", STUDENT)) as remote, remote.fresh() as call:
         there = load_engine("handwritten", call.implementation())
         one, other = here.run(BOUNCE, settings), there.run(BOUNCE, settings)
@@ -271,4 +271,4 @@ def test_a_driver_says_which_function_it_needs(grader):
     with Remote(Submission("lab.py", STUDENT.replace("is_colliding", "colliding")), grader).fresh() as call:
         engine = load_engine("handwritten", call.implementation())
         with pytest.raises(NeedsFunction, match=r"needs is_colliding \(detection, step 2\)"):
-            engine.run(BOUNCE, engine.settings(BOUNCE, "stock"))
+            engine.run(BOUNCE, engine.settings(BOUNCE, "step"))
