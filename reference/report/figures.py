@@ -46,6 +46,7 @@ STYLE: dict[Any, Any] = {
     "svg.fonttype": "none",
     "font.size": 10,
     "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans"],
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.titlesize": 11,
@@ -92,7 +93,8 @@ def glance(section: Section) -> str:
             if line.counts:
                 named[line.result.title] = axes.get_lines()[-1]
         dashed = Line2D([], [], color="#5b5b58", linestyle=_DASHES[STOCK], linewidth=1.3)
-        axes.set(xlabel="time, s", ylabel=curve.y_label)
+        axes.set(xlabel="time, s")
+        axes.set_ylabel(curve.y_label, fontsize=7)
         handles = {title: named[title] for line in section.lines if (title := line.result.title) in named}
         figure.legend(
             [*handles.values(), dashed],
@@ -213,8 +215,9 @@ def line_style(line: Line, thin: bool = False, as_counted: bool = False) -> dict
 
 
 def _own_ids(text: str, name: str) -> str:
-    """The SVG element alone, its ids prefixed and its numbers short."""
+    """The SVG element alone, its numbers short, its ids prefixed, and without those of groups, to which nothing refers."""
     svg = re.sub(r"(\.\d\d)\d+", r"\1", text[text.index("<svg") :])  # a hundredth of a point is not seen
+    svg = re.sub(r'<g id="(?!figure|axes)[^"]+">', "<g>", svg)
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{name}-\1"', svg)
     return re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", svg)

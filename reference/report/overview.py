@@ -9,7 +9,7 @@ from reference.comparison.verdicts import Row, Verdict
 from reference.engines.profiles import counts
 from reference.report.sections import Line, Section
 
-COUNTED, PLAIN, OTHER = "what counts", "as installed, and by hand at the step", "other methods"
+COUNTED, PLAIN, OTHER = "what counts", "as installed, and by hand at the step", "for other methods"
 """The parts of the table, in their order."""
 
 
@@ -58,9 +58,9 @@ def columns(found: Sequence[Section]) -> list[str]:
 
 
 _SAID = {
-    "{} away from theory by as much as their method must be": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
+    "{} are as predicted and away from it": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
     "{} failed": (Verdict.FAIL,),
-    "{} could not be made, since the implementation or the lab has no words for the case": (
+    "{} cannot be made for want of words": (
         Verdict.CANNOT_EXPRESS,
         Verdict.NO_WORDS,
     ),

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from reference.catalogue.case import Case
 from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Verdict
 from reference.recording.entries import case_of
 from reference.report.sections import Line, Section
 from reference.viewer.clip import Clip
@@ -15,18 +16,32 @@ from reference.viewer.tracks import Track, unpack
 
 
 def replay_of(section: Section) -> Clip | None:
-    """The plotted case of a family in the profiles that count; None where none of them gave poses of it."""
+    """The plotted case of a family; None where no implementation gave poses of it.
+
+    It shows what counts, and beside it what an engine does as installed, or hand-written code at the step, where that
+    is not as its method must be.
+    """
     family = section.family
     case = family.case(family.curve.case)
-    return case_clip(case, [line for line in section.lines if line.counts], f"{family.title}: {case.name}")
+    told = [line for line in section.lines if line.counts or (line.plain and _failed(line, case))]
+    return case_clip(case, told, f"{family.title}: {case.name}", all_shown=True)
+
+
+def _failed(line: Line, case: Case) -> bool:
+    return any(row.verdict is Verdict.FAIL for row in line.result.rows if row.case == case.name)
 
 
 def case_clip(
-    case: Case, lines: Iterable[Line], title: str, profiles: Mapping[str, Mapping[str, str]] | None = None
+    case: Case,
+    lines: Iterable[Line],
+    title: str,
+    profiles: Mapping[str, Mapping[str, str]] | None = None,
+    all_shown: bool = False,
 ) -> Clip | None:
-    """One case in these implementations, the first of them drawn solid, profiles that do not count hidden at first.
+    """One case in these implementations, the first of them drawn solid.
 
-    profiles: other words for a profile, by engine and profile, where its own name says too little.
+    profiles: other words for a profile, by engine and profile, where its own name says too little. all_shown: whether
+    profiles that do not count are to be seen at first as well.
     """
     found: dict[str, Poses] = {}
     hidden = set()
@@ -38,7 +53,7 @@ def case_clip(
             known = (profiles or {}).get(engine, {}).get(profile) or ("" if line.counts else profile)
             called = f"{line.result.title}, {known}".removesuffix(", ")
             found[name] = unpack(track, called, line.result.recording)
-            hidden |= set() if line.counts else {name}
+            hidden |= set() if line.counts or all_shown else {name}
     return clip(case.scenarios[0], found, title, hidden) if found else None
 
 

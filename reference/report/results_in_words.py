@@ -2,34 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 from reference.comparison.verdicts import Verdict
 from reference.engines.handwritten_engine import Handwritten
 from reference.report.sections import Line, Section
 
-_OPENINGS = {
-    Verdict.KNOWN_DEVIATION: "As its method must, {who} differs",
-    Verdict.DISAGREES: "As its method must, {who} is nowhere near theory",
-    Verdict.FAIL: "{who} differs by more than its method explains",
-    Verdict.NEEDS: "{who} waits for functions that are not written yet",
+_SAID = {
+    Verdict.PASS: "{who} agree with theory in every check",
+    Verdict.KNOWN_DEVIATION: "{who} differ as the method must",
+    Verdict.DISAGREES: "{who} are nowhere near theory, as the method must be",
+    Verdict.FAIL: "{who} differ by more than the method explains",
+    Verdict.NEEDS: "{who} wait for functions that are not written yet",
     Verdict.CANNOT_EXPRESS: "{who} cannot express this",
-    Verdict.NO_WORDS: "The lab has no words for this in {who}",
-    Verdict.NOT_AVAILABLE: "{who} is not installed here",
+    Verdict.NO_WORDS: "the lab has no words for this in {who}",
+    Verdict.NOT_AVAILABLE: "{who} are not installed here",
     Verdict.CRASHED: "{who} crashed",
+    Verdict.SHOWN: "the numbers of {who} are only shown",
 }
-"""How a sentence about one implementation begins, by its worst verdict."""
-_WITHOUT_NUMBER = (Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS, Verdict.NOT_AVAILABLE, Verdict.CRASHED)
+"""What is said of implementations by their worst verdict."""
+_OF_ONE = {" agree ": " agrees ", " differ ": " differs ", " are ": " is ", " wait ": " waits "}
 
 
 def counted(section: Section) -> str:
     """What the implementations give that count: hand-written code at its best, engines told what the scenario means."""
-    return _sentences([line for line in section.lines if line.counts], _name)
+    return _sentence([line for line in section.lines if line.counts])
 
 
 def plain(section: Section) -> str:
-    """What hand-written code gives at the step, and what the engines give as installed."""
-    return _sentences([line for line in section.lines if line.plain], _plain_name)
+    """What the engines give as installed, and what hand-written code gives at the step."""
+    lines = [line for line in section.lines if line.plain]
+    engines, by_hand = [line for line in lines if not _by_hand(line)], [line for line in lines if _by_hand(line)]
+    return f"{_sentence(engines, 'As installed, ')} {_sentence(by_hand, 'At the step, ')}".strip()
 
 
 def accepted(section: Section) -> list[tuple[str, str]]:
@@ -46,42 +50,24 @@ def accepted(section: Section) -> list[tuple[str, str]]:
     return [(reason, f"{', '.join(quantities)}: {who}") for (reason, who), quantities in found.items()]
 
 
-def _sentences(lines: Sequence[Line], name: Callable[[Line], str]) -> str:
-    good = [name(line) for line in lines if line.whole.verdict is Verdict.PASS]
-    shown = [name(line) for line in lines if line.whole.verdict is Verdict.SHOWN]
+def _sentence(lines: Sequence[Line], opening: str = "") -> str:
+    """What is to be said of these lines, verdict by verdict; empty where there are none."""
     parts = []
-    if good:
-        parts.append(f"{_listed(good)} {'agrees' if len(good) == 1 else 'agree'} with theory in every check.")
-    if shown:
-        parts.append(f"Of {_listed(shown)} the numbers are only shown.")
-    for verdict, opening in _OPENINGS.items():
+    for verdict, words in _SAID.items():
         own = [line for line in lines if line.whole.verdict is verdict]
+        if len(own) == 1:
+            for many, one in _OF_ONE.items():
+                words = words.replace(many, one)
         if own:
-            parts.append(_about(opening, verdict, own, name))
-    return " ".join(part[0].upper() + part[1:] for part in parts)
+            parts.append(words.format(who=_listed([_named(line, verdict) for line in own])))
+    text = opening + "; ".join(parts)
+    return f"{text[0].upper()}{text[1:]}." if parts else ""
 
 
-def _about(opening: str, verdict: Verdict, lines: Sequence[Line], name: Callable[[Line], str]) -> str:
-    """One sentence on all lines with the same worst verdict, each with its worst number."""
-    who = _listed([name(line) for line in lines])
-    if len(lines) > 1:
-        for one, many in ((" differs", " differ"), (" is ", " are "), (" waits", " wait"), ("its method", "their methods")):
-            opening = opening.replace(one, many)
-    said = opening.format(who=who)
-    if verdict in _WITHOUT_NUMBER and all(not line.whole.in_words for line in lines):
-        return f"{said}."
-    details = [
-        (f"{name(line)}: " if len(lines) > 1 else "") + line.whole.in_words for line in lines if line.whole.in_words
-    ]
-    return f"{said} ({'; '.join(details)})."
-
-
-def _name(line: Line) -> str:
-    return "hand-written code" if _by_hand(line) else line.result.title
-
-
-def _plain_name(line: Line) -> str:
-    return "hand-written code at the step" if _by_hand(line) else f"{line.result.title} as installed"
+def _named(line: Line, verdict: Verdict) -> str:
+    """An implementation, with the number that is furthest from theory unless all are near it."""
+    name = "hand-written code" if _by_hand(line) else line.result.title
+    return f"{name} ({line.whole.in_words})" if verdict is not Verdict.PASS and line.whole.in_words else name
 
 
 def _by_hand(line: Line) -> bool:
