@@ -99,7 +99,7 @@ def _print_worst_first(console: Console, found: Sequence[Section]) -> None:
     worst = nearest_to_fail(found, WORST)
     if worst:
         console.print()
-        console.print(Text("counted, worst first: share of its limit", style="bold"))
+        console.print(Text("exact and tuned, worst first: share of its limit", style="bold"))
     for section, line, row, used in worst:
         what = f"{section.family.name}, {row.case}: {section.family.quantity(row.quantity).title}"
         console.print(Text(f"  {numbers.percent(used).lstrip('+'):>7}  {line.result.title}, {what} {error_of(row)}"))

@@ -15,6 +15,7 @@ from reference.comparison.compare import compare_case
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row
 from reference.engines import load_engine
+from reference.engines.profiles import EXACT, TUNED
 from reference.running.study import run_job
 
 G = 9.81  # m/s²
@@ -42,6 +43,11 @@ def fast_and_slow(argument: str, fast: tuple[str, ...], everything: tuple[str, .
     """The cases of the fast run as they are; all the others marked slow."""
     rest = [pytest.param(case, marks=slow) for case in everything if case not in fast]
     return pytest.mark.parametrize(argument, [*fast, *rest])
+
+
+def counted(engine: str) -> str:
+    """The profile of an implementation whose verdicts count."""
+    return EXACT if engine == "handwritten" else TUNED
 
 
 @functools.cache

@@ -14,6 +14,7 @@ from program import QUICK, SLIDE, Said, collisions, files_in
 
 from reference.catalogue.scenarios import catalogue
 from reference.engines import engine_names
+from reference.engines.profiles import counts
 from reference.report.row_files import read_published, read_rows
 
 WRONG = """

@@ -10,6 +10,7 @@ from program import collisions
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.engines import engine_names, load_engine
+from reference.engines.profiles import counts
 from reference.recording import files
 from reference.recording.reading import recall, replay
 from reference.report.row_files import read_published, read_rows

@@ -96,7 +96,7 @@ def test_a_plan_fills_in_default_parameters_and_refuses_nonsense():
     incline = catalogue()["incline"]
     (job,) = study.plan([incline], ["handwritten"], ["exact"], at={"angle": 25.0})
     assert job.at == (("friction", 0.3), ("angle", 25.0))
-    assert str(job) == "incline, friction 0.3, angle 25 in handwritten, tuned"
+    assert str(job) == "incline, friction 0.3, angle 25 in handwritten, exact"
     with pytest.raises(InvalidInput, match=r"stack has no parameters that can be moved; these have: .*dropped-ball"):
         study.plan([catalogue()["stack"]], ["handwritten"], at={"restitution": 0.5})
     with pytest.raises(UnknownName, match="unknown parameter of incline 'restitution'"):

@@ -65,7 +65,7 @@ def test_an_engine_lets_the_derived_share_pass_at_a_coarse_timestep(name, speed,
     assert {row.verdict for row in rows} == {expected}
 
 
-@pytest.mark.parametrize(("profile", "timestep", "share"), [("tuned", 0.01, 0.0), ("stock", 0.01, 0.75)])
+@pytest.mark.parametrize(("profile", "timestep", "share"), [("exact", 0.01, 0.0), ("step", 0.01, 0.75)])
 def test_hand_written_code_lets_the_share_of_its_method_pass(profile, timestep, share):
     engine, case = load_engine("handwritten"), FAMILY.case("v=10")
     settings = engine.settings(case.scenarios[0], profile).change(timestep=timestep)

@@ -71,7 +71,7 @@ def test_samples_a_microsecond_apart_do_not_divide_by_zero():
 def test_the_curve_of_a_run_passes_through_its_samples(family):
     family, engine = catalogue()[family], load_engine("handwritten")
     scenario = family.case(family.curve.case).scenarios[0]
-    trajectory = engine.run(scenario, engine.settings(scenario, "tuned"))
+    trajectory = engine.run(scenario, engine.settings(scenario, "exact"))
     exact, curve = family.curve.values(trajectory), Series.of(family, trajectory)
     drawn = np.interp(trajectory.times, curve.times, curve.values)
     # Times are kept to a microsecond, in which an impact's line between two samples, 1 ms apart, moves by 1/1000.

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from catalogue_rows import counted
 
 from reference.catalogue.case import Case
 from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
@@ -303,14 +304,13 @@ def test_without_a_stock_number_only_the_first_step_has_no_size():
 # In a study, and in the engines
 
 
-def split_of(
-    name: str, engine: str, profile: str = "tuned", changes: Mapping[str, Option] | None = None
-) -> Split | None:
+def split_of(name: str, engine: str, profile: str = "", changes: Mapping[str, Option] | None = None) -> Split | None:
     case = catalogue()[name].convergence.case
-    return run_job(Job(name, engine, profile, (case,), changes=tuple((changes or {}).items()), with_studies=True)).split
+    changed = tuple((changes or {}).items())
+    return run_job(Job(name, engine, profile or counted(engine), (case,), changes=changed, with_studies=True)).split
 
 
-def test_only_the_unchanged_tuned_profile_is_split():
+def test_only_the_unchanged_profile_that_counts_is_split():
     assert split_of("parting-ball", "handwritten", "step") is None
     assert split_of("parting-ball", "handwritten", changes={"timestep": 2e-3}) is None
     assert split_of("parting-ball", "handwritten") is not None
@@ -322,7 +322,7 @@ def test_a_run_that_needs_a_missing_function_is_not_split():
     assert split_of("stack", "handwritten") is None
 
 
-def test_the_hand_written_slabs_stock_error_is_that_of_its_policy():
+def test_the_slabs_error_at_the_step_is_that_of_its_policy():
     found = split_of("sliding-slab", "handwritten")
     (policy,) = defaults(found)
     parameters = catalogue()["sliding-slab"].case(found.case).parameters

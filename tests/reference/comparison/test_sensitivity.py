@@ -36,7 +36,7 @@ def found_in(family, case, profile, fault):
 
 @pytest.mark.parametrize("fault", ["restitution", "timestep"])
 def test_a_judge_that_is_coarser_notices_only_larger_faults(fault):
-    sharp, coarse = (found_in(with_bands(DROPS, factor), "e=0.5", "stock", fault) for factor in (1.0, 100.0))
+    sharp, coarse = (found_in(with_bands(DROPS, factor), "e=0.5", "step", fault) for factor in (1.0, 100.0))
     assert sharp.outcome is Outcome.NOTICED
     assert coarse.size == pytest.approx(100 * sharp.size, rel=0.2)
 
@@ -72,7 +72,7 @@ def test_faults_without_a_size_are_noticed_or_not():
 def test_a_step_that_falls_elsewhere_is_found_by_trying():
     """The time of rest is a whole number of steps: no slope says where it changes."""
     rest = catalogue()["ball-to-rest"]
-    found = found_in(replace(rest, quantities=rest.quantities[:1]), "e=0.5", "stock", "gravity")
+    found = found_in(replace(rest, quantities=rest.quantities[:1]), "e=0.5", "step", "gravity")
     assert found.quantity == "rest_time"
     assert 1e-5 < found.size < 0.01
 
@@ -101,10 +101,10 @@ class _Choosy(type(HAND)):
 
 def test_another_case_is_tried_where_the_studied_one_cannot_be_run():
     family = catalogue()["parting-ball"]
-    found, rows = sensitivity.sensitivity(family, _Choosy(), "tuned")
+    found, rows = sensitivity.sensitivity(family, _Choosy(), "exact")
     assert found.finding("restitution").case == rows[0].case == "v=0.3"
     with pytest.raises(CannotExpress, match="too slow"):
-        sensitivity.sensitivity(replace(family, cases=family.cases[:1]), _Choosy(), "tuned")
+        sensitivity.sensitivity(replace(family, cases=family.cases[:1]), _Choosy(), "exact")
 
 
 def test_what_is_kept_is_read_again_and_a_new_run_replaces_it(tmp_path):

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from catalogue_rows import counted
 from engine_grid import (
     CELLS,
     DAMPING,
@@ -26,6 +27,7 @@ from engine_grid import (
 
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, COMPLIANT, EXACT, INTERPOLATED
+from reference.engines.profiles import counts, is_plain
 from reference.errors import InvalidInput, UnknownName
 from reference.scene.scenario import GRAVITY
 from reference.scene.settings import Settings
@@ -128,11 +130,12 @@ def test_a_longer_timestep_shows_in_the_flight_itself(cell, installed):
 
 
 @each_engine
-def test_tuned_is_the_first_profile_and_stock_the_last(name):
+def test_one_profile_counts_and_is_first_and_the_plain_one_is_last(name):
     for scenario in SCENARIOS.values():
         found = load_engine(name).profiles(scenario)
-        assert [*found][:1] == ["tuned"], scenario.name
-        assert [*found][-1:] == ["stock"], scenario.name
+        first, *between, last = found
+        assert [first, last] == (["exact", "step"] if name == "handwritten" else ["tuned", "stock"]), scenario.name
+        assert not any(counts(each) or is_plain(each) for each in between), scenario.name
         assert all(line.strip() for line in found.values()), scenario.name
 
 
@@ -186,7 +189,7 @@ def test_a_run_covers_its_scenario_in_the_fewest_whole_samples(name):
     ):
         scenario = replace(SCENARIOS["thrown-ball"], duration=duration)
         settings = replace(
-            engine.settings(scenario, "tuned"), timestep=settings.timestep, sample_every=settings.sample_every
+            engine.settings(scenario, counted(name)), timestep=settings.timestep, sample_every=settings.sample_every
         )
         assert engine.check_settings(scenario, settings) == steps
 
@@ -194,7 +197,7 @@ def test_a_run_covers_its_scenario_in_the_fewest_whole_samples(name):
 @each_engine
 def test_a_duration_between_two_samples_is_run_to_the_next_one(name, installed):
     engine, scenario = installed(name), replace(SCENARIOS["thrown-ball"], duration=0.1037)
-    settings = engine.settings(scenario, "tuned").change(timestep=1e-3, sample_every=4)
+    settings = engine.settings(scenario, counted(name)).change(timestep=1e-3, sample_every=4)
     assert engine.run(scenario, settings).times[-1] == pytest.approx(0.104)
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from catalogue_rows import counted
 from engine_grid import DAMPING, ENGINES, SCENARIOS
 
 from reference.engines import load_engine
@@ -37,4 +38,4 @@ def test_constant_forces_accelerate_a_free_body_by_their_sum_over_its_mass(name,
 def test_an_engine_that_applies_no_forces_says_so(name):
     engine = load_engine(name)
     with pytest.raises(CannotExpress, match="it knows no forces but weight and those of contacts"):
-        engine.run(PUSHED, engine.settings(PUSHED, "tuned"))
+        engine.run(PUSHED, engine.settings(PUSHED, counted(name)))

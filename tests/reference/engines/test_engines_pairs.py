@@ -28,6 +28,7 @@ from engine_grid import (
 from reference.catalogue import measure
 from reference.catalogue.scenarios import catalogue
 from reference.engines import load_engine
+from reference.engines.profiles import counts
 from reference.errors import CannotExpress
 from reference.scene import geometry
 from reference.scene.scenario import GRAVITY, Body, Box, HalfSpace, Pair, Scenario, Sphere
@@ -55,7 +56,7 @@ def test_the_grid_holds_every_family_and_every_scenario_of_this_suite():
 
 @fast_and_slow(
     [cell for cell in CELLS if cell.scenario in catalogue()],
-    lambda cell: cell.profile == "tuned" and cell.scenario in ("dropped-ball", "corner", "cradle", "stack"),
+    lambda cell: counts(cell.profile) and cell.scenario in ("dropped-ball", "corner", "cradle", "stack"),
 )
 def test_the_order_of_bodies_and_pairs_does_not_change_a_motion(cell, trajectory):
     engine, scenario, settings = setup(cell)
@@ -153,7 +154,7 @@ def test_a_half_spaces_normal_does_not_turn_with_its_body(cell, trajectory):
 def test_the_hand_written_slab_uses_both_coefficients_of_friction():
     engine, scenario = load_engine("handwritten"), replace(SCENARIOS["incline"], duration=0.6)
     # tan 20° = 0.364 against μ = 0.3
-    settings = engine.settings(scenario, "tuned")
+    settings = engine.settings(scenario, "exact")
     held = replace(scenario, pairs=(replace(scenario.pairs[0], static_friction=0.5),))
     assert measure.displacement(engine.run(scenario, settings), "slab") > 0.1
     assert measure.displacement(engine.run(held, settings), "slab") == 0
@@ -172,7 +173,7 @@ def test_a_ball_landing_on_a_tilted_plane_as_a_step_ends_bounces_once():
         plane = Body("plane", HalfSpace(tuple(normal)), position=tuple(foot))
         pair = Pair("ball", "plane", restitution=1.0)
         scenarios.append(Scenario(f"landing-{number}", (plane, ball), (pair,), 0.018, tuple(-GRAVITY * normal)))
-    for profile in ("tuned", "slide"):
+    for profile in ("exact", "slide"):
         settings = engine.settings(scenarios[0], profile)
         for trajectory in engine.run_many(scenarios, settings):
             # It leaves with 0.1 m/s or more, so the next impact is 20 ms later at the least.

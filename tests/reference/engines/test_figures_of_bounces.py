@@ -15,6 +15,7 @@ from catalogue_rows import (
     SPEED,
     G,
     all_three,
+    counted,
     fast_and_slow,
     job,
     near,
@@ -44,17 +45,17 @@ def bounces(profile: str):
 
 
 def test_the_exact_root_rebounds_to_the_powers_of_e_squared():
-    apexes = measure.apex_heights(bounces("tuned"), "ball", "floor")[:5]
+    apexes = measure.apex_heights(bounces("exact"), "ball", "floor")[:5]
     # 1e-9 m: the parabolas are solved; only rounding, 1e-16 of some metres in each of 5000 steps, is left.
     np.testing.assert_allclose(apexes, [0.81, 0.6561, 0.531441, 0.43046721, 0.3486784401], atol=1e-9)
 
 
 def test_the_exact_root_lands_at_the_times_of_the_geometric_series():
-    times = np.array([event.time for event in bounces("tuned").events if event.kind == "impact"][:6])
+    times = np.array([event.time for event in bounces("exact").events if event.kind == "impact"][:6])
     assert [f"{time:.5f}" for time in times] == ["0.45152", "1.26427", "1.99573", "2.65406", "3.24655", "3.77979"]
     series = FALL * np.array([1 + 2 * sum(0.9**k for k in range(1, impact + 1)) for impact in range(6)])
     np.testing.assert_allclose(times, series, atol=1e-9)  # rounding of 1e-15 m at some m/s, a thousand steps long
-    np.testing.assert_allclose(measure.impact_times(bounces("tuned"), "ball", "floor")[:6], series, atol=1e-9)
+    np.testing.assert_allclose(measure.impact_times(bounces("exact"), "ball", "floor")[:6], series, atol=1e-9)
 
 
 def test_the_exact_root_comes_to_rest_when_the_series_ends():
@@ -66,7 +67,7 @@ def test_the_exact_root_comes_to_rest_when_the_series_ends():
 
 def test_the_exact_root_keeps_energy_over_a_hundred_elastic_bounces():
     engine, scenario = load_engine("handwritten"), falling_ball("elastic", 1.0, 1.0, 199.5 * FALL)
-    trajectory = engine.run(scenario, engine.settings(scenario, "tuned").change(timestep=0.05))
+    trajectory = engine.run(scenario, engine.settings(scenario, "exact").change(timestep=0.05))
     assert sum(event.kind == "impact" for event in trajectory.events) == 100
     energy = measure.energy(trajectory, "ball")
     # 1800 steps and 100 bounces that each round a speed of some m/s and a height of 1 m, by 1e-16, mostly at random.
@@ -87,14 +88,14 @@ def errors_of(profile: str) -> list[float]:
     return [question.rms_error(settings.change(timestep=dt)) for dt in TIMESTEPS]
 
 
-@pytest.mark.parametrize(("profile", "order"), [("slide", 2), ("stock", 1)])
+@pytest.mark.parametrize(("profile", "order"), [("slide", 2), ("step", 1)])
 def test_the_slides_t_is_of_second_order_and_the_step_of_first(profile, order):
     # Two decades of timesteps on a log–log line whose points scatter by 1/11 of the error.
     assert order_of(TIMESTEPS, errors_of(profile), 0.25) == pytest.approx(order, abs=0.1)
 
 
 def test_the_exact_root_has_no_measurable_order_of_error():
-    errors = errors_of("tuned")
+    errors = errors_of("exact")
     assert max(errors) < 1e-12
     assert order_of(TIMESTEPS, errors, 0.25) is None
 
@@ -204,7 +205,7 @@ def test_pybullets_scatter_and_bias_shrink_with_the_timestep(installed):
 @all_three
 def test_a_ball_at_rest_lies_on_the_floor_and_stays_there(name, case, installed):
     installed(name)
-    found = {entry.quantity: entry for entry in job("ball-to-rest", name, "tuned", case).rows}
+    found = {entry.quantity: entry for entry in job("ball-to-rest", name, counted(name), case).rows}
     assert abs(found["rest_height"].measured) < 1e-3  # m
     assert found["residual_speed"].measured < 1e-3  # m/s, over 5 s
     assert found["drift"].measured < 1e-3  # m, over 5 s

@@ -179,4 +179,4 @@ def test_thirty_seven_cases_by_hand_need_a_rigid_body_world():
         "tipping-box": 5,
         "stack": 2,
     }
-    assert all(profiles == ["tuned", "stock"] for profiles in waiting.values())
+    assert all(profiles == ["exact", "step"] for profiles in waiting.values())

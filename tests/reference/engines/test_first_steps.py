@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from catalogue_rows import fast_and_slow, job
+from catalogue_rows import counted, fast_and_slow, job
 
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.verdicts import Verdict
@@ -39,7 +39,7 @@ def test_the_first_step_of_what_starts_on_the_ground_is_made_with_contact(name, 
 @fast_and_slow("case", ("μ=0.3,tanθ=0.99μ", "μ=0.3,tanθ=1.01μ"), CRITICAL)
 def test_one_percent_from_critical_decides_between_holding_and_sliding(name, case, installed):
     installed(name)
-    rows = {row.quantity: row for row in job("critical-incline", name, "tuned", case).rows}
+    rows = {row.quantity: row for row in job("critical-incline", name, counted(name), case).rows}
     assert {row.verdict for row in rows.values()} == {Verdict.PASS}
     way = rows["way"]
     if way.expected == 0:

@@ -21,7 +21,7 @@ from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario
 from reference.spatial_impact import ALONG_GRIP
 
 FAMILY, _ = find("off-centre-impact")
-LAWS = {"tuned": ALONG_GRIP, DISSIPATIVE: DISSIPATIVE, POISSON: POISSON, STRONGE: STRONGE}
+LAWS = {"exact": ALONG_GRIP, DISSIPATIVE: DISSIPATIVE, POISSON: POISSON, STRONGE: STRONGE}
 TURNS = FAMILY.case("spinning,e=0.5,μ=0.2")
 SLIPS = FAMILY.case("tilted edge,e=0.5,μ=0.5")
 FAST = ("spinning,e=0.5,μ=0.2", "edge,e=0.5,μ=0.2", "rod ahead,e=0.5,μ=0.2", "corner,e=0.5,μ=0")
@@ -56,7 +56,7 @@ def verdicts_as(case, profile, law):
 
 @each_case
 def test_by_hand_every_law_passes_by_its_own_definition(name):
-    for profile in (*LAWS, "stock"):
+    for profile in (*LAWS, "step"):
         rows, _ = rows_of(by_hand(), FAMILY.case(name), profile)
         assert {row.verdict for row in rows.values()} == {Verdict.PASS}, profile
         assert len(rows) == len(FAMILY.quantities)
@@ -71,7 +71,7 @@ def test_by_hand_each_profile_follows_its_law_and_no_other(profile):
 def test_by_hand_the_corner_strikes_at_the_exact_instant():
     engine = by_hand()
     for timestep in (1e-3, 3e-3):
-        settings = engine.settings(TURNS.scenarios[0], "tuned").change(timestep=timestep)
+        settings = engine.settings(TURNS.scenarios[0], "exact").change(timestep=timestep)
         (event,) = engine.run(TURNS.scenarios[0], settings).events
         assert event.time == pytest.approx(FLIGHT, abs=1e-13)
 
@@ -98,7 +98,7 @@ NEEDS_A_WORLD = {
 
 
 @pytest.mark.parametrize("what", NEEDS_A_WORLD)
-@pytest.mark.parametrize("profile", ["tuned", "stock"])
+@pytest.mark.parametrize("profile", ["exact", "step"])
 def test_by_hand_what_one_impact_cannot_tell_needs_a_world(what, profile):
     engine, scenario = by_hand(), NEEDS_A_WORLD[what]
     with pytest.raises(NeedsFunction, match=r"needs a rigid-body world \(world\)"):

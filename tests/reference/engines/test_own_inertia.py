@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from catalogue_rows import counted
 from engine_grid import FLOOR, TURNED, thrown
 
 from reference.catalogue import measure
@@ -136,7 +137,7 @@ def test_a_hollow_ball_takes_two_fifths_of_its_surface_speed(name, near, install
     floor, ball = case.scenarios[0].bodies
     moment = 2 / 3 * ball.mass * ball.shape.radius**2
     scenario = replace(case.scenarios[0], bodies=(floor, replace(ball, inertia=(moment,) * 3)))
-    trajectory = engine.run(scenario, engine.settings(scenario, "tuned"))
+    trajectory = engine.run(scenario, engine.settings(scenario, counted(name)))
     # An impact that ends the slip: v = (I/m r²)/(1 + I/m r²) r ω, 2/7 for a solid ball. MuJoCo and DART let friction
     # act inside the ball, up to 0.4 % nearer to its centre.
     assert trajectory.velocity("ball")[-1, 0] == pytest.approx(2 / 5 * 0.1 * 5, rel=near)
@@ -169,7 +170,7 @@ def two_balls_and_a_floor() -> list[Scenario]:
 def test_by_hand_a_ball_with_unequal_moments_needs_a_world(scenario):
     engine = load_engine("handwritten")
     equal = [replace(body, inertia=()) for body in scenario.bodies]
-    settings = engine.settings(scenario, "tuned")
+    settings = engine.settings(scenario, "exact")
     engine.run(replace(scenario, bodies=equal), settings)
     with pytest.raises(NeedsFunction, match="rigid-body world"):
         engine.run(scenario, settings)
@@ -183,12 +184,12 @@ def flying_cube(inertia, spin):
 def test_by_hand_a_cube_with_unequal_moments_of_its_own_needs_a_world():
     engine, scenario = load_engine("handwritten"), flying_cube(tuple(MOMENTS), SPIN)
     with pytest.raises(NeedsFunction, match="rigid-body world"):
-        engine.run(scenario, engine.settings(scenario, "tuned"))
+        engine.run(scenario, engine.settings(scenario, "exact"))
 
 
 def test_by_hand_a_box_whose_own_moments_are_equal_keeps_its_spin():
     engine, scenario = load_engine("handwritten"), flying_cube((0.01, 0.01, 0.01), SPIN)
     long = replace(scenario.body("cube"), shape=Box((0.2, 0.05, 0.05)))
     scenario = replace(scenario, bodies=(FLOOR, long))
-    trajectory = engine.run(scenario, engine.settings(scenario, "tuned"))
+    trajectory = engine.run(scenario, engine.settings(scenario, "exact"))
     assert trajectory.angular_velocity("cube")[-1] == pytest.approx(SPIN, rel=1e-12)

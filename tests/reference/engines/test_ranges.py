@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from catalogue_rows import counted
 
 from reference.catalogue.scenarios.bouncing_ball import falling_ball
 from reference.catalogue.scenarios.tipping_box import FAMILIES as TIPPING
@@ -33,7 +34,7 @@ BOX = TIPPING[0].cases[0].scenarios[0]
 )
 def test_an_option_out_of_range_is_refused_with_the_range(engine, option, value, wanted):
     found = load_engine(engine)
-    settings = found.settings(BALL, "tuned").change(**{option: value})
+    settings = found.settings(BALL, counted(engine)).change(**{option: value})
     with pytest.raises(InvalidInput, match=f"^{option} is {value!r}; .*{wanted}"):
         found.check_settings(BALL, settings)
 

@@ -17,7 +17,7 @@ from reference.impact_truth import DISSIPATIVE, NEWTON, POISSON, STRONGE
 
 FAMILY, _ = find("struck-cube")
 TURNS_ROUND, GOES_ON = FAMILY.cases[0], FAMILY.cases[-1]
-LAWS = {"tuned": NEWTON, DISSIPATIVE: DISSIPATIVE, POISSON: POISSON, STRONGE: STRONGE}
+LAWS = {"exact": NEWTON, DISSIPATIVE: DISSIPATIVE, POISSON: POISSON, STRONGE: STRONGE}
 
 
 def by_hand():
@@ -58,12 +58,12 @@ def test_only_where_a_body_may_turn_are_there_profiles_for_the_laws():
         family, _ = find(name)
         scenario = family.cases[0].scenarios[0]
         assert not set(engine.profiles(scenario)) & {DISSIPATIVE, POISSON, STRONGE}, name
-        assert "impact_law" not in engine.settings(scenario, "tuned").options, name
+        assert "impact_law" not in engine.settings(scenario, "exact").options, name
 
 
 def test_an_unknown_law_of_impacts_is_refused_with_those_that_there_are():
     engine, scenario = by_hand(), TURNS_ROUND.scenarios[0]
-    settings = engine.settings(scenario, "tuned").change(impact_law="huygens")
+    settings = engine.settings(scenario, "exact").change(impact_law="huygens")
     with pytest.raises(
         InvalidInput, match="impact_law is 'huygens'; here it is one of newton, dissipative, poisson, stronge"
     ):

@@ -44,13 +44,13 @@ def verdicts(engine, profile: str) -> dict[str, set[Verdict]]:
 
 def test_every_case_of_two_coefficients_agrees_by_hand():
     engine = load_engine("handwritten")
-    assert all(found == {Verdict.PASS} for found in verdicts(engine, "tuned").values())
-    stepped = verdicts(engine, "stock")
+    assert all(found == {Verdict.PASS} for found in verdicts(engine, "exact").values())
+    stepped = verdicts(engine, "step")
     assert set().union(*stepped.values()) == {Verdict.PASS, Verdict.KNOWN_DEVIATION}
     assert all(stepped[name] == {Verdict.PASS} for name in BETWEEN)
 
 
-@pytest.mark.parametrize("profile", ["tuned", "stock"])
+@pytest.mark.parametrize("profile", ["exact", "step"])
 def test_kinetic_friction_in_place_of_static_fails_wherever_it_decides(profile, tmp_path):
     file = tmp_path / "one_coefficient.py"
     file.write_text(ONE_COEFFICIENT)

@@ -126,7 +126,7 @@ def test_a_method_without_a_rule_has_no_prediction():
 def test_a_thousandth_of_a_fault_fails_the_row_of_a_rebound(fault):
     engine, family = load_engine("handwritten"), catalogue()["dropped-ball"]
     case = replace(family.case("e=0.5"), scenarios=family.case("e=0.5").scenarios[:3])
-    settings = engine.settings(case.scenarios[0], "stock")
+    settings = engine.settings(case.scenarios[0], "step")
     assert engine.method(case.scenarios[0], settings).rule == RESPOND_THEN_STEP
     run = engine.run_many
 
@@ -140,5 +140,5 @@ def test_a_thousandth_of_a_fault_fails_the_row_of_a_rebound(fault):
         return run(scenarios, settings)
 
     engine.run_many = faulty
-    rows, _ = compare_case(family, case, engine, "stock", settings)
+    rows, _ = compare_case(family, case, engine, "step", settings)
     assert {row.quantity: row.verdict for row in rows}["rebound"] is Verdict.FAIL

@@ -81,7 +81,7 @@ def test_every_sample_of_an_engine_is_as_predicted(name, scene, installed):
 )
 def test_every_step_by_hand_is_as_predicted(scenario, installed):
     engine = installed("handwritten")
-    settings = engine.settings(scenario, "stock")
+    settings = engine.settings(scenario, "step")
     found = sliding.predict(scenario, settings, engine.method(scenario, settings))
     run = engine.run(scenario, settings)
     np.testing.assert_allclose(found.trajectory.velocities, run.velocities, rtol=0, atol=1e-12)

@@ -138,7 +138,7 @@ def test_no_prediction_is_made_of_a_contact_that_leaves_its_plane():
     box, ball = SCENES["box"].bodies
     aside = replace(ball, position=tuple(np.add(ball.position, turned((0, 0.02, 0)))))
     engine, scenario = load_engine("handwritten"), replace(SCENES["box"], bodies=(box, aside))
-    settings = engine.settings(SCENES["box"], "stock")
+    settings = engine.settings(SCENES["box"], "step")
     assert striking.predict(scenario, settings, engine.method(SCENES["box"], settings)) is None
 
 

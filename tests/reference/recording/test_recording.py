@@ -137,7 +137,7 @@ def test_a_job_that_was_never_recorded_has_no_recording(folder):
 
 def test_a_stale_case_has_no_number_while_the_others_answer(folder):
     def other_scenario(content):
-        content["profiles"]["tuned"]["entries"][CASE][0] = "0" * 16
+        content["profiles"]["exact"]["entries"][CASE][0] = "0" * 16
 
     edited(folder, other_scenario)
     stale = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
@@ -165,8 +165,8 @@ def test_the_curve_and_studies_of_a_stale_case_are_not_shown(folder, monkeypatch
 
 def test_a_quantity_added_after_the_recording_makes_a_case_stale(folder):
     def without_the_way(content):
-        content["profiles"]["tuned"]["quantities"].remove("way")
-        for entry in content["profiles"]["tuned"]["entries"].values():
+        content["profiles"]["exact"]["quantities"].remove("way")
+        for entry in content["profiles"]["exact"]["entries"].values():
             entry[1].pop()
 
     edited(folder, without_the_way)
@@ -176,7 +176,7 @@ def test_a_quantity_added_after_the_recording_makes_a_case_stale(folder):
 
 
 def test_a_case_that_was_never_recorded_says_so(folder):
-    edited(folder, lambda content: content["profiles"]["tuned"]["entries"].pop(CASE))
+    edited(folder, lambda content: content["profiles"]["exact"]["entries"].pop(CASE))
     (missing,) = [row for row in recall(JOBS[0], folder).rows if row.verdict is Verdict.NOT_AVAILABLE]
     assert missing.note == "hand-written is not installed here, and this case was never recorded"
 
@@ -230,7 +230,7 @@ def test_a_file_without_a_recording_is_refused_by_name(content, tmp_path):
 def test_a_fingerprint_changes_with_everything_a_number_depends_on():
     engine, case = load_engine("handwritten"), catalogue()["incline"].case(CASE)
     scenario = case.scenarios[0]
-    settings = engine.settings(scenario, "tuned")
+    settings = engine.settings(scenario, "exact")
     body = next(body for body in scenario.bodies if not body.immovable)
     others = [
         replace(scenario, duration=scenario.duration + 1e-9),
@@ -330,7 +330,7 @@ def test_a_recording_of_changed_scenarios_is_stale_and_says_why(cradle, monkeypa
     first, *others = family.cases
     other = replace(first, scenarios=(replace(first.scenarios[0], duration=9.0),))
     changed = replace(family, cases=(other, *others))
-    assert why_stale(changed, "handwritten", folder) == "tuned, 3 touching has changed since it was recorded"
+    assert why_stale(changed, "handwritten", folder) == "exact, 3 touching has changed since it was recorded"
     assert why_stale(replace(family, quantities=family.quantities[1:]), "handwritten", folder)
     assert why_stale(family, "mujoco", folder) == "never recorded"
     monkeypatch.setattr(type(load_engine("handwritten")), "version", lambda self: "0.0")
@@ -352,7 +352,7 @@ def test_a_recorded_replay_agrees_with_the_run_itself(cradle):
     engine, case = load_engine("handwritten"), catalogue()["cradle"].case("5, 1 mm apart")
     for changes in ((), (("timestep", 1e-3),)):
         found = replay(Job("cradle", "handwritten", "step", changes=changes), case.name, folder)
-        settings = engine.settings(case.scenarios[0], "stock").change(**dict(changes))
+        settings = engine.settings(case.scenarios[0], "step").change(**dict(changes))
         live = poses_of(engine.run(case.scenarios[0], settings))
         assert found.bodies == live.bodies == tuple(f"ball {number}" for number in range(1, 6))
         assert abs(found.positions - live.positions).max() <= 0.5e-5 + 1e-12  # half of 0.01 mm

@@ -31,7 +31,7 @@ def odd_job(folder: Path, title: str, body: str = "pass", package: str | None = 
 
 @pytest.fixture(scope="module")
 def results() -> list[JobResult]:
-    return [run_job(GOOD), run_job(replace(GOOD, profile="stock"))]
+    return [run_job(GOOD), run_job(replace(GOOD, profile="step"))]
 
 
 @pytest.fixture(scope="module")

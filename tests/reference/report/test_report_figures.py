@@ -150,7 +150,7 @@ def test_engines_differ_by_marker_and_profiles_by_dashes(family, draw):
             assert (left.colour == right.colour) == same_engine, (left.label, right.label)
             if same_engine and one is not other:
                 assert left.dashes != right.dashes, (left.label, right.label)
-    assert {line.result.job.profile for line, entry in entries if not entry.dashes} <= {"exact", "tuned"}
+    assert {line.counts for line, entry in entries if not entry.dashes} == {True}
     assert {line.counts for line, entry in entries if entry.face == entry.colour} == {True}
 
 
@@ -169,7 +169,7 @@ def test_tuned_curves_lie_on_top_of_all_others(draw):
     (axes,) = (group for group in root.iter(f"{SVG}g") if group.get("id", "").endswith("-axes_1"))
     curves = [group.find(f"{SVG}path") for group in axes if "line2d" in group.get("id", "")]
     dashed = ["stroke-dasharray" in style(curve) for curve in curves if curve is not None]
-    assert dashed == [True] * 7 + [False] * 4  # tuned is whole
+    assert dashed == [True] * 7 + [False] * 4  # what counts is whole
 
 
 def test_an_engine_from_a_file_is_drawn_in_a_style_of_its_own():
@@ -195,7 +195,7 @@ def test_titles_and_units_are_text_in_the_figures():
 
 def test_markup_in_a_title_cannot_break_the_figure():
     svg = figures.trajectories(alone(title='<b>ours</b> & "theirs"'))
-    assert legend(svg)[0].label == '<b>ours</b> & "theirs", tuned'
+    assert legend(svg)[0].label == '<b>ours</b> & "theirs", exact'
 
 
 # Lines that are missing, short or all rounding

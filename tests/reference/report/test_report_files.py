@@ -28,11 +28,11 @@ GOOD = Job("ball-to-rest", "handwritten", "exact", ("e=0.5",))
 STUDIED = Job("parting-ball", "handwritten", "exact", ("v=0.1",), with_studies=True)
 JOBS = [
     GOOD,
-    replace(GOOD, profile="stock"),
+    replace(GOOD, profile="step"),
     Job("sliding-slab", "handwritten", "step", ("μ=0.7,v=1",)),
     replace(GOOD, profile="slide", cases=("e=0.5", "e=0.8")),
     STUDIED,
-    replace(STUDIED, profile="stock"),
+    replace(STUDIED, profile="step"),
 ]
 """Quick ones: some with their plotted case, two with studies."""
 BY_TABLE = (0, 3, 1, 2, 4, 5)

@@ -14,6 +14,7 @@ from reference.catalogue.scenarios import catalogue
 from reference.comparison.curves import Series
 from reference.comparison.verdicts import Verdict
 from reference.engines import engine_names, load_engine
+from reference.engines.profiles import counts
 from reference.report import figures, page
 from reference.report.marks import LEGEND, MARKS
 from reference.report.sections import sections

@@ -83,7 +83,7 @@ def test_a_case_run_in_one_engine_is_an_empty_cell_in_the_other():
 # Worst first, and where errors come from
 
 
-def test_the_worst_tuned_row_is_first_with_the_share_of_its_limit():
+def test_the_worst_row_that_counts_is_first_with_the_share_of_its_limit():
     bad = replace(OURS[0].rows[0], measured=0.33)  # 0.08 of a tolerance of 0.1; all others use 0.01 of it
     worst = with_id(read(written([replace(OURS[0], rows=(bad, *OURS[0].rows[1:]))])), "worst")
     first = worst.all("tbody")[0].all("tr")[0]
@@ -91,12 +91,12 @@ def test_the_worst_tuned_row_is_first_with_the_share_of_its_limit():
     assert "80 %" in first.text
 
 
-def test_stock_rows_that_fail_are_listed_separately():
-    stock = next(it for it in OURS if it.job.profile == "stock")
-    failed = replace(stock.rows[0], verdict=Verdict.FAIL, measured=1.25)
-    worst = with_id(read(written([OURS[0], replace(stock, rows=(failed, *stock.rows[1:]))])), "worst")
-    tuned, others = worst.all("tbody")
-    assert "stock" not in tuned.text
+def test_rows_at_the_step_that_fail_are_listed_separately():
+    at_step = next(it for it in OURS if it.job.profile == "step")
+    failed = replace(at_step.rows[0], verdict=Verdict.FAIL, measured=1.25)
+    worst = with_id(read(written([OURS[0], replace(at_step, rows=(failed, *at_step.rows[1:]))])), "worst")
+    counted, others = worst.all("tbody")
+    assert "step" not in counted.text
     assert [line.all("td")[0].text.strip() for line in others.all("tr")] == ["hand-written, step"]
 
 
@@ -136,7 +136,7 @@ def test_messages_of_engines_are_shown_as_text_and_never_run():
     assert len(tree.all("script")) == 1  # our own, for printing
     section, shown = with_id(tree, "ball-to-rest"), " ".join(EVIL.split())
     ours, theirs = came_out(section).all("tbody")[0].all("tr")
-    assert ours.all("th")[0].text == f"{shown}, tuned {shown}"
+    assert ours.all("th")[0].text == f"{shown}, exact {shown}"
     assert ours.all("td", "settings")[0].text == shown
     assert theirs.all("td")[0].text == f"{MARKS[Verdict.CRASHED]} crashed: {shown}"
     assert section.all("figcaption")[0].text == shown

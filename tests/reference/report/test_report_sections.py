@@ -6,6 +6,7 @@ import itertools
 import math
 
 import pytest
+from catalogue_rows import counted
 
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.convergence import Errors
@@ -43,9 +44,9 @@ def without_number(verdict: Verdict, note: str = "why", case: str = ALL_CASES) -
     return row(verdict, None, case, quantity="", unit="", note=note)
 
 
-def result(*rows: Row, engine: str = "handwritten", profile: str = "exact", title: str = "", **more) -> JobResult:
+def result(*rows: Row, engine: str = "handwritten", profile: str = "", title: str = "", **more) -> JobResult:
     titles = {"handwritten": "hand-written", "pybullet": "PyBullet", "mujoco": "MuJoCo"}
-    job = Job(more.pop("family", "ball-to-rest"), engine, profile)
+    job = Job(more.pop("family", "ball-to-rest"), engine, profile or counted(engine))
     return JobResult(job, title or titles.get(engine, engine), "what it is", rows or (row(),), **more)
 
 
@@ -269,7 +270,7 @@ def test_columns_are_all_lines_once_in_the_fullest_sections_order():
 
 
 def test_a_section_finds_a_line_by_its_title():
-    found = section(result(), result(profile="stock"))
+    found = section(result(), result(profile="step"))
     assert found.line("hand-written, step") is found.lines[1]
     assert found.line("PyBullet, tuned") is None
 
@@ -294,7 +295,7 @@ def test_a_remark_is_made_once_with_its_lines_and_number_of_cases():
     late = [row(Verdict.KNOWN_DEVIATION, case=case, note="half a step late") for case in ("e=0.5", "e=0.8")]
     found = section(
         result(*late),
-        result(late[0], profile="stock"),
+        result(late[0], profile="step"),
         result(without_number(Verdict.CRASHED, "SIGSEGV"), engine="mujoco"),
     )
     assert found.remarks() == [
@@ -307,7 +308,7 @@ def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
     rounding, step = row(reason="rounding only"), row(reason="a step late")
     found = section(
         result(rounding, rounding),
-        result(step, row(quantity="drift", reason="1 mm"), profile="stock"),
+        result(step, row(quantity="drift", reason="1 mm"), profile="step"),
         result(step, engine="mujoco"),
     )
     assert found.tolerances("rest_time") == [

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 import pytest
+from catalogue_rows import counted
 from rich.cells import cell_len
 from rich.console import Console
 
@@ -126,7 +127,7 @@ def test_every_name_of_the_catalogue_is_printed_in_full(families, with_cases):
         for word in words(" ".join(quantity.title for quantity in family.quantities)).split():
             assert word in text
     for name in engine_names():
-        assert f"{load_engine(name).title}, tuned" in text
+        assert f"{load_engine(name).title}, {counted(name)}" in text
 
 
 def test_the_wordiest_families_have_the_longest_names():

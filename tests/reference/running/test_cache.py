@@ -74,7 +74,7 @@ def test_an_empty_or_missing_cache_has_no_result(cache_folder):
     [
         {"family": "dropped-ball"},
         {"engine": "mujoco"},
-        {"profile": "stock"},
+        {"profile": "step"},
         {"cases": ()},
         {"changes": (("timestep", 2e-3),)},
         {"with_studies": True},
@@ -278,7 +278,7 @@ def test_a_job_runs_though_the_cache_folder_cannot_be_written(tmp_path, result):
 
 
 def test_a_second_run_reads_the_results_of_the_first_from_the_cache():
-    jobs = [JOB, dataclasses.replace(JOB, profile="stock")]
+    jobs = [JOB, dataclasses.replace(JOB, profile="step")]
     keeps = Cache()
     assert recall(jobs, keeps) == []
     with ThreadPoolExecutor(2) as executor:

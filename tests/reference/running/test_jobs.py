@@ -44,7 +44,7 @@ def test_a_job_that_fails_gives_one_row_and_the_others_finish(tmp_path):
         Job("dropped-ball", engine_file(tmp_path, name, body), "tuned", ("e=0.5",)): note
         for name, (body, note) in DEATHS.items()
     }
-    results = results_of([GOOD, *odd, replace(GOOD, profile="stock")])
+    results = results_of([GOOD, *odd, replace(GOOD, profile="step")])
     assert len(results) == len(odd) + 2
     for job, note in odd.items():
         (row,) = results[job].rows
@@ -55,7 +55,7 @@ def test_a_job_that_fails_gives_one_row_and_the_others_finish(tmp_path):
         assert row.measured is None
         assert results[job].title == "an odd one"
         assert results[job].description == "says what the scenario means"
-    for job in (GOOD, replace(GOOD, profile="stock")):
+    for job in (GOOD, replace(GOOD, profile="step")):
         assert results[job].rows == run_job(job).rows
 
 
@@ -140,7 +140,7 @@ PROMPTLY = 30.0  # s: on a busy machine some seconds, and half of what the job w
 def test_leaving_early_waits_for_no_job_and_leaves_no_worker(error, tmp_path):
     job, begun = asleep(tmp_path)
     with ThreadPoolExecutor(2) as executor:
-        results = run_all([GOOD, job, replace(job, profile="stock"), GOOD], SCENARIOS, executor, 2 * ENOUGH)
+        results = run_all([GOOD, job, replace(job, profile="step"), GOOD], SCENARIOS, executor, 2 * ENOUGH)
         assert next(results).job == GOOD
         pid, start = process_in(begun), time.monotonic()
         with pytest.raises(error):
@@ -237,8 +237,8 @@ def test_the_log_says_when_a_job_starts_and_how_long_it_took(tmp_path, caplog):
     run_one(Job("dropped-ball", engine_file(tmp_path, "bad", "os._exit(3)"), "stock", ("e=0.5",)), SCENARIOS)
     assert [record.levelname for record in caplog.records if record.name == "reference.running.jobs"] == ["INFO"] * 4
     said = [record.message for record in caplog.records if record.name == "reference.running.jobs"]
-    assert said[0] == "sliding-slab in handwritten, tuned: started"
-    assert re.fullmatch(r"sliding-slab in handwritten, tuned: finished after \d+\.\d s", said[1])
+    assert said[0] == "sliding-slab in handwritten, exact: started"
+    assert re.fullmatch(r"sliding-slab in handwritten, exact: finished after \d+\.\d s", said[1])
     assert re.fullmatch(r"dropped-ball in .*bad\.py, stock: started", said[2])
     assert re.fullmatch(r"dropped-ball in .*bad\.py, stock: finished after \d+\.\d s", said[3])
 

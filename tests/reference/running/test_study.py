@@ -64,7 +64,7 @@ def test_a_job_has_a_curve_for_the_plotted_case_or_on_request(monkeypatch):
 
 def test_a_curve_has_a_gap_where_its_value_is_not_finite():
     engine, scenario = load_engine("handwritten"), DROPPED.case(DROPPED.curve.case).scenarios[0]
-    trajectory = engine.run(scenario, engine.settings(scenario, "tuned").change(timestep=0.01))
+    trajectory = engine.run(scenario, engine.settings(scenario, "exact").change(timestep=0.01))
     values = np.where(trajectory.times < 0.105, np.inf, 1.0)
     curve = Series.of(replace(DROPPED, curve=replace(DROPPED.curve, values=lambda _: values)), trajectory)
     assert curve.times == pytest.approx(trajectory.times[[11, -1]])  # and straight on from there
@@ -73,7 +73,7 @@ def test_a_curve_has_a_gap_where_its_value_is_not_finite():
 
 def test_convergence_is_studied_only_on_request():
     assert run_job(replace(STUDIED, with_studies=False)).convergence is None
-    found = run_job(replace(STUDIED, profile="stock")).convergence
+    found = run_job(replace(STUDIED, profile="step")).convergence
     assert found.timesteps == pytest.approx([4e-3, 2e-3, 1e-3, 5e-4])
     assert len(found.errors) == 4
 

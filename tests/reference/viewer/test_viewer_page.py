@@ -199,7 +199,7 @@ def results():
     return [
         run_job(Job(family, "handwritten", profile, names, with_poses=True))
         for family, names in cases.items()
-        for profile in ("tuned", "stock")
+        for profile in ("exact", "step")
     ]
 
 

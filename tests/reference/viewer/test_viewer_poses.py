@@ -64,7 +64,7 @@ def test_orientations_are_continuous_though_an_engine_flips_their_sign():
 def test_a_short_run_is_sampled_more_often():
     engine = load_engine("handwritten")
     scenario = catalogue()["cradle"].case("3 touching").scenarios[0]
-    poses = poses_of(engine.run(scenario, engine.settings(scenario, "tuned")))
+    poses = poses_of(engine.run(scenario, engine.settings(scenario, "exact")))
     assert len(poses.times) >= 60
     assert (round(1 / poses.times[1]) % RATE, poses.times[-1] <= scenario.duration) == (0, True)
 

@@ -25,7 +25,7 @@ def of_family(name: str, case: str) -> tuple[Scenario, Poses]:
     """A case of the catalogue as the hand-written code runs it."""
     scenario = catalogue()[name].case(case).scenarios[0]
     engine = load_engine("handwritten", Implementation("solutions"))
-    return scenario, poses_of(engine.run(scenario, engine.settings(scenario, "tuned")))
+    return scenario, poses_of(engine.run(scenario, engine.settings(scenario, "exact")))
 
 
 def still(*centres: tuple[float, float, float], names: tuple[str, ...], count: int = 30) -> Poses:
