@@ -157,7 +157,9 @@ def _finding(
     if not rows:
         return None
     groups = (_group(pick, rows, verdicts, opening) for verdicts, opening in _GROUPS)
-    asked = max((row for _, row in rows if row.expected is not None), key=lambda row: len(row.values), default=rows[0][1])
+    asked = max(
+        (row for _, row in rows if row.expected is not None), key=lambda row: len(row.values), default=rows[0][1]
+    )
     return Finding(title, question(asked), pick.family, tuple(group for group in groups if group), more, why)
 
 
@@ -169,9 +171,7 @@ def _rows(section: Section, pick: _Pick) -> Iterator[tuple[Line, Row]]:
             yield line, row
 
 
-def _group(
-    pick: _Pick, rows: Sequence[tuple[Line, Row]], verdicts: Sequence[Verdict], opening: str
-) -> Group | None:
+def _group(pick: _Pick, rows: Sequence[tuple[Line, Row]], verdicts: Sequence[Verdict], opening: str) -> Group | None:
     own = [(line, row) for line, row in rows if row.verdict in verdicts]
     if not own:
         return None
@@ -195,7 +195,11 @@ def _figure(pick: _Pick, line: Line, row: Row) -> Figure:
 def _stack(section: Section | None) -> str:
     """How far the top of ten boxes is below its place in each engine; empty where they were not stacked."""
     rows = [(line, row) for line, row in _rows(section, _STACK)] if section else []
-    low = [f"{numbers.size(abs(row.error), row.unit)} in {line.result.title}" for line, row in rows if line.counts and row.error]
+    low = [
+        f"{numbers.size(abs(row.error), row.unit)} in {line.result.title}"
+        for line, row in rows
+        if line.counts and row.error
+    ]
     if not low:
         return ""
     return f"A stack of ten boxes stands in all of them: the top is low by {', '.join(low[:-1])} and {low[-1]}."

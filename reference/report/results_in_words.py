@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from reference.comparison.verdicts import Verdict
 from reference.engines.handwritten_engine import Handwritten
@@ -36,18 +37,27 @@ def plain(section: Section) -> str:
     return f"{_sentence(engines, 'As installed, ')} {_sentence(by_hand, 'At the step, ')}".strip()
 
 
-def accepted(section: Section) -> list[tuple[str, str]]:
-    """Each reason for a tolerance, once, with the quantities and the implementations to which it applies."""
+@dataclass(frozen=True)
+class Accepted:
+    """What counts as near theory, and why: of which quantities, in which implementations."""
+
+    quantities: str
+    whose: str
+    reason: str
+
+
+def accepted(section: Section) -> list[Accepted]:
+    """Each reason for a tolerance, once for all quantities to which it applies in the same implementations."""
     found: dict[tuple[str, str], list[str]] = {}
     for quantity in section.family.quantities:
         groups = section.tolerances(quantity.name)
         largest = max((len(titles) for _, titles in groups), default=0)
         for reason, titles in groups:
-            who = "; ".join(titles)
+            whose = "; ".join(titles)
             if len(titles) == largest and len(titles) > 2:
-                who = "all" if len(groups) == 1 else "all others"
-            found.setdefault((reason, who), []).append(quantity.title)
-    return [(reason, f"{', '.join(quantities)}: {who}") for (reason, who), quantities in found.items()]
+                whose = "all" if len(groups) == 1 else "all others"
+            found.setdefault((reason, whose), []).append(quantity.title)
+    return [Accepted(", ".join(titles), whose, reason) for (reason, whose), titles in found.items()]
 
 
 def _sentence(lines: Sequence[Line], opening: str = "") -> str:
