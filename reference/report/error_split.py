@@ -29,9 +29,9 @@ class Step:
 class Origin:
     """The split of one engine's error.
 
-    title: the engine. quantity, case: whose error it is. plain, counted: the error, in the plain profile and in the one that counts; plain
-    is empty where it was not measured. shares: what each of `KINDS` makes of the latter, empty where nothing was
-    moved; no share at all where that error is rounding. steps: the moves with an effect.
+    title: the engine. quantity, case: whose error it is. plain, counted: the error in the plain profile and in the one
+    that counts; plain is empty where it was not measured. shares: what each of `KINDS` makes of the latter, empty where
+    nothing was moved; no share at all where that error is rounding. steps: the moves with an effect.
     """
 
     title: str

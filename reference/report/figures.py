@@ -215,9 +215,9 @@ def line_style(line: Line, thin: bool = False, as_counted: bool = False) -> dict
 
 
 def _own_ids(text: str, name: str) -> str:
-    """The SVG element alone, its numbers short, its ids prefixed, and without those of groups, to which nothing refers."""
+    """The SVG element alone, its ids prefixed, its numbers short; none for texts and ticks, to which nothing refers."""
     svg = re.sub(r"(\.\d\d)\d+", r"\1", text[text.index("<svg") :])  # a hundredth of a point is not seen
-    svg = re.sub(r'<g id="(?!figure|axes)[^"]+">', "<g>", svg)
+    svg = re.sub(r'<g id="(?:text|patch|[xy]tick|matplotlib)[^"]*">', "<g>", svg)
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{name}-\1"', svg)
     return re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", svg)

@@ -45,10 +45,8 @@ def write(results: Iterable[JobResult], folder: Path, published: Iterable[Publis
     _write(folder / "provenance.json", as_json(PROVENANCE, provenance(engine_versions(ordered))))
     address = PUBLISHED_PAGE if others else ""
     replays = {section.family.name: clip for section in found if (clip := replay_of(section)) is not None}
-    first = findings(found)
-    small = {
-        section.family.name: _glance(section) for section in found if section.family.name in {it.family for it in first}
-    }
+    first = {finding.family for finding in findings(found)}
+    small = {section.family.name: _glance(section) for section in found if section.family.name in first}
     _write(folder / PAGE, page.render(found, in_page, compared(ordered), machine(), address, replays, small))
     if others:
         _write_published(others, folder)

@@ -19,7 +19,7 @@ from reference.report.marks import MARKS
 from reference.report.sections import Line, Section
 
 _NOTHING_LEFT, _FAR = 0.01, 0.1
-"""Shares of what theory expects: with less of it nothing has happened; with a larger error the number itself is told."""
+"""Shares of what theory expects: with less of it nothing has happened; with more of an error the number is told."""
 
 
 @dataclass(frozen=True)
@@ -156,11 +156,12 @@ def _finding(
     rows = list(_rows(section, pick)) if section else []
     if not rows:
         return None
-    groups = (_group(pick, rows, verdicts, opening) for verdicts, opening in _GROUPS)
-    asked = max(
-        (row for _, row in rows if row.expected is not None), key=lambda row: len(row.values), default=rows[0][1]
-    )
-    return Finding(title, question(asked), pick.family, tuple(group for group in groups if group), more, why)
+    known = [row for _, row in rows if row.expected is not None]
+    if not known:
+        return None
+    asked = question(max(known, key=lambda row: len(row.values)))
+    groups = [_group(pick, rows, verdicts, opening) for verdicts, opening in _GROUPS]
+    return Finding(title, asked, pick.family, tuple(group for group in groups if group), more, why)
 
 
 def _rows(section: Section, pick: _Pick) -> Iterator[tuple[Line, Row]]:
@@ -195,14 +196,11 @@ def _figure(pick: _Pick, line: Line, row: Row) -> Figure:
 def _stack(section: Section | None) -> str:
     """How far the top of ten boxes is below its place in each engine; empty where they were not stacked."""
     rows = [(line, row) for line, row in _rows(section, _STACK)] if section else []
-    low = [
-        f"{numbers.size(abs(row.error), row.unit)} in {line.result.title}"
-        for line, row in rows
-        if line.counts and row.error
-    ]
+    counted = [(line, row) for line, row in rows if line.counts and row.error]
+    low = [f"{numbers.size(abs(row.error or 0.0), row.unit)} in {line.result.title}" for line, row in counted]
     if not low:
         return ""
-    return f"A stack of ten boxes stands in all of them: the top is low by {', '.join(low[:-1])} and {low[-1]}."
+    return f"A stack of ten boxes stands in all of them: the top is low by {', '.join(low)}."
 
 
 def timestep_of(row: Row) -> str:

@@ -58,14 +58,14 @@ def columns(found: Sequence[Section]) -> list[str]:
 
 
 _SAID = {
-    "{} are as predicted and away from it": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
+    "{} as predicted and away from it": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
     "{} failed": (Verdict.FAIL,),
-    "{} cannot be made for want of words": (
+    "{} could not be made for want of words": (
         Verdict.CANNOT_EXPRESS,
         Verdict.NO_WORDS,
     ),
     "{} gave no answer": (Verdict.CRASHED, Verdict.NOT_AVAILABLE),
-    "{} wait for hand-written functions": (Verdict.NEEDS,),
+    "{} waited for hand-written functions": (Verdict.NEEDS,),
 }
 """What is said of so many checks, by their verdicts."""
 _ALWAYS = (Verdict.FAIL,)
@@ -75,7 +75,7 @@ def verdict_line(rows: Sequence[Row]) -> str:
     """One sentence on the checks that count: near theory, away from it as predicted, failed, not made, and waiting."""
     counted = [row for row in rows if counts(row.profile) and row.verdict is not Verdict.SHOWN]
     near = sum(row.verdict is Verdict.PASS for row in counted)
-    parts = [f"Of {_checks(len(counted))} that count, {near:,} are as their method predicts and near theory"]
+    parts = [f"Of {_checks(len(counted))}, {near:,} came out as predicted and near theory"]
     for words, verdicts in _SAID.items():
         count = sum(row.verdict in verdicts for row in counted)
         if count or verdicts == _ALWAYS:
@@ -84,4 +84,4 @@ def verdict_line(rows: Sequence[Row]) -> str:
 
 
 def _checks(count: int) -> str:
-    return "1 check" if count == 1 else f"{count:,} checks"
+    return "1 check that counts" if count == 1 else f"{count:,} checks that count"
