@@ -23,6 +23,10 @@ from reference.report.marks import AGREES, MARKS, SEVERITY
 from reference.report.row_text import error_of, left_of
 
 
+_AWAY = (Verdict.FAIL, Verdict.DISAGREES)
+"""The verdicts of numbers that are far from theory, so that how far is not the question."""
+
+
 @dataclass(frozen=True)
 class Cell:
     """One cell of a table, for the rows of one quantity in one implementation, or of all quantities.
@@ -74,11 +78,21 @@ class Cell:
 
     @cached_property
     def in_words(self) -> str:
-        """The worst row of several quantities, with the name of its quantity: `stopping distance −0.1 %`."""
+        """The worst row of several quantities, with the name of its quantity: `stopping distance −0.1 %`.
+
+        Of rows that fail it is the worst one of the first quantity that does; of others the one that uses most of what
+        is accepted.
+        """
         judged = [row for row in self.rows if row.verdict is not Verdict.SHOWN]
         if not judged or self.family is None or not self.count.partition("/")[2]:
             return ""
-        worst = max(judged, key=lambda row: (-SEVERITY.index(row.verdict), row.measured is None, _distance(row)))
+        order = [quantity.name for quantity in self.family.quantities]
+
+        def badness(row: Row) -> tuple[int, bool, int, float]:
+            place = -order.index(row.quantity) if row.quantity and row.verdict in _AWAY else 0
+            return -SEVERITY.index(row.verdict), row.measured is None, place, _distance(row)
+
+        worst = max(judged, key=badness)
         if not worst.quantity:
             cases = {row.case for row in judged}
             return f"{worst.verdict}: {sum(not row.quantity for row in judged)} of {len(cases)} cases"
@@ -275,12 +289,8 @@ def _badness(row: Row) -> tuple[int, float]:
 
 
 def _distance(row: Row) -> float:
-    """How far a row is from theory, so that all quantities can be compared.
-
-    As a share of what counts as near; of a failed row as a share of what theory expects, where it expects something.
-    """
-    size = row.scale or row.expected or row.tolerance if row.verdict is Verdict.FAIL else row.tolerance
-    return abs(row.error / size) if row.error is not None and size else 0.0
+    """How far a row is from theory, as a share of what counts as near, so that all quantities can be compared."""
+    return abs(row.error / row.tolerance) if row.error is not None and row.tolerance else 0.0
 
 
 def _times(title: str, count: int) -> str:

@@ -91,7 +91,7 @@ class Replay {
     this.boxes = clip.runs.map((run, place) => this.choice(run, place));
     if (clip.runs.some(run => run.touches.length)) {
       this.contactBox = this.box(true, on => { this.contacts = on; });
-      this.whose = add(this.contactBox.parentNode, "span");
+      this.whose = add(this.contactBox.parentNode, "span", {}, "contacts");
     }
     const help = add(element, "details", { class: "replay-help" });
     add(help, "summary", {}, "Keys");

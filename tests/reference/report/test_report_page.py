@@ -187,7 +187,7 @@ def test_a_family_shows_its_figures_with_captions(family, tree):
     assert [it.all("figcaption")[0].text for it in section.all("figure")] == [
         f"What {family.name}-{kind} shows." for kind in ("trajectories", "convergence")
     ]
-    assert all(len(it.all("svg")) == 1 and it.attributes["aria-label"] for it in section.all("figure"))
+    assert all(len(it.all("svg")) == 1 and it.all("div")[0].attributes["aria-label"] for it in section.all("figure"))
 
 
 @every_family

@@ -142,7 +142,7 @@ def test_messages_of_engines_are_shown_as_text_and_never_run():
     assert [cell.text for cell in settings.all("td")] == [shown, shown]
     assert theirs.all("td")[0].text == f"{MARKS[Verdict.CRASHED]} crashed: {shown}"
     assert section.all("figcaption")[0].text == shown
-    assert section.all("figure")[0].attributes["aria-label"] == EVIL
+    assert section.all("figure")[0].all("div")[0].attributes["aria-label"] == EVIL
     assert shown in tree.all("header")[0].text
     assert shown in tree.all("footer")[0].text
 
