@@ -46,7 +46,7 @@ Profiles = Annotated[
     typer.Option(
         "--profile",
         help="exact, slide, step, … by hand; tuned, stock, … of an engine; repeat for several; all if none is named."
-        " Whoever has none of them runs exact or tuned.",
+        " An implementation that has none of them runs exact or tuned.",
         show_default=False,
     ),
 ]

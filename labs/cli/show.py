@@ -20,19 +20,18 @@ from labs.demonstrations.catalogue import DEMONSTRATIONS, find
 from labs.demonstrations.demonstration import Demonstration
 from labs.demonstrations.outcomes import Outcome
 from labs.demonstrations.replay import page_of
+from labs.demonstrations.tables import table_of
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
-from reference.report import figures, terminal, terminal_plot
-from reference.report.marks import MARKS
-from reference.report.row_text import error_of
-from reference.report.sections import Line, recordings
+from reference.errors import listed
+from reference.report import figures, terminal_plot
 from reference.running.cache import Cache
 from reference.running.study import plan
 
-LEAST_HEIGHT, MOST_WIDTH = 11, 140
+LEAST_HEIGHT, MOST_WIDTH = 8, 140
 """Lines of the lowest plot that can be read, and columns of the widest."""
-CLOSE = 5
-"""From so many implementations on, the table's columns move closer together, so that all fit into 80 columns."""
+RUNS_AND_PROMPT = 2
+"""Lines that stand on the screen as well: how many runs there are, and the prompt."""
 SIZE, DPI = (9.0, 5.0), 160
 """Size of a plot in a file, in inches, and its dots per inch."""
 LARGEST_MARKER, SMALLEST_MARKER, SMALLER = 14, 5, 4
@@ -68,17 +67,16 @@ def show(
         if file is not None:
             option.check(file)
     planned = [replace(job, with_poses=html is not None) for job in _planned(demonstration, engine, implementation)]
-    output.print(Text(demonstration.title, style="bold"))
-    output.print(Text(demonstration.question), Text(demonstration.look, style="italic"), "", sep="\n")
+    title, look = (f"{demonstration.title}. ", "bold"), (f" {demonstration.look}", "italic")
+    asked = Text.assemble(title, demonstration.question, look)
+    output.print(asked)
     results = jobs.run(planned, workers, Cache(fresh=fresh))
     outcome = Outcome(demonstration, tuple(results))
-    table = _across(outcome) if demonstration.labels else _down(outcome)
-    below = Group(
-        *_notes(outcome), *(Text.assemble(("→ ", "bold"), line) for line in outcome.lesson()), *_recorded(outcome)
-    )
+    lesson = (Text.assemble(("→ ", "bold"), line) for line in outcome.lesson())
+    below = Group(table_of(outcome), *_notes(outcome), *lesson, *_recorded(outcome))
     if not no_plot:
-        _plot(outcome, len(output.render_lines(Group(table, below))))
-    output.print(table, below)
+        _plot(outcome, len(output.render_lines(Group(asked, below))) + RUNS_AND_PROMPT)
+    output.print(below)
     if plot is not None:
         PLOT.write(plot, _figure(outcome, plot.suffix.lower().lstrip(".")))
         output.print(f"The plot is in {plot}.", soft_wrap=True, markup=False)
@@ -109,18 +107,18 @@ def _planned(demonstration: Demonstration, engines: Sequence[str] | None, implem
     changes = [{"timestep": timestep} for timestep in demonstration.timesteps.values()] or [{}]
     found: list[Job] = []
     for engine in engines or demonstration.profiles:
-        profiles = tuple(demonstration.profiles.get(engine, ()))
+        profiles = demonstration.profiles.get(engine, ())
         for change in changes:
             found += plan([catalogue()[demonstration.family]], [engine], profiles, cases, implementation, change)
     return found
 
 
 def _plot(outcome: Outcome, beside: int) -> None:
-    """Draw the curves in the terminal, and leave room for so many other lines and one for the prompt."""
+    """Draw the curves in the terminal, and leave room for so many other lines."""
     if not outcome.curves:
         return
     width = min(output.width, MOST_WIDTH)
-    height = max(LEAST_HEIGHT, min(output.height - beside - 1, width // 3))
+    height = max(LEAST_HEIGHT, min(output.height - beside, width // 3))
     try:
         drawn = terminal_plot.plot(outcome.curves, *outcome.axes, width, height)
     except ImportError:
@@ -130,7 +128,12 @@ def _plot(outcome: Outcome, beside: int) -> None:
 
 
 def _recorded(outcome: Outcome) -> list[Text]:
-    return [Text(line, style="dim") for line in recordings(line.result for line in outcome.section.lines)]
+    """Which engines were not run here, in one line; and what was moved to a recorded point."""
+    results = [line.result for line in outcome.section.lines]
+    titles = list(dict.fromkeys(result.title for result in results if result.recording))
+    said = [f"{listed(titles)}: recorded elsewhere, not run here."] if titles else []
+    moved = dict.fromkeys(result.job.snapped for result in results if result.job.snapped)
+    return [Text(line, style="dim") for line in (*said, *moved)]
 
 
 def _notes(outcome: Outcome) -> list[Text]:
@@ -138,65 +141,9 @@ def _notes(outcome: Outcome) -> list[Text]:
     found: dict[str, dict[str, None]] = {}
     for line in outcome.section.lines:
         for row in line.result.rows:
-            if row.measured is None and row.note:
+            if row.measured is None and row.note and row.quantity in ("", outcome.demonstration.quantity):
                 found.setdefault(row.why, {})[line.title] = None
     return [Text(f"{'; '.join(titles)}: {note}", style="dim") for note, titles in found.items()]
-
-
-def _down(outcome: Outcome) -> Table:
-    asked = outcome.demonstration
-    judged = ("expected", "difference") if outcome.theory(asked.quantity) is not None else ()
-    table = _table("", "implementation", "profile", asked.heading, *judged, *asked.beside.values())
-    for (engine, profile), line in outcome.implementations.items():
-        row = outcome.row(engine, profile, asked.quantity)
-        beside = [_cell(outcome, engine, profile, quantity) for quantity in asked.beside if row and row.quantity]
-        error = Text(error_of(row), style=terminal.style_of(row.verdict)) if row else Text()
-        expected = Text(outcome.formatted(row.expected, asked.quantity) if row else "")
-        name = Text(line.result.title), Text(asked.profiles.get(engine, {}).get(profile) or profile)
-        cell = _cell(outcome, engine, profile, asked.quantity)
-        table.add_row(_mark(outcome, line), *name, cell, *((expected, error) if judged else ()), *beside)
-    return table
-
-
-def _across(outcome: Outcome) -> Table:
-    asked = outcome.demonstration
-    heads = [
-        Text.assemble(_mark(outcome, line), " ", line.result.title, "\n  ", line.result.job.profile)
-        for line in outcome.implementations.values()
-    ]
-    first = "timestep" if asked.timesteps else asked.heading
-    theory = "theory" if asked.predicted is None else Text.assemble(terminal_plot.marked(None), " predicted")
-    table = _table(f"\n{first}", Text.assemble("\n", theory), *heads)
-    table.padding = table.padding if len(heads) < CLOSE else (0, 1, 0, 0)
-    for label in asked.labels:
-        value = asked.predicted(asked.timesteps[label]) if asked.predicted else outcome.theory(asked.quantity, label)
-        cells = [_cell(outcome, engine, profile, asked.quantity, label) for engine, profile in outcome.implementations]
-        table.add_row(label, outcome.formatted(value, asked.quantity), *cells)
-    return table
-
-
-def _table(*headings: str | Text) -> Table:
-    table = Table(box=None, header_style="bold", padding=(0, 1), pad_edge=False)
-    for heading in headings:
-        table.add_column(heading, no_wrap=True)
-    return table
-
-
-def _mark(outcome: Outcome, line: Line) -> Text:
-    drawn = {curve.line.title for curve in outcome.curves if curve.line is not None}
-    return terminal_plot.marked(line) if line.title in drawn else Text(" ")
-
-
-def _cell(outcome: Outcome, engine: str, profile: str, quantity: str, label: str = "") -> Text:
-    """What was measured, or why there is no number: one word, or its mark if columns are narrow."""
-    row = outcome.row(engine, profile, quantity, label)
-    if row is None:
-        return Text()
-    if row.measured is None:
-        narrow = bool(label) and " " in row.verdict
-        return Text(MARKS[row.verdict] if narrow else str(row.verdict), style=terminal.style_of(row.verdict))
-    wrong = bool(outcome.demonstration.labels) and row.error and not outcome.demonstration.predicted
-    return Text(outcome.formatted(row.measured, quantity), style=terminal.style_of(row.verdict) if wrong else "")
 
 
 def _figure(outcome: Outcome, kind: str) -> bytes:

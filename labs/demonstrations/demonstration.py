@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from labs.demonstrations.lesson import Line, Measured, Number, Predicted
 from reference.errors import UnknownName
 
-Profiles = Mapping[str, Mapping[str, str]]
-"""Engine → its profiles → what a class reads for each, if the profile's own name says too little."""
+Profiles = Mapping[str, tuple[str, ...]]
+"""Engine → its profiles."""
 
 
 @dataclass(frozen=True)

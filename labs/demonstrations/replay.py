@@ -26,5 +26,5 @@ def clips_of(outcome: Outcome) -> list[Clip]:
             lines = [
                 line for line in outcome.section.lines if dict(line.result.job.changes).get("timestep") == timestep
             ]
-            found.append(case_clip(family.case(name), lines, f"{asked.title}, {called}", asked.profiles))
+            found.append(case_clip(family.case(name), lines, f"{asked.title}, {called}"))
     return [clip for clip in found if clip is not None]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from reference.catalogue.case import Case
 from reference.comparison.results import JobResult
@@ -31,17 +31,10 @@ def _failed(line: Line, case: Case) -> bool:
     return any(row.verdict is Verdict.FAIL for row in line.result.rows if row.case == case.name)
 
 
-def case_clip(
-    case: Case,
-    lines: Iterable[Line],
-    title: str,
-    profiles: Mapping[str, Mapping[str, str]] | None = None,
-    all_shown: bool = False,
-) -> Clip | None:
+def case_clip(case: Case, lines: Iterable[Line], title: str, all_shown: bool = False) -> Clip | None:
     """One case in these implementations, the first of them drawn solid.
 
-    profiles: other words for a profile, by engine and profile, where its own name says too little. all_shown: whether
-    profiles that do not count are to be seen at first as well.
+    all_shown: whether profiles that do not count are to be seen at first as well.
     """
     found: dict[str, Poses] = {}
     hidden = set()
@@ -50,8 +43,7 @@ def case_clip(
         if track is not None:
             engine, profile = line.result.job.engine, line.result.job.profile
             name = engine if line.counts else f"{engine} {profile}"
-            known = (profiles or {}).get(engine, {}).get(profile) or ("" if line.counts else profile)
-            called = f"{line.result.title}, {known}".removesuffix(", ")
+            called = line.result.title if line.counts else line.title
             found[name] = unpack(track, called, line.result.recording)
             hidden |= set() if line.counts or all_shown else {name}
     return clip(case.scenarios[0], found, title, hidden) if found else None

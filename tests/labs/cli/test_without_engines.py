@@ -7,6 +7,7 @@ import re
 import pytest
 from program import collisions
 
+from labs.cli import show
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job
 from reference.engines import engine_names, load_engine
@@ -65,14 +66,16 @@ def test_published_cases_are_answered_from_recordings():
 def test_a_demonstration_shows_recorded_engines_or_names_the_missing(tmp_path, monkeypatch):
     said = collisions("show", "stop")
     assert said.code == 0, said.errors
-    assert len(re.findall(r"(PyBullet|MuJoCo)\* +(tuned|stock) +0\.\d+ m", said.output)) == 4
-    assert re.search(r"\* PyBullet \S+ was recorded on \S+ \(.*?\); it is not run here", said.text)
+    numbers = re.findall(r"^(PyBullet|MuJoCo|DART)\* +\S tuned +0\.\d+ m.* stock +(0\.\d+ m|fail)", said.output, re.M)
+    assert [stock == "fail" for _, stock in numbers] == [False, False, True]
+    assert "PyBullet*, MuJoCo* and DART*: recorded elsewhere, not run here." in said.output
+    assert len(said.lines) + show.RUNS_AND_PROMPT <= 24
     monkeypatch.setattr(files, "FOLDER", tmp_path)  # no recording there
     said = collisions("show", "stop", "--fresh")
     lines = "\n".join(said.lines)
-    assert len(re.findall(r"(PyBullet|MuJoCo) +(tuned|stock) +not available$", lines, re.MULTILINE)) == 4
+    assert len(re.findall(r"^(PyBullet|MuJoCo|DART) +tuned +– +stock +–$", lines, re.MULTILINE)) == 3
     assert "PyBullet, tuned; PyBullet, stock: not available: PyBullet is not installed here" in said.text
-    assert re.search(r"●  hand-written +exact +0\.50968 m", said.output)
+    assert re.search(r"by hand +● exact +0\.50968 m", said.output)
     assert collisions("show", "roll").code == 3
 
 

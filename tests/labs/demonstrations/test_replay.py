@@ -30,7 +30,7 @@ def test_a_page_has_the_question_the_replay_and_the_lesson(tmp_path):
     text = file.read_text(encoding="utf-8")
     (clip,) = clips(text)
     assert clip["title"] == "Newton's cradle, five, touching"
-    assert [run["title"] for run in clip["runs"]] == ["hand-written, in turn", "hand-written, at once"]
+    assert [run["title"] for run in clip["runs"]] == ["hand-written", "hand-written, step"]
     assert [run["shown"] for run in clip["runs"]] == [True, False]
     asked = find("cradle")
     places = [
