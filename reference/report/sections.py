@@ -22,7 +22,6 @@ from reference.report import numbers
 from reference.report.marks import AGREES, MARKS, SEVERITY
 from reference.report.row_text import error_of, left_of
 
-
 _AWAY = (Verdict.FAIL, Verdict.DISAGREES)
 """The verdicts of numbers that are far from theory, so that how far is not the question."""
 

@@ -402,9 +402,8 @@ class Replay {
     const reach = [0, 1, 2].map(axis => Math.max(0, ...(solid.points || []).map(point => point[axis])));
     const radius = solid.sphere || solid.capsule?.[0] || 0, least = this.scale * (radius || Math.min(...reach));
     const room = 2 * this.scale * (radius || Math.max(...reach)) > 9 + 7 * label.length;
-    const inside = groups.length === 1 && least > 9 && room, far = least + 24 + 16 * place;
-    const over = y - least - 24 - 16 * (groups.length - 1) > 14;
-    const down = inside ? y + (least > 30) * 14 : over ? y - far : y + far;
+    const inside = !groups[1] && least > 9 && room, far = least + 24 + 16 * place;
+    const down = inside ? y + (least > 30) * 14 : y > least + 22 + 16 * groups.length ? y - far : y + far;
     this.text(label, x, down, group.length > 1 ? this.colours.ink : this.colours[run.look], "bold");
   }
   text(words, x, y, colour, weight = "") {
