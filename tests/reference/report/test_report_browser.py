@@ -45,7 +45,7 @@ def test_a_link_unfolds_its_scenario(browser, whole):
 
 
 def test_the_keyboard_skips_to_the_results_and_sorts_a_table(browser, whole):
-    browser.open(whole)
+    browser.open(whole, width=1200)
     browser.press("Tab")
     assert browser.run("found.text = document.activeElement.textContent;") == {"text": "Skip to the results"}
     found = browser.run("""document.querySelectorAll("details").forEach(it => { it.open = true; }); await wait(0.3);
