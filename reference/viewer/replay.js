@@ -272,7 +272,8 @@ class Replay {
     });
     this.arrows(runs.find(run => run.shown && run.count));
     const named = runs.length > 1 ? runs.filter(run => run.shown && run.count) : [], groups = this.together(named);
-    groups.forEach((group, place) => this.name(group, place, groups));
+    this.labels = []; // where they are
+    for (const group of groups) this.name(group, groups.length);
   }
   place(run, columns, i) {
     const frame = Math.min(this.frame, run.count - 1);
@@ -388,22 +389,22 @@ class Replay {
   }
   together(runs) { // in groups whose outlines cannot be told apart here: their labels are joined by =
     const groups = [];
-    for (const run of runs) {
-      const spot = this.mark(run), near = other => spot && Math.hypot(spot[0] - other[0], spot[1] - other[1]) < SAME;
-      const group = groups.find(([first]) => first.marked === run.marked && near(this.mark(first) || [NaN, NaN]));
+    for (const run of runs.filter(each => this.mark(each))) {
+      const [x, y] = this.mark(run), near = ([u, v]) => Math.hypot(x - u, y - v) < SAME;
+      const group = groups.find(([first]) => first.marked === run.marked && near(this.mark(first)));
       if (group) group.push(run); else groups.push([run]);
     }
     return groups;
   }
-  name(group, place, groups) { // its labels inside the body where all are together; else above one another over it
-    const [run] = group, solid = this.clip.solids[run.bodies[run.marked]] || {}, spot = this.mark(run);
-    if (!spot) return;
-    const [x, y] = spot, label = group.map(each => each.tag).join(" = ");
+  name(group, count) { // its labels over the body, or under it where there is no room, clear of the others
+    const [run] = group, solid = this.clip.solids[run.bodies[run.marked]] || {}, [x, y] = this.mark(run);
+    const label = group.map(each => each.tag).join(" = ");
     const reach = [0, 1, 2].map(axis => Math.max(0, ...(solid.points || []).map(point => point[axis])));
     const radius = solid.sphere || solid.capsule?.[0] || 0, least = this.scale * (radius || Math.min(...reach));
-    const room = 2 * this.scale * (radius || Math.max(...reach)) > 9 + 7 * label.length;
-    const inside = !groups[1] && least > 9 && room, far = least + 24 + 16 * place;
-    const down = inside ? y + (least > 30) * 14 : y > least + 22 + 16 * groups.length ? y - far : y + far;
+    const up = y > least + 22 + 16 * count ? -1 : 1, wide = 8 * label.length;
+    let down = y + up * (least + 24);
+    while (this.labels.some(([u, v, w]) => Math.abs(x - u) < (wide + w) / 2 && Math.abs(down - v) < 16)) down += 16 * up;
+    this.labels.push([x, down, wide]);
     this.text(label, x, down, group.length > 1 ? this.colours.ink : this.colours[run.look], "bold");
   }
   text(words, x, y, colour, weight = "") {
