@@ -40,6 +40,8 @@ _DASHES: dict[str, Any] = {
     "stronge": (0, (5, 1.5, 1.2, 1.5, 1.2, 1.5)),
 }
 _OTHER_DASHES = (0, (5, 2))
+_LONG = 36
+"""Letters of an entry from which on a legend is small."""
 _BELOW = 4
 """How far below the smallest error above rounding, as a factor, errors of rounding are drawn."""
 STYLE: dict[Any, Any] = {
@@ -158,7 +160,8 @@ def _figure(
             axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
             axes.set_axisbelow(True)
         handles, texts = zip(*(drawn[line.title] for line in lines), strict=True)
-        figure.legend(handles, texts, loc="outside lower left", ncols=2, handlelength=3)
+        small = {"fontsize": 8} if max(map(len, texts)) > _LONG else {}
+        figure.legend(handles, texts, loc="outside lower left", ncols=2, handlelength=3, **small)
         return as_svg(figure, name)
 
 

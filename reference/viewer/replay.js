@@ -403,7 +403,8 @@ class Replay {
     const radius = solid.sphere || solid.capsule?.[0] || 0, least = this.scale * (radius || Math.min(...reach));
     const up = y > least + 22 + 16 * count ? -1 : 1, wide = 8 * label.length;
     let down = y + up * (least + 24);
-    while (this.labels.some(([u, v, w]) => Math.abs(x - u) < (wide + w) / 2 && Math.abs(down - v) < 16)) down += 16 * up;
+    const meets = ([u, v, w]) => Math.abs(x - u) < (wide + w) / 2 && Math.abs(down - v) < 16;
+    while (this.labels.some(meets)) down += 16 * up;
     this.labels.push([x, down, wide]);
     this.text(label, x, down, group.length > 1 ? this.colours.ink : this.colours[run.look], "bold");
   }
