@@ -46,7 +46,8 @@ class Quantity:
     measure: trajectory → number. expect: case, settings and the engine's method → expectation; None where theory has
     no figure, in this case or in any; then the number is only shown. scale: what a deviation is judged against when it
     is printed in percent, None to print it as it is. slack: how much of it a method's solver leaves to chance, in its
-    unit, where that is more than the band of a prediction; None where nothing is.
+    unit, where that is more than the band of a prediction; None where nothing is. absent: what a run does that has no
+    such number.
     """
 
     name: str
@@ -56,6 +57,7 @@ class Quantity:
     expect: Callable[[Case, Settings, Method], Expectation | None] | None
     scale: Callable[[Case], float] | None = None
     slack: Callable[[Settings, Method], float] | None = None
+    absent: str = "has no such number"
 
     def theory(self, case: Case) -> float | None:
         """What theory says, which depends on no engine and no timestep; None where it has no figure."""

@@ -57,6 +57,16 @@ def of_section(section: Section, study_caption: str) -> list[Drawing]:
     return [drawing for drawing in found if drawing.shown]
 
 
+def at_a_glance(section: Section) -> Drawing:
+    """The small picture of a family: what counts, and what is plain."""
+    curve = section.family.curve
+    lines = [line for line in section.lines if (line.counts or line.plain) and line.result.series is not None]
+    caption = f"{curve.title}: {curve.y_label} against time."
+    return Drawing(
+        f"{section.family.name}-glance", caption, _glance, tuple(_only(line.result, "series") for line in lines)
+    )
+
+
 def of_impacts(line: PublishedLine) -> list[Drawing]:
     """The figures of the published impacts."""
     results = tuple(replace(cell.result, answers={}, seconds=0.0, cached=False) for cell in line.cells.values())
@@ -111,6 +121,10 @@ def _trajectories(*results: JobResult) -> str:
 
 def _convergence(*results: JobResult) -> str:
     return figures.convergence(_section(results))
+
+
+def _glance(*results: JobResult) -> str:
+    return figures.glance(_section(results)) if results else ""
 
 
 def _impact(place: int, *results: PublishedResult) -> str:

@@ -1,4 +1,4 @@
-"""The split of an error in words: where it comes from, as the page prints it."""
+"""The split of an error as text: where it comes from, as the page prints it."""
 
 from __future__ import annotations
 
@@ -6,11 +6,10 @@ from dataclasses import dataclass
 
 from reference.comparison.convergence import ROUNDING
 from reference.comparison.error_split import CONTACT_MODEL, DEFAULTS, DISCRETISATION, REMAINDER, SOLVER, Split
-from reference.engines.profiles import PLAIN_OF
 from reference.report import numbers
-from reference.report.sections import Line, Section
+from reference.report.sections import Section
 
-_KINDS = (DISCRETISATION, CONTACT_MODEL, SOLVER, REMAINDER)
+KINDS = (DISCRETISATION, CONTACT_MODEL, SOLVER, REMAINDER)
 VISIBLE = 0.01
 """A move has no visible effect if it changes less than this share of the largest change, or of the error itself."""
 
@@ -30,24 +29,30 @@ class Step:
 class Origin:
     """The split of one engine's error.
 
-    title: the engine. quantity, case: whose error it is. steps: the moves with an effect. idle: those without one.
-    sentence: all shares together.
+    title: the engine. quantity, case: whose error it is. plain, counted: the error in the plain profile and in the one
+    that counts; plain is empty where it was not measured. shares: what each of `KINDS` makes of the latter, empty where
+    nothing was moved; no share at all where that error is rounding. steps: the moves with an effect.
     """
 
     title: str
     quantity: str
     case: str
+    plain: str
+    counted: str
+    shares: tuple[str, ...]
     steps: tuple[Step, ...]
-    idle: tuple[str, ...]
-    sentence: str
 
 
 def origins(section: Section) -> list[Origin]:
     """The splits of a family's lines, one an engine."""
-    return [_origin(section, line, line.result.split) for line in section.lines if line.result.split is not None]
+    return [
+        _origin(section, line.result.title, line.result.split)
+        for line in section.lines
+        if line.result.split is not None
+    ]
 
 
-def _origin(section: Section, line: Line, split: Split) -> Origin:
+def _origin(section: Section, title: str, split: Split) -> Origin:
     quantity, case = section.family.quantity(split.quantity), section.family.case(split.case)
     scale = quantity.scale(case) if quantity.scale else None
 
@@ -58,25 +63,17 @@ def _origin(section: Section, line: Line, split: Split) -> Origin:
 
     sizes = [abs(share.size) for share in split.shares if share.size is not None]
     floor = VISIBLE * max((size for size in sizes if size > 0), default=0.0)
-    error, profile = _own_error(split), line.result.job.profile
-    steps, idle = [], []
+    error = _own_error(split)
+    steps = []
     for share in split.shares:
         least = floor if share.kind == DEFAULTS else VISIBLE * abs(error)
-        if share.size is not None and abs(share.size) <= least:
-            idle.append(share.moved if share.kind != REMAINDER else REMAINDER)
-        else:
+        if share.size is None or abs(share.size) > least:
             steps.append(Step(share.kind, share.moved, text(share.before), text(share.after), text(share.size)))
-    plain = next((share.before for share in split.shares if share.kind == DEFAULTS), None)
-    opening = f"{profile}: {text(error)}.".capitalize()
-    if plain is not None:
-        opening = f"{PLAIN_OF[profile].capitalize()} is off by {text(plain)}, {profile} by {text(error)}."
+    shares = tuple(text(_total(split, kind)) if _has(split, kind) else "" for kind in KINDS)
     if abs(error) <= ROUNDING * abs(scale or 1.0):
-        opening += " That is rounding: there is nothing left to split."
-        steps = [step for step in steps if step.kind == DEFAULTS]
-    else:
-        parts = [f"{text(_total(split, kind))} {kind}" for kind in _KINDS if _has(split, kind)]
-        opening += f" {'It' if plain is None else 'The latter'} is made up of {', '.join(parts)}."
-    return Origin(line.result.title, quantity.title, split.case, tuple(steps), tuple(idle), opening)
+        shares, steps = (), [step for step in steps if step.kind == DEFAULTS]
+    plain = next((text(share.before) for share in split.shares if share.kind == DEFAULTS), "")
+    return Origin(title, quantity.title, split.case, plain, text(error), shares, tuple(steps))
 
 
 def _own_error(split: Split) -> float:

@@ -16,6 +16,7 @@ from reference.published.results import PublishedResult
 from reference.report import drawing, page
 from reference.report.agreement import pairs_csv
 from reference.report.drawing import Drawing
+from reference.report.first_screen import findings
 from reference.report.provenance import compared, engine_versions, machine, provenance
 from reference.report.published import page as published_page
 from reference.report.published.tables import PublishedCell, PublishedTables
@@ -29,11 +30,7 @@ PUBLISHED_PAGE = "published.html"
 TIMINGS, PROVENANCE = "collisions-lab/timings", "collisions-lab/provenance"
 IMPACTS = "P11"
 """The published case that has figures."""
-STUDY_CAPTION = (
-    "Error against timestep; the order is the slope of a straight line through a method's points. An error that is"
-    " rounding lies on the lower edge, whatever its size. Where an error changes its sign on the way, or does not go"
-    " away with the timestep, the slope is no order."
-)
+STUDY_CAPTION = "Error against timestep."
 
 
 def write(
@@ -60,7 +57,9 @@ def write(
     _write(folder / "provenance.json", as_json(PROVENANCE, provenance(engine_versions(ordered))))
     address = PUBLISHED_PAGE if tables.lines else ""
     replays = {section.family.name: clip for section in found if (clip := replay_of(section)) is not None}
-    _write(folder / PAGE, page.render(found, in_page, compared(ordered), machine(), address, replays, unfinished))
+    small = _small(found, cache)
+    whole = page.render(found, in_page, compared(ordered), machine(), address, replays, small, unfinished)
+    _write(folder / PAGE, whole)
     if tables.lines:
         _write(folder / "published.json", published_json(tables.rows, unfinished))
         versions = compared([cell.result for name in tables.engines for cell in _cells(tables, name)])
@@ -88,6 +87,16 @@ def _figures(
     for name, svg in svgs.items():
         _write(folder / "figures" / f"{name}.svg", svg)
     return {name: [(svgs[each.name], each.caption) for each in drawings] for name, drawings in wanted.items()}
+
+
+def _small(found: Sequence[Section], cache: Cache | None) -> dict[str, tuple[str, str]]:
+    """By family, the small picture of each finding on the first screen, and what it shows."""
+    first = {finding.family for finding in findings(found)}
+    sections_of_first = [section for section in found if section.family.name in first]
+    pictures = [drawing.at_a_glance(section) for section in sections_of_first]
+    svgs = drawing.drawn(pictures, cache)
+    names = [section.family.name for section in sections_of_first]
+    return {name: (svg, each.caption) for name, svg, each in zip(names, svgs, pictures, strict=True)}
 
 
 def _timing(result: JobResult) -> dict[str, Any]:

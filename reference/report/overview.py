@@ -6,21 +6,23 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from reference.comparison.verdicts import Row, Verdict
-from reference.engines.handwritten_engine import Handwritten
 from reference.engines.profiles import counts
-from reference.report.marks import AGREES
 from reference.report.sections import Line, Section
+
+COUNTED, PLAIN, OTHER = "what counts", "as installed, and by hand at the step", "for other methods"
+"""The parts of the table, in their order."""
 
 
 @dataclass(frozen=True)
 class Overview:
     """One row for each scenario and one column for each implementation; `Line.whole` is what a cell shows.
 
-    titles: of the columns.
+    titles: of the columns. part: which of the parts it is; empty for the whole table.
     """
 
     sections: tuple[Section, ...]
     titles: tuple[str, ...]
+    part: str = ""
 
     @classmethod
     def of(cls, found: Sequence[Section]) -> Overview:
@@ -34,16 +36,19 @@ class Overview:
             yield section, [(title, section.line(title)) for title in self.titles]
 
     def in_parts(self) -> list[Overview]:
-        """The columns that count, other methods by hand, and the engines' other settings.
+        """The implementations that count, the plain ones, and the other methods, by hand and in engines.
 
-        For a terminal that is too narrow for all of them together; a part without columns is left out.
+        A part without columns is left out.
         """
         lines = [line for section in self.sections for line in section.lines]
         counting = {line.title for line in lines if line.counts}
-        by_hand = {line.title for line in lines if line.result.job.engine == Handwritten.name} - counting
-        rest = set(self.titles) - counting - by_hand
-        parts = [tuple(title for title in self.titles if title in part) for part in (counting, by_hand, rest)]
-        return [replace(self, titles=titles) for titles in parts if titles]
+        plain = {line.title for line in lines if line.plain} - counting
+        rest = set(self.titles) - counting - plain
+        parts = [
+            (name, tuple(title for title in self.titles if title in part))
+            for name, part in ((COUNTED, counting), (PLAIN, plain), (OTHER, rest))
+        ]
+        return [replace(self, titles=titles, part=name) for name, titles in parts if titles]
 
 
 def columns(found: Sequence[Section]) -> list[str]:
@@ -52,24 +57,34 @@ def columns(found: Sequence[Section]) -> list[str]:
     return list(dict.fromkeys(line.title for section in fullest_first for line in section.lines))
 
 
+_SAID = {
+    "{} as predicted and away from it": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
+    "{} failed": (Verdict.FAIL,),
+    "{} could not be made for want of words": (
+        Verdict.CANNOT_EXPRESS,
+        Verdict.NO_WORDS,
+    ),
+    "{} gave no answer": (Verdict.CRASHED, Verdict.NOT_AVAILABLE),
+    "{} waited for hand-written functions": (Verdict.NEEDS,),
+}
+"""What is said of so many checks, by their verdicts."""
+_ALWAYS = (Verdict.FAIL,)
+
+
 def verdict_line(rows: Sequence[Row]) -> str:
-    """One sentence on how many checks that count agree with theory."""
+    """One sentence on the checks that count: near theory, away from it as predicted, failed, not made, and waiting."""
     counted = [row for row in rows if counts(row.profile) and row.verdict not in (Verdict.SHOWN, Verdict.RUNNING)]
-    agreeing = sum(row.verdict in AGREES for row in counted)
-    known = sum(row.verdict is Verdict.KNOWN_DEVIATION for row in counted)
-    disagreeing = sum(row.verdict is Verdict.DISAGREES for row in counted)
-    failed = sum(row.verdict is Verdict.FAIL for row in counted)
-    waiting = sum(row.verdict is Verdict.NEEDS for row in counted)
-    without = len(counted) - agreeing - disagreeing - failed - waiting
-    judged = len(counted) - waiting
-    parts = [f"{agreeing} of {judged} checks that count agree with theory"]
-    if known:
-        parts.append(f"{known} of them with the difference that their method predicts")
-    if disagreeing:
-        parts.append(f"{disagreeing} disagree{'s' if disagreeing == 1 else ''} with it as the method must")
-    parts.append(f"{failed} fail{'s' if failed == 1 else ''}")
-    if without:
-        parts.append(f"{without} gave no answer")
-    if waiting:
-        parts.append(f"{waiting} {'case waits' if waiting == 1 else 'cases wait'} for hand-written functions")
-    return ", ".join(parts) + "."
+    near = sum(row.verdict is Verdict.PASS and row.expected is not None for row in counted)
+    silent = sum(row.verdict is Verdict.PASS and row.expected is None for row in counted)
+    parts = [f"Of {_checks(len(counted))}, {near:,} came out as predicted and near theory"]
+    if silent:
+        parts.append(f"{silent:,} as predicted where theory is silent")
+    for words, verdicts in _SAID.items():
+        count = sum(row.verdict in verdicts for row in counted)
+        if count or verdicts == _ALWAYS:
+            parts.append(words.format(f"{count:,}" if count else "none"))
+    return f"{', '.join(parts[:-1])} and {parts[-1]}."
+
+
+def _checks(count: int) -> str:
+    return "1 check that counts" if count == 1 else f"{count:,} checks that count"

@@ -10,8 +10,10 @@ from markupsafe import Markup
 from reference import lecture
 from reference.comparison.verdicts import Row
 from reference.lecture import Statement
-from reference.report import numbers
-from reference.report.error_split import origins
+from reference.report import numbers, results_in_words
+from reference.report.error_split import KINDS, origins
+from reference.report.first_screen import findings
+from reference.report.formulas import typeset
 from reference.report.marks import LEGEND, MARKS, occurring
 from reference.report.overview import Overview, verdict_line
 from reference.report.row_text import error_of
@@ -32,13 +34,15 @@ def render(
     provenance: str,
     published: str = "",
     replays: Mapping[str, Clip] | None = None,
+    pictures: Mapping[str, tuple[str, str]] | None = None,
     unfinished: str = "",
 ) -> str:
     """Return the page.
 
     figures: by family, SVG texts with their captions. versions: what was compared, as in the opening sentence.
     provenance: on which machine and with what, as in the last sentence. published: the address of the page of published
-    cases, if there is one. replays: by family. unfinished: what the page says of itself where runs are still going on.
+    cases, if there is one. replays: by family. pictures: by family, the small SVG of the first screen and its meaning.
+    unfinished: what the page says of itself where runs are still going on.
     """
     rows = [row for section in found for line in section.lines for row in line.result.rows]
     return (
@@ -46,6 +50,8 @@ def render(
         .get_template("report.html.j2")
         .render(
             sections=found,
+            findings=findings(found),
+            pictures={name: (Markup(svg), label) for name, (svg, label) in (pictures or {}).items() if svg},
             overview=Overview.of(found),
             figures=as_markup(figures),
             replays={name: Markup(viewer.fragment(clip)) for name, clip in (replays or {}).items()},
@@ -63,9 +69,14 @@ def render(
             nearest=[(*entry[:3], numbers.percent(entry[3]).lstrip("+")) for entry in nearest_to_fail(found, WORST)],
             furthest=furthest_from_theory(found, WORST),
             origins={section.family.name: origins(section) for section in found},
+            kinds=KINDS,
             noticed={section.family.name: kept_sentence(section.family.name) for section in found},
             measured=_measured,
             error_of=error_of,
+            typeset=typeset,
+            accepted=results_in_words.accepted,
+            counted=results_in_words.counted,
+            plain=results_in_words.plain,
         )
     )
 

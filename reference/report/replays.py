@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from reference.catalogue.case import Case
 from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Verdict
 from reference.recording.entries import case_of
 from reference.report.sections import Line, Section
 from reference.viewer.clip import Clip
@@ -15,14 +16,26 @@ from reference.viewer.tracks import Track, unpack
 
 
 def replay_of(section: Section) -> Clip | None:
-    """The plotted case of a family in the profiles that count; None where none of them gave poses of it."""
+    """The plotted case of a family; None where no implementation gave poses of it.
+
+    It shows what counts, and beside it what an engine does as installed, or hand-written code at the step, where that
+    is not as its method must be.
+    """
     family = section.family
     case = family.case(family.curve.case)
-    return case_clip(case, [line for line in section.lines if line.counts], f"{family.title}: {case.name}")
+    told = [line for line in section.lines if line.counts or (line.plain and _failed(line, case))]
+    return case_clip(case, told, f"{family.title}: {case.name}", all_shown=True)
 
 
-def case_clip(case: Case, lines: Iterable[Line], title: str) -> Clip | None:
-    """One case in these implementations, the first of them drawn solid, profiles that do not count hidden at first."""
+def _failed(line: Line, case: Case) -> bool:
+    return any(row.verdict is Verdict.FAIL for row in line.result.rows if row.case == case.name)
+
+
+def case_clip(case: Case, lines: Iterable[Line], title: str, all_shown: bool = False) -> Clip | None:
+    """One case in these implementations, the first of them drawn solid.
+
+    all_shown: whether profiles that do not count are to be seen at first as well.
+    """
     found: dict[str, Poses] = {}
     hidden = set()
     for line in lines:
@@ -32,7 +45,7 @@ def case_clip(case: Case, lines: Iterable[Line], title: str) -> Clip | None:
             name = engine if line.counts else f"{engine} {profile}"
             called = line.result.title if line.counts else line.title
             found[name] = unpack(track, called, line.result.recording)
-            hidden |= set() if line.counts else {name}
+            hidden |= set() if line.counts or all_shown else {name}
     return clip(case.scenarios[0], found, title, hidden) if found else None
 
 

@@ -22,12 +22,19 @@ from reference.report import numbers
 from reference.report.marks import AGREES, MARKS, SEVERITY
 from reference.report.row_text import error_of, left_of
 
+_AWAY = (Verdict.FAIL, Verdict.DISAGREES)
+"""The verdicts of numbers that are far from theory, so that how far is not the question."""
+
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell of a table, for the rows of one quantity in one implementation, or of all quantities."""
+    """One cell of a table, for the rows of one quantity in one implementation, or of all quantities.
+
+    family: theirs, where the cell has to name a quantity, or what a run does that has no number.
+    """
 
     rows: tuple[Row, ...]
+    family: Family | None = None
 
     @cached_property
     def verdict(self) -> Verdict:
@@ -58,9 +65,43 @@ class Cell:
 
     @cached_property
     def worst(self) -> str:
-        """The largest error of the rows with a number, or the largest value where nothing is expected."""
+        """The largest error, or the largest value where nothing is expected; runs that have no number come first."""
+        absent = [row for row in self.rows if row.measured is None and row.quantity and row.verdict is Verdict.FAIL]
+        if absent:
+            quantity = absent[0].quantity
+            asked = sum(row.quantity in (quantity, "") for row in self.rows)
+            words = self.family.quantity(quantity).absent if self.family else "no number"
+            return f"{words}: {sum(row.quantity == quantity for row in absent)} of {asked}"
         measured = [row for row in self.rows if row.measured is not None and row.tolerance != 0]  # 0: yes or no
         return error_of(max(measured, key=_badness)) if measured else ""
+
+    @cached_property
+    def in_words(self) -> str:
+        """The worst row of several quantities, with the name of its quantity: `stopping distance −0.1 %`.
+
+        Of rows that fail it is the worst one of the first quantity that does; of others the one that uses most of what
+        is accepted.
+        """
+        judged = [row for row in self.rows if row.verdict is not Verdict.SHOWN]
+        if not judged or self.family is None or not self.count.partition("/")[2]:
+            return ""
+        order = [quantity.name for quantity in self.family.quantities]
+
+        def badness(row: Row) -> tuple[int, bool, int, float]:
+            place = -order.index(row.quantity) if row.quantity and row.verdict in _AWAY else 0
+            return -SEVERITY.index(row.verdict), row.measured is None, place, _distance(row)
+
+        worst = max(judged, key=badness)
+        if not worst.quantity:
+            cases = {row.case for row in judged}
+            return f"{worst.verdict}: {sum(not row.quantity for row in judged)} of {len(cases)} cases"
+        own = Cell(tuple(row for row in self.rows if row.quantity in (worst.quantity, "")), self.family)
+        title = self.family.quantity(worst.quantity).title
+        if worst.measured is None:
+            return own.worst
+        if worst.tolerance == 0:
+            return f"{title}: {own.judged - own.agreeing} of {own.judged} wrong"
+        return f"{title} {error_of(worst)}"
 
     @cached_property
     def left(self) -> str:
@@ -87,6 +128,11 @@ class Line:
         return profiles.counts(self.result.job.profile)
 
     @property
+    def plain(self) -> bool:
+        """Whether this is what one gets who sets nothing, or by hand the plainest method."""
+        return profiles.is_plain(self.result.job.profile)
+
+    @property
     def note(self) -> str:
         """Why there is no number at all; empty where there are numbers."""
         if any(row.quantity for row in self.result.rows):
@@ -97,14 +143,14 @@ class Line:
     def cells(self) -> tuple[Cell, ...]:
         """One cell for each quantity. A case without any number counts in each of them."""
         return tuple(
-            Cell(tuple(row for row in self.result.rows if row.quantity in (quantity.name, "")))
+            Cell(tuple(row for row in self.result.rows if row.quantity in (quantity.name, "")), self.family)
             for quantity in self.family.quantities
         )
 
     @cached_property
     def whole(self) -> Cell:
         """All rows of this line, quantities together."""
-        return Cell(self.result.rows)
+        return Cell(self.result.rows, self.family)
 
     @property
     def _studied_unit(self) -> str:
@@ -239,6 +285,11 @@ def _badness(row: Row) -> tuple[int, float]:
     error = row.relative_error if row.relative_error is not None else row.error
     size = abs(error) if error is not None else abs(row.measured or 0.0)
     return -SEVERITY.index(row.verdict), size if math.isfinite(size) else math.inf
+
+
+def _distance(row: Row) -> float:
+    """How far a row is from theory, as a share of what counts as near, so that all quantities can be compared."""
+    return abs(row.error / row.tolerance) if row.error is not None and row.tolerance else 0.0
 
 
 def _times(title: str, count: int) -> str:

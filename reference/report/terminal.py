@@ -14,6 +14,7 @@ from reference.comparison.pairs import Relation
 from reference.comparison.verdicts import Row, Verdict
 from reference.report import agreement, numbers
 from reference.report.agreement import Matrix
+from reference.report.formulas import plain
 from reference.report.marks import LEGEND, MARKS, occurring
 from reference.report.overview import Overview, verdict_line
 from reference.report.row_text import error_of, left_of
@@ -44,7 +45,7 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
         console.print()
         console.print(Text(section.family.title, style="bold"))
         console.print(Text(_statements(section), style="dim"))
-        console.print(Text(section.family.expected))
+        console.print(Text(plain(section.family.expected)))
         for table in _cases(section) if with_cases else [_implementations(section)]:
             console.print(table)
         _print_remarks(console, section, with_cases)

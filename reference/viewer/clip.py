@@ -99,10 +99,15 @@ class Clip:
         return min(MOST_RATIO, max(LEAST_RATIO, high / max(wide, 1e-9)))
 
     def tags(self) -> list[str]:
-        """A letter or two for each run, no two alike."""
+        """A short label for each run, no two alike: a letter, and what distinguishes it: `P`, `P stock`.
+
+        What stands behind the comma of a title is no other engine, and so it is not told by a number.
+        """
         found: list[str] = []
         for run in self.runs:
-            letter = next((sign for sign in run.title if sign.isalnum()), "?").upper()
+            name, _, profile = run.title.partition(", ")
+            letter = next((sign for sign in name if sign.isalnum()), "?").upper()
+            letter = f"{letter} {profile.split()[-1]}" if profile.split() else letter
             numbered = (f"{letter}{number}" for number in range(2, len(self.runs) + 2))
             found.append(letter if letter not in found else next(tag for tag in numbered if tag not in found))
         return found

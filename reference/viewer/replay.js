@@ -7,7 +7,7 @@ const HELP = "Space plays and pauses; ← → step (ten with Shift); Home, End; 
 const ICONS = { play: "M3 1l11 7-11 7z", pause: "M3 1h4v14H3zM9 1h4v14H9z", back: "M3 1h2v14H3zM14 1v14L7 8z",
   next: "M11 1h2v14h-2zM2 1l7 7-7 7z", impact: "M7 0h2v6h4l-5 6-5-6h4zM2 14h12v2H2z",
   reset: "M8 2a6 6 0 1 0 6 6h-2a4 4 0 1 1-4-4v3l5-4-5-4z" };
-const MARGIN = 22, HELD = 15; // px about the scene; frames for which an impact stays in sight
+const MARGIN = 22, HELD = 15, SAME = 1.5; // px about the scene; frames an impact stays in sight; px that nobody sees
 let playing = null; // at most one of a page
 
 function add(parent, tag, attributes = {}, text = "") {
@@ -91,7 +91,7 @@ class Replay {
     this.boxes = clip.runs.map((run, place) => this.choice(run, place));
     if (clip.runs.some(run => run.touches.length)) {
       this.contactBox = this.box(true, on => { this.contacts = on; });
-      this.whose = add(this.contactBox.parentNode, "span");
+      this.whose = add(this.contactBox.parentNode, "span", {}, "contacts");
     }
     const help = add(element, "details", { class: "replay-help" });
     add(help, "summary", {}, "Keys");
@@ -271,8 +271,9 @@ class Replay {
       pen.setLineDash([]);
     });
     this.arrows(runs.find(run => run.shown && run.count));
-    const named = runs.length > 1 ? runs.filter(run => run.shown && run.count) : [];
-    named.forEach((run, place) => this.name(run, place, named.length));
+    const named = runs.length > 1 ? runs.filter(run => run.shown && run.count) : [], groups = this.together(named);
+    this.labels = []; // where they are
+    for (const group of groups) this.name(group, groups.length);
   }
   place(run, columns, i) {
     const frame = Math.min(this.frame, run.count - 1);
@@ -382,16 +383,30 @@ class Replay {
     });
     pen.globalAlpha = 1;
   }
-  name(run, place, count) { // the run's letter, in a row of those in sight, on the body furthest from the first run's
-    const { runs, solids } = this.clip, solid = solids[run.bodies[run.marked]] || {};
-    if (!run.bodies.length && !run.mesh) return;
-    const [x, y] = this.project(this.place(run, run.bodies.length ? run.at : run.net, run.marked));
-    const apart = 9 + 6 * Math.max(...runs.map(each => each.tag.length));
+  mark(run) { // where its label goes, on the body furthest from the first run's; nothing where it has no body
+    if (!run.bodies.length && !run.mesh) return null;
+    return this.project(this.place(run, run.bodies.length ? run.at : run.net, run.marked));
+  }
+  together(runs) { // in groups whose outlines cannot be told apart here: their labels are joined by =
+    const groups = [];
+    for (const run of runs.filter(each => this.mark(each))) {
+      const [x, y] = this.mark(run), near = ([u, v]) => Math.hypot(x - u, y - v) < SAME;
+      const group = groups.find(([first]) => first.marked === run.marked && near(this.mark(first)));
+      if (group) group.push(run); else groups.push([run]);
+    }
+    return groups;
+  }
+  name(group, count) { // its labels over the body, or under it where there is no room, clear of the others
+    const [run] = group, solid = this.clip.solids[run.bodies[run.marked]] || {}, [x, y] = this.mark(run);
+    const label = group.map(each => each.tag).join(" = ");
     const reach = [0, 1, 2].map(axis => Math.max(0, ...(solid.points || []).map(point => point[axis])));
     const radius = solid.sphere || solid.capsule?.[0] || 0, least = this.scale * (radius || Math.min(...reach));
-    const room = least > 9 && 2 * this.scale * (radius || Math.max(...reach)) > apart * count;
-    const left = x + apart * (place - (count - 1) / 2), down = y + (room ? (least > 30) * 14 : -least - 24);
-    this.text(run.tag, left, down, this.colours[run.look], "bold");
+    const up = y > least + 22 + 16 * count ? -1 : 1, wide = 8 * label.length;
+    let down = y + up * (least + 24);
+    const meets = ([u, v, w]) => Math.abs(x - u) < (wide + w) / 2 && Math.abs(down - v) < 16;
+    while (this.labels.some(meets)) down += 16 * up;
+    this.labels.push([x, down, wide]);
+    this.text(label, x, down, group.length > 1 ? this.colours.ink : this.colours[run.look], "bold");
   }
   text(words, x, y, colour, weight = "") {
     const { pen } = this;

@@ -160,30 +160,26 @@ DROPPED_BALL = Family(
     title="Dropped ball: bounce heights",
     topic="response",
     statements=(3, 5, 6, 7, 12),
-    about=f"A ball falls freely from a gap of about {DROP_HEIGHT:g} m onto the floor and rebounds. Every figure is the"
-    f" mean over {DROPS} drops whose fall times spread evenly over {SPREAD:g} s, because a single drop's error"
-    " depends on where in a step the ball meets the floor.",
-    expected="The first rebound reaches e² of the drop height: the impact scales the speed by e, and the height goes"
-    " with the speed squared.",
+    about=f"A ball falls about {DROP_HEIGHT:g} m onto the floor and rebounds. Every figure is the mean over {DROPS}"
+    f" drops whose fall times spread evenly over {SPREAD:g} s, because a single drop's error depends on where"
+    " in a step the ball meets the floor.",
+    expected="The first rebound reaches `e²` of the drop height: the impact scales the speed by `e`, and the height"
+    " is proportional to the speed squared.",
     why=(
-        "A step method notices the floor only when the ball is already inside it: at a depth d between 0 and v dt,"
-        " half of v dt on average. It then sends the ball back with the right speed from the wrong place, and the"
-        " mean apex is shifted by −(1 − e) v dt/2. Hand-written code that responds at the step shows exactly this, and"
-        " so does PyBullet without overlap recovery. MuJoCo's one-step contact adds the effect of its weak spring: the"
-        " share r of the overlap that the spring takes back in a step becomes speed and adds e r of the drop height,"
-        " which no timestep removes.",
-        "PyBullet, tuned, takes a share c = 1 − e of the overlap back through split impulses, which move the ball"
-        " without adding speed. Its mean error vanishes; the single drop still scatters by e (1 − e) v dt/√12.",
-        "PyBullet, stock, makes contacts while the ball is still above the floor, within 0.02 √3 of its radius, and"
-        " subtracts gap/dt from the rebound. The smaller the step, the larger that loss: it gets worse where every"
-        " other method gets better, until nothing bounces at all.",
-        "DART, too, sends the ball back from where it is, with a speed to which the step has already added g dt: the"
-        " mean apex is shifted by −(1 − e) v dt/2 + e² v dt, which happens to vanish at e = 0.5. Stock, at 1 ms, that"
-        " is 4 % of the rebound at e = 0.2; tuned, at a tenth of the timestep, it is a tenth of that.",
-        "MuJoCo has no coefficient of restitution, so its stock contact does not bounce for any e. Its tuned contact"
-        " has a damping of (1 + e)/dt, which turns v into −e v in one step. The spring–dashpot contact of the"
-        " textbooks gives e through its damping ratio, but lets go of the ball at a depth of order v/√k, since a"
-        " contact cannot pull: that part of the error does not go away with the timestep, only with the stiffness.",
+        "A step method notices the floor only when the ball is already inside it, half of `v dt` deep on average. It"
+        " sends the ball back with the right speed from the wrong place, and the mean apex is shifted by `−(1 − e) v"
+        " dt/2`. Hand-written code at the step shows exactly this.",
+        "PyBullet, tuned, takes the share `1 − e` of the overlap back by moving the ball without adding speed. Its"
+        " mean error vanishes, and a single drop still scatters by `e (1 − e) v dt/√12`. Stock, it makes contacts"
+        " while the ball is still above the floor and subtracts the gap divided by `dt` from the rebound: the"
+        " smaller the step, the larger that loss, until nothing bounces at all.",
+        "MuJoCo has no coefficient of restitution, so its stock contact does not bounce for any `e`. Tuned, a"
+        " damping of `(1 + e)/dt` turns `v` into `−e v` in one step. The textbook's spring and dashpot lets go of"
+        " the ball at a depth of order `v/√k`, since a contact cannot pull; a smaller timestep does not remove that"
+        " part of the error, only a stiffer spring does.",
+        "DART's step has already added `g dt` to the speed, so its mean apex is shifted by `−(1 − e) v dt/2 + e² v"
+        " dt`, which happens to vanish at e = 0.5. Stock, at 1 ms, that is 4 % of the rebound at e = 0.2; tuned, at"
+        " a tenth of the timestep, it is a tenth of that.",
     ),
     cases=tuple(dropped("dropped-ball", restitution, falling_ball) for restitution in (0.0, 0.2, 0.5, 0.8, 0.95, 1.0)),
     quantities=(
@@ -228,23 +224,20 @@ BALL_TO_REST = Family(
     topic="response",
     statements=(3, 5, 6, 7, 22),
     about=f"The same ball bounces until it rests, and is watched for {WINDOW:g} s more.",
-    expected="The flights between the impacts last 2 eⁿ t₁ with t₁ = √(2h/g). Infinitely many of them take the finite"
-    " time t₁ (1 + e)/(1 − e): 8.579 s for h = 1 m, e = 0.9. Then the ball lies on the floor and does not move.",
+    expected="The flights between the impacts last `2 eⁿ t₁` with `t₁ = √(2 h/g)`. Infinitely many of them take the"
+    " finite time `t₁ (1 + e)/(1 − e)`: 8.579 s for h = 1 m, e = 0.9. Then the ball lies still.",
     why=(
-        "No step method can follow infinitely many bounces. Each engine has a speed below which it lets a contact"
-        " rest; the bounces that are left out would have taken 2 e v/(g (1 − e)) more, and each impact before that was"
-        " noticed up to a step late. In tuned PyBullet that speed is 3 g dt. Its stock threshold of 0.2 m/s ends"
-        " the bounces early.",
-        "A resolved spring–dashpot contact lasts some π/√k, where the rigid one takes no time, so the spring profiles"
-        " of MuJoCo and PyBullet come to rest late. PyBullet's then lies still, g/k deep. MuJoCo's never does: its"
-        " contact chatters with about g dt/2, at 0.2 ms just the 1 mm/s that counts as motion here. Half the timestep"
-        " halves the chatter.",
-        "DART lets a ball rest whose rebound would be below 0.1 m/s, a constant of its own. What a step adds to each"
-        " rebound, e g dt, delays a lively ball: stock, at e = 0.9, by 10 %. At e = 0.95 it would never stop.",
-        "With small timesteps the errors stop falling: a ball slower than 1 mm/s counts as resting, and that too cuts"
-        " off the last bounces, by up to 2 e v/(g (1 − e)).",
-        "The hand-written code that uses the slide's T cannot see a flight that starts and ends within one step, as"
-        " both ends lie on the plane. It takes such a flight for rest.",
+        "No step method can follow infinitely many bounces. Each engine lets a contact rest below some speed `v`,"
+        " and the bounces that it leaves out would have taken `2 e v/(g (1 − e))` more. That speed is `3 g dt` in"
+        " tuned PyBullet, 0.2 m/s in stock PyBullet, which ends the bounces early, and 0.1 m/s in DART, a constant"
+        " of its own.",
+        "What a step adds to each rebound, `e g dt`, delays a lively ball in DART: stock, at e = 0.9, by 10 %. At e"
+        " = 0.95 it would never stop.",
+        "A resolved spring and dashpot lasts some `π/√k`, where the rigid contact takes no time, so the spring"
+        " profiles come to rest late. PyBullet's ball then lies still, `g/k` deep. MuJoCo's chatters with about `g"
+        " dt/2`.",
+        "Hand-written code with the slide's T cannot see a flight that starts and ends within one step, and takes it"
+        " for rest.",
     ),
     cases=tuple(_to_rest(restitution) for restitution in (0.5, 0.8, 0.9)),
     quantities=(
@@ -255,6 +248,7 @@ BALL_TO_REST = Family(
             lambda trajectory: measure.rest_time(trajectory, "ball"),
             _expect_rest_time,
             lambda case: truth.bounce_end(DROP_HEIGHT, case.parameters["restitution"], GRAVITY),
+            absent="never rests",
         ),
         Quantity(
             "rest_height",

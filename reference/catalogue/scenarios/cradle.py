@@ -131,23 +131,22 @@ CRADLE = Family(
     statements=(12, 16, 20, 22),
     about="Equal elastic balls in a row, without weight. The first one, or two, strike the rest at 1 m/s,"
     " of which every velocity here is a share.",
-    expected="Balls that are apart collide two at a time, and each time two equal elastic balls swap their"
-    " velocities: as many fly off at the far end as came. For balls that touch, Newton's rule has a second reading,"
-    " all impacts at once: the first of five comes back with −3/5 of its speed and the others move on together with"
-    " 2/5. Both keep momentum and energy; the rule does not say which.",
+    expected="Balls that are apart collide two at a time, and two equal elastic balls swap their velocities: as many"
+    " fly off at the far end as came. For balls that touch, Newton's rule has a second reading, all impacts"
+    " at once: the first of five comes back with `−3/5` of its speed and the others move on together with"
+    " `2/5`. Both keep momentum and energy; the rule does not say which.",
     why=(
-        "What decides is what an implementation takes for touching. The engines, tuned, solve the contacts of a step"
-        " together, and balls that touch exactly get the second reading. A micrometre between them is enough for the"
-        " first: each impact then has a step of its own. PyBullet leaves out a contact whose gap is 10⁻¹² m, MuJoCo one"
-        " beyond its margin of 10⁻⁹ m, DART one that is open at all. Hence a radius that is a power of two: with 0.1 m,"
-        " rounding would decide.",
-        "The hand-written code has a reading for each method: exact, two balls at a time; at the step, all that touch.",
-        "A real contact lasts. In MuJoCo's spring profile it is 1 mm deep, and with the gap one reading goes over into"
-        " the other: the first of five comes back with −0.60 m/s where they touch, and with −0.08 m/s where they are"
-        " 1 mm apart. In PyBullet's spring profile each contact is a spring that knows of no other. Where they touch,"
-        " the result is that of a chain of springs: −0.13 m/s for the first and 0.94 m/s for the last.",
-        "Stock, PyBullet gives touching balls the second reading, less its damping. Where they are apart it makes"
-        " energy, up to 22 %: the last of five flies off 10 % too fast. MuJoCo has no restitution.",
+        "What decides is what an implementation takes for touching. The tuned engines solve the contacts of a step"
+        " together, so balls that touch exactly get the second reading, and a micrometre between them gives the"
+        " first. PyBullet leaves out a contact whose gap is 10⁻¹² m, MuJoCo one beyond its margin of 10⁻⁹ m, DART"
+        " one that is open at all. Hand-written code has a reading for each method: exact, two balls at a time; at"
+        " the step, all that touch.",
+        "A real contact lasts. In MuJoCo's spring profile it is 1 mm deep: the first of five comes back with −0.60"
+        " m/s where they touch, and with −0.08 m/s where they are 1 mm apart. In PyBullet's spring profile each"
+        " contact is a spring by itself, and the result is that of a chain of springs: −0.13 m/s for the first and"
+        " 0.94 m/s for the last.",
+        "Stock PyBullet gives touching balls the second reading, less its damping. Where they are apart it makes"
+        " energy, up to 22 %: the last of five flies off 10 % too fast. Stock MuJoCo has no restitution.",
     ),
     cases=(
         _one_struck(3, 0.0),
@@ -177,17 +176,17 @@ PARTING_BALL = Family(
     statements=(12, 16, 20, 22),
     about="Three equal elastic balls touch, without weight. The first one moves into the second at 1 m/s, of"
     " which every velocity here is a share; the last one is about to part from it.",
-    expected="One impact after another: the balls swap velocities until they are in order, and energy stays. All at"
-    " once, Newton's rule makes energy: from (1, 0, 0.1) it makes (−0.3, 0.7, 0.7), and 0.505 J per kg become 0.535."
-    " The pair that would part is thrown together, and its contact pushes with 0.6 N s per kg so that the two leave"
-    " together. It pushes while the pair opens, at 0.05 m/s on average, and this work is the energy that is made.",
+    expected="One impact after another, the balls swap velocities until they are in order, and energy stays. All at"
+    " once, Newton's rule makes energy: from (1, 0, 0.1) it makes (−0.3, 0.7, 0.7), and 0.505 J per kg"
+    " become 0.535. The contact of the parting pair pushes while the pair opens, and this work is the"
+    " energy that is made.",
     why=(
         "Each implementation follows a rule that sounds right, and they give three results. Hand-written, exact: in"
-        " turn, (0, 0.1, 1). At the step, in PyBullet and in DART: all at once, with 6 to 13 % more energy than"
-        " before. MuJoCo's contact reverses every relative velocity, also that of the two that part: (−0.267, 0.733,"
-        " 0.633). These two then approach, and collide in the next step: (−0.267, 0.633, 0.733). Both impacts keep the"
-        " energy.",
-        "Stock, PyBullet gives the second result less its damping; MuJoCo, which has no restitution, none of them.",
+        " turn, (0, 0.1, 1). By hand at the step, in PyBullet and in DART: all at once, with 6 to 13 % more energy"
+        " than before. MuJoCo's contact reverses every relative velocity, also that of the two that part: (−0.267,"
+        " 0.733, 0.633). These two then approach, and collide in the next step: (−0.267, 0.633, 0.733).",
+        "Stock PyBullet gives the second result less its damping; stock MuJoCo, which has no restitution, none of"
+        " them.",
     ),
     cases=tuple(_row("parting-ball", f"v={parting:g}", (1.0, 0.0, parting)) for parting in (0.1, 0.3, 0.5)),
     quantities=(FIRST, LAST, OFF, MOMENTUM, Quantity("energy", "energy", "", _share_of_first(2), None)),

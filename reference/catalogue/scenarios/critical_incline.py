@@ -26,17 +26,16 @@ CRITICAL_INCLINE = Family(
     statements=(24,),
     about="A slab is let go on slopes whose tan θ is 1 % and 3 % below and above the coefficient of friction, for two"
     f" coefficients, and watched for {INCLINE_DURATION:g} s.",
-    expected=INCLINE.expected + " Close to tan θ = μ the acceleration is a small difference of two large ones: an error"
-    " of 1 % in the friction would be all of it at 1 % above.",
+    expected="The slab stays where it is if `tan θ ≤ μ`, and slides with `g (sin θ − μ cos θ)` otherwise. Close to"
+    " `tan θ = μ` that is a small difference of two large numbers: an error of 1 % in the friction would be"
+    " all of it at 1 % above.",
     why=(
-        "All, exact or tuned, decide every case rightly. PyBullet and DART differ from the exact hand-written code by"
-        " a t dt/2 alone: 0.033 % of the way at 1 ms.",
-        "MuJoCo creeps on slopes that hold, by 0.31 mm in 3 s at most, and by about as much its way is too long where"
-        " the slab slides, which is 0.08 % at 1 % above critical. Friction presses on the front corners, its main"
-        " solver does not know of that, and corners leave the ground in turn. It takes 20 passes of the friction"
-        " solver to come so near, and a step of 0.1 ms: creep grows with the timestep.",
-        "Stock, none tells 1 % below critical from sliding: PyBullet creeps 2.6 mm there, MuJoCo 18 mm, and DART, which"
-        " rocks on its one contact, 7 mm.",
+        "All, exact or tuned, decide every case rightly. PyBullet and DART differ from the exact hand-written code"
+        " by `a t dt/2` alone: 0.033 % of the way at 1 ms.",
+        "MuJoCo creeps on slopes that hold, by 0.31 mm in 3 s at most, and where the slab slides its way is too long"
+        " by about as much: 0.08 % at 1 % above critical. Friction presses on the front corners, which its main"
+        " solver ignores. It takes 20 passes of the friction solver and a step of 0.1 ms to come so near.",
+        "Stock, none tells 1 % below critical from sliding: PyBullet creeps 2.6 mm there, MuJoCo 18 mm and DART 7 mm.",
     ),
     cases=tuple(_incline(friction, ratio) for friction in (0.3, 0.7) for ratio in RATIOS),
     quantities=INCLINE.quantities,

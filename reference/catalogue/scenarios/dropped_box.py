@@ -58,15 +58,14 @@ BOX_FLAT = Family(
     statements=(11, 12, 17, 20),
     about="A level cube falls about 1 m onto the floor, which it meets with four corners at once, and rebounds. As for"
     f" the ball, figures are means over {DROPS} drops.",
-    expected="Four equal impulses at the corners have no moment about the centre: the cube does not turn, and rebounds"
-    " to e² of the drop height as a ball does.",
+    expected="Four equal impulses at the corners have no moment about the centre: the cube does not turn, and"
+    " rebounds to `e²` of the drop height as a ball does.",
     why=(
-        "On its half-space PyBullet finds one new contact point of a box in each step, so that a flat box gets a kick"
-        " at one corner first: stock, it tilts by 5° at e = 0, and tumbles at e = 0.5. Given a large box as ground, it"
-        " finds all four corners at once, and with enough solver iterations the cube stays level to the last digit."
-        " That is what its tuned settings do.",
-        "MuJoCo finds the four corners at once. They share the load, and each of its soft contacts gives a little too"
-        " much: the rebound is some 0.02 % high. At e = 0 it sinks by up to v dt = 0.4 mm and comes back slowly.",
+        "On its half-space PyBullet finds one new contact point of a box in each step, so that a flat box is kicked"
+        " at one corner first: stock, it tilts by 5° at e = 0, and tumbles at e = 0.5. Tuned, its ground is a large"
+        " box on which it finds all four corners at once, and the cube stays level to the last digit.",
+        "MuJoCo finds the four corners at once. Each of its soft contacts gives a little too much: the rebound is"
+        " some 0.02 % high. At e = 0 the cube sinks by up to `v dt`, 0.4 mm, and comes back slowly.",
     ),
     cases=tuple(dropped("box-flat", restitution, _falling_cube, DROPS) for restitution in (0.0, 0.5)),
     quantities=(
@@ -142,16 +141,16 @@ BOX_ON_EDGE = Family(
     statements=(11, 17, 18, 22),
     about=f"A cube, tilted about a level axis, falls {EDGE_GAP:g} m onto its lowest edge and comes to rest. Its path"
     " in between is sensitive to everything, so only the end is judged: the face that it lies on, and the energy.",
-    expected="The edge stops where it strikes and the cube turns about it, towards the side where its centre is: below"
-    " 45° back onto the face that was lowest. What energy is left lets it rock, but not turn over. In the end it has"
-    " m g a, with half an edge a, and never more than at the start.",
+    expected="The edge stops where it strikes and the cube turns about it, towards the side where its centre is:"
+    " below 45° back onto the face that was lowest. In the end it has the energy `m g a`, with half an edge"
+    " `a`, and never more than at the start.",
     why=(
-        "What happens between the first touch and rest differs from engine to engine: the impact also absorbs the"
-        " weight of a step, so that the cube turns 0.4 % too fast in PyBullet at 1 ms; small things grow as it rocks."
-        " The face and the energy at the end do not depend on that, and all agree.",
-        "PyBullet, tuned, keeps contacts up to the fall of one step, g dt², apart: with none at all a cube that has"
-        " landed askew rocks from corner to corner without end. Stock MuJoCo sinks in by 17 mm on landing, and all end"
-        " on the right face too.",
+        "All agree on the face and on the energy at the end, whatever happens in between: the impact also absorbs"
+        " the weight of a step, so that the cube turns 0.4 % too fast in PyBullet at 1 ms, and small differences"
+        " grow as it rocks.",
+        "PyBullet, tuned, keeps contacts up to the fall of one step, `g dt²`, apart: with none at all a cube that"
+        " has landed askew rocks from corner to corner without end. Stock MuJoCo sinks in by 17 mm on landing, and"
+        " ends on the right face too.",
     ),
     cases=tuple(_on_edge(degrees) for degrees in (10.0, 20.0, 30.0, 40.0)),
     quantities=(

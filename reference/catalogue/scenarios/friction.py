@@ -133,25 +133,22 @@ SLIDING_SLAB = Family(
     title="Sliding slab: stopping distances",
     topic="friction",
     statements=(24,),
-    about="A slab slides over a level floor and stops. It starts on the floor, so nothing happens along the normal."
-    " Three cases head off at 30° to the axes, for engines whose friction cone is a pyramid.",
-    expected="Kinetic friction μ m g takes away the kinetic energy m v₀²/2 over the distance v₀²/(2 μ g), in the time"
-    " v₀/(μ g). Then the slab stays where it is.",
+    about="A slab slides over a level floor and stops. Three cases head off at 30° to the axes, for engines whose"
+    " friction cone is a pyramid.",
+    expected="Kinetic friction `μ m g` takes away the kinetic energy `m v₀²/2` over the distance `v₀²/(2 μ g)`, in"
+    " the time `v₀/(μ g)`. Then the slab stays where it is.",
     why=(
-        "Semi-implicit Euler moves with the velocity that friction has already reduced, so a step method stops v₀ dt/2"
-        " short. The engines, tuned, do so to better than 0.002 % of the way; the hand-written code finds the stop"
-        " within the step and is exact.",
-        "PyBullet, stock, damps every velocity by 4 % a second and more at speed, which shortens long slides most."
-        " With damping off it is right.",
-        "On its half-space PyBullet finds one contact point of a box in each step, and as these change they push the"
-        " slab aside: at 1 ms by up to 0.9 mm, at 4 ms by 6 mm. Given a large box as ground it finds all four corners"
-        " at once and keeps its line; that is what its tuned settings do.",
-        "MuJoCo's stock friction cone is a pyramid: along an axis it is right, at 30° it is weaker and pulls sideways."
-        " Even the elliptic cone lifts a sliding slab, because a convex contact law pays for slip with separation; the"
-        " tuned settings take friction out of the main solver (impratio near 0) and leave it to the noslip passes.",
-        "DART's default solver has a pyramid too, which brakes each axis by itself: at 30° the way is 21 % short."
-        " Tuned, it has a solver with a cone. Stock, a box has but one contact point on DART's half-space and rocks on"
-        " it without end, a little faster than what counts as rest.",
+        "A step moves with the velocity that friction has already reduced, so a step method stops `v₀ dt/2` short."
+        " The tuned engines do so to better than 0.002 % of the way; hand-written code solves for the stop and is"
+        " exact.",
+        "PyBullet, stock, damps every velocity by 4 % a second and more at speed. On its half-space it finds one"
+        " contact point of a box in each step, and as these change they push the slab aside, by up to 0.9 mm at 1 ms"
+        " and 6 mm at 4 ms. Tuned, its ground is a large box, on which it finds all four corners at once.",
+        "MuJoCo's stock friction cone is a pyramid: right along an axis, weaker at 30°, where it pulls sideways."
+        " Even its elliptic cone lifts a sliding slab, because a convex contact law pays for slip with separation;"
+        " tuned, friction is left to the noslip passes.",
+        "DART's default solver has a pyramid that brakes each axis by itself, so the way at 30° is 21 % short;"
+        " tuned, it has a cone. Stock, a box has one contact point on its half-space and rocks on it without end.",
     ),
     cases=(
         *(_sliding(friction, speed) for friction in (0.1, 0.2, 0.4, 0.7) for speed in (1.0, 2.0, 5.0)),
@@ -165,6 +162,7 @@ SLIDING_SLAB = Family(
             lambda trajectory: measure.stopping_distance(trajectory, "slab", "plane"),
             _expect_distance,
             _distance,
+            absent="never stops",
         ),
         Quantity(
             "stopping_time",
@@ -174,6 +172,7 @@ SLIDING_SLAB = Family(
             _expect_time,
             lambda case: truth.stopping_time(case.parameters["speed"], case.parameters["friction"], GRAVITY),
             _slack_of_the_stop,
+            absent="never stops",
         ),
         Quantity(
             "sideways",
@@ -246,16 +245,15 @@ INCLINE = Family(
     statements=(24,),
     about="A slab is let go on a slope, for five coefficients of friction and five angles. Each case is watched for 3"
     " s.",
-    expected="Static friction can hold at most μ N = μ m g cos θ against the pull m g sin θ: the slab stays where it"
-    " is if tan θ ≤ μ. Otherwise it slides with g (sin θ − μ cos θ).",
+    expected="Static friction holds at most `μ m g cos θ` against the pull `m g sin θ`: the slab stays where it is"
+    " if `tan θ ≤ μ`. Otherwise it slides with `g (sin θ − μ cos θ)`.",
     why=(
-        "All, exact or tuned, decide every case as tan θ ≤ μ does. What differs is how still a held slab is:"
-        " hand-written code sets its velocity to zero, PyBullet's and DART's solvers leave less than a micrometre, and"
-        " MuJoCo's friction is a soft constraint that creeps in proportion to the timestep: at 1 ms the steepest holds"
-        " would lose millimetres, at 0.1 ms fractions.",
-        "MuJoCo, stock, creeps visibly on every slope but the gentlest, which counts as sliding here. PyBullet, stock,"
-        " holds where it should, but its damping slows every slide by up to a quarter. DART, stock, rocks on its one"
-        " contact, and some slabs that should hold walk off that way.",
+        "All, exact or tuned, decide every case as `tan θ ≤ μ` does. They differ in how still a held slab is:"
+        " hand-written code sets its velocity to zero, PyBullet and DART leave less than a micrometre, and MuJoCo"
+        " creeps in proportion to the timestep, because its friction is a soft constraint.",
+        "Stock MuJoCo creeps visibly on every slope but the gentlest, which counts as sliding here. Stock PyBullet's"
+        " damping slows every slide by up to a quarter. Stock DART rocks on its one contact, and some slabs that"
+        " should hold walk off that way.",
     ),
     cases=tuple(
         _incline(friction, degrees)

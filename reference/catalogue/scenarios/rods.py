@@ -182,19 +182,15 @@ STRUCK_ROD = Family(
     statements=(11, 12, 14, 15, 18, 19, 20, 21),
     about=f"A ball of 1 kg flies at {SPEED:g} m/s straight at a rod of 1 kg and {2 * HALF_LENGTH:g} m that floats"
     " at rest, and strikes it at its centre, half-way out, or a millimetre from its end.",
-    expected="A unit impulse moves the point of the rod that it meets by k = 1/M + x²/I, an arm x from the centre: at"
-    " the end four times as easily as at the centre. With the ball's own 1/m, j = (1 + e) v/(1/m + k): (1 + e) m v/2"
-    " at the centre, nearly (1 + e) m v/5 at the end. For every arm, the two points separate with e of the speed at"
-    " which they met.",
+    expected="A unit impulse moves the point of the rod that it meets by `k = 1/M + x²/I`, an arm `x` from the"
+    " centre: at the end four times as easily as at the centre. So `j = (1 + e) v/(1/m + k)`, and for every"
+    " arm the two points separate with `e` of the speed at which they met.",
     why=(
-        "The ball meets a flat face, straight on: no overlap changes the normal or the arm, and there is no weight. So"
-        " an engine's only error is what its contact does to any speed: rounding in PyBullet, 0.003 % in DART and 0.04"
-        " % in MuJoCo.",
-        "At the very end it would be otherwise. PyBullet's boxes are round within 1 mm of their edges: a ball of"
-        " radius r that meets the edge itself gets a normal that leans by 1 mm/r, 0.02 rad here, and is pushed aside."
-        " Hence the millimetre.",
-        "MuJoCo's spring profile keeps up to 3 % too little or too much of the closing speed, since some sixteen steps"
-        " a contact notice its dashpot up to a step late. Stock, PyBullet is 5 % slow before it strikes and after, and"
+        "The ball meets a flat face, straight on, and there is no weight, so an engine's only error is what its"
+        " contact does to any speed: rounding in PyBullet, 0.003 % in DART and 0.04 % in MuJoCo. At the very end it"
+        " would be otherwise, because PyBullet's boxes are round within 1 mm of their edges: hence the millimetre.",
+        "MuJoCo's spring profile keeps up to 3 % too little or too much of the closing speed, since some sixteen"
+        " steps a contact notice its dashpot late. Stock PyBullet is 5 % slow before it strikes and after, and stock"
         " MuJoCo has no restitution.",
     ),
     cases=tuple(_struck(restitution, arm) for restitution in (0.5, 1.0) for arm in ARMS),
@@ -218,15 +214,15 @@ ROD_ON_PEG = Family(
     statements=(11, 12, 14, 15, 18, 19, 20, 21),
     about=f"A level rod of 1 kg and {2 * HALF_LENGTH:g} m falls {DROP_HEIGHT:g} m onto a peg under its centre,"
     " half-way out, or a millimetre from its end.",
-    expected="The peg stands for a body of infinite mass: j = (1 + e) v/(1/M + x²/I). Under the centre that is (1 +"
-    " e) m v, and the rod rebounds level. Under the end of a thin rod, where I = M L²/12 and x = L/2, it is (1 + e) m"
-    " v/4: the rod's centre keeps falling, and the rod turns. This one, 4 cm thick and met 1 mm from its end, gets"
-    " 0.251 (1 + e) m v.",
+    expected="The peg stands for a body of infinite mass: `j = (1 + e) v/(1/M + x²/I)`. Under the centre that is `(1"
+    " + e) M v`, and the rod rebounds level. Under the end of a thin rod it is a quarter of that: the rod's"
+    " centre keeps falling, and the rod turns. This rod, 4 cm thick and met 1 mm from its end, gets 0.251"
+    " of it.",
     why=(
-        "The impulse of a step carries the weight of that step, and the speed of an impact differs by up to g dt/2:"
-        " 0.1 to 0.4 % at 1 ms, and nothing else. A hundred times the drop height would make it a tenth of that.",
-        "Stock, PyBullet rebounds too high, as it takes overlap back as speed: it keeps up to 10 % too much of the"
-        " closing speed. MuJoCo, stock, has no restitution.",
+        "The impulse of a step carries the weight of that step, and the speed of an impact differs by up to `g"
+        " dt/2`: 0.1 to 0.4 % at 1 ms, and nothing else.",
+        "Stock PyBullet takes overlap back as speed: it keeps up to 10 % too much of the closing speed. Stock MuJoCo"
+        " has no restitution.",
     ),
     cases=tuple(_dropped(restitution, arm) for restitution in (0.5, 1.0) for arm in ARMS),
     quantities=_quantities(_impulse_of_the_peg, _spin_from_below, _kept_by_the_peg),

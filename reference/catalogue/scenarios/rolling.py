@@ -112,19 +112,17 @@ SLIDING_BALL = Family(
     title="Sliding ball that begins to roll",
     topic="friction",
     statements=(14, 15, 24),
-    about="A ball is set down on a level floor with a speed and no spin. It slides, friction slows it and makes it"
-    " spin, and at some instant its lowest point stands still: it rolls.",
+    about="A ball is set down on a level floor with a speed and no spin. Friction slows it and makes it spin, until"
+    " its lowest point stands still: it rolls.",
     expected="Friction acts at the floor and so cannot change the angular momentum about a point of the floor. The"
-    " ball rolls with 5/7 of its first speed for any friction, from t = 2 v₀/(7 μ g) on.",
+    " ball rolls with `5/7` of its first speed for any friction, from `t = 2 v₀/(7 μ g)` on.",
     why=(
-        "The engines, tuned, find 5/7 to more digits than anyone needs, since a friction impulse changes speed and"
-        " spin together, in each step and at any timestep. The way is v₀ dt/7 short: a step moves with the velocity"
-        " that friction has already reduced.",
-        "PyBullet, stock, damps speed and spin all the time, and a ball that rolls has nothing to set against it: it"
-        " loses 7 to 43 %. MuJoCo, stock, hops as it slides, by up to 6 mm at 5 m/s, because its convex cone pays for"
-        " slip with lift. So it begins to roll late, but at the right speed to within 0.1 %.",
-        "No engine has rolling resistance unless one sets it. MuJoCo's condim 6 would set it: the ball would keep"
-        " slowing down.",
+        "The tuned engines find `5/7` to more digits than anyone needs, since a friction impulse changes speed and"
+        " spin together. Their way is `v₀ dt/7` short: a step moves with the velocity that friction has already"
+        " reduced.",
+        "PyBullet, stock, damps speed and spin, and a rolling ball has nothing to set against it: it loses 7 to 43"
+        " %. MuJoCo, stock, hops by up to 6 mm at 5 m/s, because its convex cone pays for slip with lift; it begins"
+        " to roll late, at the right speed to within 0.1 %.",
     ),
     cases=tuple(_sliding(friction, speed) for friction in (0.1, 0.3, 0.6) for speed in (1.0, 2.0, 5.0)),
     quantities=(
@@ -143,6 +141,7 @@ SLIDING_BALL = Family(
             lambda trajectory: turning.rolling_time(trajectory, "ball", "plane"),
             _expect_start,
             _rolling_start,
+            absent="never rolls",
         ),
         Quantity("way", "way", "m", _way, _expect_way, _rolling_way),
         Quantity("slip", "slip at the end", "m/s", _slips, _expect_grip),
@@ -198,14 +197,13 @@ ROLLING_BALL = Family(
     statements=(14, 15, 24),
     about=f"A ball is let go on a slope, for three coefficients of friction and five angles, and watched for"
     f" {SLOPE_DURATION:g} s.",
-    expected="Rolling takes a friction of 2/7 m g sin θ, so the ball rolls while tan θ ≤ 7 μ/2, with 5/7 g sin θ."
-    " Beyond that it slips, with g (sin θ − μ cos θ), and its spin falls behind.",
+    expected="Rolling takes a friction of `2/7 m g sin θ`, so the ball rolls while `tan θ ≤ 7 μ/2`, with `5/7 g sin"
+    " θ`. Beyond that it slips, with `g (sin θ − μ cos θ)`, and its spin falls behind.",
     why=(
-        "The engines, tuned, roll and slip where theory says in all fifteen cases, even at 20° and μ = 0.1, where"
-        " tan θ is 4 % above 7 μ/2. The way is a t dt/2 long, as for every body that sets out from rest in a"
-        " step method.",
+        "The tuned engines roll and slip where theory says, even at 20° and μ = 0.1, where `tan θ` is 4 % above `7"
+        " μ/2`. The way is `a t dt/2` long, as for every body that sets out from rest in a step method.",
         "PyBullet, stock, loses 7 to 27 % of the way to its damping, and more of the spin. MuJoCo, stock, rolls and"
-        " slips where it should; its way is 0.1 % long, which is a t dt/2 at its 2 ms.",
+        " slips where it should; its way is 0.1 % long, which is `a t dt/2` at its 2 ms.",
     ),
     cases=tuple(
         _on_slope(friction, degrees) for friction in (0.1, 0.3, 0.6) for degrees in (5.0, 10.0, 20.0, 30.0, 40.0)

@@ -91,22 +91,21 @@ SPINNING_BALL = Family(
     topic="impulse",
     statements=(12, 14, 16, 18, 24),
     about=f"A ball falls {DROP_HEIGHT:g} m, spinning about a level axis, and is watched until just after its rebound.",
-    expected="Friction acts during the impact: its impulse is at most μ times the normal one, μ m (1 + e) v. If that"
-    " ends the slip, the ball leaves with 2/7 of its surface speed r ω along the floor, and spins with 2/7 of its"
-    " spin. If not, it slips through the whole impact and leaves with μ (1 + e) v.",
+    expected="The impulse of friction is at most `μ m (1 + e) v`. If that ends the slip, the ball leaves with `2/7`"
+    " of its surface speed `r ω` along the floor, and spins with `2/7` of its spin. If not, it slips"
+    " through the whole impact and leaves with `μ (1 + e) v`.",
     why=(
-        "A ball that grips takes 2/7 of its surface speed in an impact of any strength; in all engines it does so in"
-        " the very step of the impact. One that slips through is pushed by μ times the normal impulse, and a step"
-        " method's impulse also carries the weight of one step: g dt/((1 + e) v) too much, 0.15 % at 1 ms.",
-        "In MuJoCo the contact point lies half the overlap inside the ball, in DART the whole of it, which"
-        " shortens the lever arm: depending on where in a step it strikes, a gripping ball leaves up to 0.1 % too fast"
-        " and with 0.3 % too much spin. This goes away with the timestep.",
+        "A ball that grips takes `2/7` of its surface speed in an impact of any strength. One that slips through is"
+        " pushed by `μ` times the normal impulse, and a step's impulse also carries the weight of the step: `g"
+        " dt/((1 + e) v)` too much, 0.15 % at 1 ms.",
+        "In MuJoCo the contact point lies half the overlap inside the ball, in DART the whole of it, which shortens"
+        " the lever arm: a gripping ball leaves up to 0.1 % too fast and with 0.3 % too much spin, and less at a"
+        " smaller timestep.",
         "In MuJoCo's spring profile friction takes slip away as gently as the dashpot takes speed, so that a ball"
-        " which should grip still slips when it lets go: it has 26 to 65 % too little speed. Given a solreffriction of"
-        " its own, of a time step, it would be right to within 1 %. PyBullet's spring profile takes, in each step, all"
-        " the slip that Coulomb's law allows, and a ball that grips is right to the last digit.",
-        "Stock, PyBullet's multibody loses up to 54 % of the speed that it should gain, and MuJoCo does not"
-        " rebound at all, so that its friction acts for as long as the ball sinks in.",
+        " which should grip still slips when it lets go, with 26 to 65 % too little speed. A solreffriction of a"
+        " time step would make it right to within 1 %.",
+        "Stock PyBullet's multibody loses up to 54 % of the speed that it should gain. Stock MuJoCo does not"
+        " rebound, so that its friction acts for as long as the ball sinks in.",
     ),
     cases=tuple(
         _spinning(spin, friction, restitution)

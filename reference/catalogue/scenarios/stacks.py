@@ -70,20 +70,17 @@ STACK = Family(
     about=f"Cubes of {2 * HALF:g} m stand on each other, five or ten of them, and are watched for {STANDING:g} s.",
     expected="Nothing moves: each contact carries the weight of all the boxes above it.",
     why=(
-        "A stack shows what a solver can do: the force below must become the weight of all boxes above, through as"
-        " many contacts as there are boxes. PyBullet's sequential impulses need 100 passes and boxes for ground; with"
-        " 10 the top of five is a tenth of a millimetre low and drifts by one. What is left is chance micro-slip, up"
-        " to two tenths of a millimetre in ten seconds, and a drop at the start. Rounding decides whether boxes at a"
-        " gap of zero touch. Until they do, they fall g dt² a step: the top of five three times, the top of ten six"
-        " times.",
+        "A stack shows what a solver can do: the force below must become the weight of all boxes above. PyBullet's"
+        " sequential impulses need 100 passes and boxes for ground; with 10 the top of five is a tenth of a"
+        " millimetre low. Boxes whose gap of zero is rounded to an opening first fall `g dt²` a step, three steps"
+        " for five and six for ten; what is left is micro-slip of up to two tenths of a millimetre in ten seconds.",
         "MuJoCo's Newton solver finds the forces in one or two iterations. Its contacts are soft, and the top of n"
-        " boxes sinks by n² (1 − d) g dt²/(4 r), a quarter of a micrometre for ten. A contact at a gap of zero is seen"
-        " or not by rounding: without a margin of a nanometre the stack would drop by 0.2 mm first, and with the tuned"
-        " recipe for slides, which adds friction after the main solver, shift by half a millimetre as well.",
-        "DART's default solver goes through the contacts by pivots and solves the whole stack at once. In some"
-        " orders of the bodies it breaks off, and 30 sweeps stand in for it: a drift of some micrometres is left.",
-        "Stock, PyBullet's stack of ten drifts by a centimetre and MuJoCo's sinks by two millimetres. Both stand, and"
-        " DART's stands as well as with tuned settings.",
+        " boxes sinks by `n² (1 − d) g dt²/(4 r)`, a quarter of a micrometre for ten. It has a margin of a"
+        " nanometre, without which the stack would drop by 0.2 mm first.",
+        "DART's default solver goes through the contacts by pivots and solves the whole stack at once; where it"
+        " breaks off, 30 sweeps stand in for it, and some micrometres of drift are left.",
+        "Stock, PyBullet's stack of ten drifts by a centimetre and MuJoCo's sinks by two millimetres. DART's stands"
+        " as well as tuned.",
     ),
     cases=(_stack(5), _stack(10)),
     quantities=(

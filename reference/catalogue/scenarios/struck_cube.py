@@ -96,19 +96,19 @@ STRUCK_CUBE = Family(
     statements=(12, 16, 18),
     about=f"A ball at {SPEED:g} m/s, spinning about a level axis, strikes the top of a cube that floats at rest, to one"
     f" side of its centre, with e = {RESTITUTION:g}. There is no weight.",
-    expected="The normal impulse turns the cube, which moves its top sideways: the slip at the contact changes by"
-    " itself. Where the slip stops or turns round within the impact, each law of restitution says something else."
-    " Newton's leaves e times the speed of the approach. Poisson's makes the impulse of parting e times that of the"
-    " approach; the work of Stronge's is e² times it. Where the slip goes on, in the last case, they are one law.",
+    expected="The normal impulse turns the cube, which moves its top sideways, so the slip at the contact changes by"
+    " itself. Where the slip stops or turns round, each law of restitution says something else: Newton's"
+    " leaves `e` times the speed of approach, Poisson's makes the impulse of parting `e` times that of"
+    " approach, and the work of Stronge's is `e²` times it. Where the slip continues, they are one law.",
     why=(
-        "The hand-written code has all four laws: as exact, Newton's with friction against the slip that is left; as"
-        " profiles of their own Newton's with maximal dissipation, Poisson's and Stronge's. Each is judged by what its"
-        " own law predicts.",
-        "PyBullet and DART follow Newton's law with friction against the slip that is left. In DART the contact lies"
-        " inside the bodies by up to the way of a step, which leaves up to 0.3 % of the speed as slip where it grips.",
-        "MuJoCo cannot express this. Its noslip passes settle friction after the normal impulse, which they leave as"
-        " large as without friction, (1 + e) u/k. Off the centre that friction also moves the bodies along the"
-        " normal, so that they would part at 0.38 to 0.58 of the speed of the approach instead of 0.5.",
+        "Each implementation is judged by what its own law predicts. The hand-written code has four laws: as exact,"
+        " Newton's with friction against the slip that is left; as methods of their own Newton's with maximal"
+        " dissipation, Poisson's and Stronge's.",
+        "PyBullet and DART follow Newton's law. In DART the contact lies inside the bodies by up to the way of a"
+        " step, which leaves up to 0.3 % of the speed as slip where it grips.",
+        "MuJoCo cannot express this. Its noslip passes settle friction after the normal impulse, which stays as"
+        " large as without friction. Off the centre that friction also moves the bodies along the normal, and they"
+        " would part at 0.38 to 0.58 of the speed of approach instead of 0.5.",
     ),
     cases=tuple(
         _struck(*case) for case in ((0.08, -40.0, 0.3), (0.05, 20.0, 0.3), (0.08, -20.0, 0.1), (0.08, 40.0, 0.1))

@@ -212,26 +212,21 @@ OFF_CENTRE_IMPACT = Family(
     title="Cube and rod that strike the floor off their centres",
     topic="friction",
     statements=(12, 16, 18),
-    about="A cube strikes the floor with a corner or an edge, or a thin rod strikes it with its lower end. There is"
-    " one impact and no weight. The bodies also fly along the floor, and some of them spin, so that the slip"
-    " may turn.",
-    expected="The floor pushes beside the centre. So the impulse along the normal also moves the point that strikes"
-    " along the floor, and friction also moves it along the normal. Newton's law leaves e times the speed of"
-    " approach. Under Poisson's and Stronge's the speeds have another ratio, because there e is a ratio of"
-    " impulses or of works. The slip may stop, continue or turn during the impact, and each law says what is"
-    " left of it.",
+    about="A cube strikes the floor with a corner or an edge, or a thin rod strikes it with its lower end. The"
+    " bodies also fly along the floor, and some of them spin, so that the slip may turn. There is no weight.",
+    expected="The floor pushes beside the centre. So the impulse along the normal also moves the striking point"
+    " along the floor, and friction also moves it along the normal. Newton's law leaves `e` times the speed"
+    " of approach; for Poisson's and Stronge's, `e` is a ratio of impulses or of works. Each law says what"
+    " is left of the slip.",
     why=(
-        "Each implementation is judged by the law that it follows. The speed of parting and both components of the"
-        " slip that is left, as shares of the speed of approach, the change of spin and the share of the energy that is"
-        " lost are compared with what that law's impulse gives.",
-        "DART keeps Newton's e, and its friction opposes the slip that is left. PyBullet keeps e too. For"
-        " multibodies its friction has a true cone, but a slightly different direction: Bullet first divides each"
-        " component of the slip that is left by what a unit impulse along that axis changes of it. The hand-written"
-        " function for Newton's law takes the direction of the impulse that would stop the slip. Where the impact"
-        " stays in a plane, all three agree.",
-        "MuJoCo cannot express these impacts. Its convex solver adds μ times the slip that is left to the speed of"
-        " parting. Its noslip passes avoid that, but they settle friction after the normal impulse, which off the"
-        " centre depends on friction.",
+        "Each implementation is judged by the law that it follows. DART keeps Newton's `e`, and its friction opposes"
+        " the slip that is left. PyBullet keeps `e` too, but its friction has a slightly different direction: Bullet"
+        " first divides each component of the slip by what a unit impulse along that axis changes of it. The"
+        " hand-written function takes the direction of the impulse that would stop the slip. Where the impact stays"
+        " in a plane, all three agree.",
+        "MuJoCo cannot express these impacts. Its convex solver adds `μ` times the slip that is left to the speed of"
+        " parting; its noslip passes settle friction after the normal impulse, which off the centre depends on"
+        " friction.",
     ),
     cases=tuple(_strikes(*case) for case in CASES),
     quantities=(

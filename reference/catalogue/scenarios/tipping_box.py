@@ -85,20 +85,19 @@ TIPPING_BOX = Family(
     topic="world",
     statements=(17, 22, 24),
     about="A box stands on a slope and is let go: a cube, a box twice as high as wide, and one three times as high.",
-    expected="The normal force acts within the face, so a box of half width b and half height h stays upright while"
-    " tan θ ≤ b/h. If it does not, it tips, provided that friction holds its lower edge, μ > b/h. With less friction"
-    " it slides before it tips; with tan θ ≤ μ and tan θ ≤ b/h nothing moves.",
+    expected="The normal force acts within the face, so a box of half width `b` and half height `h` stays upright"
+    " while `tan θ ≤ b/h`. Otherwise it tips, provided that friction holds its lower edge, `μ > b/h`. With"
+    " less friction it slides before it tips; with `tan θ ≤ μ` and `tan θ ≤ b/h` nothing moves.",
     why=(
-        "Every engine, tuned, gets all three outcomes right. A box that slides is a t dt/2 ahead, as on the"
-        " incline. In MuJoCo it is up to 0.4 mm farther ahead, for the noslip passes leave the normal forces as they"
-        " were, and friction spends a part of its first impulses on turning the box. A cube that holds creeps by 0.4"
-        " mm in a second there: its friction makes it rock on two corners and four in turns, and on two they carry too"
-        " little to hold. The higher boxes do not.",
-        "The hand-written code for sliding boxes treats a box as a point and so runs only where the box cannot tip;"
-        " the rest needs a rigid-body world.",
-        "Stock MuJoCo creeps by millimetres where the box should hold. On stock PyBullet's plane a box rocks from one"
-        " contact point to the next and slides up to 5 % too far, damping or not. Stock DART has but one contact point"
-        " there, and two of three boxes that should tip slide.",
+        "Every tuned engine gets all three outcomes right. A box that slides is `a t dt/2` ahead, as on the incline."
+        " In MuJoCo it is up to 0.4 mm farther ahead, for friction spends a part of its first impulses on turning"
+        " the box, and a cube that holds creeps by 0.4 mm in a second, because it rocks on two corners and four in"
+        " turns.",
+        "The hand-written code treats a box as a point and so runs only where the box cannot tip; the rest needs a"
+        " rigid-body world.",
+        "Stock MuJoCo creeps by millimetres where the box should hold. On stock PyBullet's plane a box rocks from"
+        " one contact point to the next and slides up to 5 % too far. Stock DART has one contact point there, and"
+        " two of three boxes that should tip slide.",
     ),
     cases=(
         *(_standing_on_slope(0.1, friction, degrees) for friction, degrees in ((0.5, 20.0), (0.5, 35.0), (1.5, 50.0))),

@@ -98,20 +98,17 @@ THIN_WALL = Family(
     statements=(2, 9, 10),
     about=f"A weightless ball of {1000 * RADIUS:g} mm radius flies straight at a fixed wall, {1000 * THICKNESS:g} mm"
     f" thick. Every figure is the mean over {SHOTS} shots that meet the wall at evenly spread instants of a step.",
-    expected="A solid wall stops every ball, however fast: none passes, and each comes back with −e v. A continuous"
-    " test of the swept volume sees this; a test at the end of each step may not.",
+    expected="A solid wall stops every ball: none passes, and each comes back with `−e v`. A continuous test of the"
+    " swept volume sees this; a test at the end of each step may not.",
     why=(
-        "A step moves the ball by v dt. Its centre is pushed back only if some step ends while it overlaps the wall and"
-        " is still before the wall's middle, on a way of d/2 + r; beyond the middle the nearest way out is the far"
-        " side, and the ball, which moves that way, is let go. So the share that passes is 1 − (d/2 + r)/(v dt) where"
-        f" that is above zero: at 20 m/s none up to dt = {1000 * CAUGHT / 20:g} ms, and 70 % at PyBullet's stock"
-        " 1/240 s. At tuned timesteps nothing passes. Only a smaller timestep or a continuous test helps.",
-        "PyBullet, stock, slows the ball in flight: its damping grows with the speed squared. The phases are then not"
-        " spread evenly, so its share may differ by some balls, and those that come back are slower.",
-        "MuJoCo, stock, has so soft a contact that a fast ball sinks in past the middle of the wall and is pushed out"
-        " behind it, though it was noticed in time. A smaller timestep does not help there; a stiffer contact does.",
-        "Hand-written code that solves for the instant of contact stops every ball, at any timestep: that is the"
-        " continuous test. If it responds at the step, it lets through as many as theory says.",
+        "A step moves the ball by `v dt`, and its centre is pushed back only if a step ends while the ball overlaps"
+        " the wall and is still before its middle, on a way of `d/2 + r`. So the share `1 − (d/2 + r)/(v dt)`"
+        f" passes: at 20 m/s none up to a timestep of {1000 * CAUGHT / 20:g} ms, and 70 % at PyBullet's stock 1/240"
+        " s. Only a smaller timestep or a continuous test helps; hand-written code that solves for the instant of"
+        " contact stops every ball.",
+        "PyBullet, stock, also slows the ball in flight, because its damping grows with the speed squared. MuJoCo,"
+        " stock, notices the ball in time, but its contact is so soft that a fast ball sinks past the middle and is"
+        " pushed out behind the wall; only a stiffer contact helps there.",
     ),
     cases=tuple(_case(speed) for speed in (5.0, 10.0, 20.0)),
     quantities=(

@@ -145,19 +145,19 @@ TWO_BALLS = Family(
     about=f"A smooth ball of 1 kg flies without weight at {SPEED:g} m/s past or into another one at rest, of mass m,"
     f" b times the sum of their radii beside its centre. Every figure is the mean over {STARTS} starts whose impacts"
     " come at evenly spread phases of a step.",
-    expected="The impulse acts along the line of centres alone, j = (1 + e) v cos α/(1/m_A + 1/m_B) with sin α = b. The"
-    " struck ball moves off along that line. Equal elastic balls swap what they have along it: head-on the striker"
-    " stops, and off-axis the two part at a right angle, v·w = 0, however little they touch.",
+    expected="The impulse acts along the line of centres alone: `j = (1 + e) v cos α/(1/m_A + 1/m_B)` with `sin α ="
+    " b`. Equal elastic balls swap what they have along it: head-on the striker stops, and off-axis the two"
+    " part at a right angle, `v·w = 0`.",
     why=(
         "Head-on, an engine's only error is that of its contact. Off-axis, a step method sees the impact up to a"
-        " step late: the balls overlap, by up to v cos α dt, and their line of centres has turned, for sin α ="
-        " b/(1 − d/D) at a depth d. The struck ball goes off up to 3 mrad too far aside at 1 ms, in PyBullet and in"
-        " hand-written code that responds at the step alike; the error is proportional to the timestep.",
-        "A heavy target, 10⁶ times the striker, is no trouble for any engine: with two bodies, one contact and no"
-        " weight, their solvers have nothing to iterate.",
-        "In the spring profiles of MuJoCo and PyBullet the contact takes 3 ms, in which the balls slide around each"
-        " other: the struck one goes off by 10 mrad more. Stock, PyBullet damps the flight, and responds ahead of the"
-        " contact; MuJoCo has no restitution, and lets the two part with what its soft contact gives back.",
+        " step late: the balls overlap, and their line of centres has turned, for `sin α = b/(1 − d/D)` at a depth"
+        " `d`. The struck ball goes up to 3 mrad too far aside at 1 ms, in PyBullet and in hand-written code at the"
+        " step alike.",
+        "A target 10⁶ times as heavy as the striker is no trouble: with two bodies and one contact, a solver has"
+        " nothing to iterate.",
+        "In the spring profiles the contact takes 3 ms, in which the balls slide around each other: the struck one"
+        " goes off by 10 mrad more. Stock PyBullet damps the flight and responds ahead of the contact; stock MuJoCo"
+        " has no restitution.",
     ),
     cases=(
         *(_striking(1.0, 1.0, offset) for offset in (0.0, 0.3, 0.5, 0.8)),

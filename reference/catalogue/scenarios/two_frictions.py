@@ -109,14 +109,13 @@ TWO_FRICTIONS = Family(
     about=f"A slab of 1 kg has a static coefficient of friction of {STATIC:g} and a kinetic one of {KINETIC:g}. It is"
     " let go, set off or pushed on slopes and on the level, where static friction would hold it and kinetic friction"
     " would not, and beyond.",
-    expected="A slab at rest stays at rest while the pull along the plane is at most μ_s N. Once it moves, μ_k N acts"
-    " against it, however small its speed: between the two limits it holds at rest, and speeds up if it has been set"
-    " off. What slides to a stop does so by μ_k alone, and then μ_s holds it.",
+    expected="A slab at rest stays at rest while the pull along the plane is at most `μ_s N`. Once it moves, `μ_k N`"
+    " acts against it, however small its speed: between the two limits it holds at rest, and speeds up if"
+    " it has been set off.",
     why=(
-        "The hand-written code has both coefficients and is exact; stepped, it has the shifts of every slide, v₀ dt/2"
-        " and a t dt/2.",
-        "PyBullet, MuJoCo and DART have one coefficient for a pair. Other settings that sound like a second one were"
-        " tried; none of them holds more at rest than in motion.",
+        "Exact hand-written code has both coefficients; stepped, it has the shifts of every slide, `v₀ dt/2` and `a"
+        " t dt/2`. The engines have one coefficient for a pair, and none of their other settings holds more at rest"
+        " than in motion.",
     ),
     cases=(
         *(_slab(f"θ={degrees:g}°", degrees) for degrees in (18.0, 22.0, 26.0, 28.0)),

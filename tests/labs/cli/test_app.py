@@ -54,7 +54,7 @@ def test_an_ascii_console_gets_utf_8_and_progress_goes_to_stderr(monkeypatch):
         main()
     assert ended.value.code == 0
     out, errors = (stream.getvalue().decode("utf-8") for stream in written.values())
-    assert "2 eⁿ t₁ with t₁ = √(2h/g)" in out
+    assert "2 eⁿ t₁ with t₁ = √(2 h/g)" in out
     assert "1 run, " in errors, "progress goes where errors go"
     assert "run, " not in out
 

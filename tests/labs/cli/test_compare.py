@@ -24,7 +24,7 @@ def test_a_comparison_in_which_all_agree_ends_with_0():
     assert said.code == 0
     for title in ("Ball coming to rest", "hand-written, exact", "hand-written, slide", "hand-written, step"):
         assert title in said.text
-    assert said.text.endswith("4 of 4 checks that count agree with theory, 0 fail.")
+    assert said.text.endswith("Of 4 checks that count, 4 came out as predicted and near theory and none failed.")
     assert "3 runs, " in said.error
 
 
@@ -36,14 +36,16 @@ def test_a_verdict_that_counts_and_fails_ends_with_1(homework):
     said = collisions("compare", *EXACT, "--implementation", homework(WRONG))
     assert said.code == 1
     assert "✗ fail" in said.text
-    assert said.text.endswith("3 of 4 checks that count agree with theory, 1 fails.")  # it rests too early
+    assert said.text.endswith(
+        "Of 4 checks that count, 3 came out as predicted and near theory and 1 failed."
+    )  # it rests too early
 
 
 def test_a_failure_at_the_step_is_shown_and_not_counted(homework):
     said = collisions("compare", *QUICK, "--profile", "step", "--implementation", homework(WRONG))
     assert said.code == 0
     assert "✗ fail" in said.text
-    assert said.text.endswith("0 of 0 checks that count agree with theory, 0 fail.")
+    assert said.text.endswith("Of 0 checks that count, 0 came out as predicted and near theory and none failed.")
 
 
 def test_a_setting_that_makes_an_engine_wrong_fails(installed):

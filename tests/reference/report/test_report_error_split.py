@@ -1,4 +1,4 @@
-"""Where an error comes from: the shares add up to it, and what has no effect is said to have none."""
+"""Where an error comes from: the shares add up to it, and what has no effect is left out."""
 
 from __future__ import annotations
 
@@ -36,9 +36,8 @@ def test_every_effective_move_names_its_setting_and_both_errors():
     assert (first.before, first.after, first.size) == ("−22 %", "−7.4 %", "−15 %")
 
 
-def test_moves_without_a_visible_effect_are_listed_separately():
+def test_moves_without_a_visible_effect_are_left_out():
     found = origin(*STOCK, *TUNED)
-    assert found.idle == ("slop unset → 0", "iterations 50 → 100")
     assert [step.moved for step in found.steps] == [
         "damping unset → 0",
         "timestep 0.004 → 0.001",
@@ -48,15 +47,15 @@ def test_moves_without_a_visible_effect_are_listed_separately():
     ]
 
 
-def test_the_sentence_has_shares_that_add_up_to_the_tuned_error():
-    assert origin(*STOCK, *TUNED).sentence == (
-        "Stock is off by −22 %, tuned by −3.7 %. The latter is made up of −3 % discretisation, −0.59 % contact model,"
-        " 0 % solver, −0.15 % remainder."
-    )
+def test_the_shares_add_up_to_the_error_that_counts():
+    found = origin(*STOCK, *TUNED)
+    assert (found.plain, found.counted) == ("−22 %", "−3.7 %")
+    assert found.shares == ("−3 %", "−0.59 %", "0 %", "−0.15 %")  # discretisation, contact model, solver, remainder
 
 
-def test_without_a_stock_number_only_the_tuned_error_is_given():
-    assert origin(*TUNED).sentence.startswith("Tuned: −3.7 %. It is made up of −3 % discretisation,")
+def test_without_a_plain_number_only_the_error_that_counts_is_given():
+    found = origin(*TUNED)
+    assert (found.plain, found.counted) == ("", "−3.7 %")
 
 
 def test_a_stock_run_without_a_number_is_reported_as_such():
@@ -68,7 +67,7 @@ def test_a_stock_run_without_a_number_is_reported_as_such():
 def test_an_error_of_rounding_is_not_split(error):
     tiny = (Share(DISCRETISATION, "timestep", error, -error, 4 * error), Share(REMAINDER, "rest", error, error, error))
     found = origin(*STOCK, *tiny)
-    assert found.sentence.endswith("That is rounding: there is nothing left to split.")
+    assert found.shares == ()
     assert {step.kind for step in found.steps} == {"defaults"}
 
 
@@ -78,7 +77,7 @@ def test_a_quantity_without_a_scale_is_split_in_its_unit():
         Share(REMAINDER, "what no move explains", 4e-5, 2e-5, 2e-5),
     )
     found = origin(*shares, family="stack", case="boxes=5", quantity="height")
-    assert found.sentence == "Tuned: +40 µm. It is made up of +20 µm discretisation, +20 µm remainder."
+    assert (found.counted, found.shares) == ("+40 µm", ("+20 µm", "", "", "+20 µm"))
 
 
 def test_lines_without_a_split_have_no_origin():

@@ -29,8 +29,8 @@ def test_the_page_can_be_made_of_one_engine_alone():
 
 def test_a_page_without_results_is_well_formed():
     tree = read(page.render([], {}, [], "Collisions Lab"))
-    assert "run by nobody here: no engine answered." in tree.text
-    assert "0 of 0 checks" in tree.text
+    assert "run by nobody here: no engine answered," in tree.text
+    assert "Of 0 checks that count" in tree.text
 
 
 @pytest.mark.parametrize(
@@ -69,7 +69,6 @@ def test_a_page_of_crashed_runs_alone_lists_all_cases_as_crashed():
 def test_without_studies_there_is_no_table_of_errors():
     plain = [replace(it, convergence=None) for it in OURS]
     section = with_id(read(written(plain)), "ball-to-rest")
-    assert "Error against timestep in figures" not in section.text
     assert "measured order" not in section.text
 
 
@@ -108,16 +107,17 @@ def test_a_split_error_lists_each_moved_setting_and_both_errors():
     )
     given = replace(OURS[0], split=Split("e=0.5", "rest_time", shares))
     section = with_id(read(written([given])), "ball-to-rest")
-    table = next(it for it in section.all("table") if "error before" in it.text)
+    whole, table = (it for it in section.all("table") if "discretisation" in it.text)
+    assert [cell.text for cell in whole.all("tbody")[0].all("td")] == ["", "+0.74 %", "+0.74 %", "", "0 %", "0 %"]
     (line,) = table.all("tbody")[0].all("tr")
     assert [cell.text.strip() for cell in (*line.all("th"), *line.all("td"))] == [
+        "hand-written",
         "discretisation",
         "timestep 0.001 → 0.0005",
         "+0.74 %",  # 0.01 s of the 1.3546 s that the ball takes at e = 0.5
         "+0.37 %",
         "+0.74 %",
     ]
-    assert "No visible effect: iterations 50 → 100; remainder." in section.text
 
 
 def test_without_a_split_the_page_has_no_table_of_shares():
@@ -136,11 +136,11 @@ def test_messages_of_engines_are_shown_as_text_and_never_run():
     assert len(tree.all("script")) == 1  # our own, for printing
     section, shown = with_id(tree, "ball-to-rest"), " ".join(EVIL.split())
     ours, theirs = came_out(section).all("tbody")[0].all("tr")
-    assert ours.all("th")[0].text == f"{shown}, exact {shown}"
-    assert ours.all("td", "settings")[0].text == shown
+    assert ours.all("th")[0].text == f"{shown}, exact"
+    (settings,) = section.all("table", "settings")
+    assert [cell.text for cell in settings.all("td")] == [shown, shown]
     assert theirs.all("td")[0].text == f"{MARKS[Verdict.CRASHED]} crashed: {shown}"
-    assert section.all("figcaption")[0].text == shown
-    assert section.all("figure")[0].attributes["aria-label"] == EVIL
+    assert section.all("figure")[0].all("div")[0].attributes["aria-label"] == EVIL
     assert shown in tree.all("header")[0].text
     assert shown in tree.all("footer")[0].text
 
@@ -169,7 +169,7 @@ def test_the_page_shows_which_scenarios_need_a_world():
     tree = read(written([run_job(job) for job in jobs]))
     overview = [[cell.text for cell in line.inside] for line in tree.all("table", "overview")[0].all("tr")]
     assert ["Stack of boxes", "… needs"] in overview
-    assert ["Box on a slope: holds, slides or tips", "… 2/3"] in overview
+    assert ["Box on a slope: holds, slides or tips", "… 2/3 needs: 1 of 2 cases"] in overview
     for name, times in (("tipping-box", ""), ("stack", " (2×)")):
         notes = [note.text for note in with_id(tree, name).all("p", "note")]
         assert f"hand-written, exact{times} · needs a rigid-body world (world)." in notes

@@ -86,7 +86,8 @@ def test_a_row_as_far_off_as_its_quantity_is_large_does_not_agree():
     found = (row(), row(Verdict.DISAGREES, 0.0))
     assert Cell(found).count == "1/2"
     assert verdict_line(found) == (
-        "1 of 2 checks that count agree with theory, 1 disagrees with it as the method must, 0 fail."
+        "Of 2 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from it and"
+        " none failed."
     )
 
 
@@ -100,7 +101,25 @@ def test_a_cell_without_any_number_gives_the_reason(verdict):
 
 def test_a_failure_without_a_number_counts_as_judged():
     cell = Cell((row(Verdict.FAIL, None, expected=1.0),))
-    assert (cell.count, cell.worst) == ("0/1", "")
+    assert (cell.count, cell.worst) == ("0/1", "no number: 1 of 1")
+
+
+def test_one_number_of_fifteen_is_not_the_result_of_all():
+    slab = catalogue()["sliding-slab"]
+    given = [row(Verdict.FAIL, None, case.name, quantity="stopping_distance") for case in slab.cases]
+    given[3] = row(Verdict.FAIL, 0.9, slab.cases[3].name, quantity="stopping_distance")
+    for cell in (Cell(tuple(given), slab), Cell((*given, row(quantity="creep")), slab)):
+        assert (cell.worst, cell.in_words) == ("never stops: 14 of 15", "never stops: 14 of 15")
+
+
+def test_the_worst_row_of_several_quantities_is_named():
+    far, near = row(measured=1.1), row(quantity="drift", measured=1.19, unit="m", scale=None)
+    assert Cell((far, near), REST).in_words == "drift in the last 5 s +0.19 m"  # it uses most of what is accepted
+    known = row(Verdict.KNOWN_DEVIATION, 1.5)
+    assert Cell((known, near), REST).in_words == "time of rest +50 %"
+    waits = without_number(Verdict.NEEDS, case="e=0.8")
+    assert Cell((waits, near), REST).in_words == "needs: 1 of 2 cases"
+    assert Cell((row(Verdict.SHOWN),), REST).in_words == ""
 
 
 def test_a_cell_that_is_only_shown_has_its_largest_value():
@@ -326,20 +345,23 @@ def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
 @pytest.mark.parametrize(
     ("verdicts", "sentence"),
     [
-        ([], "0 of 0 checks that count agree with theory, 0 fail."),
-        ([Verdict.PASS] * 3, "3 of 3 checks that count agree with theory, 0 fail."),
-        ([Verdict.PASS, Verdict.FAIL], "1 of 2 checks that count agree with theory, 1 fails."),
+        ([], "Of 0 checks that count, 0 came out as predicted and near theory and none failed."),
+        ([Verdict.PASS] * 3, "Of 3 checks that count, 3 came out as predicted and near theory and none failed."),
+        ([Verdict.PASS, Verdict.FAIL], "Of 2 checks that count, 1 came out as predicted and near theory and 1 failed."),
         (
             [Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.FAIL],
-            "2 of 4 checks that count agree with theory, 1 of them with the difference that their method"
-            " predicts, 2 fail.",
+            "Of 4 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from it"
+            " and 2 failed.",
         ),
         (
             [Verdict.PASS, Verdict.CRASHED, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE],
-            "1 of 4 checks that count agree with theory, 0 fail, 3 gave no answer,"
-            " 1 case waits for hand-written functions.",
+            "Of 5 checks that count, 1 came out as predicted and near theory, none failed, 1 could not be made for want"
+            " of words, 2 gave no answer and 1 waited for hand-written functions.",
         ),
-        ([Verdict.PASS, Verdict.SHOWN], "1 of 1 checks that count agree with theory, 0 fail."),
+        (
+            [Verdict.PASS, Verdict.SHOWN],
+            "Of 1 check that counts, 1 came out as predicted and near theory and none failed.",
+        ),
     ],
 )
 def test_one_sentence_summarises_the_tuned_settings(verdicts, sentence):

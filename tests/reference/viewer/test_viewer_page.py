@@ -16,6 +16,7 @@ import pytest
 from clips import BALL, EVIL, bouncing, chain, flying, three_engines
 
 from reference.comparison.results import Job, JobResult
+from reference.comparison.verdicts import Verdict
 from reference.recording.reading import recall
 from reference.report import files
 from reference.report import page as report_page
@@ -240,6 +241,14 @@ def test_the_replay_of_a_section_is_its_plotted_case(results):
     assert made is not None
     track = results[0].poses[0]
     assert (made.count, made.rate) == (track.count, track.rate)
+
+
+def test_a_replay_has_what_is_plain_beside_what_counts_where_it_fails(results):
+    exact, step = results[:2]
+    wrong = replace(step, rows=tuple(replace(row, verdict=Verdict.FAIL) for row in step.rows))
+    made = replay_of(sections([exact, wrong])[0])
+    assert made is not None
+    assert list(zip(made.tags(), (run.shown for run in made.runs), strict=True)) == [("H", True), ("H step", True)]
 
 
 def test_a_missing_engine_is_replayed_from_its_recording():

@@ -1,0 +1,230 @@
+"""What one sees first: a ball that bounces, a ball that comes to rest and a slab that stops, each in a few sentences.
+
+Each finding picks one case of one quantity, and says of every implementation how far it is from theory: who agrees, who
+differs by what the method must give, and who differs by more. Every number is taken from the rows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from reference.comparison.verdicts import Row, Verdict
+from reference.engines.dart_engine import REST_SPEED
+from reference.engines.handwritten_engine import Handwritten
+from reference.engines.pybullet_settings import STOCK_REST_SPEED
+from reference.report import numbers
+from reference.report.marks import MARKS
+from reference.report.sections import Line, Section
+
+_NOTHING_LEFT, _FAR = 0.01, 0.1
+"""Shares of what theory expects: with less of it nothing has happened; with more of an error the number is told."""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One implementation's number. who: its name. said: its difference from theory. timestep: `1 ms`."""
+
+    who: str
+    said: str
+    timestep: str
+
+
+@dataclass(frozen=True)
+class Group:
+    """The implementations with one answer to both questions: first those that count, then the plain ones.
+
+    mark: of their verdict. opening: `Agree with theory`. closing: what is to be said of the numbers together.
+    """
+
+    verdict: Verdict
+    mark: str
+    opening: str
+    figures: tuple[Figure, ...]
+    closing: str = ""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One row of the first screen. family: whose picture stands beside it, and where there is more. why: the reason."""
+
+    title: str
+    question: str
+    family: str
+    groups: tuple[Group, ...]
+    more: str
+    why: str
+
+
+@dataclass(frozen=True)
+class _Pick:
+    """Which rows answer a question, and in what words.
+
+    cases: of counted lines and of plain ones. factor: from the rows' unit to `unit`; a share of the drop height of 1 m
+    is metres too. nothing: what a run does that has next to none of the quantity. far: how a number is told that is
+    nowhere near theory.
+    """
+
+    family: str
+    quantity: str
+    cases: tuple[str, str]
+    unit: str
+    factor: float
+    nothing: str = ""
+    far: str = ""
+
+    def row(self, line: Line) -> Row | None:
+        found = line.row(self.cases[line.plain], self.quantity)
+        return found if found is not None and found.quantity == self.quantity else None
+
+    def said(self, row: Row) -> str:
+        """A row's difference from theory with its sign, or in words what happened instead."""
+        if row.measured is None or row.error is None or row.expected is None:
+            return ""
+        if self.nothing and abs(row.measured) < _NOTHING_LEFT * abs(row.expected):
+            return self.nothing
+        if self.far and abs(row.error) > _FAR * abs(row.expected):
+            return self.far.format(row.measured)
+        scatter = f" ± {few}" if row.spread and (few := _few(self.factor * row.spread)) != "0" else ""
+        return f"{signed(self.factor * row.error)}{scatter} {self.unit}"
+
+
+_BOUNCE = _Pick("dropped-ball", "rebound", ("e=0.5", "e=0.5"), "mm", 1e3, "does not bounce")
+_REST = _Pick("ball-to-rest", "rest_time", ("e=0.8", "e=0.8"), "ms", 1e3, far="rests after {:.3f} s")
+_STOP = _Pick("sliding-slab", "stopping_distance", ("μ=0.4,v=2", "μ=0.4,v=2,heading=30°"), "mm", 1e3)
+_STACK = _Pick("stack", "height", ("boxes=10", "boxes=10"), "m", 1.0)
+_GROUPS = (
+    ((Verdict.PASS,), "Agree with theory"),
+    ((Verdict.KNOWN_DEVIATION, Verdict.DISAGREES), "Differ as their method must"),
+    ((Verdict.FAIL,), "Differ"),
+)
+
+
+def findings(found: Sequence[Section]) -> list[Finding]:
+    """The rows of the first screen; one is left out where its scenario was not run."""
+    by_name = {section.family.name: section for section in found}
+    made = (make(by_name) for make in (_bounce, _rest, _stop))
+    return [finding for finding in made if finding is not None]
+
+
+def _bounce(by_name: dict[str, Section]) -> Finding | None:
+    def question(row: Row) -> str:
+        return (
+            "A ball that keeps half its speed, e = 0.5, falls 1 m. Theory: it rises to"
+            f" {1e3 * (row.expected or 0.0):.1f} mm. Means of {len(row.values)} drops ± their scatter."
+        )
+
+    why = (
+        "A step finds the ball up to one step too deep, and sends it back from there. As installed, PyBullet pushes"
+        " before the ball has arrived, and MuJoCo has no coefficient of restitution."
+    )
+    return _finding(by_name, _BOUNCE, "Bounce", question, why)
+
+
+def _rest(by_name: dict[str, Section]) -> Finding | None:
+    def question(row: Row) -> str:
+        return f"The same ball with e = 0.8 bounces until it rests. Theory: after {row.expected or 0.0:.3f} s."
+
+    why = (
+        f"DART takes anything below {REST_SPEED:g} m/s for rest, PyBullet as installed anything below"
+        f" {STOCK_REST_SPEED:g} m/s, and each leaves out the bounces that would follow. MuJoCo as installed does not"
+        " bounce at all."
+    )
+    return _finding(by_name, _REST, "Rest", question, why, _stack(by_name.get(_STACK.family)))
+
+
+def _stop(by_name: dict[str, Section]) -> Finding | None:
+    def question(row: Row) -> str:
+        return (
+            f"A slab slides at 2 m/s over a floor with μ = 0.4. Theory: it stops after {1e3 * (row.expected or 0):.1f}"
+            " mm, whichever way it heads; as installed, the engines send it off at 30° to their axes."
+        )
+
+    why = (
+        "A step moves with the velocity that friction has already reduced, and so it stops half a step short. As"
+        " installed, PyBullet damps every motion, MuJoCo's friction cone is a diamond, weaker at 30°, and DART's slab"
+        " rocks without end on its one contact point."
+    )
+    return _finding(by_name, _STOP, "Stop", question, why)
+
+
+def _finding(
+    by_name: dict[str, Section], pick: _Pick, title: str, question: Callable[[Row], str], why: str, more: str = ""
+) -> Finding | None:
+    section = by_name.get(pick.family)
+    rows = list(_rows(section, pick)) if section else []
+    if not rows:
+        return None
+    known = [row for _, row in rows if row.expected is not None]
+    if not known:
+        return None
+    asked = question(max(known, key=lambda row: len(row.values)))
+    groups = [_group(pick, rows, verdicts, opening) for verdicts, opening in _GROUPS]
+    return Finding(title, asked, pick.family, tuple(group for group in groups if group), more, why)
+
+
+def _rows(section: Section, pick: _Pick) -> Iterator[tuple[Line, Row]]:
+    """The lines that count and the plain ones, each with its row, in the order of the tables."""
+    for line in section.lines:
+        row = pick.row(line) if line.counts or line.plain else None
+        if row is not None:
+            yield line, row
+
+
+def _group(pick: _Pick, rows: Sequence[tuple[Line, Row]], verdicts: Sequence[Verdict], opening: str) -> Group | None:
+    own = [(line, row) for line, row in rows if row.verdict in verdicts]
+    if not own:
+        return None
+    own.sort(key=lambda found: not found[0].counts)
+    figures = tuple(_figure(pick, line, row) for line, row in own)
+    alike = [row.measured for _, row in own if row.measured is not None and verdicts[0] is Verdict.KNOWN_DEVIATION]
+    closing = f"alike to {_upper(max(alike) - min(alike), own[0][1].unit)}" if _are_alike(alike) else ""
+    return Group(verdicts[0], MARKS[verdicts[0]], opening, figures, closing)
+
+
+def _figure(pick: _Pick, line: Line, row: Row) -> Figure:
+    said = pick.said(row) or line.family.quantity(pick.quantity).absent
+    by_hand = line.result.job.engine == Handwritten.name
+    if by_hand:
+        who = "by hand, exact" if line.counts else "by hand, at the step"
+    else:
+        who = line.result.title if line.counts else f"{line.result.title} as installed"
+    return Figure(who, said, "" if by_hand and line.counts else timestep_of(row))
+
+
+def _stack(section: Section | None) -> str:
+    """How far the top of ten boxes is below its place in each engine; empty where they were not stacked."""
+    rows = [(line, row) for line, row in _rows(section, _STACK)] if section else []
+    counted = [(line, row) for line, row in rows if line.counts and row.error]
+    low = [f"{numbers.size(abs(row.error or 0.0), row.unit)} in {line.result.title}" for line, row in counted]
+    if not low:
+        return ""
+    return f"A stack of ten boxes stands in all of them: the top is low by {', '.join(low)}."
+
+
+def timestep_of(row: Row) -> str:
+    """The timestep that a row's settings begin with, as text; empty where they name none."""
+    name, _, rest = row.settings.partition(" ")
+    return f"{1e3 * float(rest.split(' ')[0]):.2g} ms" if name == "timestep" else ""
+
+
+def signed(value: float) -> str:
+    """A difference with its sign and at most two decimals; 0 below half a hundredth."""
+    few = _few(abs(value))
+    return few if few == "0" else f"{'−' if value < 0 else '+'}{few}"
+
+
+def _few(value: float) -> str:
+    if value < 0.005:
+        return "0"
+    return f"{value:.2f}" if value < 0.995 else f"{value:.1f}" if value < 9.95 else f"{value:,.0f}"
+
+
+def _are_alike(values: Sequence[float]) -> bool:
+    return len(values) > 1 and max(values) - min(values) < 1e-6 * max(map(abs, values))
+
+
+def _upper(difference: float, unit: str) -> str:
+    """The next power of ten above a small difference, in its unit."""
+    return numbers.size(10.0 ** math.ceil(math.log10(max(difference, 1e-9))), unit)

@@ -1,0 +1,56 @@
+"""The result of a scenario in words, by what its implementations have in common."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from pages import REST, result, without_answer
+
+from reference.comparison.results import JobResult
+from reference.comparison.verdicts import Verdict
+from reference.report.results_in_words import accepted, counted, plain
+from reference.report.sections import Section, sections
+
+
+def section(*results: JobResult) -> Section:
+    (found,) = sections(results)
+    return found
+
+
+def changed(given: JobResult, **first) -> JobResult:
+    """The result with another first row, that of the time of rest at e = 0.5."""
+    return replace(given, rows=(replace(given.rows[0], **first), *given.rows[1:]))
+
+
+def test_what_counts_is_told_verdict_by_verdict_with_the_worst_number():
+    far = changed(result(REST, "dart", "tuned"), verdict=Verdict.KNOWN_DEVIATION, measured=0.5)
+    missing = without_answer(result(REST, "mujoco", "tuned"), Verdict.CRASHED, "hung")
+    found = section(result(REST, "handwritten", "exact"), result(REST, "pybullet", "tuned"), far, missing)
+    by_hand, bullet, mujoco, dart = (line.result.title for line in found.lines)
+    assert by_hand == "hand-written"
+    assert counted(found) == (
+        f"Hand-written code and {bullet} agree with theory in every check; {dart} (time of rest +25 %) differs as the"
+        f" method must; {mujoco} crashed."
+    )
+    assert plain(found) == ""
+
+
+def test_what_is_plain_is_told_apart_for_engines_and_by_hand():
+    wrong = changed(result(REST, "dart", "stock"), verdict=Verdict.FAIL, measured=None)
+    found = section(result(REST, "handwritten", "step"), wrong)
+    assert plain(found) == (
+        f"As installed, {found.lines[1].result.title} (never rests: 1 of 3) differs by more than the method explains."
+        " At the step, hand-written code agrees with theory in every check."
+    )
+
+
+def test_a_reason_that_holds_for_most_is_told_of_all_others():
+    ours = [result(REST, *job) for job in (("handwritten", "exact"), ("pybullet", "tuned"), ("pybullet", "stock"))]
+    ours += [result(REST, "dart", "tuned")]
+    exact = replace(ours[0], rows=tuple(replace(row, reason="rounding") for row in ours[0].rows))
+    found = accepted(section(exact, *ours[1:]))
+    assert [(it.whose, it.reason) for it in found] == [
+        ("hand-written, exact", "rounding"),
+        ("all others", "a step late"),
+    ]
+    assert {it.quantities for it in found} == {", ".join(quantity.title for quantity in REST.quantities)}
