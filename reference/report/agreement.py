@@ -24,7 +24,7 @@ LEGEND = {
 
 @dataclass(frozen=True)
 class Entry:
-    """Two implementations in one family. text: as in a cell, `≠ 7`; title: what it means, with the largest example."""
+    """Two implementations in one family. text: as in a cell, `≠ 7`. title: of how many, and where they differ most."""
 
     relation: Relation
     text: str
@@ -67,8 +67,9 @@ def _entry(section: Section, one: Line, other: Line, agreement: Agreement | None
     relation = agreement.relation
     count = len(agreement.pairs) - agreement.count(Relation.ALIKE)
     text = MARKS[relation] if relation is Relation.ALIKE else f"{MARKS[relation]} {count}"
-    between = f"{other.title} and {one.title}: {count} of {len(agreement.pairs)} numbers differ"
-    return Entry(relation, text, f"{between}; most in {_largest(section, agreement.worst)}" if count else between)
+    if not count:
+        return Entry(relation, text, "")
+    return Entry(relation, text, f"{count} of {len(agreement.pairs)}; most: {_largest(section, agreement.worst)}")
 
 
 def _largest(section: Section, pair: Pair) -> str:
@@ -92,6 +93,60 @@ def _whys(
         (why, tuple(title for name, title in titles.items() if all(name in names for names in both)))
         for why, both in named.items()
     )
+
+
+@dataclass(frozen=True)
+class Between:
+    """How the implementations of one scenario compare with each other.
+
+    alike, explained, apart: pairs of numbers of those that count. farthest: the two of them whose numbers are farthest
+    apart, where and by how much; empty where all are alike. others: pairs apart of which one does not count.
+    """
+
+    section: Section
+    alike: int
+    explained: int
+    apart: int
+    farthest: str
+    others: int
+
+    @property
+    def relation(self) -> Relation:
+        """The worst relation of any two that count."""
+        return Relation.APART if self.apart else Relation.EXPLAINED if self.explained else Relation.ALIKE
+
+    @property
+    def text(self) -> str:
+        """As in a cell: `≠ 36`."""
+        return f"{MARKS[self.relation]} {self.apart or self.explained or ''}".strip()
+
+    @property
+    def in_words(self) -> str:
+        """Whether those that count agree with each other, in a sentence where they do not."""
+        if not self.apart:
+            return ""
+        return (
+            f"With each other they do not agree: {self.apart} of {self.alike + self.explained + self.apart} pairs of"
+            f" their numbers are apart. {self.farthest[:1].upper()}{self.farthest[1:]}."
+        )
+
+
+def by_scenario(found: Iterable[Section]) -> dict[str, Between]:
+    """By family, a summary where two implementations that count have a number."""
+    return {section.family.name: summary for section in found if (summary := _between(section)) is not None}
+
+
+def _between(section: Section) -> Between | None:
+    every = list(pairs(row for line in section.lines for row in line.result.rows))
+    counted = Agreement(tuple(pair for pair in every if counts(pair.first[1]) and counts(pair.second[1])))
+    if not counted.pairs:
+        return None
+    alike, explained, apart = (counted.count(relation) for relation in Relation)
+    titles = {_name(line): line.title for line in section.lines}
+    pair = counted.worst
+    farthest = f"{titles[pair.first]} and {titles[pair.second]}: {_largest(section, pair)}" if explained + apart else ""
+    others = sum(pair.relation is Relation.APART for pair in every) - apart
+    return Between(section, alike, explained, apart, farthest, others)
 
 
 def sentence(rows: Sequence[Row]) -> str:

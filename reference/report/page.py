@@ -10,7 +10,8 @@ from markupsafe import Markup
 from reference import lecture
 from reference.comparison.verdicts import Row
 from reference.lecture import Statement
-from reference.report import numbers, results_in_words
+from reference.report import agreement, numbers, results_in_words
+from reference.report.agreement import Matrix
 from reference.report.error_split import KINDS, origins
 from reference.report.first_screen import findings
 from reference.report.formulas import typeset
@@ -73,6 +74,11 @@ def render(
             noticed={section.family.name: kept_sentence(section.family.name) for section in found},
             measured=_measured,
             error_of=error_of,
+            matrices={section.family.name: Matrix.of(section) for section in found},
+            relations=agreement.LEGEND,
+            relation_marks=agreement.MARKS,
+            between=agreement.by_scenario(found),
+            pairs_line=agreement.sentence(rows),
             typeset=typeset,
             accepted=results_in_words.accepted,
             counted=results_in_words.counted,

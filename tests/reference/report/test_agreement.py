@@ -29,9 +29,7 @@ def test_each_implementation_is_compared_with_those_above_it():
     assert matrix.titles == ("handwritten, exact", "pybullet, tuned", "mujoco, tuned", "dart, stock")
     texts = [[entry.text if entry else None for entry in entries] for entries in matrix.rows]
     assert texts == [[], ["≠ 1"], ["≠ 1", "✓"], ["≠ 1", "≠ 1", "≠ 1"]]
-    assert matrix.rows[1][0].title == (
-        "handwritten, exact and pybullet, tuned: 1 of 1 numbers differ; most in 3 touching, first ball, by 0.33"
-    )
+    assert matrix.rows[1][0].title == "1 of 1; most: 3 touching, first ball, by 0.33"
     assert matrix.rows[3][2].title.endswith("of which one has no number")
 
 
