@@ -19,6 +19,7 @@ _SAID = {
     Verdict.NO_WORDS: "the lab has no words for this in {who}",
     Verdict.NOT_AVAILABLE: "{who} are not installed here",
     Verdict.CRASHED: "{who} crashed",
+    Verdict.RUNNING: "{who} are still running",
     Verdict.SHOWN: "the numbers of {who} are only shown",
 }
 """What is said of implementations by their worst verdict."""
