@@ -18,6 +18,8 @@ from reference.report import numbers
 from reference.report.marks import MARKS
 from reference.report.sections import Line, Section
 
+_LEAST_SHARE = 1e-6
+"""A share of what theory expects that is accepted by rounding alone is not mentioned."""
 _NOTHING_LEFT, _FAR = 0.01, 0.1
 """Shares of what theory expects: with less of it nothing has happened; with more of an error the number is told."""
 
@@ -35,7 +37,7 @@ class Figure:
 class Group:
     """The implementations with one answer to both questions: first those that count, then the plain ones.
 
-    mark: of their verdict. opening: `Agree with theory`. closing: what is to be said of the numbers together.
+    mark: of their verdict. opening: `Agree with theory within 1 %`. closing: what is said of the numbers together.
     """
 
     verdict: Verdict
@@ -95,9 +97,9 @@ _REST = _Pick("ball-to-rest", "rest_time", ("e=0.8", "e=0.8"), "ms", 1e3, far="r
 _STOP = _Pick("sliding-slab", "stopping_distance", ("μ=0.4,v=2", "μ=0.4,v=2,heading=30°"), "mm", 1e3)
 _STACK = _Pick("stack", "height", ("boxes=10", "boxes=10"), "m", 1.0)
 _GROUPS = (
-    ((Verdict.PASS,), "Agree with theory"),
-    ((Verdict.KNOWN_DEVIATION, Verdict.DISAGREES), "Differ as their method must"),
-    ((Verdict.FAIL,), "Differ"),
+    ((Verdict.PASS,), "Agree with theory{within}"),
+    ((Verdict.KNOWN_DEVIATION, Verdict.DISAGREES), "Differ, as their method predicts"),
+    ((Verdict.FAIL,), "Differ by more"),
 )
 
 
@@ -112,12 +114,14 @@ def _bounce(by_name: dict[str, Section]) -> Finding | None:
     def question(row: Row) -> str:
         return (
             "A ball that keeps half its speed, e = 0.5, falls 1 m. Theory: it rises to"
-            f" {1e3 * (row.expected or 0.0):.1f} mm. Means of {len(row.values)} drops ± their scatter."
+            f" {1e3 * (row.expected or 0.0):.1f} mm. Means of {len(row.values)} drops, a fraction of a step apart,"
+            " ± their scatter."
         )
 
     why = (
-        "A step finds the ball up to one step too deep, and sends it back from there. As installed, PyBullet pushes"
-        " before the ball has arrived, and MuJoCo has no coefficient of restitution."
+        "A step finds the ball up to one step too deep, and sends it back from there. As installed, PyBullet pushes the"
+        " ball back before it arrives, by a gap that is another one in each drop. MuJoCo has no coefficient of"
+        " restitution: unless its contact is set so that it gives one, nothing bounces."
     )
     return _finding(by_name, _BOUNCE, "Bounce", question, why)
 
@@ -127,9 +131,9 @@ def _rest(by_name: dict[str, Section]) -> Finding | None:
         return f"The same ball with e = 0.8 bounces until it rests. Theory: after {row.expected or 0.0:.3f} s."
 
     why = (
-        f"DART takes anything below {REST_SPEED:g} m/s for rest, PyBullet as installed anything below"
-        f" {STOCK_REST_SPEED:g} m/s, and each leaves out the bounces that would follow. MuJoCo as installed does not"
-        " bounce at all."
+        f"DART takes any rebound below {REST_SPEED:g} m/s for rest, so it is early; at its own 1 ms the weight of each"
+        " timestep makes the bounces higher, so it is late. PyBullet as installed loses height in every bounce, and"
+        f" takes any rebound below {STOCK_REST_SPEED:g} m/s for rest. MuJoCo as installed does not bounce."
     )
     return _finding(by_name, _REST, "Rest", question, why, _stack(by_name.get(_STACK.family)))
 
@@ -138,13 +142,13 @@ def _stop(by_name: dict[str, Section]) -> Finding | None:
     def question(row: Row) -> str:
         return (
             f"A slab slides at 2 m/s over a floor with μ = 0.4. Theory: it stops after {1e3 * (row.expected or 0):.1f}"
-            " mm, whichever way it heads; as installed, the engines send it off at 30° to their axes."
+            " mm, whichever way it heads. As installed, it is sent off at 30° to the engine's axes."
         )
 
     why = (
         "A step moves with the velocity that friction has already reduced, and so it stops half a step short. As"
-        " installed, PyBullet damps every motion, MuJoCo's friction cone is a diamond, weaker at 30°, and DART's slab"
-        " rocks without end on its one contact point."
+        " installed, PyBullet damps every motion. MuJoCo's friction cone is a diamond, weaker at 30°. So is DART's, and"
+        " its slab goes on rocking on one contact point, so it never counts as stopped."
     )
     return _finding(by_name, _STOP, "Stop", question, why)
 
@@ -179,8 +183,12 @@ def _group(pick: _Pick, rows: Sequence[tuple[Line, Row]], verdicts: Sequence[Ver
     own.sort(key=lambda found: not found[0].counts)
     figures = tuple(_figure(pick, line, row) for line, row in own)
     alike = [row.measured for _, row in own if row.measured is not None and verdicts[0] is Verdict.KNOWN_DEVIATION]
-    closing = f"alike to {_upper(max(alike) - min(alike), own[0][1].unit)}" if _are_alike(alike) else ""
-    return Group(verdicts[0], MARKS[verdicts[0]], opening, figures, closing)
+    closing = ""
+    if _are_alike(alike):
+        closing = f"with each other they agree to {_upper(max(alike) - min(alike), own[0][1].unit)}"
+    share = max((row.tolerance or 0.0) / abs(row.expected or 1.0) for _, row in own)
+    said = opening.format(within=f" within {100 * share:.1g} %" if share > _LEAST_SHARE else "")
+    return Group(verdicts[0], MARKS[verdicts[0]], said, figures, closing)
 
 
 def _figure(pick: _Pick, line: Line, row: Row) -> Figure:
@@ -200,7 +208,7 @@ def _stack(section: Section | None) -> str:
     low = [f"{numbers.size(abs(row.error or 0.0), row.unit)} in {line.result.title}" for line, row in counted]
     if not low:
         return ""
-    return f"A stack of ten boxes stands in all of them: the top is low by {', '.join(low)}."
+    return f"Ten stacked boxes stand in every engine; tuned, the top is low by {', '.join(low)}."
 
 
 def timestep_of(row: Row) -> str:

@@ -60,12 +60,12 @@ def columns(found: Sequence[Section]) -> list[str]:
 _SAID = {
     "{} as predicted and away from it": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
     "{} failed": (Verdict.FAIL,),
-    "{} could not be made for want of words": (
+    "{} cannot be put to the engine": (
         Verdict.CANNOT_EXPRESS,
         Verdict.NO_WORDS,
     ),
     "{} gave no answer": (Verdict.CRASHED, Verdict.NOT_AVAILABLE),
-    "{} waited for hand-written functions": (Verdict.NEEDS,),
+    "{} wait for hand-written code": (Verdict.NEEDS,),
 }
 """What is said of so many checks, by their verdicts."""
 _ALWAYS = (Verdict.FAIL,)

@@ -355,8 +355,8 @@ def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
         ),
         (
             [Verdict.PASS, Verdict.CRASHED, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE],
-            "Of 5 checks that count, 1 came out as predicted and near theory, none failed, 1 could not be made for want"
-            " of words, 2 gave no answer and 1 waited for hand-written functions.",
+            "Of 5 checks that count, 1 came out as predicted and near theory, none failed, 1 cannot be put to the"
+            " engine, 2 gave no answer and 1 wait for hand-written code.",
         ),
         (
             [Verdict.PASS, Verdict.SHOWN],
