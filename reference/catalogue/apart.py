@@ -13,8 +13,8 @@ from reference.engines.profiles import STOCK
 SPRING = "spring"
 _DRAG = "PyBullet, as installed, damps every velocity by 4 % a second, and by more at speed."
 _EARLY = (
-    "PyBullet, as installed, makes a contact while there is still a gap, and takes gap/Δt off the rebound. Its damping"
-    " slows the flight as well."
+    "PyBullet, as installed, makes a contact while there is still a gap and takes gap/Δt off the rebound, or finds the"
+    " bodies in overlap and gives it back as speed. Its damping slows the flight as well."
 )
 _NO_RESTITUTION = "MuJoCo, as installed, has no restitution: its contact is a soft, critically damped spring."
 _CREEPS = "MuJoCo, as installed, creeps: its friction is a soft constraint, and any pull makes it yield a little."
@@ -23,7 +23,8 @@ _ONE_POINT = "DART, as installed, finds one contact point of a box on its half-s
 REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     "thin-wall": {
         ("pybullet", STOCK): (
-            "At 1/240 s PyBullet moves a fast ball past the wall in one step, and its damping slows it."
+            "At 1/240 s PyBullet moves a fast ball past the wall in one step. It gives overlap back as speed, and"
+            " damps the flight."
         ),
         ("mujoco", STOCK): (
             "MuJoCo's contact, as installed, is so soft that the ball sinks past the middle of the wall and is pushed"
@@ -32,7 +33,10 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     },
     "dropped-ball": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
     "ball-to-rest": {
-        ("pybullet", STOCK): "PyBullet, as installed, takes any rebound below 0.2 m/s for rest, and damps the flight.",
+        ("pybullet", STOCK): (
+            "PyBullet, as installed, makes contacts while there is still a gap, which takes height off every bounce;"
+            " it damps the flight, and takes any rebound below 0.2 m/s for rest."
+        ),
         ("mujoco", STOCK): _NO_RESTITUTION,
         ("mujoco", SPRING): (
             "The contact of MuJoCo's spring profile chatters at about g Δt/2, just the 1 mm/s that counts as motion."
@@ -49,8 +53,9 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
         ("pybullet", STOCK): f"{_DRAG} That shortens long slides, and a slab that rocks calms down late.",
         ("mujoco", STOCK): (
             "MuJoCo's friction cone, as installed, is a pyramid: at 30° to its axes it is weaker, and pulls sideways."
+            " A fast slab hops, and calms down late."
         ),
-        ("dart", STOCK): f"{_ONE_POINT} It never counts as stopped. Its friction cone is a pyramid.",
+        ("dart", STOCK): f"{_ONE_POINT} It hardly ever counts as stopped. Its friction cone is a pyramid.",
     },
     "incline": {
         ("pybullet", STOCK): f"{_DRAG} That slows every slide by up to a quarter.",
@@ -72,12 +77,13 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     },
     "rolling-ball": {
         ("pybullet", STOCK): f"{_DRAG} The spin loses most.",
-        ("mujoco", STOCK): "At MuJoCo's own 2 ms the way is longer by a t Δt/2, 0.1 %.",
+        ("mujoco", STOCK): (
+            "At MuJoCo's own 2 ms the way is longer by a t Δt/2, 0.1 %, and a ball that slips spins 0.3 % too fast."
+        ),
     },
     "struck-cube": {
         ("pybullet", STOCK): (
-            "PyBullet, as installed, takes overlap back as speed, and its maximal bodies have a pyramid for a friction"
-            " cone."
+            "PyBullet, as installed, gives overlap back as speed at its 1/240 s, and damps every velocity."
         )
     },
     "off-centre-impact": {
@@ -88,8 +94,8 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
         ("mujoco", SPRING): "The corner of MuJoCo's spring profile sinks in for some 3 ms, while the cube turns.",
         ("mujoco", STOCK): _NO_RESTITUTION,
         ("dart", STOCK): (
-            "DART's solver, as installed, has a pyramid for a friction cone: it brakes the slip along each axis by"
-            " itself."
+            "DART's solver, as installed, limits friction along each axis by itself, by the normal impulse that it has"
+            " found without friction. Of an edge its detector finds points that do not strike alike."
         ),
     },
     "two-balls": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
@@ -107,7 +113,8 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
             " the first one comes back. A contact that lasts gives a third result."
         ),
         ("pybullet", STOCK): (
-            "PyBullet, as installed, responds ahead of the contact, and makes energy where balls are apart."
+            "PyBullet, as installed, responds ahead of the contact, which makes energy where balls are apart. Its"
+            " damping takes energy everywhere."
         ),
         ("mujoco", STOCK): _NO_RESTITUTION,
         ("dart", STOCK): "DART's solver, as installed, finds four contacts at once to 0.07 % only.",
@@ -130,7 +137,8 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     },
     "spinning-ball": {
         ("pybullet", STOCK): (
-            "PyBullet's multibody, as installed, loses up to half of the speed that spin should become."
+            "PyBullet's multibody, as installed, loses up to half of the speed that spin should become, and up to four"
+            " fifths of the spin that should be left."
         ),
         ("mujoco", STOCK): (
             "MuJoCo, as installed, has no restitution: friction acts for as long as the ball sinks in and is pushed"

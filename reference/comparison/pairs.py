@@ -17,7 +17,9 @@ from reference.catalogue.apart import why_apart
 from reference.comparison.verdicts import Row, Verdict
 
 SHARE, LEAST = 1e-3, 1e-6
-"""Where theory has no figure, two numbers are alike within this share of the larger, or so much in their unit."""
+"""Two numbers are alike at least within this share of what theory says. Where theory has no figure, they are alike
+within this share of the larger one, or within so much in their unit."""
+NO_REASON = "It is not as its method must be, and the lab has no reason for that."
 ROUNDING = 1e-12
 """What rounding alone may leave between two numbers, in their unit."""
 EXPLAINED = (Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.DISAGREES)
@@ -29,9 +31,9 @@ Name = tuple[str, str]
 class Relation(StrEnum):
     """How two numbers of one case and quantity lie to each other.
 
-    ALIKE: no farther apart than both may be from theory. EXPLAINED: farther, but both are what theory and their methods
-    say. APART: farther, and at least one of them is not what its method must give, or neither theory nor a prediction
-    says what it must be; such a pair is marked, with the reason.
+    ALIKE: no farther apart than the number that theory binds more tightly may be from it. EXPLAINED: farther, but both
+    are what theory and their methods say. APART: farther, and at least one of them is not what its method must give, or
+    neither theory nor a prediction says what it must be; such a pair is marked, with the reason.
     """
 
     ALIKE = "alike"
@@ -40,11 +42,19 @@ class Relation(StrEnum):
 
 
 @dataclass(frozen=True)
+class Reason:
+    """Why a number is apart from others. whose: the implementation; None where theory is silent about all of them."""
+
+    whose: Name | None
+    said: str
+
+
+@dataclass(frozen=True)
 class Pair:
     """Two implementations in one case and quantity.
 
     difference: of the first less the second, in `unit`; None where one of them has no number. near: within which they
-    are alike. why: for a pair that is apart, the reason for each of the two that nothing accounts for.
+    are alike. why: for a pair that is apart, the reason for each of the two that nothing accounts for, with its name.
     """
 
     family: str
@@ -56,7 +66,7 @@ class Pair:
     difference: float | None
     near: float
     relation: Relation
-    why: tuple[str, ...] = ()
+    why: tuple[Reason, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -76,11 +86,12 @@ class Agreement:
 
     @property
     def worst(self) -> Pair:
-        """The pair that is farthest apart in its measure, among those with the worst relation."""
-        return max((pair for pair in self.pairs if pair.relation is self.relation), key=_distance)
+        """The pair that is farthest apart, among those with the worst relation, of the first quantity that has one."""
+        worst = [pair for pair in self.pairs if pair.relation is self.relation]
+        return max((pair for pair in worst if pair.quantity == worst[0].quantity), key=_distance)
 
     @property
-    def whys(self) -> tuple[str, ...]:
+    def whys(self) -> tuple[Reason, ...]:
         """Why pairs are apart, each reason once."""
         return tuple(dict.fromkeys(why for pair in self.pairs for why in pair.why))
 
@@ -89,31 +100,34 @@ def pairs(rows: Iterable[Row]) -> Iterator[Pair]:
     """Every pair of implementations, in every case and quantity in which both were to give a number."""
     met: dict[tuple[str, str, str], list[Row]] = defaultdict(list)
     for row in rows:
-        if row.measured is not None or row.verdict is Verdict.FAIL:
+        if row.measured is not None or row.verdict in (Verdict.FAIL, Verdict.DISAGREES):
             met[row.family, row.case, row.quantity].append(row)
     for alike in met.values():
         for one, other in itertools.combinations(alike, 2):
-            yield _pair(one, other)
+            if (one.engine, one.profile) != (other.engine, other.profile):
+                yield _pair(one, other)
 
 
 def agreements(rows: Iterable[Row]) -> dict[str, dict[tuple[Name, Name], Agreement]]:
     """By family, the pairs of each two implementations, in the order in which the rows name them."""
     gathered: dict[str, dict[tuple[Name, Name], list[Pair]]] = defaultdict(lambda: defaultdict(list))
     for pair in pairs(rows):
-        gathered[pair.family][pair.first, pair.second].append(pair)
+        both = gathered[pair.family]
+        both[(pair.second, pair.first) if (pair.second, pair.first) in both else (pair.first, pair.second)].append(pair)
     return {
         family: {names: Agreement(tuple(found)) for names, found in both.items()} for family, both in gathered.items()
     }
 
 
 def _distance(pair: Pair) -> float:
-    return math.inf if pair.difference is None else abs(pair.difference) / pair.near
+    return math.inf if pair.difference is None else abs(pair.difference)
 
 
 def _pair(one: Row, other: Row) -> Pair:
     difference, near = None, _near(one, other)
     if one.measured is not None and other.measured is not None:
-        difference = one.measured - other.measured
+        subtracted = one.measured - other.measured
+        difference = subtracted if math.isfinite(subtracted) else None
     if difference is not None and abs(difference) <= near:
         relation = Relation.ALIKE
     elif one.verdict in EXPLAINED and other.verdict in EXPLAINED:
@@ -126,17 +140,24 @@ def _pair(one: Row, other: Row) -> Pair:
 
 
 def _near(one: Row, other: Row) -> float:
-    """Within which two numbers are alike: what both may be from theory, or a thousandth where theory has no figure."""
+    """Within which two numbers are alike: the smaller of what they may be from theory, or a thousandth of its value."""
     if one.tolerance is not None and other.tolerance is not None:
-        return max(one.tolerance + other.tolerance, ROUNDING)
+        expected = max(abs(row.expected or 0.0) for row in (one, other))
+        return max(min(one.tolerance, other.tolerance), SHARE * expected, ROUNDING)
     return max(LEAST, *(SHARE * abs(row.measured or 0.0) for row in (one, other)))
 
 
-def _why(both: Sequence[Row]) -> tuple[str, ...]:
-    """The reasons of those numbers that nothing accounts for: the engine's own, or why theory is silent about them."""
+def _why(both: Sequence[Row]) -> tuple[Reason, ...]:
+    """The reasons for those numbers that nothing accounts for: the engine's own, or why theory is silent about them."""
     found = []
     for row in both:
-        if row.verdict not in EXPLAINED:
-            silent = why_apart(row.family) if row.verdict is Verdict.SHOWN else ""
-            found += [silent, why_apart(row.family, row.engine, row.profile)]
-    return tuple(dict.fromkeys(filter(None, found)))
+        if row.verdict in EXPLAINED:
+            continue
+        own = why_apart(row.family, row.engine, row.profile)
+        if row.verdict is Verdict.SHOWN and (silent := why_apart(row.family)):
+            found.append(Reason(None, silent))
+        elif not own:
+            own = row.note or NO_REASON
+        if own:
+            found.append(Reason((row.engine, row.profile), own))
+    return tuple(dict.fromkeys(found))

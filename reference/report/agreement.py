@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 from typing import Any
 
-from reference.comparison.pairs import Agreement, Name, Pair, Relation, agreements, pairs
+from reference.comparison.pairs import NO_REASON, Agreement, Name, Pair, Relation, agreements, pairs
 from reference.comparison.verdicts import Row
 from reference.engines.profiles import counts
 from reference.report import numbers
@@ -16,9 +16,9 @@ from reference.report.sections import Line, Section
 
 MARKS = {Relation.ALIKE: "✓", Relation.EXPLAINED: "≈", Relation.APART: "≠"}
 LEGEND = {
-    Relation.ALIKE: "no farther apart than both may be from theory",
+    Relation.ALIKE: "no farther apart than the more tightly bound of the two may be from theory, or than a thousandth",
     Relation.EXPLAINED: "farther apart in so many numbers, each as theory and the two methods say",
-    Relation.APART: "farther apart in so many numbers, some of them for a reason that is listed below",
+    Relation.APART: "farther apart in so many numbers, some of them for a reason that is listed here",
 }
 
 
@@ -83,16 +83,14 @@ def _largest(section: Section, pair: Pair) -> str:
 def _whys(
     lines: Sequence[Line], found: Mapping[tuple[Name, Name], Agreement]
 ) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """Each reason with the implementations that every pair apart for it has in common; none where theory is silent."""
+    """Each reason with the titles of those that it belongs to; none where theory is silent."""
     titles = {_name(line): line.title for line in lines}
-    named: dict[str, list[tuple[Name, Name]]] = {}
-    for names, agreement in found.items():
-        for why in agreement.whys:
-            named.setdefault(why, []).append(names)
-    return tuple(
-        (why, tuple(title for name, title in titles.items() if all(name in names for names in both)))
-        for why, both in named.items()
-    )
+    named: dict[str, dict[str, None]] = {}
+    for reason in (reason for agreement in found.values() for reason in agreement.whys):
+        whose = named.setdefault(reason.said, {})
+        if reason.whose is not None:
+            whose[titles[reason.whose]] = None
+    return tuple((said, tuple(whose)) for said, whose in named.items())
 
 
 @dataclass(frozen=True)
@@ -152,13 +150,15 @@ def _between(section: Section) -> Between | None:
 def sentence(rows: Sequence[Row]) -> str:
     """How many pairs of counted implementations are alike, in one sentence; empty where there is no pair."""
     counted = [row for row in rows if counts(row.profile)]
-    found = [pair.relation for pair in pairs(counted)]
-    if not found:
+    found = Agreement(tuple(pairs(counted)))
+    if not found.pairs:
         return ""
-    alike, explained, apart = (found.count(relation) for relation in Relation)
+    alike, explained, apart = (f"{found.count(relation):,}" for relation in Relation)
+    unsaid = sum(any(reason.said == NO_REASON for reason in pair.why) for pair in found.pairs)
+    ending = f", {unsaid:,} of them without a reason that the lab knows" if unsaid else ""
     return (
-        f"Compared with each other, {alike} of {len(found)} pairs of numbers are alike, {explained} differ as their"
-        f" methods say, and {apart} are apart, with a reason."
+        f"Compared with each other, {alike} of {len(found.pairs):,} pairs of numbers are alike, {explained} differ as"
+        f" their methods say, and {apart} {'is' if apart == '1' else 'are'} apart{ending}."
     )
 
 
@@ -171,8 +171,9 @@ def as_content(rows: Iterable[Row]) -> list[dict[str, Any]]:
             "second": {"engine": second[0], "profile": second[1]},
             **{relation.value: agreement.count(relation) for relation in Relation},
             "farthest": {
-                key: getattr(agreement.worst, key) for key in ("case", "quantity", "unit", "difference", "near", "why")
+                key: getattr(agreement.worst, key) for key in ("case", "quantity", "unit", "difference", "near")
             },
+            "whys": [reason.said for reason in agreement.whys],
         }
         for family, both in agreements(rows).items()
         for (first, second), agreement in both.items()
@@ -186,6 +187,6 @@ def pairs_csv(rows: Iterable[Row]) -> str:
     names = [entry.name for entry in fields(Pair) if entry.name not in ("first", "second")]
     table.writerow(["first_engine", "first_profile", "second_engine", "second_profile", *names])
     for pair in pairs(rows):
-        values = asdict(pair) | {"why": " ".join(pair.why)}
+        values = asdict(pair) | {"why": " ".join(reason.said for reason in pair.why)}
         table.writerow([*pair.first, *pair.second, *(values[name] for name in names)])
     return text.getvalue()

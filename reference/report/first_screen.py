@@ -114,13 +114,13 @@ def _bounce(by_name: dict[str, Section]) -> Finding | None:
     def question(row: Row) -> str:
         return (
             "A ball that keeps half its speed, e = 0.5, falls 1 m. Theory: it rises to"
-            f" {1e3 * (row.expected or 0.0):.1f} mm. Means of {len(row.values)} drops, a fraction of a step apart,"
-            " ± their scatter."
+            f" {1e3 * (row.expected or 0.0):.1f} mm. Means of {len(row.values)} drops from about 1 m, ± the scatter of"
+            " single ones."
         )
 
     why = (
         "A step finds the ball up to one step too deep, and sends it back from there. As installed, PyBullet pushes the"
-        " ball back before it arrives, by a gap that is another one in each drop. MuJoCo has no coefficient of"
+        " ball back before it arrives, and the gap differs from drop to drop. MuJoCo has no coefficient of"
         " restitution: unless its contact is set so that it gives one, nothing bounces."
     )
     return _finding(by_name, _BOUNCE, "Bounce", question, why)
@@ -147,8 +147,8 @@ def _stop(by_name: dict[str, Section]) -> Finding | None:
 
     why = (
         "A step moves with the velocity that friction has already reduced, and so it stops half a step short. As"
-        " installed, PyBullet damps every motion. MuJoCo's friction cone is a diamond, weaker at 30°. So is DART's, and"
-        " its slab goes on rocking on one contact point, so it never counts as stopped."
+        " installed, PyBullet damps every motion. MuJoCo's friction cone is a diamond, weaker at 30°. DART brakes each"
+        " axis by itself, and its slab goes on rocking on one contact point, so it never counts as stopped."
     )
     return _finding(by_name, _STOP, "Stop", question, why)
 
@@ -206,9 +206,9 @@ def _stack(section: Section | None) -> str:
     rows = [(line, row) for line, row in _rows(section, _STACK)] if section else []
     counted = [(line, row) for line, row in rows if line.counts and row.error]
     low = [f"{numbers.size(abs(row.error or 0.0), row.unit)} in {line.result.title}" for line, row in counted]
-    if not low:
+    if not low or any(row.verdict is not Verdict.PASS or (row.error or 0.0) > 0 for _, row in counted):
         return ""
-    return f"Ten stacked boxes stand in every engine; tuned, the top is low by {', '.join(low)}."
+    return f"Ten stacked boxes stand in tuned engines; the top is low by {', '.join(low)}."
 
 
 def timestep_of(row: Row) -> str:

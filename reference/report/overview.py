@@ -60,20 +60,21 @@ def columns(found: Sequence[Section]) -> list[str]:
 _SAID = {
     "{} as predicted and away from it": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
     "{} failed": (Verdict.FAIL,),
-    "{} cannot be put to the engine": (
-        Verdict.CANNOT_EXPRESS,
-        Verdict.NO_WORDS,
-    ),
     "{} gave no answer": (Verdict.CRASHED, Verdict.NOT_AVAILABLE),
-    "{} wait for hand-written code": (Verdict.NEEDS,),
 }
 """What is said of so many checks, by their verdicts."""
+_WITHOUT = {
+    "cannot be put to the engine": (Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS),
+    "must wait for hand-written code": (Verdict.NEEDS,),
+}
+"""What is said of cases that have no number. One of them stands for all checks of its case."""
 _ALWAYS = (Verdict.FAIL,)
 
 
 def verdict_line(rows: Sequence[Row]) -> str:
-    """One sentence on the checks that count: near theory, away from it as predicted, failed, not made, and waiting."""
-    counted = [row for row in rows if counts(row.profile) and row.verdict not in (Verdict.SHOWN, Verdict.RUNNING)]
+    """The checks that count: near theory, away from it as predicted, failed; and the cases that have no number."""
+    every = [row for row in rows if counts(row.profile) and row.verdict not in (Verdict.SHOWN, Verdict.RUNNING)]
+    counted = [row for row in every if not any(row.verdict in verdicts for verdicts in _WITHOUT.values())]
     near = sum(row.verdict is Verdict.PASS and row.expected is not None for row in counted)
     silent = sum(row.verdict is Verdict.PASS and row.expected is None for row in counted)
     parts = [f"Of {_checks(len(counted))}, {near:,} came out as predicted and near theory"]
@@ -83,7 +84,9 @@ def verdict_line(rows: Sequence[Row]) -> str:
         count = sum(row.verdict in verdicts for row in counted)
         if count or verdicts == _ALWAYS:
             parts.append(words.format(f"{count:,}" if count else "none"))
-    return f"{', '.join(parts[:-1])} and {parts[-1]}."
+    cases = {words: sum(row.verdict in verdicts for row in every) for words, verdicts in _WITHOUT.items()}
+    others = [f"{count:,} {'case' if count == 1 else 'cases'} {words}" for words, count in cases.items() if count]
+    return f"{', '.join(parts[:-1])} and {parts[-1]}." + (f" Besides, {' and '.join(others)}." if others else "")
 
 
 def _checks(count: int) -> str:

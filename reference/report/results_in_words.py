@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -67,8 +68,7 @@ def _sentence(lines: Sequence[Line], opening: str = "") -> str:
     for verdict, words in _SAID.items():
         own = [line for line in lines if line.whole.verdict is verdict]
         if len(own) == 1:
-            for many, one in _OF_ONE.items():
-                words = words.replace(many, one)
+            words = re.sub("|".join(_OF_ONE), lambda found: _OF_ONE[found[0]], words, count=1)
         if own:
             parts.append(words.format(who=_listed([_named(line, verdict) for line in own])))
     text = opening + "; ".join(parts)

@@ -15,6 +15,7 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Family, Quantity
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.convergence import ROUNDING
+from reference.comparison.pairs import SHARE
 from reference.comparison.results import JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, profiles
@@ -79,8 +80,8 @@ class Cell:
     def in_words(self) -> str:
         """The worst row of several quantities, with the name of its quantity: `stopping distance −0.1 %`.
 
-        Of rows that fail it is the worst one of the first quantity that does; of others the one that uses most of what
-        is accepted.
+        Of rows that fail or disagree it is the one that is most of its tolerance away from theory; of others the one of
+        the first quantity that uses most of it.
         """
         judged = [row for row in self.rows if row.verdict is not Verdict.SHOWN]
         if not judged or self.family is None or not self.count.partition("/")[2]:
@@ -88,8 +89,12 @@ class Cell:
         order = [quantity.name for quantity in self.family.quantities]
 
         def badness(row: Row) -> tuple[int, bool, int, float]:
-            place = -order.index(row.quantity) if row.quantity and row.verdict in _AWAY else 0
-            return -SEVERITY.index(row.verdict), row.measured is None, place, _distance(row)
+            away = row.verdict in _AWAY
+            place = 0 if away or not row.quantity else -order.index(row.quantity)
+            if not away and row.tolerance == 0:  # yes or no
+                place -= len(order)
+            severity = SEVERITY.index(Verdict.FAIL) if away else SEVERITY.index(row.verdict)
+            return -severity, row.measured is None, place, _distance(row)
 
         worst = max(judged, key=badness)
         if not worst.quantity:
@@ -288,8 +293,13 @@ def _badness(row: Row) -> tuple[int, float]:
 
 
 def _distance(row: Row) -> float:
-    """How far a row is from theory, as a share of what counts as near, so that all quantities can be compared."""
-    return abs(row.error / row.tolerance) if row.error is not None and row.tolerance else 0.0
+    """How far a row is from theory, as a share of what counts as near, so that all quantities can be compared.
+
+    Where only rounding is accepted, a thousandth of what theory says counts as near.
+    """
+    if row.error is None or not row.tolerance:
+        return 0.0
+    return abs(row.error) / max(row.tolerance, SHARE * abs(row.expected or 0.0))
 
 
 def _times(title: str, count: int) -> str:

@@ -189,7 +189,7 @@ STRUCK_ROD = Family(
         "The ball meets a flat face, straight on, and there is no weight, so an engine's only error is what its"
         " contact does to any speed: rounding in PyBullet, 0.003 % in DART and 0.04 % in MuJoCo. At the very end it"
         " would be otherwise, because PyBullet's boxes are round within 1 mm of their edges: hence the millimetre.",
-        "MuJoCo's spring profile keeps up to 3 % too little or too much of the closing speed, since some sixteen"
+        "MuJoCo's spring profile keeps up to 1.5 % too little or too much of the closing speed, since some sixteen"
         " steps a contact notice its dashpot late. Stock PyBullet is 5 % slow before it strikes and after, and stock"
         " MuJoCo has no restitution.",
     ),

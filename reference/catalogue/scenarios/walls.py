@@ -195,11 +195,11 @@ TWO_WALLS = Family(
     expected="Each impact keeps `e` of the speed, so every crossing takes `1/e` of the time of the one before, and"
     " `eⁿ` of the speed is left after n impacts.",
     why=(
-        "The speeds are right: by hand and in PyBullet exactly, in MuJoCo to 0.06 % after five impacts. The times"
+        "The speeds are right: by hand and in PyBullet exactly, in MuJoCo to 0.04 % after five impacts. The times"
         " are late by up to `dt (1 + 1/e)` an impact where an impact is noticed at the end of its step, because the"
         " way back from behind the wall takes `1/e` of what was overshot. Hand-written code that solves for the"
         " impact is right, also with the slide's T, since the ball's way is straight. In MuJoCo at e = 0.5 the"
-        " little speed that its contact adds weighs more: the last impact is 5 ms early after 12 s.",
+        " little speed that its contact adds weighs more: the last impact is 2.6 ms early after 12 s.",
         "DART has no rebound below 0.1 m/s, so the last one at e = 0.5, of 0.0625 m/s, does not happen.",
         "Stock, neither PyBullet nor MuJoCo has a fifth impact for any `e`: PyBullet makes contacts ahead of the"
         " wall and damps the flight, and MuJoCo has no restitution.",

@@ -8,7 +8,7 @@ import pytest
 
 from reference.catalogue.apart import REASONS, why_apart
 from reference.catalogue.scenarios import catalogue
-from reference.comparison.pairs import Relation, agreements, pairs
+from reference.comparison.pairs import NO_REASON, Reason, Relation, agreements, pairs
 from reference.comparison.results import Job
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, load_engine
@@ -25,9 +25,16 @@ def relation(one: Row, other: Row) -> Relation:
     return pair.relation
 
 
-def test_numbers_within_what_both_may_miss_theory_by_are_alike():
-    assert relation(row("a", 1.009), row("b", 0.9911)) is Relation.ALIKE
-    assert relation(row("a", 1.009), row("b", 0.988, Verdict.KNOWN_DEVIATION)) is Relation.EXPLAINED
+def test_numbers_are_alike_within_the_smaller_of_two_tolerances():
+    assert relation(row("a", 1.004), row("b", 0.9951, tolerance=0.02)) is Relation.ALIKE
+    assert relation(row("a", 1.009), row("b", 0.998, tolerance=0.02)) is Relation.EXPLAINED
+    assert relation(row("exact", 1.0, tolerance=1e-9), row("b", 1.0009)) is Relation.ALIKE
+    assert relation(row("exact", 1.0, tolerance=1e-9), row("b", 1.0011)) is Relation.EXPLAINED
+
+
+def test_a_sink_of_millimetres_is_not_that_of_micrometres():
+    sunk = {"expected": 0.0, "tolerance": 4.4e-3}
+    assert relation(row("a", 2.3e-3, **sunk), row("b", 2.4e-5, **sunk | {"tolerance": 4.4e-4})) is Relation.EXPLAINED
 
 
 def test_two_predicted_numbers_explain_their_difference_though_theory_is_silent():
@@ -40,9 +47,21 @@ def test_two_predicted_numbers_explain_their_difference_though_theory_is_silent(
 def test_a_number_that_fails_is_apart_even_where_another_has_none():
     (pair,) = pairs([row("mujoco", 1.0), row("pybullet", 1.3, Verdict.FAIL, profile="stock")])
     assert (pair.relation, pair.difference) == (Relation.APART, pytest.approx(-0.3))
-    assert pair.why == (why_apart("stack", "pybullet", "stock"),)
+    assert pair.why == (Reason(("pybullet", "stock"), why_apart("stack", "pybullet", "stock")),)
     (pair,) = pairs([row("mujoco", 1.0), row("pybullet", None, Verdict.FAIL, profile="stock")])
     assert (pair.relation, pair.difference) == (Relation.APART, None)
+
+
+def test_a_method_that_must_give_no_number_is_in_a_pair_as_well():
+    (pair,) = pairs([row("a", 1.0), row("b", None, Verdict.DISAGREES)])
+    assert (pair.relation, pair.difference) == (Relation.EXPLAINED, None)
+
+
+def test_a_failure_without_a_known_reason_says_so():
+    (pair,) = pairs([row("a", 1.0), row("mine.py", 1.3, Verdict.FAIL)])
+    assert pair.why == (Reason(("mine.py", "tuned"), NO_REASON),)
+    (pair,) = pairs([row("a", 1.0), row("mine.py", None, Verdict.FAIL, note="it never stops")])
+    assert pair.why[0].said == "it never stops"
 
 
 def test_an_implementation_without_words_is_in_no_pair():
