@@ -87,7 +87,8 @@ class Agreement:
     @property
     def worst(self) -> Pair:
         """The pair that is farthest apart, among those with the worst relation, of the first quantity that has one."""
-        worst = [pair for pair in self.pairs if pair.relation is self.relation]
+        relation = self.relation
+        worst = [pair for pair in self.pairs if pair.relation is relation]
         return max((pair for pair in worst if pair.quantity == worst[0].quantity), key=_distance)
 
     @property
@@ -97,23 +98,27 @@ class Agreement:
 
 
 def pairs(rows: Iterable[Row]) -> Iterator[Pair]:
-    """Every pair of implementations, in every case and quantity in which both were to give a number."""
-    met: dict[tuple[str, str, str], list[Row]] = defaultdict(list)
+    """Every pair of implementations, in every case and quantity in which both were to give a number.
+
+    The first of a pair is the one that the rows name first, in every case alike.
+    """
+    met: dict[tuple[str, str, str], dict[Name, Row]] = defaultdict(dict)
+    places: dict[Name, int] = {}
     for row in rows:
         if row.measured is not None or row.verdict in (Verdict.FAIL, Verdict.DISAGREES):
-            met[row.family, row.case, row.quantity].append(row)
-    for alike in met.values():
-        for one, other in itertools.combinations(alike, 2):
-            if (one.engine, one.profile) != (other.engine, other.profile):
-                yield _pair(one, other)
+            name = row.engine, row.profile
+            places.setdefault(name, len(places))
+            met[row.family, row.case, row.quantity][name] = row
+    for of_each in met.values():
+        for one, other in itertools.combinations(sorted(of_each, key=places.__getitem__), 2):
+            yield _pair(of_each[one], of_each[other])
 
 
 def agreements(rows: Iterable[Row]) -> dict[str, dict[tuple[Name, Name], Agreement]]:
     """By family, the pairs of each two implementations, in the order in which the rows name them."""
     gathered: dict[str, dict[tuple[Name, Name], list[Pair]]] = defaultdict(lambda: defaultdict(list))
     for pair in pairs(rows):
-        both = gathered[pair.family]
-        both[(pair.second, pair.first) if (pair.second, pair.first) in both else (pair.first, pair.second)].append(pair)
+        gathered[pair.family][pair.first, pair.second].append(pair)
     return {
         family: {names: Agreement(tuple(found)) for names, found in both.items()} for family, both in gathered.items()
     }

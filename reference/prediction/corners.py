@@ -118,7 +118,7 @@ class _Corners:
         lift = next_gap - gap - wanted * self.law.dt
         if wanted <= rate:
             return state, lift
-        if self.method.rule == DART:  # softer by a share of each corner's own diagonal, and not of the whole
+        if self.method.rule == DART:  # its law is softer along the normal alone; each corner is so by its own diagonal
             k = k + SOFTNESS / len(ends) * np.diag(np.diagonal(self._k(state, ends[0])))
             wanted = rate + (1 + SOFTNESS) * (wanted - rate)
         contact = SpatialContact(k, before, self.pair.kinetic_friction)

@@ -76,7 +76,7 @@ def _largest(section: Section, pair: Pair) -> str:
     """Where two are farthest apart, and by how much."""
     where = f"{pair.case}, {section.family.quantity(pair.quantity).title}"
     if pair.difference is None:
-        return f"{where}, of which one has no number"
+        return f"{where}, where one has no number"
     return f"{where}, by {numbers.size(abs(pair.difference), pair.unit)}"
 
 
@@ -98,7 +98,7 @@ class Between:
     """How the implementations of one scenario compare with each other.
 
     alike, explained, apart: pairs of numbers of those that count. farthest: the two of them whose numbers are farthest
-    apart, where and by how much; empty where all are alike. others: pairs apart of which one does not count.
+    apart, where and by how much; empty where all are alike. others: pairs apart with one that does not count.
     """
 
     section: Section

@@ -150,10 +150,10 @@ def test_a_scenario_that_was_never_recorded_warns_and_runs(installed, tmp_path, 
 
 
 def test_a_second_run_comes_from_the_cache_and_prints_the_same():
-    first, second, anew = (collisions("compare", *EXACT, *more) for more in ((), (), ("--fresh",)))
-    assert "from the cache" not in first.errors + anew.errors
+    first, second, fresh = (collisions("compare", *EXACT, *more) for more in ((), (), ("--fresh",)))
+    assert "from the cache" not in first.errors + fresh.errors
     assert "1 run, 1 of them from the cache" in second.errors
-    assert first.output == second.output == anew.output
+    assert first.output == second.output == fresh.output
 
 
 def test_a_comparison_takes_what_the_cache_has_and_runs_the_rest():

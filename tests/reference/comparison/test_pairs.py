@@ -37,7 +37,7 @@ def test_a_sink_of_millimetres_is_not_that_of_micrometres():
     assert relation(row("a", 2.3e-3, **sunk), row("b", 2.4e-5, **sunk | {"tolerance": 4.4e-4})) is Relation.EXPLAINED
 
 
-def test_two_predicted_numbers_explain_their_difference_though_theory_is_silent():
+def test_two_predictions_explain_a_difference_though_theory_is_silent():
     silent = {"expected": None, "tolerance": None}
     assert relation(row("a", 0.667, **silent), row("b", 1.0, **silent)) is Relation.EXPLAINED
     assert relation(row("a", 0.667, **silent), row("b", 1.0, Verdict.SHOWN, **silent)) is Relation.APART

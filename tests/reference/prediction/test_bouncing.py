@@ -98,7 +98,8 @@ def test_by_steps_is_the_loop_that_it_jumps_over():
         gap, rate = DROP, -0.3
         for step in range(1, 1501):
             gap, rate = law.step(gap, rate, fall)
-            assert (gaps[step], rates[step]) == pytest.approx((gap, rate), abs=1e-8), (law, step)
+            near = 1e-8 if isinstance(law, Bullet) else 1e-10  # a gap ahead takes gap/dt: rounding, 1400 times as large
+            assert (gaps[step], rates[step]) == pytest.approx((gap, rate), abs=near), (law, step)
 
 
 def test_a_ball_thrown_up_or_left_without_weight_is_jumped_over_too():

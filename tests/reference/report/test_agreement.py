@@ -30,7 +30,7 @@ def test_each_implementation_is_compared_with_those_above_it():
     texts = [[entry.text if entry else None for entry in entries] for entries in matrix.rows]
     assert texts == [[], ["≠ 1"], ["≠ 1", "✓"], ["≠ 1", "≠ 1", "≠ 1"]]
     assert matrix.rows[1][0].title == "1 of 1; most: 3 touching, first ball, by 0.33"
-    assert matrix.rows[3][2].title.endswith("of which one has no number")
+    assert matrix.rows[3][2].title.endswith("where one has no number")
 
 
 def test_a_reason_is_listed_once_with_those_that_it_belongs_to():
