@@ -78,22 +78,25 @@ def draw_all(folder: Path, labs: Path) -> None:
 
 def _write(path: Path, salt: str, draw: Draw) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(_svg(salt, draw, (5.8, 3.6)), encoding="utf-8")
+    path.write_text(_svg(salt, draw, (5.8, 3.6), STYLE), encoding="utf-8")
 
 
 def _write_described(path: Path, name: str, draw: Draw) -> None:
-    """Write a figure on a white card, with its title and description inside for readers who cannot see it."""
+    """Write a figure with its title and description inside, for readers who cannot see it.
+
+    Its letters are drawn, because a notebook may be read on a machine without the font.
+    """
     title, _, text = inspect.cleandoc(draw.__doc__ or "").partition("\n\n")
     described = f"<title>{escape(title)}</title>\n <desc>{escape(' '.join(text.split()))}</desc>"
-    before, tag, after = _svg(name, draw, (5.4, 3.0)).partition("<svg ")
+    before, tag, after = _svg(name, draw, (5.4, 3.0), STYLE | {"svg.fonttype": "path"}).partition("<svg ")
     head, end, rest = after.partition(">")
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f'{before}{tag}role="img" {head}{end}\n {described}{rest}', encoding="utf-8")
 
 
-def _svg(salt: str, draw: Draw, size: tuple[float, float]) -> str:
+def _svg(salt: str, draw: Draw, size: tuple[float, float], style: dict[Any, Any]) -> str:
     content = io.StringIO()
-    with matplotlib.rc_context(STYLE | {"svg.hashsalt": salt}):
+    with matplotlib.rc_context(style | {"svg.hashsalt": salt}):
         figure = Figure(figsize=size, layout="constrained")
         draw(figure)
         metadata = dict.fromkeys(("Date", "Creator", "Format", "Type"))
