@@ -63,12 +63,15 @@ def release(
     through: Annotated[
         str | None, typer.Option(metavar="LAB", help="The last lab in it; all if none is named.", show_default=False)
     ] = None,
+    only: Annotated[
+        str | None, typer.Option(metavar="LAB", help="One lab alone, with what its runs need.", show_default=False)
+    ] = None,
 ) -> None:
     """Write what a student gets: notebooks, engines' recordings, visible tests; answers of closed labs alone.
 
     For example:  collisions lab release --out collisions-lab.zip --through detection
     """
-    labs = write_release(out, through)
+    labs = write_release(out, through, only)
     output.print(f"{out} holds the labs {', '.join(labs)}.", soft_wrap=True, markup=False)
 
 
