@@ -79,7 +79,7 @@ def render(
             relations=agreement.LEGEND,
             relation_marks=agreement.MARKS,
             between=agreement.by_scenario(found),
-            pairs_line=agreement.sentence(rows),
+            pairs_line=agreement.sentence(pair for section in found for pair in section.pairs),
             typeset=typeset,
             told_everywhere=told_everywhere,
             told=settings_told.by_scenario(found, told_everywhere),
@@ -87,6 +87,7 @@ def render(
             accepted=results_in_words.accepted,
             counted=results_in_words.counted,
             plain=results_in_words.plain,
+            remarks=results_in_words.remarks,
         )
     )
 

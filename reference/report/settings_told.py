@@ -42,7 +42,7 @@ def everywhere(found: Sequence[Section]) -> list[Told]:
 
 
 def by_scenario(found: Sequence[Section], shared: Sequence[Told]) -> dict[str, list[Told]]:
-    """By family, what each implementation is told there, less what it is told everywhere; only where anything is left."""
+    """By family, what each implementation is told there, less what it is told everywhere; if anything is left."""
     known = {told.title: told.sentences for told in shared}
     said: dict[tuple[str, tuple[str, ...]], Section] = {}
     by_name: dict[str, list[Told]] = {section.family.name: [] for section in found}

@@ -191,7 +191,8 @@ def _measured(name: str) -> Callable[[Trajectory], float]:
 
 def _quantity(name: str, title: str, unit: str = "") -> Quantity:
     scale = (lambda case: predicted(case.scenarios[0], NEWTON)["spin"]) if name == "spin" else None
-    return Quantity(name, title, unit, _measured(name), _expect(name), scale)
+    share_of = {"spin": "", "lost": "the energy before"}.get(name, "the speed of approach")
+    return Quantity(name, title, unit, _measured(name), _expect(name), scale, share_of=share_of)
 
 
 CASES = (
