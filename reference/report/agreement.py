@@ -10,6 +10,7 @@ from typing import Any
 
 from reference.comparison.pairs import NO_REASON, Agreement, Name, Pair, Relation, agreements
 from reference.engines.profiles import counts
+from reference.recording.files import MARK
 from reference.report import numbers
 from reference.report.sections import Line, Section
 
@@ -36,7 +37,7 @@ class Matrix:
 
     titles: of the implementations that have a number. rows: for each of them, an entry for each one before it, None
     where the two never have a number of the same quantity. whys: each reason why some are apart, with the titles of
-    those that it belongs to; with none where theory is silent about all.
+    those that it belongs to; with none where theory is silent about all, or where the reason names them itself.
     """
 
     titles: tuple[str, ...]
@@ -85,14 +86,20 @@ def _where(section: Section, pair: Pair, most: str = "") -> str:
 def _whys(
     lines: Sequence[Line], found: Mapping[tuple[Name, Name], Agreement]
 ) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """Each reason with the titles of those that it belongs to; none where theory is silent."""
-    titles = {_name(line): line.title for line in lines}
+    """Each reason with the titles of those that it belongs to; none where theory is silent, or it names them itself."""
+    of_name = {_name(line): line for line in lines}
     named: dict[str, dict[str, None]] = {}
     for reason in (reason for agreement in found.values() for reason in agreement.whys):
         whose = named.setdefault(reason.said, {})
-        if reason.whose is not None:
-            whose[titles[reason.whose]] = None
+        if reason.whose is not None and not _names(reason.said, of_name[reason.whose]):
+            whose[of_name[reason.whose].title] = None
     return tuple((said, tuple(whose)) for said, whose in named.items())
+
+
+def _names(reason: str, line: Line) -> bool:
+    """Whether a reason says itself to which implementation it belongs: `MuJoCo, as installed, …`."""
+    profile = "as installed" if line.plain else line.result.job.profile
+    return line.result.title.removesuffix(MARK) in reason and profile in reason
 
 
 @dataclass(frozen=True)

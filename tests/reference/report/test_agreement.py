@@ -42,6 +42,12 @@ def test_a_reason_is_listed_once_with_those_that_it_belongs_to():
     }
 
 
+def test_a_reason_that_names_its_implementation_has_no_label():
+    told = [JobResult(line.result.job, "DART*", "", line.result.rows) for line in SECTION.lines[3:]]
+    section = sections([*(line.result for line in SECTION.lines[:3]), *told])[0]
+    assert dict(Matrix.of(section).whys)[why_apart("cradle", "dart", "stock")] == ()
+
+
 def test_counted_implementations_alone_are_summed_up():
     assert sentence(SECTION.pairs) == (
         "Compared with each other, 1 of 3 pairs of numbers are alike, 0 differ as their methods say, and 2 are apart."
