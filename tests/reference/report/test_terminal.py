@@ -186,7 +186,7 @@ def test_a_printed_known_deviation_shows_its_remainder(real):
 @pytest.mark.parametrize(
     ("verdict", "note", "said"),
     [
-        (Verdict.NOT_AVAILABLE, "get it by pip", "is not installed here: get it by pip"),
+        (Verdict.NOT_AVAILABLE, "get it by pip", "has no number: get it by pip"),
         (Verdict.CRASHED, "its process died (SIGSEGV)", "crashed: its process died (SIGSEGV)"),
         (Verdict.CRASHED, "[bold]IndexError: [/red] of [0]", "crashed: [bold]IndexError: [/red] of [0]"),
         (Verdict.NEEDS, "needs kinematic_response (step 1)", "needs kinematic_response (step 1)"),
