@@ -49,10 +49,11 @@ def write(
     tables = PublishedTables.of(published)
     found = sections(results)
     ordered = [line.result for section in found for line in section.lines]
+    pairs = [pair for section in found for pair in section.pairs]
     in_page = _figures(found, tables, folder, cache, workers)
-    _write(folder / "rows.json", rows_json(ordered, unfinished))
+    _write(folder / "rows.json", rows_json(ordered, pairs, unfinished))
     _write(folder / "rows.csv", rows_csv(ordered))
-    _write(folder / "pairs.csv", pairs_csv(row for result in ordered for row in result.rows))
+    _write(folder / "pairs.csv", pairs_csv(pairs))
     _write(folder / "timings.json", as_json(TIMINGS, {"seconds": [_timing(result) for result in ordered]}))
     _write(folder / "provenance.json", as_json(PROVENANCE, provenance(engine_versions(ordered))))
     address = PUBLISHED_PAGE if tables.lines else ""

@@ -10,7 +10,7 @@ from markupsafe import Markup
 from reference import lecture
 from reference.comparison.verdicts import Row
 from reference.lecture import Statement
-from reference.report import agreement, numbers, results_in_words
+from reference.report import agreement, numbers, results_in_words, settings_told
 from reference.report.agreement import Matrix
 from reference.report.error_split import KINDS, origins
 from reference.report.first_screen import findings
@@ -46,6 +46,7 @@ def render(
     unfinished: what the page says of itself where runs are still going on.
     """
     rows = [row for section in found for line in section.lines for row in line.result.rows]
+    told_everywhere = settings_told.everywhere(found)
     return (
         environment()
         .get_template("report.html.j2")
@@ -78,11 +79,15 @@ def render(
             relations=agreement.LEGEND,
             relation_marks=agreement.MARKS,
             between=agreement.by_scenario(found),
-            pairs_line=agreement.sentence(rows),
+            pairs_line=agreement.sentence(pair for section in found for pair in section.pairs),
             typeset=typeset,
+            told_everywhere=told_everywhere,
+            told=settings_told.by_scenario(found, told_everywhere),
+            code_typed=settings_told.code_typed,
             accepted=results_in_words.accepted,
             counted=results_in_words.counted,
             plain=results_in_words.plain,
+            remarks=results_in_words.remarks,
         )
     )
 

@@ -313,34 +313,6 @@ def test_the_expected_value_is_that_of_a_line_or_else_of_theory():
     assert section(crashed).expected("e=0.5", REST.quantity("drift")) == "0 m"
 
 
-def test_a_remark_is_made_once_with_its_lines_and_number_of_cases():
-    late = [row(Verdict.KNOWN_DEVIATION, case=case, note="half a step late") for case in ("e=0.5", "e=0.8")]
-    found = section(
-        result(*late),
-        result(late[0], profile="step"),
-        result(without_number(Verdict.CRASHED, "SIGSEGV"), engine="mujoco"),
-    )
-    assert found.remarks() == [
-        ("known deviation: half a step late", ["hand-written, exact (2×)", "hand-written, step"]),
-        ("crashed: SIGSEGV", ["MuJoCo, tuned"]),
-    ]
-
-
-def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
-    rounding, step = row(reason="rounding only"), row(reason="a step late")
-    found = section(
-        result(rounding, rounding),
-        result(step, row(quantity="drift", reason="1 mm"), profile="step"),
-        result(step, engine="mujoco"),
-    )
-    assert found.tolerances("rest_time") == [
-        ("rounding only", ["hand-written, exact"]),
-        ("a step late", ["hand-written, step", "MuJoCo, tuned"]),
-    ]
-    assert found.tolerances("drift") == [("1 mm", ["hand-written, step"])]
-    assert found.tolerances("rest_height") == []
-
-
 # The one sentence
 
 
