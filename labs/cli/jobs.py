@@ -35,7 +35,7 @@ FAILED, COULD_NOT_COMPARE = 1, 3
 
 Scenarios = Annotated[
     list[str] | None,
-    typer.Argument(metavar="SCENARIO", help="A scenario, or scenario/case; all if none is named.", show_default=False),
+    typer.Argument(metavar="SCENARIO", help="A scenario, or scenario/case; all if you name none.", show_default=False),
 ]
 Engines = Annotated[
     list[str] | None,
@@ -45,7 +45,7 @@ Profiles = Annotated[
     list[str] | None,
     typer.Option(
         "--profile",
-        help="exact, slide, step, … by hand; tuned, stock, … of an engine; repeat for several; all if none is named."
+        help="exact, slide, step, … by hand; tuned, stock, … of an engine; repeat for several; all if you name none."
         " An implementation that has none of them runs exact or tuned.",
         show_default=False,
     ),

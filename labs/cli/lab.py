@@ -24,7 +24,7 @@ app = typer.Typer(
 @app.command("build")
 def build(
     topic: Annotated[
-        list[str] | None, typer.Argument(help="Which labs; all that have a lesson if none is named.")
+        list[str] | None, typer.Argument(help="Which labs; all that have a lesson if you name none.")
     ] = None,
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; fail if a notebook is not what would be written.")
@@ -61,7 +61,7 @@ def release(
         Path, typer.Option(metavar="DIR", help="A new folder, or a file whose name ends in .zip.", show_default=False)
     ],
     through: Annotated[
-        str | None, typer.Option(metavar="LAB", help="The last lab in it; all if none is named.", show_default=False)
+        str | None, typer.Option(metavar="LAB", help="The last lab in it; all if you name none.", show_default=False)
     ] = None,
 ) -> None:
     """Write what a student gets: notebooks, engines' recordings, visible tests; answers of closed labs alone.

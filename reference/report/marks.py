@@ -31,7 +31,7 @@ LEGEND = {
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
     Verdict.CRASHED: "the run died, hung or gave no usable state",
     Verdict.SHOWN: "theory has no figure; the largest value is shown",
-    Verdict.RUNNING: "the run is still going on; it counts nowhere",
+    Verdict.RUNNING: "the run has not ended yet; it counts nowhere",
 }
 SEVERITY = (
     Verdict.CRASHED,

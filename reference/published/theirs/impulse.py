@@ -62,8 +62,8 @@ CASES = (
         expected={"restitution": (0.0, 0.25, 0.5, 0.75, 1.0)},
         tolerance={"restitution": 1e-3},
         reason="the tolerance of the test itself",
-        note="Chrono's contact yields, and its damping is chosen to give this restitution; an impulse gives it exactly. "
-        "The mass is ours: the result depends on it in neither method.",
+        note="Chrono's contact yields, and its damping is chosen to give this restitution; an impulse gives it "
+        "exactly. The mass is ours: the result depends on it in neither method.",
         labels={"restitution": ("e = 0", "e = 0.25", "e = 0.5", "e = 0.75", "e = 1")},
     ),
 )

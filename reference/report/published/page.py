@@ -38,7 +38,7 @@ def render(
 ) -> str:
     """Return the page. figures: by case, SVG texts with their captions. report: the address of the other page.
 
-    unfinished: what the page says of itself where runs are still going on.
+    unfinished: what the page says of itself while runs have not ended.
     """
     return (
         environment()

@@ -34,7 +34,7 @@ LEGEND = {
     Verdict.NEEDS: "a function that is not written yet",
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
     Verdict.CRASHED: "the run died, hung or gave no usable state",
-    Verdict.RUNNING: "the run is still going on",
+    Verdict.RUNNING: "the run has not ended yet",
 }
 
 
@@ -165,7 +165,7 @@ class PublishedTables:
         found = sum(bool(line.found_by) for line in self.lines)
         through = sum(bool(line.found_by) or not line.running for line in self.lines)
         of = f"{found} of {through} published cases"
-        return f"{of} come out as published, to every number, in an implementation that is not their own."
+        return f"{of} agree in every number with an implementation that is not their own."
 
     @property
     def exceptions(self) -> list[str]:

@@ -59,7 +59,7 @@ def test_a_missing_engine_is_not_recorded_and_keeps_its_recordings(tmp_path):
 def test_published_cases_are_answered_from_recordings():
     said = collisions("compare", "--published", "P13", "P17")
     assert said.code == 0, said.errors
-    assert "2 of 2 published cases come out as published" in said.text
+    assert "2 of 2 published cases agree in every number" in said.text
     assert "was recorded on" in said.text
 
 
