@@ -26,7 +26,7 @@ LEGEND = {
     Verdict.DISAGREES: "as the method must, and as far from theory as the quantity is large",
     Verdict.FAIL: "not as the method must; counted where it is exact by hand or a tuned engine, else only shown",
     Verdict.CANNOT_EXPRESS: "the engine has no words for it",
-    Verdict.NO_WORDS: "the lab has no words for it yet, whatever the engine can do",
+    Verdict.NO_WORDS: "the lab has no words for it yet, no matter what the engine can do",
     Verdict.NEEDS: "a function that is not written yet",
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
     Verdict.CRASHED: "the run died, hung or gave no usable state",

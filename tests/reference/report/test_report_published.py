@@ -95,7 +95,7 @@ def test_the_published_table_fits_in_eighty_columns(tables):
     for title in ("Verification", "Validation against measurement", "Cross-engine"):
         assert re.search(f"^{title}", said, re.MULTILINE)
     assert re.search(r"^P15 +Impacts, apexes and the end of a bouncing ball +✓ 11/11", said, re.MULTILINE)
-    assert "4 of 5 published cases come out" in said
+    assert "4 of 5 published cases agree" in said
 
 
 def test_every_published_number_is_printed_with_its_difference_and_limit(tables):
