@@ -154,8 +154,8 @@ jupyter lab labs/notebooks
 
 On Windows the second line is `.venv\\Scripts\\activate`. In a new terminal begin with it, and the commands of the labs,
 which begin with `collisions`, are found as well. With Python 3.11 on Linux this installs both engines, MuJoCo and
-PyBullet; everywhere else MuJoCo alone, since PyBullet has no ready-made package there. An engine that is not installed
-answers from recordings.
+PyBullet; everywhere else MuJoCo alone, since PyBullet has no ready-made package there. An engine that is not
+installed is shown from recordings.
 
 On Colab: open a notebook there, run its first cell, and choose `collisions-lab.zip` when it asks for a file.
 

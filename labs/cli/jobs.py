@@ -57,7 +57,7 @@ Implementations = Annotated[
     ),
 ]
 Workers = Annotated[
-    int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; one a processor if not given.")
+    int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; by default one per processor.")
 ]
 Fresh = Annotated[bool, typer.Option("--fresh", help="Run everything again, and keep the new results in the cache.")]
 
@@ -78,7 +78,7 @@ def planned(
     at = _each_once(_parameter(text) for text in parameters or [])
     if at and not scenarios:
         movable = ", ".join(family.name for family in families if family.grid is not None)
-        raise InvalidInput(f"--at {parameters[0]!r} is of which scenario? Name one of: {movable}")  # type: ignore[index]
+        raise InvalidInput(f"--at {parameters[0]!r} needs the scenario that it belongs to. Name one of: {movable}")  # type: ignore[index]
     if timestep is not None:
         changes = _each_once([*changes.items(), ("timestep", timestep)])
     engines = engines or engine_names()

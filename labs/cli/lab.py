@@ -50,9 +50,11 @@ def build(
                 path.write_text(notebooks.text(notebook), encoding="utf-8")
     shown = [path.relative_to(ROOT).as_posix() for path in stale]
     if check and stale:
-        errors.print(f"Not what its lesson and solutions make now: {', '.join(shown)}. Run: collisions lab build")
+        errors.print(
+            f"Differs from what its lesson and solutions produce: {', '.join(shown)}. Run: collisions lab build"
+        )
         raise typer.Exit(STALE)
-    output.print("\n".join(f"wrote {name}" for name in shown) or f"{', '.join(topics)}: as they should be.")
+    output.print("\n".join(f"wrote {name}" for name in shown) or f"{', '.join(topics)}: up to date.")
 
 
 @app.command("release")
