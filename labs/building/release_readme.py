@@ -62,7 +62,7 @@ You need Python 3.11 or later (`python --version` says which you have). All comm
 In a new terminal, go into the folder again, repeat the line with `activate`, and open the notebook.
 
 PyBullet has ready-made packages for Python 3.11 on Linux only; elsewhere MuJoCo alone is installed. Nothing is lost:
-an engine that is not installed answers from recordings.
+an engine that is not installed is shown from recordings.
 
 ## On Colab
 

@@ -44,7 +44,7 @@ def write(
     """Write all files of a report into a folder; those of published cases only where there are any.
 
     cache: where figures are kept. workers: how many are drawn at a time. unfinished: what the pages and the rows say of
-    themselves where runs are still going on.
+    themselves while runs have not ended.
     """
     tables = PublishedTables.of(published)
     found = sections(results)

@@ -148,7 +148,7 @@ def _stop(by_name: dict[str, Section]) -> Finding | None:
     why = (
         "A step moves with the velocity that friction has already reduced, and so it stops half a step short. As"
         " installed, PyBullet damps every motion. MuJoCo's friction cone is a diamond, weaker at 30°. DART brakes each"
-        " axis by itself, and its slab goes on rocking on one contact point, so it never counts as stopped."
+        " axis by itself, and its slab continues to rock on one contact point, so it never counts as stopped."
     )
     return _finding(by_name, _STOP, "Stop", question, why)
 

@@ -43,7 +43,7 @@ def render(
     figures: by family, SVG texts with their captions. versions: what was compared, as in the opening sentence.
     provenance: on which machine and with what, as in the last sentence. published: the address of the page of published
     cases, if there is one. replays: by family. pictures: by family, the small SVG of the first screen and its meaning.
-    unfinished: what the page says of itself where runs are still going on.
+    unfinished: what the page says of itself while runs have not ended.
     """
     rows = [row for section in found for line in section.lines for row in line.result.rows]
     told_everywhere = settings_told.everywhere(found)

@@ -28,8 +28,8 @@ R = TypeVar("R", Row, PublishedRow)
 def rows_json(results: Iterable[JobResult], pairs: Iterable[Pair] = (), unfinished: str = "") -> str:
     """The rows, who agrees with whom, errors against timestep and their splits, and the smallest faults, as JSON.
 
-    pairs: every two of their numbers that are compared. unfinished: what is said where runs are still going on; nothing
-    where all rows are there.
+    pairs: every two of their numbers that are compared. unfinished: what is said while runs have not ended; empty
+    once all rows are there.
     """
     results = list(results)
     studies = [run_of(result) | asdict(result.convergence) for result in results if result.convergence is not None]
