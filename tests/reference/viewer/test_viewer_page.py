@@ -248,7 +248,10 @@ def test_a_replay_has_what_is_plain_beside_what_counts_where_it_fails(results):
     wrong = replace(step, rows=tuple(replace(row, verdict=Verdict.FAIL) for row in step.rows))
     made = replay_of(sections([exact, wrong])[0])
     assert made is not None
-    assert list(zip(made.tags(), (run.shown for run in made.runs), strict=True)) == [("hand-written", True), ("hand-written step", True)]
+    assert list(zip(made.tags(), (run.shown for run in made.runs), strict=True)) == [
+        ("hand-written", True),
+        ("hand-written step", True),
+    ]
 
 
 def test_a_missing_engine_is_replayed_from_its_recording():
