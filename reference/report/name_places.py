@@ -18,7 +18,7 @@ LETTERS = 8.0
 """Size of the text."""
 _NEAR = 9.0
 """A name that is farther than this from its curve needs a line that leads there, and so does one nearer to another."""
-_WIDTH, _HEIGHT, _GAP = 0.55, 1.2, 1.7
+_WIDTH, _HEIGHT, _GAP = 0.55, 1.2, 1.5
 """Width of a letter and height of a line of text, as shares of its size; the least gap around a name."""
 _MOST_LINES = 3
 _TOUCHING = 1.5

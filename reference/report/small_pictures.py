@@ -20,7 +20,7 @@ from reference.report.sections import Line, Section
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-SIZE = (3.7, 2.0)
+SIZE = (3.7, 2.05)
 """Of a picture, inches. The page shows a point as some 1.26 pixels."""
 _AS_ONE = 0.01
 """Curves that are on average less apart than this share of the picture's height are drawn as one."""
