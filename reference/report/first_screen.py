@@ -120,8 +120,8 @@ def _bounce(by_name: dict[str, Section]) -> Finding | None:
 
     why = (
         "A method that looks once per step finds the ball up to one step late, below the floor, and sends it back from"
-        " there. PyBullet as installed pushes the ball back before it arrives, from a gap that differs from drop to drop."
-        " MuJoCo has no coefficient of restitution: nothing bounces unless its contact is tuned to do so."
+        " there. PyBullet as installed pushes the ball back before it arrives, from a gap that differs from drop to"
+        " drop. MuJoCo has no coefficient of restitution: nothing bounces unless its contact is tuned to do so."
     )
     return _finding(by_name, _BOUNCE, "Bounce", question, why)
 
@@ -131,9 +131,9 @@ def _rest(by_name: dict[str, Section]) -> Finding | None:
         return f"The same ball with e = 0.8 bounces until it rests. Theory: after {row.expected or 0.0:.3f} s."
 
     why = (
-        f"DART ends every rebound below {REST_SPEED:g} m/s, so its ball rests early; as installed, at 1 ms, the weight that"
-        " acts during a step makes each bounce higher, so its ball rests late. PyBullet as installed loses height in every"
-        f" bounce and ends any rebound below {STOCK_REST_SPEED:g} m/s. MuJoCo as installed does not bounce."
+        f"DART ends every rebound below {REST_SPEED:g} m/s, so its ball rests early; as installed, at 1 ms, the weight"
+        " that acts during a step makes each bounce higher, so its ball rests late. PyBullet as installed loses height"
+        f" in every bounce and ends any rebound below {STOCK_REST_SPEED:g} m/s. MuJoCo as installed does not bounce."
     )
     return _finding(by_name, _REST, "Rest", question, why, _stack(by_name.get(_STACK.family)))
 
@@ -146,9 +146,9 @@ def _stop(by_name: dict[str, Section]) -> Finding | None:
         )
 
     why = (
-        "Each step moves the slab with the velocity that friction has already reduced, so it stops half a step short. As"
-        " installed, PyBullet damps every motion; MuJoCo's friction cone is a diamond, weaker at 30°; DART brakes each"
-        " axis by itself, and its slab keeps rocking on one contact point, so it never counts as stopped."
+        "Each step moves the slab with the velocity that friction has already reduced, so it stops half a step short."
+        " As installed, PyBullet damps every motion; MuJoCo's friction cone is a diamond, weaker at 30°; DART brakes"
+        " each axis by itself, and its slab keeps rocking on one contact point, so it never counts as stopped."
     )
     return _finding(by_name, _STOP, "Stop", question, why)
 

@@ -41,8 +41,10 @@ Box = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Place:
-    """Where a name may be written. cost: how much worse it is than others. point: of its curve, which it names.
-    led: whether a line has to lead there."""
+    """Where a name may be written.
+
+    cost: how much worse it is than other places. point: of its curve, to which a line leads if `led`.
+    """
 
     text: str
     box: Box
@@ -56,6 +58,7 @@ class Place:
         return np.clip(self.point, self.box[:2], self.box[2:])
 
     def overlaps(self, other: Place) -> bool:
+        """Whether two names would run into each other."""
         (left, bottom, right, top), (left_2, bottom_2, right_2, top_2) = self.box, other.box
         return left < right_2 + _GAP and left_2 < right + _GAP and bottom < top_2 and bottom_2 < top
 

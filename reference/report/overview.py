@@ -86,9 +86,12 @@ def verdict_line(rows: Sequence[Row]) -> str:
             parts.append(words.format(f"{count:,}" if count else "none"))
     cases = {words: sum(row.verdict in verdicts for row in every) for words, verdicts in _WITHOUT.items()}
     others = [f"{count:,} {'case' if count == 1 else 'cases'} {words}" for words, count in cases.items() if count]
-    text = f"{', '.join(parts[:-1])} and {parts[-1]}." + (f" Besides, {' and '.join(others)}." if others else "")
-    installed = any(row.profile == STOCK for row in rows)
-    return text + (" Engines as installed are shown, but not counted." if installed else "")
+    return f"{', '.join(parts[:-1])} and {parts[-1]}." + (f" Besides, {' and '.join(others)}." if others else "")
+
+
+def not_counted(rows: Sequence[Row]) -> str:
+    """What the page says beside the counts, since its marks of failure are those of engines as installed."""
+    return "Engines as installed are shown, but not counted." if any(row.profile == STOCK for row in rows) else ""
 
 
 def _checks(count: int) -> str:

@@ -41,6 +41,7 @@ class Bundle:
 
     @property
     def colour(self) -> str:
+        """Of the name: that of the engine, or of ink where the curve is not one engine's own."""
         return _INK if len(self.lines) > 1 else _NAME_COLOURS.get(self.lines[0].result.job.engine, _INK)
 
 
