@@ -114,14 +114,14 @@ def _bounce(by_name: dict[str, Section]) -> Finding | None:
     def question(row: Row) -> str:
         return (
             "A ball that keeps half its speed, e = 0.5, falls 1 m. Theory: it rises to"
-            f" {1e3 * (row.expected or 0.0):.1f} mm. Means of {len(row.values)} drops from about 1 m, ± the scatter of"
-            " single ones."
+            f" {1e3 * (row.expected or 0.0):.1f} mm. Each number is a mean of {len(row.values)} drops from about 1 m;"
+            " ± is how much single drops scatter."
         )
 
     why = (
-        "A step finds the ball up to one step too deep, and sends it back from there. As installed, PyBullet pushes the"
-        " ball back before it arrives, and the gap differs from drop to drop. MuJoCo has no coefficient of"
-        " restitution: unless its contact is set so that it gives one, nothing bounces."
+        "A method that looks once per step finds the ball up to one step late, below the floor, and sends it back from"
+        " there. PyBullet as installed pushes the ball back before it arrives, from a gap that differs from drop to"
+        " drop. MuJoCo has no coefficient of restitution: nothing bounces unless its contact is tuned to do so."
     )
     return _finding(by_name, _BOUNCE, "Bounce", question, why)
 
@@ -131,9 +131,9 @@ def _rest(by_name: dict[str, Section]) -> Finding | None:
         return f"The same ball with e = 0.8 bounces until it rests. Theory: after {row.expected or 0.0:.3f} s."
 
     why = (
-        f"DART takes any rebound below {REST_SPEED:g} m/s for rest, so it is early; at its own 1 ms the weight of each"
-        " timestep makes the bounces higher, so it is late. PyBullet as installed loses height in every bounce, and"
-        f" takes any rebound below {STOCK_REST_SPEED:g} m/s for rest. MuJoCo as installed does not bounce."
+        f"DART ends every rebound below {REST_SPEED:g} m/s, so its ball rests early; as installed, at 1 ms, the weight"
+        " that acts during a step makes each bounce higher, so its ball rests late. PyBullet as installed loses height"
+        f" in every bounce and ends any rebound below {STOCK_REST_SPEED:g} m/s. MuJoCo as installed does not bounce."
     )
     return _finding(by_name, _REST, "Rest", question, why, _stack(by_name.get(_STACK.family)))
 
@@ -142,13 +142,13 @@ def _stop(by_name: dict[str, Section]) -> Finding | None:
     def question(row: Row) -> str:
         return (
             f"A slab slides at 2 m/s over a floor with μ = 0.4. Theory: it stops after {1e3 * (row.expected or 0):.1f}"
-            " mm, whichever way it heads. As installed, it is sent off at 30° to the engine's axes."
+            " mm, whichever way it heads. As installed and at the step, it heads off at 30° to the axes."
         )
 
     why = (
-        "A step moves with the velocity that friction has already reduced, and so it stops half a step short. As"
-        " installed, PyBullet damps every motion. MuJoCo's friction cone is a diamond, weaker at 30°. DART brakes each"
-        " axis by itself, and its slab continues to rock on one contact point, so it never counts as stopped."
+        "Each step moves the slab with the velocity that friction has already reduced, so it stops half a step short."
+        " As installed, PyBullet damps every motion; MuJoCo's friction cone is a diamond, weaker at 30°; DART brakes"
+        " each axis by itself, and its slab keeps rocking on one contact point, so it never counts as stopped."
     )
     return _finding(by_name, _STOP, "Stop", question, why)
 
