@@ -58,14 +58,14 @@ def columns(found: Sequence[Section]) -> list[str]:
 
 
 _SAID = {
-    "{} as predicted and away from it": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
+    "{} as predicted and away from theory": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
     "{} failed": (Verdict.FAIL,),
     "{} gave no answer": (Verdict.CRASHED, Verdict.NOT_AVAILABLE),
 }
 """What is said of so many checks, by their verdicts."""
 _WITHOUT = {
-    "cannot be put to the engine": (Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS),
-    "must wait for hand-written code": (Verdict.NEEDS,),
+    "cannot be expressed in the engine": (Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS),
+    "wait for hand-written code": (Verdict.NEEDS,),
 }
 """What is said of cases that have no number. One of them stands for all checks of its case."""
 _ALWAYS = (Verdict.FAIL,)

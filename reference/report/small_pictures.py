@@ -77,7 +77,7 @@ def picture(section: Section) -> str:
     with matplotlib.rc_context(STYLE | {"svg.hashsalt": name, "font.size": LETTERS}):
         figure = Figure(figsize=SIZE, dpi=72, layout="constrained")  # so that a pixel is a point
         axes = figure.add_subplot()
-        axes.set_title(f"{section.family.curve.y_label}, against time, s", fontsize=LETTERS)
+        axes.set_title(f"One run: {section.family.curve.y_label}, against time, s", fontsize=LETTERS)
         axes.tick_params(pad=2, length=3)
         for bundle in drawn:
             _draw(axes, bundle)
