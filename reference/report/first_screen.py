@@ -153,7 +153,7 @@ def _stop(by_name: dict[str, Section]) -> Finding | None:
     why = (
         "Each step moves the slab with the velocity that friction has already reduced, so it stops half a step short."
         " As installed, PyBullet damps every motion; MuJoCo's friction cone is a diamond, weaker at 30°; DART brakes"
-        " each axis by itself: its slab stands a fifth too early, and then rocks on one point without end."
+        " each axis by itself: its slab stands 107 mm short, but rocks there without end."
     )
     return _finding(by_name, _STOP, "Stop", question, why)
 

@@ -123,4 +123,7 @@ def test_every_number_of_the_first_screen_is_that_of_a_row():
         theory = re.search(r"Theory: [a-z ]*([\d.]+)", finding.question)[1]
         expected = rows[finding.family, quantity, counted, "handwritten", "exact"].expected
         assert float(theory) == pytest.approx(expected * (1 if finding.family == "ball-to-rest" else 1e3), rel=1e-4)
+        if short := re.search(r"stands (\d+) mm short", finding.why):  # of a slab that has no stopping distance
+            (rocking,) = [it for it in results if it.job == Job("sliding-slab", "dart", "stock")]
+            assert 1e3 * (expected - rocking.series.values[-1]) == pytest.approx(float(short[1]), abs=0.5)
     assert seen == 24  # eight implementations in three findings
