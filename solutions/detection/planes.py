@@ -53,6 +53,40 @@ def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> A
     return np.asarray((np.vecdot(normal, point) + offset) / length)
 
 
+def side_of_plane(
+    separation: ArrayLike,
+    tolerance: ArrayLike = 0.0,
+) -> NDArray[np.int64]:
+    """Side of a plane on which a point is: 1 in front, 0 on it, −1 behind (slide 4).
+
+    A point that is behind collides.
+
+    Parameters
+    ----------
+    separation : (...), signed distance, m
+    tolerance : (...), m, not negative
+        A point is on the plane up to and including this distance, on either side. With 0
+        only a point exactly on the plane is on it, which does not collide, as on the slide.
+
+    Returns
+    -------
+    (...), 1, 0 or −1
+
+    Raises
+    ------
+    ValueError
+        If a separation is not finite (a NaN would be on no side), or a tolerance is
+        negative.
+
+    Notes
+    -----
+    The slide knows two sides, and its strict < puts a point that touches the plane
+    among those in front.
+    """
+    s, tolerance = finite("separation", separation), not_negative("tolerance", tolerance)
+    return np.asarray((s > tolerance).astype(np.int64) - (s < -tolerance))
+
+
 def is_colliding(
     separation: ArrayLike,
     tolerance: ArrayLike = 0.0,
@@ -72,37 +106,6 @@ def is_colliding(
     Raises
     ------
     ValueError
-        If a separation is not finite (a NaN would never collide), or a tolerance is
-        negative.
-    """
-    return np.asarray(finite("separation", separation) < -not_negative("tolerance", tolerance))
-
-
-def side_of_plane(
-    separation: ArrayLike,
-    tolerance: ArrayLike = 0.0,
-) -> NDArray[np.int64]:
-    """Side of a plane on which a point is: 1 in front, 0 on it, −1 behind (slide 4).
-
-    Parameters
-    ----------
-    separation : (...), signed distance, m
-    tolerance : (...), m, not negative
-        A point is on the plane up to and including this distance, on either side.
-
-    Returns
-    -------
-    (...), 1, 0 or −1
-
-    Raises
-    ------
-    ValueError
         If a separation is not finite, or a tolerance is negative.
-
-    Notes
-    -----
-    The slide knows two sides, and its strict < puts a point that touches the plane
-    among those in front.
     """
-    s, tolerance = finite("separation", separation), not_negative("tolerance", tolerance)
-    return np.asarray((s > tolerance).astype(np.int64) - (s < -tolerance))
+    return np.asarray(side_of_plane(separation, tolerance) < 0)
