@@ -119,6 +119,7 @@ def test_the_impacts_are_the_walls_that_a_straight_way_passes(submission, part, 
             ((0.5, 1.0, 1.5, 1.0, 1.0), (1, 1.5)),
             ((0.5, 2.0, 1.5, 1.0, 0.0), (0, 0.5)),
             ((0.5, 2.0, 1.0, 0.1, 0.3), (1, 0.9)),
+            ((0.25, 2.0, 1.0, 0.1, 1.0), (2, 0.25)),
         ):
             expect(submission.count_impacts, motion, answer)
 

@@ -91,6 +91,8 @@ def test_a_puck_between_two_walls_loses_no_time(submission, part):
         expect(submission.count_impacts, (0.25, 3.0, 1.0, 1.5, 1.5), (4, 0.75))
         expect(submission.count_impacts, (0.25, 3.0, 1.0, 0.75, 1.5), (4, 0.75))
         expect(submission.count_impacts, (0.25, 3.0, 1.0, 0.015625, 1.5), (4, 0.75))
+        expect(submission.count_impacts, (0.25, 3.0, 1.0, 0.1, 1.0), (3, 0.75))
+        expect(submission.count_impacts, (0.25, 3.0, 1.0, 0.1, 0.3), (1, 0.85))  # three steps, not two
     with part(1, "on a wall at the start or at the end, and at rest"):
         expect(submission.count_impacts, (0.0, 0.5, 1.0, 0.5, 1.5), (0, 0.75))
         expect(submission.count_impacts, (1.0, 0.5, 1.0, 0.5, 1.5), (1, 0.25))

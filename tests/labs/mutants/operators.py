@@ -24,7 +24,7 @@ TWINS = (("a", "b"), ("COLLIDING", "SEPARATING"), ("s0", "s1"), ("at_front", "at
          ("grip", "slip"), ("leaves", "lifts"), ("before", "dt"), ("first", "rest"), ("x", "y"),
          ("before", "time"), ("velocity", "angular_velocity"), ("momentum", "angular_momentum"),
          ("v", "w"), ("v", "omega"), ("v", "spin"), ("remaining", "dt"), ("remaining", "arrives"),
-         ("dt", "duration"))  # fmt: skip
+         ("dt", "duration"), ("x", "wall"))  # fmt: skip
 """Names that are mistaken for one another, besides those that differ in their ending alone."""
 ENDINGS = (("_a", "_b"), ("_0", "_1"), ("_x", "_y"), ("_static", "_kinetic"))
 BEGINNINGS = (("static_", "kinetic_"),)

@@ -95,7 +95,6 @@ def _impacts() -> list[Probe]:
         edge("three steps, though 0.3/0.1 is just below 3", 0.5, 2.0, 1.0, 0.1, 0.3),
         edge("ten steps of 0.1 s, which add up to just below 1 s", 0.25, 2.0, 1.0, 0.1, 1.0),
         edge("no step", 0.5, 2.0, 1.0, 0.25, 0.0),
-        refused("a step of no length", 0.5, 2.0, 1.0, 0.0, 1.0),
         refused("a start beyond the wall", 1.5, 2.0, 1.0, 0.25, 1.0),
     ]
 
