@@ -1,7 +1,7 @@
 """Detecting a collision with a plane (slides 2, 3, 4, 5 and 9).
 
-These functions say where a point is, when it meets a plane, how often a puck meets two of them, and what a step may
-miss.
+These functions say where a point is, when it meets a plane, how often a puck meets
+two walls, and what a step may miss.
 """
 
 from solutions.detection.planes import is_colliding, side_of_plane, signed_distance

@@ -1,4 +1,4 @@
-"""A puck between two walls, which it hits again and again (slide 3): backing up time, and going the rest of the step."""
+"""A puck between two walls: time backed up, and the rest of the step (slide 3)."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ def count_impacts(
     dt: float,
     duration: float,
 ) -> tuple[int, float]:
-    """Count how often a puck hits two walls, in steps that back up to each impact (slide 3).
+    """Count the impacts of a puck between two walls, step by step (slide 3).
 
-    The walls are at x = 0 and at x = length. The puck slides without friction. At a wall it
-    turns round and keeps its speed. Every impact happens exactly at its own instant, and a
-    step may hold several.
+    The walls are at x = 0 and at x = length. The puck slides without friction.
+    At a wall it turns round and keeps its speed. Every impact happens exactly
+    at its own instant, and a step may hold several.
 
     Parameters
     ----------
@@ -25,38 +25,43 @@ def count_impacts(
     length : m, from wall to wall
     dt : s, length of a step
     duration : s
-        A whole number of steps: as many are made as are nearest to duration/dt.
+        A whole number of steps: as many are made as are nearest to
+        duration/dt.
 
     Returns
     -------
     count : int
-        0 for a puck that does not move, even if it touches a wall. A puck that starts on a
-        wall hits it at once if it moves into it, and does not hit it if it moves away. An
-        impact at the end of a step happens in that step, also at the end of the last one;
-        where rounding puts it just beyond, rounding decides.
+        0 for a puck that does not move, even if it touches a wall. A puck that
+        starts on a wall hits it at once if it moves into it, and does not hit
+        it if it moves away. An impact at the end of a step happens in that
+        step, also at the end of the last one; where rounding puts it just
+        beyond, rounding decides.
     position : float, x at the end, m
 
     Raises
     ------
     ValueError
-        If an argument is not finite, length or dt is not positive, duration is negative, or
-        the puck does not start between the walls.
+        If an argument is not finite, length or dt is not positive, duration is
+        negative, or the puck does not start between the walls.
 
     Notes
     -----
-    Neither result depends on dt, because between two impacts the velocity is constant and
-    the arrival at the wall is exact. This holds only if the puck goes the rest of the step
-    after an impact, with the new velocity. Without it the clock runs on by dt while the puck
-    has moved for a part of dt: half a step is lost at each impact, on average.
+    Neither result depends on dt, because between two impacts the velocity is
+    constant and the arrival at the wall is exact. This holds only if the puck
+    goes the rest of the step after an impact, with the new velocity. Without
+    it the clock runs on by dt while the puck has moved for a part of dt: half
+    a step is lost at each impact, on average.
 
-    Reflections unfold: let the puck go straight on, through copies of the strip between the
-    walls laid side by side. After the time t it is at y = x + v t. The number of impacts is
-    the number of walls that it has passed, at all the multiples of length, and every second
-    copy is a mirror image.
+    Reflections unfold: let the puck go straight on, through copies of the
+    strip between the walls laid side by side. After the time t it is at
+    y = x + v t. It has hit a wall for each multiple of length that it has
+    passed, and every second copy of the strip is a mirror image.
     """
-    x, v = float(finite("position", position)), float(finite("velocity", velocity))
+    x = float(finite("position", position))
+    v = float(finite("velocity", velocity))
     length = float(finite("length", positive("length", length)))
-    dt, duration = float(finite("dt", positive("dt", dt))), float(finite("duration", not_negative("duration", duration)))
+    dt = float(finite("dt", positive("dt", dt)))
+    duration = float(finite("duration", not_negative("duration", duration)))
     if not 0 <= x <= length:
         raise ValueError(f"position must be from 0 to {length:g}, not {x:g}")
     count = 0

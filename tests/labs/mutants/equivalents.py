@@ -53,9 +53,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: w + r → …",
             "size for it: (np.where(meets, start, np.inf), …) → (np.abs(np.where(meets, start, np.inf)), …",
         ),
-        "The earlier and the later of the two are taken, whichever they are.": (
-            "results swapped: ((r - x) / np.where(moves, u, 1.0), …",
-        ),
         "A ball at rest in the wall has been there since before the step, and beside it the interval is empty.": (
             "branch dropped: np.where(moves, np.minimum(at_front, at_back), 0.0) → shaped(np.minimum(…",
         ),

@@ -63,14 +63,14 @@ def test_the_fingerprints_of_all_functions_are_fresh():
 
 
 def test_a_stale_fingerprint_is_found(tmp_path, monkeypatch):
-    numbers = {"is_colliding": {"right": [1.0, 2.0]}}
+    numbers = {"side_of_plane": {"right": [1.0, 2.0]}}
     content = {"schema": "collisions-lab/fingerprints", "version": 2, "functions": numbers}
     monkeypatch.setattr(building, "build", lambda *_, **__: {"detection": content})
     assert fingerprints.stale(tmp_path) == ["detection.json: there is none"]
     assert building.write(tmp_path) == [tmp_path / "detection.json"]
     assert fingerprints.stale(tmp_path) == []
-    numbers["is_colliding"]["right"] = [1.0, 2.5]
-    assert fingerprints.stale(tmp_path) == ["detection.json: /functions/is_colliding/right[1] is 2.0, now 2.5"]
+    numbers["side_of_plane"]["right"] = [1.0, 2.5]
+    assert fingerprints.stale(tmp_path) == ["detection.json: /functions/side_of_plane/right[1] is 2.0, now 2.5"]
 
 
 def test_a_file_of_fingerprints_has_a_line_for_each_entry():
