@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
+from cells import SIDE
 from program import collisions
 from submissions import solved
 
@@ -84,7 +85,7 @@ def test_without_pytest_nothing_can_be_checked(tmp_path, monkeypatch):
 
 def test_a_notebook_is_checked_like_a_file(tmp_path):
     cell = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
-    sources = ["%matplotlib inline", "def side_of_plane(separation, tolerance=0.0):\n    return (separation > tolerance) * 1 - (separation < -tolerance) * 1"]
+    sources = ["%matplotlib inline", SIDE]
     cells = [cell | {"source": source} for source in sources]
     notebook = {"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}
     (tmp_path / "lab.ipynb").write_text(json.dumps(notebook))

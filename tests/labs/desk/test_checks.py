@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from cells import STUB, right_cells, said
+from cells import SIDE, STUB, right_cells, said
 
 from labs.building.points import points_of
 from labs.grading.calling.processes import Limits
@@ -123,9 +123,9 @@ def test_a_misspelt_function_is_compared_with_those_of_this_lab_alone(lab, capsy
 
 
 def test_a_corrected_mistake_is_not_reported_again(lab, cells, capsys):
-    cells += [*right_cells(), "def side_of_plane(separation, tolerance=0.0)\n    return (separation > tolerance) * 1 - (separation < -tolerance) * 1"]
+    cells += [*right_cells(), SIDE.replace("):", ")")]
     assert "a colon is missing" in said(capsys, lab.check, "side_of_plane")
-    cells.append("def side_of_plane(separation, tolerance=0.0):\n    return (separation > tolerance) * 1 - (separation < -tolerance) * 1")
+    cells.append(SIDE)
     assert "✓ side_of_plane is right" in (told := said(capsys, lab.check, "side_of_plane"))
     assert "colon" not in told
     cells.append("x = = 3")
@@ -226,7 +226,7 @@ def test_a_function_that_the_kernel_lost_is_named(lab, cells, capsys, monkeypatc
 
 
 def test_a_check_says_where_to_see_what_a_function_prints(lab, cells, capsys):
-    printing = "def side_of_plane(separation, tolerance=0.0):\n    print(separation)\n    return (separation > tolerance) * 1 - (separation < -tolerance) * 1"
+    printing = SIDE.replace("    return", "    print(separation)\n    return")
     cells += [*right_cells(), printing]
     assert "What side_of_plane prints is not shown here" in said(capsys, lab.check)
     assert "What side_of_plane prints" not in said(capsys, lab.check, "signed_distance")
