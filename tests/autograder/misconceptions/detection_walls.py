@@ -150,7 +150,7 @@ BANK = (
       "An impact is counted for each way there and back. There are two walls, and each of them is hit on that way.",
       "How often does a puck hit a wall until it is back where it started, with the same velocity?"),
     M("count_impacts", "steps cut down", stepped(right, lambda dt, duration: int(duration / dt)),
-      "The number of steps is cut down to a whole number. Where rounding leaves the quotient just below a whole number, "
+      "The number of steps is cut down to a whole number. Where rounding leaves the quotient just below one, "
       "as in 0.3/0.1, a step is lost.",
       "What does Python say to 0.3/0.1? And to int of it?"),
     M("count_impacts", "time added up", stepped(right, added_up),

@@ -72,7 +72,7 @@ def test_the_separation_is_zero_where_a_straight_line_crosses_it(submission, par
 
 
 @asks(
-    "count_impacts", 5, "After an impact the puck goes the rest of the step with its new velocity, perhaps to the next.",
+    "count_impacts", 5, "After an impact the puck goes the rest of the step with its new velocity, perhaps to another.",
     "Slide 3: back up time. When the puck stands on the wall, how much of the step is left? And where does it go then?",
 )  # fmt: skip
 def test_a_puck_between_two_walls_loses_no_time(submission, part):
@@ -93,11 +93,12 @@ def test_a_puck_between_two_walls_loses_no_time(submission, part):
         expect(submission.count_impacts, (0.25, 3.0, 1.0, 0.015625, 1.5), (4, 0.75))
         expect(submission.count_impacts, (0.25, 3.0, 1.0, 0.1, 1.0), (3, 0.75))
         expect(submission.count_impacts, (0.25, 3.0, 1.0, 0.1, 0.3), (1, 0.85))  # three steps, not two
-    with part(1, "on a wall at the start or at the end, and at rest"):
+    with part(1, "on a wall at the start or at the end, at rest, and for no time"):
         expect(submission.count_impacts, (0.0, 0.5, 1.0, 0.5, 1.5), (0, 0.75))
         expect(submission.count_impacts, (1.0, 0.5, 1.0, 0.5, 1.5), (1, 0.25))
         expect(submission.count_impacts, (0.5, 1.0, 1.0, 0.25, 1.5), (2, 0.0))  # it arrives with the last step
         expect(submission.count_impacts, (1.0, 0.0, 1.0, 0.25, 1.5), (0, 1.0))
+        expect(submission.count_impacts, (0.25, 2.0, 1.0, 0.25, 0.0), (0, 0.25))
 
 
 @asks(

@@ -30,13 +30,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "Only a separation that is positive at the start crosses zero.": ("size for it: s0 - s1 → np.abs(s0) - s1",),
         NOT_NEGATIVE: ("size for it: t + dt * fraction → t + np.abs(dt * fraction)",),
     },
-    "count_impacts": {
-        "The result does not depend on the length of a step, and one step is enough.": (
-            "dt: that of duration",
-            "one for the other: dt → duration",
-        ),
-        "A puck at rest is done with before.": ("boundary: v > 0 → v >= 0",),
-    },
+    "count_impacts": {"A puck at rest is done with before.": ("boundary: v > 0 → v >= 0",)},
     "time_of_impact_exact": {
         "This root is taken only while the body does not approach, and then the velocity is not negative.": (
             "size for it: u + root → np.abs(u) + root",
