@@ -170,7 +170,7 @@ def test_the_same_lesson_makes_the_same_bytes(lesson):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (HEAD + WRITES.replace('write="is_colliding"', 'write="side_of_plane"', 1), "is_colliding"),
+        (HEAD + WRITES.replace('write="count_impacts"', 'write="side_of_plane"', 1), "count_impacts"),
         (HEAD + WRITES + QUESTION.replace('model="why"', 'model="who"'), "no model for answer='why'"),
         (HEAD + WRITES + '\n```python colour="red"\n```\n', "colour"),
         (HEAD + WRITES + PREDICT.replace("0.4 | ", ""), "for 2 predictions"),

@@ -232,10 +232,11 @@ def test_a_time_of_impact_in_the_past_is_reported_at_once(lab, cells):
 
 
 def test_a_run_says_where_to_see_what_a_function_prints(lab, cells, capsys):
-    printing = "def is_colliding(separation, tolerance=0.0):\n    print(1)\n    return separation < -tolerance"
+    printing = "def time_of_impact_interpolated(s0, s1, t, dt):\n    print(1)\n    return t + dt * s0 / (s0 - s1)"
     cells += [*right_cells(), printing]
-    at_step = {"quantity": "rebound", "engines": (), "profile": "step"}
-    assert "What is_colliding prints is not shown here" in said(capsys, lab.run, "dropped-ball/e=0.5", **at_step)
+    slide = {"quantity": "rebound", "engines": (), "profile": "slide"}
+    told = said(capsys, lab.run, "dropped-ball/e=0.5", **slide)
+    assert "What time_of_impact_interpolated prints is not shown here" in told
     assert "prints" not in said(capsys, lab.run, "dropped-ball/e=0.5", quantity="rebound", engines=())
 
 
