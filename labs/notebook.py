@@ -79,7 +79,7 @@ class Lab:
         return self._check(functions)
 
     @errors_in_words
-    def derive(self, function: str | Callable[..., object], /, **lines: str) -> None:
+    def derive(self, function: str | Callable[..., object], /, **lines: str | EllipsisType) -> None:
         """Check a line of the derivation that a function needs; without a line, say which one is asked for.
 
         Write the right side between quotes, as in j="-(1 + e) * u / k". Every form of the right line is right.
@@ -87,7 +87,7 @@ class Lab:
         from labs.desk import derivations  # noqa: PLC0415
 
         guide = self._guide(function)
-        for line in derivations.judged(guide, lines) if lines else derivations.asked(guide):
+        for line in derivations.judged(guide, lines):
             print(line)
 
     @errors_in_words

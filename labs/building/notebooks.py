@@ -16,7 +16,7 @@ from typing import Any
 from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of
 from labs.building.lessons import Cell, Lesson, read
 from labs.building.points import points_of
-from labs.building.revealed_answers import answers_of, compact
+from labs.building.revealed_answers import answers_of, compact, with_answers
 from labs.grading.submission.reading import DRAFT
 from labs.grading.submission.stubs import AGAIN
 from reference import lecture
@@ -133,7 +133,7 @@ def solved(topic: str) -> dict[str, Any]:
         elif cell.kind == "instructor":
             draft.add("markdown", _framed("For the instructor", cell.text))
         elif cell.kind != "model":
-            _common(draft, replace(cell, text=cell.guessed))
+            _common(draft, replace(cell, text=with_answers(topic, cell.guessed) if cell.code else cell.text))
             for model in lesson.models(cell.key) if cell.kind == "answer" else ():
                 draft.add("markdown", _framed("A good answer, and how it is marked", model.text), **_answer(cell))
     return _notebook(draft)

@@ -20,21 +20,28 @@ def asked(guide: Guide) -> Iterator[str]:
         yield from (f"    {each.name:<{width}}  {each.meaning}" for each in derivation.quantities)
         yield f'and write it as lab.derive("{guide.function}", {derivation.left}="…").'
     if guide.derivations:
-        yield from folded(f"A line may hold numbers, these names, {UNDERSTOOD}. Any form of the right line is right.", 0)
+        yield from folded(f"A line may hold numbers, these names, {UNDERSTOOD}. Every right form of it counts.", 0)
     else:
         yield f"Of {guide.function} no line is asked for."
 
 
 def judged(guide: Guide, lines: Mapping[str, object]) -> Iterator[str]:
-    """For each line that a student gives, whether it is right, and where it is not.
+    """For each line that a student gives, whether it is right, and where it is not; what is asked for if all are open.
+
+    A line is open as long as it is the dots of the cell.
 
     Raises
     ------
     InvalidInput
         If no such line is asked for, or a line cannot be understood.
     """
+    if all(line is ... for line in lines.values()):
+        yield from asked(guide)
+        return
     for left, line in lines.items():
         derivation = guide.derivation(left)
+        if line is ...:
+            continue
         if not isinstance(line, str):
             raise InvalidInput(f'write the line between quotes, as in {left}="{derivation.names[0]} + 1"')
         yield from _judged(derivation, line)

@@ -36,7 +36,7 @@ lab.predict("way", "Which way?", answer=..., choices=("up", "down"))
 
 ```python
 lab.run("dropped-ball", predicted="way")
-lab.derive("signed_distance")
+lab.derive("signed_distance", w=...)
 lab.figure("contact")
 ```
 """
@@ -93,6 +93,11 @@ def test_a_lesson_that_prints_what_is_to_be_derived_is_named(write, told):
 def test_a_derivation_that_the_lesson_never_asks_for_is_named(write):
     write(HEAD + WRITES + CALLS.replace("lab.derive", "lab.hint"))
     assert gaps("detection") == ["the lesson never calls lab.derive('signed_distance')"]
+
+
+def test_only_the_solved_notebook_has_the_line_in_place_of_its_dots(write):
+    for made, line in ((notebooks.student, "w=..."), (notebooks.solved, 'w="(s0 + 2 * s1) / s0"')):
+        assert any(f'lab.derive("signed_distance", {line})' in source for source in sources(made("detection")))
 
 
 def test_a_stub_that_holds_a_line_to_be_derived_is_refused(write, monkeypatch):
