@@ -127,7 +127,9 @@ def test_a_draft_is_a_stub_then_a_model_and_its_function_is_written_again(write,
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ('draft="signed_distance"', 'draft="finite"', "a draft of finite, which it does not write"),
+        ("signed_distance", "finite", "a draft of finite, which it does not write"),
+        ('    """Distance from a level floor, m."""', "    return 0", "is to be one function with a docstring"),
+        ("def signed_distance(point", "def distance(point", "is to be one function with a docstring"),
         ('model="draft-signed_distance"', 'model="draft"', "no model='draft-signed_distance'"),
     ],
 )
