@@ -16,7 +16,7 @@ from typing import Any
 from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of
 from labs.building.lessons import Cell, Lesson, read
 from labs.building.points import points_of
-from labs.building.revealed_answers import answers_of, compact, with_answers
+from labs.building.revealed_answers import answers_of, compact
 from labs.grading.submission.reading import DRAFT
 from labs.grading.submission.stubs import AGAIN
 from reference import lecture
@@ -120,20 +120,20 @@ def solved(topic: str) -> dict[str, Any]:
     """The instructor's notebook, with solutions, model answers and the notes for the instructor."""
     lesson = read(topic)
     draft = _Draft(lesson, TopicExcerpts.of(topic))
+    drafts = {name: iter(lesson.models(f"{DRAFT}{name}")) for name in lesson.drafts}
     for cell in lesson.cells:
         if cell.kind == "write":
             for name in cell.names:
                 _function(draft, name, _silent(text_of(draft.take([name]))))
         elif cell.kind == "draft":
-            for name in cell.names:
-                _first_version(draft, cell, "\n\n\n".join(each.text for each in lesson.models(f"{DRAFT}{name}")))
+            _first_version(draft, cell, next(drafts[cell.names[0]]).text)
         elif cell.kind == "broken":
             for model in lesson.models(cell.key):
                 draft.add("code" if model.code else "markdown", model.text)
         elif cell.kind == "instructor":
             draft.add("markdown", _framed("For the instructor", cell.text))
         elif cell.kind != "model":
-            _common(draft, replace(cell, text=with_answers(topic, cell.guessed) if cell.code else cell.text))
+            _common(draft, replace(cell, text=cell.guessed))
             for model in lesson.models(cell.key) if cell.kind == "answer" else ():
                 draft.add("markdown", _framed("A good answer, and how it is marked", model.text), **_answer(cell))
     return _notebook(draft)
@@ -250,11 +250,14 @@ def _notebook(draft: _Draft) -> dict[str, Any]:
 
 
 def _refuse_solutions(draft: _Draft, made: dict[str, Any]) -> None:
-    """Raise if the student's notebook holds a line of a solution that the student is to write."""
-    text = "\n".join("".join(cell["source"]) for cell in made["cells"])
+    """Raise if the student's notebook holds a line of a solution that the student is to write.
+
+    A line that a given function has as well reveals nothing.
+    """
+    text, given = "\n".join("".join(cell["source"]) for cell in made["cells"]), text_of(draft.taken)
     for excerpt in draft.excerpts.needed(draft.lesson.written, draft.taken):
         for line in _revealing_lines(excerpt):
-            if line in text:
+            if line in text and line not in given:
                 raise InvalidInput(f"the student's notebook of {draft.lesson.topic} holds a solution's line: {line}")
 
 

@@ -1,4 +1,4 @@
-"""Lines that a student is to derive: found where a stub or a lesson tells them, and filled in for the solved notebook.
+"""Finds lines that a student is to derive in texts that a student reads: stubs and lessons.
 
 Lines are compared as *compact* texts: a formula as Python has it, as LaTeX and as plain text becomes the same letters,
 digits and signs. Hints have each line twice, as an expression and, in their third level, typeset, so that a quantity
@@ -15,8 +15,6 @@ _SHORTEST = 6
 """A right side with fewer signs than this may be part of any text."""
 _FORMULA = re.compile(r"\$\$?(.+?)\$\$?", re.DOTALL)
 _FRACTION = re.compile(r"\\[dt]?frac\s*(?:\{([^{}]*)\}|(\w))\s*(?:\{([^{}]*)\}|(\w))")
-_DERIVED = re.compile(r"lab\.derive\(\s*\"(\w+)\"[^()]*\)")
-_OPEN = re.compile(r"(\w+)=\.\.\.")
 _WORDS = {
     "−": "-", "·": "", "×": "", "*": "", "²": "^2", "³": "^3", "Δ": "d", "√": "sqrt",
     r"\Delta": "d", r"\cdot": "", r"\times": "", r"\left": "", r"\right": "", r"\lVert": "", r"\rVert": "",
@@ -37,16 +35,6 @@ def compact(text: str) -> str:
     for word, sign in sorted(_WORDS.items(), key=lambda pair: -len(pair[0])):
         text = text.replace(word, sign)
     return _LOST.sub("", _MARKS.sub("", text)).replace("\\", "")
-
-
-def with_answers(topic: str, code: str) -> str:
-    """A cell with the right line in place of the dots of each derivation that it asks for."""
-
-    def answered(call: re.Match[str]) -> str:
-        guide = hints(topic).of(call[1])
-        return _OPEN.sub(lambda left: f'{left[1]}="{guide.derivation(left[1]).right.text}"', call[0])
-
-    return _DERIVED.sub(answered, code)
 
 
 def answers_of(topic: str, function: str) -> list[str]:

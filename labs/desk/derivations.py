@@ -26,22 +26,15 @@ def asked(guide: Guide) -> Iterator[str]:
 
 
 def judged(guide: Guide, lines: Mapping[str, object]) -> Iterator[str]:
-    """For each line that a student gives, whether it is right, and where it is not; what is asked for if all are open.
-
-    A line is open as long as it is the dots of the cell.
+    """For each line that a student gives, whether it is right, and where it is not.
 
     Raises
     ------
     InvalidInput
         If no such line is asked for, or a line cannot be understood.
     """
-    if all(line is ... for line in lines.values()):
-        yield from asked(guide)
-        return
     for left, line in lines.items():
         derivation = guide.derivation(left)
-        if line is ...:
-            continue
         if not isinstance(line, str):
             raise InvalidInput(f'write the line between quotes, as in {left}="{derivation.names[0]} + 1"')
         yield from _judged(derivation, line)

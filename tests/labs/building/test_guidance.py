@@ -36,7 +36,7 @@ lab.predict("way", "Which way?", answer=..., choices=("up", "down"))
 
 ```python
 lab.run("dropped-ball", predicted="way")
-lab.derive("signed_distance", w=...)
+lab.derive("signed_distance")
 lab.figure("contact")
 ```
 """
@@ -95,11 +95,6 @@ def test_a_derivation_that_the_lesson_never_asks_for_is_named(write):
     assert gaps("detection") == ["the lesson never calls lab.derive('signed_distance')"]
 
 
-def test_only_the_solved_notebook_has_the_line_in_place_of_its_dots(write):
-    for made, line in ((notebooks.student, "w=..."), (notebooks.solved, 'w="(s0 + 2 * s1) / s0"')):
-        assert any(f'lab.derive("signed_distance", {line})' in source for source in sources(made("detection")))
-
-
 def test_a_stub_that_holds_a_line_to_be_derived_is_refused(write, monkeypatch):
     monkeypatch.setattr(notebooks, "answers_of", lambda topic, name: [compact("n·p + d")] * (name == "signed_distance"))
     with pytest.raises(InvalidInput, match="the stub of signed_distance holds a line that is to be derived"):
@@ -124,6 +119,22 @@ def test_a_draft_is_a_stub_then_a_model_and_its_function_is_written_again(write,
     assert "def signed_distance" in found.text
 
 
+def test_the_first_of_two_drafts_is_solved_by_the_first_model(write):
+    write(HEAD + DRAFT + DRAFT.replace("point[..., 2]", "-point[..., 2]") + WRITES + CALLS)
+    solved = sources(notebooks.solved("detection"))
+    assert [source.split("return ")[1] for source in solved if source.count("\n") == 1 and "def signed" in source] == [
+        "point[..., 2]",
+        "-point[..., 2]",
+    ]
+
+
+def test_a_line_to_derive_is_open_until_the_notebook_is_solved(write):
+    asked = '\n```python guess="\'(s0 + 2 * s1) / s0\'"\nlab.derive("signed_distance", w=...)\n```\n'
+    write(HEAD + WRITES + CALLS + asked)
+    assert 'lab.derive("signed_distance", w=...)' in sources(notebooks.student("detection"))
+    assert "lab.derive(\"signed_distance\", w='(s0 + 2 * s1) / s0')" in sources(notebooks.solved("detection"))
+
+
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
@@ -131,6 +142,7 @@ def test_a_draft_is_a_stub_then_a_model_and_its_function_is_written_again(write,
         ('    """Distance from a level floor, m."""', "    return 0", "is to be one function with a docstring"),
         ("def signed_distance(point", "def distance(point", "is to be one function with a docstring"),
         ('model="draft-signed_distance"', 'model="draft"', "no model='draft-signed_distance'"),
+        ("```python model", '```python draft="signed_distance"\n```\n\n```python model', "for each draft"),
     ],
 )
 def test_a_draft_of_nothing_or_without_a_model_is_refused(write, old, new, said):
