@@ -158,16 +158,16 @@ def _refuse(lesson: Lesson) -> None:
     for cell in lesson.cells:
         if cell.kind in ("answer", "broken") and not lesson.models(cell.key):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.key!r}")
-    for cell in lesson.cells:
-        if cell.kind == "draft" and not _is_header(cell):
-            raise InvalidInput(
-                f"the draft of {' '.join(cell.names)} is to be one function with a docstring, and no more"
-            )
     for name in lesson.drafts:
         if name not in expected:
             raise InvalidInput(f"the lesson of {lesson.topic} has a draft of {name}, which it does not write")
         if len(lesson.models(f"{DRAFT}{name}")) != lesson.drafts.count(name):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model={DRAFT + name!r} for each draft={name!r}")
+    for cell in lesson.cells:
+        if cell.kind == "draft" and not _is_header(cell):
+            raise InvalidInput(
+                f"the draft of {' '.join(cell.names)} is to be one function with a docstring, and no more"
+            )
 
 
 def _is_header(cell: Cell) -> bool:
