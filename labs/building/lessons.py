@@ -165,18 +165,16 @@ def _refuse(lesson: Lesson) -> None:
             raise InvalidInput(f"the lesson of {lesson.topic} has no model={DRAFT + name!r} for each draft={name!r}")
     for cell in lesson.cells:
         if cell.kind == "draft" and not _is_header(cell):
-            raise InvalidInput(
-                f"the draft of {' '.join(cell.names)} is to be one function with a docstring, and no more"
-            )
+            raise InvalidInput(f"the draft of {' '.join(cell.names)} is to be one function with a docstring")
 
 
 def _is_header(cell: Cell) -> bool:
-    """Whether a cell holds the header and the docstring of the one function that it names."""
+    """Whether a cell holds the one function that it names, with a docstring and perhaps lines to begin with."""
     try:
         statements = ast.parse(cell.text).body
     except SyntaxError:
         return False
     match statements:
-        case [ast.FunctionDef(name=name, body=[ast.Expr(value=ast.Constant(value=str()))])]:
+        case [ast.FunctionDef(name=name, body=[ast.Expr(value=ast.Constant(value=str())), *_])]:
             return cell.names == (name,)
     return False
