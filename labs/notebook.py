@@ -228,7 +228,7 @@ class Lab:
         unfold: bool = False,
     ) -> None:
         """Move one parameter of a scenario, or its timestep: a slider beside small pictures of every value."""
-        from labs.desk import case_runs, sweeps  # noqa: PLC0415
+        from labs.desk import case_runs, sweep_picture, sweeps  # noqa: PLC0415
 
         values, predictions = sweeps.values_of(scenario, parameter, values), self._predicted(predicted, unfold)
         if predictions is None:
@@ -245,7 +245,7 @@ class Lab:
                 progress.done(len(cases), len(values), f"{parameter} {value:g}")
         guesses = ", ".join(each.with_unit for each in predictions)
         found = sweeps.Sweep(parameter, tuple(values), tuple(cases), quantity, guesses)
-        _display(found.picture, found.table)
+        _display(sweep_picture.picture(found), found.table)
         sweeps.slide(found)
         _display(*(Text(said) for each in predictions if (said := each.verdict())))
 

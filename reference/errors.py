@@ -59,7 +59,7 @@ class NeedsFunction(CollisionsError):
 
 
 class StillRunning(CollisionsError):
-    """The run is still going on: it is what is said instead of a number on a page that is written before the end."""
+    """The run has not ended yet: a page that is written before the end says so instead of giving a number."""
 
 
 class RunFailed(CollisionsError):

@@ -9,18 +9,28 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from reference.arrays import Array
-from reference.impact_truth import DISSIPATIVE, POISSON, STRONGE
+from reference.impact_truth import APART, DISSIPATIVE, NEWTON, POISSON, STRONGE
 
 ALONG_GRIP, BY_AXES = "along grip", "by axes"
 """Two more of Newton's laws, which in a plane are NEWTON. ALONG_GRIP: friction that cannot hold has the direction of
 the impulse that would hold. BY_AXES: friction opposes the slip that is left after each of its two components has been
 divided by what a unit impulse along that axis changes of it; so a solver settles one axis after the other."""
+LAWS_IN_WORDS: Mapping[str, str] = {
+    NEWTON: "Newton's law of restitution",
+    ALONG_GRIP: "Newton's law of restitution, with friction along the impulse that would hold",
+    BY_AXES: "Newton's law of restitution, with friction settled one axis after the other",
+    DISSIPATIVE: "Newton's law of restitution, with the friction that takes the most energy",
+    POISSON: "Poisson's law of restitution",
+    STRONGE: "Stronge's law of restitution",
+    APART: "a normal impulse as without friction, and friction settled after it",
+}
+"""Each law as a reason names it."""
 DIRECTIONS = 720
 """Directions of friction that are tried before the search is refined, one every half degree."""
 HALVINGS = 60

@@ -2,14 +2,18 @@
 
 Each topic has one or more files `figures_….py` beside this one, each with a table `FIGURES`: (statement, name) → a
 function that draws on a matplotlib `Figure`. Its docstring is the caption. They go into the folder `statements`. The
-figures of the findings about the engines are in `findings.py` and go into the folder `engines`.
+figures of the findings about the engines are in `findings.py` and go into the folder `engines`. The labs' own figures
+are in `lab_figures.py` and go into `labs/figures`, or into the folder `labs` of another one.
 """
 
 from __future__ import annotations
 
 import importlib.util
+import inspect
+import io
 import sys
 from collections.abc import Callable
+from html import escape
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -21,6 +25,7 @@ from reference.report import figures as figures_of_the_report
 
 HERE = Path(__file__).resolve().parent
 IMAGES = HERE.parent / "images"
+LABS = HERE.parents[1] / "labs" / "figures"
 Draw = Callable[[Figure], None]
 STYLE: dict[Any, Any] = figures_of_the_report.STYLE | {
     "axes.prop_cycle": matplotlib.cycler(color=["#1b1b1b", "#0072b2", "#d55e00", "#009e73", "#cc79a7"])
@@ -41,6 +46,12 @@ def findings() -> dict[str, Draw]:
     return found
 
 
+def lab_figures() -> dict[str, Draw]:
+    """The drawn figures of the labs, by name."""
+    found: dict[str, Draw] = _loaded(HERE / "lab_figures.py").LAB_FIGURES
+    return found
+
+
 def _loaded(path: Path) -> ModuleType:
     spec = importlib.util.spec_from_file_location(path.stem, path)
     assert spec is not None
@@ -55,22 +66,44 @@ def file_name(statement: int, name: str) -> str:
     return f"{statement:02d}-{name}.svg"
 
 
-def draw_all(folder: Path) -> None:
+def draw_all(folder: Path, labs: Path) -> None:
     """Write every figure as SVG, without dates or random names, so that the same numbers give the same bytes."""
     for (statement, name), draw in figures().items():
         _write(folder / "statements" / file_name(statement, name), name, draw)
     for name, draw in findings().items():
         _write(folder / "engines" / f"{name}.svg", name, draw)
+    for name, draw in lab_figures().items():
+        _write_described(labs / f"{name}.svg", name, draw)
 
 
 def _write(path: Path, salt: str, draw: Draw) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    with matplotlib.rc_context(STYLE | {"svg.hashsalt": salt}):
-        figure = Figure(figsize=(5.8, 3.6), layout="constrained")
+    path.write_text(_svg(salt, draw, (5.8, 3.6), STYLE), encoding="utf-8")
+
+
+def _write_described(path: Path, name: str, draw: Draw) -> None:
+    """Write a figure with its title and description inside, for readers who cannot see it.
+
+    Its letters are drawn, because a notebook may be read on a machine without the font.
+    """
+    title, _, text = inspect.cleandoc(draw.__doc__ or "").partition("\n\n")
+    described = f"<title>{escape(title)}</title>\n <desc>{escape(' '.join(text.split()))}</desc>"
+    before, tag, after = _svg(name, draw, (5.4, 3.0), STYLE | {"svg.fonttype": "path"}).partition("<svg ")
+    head, end, rest = after.partition(">")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f'{before}{tag}role="img" {head}{end}\n {described}{rest}', encoding="utf-8")
+
+
+def _svg(salt: str, draw: Draw, size: tuple[float, float], style: dict[Any, Any]) -> str:
+    content = io.StringIO()
+    with matplotlib.rc_context(style | {"svg.hashsalt": salt}):
+        figure = Figure(figsize=size, layout="constrained")
         draw(figure)
         metadata = dict.fromkeys(("Date", "Creator", "Format", "Type"))
-        figure.savefig(path, format="svg", metadata=metadata)
+        figure.savefig(content, format="svg", metadata=metadata)
+    return content.getvalue()
 
 
 if __name__ == "__main__":
-    draw_all(Path(sys.argv[1]) if len(sys.argv) > 1 else IMAGES)
+    elsewhere = Path(sys.argv[1]) if len(sys.argv) > 1 else None
+    draw_all(elsewhere or IMAGES, elsewhere / "labs" if elsewhere else LABS)

@@ -132,7 +132,8 @@ def implicit_step(figure: Figure) -> None:
 def strain_limiting(figure: Figure) -> None:
     """A soft cloth that hangs from two corners, left to its springs and with their strain limited to a tenth.
 
-    Near the pins the springs alone stretch far. Drawn together after every step, none is more than a tenth too long.
+    Near the pins the springs alone stretch far. If they are shortened after every step, none
+    is more than a tenth too long.
     """
     position, edges = cloth(9, 9, 0.1)
     mesh = spring_mesh(position, edges, 10.0, 0.05, 0.01, [0, 8])

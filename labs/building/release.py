@@ -1,6 +1,7 @@
 """Writes the tree that a student gets: no solutions, hidden tests, known mistakes or pages for the instructor.
 
-Functions of closed labs, and those of later labs that the runs of the open labs need, are released as `labs/given`.
+Functions of closed labs, and those of later labs that the runs of the open labs need, are released as `labs/given`. Of
+a lab that is not open nothing else is in it: no visible test, no hint, no figure.
 """
 
 from __future__ import annotations
@@ -9,11 +10,12 @@ import re
 import shutil
 import tempfile
 import zipfile
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 from labs.building import lessons, notebooks
 from labs.building.excerpts import TopicExcerpts, imports_of, text_of
+from labs.building.release_readme import readme
 from labs.project_folders import ROOT
 from reference import lecture
 from reference.errors import InvalidInput
@@ -24,43 +26,55 @@ _FOLDERS = ("labs", "reference", "tests/autograder/visible")
 _FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
 _LEFT_OUT = ("labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py")
 """Code that makes notebooks, and files that hold model answers. Notebooks and given functions are made per release."""
+_OF_LABS = (
+    "tests/autograder/visible",
+    "labs/grading/diagnosis/probes",
+    "labs/grading/diagnosis/fingerprints",
+    "labs/hints",
+)
+"""Folders with files that each belong to one lab and are named after it."""
+_FIGURES = "labs/figures"
+_FIGURE = re.compile(r"""lab\.figure\(["'](\w+)|\(figure:(\w+)\)""")
+"""How a lesson and a hint name a figure."""
 _CONTENT, _OPTION = "the release", "--out"
 _DATE = (1980, 1, 1, 0, 0, 0)
 """The date of all files in an archive, so that the same release makes the same bytes on every day."""
 
 
-def release(out: Path, through: str | None = None) -> list[str]:
+def release(out: Path, through: str | None = None, only: str | None = None) -> list[str]:
     """Write the tree of the labs up to one of them, as a folder or, if the name ends in `.zip`, as an archive.
 
-    Returns the labs in it.
+    only: one lab alone. It has what its runs borrow from other labs, and no other answer of theirs. Returns the labs in
+    the tree.
 
     Raises
     ------
     InvalidInput
-        If there is already such a folder and it is not empty, if it cannot be written, if that lab has no lesson, or if
-        this is an installed copy of the lab rather than the project's folder.
+        If there is already such a folder and it is not empty, if it cannot be written, if that lab has no lesson, if
+        both labs are named, or if this is an installed copy of the lab rather than the project's folder.
     """
+    if through is not None and only is not None:
+        raise InvalidInput(f"a release has all labs through {through}, or only {only}: name one of the two options")
     missing = [name for name in (*_FOLDERS, *_FILES) if not (ROOT / name).exists()]
     if missing:
         raise InvalidInput(f"a release is made from the project's folder; this copy of the lab lacks {missing[0]}")
-    open_labs = _through(through)
+    open_labs = _through(through) if only is None else [_with_lesson(only)]
+    closed = set[str]() if only is not None else _closed(open_labs)
     if out.suffix == ".zip":
         check_file(_CONTENT, out, _OPTION)
         with tempfile.TemporaryDirectory() as folder:
-            _write(Path(folder, NAME), open_labs)
+            _write(Path(folder, NAME), open_labs, closed)
             _pack(Path(folder), out)
     else:
         with folder_for(_CONTENT, out, _OPTION):
             if any(out.iterdir()):
                 raise InvalidInput(f"{str(out)!r} is there already and not empty: name a new folder")
-            _write(out, open_labs)
+            _write(out, open_labs, closed)
     return open_labs
 
 
-def given(open_labs: Collection[str]) -> dict[str, str]:
-    """The modules of `labs/given`: all of closed labs, what open labs give, and what they borrow from later labs."""
-    last = max((_number(name) for name in open_labs), default=-1)
-    closed = {topic.name for topic in lecture.TOPICS[: last + 1]} - {lecture.TOPICS[last].name}
+def given(open_labs: Collection[str], closed: Collection[str] = ()) -> dict[str, str]:
+    """The modules of `labs/given`: all of closed labs, what open labs give, and what they borrow from other labs."""
     wanted = {name: [entry.name for entry in lecture.functions_of(name)] for name in closed}
     shown = [entry.name for topic in open_labs for entry in lecture.functions_of(topic) if entry.role == "given"]
     for name in (*shown, *(lent for topic in open_labs for lent in lessons.read(topic).lent)):
@@ -69,14 +83,26 @@ def given(open_labs: Collection[str]) -> dict[str, str]:
     return {topic: _module(topic, names) for topic, names in sorted(wanted.items()) if names}
 
 
+def _closed(open_labs: Collection[str]) -> set[str]:
+    """The labs before the last open one: their time is over."""
+    last = max((_number(name) for name in open_labs), default=-1)
+    return {topic.name for topic in lecture.TOPICS[:last]} if last > 0 else set()
+
+
 def _through(through: str | None) -> list[str]:
     there = lessons.lessons()
     if through is None:
         return list(there)
-    name = lecture.topic(through).name
+    name = _with_lesson(through)
+    return [topic for topic in there if _number(topic) <= _number(name)]
+
+
+def _with_lesson(lab: str) -> str:
+    """The name of a lab that has a lesson."""
+    name, there = lecture.topic(lab).name, lessons.lessons()
     if name not in there:
         raise InvalidInput(f"{name} has no lesson yet; there are lessons of {', '.join(there)}")
-    return [topic for topic in there if _number(topic) <= _number(name)]
+    return name
 
 
 def _number(topic: str) -> int:
@@ -84,10 +110,11 @@ def _number(topic: str) -> int:
     return [each.name for each in lecture.TOPICS].index(topic)
 
 
-def _write(out: Path, open_labs: Collection[str]) -> None:
+def _write(out: Path, open_labs: Sequence[str], closed: Collection[str]) -> None:
     out.mkdir(parents=True, exist_ok=True)
     for name in _FOLDERS:
         shutil.copytree(ROOT / name, out / name, ignore=_ignored, dirs_exist_ok=True)
+    _remove_other_labs(out, open_labs)
     for name in _FILES:
         shutil.copy(ROOT / name, out / name)
     project = out / "pyproject.toml"
@@ -99,9 +126,30 @@ def _write(out: Path, open_labs: Collection[str]) -> None:
     folder = out / "labs" / "given"
     folder.mkdir()
     (folder / "__init__.py").write_text('"""Functions that are given: answers of labs that are closed."""\n')
-    for topic, text in given(open_labs).items():
+    for topic, text in given(open_labs, closed).items():
         (folder / f"{topic}.py").write_text(text, encoding="utf-8")
-    (out / "README.md").write_text(_README, encoding="utf-8")
+    (out / "README.md").write_text(readme(NAME, open_labs), encoding="utf-8")
+
+
+def _remove_other_labs(out: Path, open_labs: Collection[str]) -> None:
+    """Remove what belongs to labs that are not open, and the figures that no open lab shows."""
+    others = {topic.name for topic in lecture.TOPICS} - set(open_labs)
+    for folder in _OF_LABS:
+        for path in (out / folder).glob("*.*"):
+            name = path.stem.removeprefix("test_")
+            if any(name == other or name.startswith(f"{other}_") for other in others):
+                path.unlink()
+    for path in (out / _FIGURES).glob("*.svg"):
+        if path.stem not in _figures_of(out, open_labs):
+            path.unlink()
+
+
+def _figures_of(out: Path, open_labs: Collection[str]) -> set[str]:
+    """The names of the figures that lessons and hints of some labs show."""
+    texts = [cell.text for topic in open_labs for cell in lessons.read(topic).cells]
+    hints = [out / "labs" / "hints" / f"{topic}.md" for topic in open_labs]
+    texts += [path.read_text(encoding="utf-8") for path in hints if path.is_file()]
+    return {first or second for text in texts for first, second in _FIGURE.findall(text)}
 
 
 def _ignored(folder: str, names: list[str]) -> set[str]:
@@ -136,28 +184,3 @@ def _pack(folder: Path, out: Path) -> None:
 
 def _files(folder: Path) -> Iterator[Path]:
     return (path for path in folder.rglob("*") if path.is_file())
-
-
-_README = """\
-# Collisions Lab
-
-The labs are notebooks in `labs/notebooks`. Open the first one and run its first cell: it says what is missing.
-
-On your own machine, with Python 3.11 or later, once:
-
-```sh
-python -m venv .venv
-source .venv/bin/activate
-python -m pip install -c constraints.txt -e ".[notebooks,engines]"
-jupyter lab labs/notebooks
-```
-
-On Windows the second line is `.venv\\Scripts\\activate`. In a new terminal begin with it, and the commands of the labs,
-which begin with `collisions`, are found as well. With Python 3.11 on Linux this installs both engines, MuJoCo and
-PyBullet; everywhere else MuJoCo alone, since PyBullet has no ready-made package there. An engine that is not installed
-answers from recordings.
-
-On Colab: open a notebook there, run its first cell, and choose `collisions-lab.zip` when it asks for a file.
-
-`collisions check labs/notebooks/detection.ipynb` checks a notebook without opening it.
-"""

@@ -16,12 +16,12 @@ from reference.errors import CollisionsError, InvalidInput
 
 
 def bench(
-    name: Annotated[list[str] | None, typer.Argument(help="Which ones; all if none is named.")] = None,
+    name: Annotated[list[str] | None, typer.Argument(help="Which ones; all if you name none.")] = None,
     repeats: Annotated[int, typer.Option(min=1, help="Calls of each; the median is shown.")] = timing.REPEATS,
 ) -> None:
     """Time hand-written functions beside other libraries on the same input, in one run.
 
-    A bench that is asked for by name installs what it needs into an environment of its own, and says so.
+    A bench that you name installs what it needs into an environment of its own, and says so.
 
     For example:  collisions bench point-plane
     """

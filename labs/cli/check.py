@@ -23,7 +23,7 @@ def check(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="Your notebook or .py file.", show_default=False)],
     topic: Annotated[
         list[str] | None,
-        typer.Option(help="A topic; repeat for several. Those that the file has functions of, if none is named."),
+        typer.Option(help="A topic; repeat for several. If you name none: those of which the file has functions."),
     ] = None,
     seconds: Annotated[
         float, typer.Option(metavar="S", help="How long all of this may take; what is not tried by then says so.")

@@ -35,7 +35,7 @@ FAILED, COULD_NOT_COMPARE = 1, 3
 
 Scenarios = Annotated[
     list[str] | None,
-    typer.Argument(metavar="SCENARIO", help="A scenario, or scenario/case; all if none is named.", show_default=False),
+    typer.Argument(metavar="SCENARIO", help="A scenario, or scenario/case; all if you name none.", show_default=False),
 ]
 Engines = Annotated[
     list[str] | None,
@@ -45,7 +45,7 @@ Profiles = Annotated[
     list[str] | None,
     typer.Option(
         "--profile",
-        help="exact, slide, step, … by hand; tuned, stock, … of an engine; repeat for several; all if none is named."
+        help="exact, slide, step, … by hand; tuned, stock, … of an engine; repeat for several; all if you name none."
         " An implementation that has none of them runs exact or tuned.",
         show_default=False,
     ),
@@ -57,7 +57,7 @@ Implementations = Annotated[
     ),
 ]
 Workers = Annotated[
-    int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; one a processor if not given.")
+    int | None, typer.Option("--jobs", "-j", min=1, help="Runs at a time; by default one per processor.")
 ]
 Fresh = Annotated[bool, typer.Option("--fresh", help="Run everything again, and keep the new results in the cache.")]
 
@@ -78,7 +78,7 @@ def planned(
     at = _each_once(_parameter(text) for text in parameters or [])
     if at and not scenarios:
         movable = ", ".join(family.name for family in families if family.grid is not None)
-        raise InvalidInput(f"--at {parameters[0]!r} is of which scenario? Name one of: {movable}")  # type: ignore[index]
+        raise InvalidInput(f"--at {parameters[0]!r} needs the scenario that it belongs to. Name one of: {movable}")  # type: ignore[index]
     if timestep is not None:
         changes = _each_once([*changes.items(), ("timestep", timestep)])
     engines = engines or engine_names()

@@ -24,7 +24,7 @@ app = typer.Typer(
 @app.command("build")
 def build(
     topic: Annotated[
-        list[str] | None, typer.Argument(help="Which labs; all that have a lesson if none is named.")
+        list[str] | None, typer.Argument(help="Which labs; all that have a lesson if you name none.")
     ] = None,
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; fail if a notebook is not what would be written.")
@@ -52,9 +52,11 @@ def build(
                 path.write_text(notebooks.text(notebook), encoding="utf-8")
     shown = [path.relative_to(ROOT).as_posix() for path in stale]
     if check and stale:
-        errors.print(f"Not what its lesson and solutions make now: {', '.join(shown)}. Run: collisions lab build")
+        errors.print(
+            f"Differs from what its lesson and solutions produce: {', '.join(shown)}. Run: collisions lab build"
+        )
         raise typer.Exit(STALE)
-    output.print("\n".join(f"wrote {name}" for name in shown) or f"{', '.join(topics)}: as they should be.")
+    output.print("\n".join(f"wrote {name}" for name in shown) or f"{', '.join(topics)}: up to date.")
 
 
 @app.command("release")
@@ -63,14 +65,17 @@ def release(
         Path, typer.Option(metavar="DIR", help="A new folder, or a file whose name ends in .zip.", show_default=False)
     ],
     through: Annotated[
-        str | None, typer.Option(metavar="LAB", help="The last lab in it; all if none is named.", show_default=False)
+        str | None, typer.Option(metavar="LAB", help="The last lab in it; all if you name none.", show_default=False)
+    ] = None,
+    only: Annotated[
+        str | None, typer.Option(metavar="LAB", help="One lab alone, with what its runs need.", show_default=False)
     ] = None,
 ) -> None:
     """Write what a student gets: notebooks, engines' recordings, visible tests; answers of closed labs alone.
 
     For example:  collisions lab release --out collisions-lab.zip --through detection
     """
-    labs = write_release(out, through)
+    labs = write_release(out, through, only)
     output.print(f"{out} holds the labs {', '.join(labs)}.", soft_wrap=True, markup=False)
 
 

@@ -101,8 +101,6 @@ def _first_page(scenarios: Part[Job, JobResult], published: Part[PublishedJob, P
     )
     with staged(out) as folder:
         files.write(results, folder, cases, scenarios.cache, scenarios.at_a_time, words)
-    said = (
-        f"A first page, {origin}, is there: open {out / PAGE} in a browser. The runs replace it when they are through."
-    )
+    said = f"A first page, {origin}, is there: open {out / PAGE} in a browser. The finished page replaces it later."
     errors.print(said, soft_wrap=True, markup=False, highlight=False)
     return origin

@@ -25,7 +25,7 @@ OUT = FileOption("--out", (".json",), "JSON file", "findings")
 def sensitivity(
     scenario: Annotated[
         list[str] | None,
-        typer.Argument(metavar="SCENARIO", help="A scenario; all if none is named.", show_default=False),
+        typer.Argument(metavar="SCENARIO", help="A scenario; all if you name none.", show_default=False),
     ] = None,
     engine: jobs.Engines = None,
     workers: jobs.Workers = None,

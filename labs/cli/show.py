@@ -84,7 +84,7 @@ def show(
         content = page_of(outcome)
         if content:
             PAGE.write(html, content.encode())
-        said = f"The replay is in {html}." if content else f"Nobody gave poses: there is no replay, and no {html}."
+        said = f"The replay is in {html}." if content else f"No run gave poses, so there is no replay and no {html}."
         output.print(said, soft_wrap=True, markup=False)
     raise typer.Exit(0 if any(row.measured is not None for row in outcome.rows) else jobs.COULD_NOT_COMPARE)
 

@@ -87,7 +87,7 @@ STOP = Demonstration(
     " it go, and does its direction matter?",
     look="Look at where each curve becomes level, and at how far aside the slab has gone.",
     lesson=(
-        Line("v²/(2 μ g) = ", Theory("stopping_distance"), ", whatever the mass and the direction."),
+        Line("v²/(2 μ g) = ", Theory("stopping_distance"), ", for any mass and direction."),
         Line(
             "Steps stop it v dt/2 short: ",
             Listed(
@@ -198,7 +198,7 @@ ROLL = Demonstration(
         Line(
             "Stock PyBullet: ",
             Error("pybullet", "stock", "rolling_speed"),
-            ", for its damping goes on when friction is done.",
+            ", because its damping never stops.",
         ),
     ),
     family="sliding-ball",

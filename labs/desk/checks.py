@@ -60,7 +60,7 @@ def check(
     earlier = {each: payer for each, payer in paid.items() if names and payer not in names}
     untested = [name for name in names if lecture.function(name).role != "written"]
     if untested:
-        raise InvalidInput(f"{', '.join(untested)} is given: there is nothing of it to check")
+        raise InvalidInput(f"{', '.join(untested)} is given, so there is nothing to check")
     try:
         sheet = pytest_run.run(notebook, topics, (pytest_run.VISIBLE,), grader, names, paid=earlier)
     except UnreadableSubmission as error:

@@ -18,6 +18,6 @@ def answering() -> Iterator[str]:
         if not absent(name):
             yield f"{engine.title} {engine.version()} runs here."
         elif any(content_of(name, family) for family in catalogue()):
-            yield f"{engine.title} is not installed: it answers from recordings, at the points that were recorded."
+            yield f"{engine.title} is not installed: its results come from recordings, at the recorded points."
         else:
-            yield f"{engine.title} is not installed, and nothing of it was recorded."
+            yield f"{engine.title} is not installed and has no recordings."

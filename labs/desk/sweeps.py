@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from labs.desk.display import DPI, Picture, curve, look
+from labs.desk.display import curve
 from labs.desk.tables import Table, absent, capital, tables
 from reference.catalogue.family import Quantity
 from reference.catalogue.scenarios import find
 from reference.errors import InvalidInput, UnknownName
-from reference.report import figures, numbers
+from reference.report import numbers
 
 if TYPE_CHECKING:
     from labs.desk.case_runs import CaseRuns
@@ -21,14 +20,12 @@ if TYPE_CHECKING:
 TIMESTEP = "timestep"
 MOST = 8
 """The most small pictures that can still be read side by side."""
-_LARGE, _SMALL, _ROWS = (3.6, 3.4), 1.75, 2
-"""Size of the large picture and width of a small one, in inches, and the number of rows of small ones."""
-_ALIKE = 10.0
-"""All curves get the same scale if the largest range is at most so many times the smallest."""
 _TIMESTEPS = (1e-3, 2e-3, 1 / 240, 1 / 120)
 """Timesteps in s for a family of which no others were recorded."""
 _SHORTEST = 1e-3
 """s; with shorter timesteps a sweep takes longer than a student waits."""
+_DECADES = 10.0
+"""Values of which the largest is at least so many times the smallest above zero are drawn at equal distances."""
 
 
 @dataclass(frozen=True)
@@ -66,6 +63,12 @@ class Sweep:
     def heading(self) -> str:
         """The parameter with its unit."""
         return f"{self.parameter}, {self.unit}" if self.unit else self.parameter
+
+    @property
+    def spread(self) -> bool:
+        """Whether the values span decades, so that on an even scale most of them would lie on each other."""
+        some = [abs(value) for value in self.values if value]
+        return len(some) > 1 and max(some) >= _DECADES * min(some)
 
     @property
     def titles(self) -> dict[str, str]:
@@ -111,27 +114,6 @@ class Sweep:
 
     def _lines(self) -> Iterator[Line]:
         return (line for runs in self.cases for line in runs.lines)
-
-    @property
-    def picture(self) -> Picture:
-        """What was measured over all values, and beside it a small picture of the curve for each."""
-        import matplotlib
-        from matplotlib.figure import Figure
-
-        shown = [(value, runs) for value, runs in zip(self.values, self.cases, strict=True) if _has_curve(runs)]
-        columns = -(-len(shown) // _ROWS)
-        with matplotlib.rc_context(figures.STYLE | {"font.size": 8, "axes.titlesize": 9}):
-            figure = Figure(figsize=(_LARGE[0] + _SMALL * columns, _LARGE[1]), layout="constrained", dpi=DPI)
-            shares = [_LARGE[0], max(_SMALL * columns, 1e-3)]
-            large, small = figure.subfigures(1, 2, width_ratios=shares, squeeze=False)[0]
-            axes = large.subplots()
-            _draw_measured(axes, self)
-            if shown:
-                _draw_curves(small, shown, self)
-            large.legend(loc="outside lower left", ncols=4, handlelength=2, columnspacing=1, fontsize=8)
-            content = io.BytesIO()
-            figure.savefig(content, format="png")
-        return Picture(content.getvalue(), f"[{self.measured.title} over {self.parameter}]")
 
     def value(self, value: float) -> str:
         """The parameter at a value, with its unit: `arm 0.1 m`, `timestep 2 ms`."""
@@ -206,46 +188,6 @@ def _somebody_is_there() -> bool:
     from IPython import get_ipython  # noqa: PLC0415
 
     return bool(getattr(getattr(get_ipython(), "kernel", None), "_allow_stdin", False))
-
-
-def _has_curve(runs: CaseRuns) -> bool:
-    return any(line.result.series is not None for line in runs.lines)
-
-
-def _draw_curves(figure: Any, shown: Sequence[tuple[float, CaseRuns]], sweep: Sweep) -> None:
-    columns = -(-len(shown) // _ROWS)
-    places = figure.subplots(_ROWS, columns, squeeze=False, sharex=True, sharey=_are_alike(shown))
-    for axes, (value, runs) in zip(places.flat, shown, strict=False):
-        for line in runs.lines:
-            if line.result.series is not None:
-                axes.plot(line.result.series.times, line.result.series.values, **look(line))
-        axes.set_title(sweep.value(value))
-        axes.tick_params(labelbottom=True)
-    for axes in places.flat[len(shown) :]:
-        axes.set_axis_off()
-    figure.suptitle(sweep.cases[0].family.curve.y_label, x=0.01, horizontalalignment="left", fontsize=9)
-    figure.supxlabel("time, s", fontsize=8)
-
-
-def _are_alike(shown: Sequence[tuple[float, CaseRuns]]) -> bool:
-    """Whether all curves can be read on one scale."""
-    series = [[line.result.series for line in runs.lines if line.result.series] for _, runs in shown]
-    ranges = [max(max(each.values) for each in one) - min(min(each.values) for each in one) for one in series]
-    return max(ranges) <= _ALIKE * min(ranges)
-
-
-def _draw_measured(axes: Any, sweep: Sweep) -> None:
-    looks = {line.result.job.engine: line for runs in sweep.cases for line in runs.lines}
-    theory = sweep.theory()
-    for engine, title in sweep.titles.items():
-        found = [(value, measured) for value, measured, _ in sweep.numbers(engine) if measured is not None]
-        style = {**figures.marker(looks[engine]), **look(looks[engine])}
-        axes.plot([sweep.shown(value) for value, _ in found], [measured for _, measured in found], label=title, **style)
-    places = [sweep.shown(value) for value in theory]
-    axes.plot(places, list(theory.values()), color="#999999", linestyle=":", label="theory")
-    unit = f", {sweep.measured.unit}" if sweep.measured.unit else ""
-    axes.set(title=f"{capital(sweep.measured.title)}{unit}", xlabel=sweep.heading)
-    axes.locator_params(axis="x", nbins=6)
 
 
 def _digits(value: float | None) -> str:

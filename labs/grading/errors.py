@@ -81,4 +81,4 @@ class NotSteady(StudentError):
 
 
 class GraderFailed(WorkerCrashed):
-    """The grader's own processes do not work on this machine, or offer less protection than was asked for."""
+    """The grader's own processes do not work on this machine, or offer less protection than was requested."""

@@ -47,7 +47,7 @@ class Quantity:
     no figure, in this case or in any; then the number is only shown. scale: what a deviation is judged against when it
     is printed in percent, None to print it as it is. slack: how much of it a method's solver leaves to chance, in its
     unit, where that is more than the band of a prediction; None where nothing is. absent: what a run does that has no
-    such number.
+    such number. share_of: what a number without a unit is a share of, where its title does not say so.
     """
 
     name: str
@@ -58,6 +58,7 @@ class Quantity:
     scale: Callable[[Case], float] | None = None
     slack: Callable[[Settings, Method], float] | None = None
     absent: str = "has no such number"
+    share_of: str = ""
 
     def theory(self, case: Case) -> float | None:
         """What theory says, which depends on no engine and no timestep; None where it has no figure."""

@@ -114,10 +114,10 @@ def pairs(rows: Iterable[Row]) -> Iterator[Pair]:
             yield _pair(of_each[one], of_each[other])
 
 
-def agreements(rows: Iterable[Row]) -> dict[str, dict[tuple[Name, Name], Agreement]]:
-    """By family, the pairs of each two implementations, in the order in which the rows name them."""
+def agreements(every: Iterable[Pair]) -> dict[str, dict[tuple[Name, Name], Agreement]]:
+    """By family, the pairs of each two implementations, in the order in which they are given."""
     gathered: dict[str, dict[tuple[Name, Name], list[Pair]]] = defaultdict(lambda: defaultdict(list))
-    for pair in pairs(rows):
+    for pair in every:
         gathered[pair.family][pair.first, pair.second].append(pair)
     return {
         family: {names: Agreement(tuple(found)) for names, found in both.items()} for family, both in gathered.items()

@@ -24,7 +24,7 @@ from reference.errors import (
 
 ALL_CASES = "all"
 """The case that a row names when it speaks of a whole run."""
-NOTHING_FINITE = "no finite number: what is asked for did not happen before the run ended"
+NOTHING_FINITE = "no finite number: the event to be measured did not happen before the run ended"
 
 
 class Verdict(StrEnum):

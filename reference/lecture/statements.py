@@ -99,7 +99,7 @@ STATEMENTS: tuple[Statement, ...] = (
         slide="v⁺_rel = −ε v⁻_rel; the user specifies the fraction of the relative velocity the points will have "
         "after collision.",
         right="u_n⁺ = −e u_n⁻ with 0 ≤ e ≤ 1: the normal component alone.",
-        erratum="The prose omits the reversal: a mere fraction would let the bodies go on into each other."),
+        erratum="The prose omits the reversal: a mere fraction would let the bodies move further into each other."),
     Statement(13, "Impulse", "impulse",
         slide="J = F Δt = M a Δt = M Δv = Δ(M v) = ΔP; J = j N; a force applied over (short) time, with linear and "
         "angular components.",

@@ -179,9 +179,9 @@ def _nearness(
         elif method.rule == DART:
             near, why = 1e-6, "the recurrence, and what DART's sweeps over four corners leave"  # 1.1·10⁻⁷ measured
         elif holds:
-            near, why = 10 * dt, "rest, except that MuJoCo's friction makes a box rock and creep"  # 4 dt measured
+            near, why = 10 * dt, "rest, except that in MuJoCo a box rocks and creeps"  # 4 dt measured
         else:
-            near, why = rocking * dt, "the recurrence, and a box that MuJoCo's friction makes rock"
+            near, why = rocking * dt, "the recurrence, and a box that rocks in MuJoCo"
         if "margin" not in settings.options:
             near += 2 * abs(fall) * dt  # rounding decides whether the first step has a contact
     elif method.rule == BULLET and isinstance(body.shape, Box):

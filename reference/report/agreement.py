@@ -8,9 +8,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 from typing import Any
 
-from reference.comparison.pairs import NO_REASON, Agreement, Name, Pair, Relation, agreements, pairs
-from reference.comparison.verdicts import Row
+from reference.comparison.pairs import NO_REASON, Agreement, Name, Pair, Relation, agreements
 from reference.engines.profiles import counts
+from reference.recording.files import MARK
 from reference.report import numbers
 from reference.report.sections import Line, Section
 
@@ -37,7 +37,7 @@ class Matrix:
 
     titles: of the implementations that have a number. rows: for each of them, an entry for each one before it, None
     where the two never have a number of the same quantity. whys: each reason why some are apart, with the titles of
-    those that it belongs to; with none where theory is silent about all.
+    those that it belongs to; with none where theory is silent about all, or where the reason names them itself.
     """
 
     titles: tuple[str, ...]
@@ -47,7 +47,7 @@ class Matrix:
     @classmethod
     def of(cls, section: Section) -> Matrix:
         """The matrix of a section's lines, in their order."""
-        found = agreements(row for line in section.lines for row in line.result.rows).get(section.family.name, {})
+        found = agreements(section.pairs).get(section.family.name, {})
         met = {name for names in found for name in names}
         lines = [line for line in section.lines if _name(line) in met]
         rows = tuple(
@@ -69,36 +69,46 @@ def _entry(section: Section, one: Line, other: Line, agreement: Agreement | None
     text = MARKS[relation] if relation is Relation.ALIKE else f"{MARKS[relation]} {count}"
     if not count:
         return Entry(relation, text, "")
-    return Entry(relation, text, f"{count} of {len(agreement.pairs)}; most: {_largest(section, agreement.worst)}")
+    most = _where(section, agreement.worst, "most ")
+    return Entry(relation, text, f"{count} of {len(agreement.pairs)} numbers differ, {most}")
 
 
-def _largest(section: Section, pair: Pair) -> str:
-    """Where two are farthest apart, and by how much."""
-    where = f"{pair.case}, {section.family.quantity(pair.quantity).title}"
+def _where(section: Section, pair: Pair, most: str = "") -> str:
+    """By how much two numbers differ, and which: `by 2.3 mm in “deepest penetration” (e=0)`."""
+    quantity = section.family.quantity(pair.quantity)
+    where = f"“{quantity.title}” ({pair.case})"
     if pair.difference is None:
-        return f"{where}, where one has no number"
-    return f"{where}, by {numbers.size(abs(pair.difference), pair.unit)}"
+        return f"one has no {where}"
+    share = f" of {quantity.share_of}" if quantity.share_of else ""
+    return f"{most}by {numbers.size(abs(pair.difference), pair.unit)}{share} in {where}"
 
 
 def _whys(
     lines: Sequence[Line], found: Mapping[tuple[Name, Name], Agreement]
 ) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """Each reason with the titles of those that it belongs to; none where theory is silent."""
-    titles = {_name(line): line.title for line in lines}
+    """Each reason with the titles of those that it belongs to; none where theory is silent, or it names them itself."""
+    of_name = {_name(line): line for line in lines}
     named: dict[str, dict[str, None]] = {}
     for reason in (reason for agreement in found.values() for reason in agreement.whys):
         whose = named.setdefault(reason.said, {})
-        if reason.whose is not None:
-            whose[titles[reason.whose]] = None
+        if reason.whose is not None and not _names(reason.said, of_name[reason.whose]):
+            whose[of_name[reason.whose].title] = None
     return tuple((said, tuple(whose)) for said, whose in named.items())
+
+
+def _names(reason: str, line: Line) -> bool:
+    """Whether a reason says itself to which implementation it belongs: `MuJoCo, as installed, …`."""
+    profile = "as installed" if line.plain else line.result.job.profile
+    return line.result.title.removesuffix(MARK) in reason and profile in reason
 
 
 @dataclass(frozen=True)
 class Between:
     """How the implementations of one scenario compare with each other.
 
-    alike, explained, apart: pairs of numbers of those that count. farthest: the two of them whose numbers are farthest
-    apart, where and by how much; empty where all are alike. others: pairs apart with one that does not count.
+    alike, explained, apart: pairs of numbers of those that count. farthest: which two of them are farthest apart, and
+    by how much, as a sentence without its stop; empty where all are alike. others: pairs apart with one that does not
+    count.
     """
 
     section: Section
@@ -125,7 +135,7 @@ class Between:
             return ""
         return (
             f"With each other they do not agree: {self.apart} of {self.alike + self.explained + self.apart} pairs of"
-            f" their numbers are apart. {self.farthest[:1].upper()}{self.farthest[1:]}."
+            f" their numbers are apart. Most of all, {self.farthest}."
         )
 
 
@@ -135,22 +145,23 @@ def by_scenario(found: Iterable[Section]) -> dict[str, Between]:
 
 
 def _between(section: Section) -> Between | None:
-    every = list(pairs(row for line in section.lines for row in line.result.rows))
-    counted = Agreement(tuple(pair for pair in every if counts(pair.first[1]) and counts(pair.second[1])))
+    counted = Agreement(tuple(pair for pair in section.pairs if _counts(pair)))
     if not counted.pairs:
         return None
     alike, explained, apart = (counted.count(relation) for relation in Relation)
-    titles = {_name(line): line.title for line in section.lines}
+    names = {_name(line): f"{line.name} ({line.result.job.profile})" for line in section.lines}
     pair = counted.worst
-    farthest = f"{titles[pair.first]} and {titles[pair.second]}: {_largest(section, pair)}" if explained + apart else ""
-    others = sum(pair.relation is Relation.APART for pair in every) - apart
+    farthest = ""
+    if explained + apart:
+        differ = "differ" if pair.difference is not None else "differ:"
+        farthest = f"{names[pair.first]} and {names[pair.second]} {differ} {_where(section, pair)}"
+    others = sum(pair.relation is Relation.APART for pair in section.pairs) - apart
     return Between(section, alike, explained, apart, farthest, others)
 
 
-def sentence(rows: Sequence[Row]) -> str:
+def sentence(every: Iterable[Pair]) -> str:
     """How many pairs of counted implementations are alike, in one sentence; empty where there is no pair."""
-    counted = [row for row in rows if counts(row.profile)]
-    found = Agreement(tuple(pairs(counted)))
+    found = Agreement(tuple(pair for pair in every if _counts(pair)))
     if not found.pairs:
         return ""
     alike, explained, apart = (f"{found.count(relation):,}" for relation in Relation)
@@ -162,7 +173,12 @@ def sentence(rows: Sequence[Row]) -> str:
     )
 
 
-def as_content(rows: Iterable[Row]) -> list[dict[str, Any]]:
+def _counts(pair: Pair) -> bool:
+    """Whether both implementations count."""
+    return counts(pair.first[1]) and counts(pair.second[1])
+
+
+def as_content(every: Iterable[Pair]) -> list[dict[str, Any]]:
     """The matrices of all families as plain data: for each two implementations the counts, and the farthest pair."""
     return [
         {
@@ -175,18 +191,18 @@ def as_content(rows: Iterable[Row]) -> list[dict[str, Any]]:
             },
             "whys": [reason.said for reason in agreement.whys],
         }
-        for family, both in agreements(rows).items()
+        for family, both in agreements(every).items()
         for (first, second), agreement in both.items()
     ]
 
 
-def pairs_csv(rows: Iterable[Row]) -> str:
+def pairs_csv(every: Iterable[Pair]) -> str:
     """Every pair of numbers as CSV."""
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
     names = [entry.name for entry in fields(Pair) if entry.name not in ("first", "second")]
     table.writerow(["first_engine", "first_profile", "second_engine", "second_profile", *names])
-    for pair in pairs(rows):
+    for pair in every:
         values = asdict(pair) | {"why": " ".join(reason.said for reason in pair.why)}
         table.writerow([*pair.first, *pair.second, *(values[name] for name in names)])
     return text.getvalue()

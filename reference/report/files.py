@@ -44,15 +44,16 @@ def write(
     """Write all files of a report into a folder; those of published cases only where there are any.
 
     cache: where figures are kept. workers: how many are drawn at a time. unfinished: what the pages and the rows say of
-    themselves where runs are still going on.
+    themselves while runs have not ended.
     """
     tables = PublishedTables.of(published)
     found = sections(results)
     ordered = [line.result for section in found for line in section.lines]
+    pairs = [pair for section in found for pair in section.pairs]
     in_page = _figures(found, tables, folder, cache, workers)
-    _write(folder / "rows.json", rows_json(ordered, unfinished))
+    _write(folder / "rows.json", rows_json(ordered, pairs, unfinished))
     _write(folder / "rows.csv", rows_csv(ordered))
-    _write(folder / "pairs.csv", pairs_csv(row for result in ordered for row in result.rows))
+    _write(folder / "pairs.csv", pairs_csv(pairs))
     _write(folder / "timings.json", as_json(TIMINGS, {"seconds": [_timing(result) for result in ordered]}))
     _write(folder / "provenance.json", as_json(PROVENANCE, provenance(engine_versions(ordered))))
     address = PUBLISHED_PAGE if tables.lines else ""

@@ -25,13 +25,13 @@ LEGEND = {
     Verdict.KNOWN_DEVIATION: "as the method must, and away from theory; “left” is what the method does not explain",
     Verdict.DISAGREES: "as the method must, and as far from theory as the quantity is large",
     Verdict.FAIL: "not as the method must; counted where it is exact by hand or a tuned engine, else only shown",
-    Verdict.CANNOT_EXPRESS: "the engine has no words for it",
-    Verdict.NO_WORDS: "the lab has no words for it yet, whatever the engine can do",
+    Verdict.CANNOT_EXPRESS: "the engine cannot express it",
+    Verdict.NO_WORDS: "the lab cannot express it yet, no matter what the engine can do",
     Verdict.NEEDS: "a function that is not written yet",
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
     Verdict.CRASHED: "the run died, hung or gave no usable state",
     Verdict.SHOWN: "theory has no figure; the largest value is shown",
-    Verdict.RUNNING: "the run is still going on; it counts nowhere",
+    Verdict.RUNNING: "the run has not ended yet; it counts nowhere",
 }
 SEVERITY = (
     Verdict.CRASHED,

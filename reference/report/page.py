@@ -10,13 +10,13 @@ from markupsafe import Markup
 from reference import lecture
 from reference.comparison.verdicts import Row
 from reference.lecture import Statement
-from reference.report import agreement, numbers, results_in_words
+from reference.report import agreement, numbers, results_in_words, settings_told
 from reference.report.agreement import Matrix
 from reference.report.error_split import KINDS, origins
 from reference.report.first_screen import findings
 from reference.report.formulas import typeset
 from reference.report.marks import LEGEND, MARKS, occurring
-from reference.report.overview import Overview, verdict_line
+from reference.report.overview import Overview, not_counted, verdict_line
 from reference.report.row_text import error_of
 from reference.report.sections import Section, recordings
 from reference.report.sensitivity import kept_sentence
@@ -43,9 +43,10 @@ def render(
     figures: by family, SVG texts with their captions. versions: what was compared, as in the opening sentence.
     provenance: on which machine and with what, as in the last sentence. published: the address of the page of published
     cases, if there is one. replays: by family. pictures: by family, the small SVG of the first screen and its meaning.
-    unfinished: what the page says of itself where runs are still going on.
+    unfinished: what the page says of itself while runs have not ended.
     """
     rows = [row for section in found for line in section.lines for row in line.result.rows]
+    told_everywhere = settings_told.everywhere(found)
     return (
         environment()
         .get_template("report.html.j2")
@@ -64,6 +65,7 @@ def render(
             unfinished=unfinished,
             statements=_statements(found),
             verdict_line=verdict_line(rows),
+            not_counted=not_counted(rows),
             marks=MARKS,
             legend={verdict: LEGEND[verdict] for verdict in occurring(rows)},
             recordings=recordings(line.result for section in found for line in section.lines),
@@ -78,11 +80,15 @@ def render(
             relations=agreement.LEGEND,
             relation_marks=agreement.MARKS,
             between=agreement.by_scenario(found),
-            pairs_line=agreement.sentence(rows),
+            pairs_line=agreement.sentence(pair for section in found for pair in section.pairs),
             typeset=typeset,
+            told_everywhere=told_everywhere,
+            told=settings_told.by_scenario(found, told_everywhere),
+            code_typed=settings_told.code_typed,
             accepted=results_in_words.accepted,
             counted=results_in_words.counted,
             plain=results_in_words.plain,
+            remarks=results_in_words.remarks,
         )
     )
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from reference.comparison.verdicts import Verdict
+from reference.comparison.verdicts import Row, Verdict, why
 from reference.engines.handwritten_engine import Handwritten
 from reference.report.sections import Line, Section
 
@@ -24,7 +24,7 @@ _SAID = {
     Verdict.SHOWN: "the numbers of {who} are only shown",
 }
 """What is said of implementations by their worst verdict."""
-_OF_ONE = {" agree ": " agrees ", " differ ": " differs ", " are ": " is ", " wait ": " waits "}
+_OF_ONE = {" agree ": " agrees ", " differ ": " differs ", " are ": " is ", " wait ": " waits ", " have ": " has "}
 
 
 def counted(section: Section) -> str:
@@ -52,7 +52,7 @@ def accepted(section: Section) -> list[Accepted]:
     """Each reason for a tolerance, once for all quantities to which it applies in the same implementations."""
     found: dict[tuple[str, str], list[str]] = {}
     for quantity in section.family.quantities:
-        groups = section.tolerances(quantity.name)
+        groups = tolerances(section, quantity.name)
         largest = max((len(titles) for _, titles in groups), default=0)
         for reason, titles in groups:
             whose = "; ".join(titles)
@@ -62,22 +62,82 @@ def accepted(section: Section) -> list[Accepted]:
     return [Accepted(", ".join(titles), whose, reason) for (reason, whose), titles in found.items()]
 
 
+def tolerances(section: Section, quantity: str) -> list[tuple[str, list[str]]]:
+    """Each reason for a tolerance of a quantity, once, with the lines to which it applies."""
+    found: dict[str, dict[str, None]] = {}
+    for line in section.lines:
+        for row in line.result.rows:
+            if row.quantity == quantity and row.reason:
+                found.setdefault(row.reason, {})[line.title] = None
+    return [(reason, list(titles)) for reason, titles in found.items()]
+
+
+@dataclass(frozen=True)
+class Remark:
+    """Why numbers deviate or are missing, as a sentence."""
+
+    verdict: Verdict
+    said: str
+
+
+def remarks(section: Section) -> list[Remark]:
+    """Each note on rows, once, with the implementations that it belongs to and how often in each."""
+    found: dict[tuple[Verdict, str, str], dict[str, dict[str, int]]] = {}
+    for line in section.lines:
+        for row in line.result.rows:
+            if row.note:
+                kind = row.verdict, *_words_of(row)
+                times = found.setdefault(kind, {}).setdefault(line.name, {})
+                times[line.result.job.profile] = times.get(line.result.job.profile, 0) + 1
+    return [Remark(verdict, _remark(words, note, times)) for (verdict, words, note), times in found.items()]
+
+
+def _words_of(row: Row) -> tuple[str, str]:
+    """What is said of the implementations that have this row's note, and the note behind it."""
+    if row.verdict is Verdict.NEEDS:
+        return "{who} {note}", row.note
+    own = row.verdict in (Verdict.FAIL, Verdict.DISAGREES, Verdict.KNOWN_DEVIATION)  # in the lab's own words
+    note = row.note.replace(": ", "; ") if own else why(row.verdict, row.note).removeprefix(f"{row.verdict}: ")
+    if (own or row.verdict is Verdict.NOT_AVAILABLE) and row.measured is None:
+        return "{who} have no number: {note}", note.removeprefix("no finite number; ")
+    return f"{_SAID[row.verdict].removesuffix(' in every check')}: {{note}}", note
+
+
+def _remark(words: str, note: str, times: dict[str, dict[str, int]]) -> str:
+    who = [f"{name} ({', '.join(map(_times, profiles.items()))})" for name, profiles in times.items()]
+    said = _of_one(words) if len(who) == 1 else words
+    return _capital(said.format(who=_listed(who), note=note)) + "."
+
+
+def _times(often: tuple[str, int]) -> str:
+    profile, count = often
+    return profile if count == 1 else f"{profile} {count}×"
+
+
+def _of_one(words: str) -> str:
+    """The words for one implementation: `agrees` for `agree`."""
+    return re.sub("|".join(_OF_ONE), lambda found: _OF_ONE[found[0]], words, count=1)
+
+
+def _capital(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}"
+
+
 def _sentence(lines: Sequence[Line], opening: str = "") -> str:
     """What is to be said of these lines, verdict by verdict; empty where there are none."""
     parts = []
     for verdict, words in _SAID.items():
         own = [line for line in lines if line.whole.verdict is verdict]
         if len(own) == 1:
-            words = re.sub("|".join(_OF_ONE), lambda found: _OF_ONE[found[0]], words, count=1)
+            words = _of_one(words)
         if own:
             parts.append(words.format(who=_listed([_named(line, verdict) for line in own])))
-    text = opening + "; ".join(parts)
-    return f"{text[0].upper()}{text[1:]}." if parts else ""
+    return f"{_capital(opening + '; '.join(parts))}." if parts else ""
 
 
 def _named(line: Line, verdict: Verdict) -> str:
     """An implementation, with the number that is furthest from theory unless all are near it."""
-    name = "hand-written code" if _by_hand(line) else line.result.title
+    name = line.name
     return f"{name} ({line.whole.in_words})" if verdict is not Verdict.PASS and line.whole.in_words else name
 
 

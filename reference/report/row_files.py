@@ -10,6 +10,7 @@ from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
+from reference.comparison.pairs import Pair
 from reference.comparison.results import JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.errors import InvalidInput
@@ -24,10 +25,11 @@ VERSIONS = {ROWS: 2, PUBLISHED: 2}
 R = TypeVar("R", Row, PublishedRow)
 
 
-def rows_json(results: Iterable[JobResult], unfinished: str = "") -> str:
+def rows_json(results: Iterable[JobResult], pairs: Iterable[Pair] = (), unfinished: str = "") -> str:
     """The rows, who agrees with whom, errors against timestep and their splits, and the smallest faults, as JSON.
 
-    unfinished: what is said where runs are still going on; nothing where all rows are there.
+    pairs: every two of their numbers that are compared. unfinished: what is said while runs have not ended; empty
+    once all rows are there.
     """
     results = list(results)
     studies = [run_of(result) | asdict(result.convergence) for result in results if result.convergence is not None]
@@ -35,8 +37,7 @@ def rows_json(results: Iterable[JobResult], unfinished: str = "") -> str:
     rows = [asdict(row) for result in results for row in result.rows]
     families = {result.job.family for result in results}
     noticed = [each for each in sensitivity.read() if each.family in families]
-    agreement = as_content(row for result in results for row in result.rows)
-    content = {"rows": rows, "agreement": agreement, "convergence": studies, "splits": splits}
+    content = {"rows": rows, "agreement": as_content(pairs), "convergence": studies, "splits": splits}
     content = _remark(unfinished) | content
     return as_json(ROWS, content | {"sensitivity": sensitivity.as_content(noticed)["families"]})
 

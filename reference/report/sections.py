@@ -15,7 +15,7 @@ from reference.catalogue.case import Case
 from reference.catalogue.family import Family, Quantity
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.convergence import ROUNDING
-from reference.comparison.pairs import SHARE
+from reference.comparison.pairs import SHARE, Pair, pairs
 from reference.comparison.results import JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import engine_names, profiles
@@ -128,6 +128,11 @@ class Line:
         return f"{self.result.title}, {self.result.job.profile}"
 
     @property
+    def name(self) -> str:
+        """The implementation in a sentence: `PyBullet` or `hand-written code`."""
+        return self.result.title.replace("hand-written", "hand-written code", 1)
+
+    @property
     def counts(self) -> bool:
         """Whether this line's verdicts count."""
         return profiles.counts(self.result.job.profile)
@@ -210,6 +215,11 @@ class Section:
         names = tuple(self._asked)
         return tuple(name for name in names if name in run) or names
 
+    @cached_property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Every two numbers of the same case and quantity, in the order of the lines."""
+        return tuple(pairs(row for line in self.lines for row in line.result.rows))
+
     @property
     def studied(self) -> list[Line]:
         """The lines with errors at several timesteps."""
@@ -225,25 +235,6 @@ class Section:
         compared = next((row.expected for row in rows if row is not None and row.expected is not None), None)
         value = quantity.theory(self._asked[case]) if compared is None else compared
         return "" if value is None else numbers.quantity(value, quantity.unit)
-
-    def remarks(self) -> list[tuple[str, list[str]]]:
-        """Each note on a row, once, with the lines that it belongs to and the number of cases in each."""
-        found: dict[str, dict[str, int]] = {}
-        for line in self.lines:
-            for row in line.result.rows:
-                if row.note:
-                    cases = found.setdefault(row.why, {})
-                    cases[line.title] = cases.get(line.title, 0) + 1
-        return [(note, [_times(title, count) for title, count in cases.items()]) for note, cases in found.items()]
-
-    def tolerances(self, quantity: str) -> list[tuple[str, list[str]]]:
-        """Each reason for a tolerance of a quantity, once, with the lines to which it applies."""
-        found: dict[str, dict[str, None]] = {}
-        for line in self.lines:
-            for row in line.result.rows:
-                if row.quantity == quantity and row.reason:
-                    found.setdefault(row.reason, {})[line.title] = None
-        return [(reason, list(titles)) for reason, titles in found.items()]
 
 
 def sections(results: Iterable[JobResult]) -> list[Section]:
@@ -300,7 +291,3 @@ def _distance(row: Row) -> float:
     if row.error is None or not row.tolerance:
         return 0.0
     return abs(row.error) / max(row.tolerance, SHARE * abs(row.expected or 0.0))
-
-
-def _times(title: str, count: int) -> str:
-    return title if count == 1 else f"{title} ({count}×)"

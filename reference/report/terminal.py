@@ -17,6 +17,7 @@ from reference.report.agreement import Matrix
 from reference.report.formulas import plain
 from reference.report.marks import LEGEND, MARKS, occurring
 from reference.report.overview import Overview, verdict_line
+from reference.report.results_in_words import remarks
 from reference.report.row_text import error_of, left_of
 from reference.report.sections import Cell, Line, Section, recordings
 from reference.report.sensitivity import kept_sentence
@@ -60,7 +61,7 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
     print_legend(console, occurring(rows), LEGEND)
     for recorded in recordings(line.result for section in found for line in section.lines):
         console.print(Text(recorded))
-    if compared := agreement.sentence(rows):
+    if compared := agreement.sentence(pair for section in found for pair in section.pairs):
         console.print(Text(compared))
     console.print(Text(verdict_line(rows), style="bold"))
 
@@ -123,7 +124,7 @@ def _print_worst_first(console: Console, found: Sequence[Section]) -> None:
     worst = nearest_to_fail(found, WORST)
     if worst:
         console.print()
-        console.print(Text("exact and tuned, worst first: share of its limit", style="bold"))
+        console.print(Text("exact and tuned, worst first: how much of its limit a number uses", style="bold"))
     for section, line, row, used in worst:
         what = f"{section.family.name}, {row.case}: {section.family.quantity(row.quantity).title}"
         console.print(Text(f"  {numbers.percent(used).lstrip('+'):>7}  {line.result.title}, {what} {error_of(row)}"))
@@ -182,9 +183,9 @@ def _numbers(row: Row) -> tuple[str, str, str, Text]:
 
 def _print_remarks(console: Console, section: Section, with_cases: bool) -> None:
     """Print why there is no number and, with the cases, why a number deviates."""
-    for note, titles in section.remarks():
-        if with_cases or not note.startswith(str(Verdict.KNOWN_DEVIATION)):
-            console.print(Text(f"  {', '.join(titles)}: {note}", style="dim"))
+    for remark in remarks(section):
+        if with_cases or remark.verdict is not Verdict.KNOWN_DEVIATION:
+            console.print(Text(remark.said, style="dim"))
 
 
 def _table(first: str, *others: str) -> Table:

@@ -1,4 +1,4 @@
-"""What can be said of jobs before they have run: from the cache, from recordings, or that a run is still going on."""
+"""What can be said of jobs before they have run: from the cache, from recordings, or that a run has not ended."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def _of_today(result: R) -> R:
         replace(row, verdict=Verdict.RUNNING, note=STILL) if row.verdict is Verdict.NOT_AVAILABLE else row  # type: ignore[type-var]
         for row in result.rows
     ]
-    words = result.recording.replace(NOT_RUN, "its runs here are still going on")
+    words = result.recording.replace(NOT_RUN, "its runs here have not ended yet")
     changed: Any = result
     marked: R = replace(changed, rows=tuple(rows), recording=words)
     return marked

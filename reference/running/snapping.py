@@ -32,7 +32,7 @@ def snapped(jobs: Sequence[Job]) -> list[Job]:
 
 
 def moved(job: Job, recorded: Iterable[str]) -> Job:
-    """A job at the nearest point of its family's grid, because these engines answer from recordings."""
+    """A job at the nearest point of its family's grid, because these engines are shown from recordings."""
     grid, changes = catalogue()[job.family].grid, dict(job.changes)
     assert grid is not None
     timestep = checks.positive("timestep", changes["timestep"]) if "timestep" in changes else None  # type: ignore[arg-type]
@@ -42,8 +42,8 @@ def moved(job: Job, recorded: Iterable[str]) -> Job:
     if point.timestep is not None:
         changes["timestep"] = point.timestep
     titles = [load_engine(name).title for name in recorded]
-    answers = "answer" if len(titles) > 1 else "answers"
-    words = f"{job.family}: {point.moved} for all, since {listed(titles)} {answers} from recordings"
+    are = "are" if len(titles) > 1 else "is"
+    words = f"{job.family}: {point.moved} for all, since {listed(titles)} {are} shown from recordings"
     at = tuple(point.at.items()) if job.at else ()
     return replace(job, at=at, changes=tuple(sorted(changes.items())), snapped=words)
 

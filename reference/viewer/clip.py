@@ -24,7 +24,7 @@ STEP, TURN = 1e-4, 5e-4
 FINENESS = 5e3
 """Steps across what is seen, at least."""
 DASHES: tuple[tuple[int, ...], ...] = ((), (9, 4), (2, 4), (11, 4, 2, 4), (16, 4), (5, 2), (6, 3, 1, 3, 1, 3))
-"""Dashes of each look: lines differ by these, and by a letter, not by their colours alone."""
+"""Dashes of each look: lines differ by these, and by a label, not by their colours alone."""
 WIDTHS = (1.5, 4.0, 2.6, 1.4, 4.0, 2.5, 2.0)
 """Width of each look's outlines, px: where two coincide, the earlier one shows on both sides of the later one."""
 SPEEDS = (0.25, 0.5, 1.0, 2.0)
@@ -99,17 +99,16 @@ class Clip:
         return min(MOST_RATIO, max(LEAST_RATIO, high / max(wide, 1e-9)))
 
     def tags(self) -> list[str]:
-        """A short label for each run, no two alike: a letter, and what distinguishes it: `P`, `P stock`.
+        """A short label for each run, no two alike: its name, and what distinguishes it: `PyBullet`, `PyBullet stock`.
 
-        What stands behind the comma of a title is no other engine, and so it is not told by a number.
+        It is a word, because a letter beside a ball would be read as the name of the ball.
         """
         found: list[str] = []
         for run in self.runs:
             name, _, profile = run.title.partition(", ")
-            letter = next((sign for sign in name if sign.isalnum()), "?").upper()
-            letter = f"{letter} {profile.split()[-1]}" if profile.split() else letter
-            numbered = (f"{letter}{number}" for number in range(2, len(self.runs) + 2))
-            found.append(letter if letter not in found else next(tag for tag in numbered if tag not in found))
+            label = " ".join([name.strip("* ") or "?", *profile.split()[-1:]])
+            numbered = (f"{label} {number}" for number in range(2, len(self.runs) + 2))
+            found.append(label if label not in found else next(tag for tag in numbered if tag not in found))
         return found
 
     def json(self) -> str:

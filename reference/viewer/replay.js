@@ -115,7 +115,6 @@ class Replay {
     const solid = { d: "M3 2h32v12H3z", fill: "var(--replay-body)", stroke: line.stroke, "stroke-width": 2 };
     const swatch = add(label, "svg", { viewBox: "0 0 38 16", "aria-hidden": "true" });
     add(swatch, "path", place ? { d: "M1 8h36", ...line } : solid);
-    add(label, "b", {}, run.tag);
     add(label, "span", {}, run.title);
     if (run.note) add(label, "small", { title: run.note }, "recorded");
     const end = run.count ? `ends at ${((run.count - 1) / this.clip.rate).toFixed(2)} s` : "no poses";

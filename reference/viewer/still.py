@@ -42,7 +42,7 @@ def still(clip: Clip, alone: bool = True) -> str:
     """The picture, with a line for each run below it. alone: with its own colours and ground, for an `<img>`."""
     height = round(WIDTH * clip.ratio)
     picture = Picture(clip.view, clip.low, clip.high, WIDTH, height, MARGIN)
-    shown = [(run, tag) for run, tag in zip(clip.runs, clip.tags(), strict=True) if run.shown]
+    shown = [run for run in clip.runs if run.shown]
     whole = height + LINE * (len(shown) + 1) + 6
     time = f"{clip.title}, {(clip.count - 1) / clip.rate:.2f} s"
     content = [
@@ -162,9 +162,9 @@ def _ways(run: Run, picture: Picture) -> Iterator[str]:
             yield f'<path class="k{run.look}" stroke-opacity=".45" d="{_path(way)}"/>'
 
 
-def _legend(time: str, shown: Sequence[tuple[Run, str]], clip: Clip, height: int) -> Iterator[str]:
+def _legend(time: str, shown: Sequence[Run], clip: Clip, height: int) -> Iterator[str]:
     yield f'<text class="text" x="8" y="{height + LINE - 3}">{escape(time)}</text>'
-    for at, (run, tag) in enumerate(shown):
+    for at, run in enumerate(shown):
         y = height + LINE * (at + 2) - 8
         if run is clip.runs[0]:
             yield f'<rect class="body k{run.look}" x="9" y="{y - 6}" width="34" height="12"/>'
@@ -172,4 +172,4 @@ def _legend(time: str, shown: Sequence[tuple[Run, str]], clip: Clip, height: int
             yield f'<path class="k{run.look}" stroke-width="2.5" stroke-dasharray="{_dash(run)}" d="M8 {y}H44"/>'
         known = ", recorded" if run.note else ""
         early = "" if run.count == clip.count else f", until {max(run.count - 1, 0) / clip.rate:.2f} s"
-        yield f'<text class="text" x="52" y="{y + 5}">{escape(f"{tag}  {run.title}{known}{early}")}</text>'
+        yield f'<text class="text" x="52" y="{y + 5}">{escape(f"{run.title}{known}{early}")}</text>'

@@ -102,7 +102,11 @@ def result(family: Family, name: str, profile: str) -> JobResult:
     engine, job = load_engine(name), Job(family.name, name, profile)
     scenario = family.cases[0].scenarios[0]
     settings = engine.settings(scenario, profile).describe()
-    rows = tuple(row(family, quantity.name, case.name, job) for case in family.cases for quantity in family.quantities)
+    rows = tuple(
+        row(family, quantity.name, case.name, job, settings=settings)
+        for case in family.cases
+        for quantity in family.quantities
+    )
     described = engine.profiles(scenario)[profile]
     return JobResult(job, engine.title, described, rows, settings, "1.2.3", convergence=STUDY)
 

@@ -245,7 +245,7 @@ def immovable(scene) -> bool:
     return all(math.isinf(mass) for mass in scene.mass)
 
 
-@pytest.mark.statement(19, oracle="the restitution that was asked for")
+@pytest.mark.statement(19, oracle="the restitution that was set")
 @given(CLOSING, RESTITUTION)
 def test_the_points_part_at_e_times_the_speed_at_which_they_closed(scene, e):
     v_a, w_a, v_b, w_b = scene.after(e)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -115,13 +116,19 @@ def _share_of_first(power: int) -> Callable[[Trajectory], float]:
 def _ball(name: str, number: int) -> Quantity:
     title = f"{name} ball"
     return Quantity(
-        name, title, "", lambda trajectory: float(_last_velocities(trajectory)[number]), _expect_ball(number)
+        name,
+        title,
+        "",
+        lambda trajectory: float(_last_velocities(trajectory)[number]),
+        _expect_ball(number),
+        share_of="the first speed",
     )
 
 
 FIRST, LAST = _ball("first", 0), _ball("last", -1)
-OFF = Quantity("off", "off a reading", "", _off_readings, _expect_a_reading)
-MOMENTUM = Quantity("momentum", "momentum", "", _share_of_first(1), _expect_momentum)
+OFF = Quantity("off", "off a reading", "", _off_readings, _expect_a_reading, share_of="the first speed")
+MOMENTUM = Quantity("momentum", "momentum", "", _share_of_first(1), _expect_momentum, share_of="the momentum before")
+ENERGY = Quantity("energy", "energy", "", _share_of_first(2), _expect_energy, share_of="the energy before")
 TWO_OF_FIVE = (1.0, 1.0, 0.0, 0.0, 0.0)
 
 CRADLE = Family(
@@ -153,7 +160,7 @@ CRADLE = Family(
         *(_one_struck(5, gap) for gap in (0.0, 1e-6, 1e-3)),
         _row("cradle", "5, 1 mm apart, two struck", TWO_OF_FIVE, gap=1e-3, lead=LEAD),
     ),
-    quantities=(FIRST, LAST, OFF, MOMENTUM, Quantity("energy", "energy", "", _share_of_first(2), _expect_energy)),
+    quantities=(FIRST, LAST, OFF, MOMENTUM, ENERGY),
     curve=Curve(
         "5 touching", "Last of five that touch", "velocity, m/s", lambda trajectory: trajectory.velocities[:, -1, 0]
     ),
@@ -189,7 +196,7 @@ PARTING_BALL = Family(
         " them.",
     ),
     cases=tuple(_row("parting-ball", f"v={parting:g}", (1.0, 0.0, parting)) for parting in (0.1, 0.3, 0.5)),
-    quantities=(FIRST, LAST, OFF, MOMENTUM, Quantity("energy", "energy", "", _share_of_first(2), None)),
+    quantities=(FIRST, LAST, OFF, MOMENTUM, replace(ENERGY, expect=None)),
     curve=Curve(
         "v=0.1",
         "The middle ball, parting at 0.1 m/s",

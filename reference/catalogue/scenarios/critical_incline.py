@@ -33,13 +33,15 @@ CRITICAL_INCLINE = Family(
         "All, exact or tuned, decide every case rightly. PyBullet and DART differ from the exact hand-written code"
         " by `a t dt/2` alone: 0.033 % of the way at 1 ms.",
         "MuJoCo creeps on slopes that hold, by 0.31 mm in 3 s at most, and where the slab slides its way is too long"
-        " by about as much: 0.08 % at 1 % above critical. Friction presses on the front corners, which its main"
-        " solver ignores. It takes 20 passes of the friction solver and a step of 0.1 ms to come so near.",
-        "Stock, none tells 1 % below critical from sliding: PyBullet creeps 2.6 mm there, MuJoCo 18 mm and DART 7 mm.",
+        " by about as much: 0.08 % at 1 % above critical. Friction presses on the front corners, and its"
+        " main solver does not know of that. It takes 20 passes of the friction solver and a step of 0.1 ms to come so"
+        " near.",
+        "No stock engine distinguishes 1 % below critical from sliding: PyBullet creeps 2.6 mm there, MuJoCo 18 mm and"
+        " DART 7 mm.",
     ),
     cases=tuple(_incline(friction, ratio) for friction in (0.3, 0.7) for ratio in RATIOS),
     quantities=INCLINE.quantities,
-    curve=Curve("μ=0.3,tanθ=1.01μ", "1 % above critical at μ = 0.3", "way, m", way_of),
+    curve=Curve("μ=0.3,tanθ=1.01μ", "1 % above critical at μ = 0.3", "distance, m", way_of),
     convergence=Convergence("μ=0.3,tanθ=1.01μ", "way"),
     predict=sliding.predict,
 )

@@ -109,11 +109,11 @@ def _slack_of_the_stop(settings: Settings, method: Method) -> float:
     return 1.01 * settings.timestep * settings.sample_every + 1e4 * settings.timestep**2
 
 
-CREEPS = "soft friction creeps, at this timestep by more than 1 mm"
+CREEPS = "the slab rocks on its corners and creeps, at this timestep by more than 1 mm"
 
 
 def slack_of_creep(settings: Settings, method: Method) -> float:
-    """MuJoCo's friction lets what holds creep by up to 4 dt in 3 s, so that a large timestep makes it a slide."""
+    """In MuJoCo a slab that holds creeps by up to 4 dt in 3 s, so that a large timestep makes it a slide."""
     return 1.0 if method.rule == MUJOCO_ONE_STEP and 5 * settings.timestep > MILLIMETRE else 0.0
 
 
@@ -190,7 +190,7 @@ SLIDING_SLAB = Family(
             within_a_millimetre,
         ),
     ),
-    curve=Curve("μ=0.4,v=2,heading=30°", "Sliding at μ = 0.4, v₀ = 2 m/s, heading 30°", "way, m", way_of),
+    curve=Curve("μ=0.4,v=2,heading=30°", "Sliding at μ = 0.4, v₀ = 2 m/s, heading 30°", "distance, m", way_of),
     convergence=Convergence("μ=0.4,v=2", "stopping_distance", (2.0, 1.0, 0.5, 0.25)),
     grid=Grid(
         (Parameter("friction", "", TENTHS[1:], 0.4), Parameter("speed", "m/s", (1.0, 2.0, 5.0), 2.0)),
@@ -249,9 +249,11 @@ INCLINE = Family(
     " if `tan θ ≤ μ`. Otherwise it slides with `g (sin θ − μ cos θ)`.",
     why=(
         "All, exact or tuned, decide every case as `tan θ ≤ μ` does. They differ in how still a held slab is:"
-        " hand-written code sets its velocity to zero, PyBullet and DART leave less than a micrometre, and MuJoCo"
-        " creeps in proportion to the timestep, because its friction is a soft constraint.",
-        "Stock MuJoCo creeps visibly on every slope but the gentlest, which counts as sliding here. Stock PyBullet's"
+        " hand-written code sets its velocity to zero, PyBullet and DART leave less than a micrometre, and in"
+        " MuJoCo the slab creeps in proportion to the timestep. There the noslip passes compute the friction, and the"
+        " main solver does not know of it, so the slab stands on four corners and on two in turns.",
+        "Stock MuJoCo creeps for another reason: its friction is a soft constraint, and yields a little under any"
+        " pull. This shows on every slope except the gentlest, and counts as sliding here. Stock PyBullet's"
         " damping slows every slide by up to a quarter. Stock DART rocks on its one contact, and some slabs that"
         " should hold walk off that way.",
     ),
@@ -271,7 +273,7 @@ INCLINE = Family(
             _slid,
         ),
     ),
-    curve=Curve("μ=0.3,θ=20°", "Sliding down 20° at μ = 0.3", "way, m", way_of),
+    curve=Curve("μ=0.3,θ=20°", "Sliding down 20° at μ = 0.3", "distance, m", way_of),
     convergence=Convergence("μ=0.3,θ=20°", "way"),
     grid=Grid(
         (Parameter("friction", "", TENTHS, 0.3), Parameter("angle", "°", (3.0, 10.0, 20.0, 30.0, 40.0), 20.0)),

@@ -15,7 +15,7 @@ from reference.prediction import striking
 from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
-from reference.spatial_impact import BY_AXES
+from reference.spatial_impact import BY_AXES, LAWS_IN_WORDS
 
 HALF, RADIUS = 0.1, 0.05
 """Half the edge of the cube, and the radius of the ball, m. Both bodies have a mass of 1 kg."""
@@ -64,8 +64,8 @@ def _expect(which: int) -> Callable[[Case, Settings, Method], Expectation]:
         law = NEWTON if method.law == BY_AXES else method.law  # the slip keeps to one axis
         exact = _after(case, law)[which]
         if method.kind == EXACT:
-            return Expectation(exact, 1e-9, f"rounding only, by the law {law}")
-        return Expectation(exact, SHARE, f"0.1 %, by the law {law}", shift_reason=_WHY, size=1.0)
+            return Expectation(exact, 1e-9, f"rounding only, by {LAWS_IN_WORDS[law]}")
+        return Expectation(exact, SHARE, f"0.1 %, by {LAWS_IN_WORDS[law]}", shift_reason=_WHY, size=1.0)
 
     return expect
 

@@ -22,7 +22,7 @@ from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
-from reference.spatial_impact import ALONG_GRIP, BY_AXES, SpatialContact, spatial_impact
+from reference.spatial_impact import BY_AXES, LAWS_IN_WORDS, SpatialContact, spatial_impact
 
 FLIGHT = 0.02034
 """Time until the box strikes, s: no whole number of steps."""
@@ -159,17 +159,15 @@ def _expect(name: str) -> Callable[[Case, Settings, Method], Expectation]:
         law = NEWTON if method.law == BY_AXES else method.law
         exact = predicted(case.scenarios[0], law)[name]
         size = predicted(case.scenarios[0], law)["spin"] if name == "spin" else 1.0
-        said = "Newton's, friction along the impulse that would hold" if law == ALONG_GRIP else law
+        said = LAWS_IN_WORDS[law]
         if method.kind == EXACT:
-            return Expectation(
-                exact, 2e-8 * size, f"the digits that are sure of the law's own integral, by the law {said}"
-            )
+            return Expectation(exact, 2e-8 * size, f"the digits that are sure of the integral, by {said}")
         dt, own = settings.timestep, predicted(case.scenarios[0], method.law)[name]
         deep = method.inset * dt * _approach(case)
         near = SHARE * size + max(
             abs(predicted(case.scenarios[0], method.law, *at)[name] - own) for at in ((dt, 0.0), (dt, deep))
         )
-        reason = f"0.01 %, and what a step late or an overlap does to the point that strikes, by the law {said}"
+        reason = f"0.01 %, and what a step late or an overlap does to the point that strikes, by {said}"
         if method.law != BY_AXES:
             return Expectation(exact, near, reason)
         return Expectation(exact, near, reason, own - exact, BY_AXES_WHY, near)
@@ -193,7 +191,8 @@ def _measured(name: str) -> Callable[[Trajectory], float]:
 
 def _quantity(name: str, title: str, unit: str = "") -> Quantity:
     scale = (lambda case: predicted(case.scenarios[0], NEWTON)["spin"]) if name == "spin" else None
-    return Quantity(name, title, unit, _measured(name), _expect(name), scale)
+    share_of = {"spin": "", "lost": "the energy before"}.get(name, "the speed of approach")
+    return Quantity(name, title, unit, _measured(name), _expect(name), scale, share_of=share_of)
 
 
 CASES = (

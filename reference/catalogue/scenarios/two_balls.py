@@ -116,6 +116,7 @@ def _quantity(name: str, title: str, unit: str, number: Number, size: Callable[[
         lambda trajectory: number(_seen(trajectory), trajectory.scenario.body("target").mass),
         _expect(number, size),
         size if unit == "m/s" else None,
+        share_of="the energy before" if name == "energy" else "",
     )
 
 

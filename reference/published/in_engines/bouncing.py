@@ -173,6 +173,6 @@ def impacts_and_rest(case: Published, engine: Engine) -> Answers:
             "rest",
             end,
             end_off(bounce, method, measure.REST_SPEED),
-            "what is too slow for the engine counts as rest; the bounces from there on would go on for so long",
+            "what is too slow for the engine counts as rest; from there on the bounces would last for so long",
         ),
     }

@@ -99,7 +99,7 @@ CASES = (
     ),
     Published(
         number=26,
-        title="Rebounds that the rules of two sports ask for",
+        title="Rebounds that the rules of two sports require",
         statement=7,
         kind="validation",
         source="ITF rules of tennis and ITTF technical leaflet on balls: measured rebounds",

@@ -51,7 +51,7 @@ CASES = (
         expected={"viscosity": 1.237246, "viscosity_without_buoyancy": 1.4782},
         tolerance={"viscosity": 5e-7, "viscosity_without_buoyancy": 5e-5},
         reason="half of the last digit printed",
-        note="Without buoyancy, as on slide 26, it comes out 19 % too large. Its Reynolds number is 0.147: with "
+        note="Without buoyancy, as on slide 26, the result is 19 % too large. Its Reynolds number is 0.147: with "
         "2.5 % more drag than Stokes' the last five of the seven digits mean nothing.",
         units={"viscosity": "Pa s", "viscosity_without_buoyancy": "Pa s"},
     ),

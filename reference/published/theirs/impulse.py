@@ -46,7 +46,7 @@ CASES = (
     ),
     Published(
         number=27,
-        title="Two balls that meet head-on part with the restitution that was asked for",
+        title="Two balls that meet head-on part with the restitution that was set",
         statement=20,
         kind="verification",
         source="Project Chrono, tests of smooth contact: coefficient of restitution",
@@ -62,8 +62,8 @@ CASES = (
         expected={"restitution": (0.0, 0.25, 0.5, 0.75, 1.0)},
         tolerance={"restitution": 1e-3},
         reason="the tolerance of the test itself",
-        note="Theirs is a contact that gives way, with a damping that is to have this effect; an impulse is exact. "
-        "The mass is ours: the result hangs on it in neither.",
+        note="Chrono's contact yields, and its damping is chosen to give this restitution; an impulse gives it "
+        "exactly. The mass is ours: the result depends on it in neither method.",
         labels={"restitution": ("e = 0", "e = 0.25", "e = 0.5", "e = 0.75", "e = 1")},
     ),
 )

@@ -66,7 +66,7 @@ CASES = (
         expected={"distance": (1.01937, 0.50968, 0.29125)},
         tolerance={"distance": (0.0101937, 0.0050968, 0.0029125)},
         reason="their own 1 %; ours is exact",
-        note="v²/(2μg). A method that answers at the step stops v dt/2 = 0.56 mm short.",
+        note="v²/(2μg). A method that responds at the step stops v dt/2 = 0.56 mm short.",
         units={"distance": "m"},
         labels={"distance": ("μ = 0.2", "μ = 0.4", "μ = 0.7")},
     ),

@@ -40,7 +40,7 @@ PANELS = (
         "angle",
         "Tangential speed after over before",
         (0.5, 1.02),
-        f"{_MEASURED} All implementations follow it: 5/7 while it grips. The measured dip near 20° is not theirs.",
+        f"{_MEASURED} All implementations follow it: 5/7 while it grips. None of them has the measured dip near 20°.",
     ),
     Panel(
         "spin",

@@ -19,10 +19,10 @@ SET_UP_DIGITS = 7
 MANY_EQUAL = 4
 """If more numbers of one entry than this are repetitions, each value is shown once."""
 ABOUT: dict[Kind, str] = {
-    "verification": "The number is a closed form, or that of a method which can be repeated digit by digit. What"
-    " differs is a mistake, or the method's own error, whose size is known beforehand.",
-    "validation": "The number was measured on real things. No formula has to agree with it; where one does, and where"
-    " not, says what the formula leaves out.",
+    "verification": "The number is a closed form, or that of a method which can be repeated digit by digit. A"
+    " difference is a mistake, or the method's own error, whose size is known beforehand.",
+    "validation": "The number was measured on real bodies. No formula has to agree with it. Where a formula differs,"
+    " that shows what it leaves out.",
     "cross-engine": "The number is what another simulator gave. It may be right or wrong: to agree means to do as it"
     " does. Where the implementation is the simulator itself, it does not count as a confirmation.",
 }
@@ -38,7 +38,7 @@ def render(
 ) -> str:
     """Return the page. figures: by case, SVG texts with their captions. report: the address of the other page.
 
-    unfinished: what the page says of itself where runs are still going on.
+    unfinished: what the page says of itself while runs have not ended.
     """
     return (
         environment()

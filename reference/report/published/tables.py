@@ -21,7 +21,7 @@ PRINTED = 9
 TITLES: dict[Kind, str] = {
     "verification": "Verification: closed forms, and methods that can be repeated digit by digit",
     "validation": "Validation against measurement",
-    "cross-engine": "Cross-engine: what another simulator said",
+    "cross-engine": "Cross-engine: what another simulator gave",
 }
 
 LEGEND = {
@@ -29,12 +29,12 @@ LEGEND = {
     Verdict.KNOWN_DEVIATION: "differs by the amount that the method predicts",
     Verdict.DISAGREES: "as far off as the figure is large, for a reason",
     Verdict.FAIL: "neither",
-    Verdict.CANNOT_EXPRESS: "cannot be said to it",
-    Verdict.NO_WORDS: "the lab cannot say it yet",
+    Verdict.CANNOT_EXPRESS: "the engine cannot express it",
+    Verdict.NO_WORDS: "the lab cannot express it yet",
     Verdict.NEEDS: "a function that is not written yet",
     Verdict.NOT_AVAILABLE: "the engine is not installed here",
     Verdict.CRASHED: "the run died, hung or gave no usable state",
-    Verdict.RUNNING: "the run is still going on",
+    Verdict.RUNNING: "the run has not ended yet",
 }
 
 
@@ -165,7 +165,7 @@ class PublishedTables:
         found = sum(bool(line.found_by) for line in self.lines)
         through = sum(bool(line.found_by) or not line.running for line in self.lines)
         of = f"{found} of {through} published cases"
-        return f"{of} come out as published, to every number, in an implementation that is not their own."
+        return f"{of} agree in every number with an implementation that is not their own."
 
     @property
     def exceptions(self) -> list[str]:

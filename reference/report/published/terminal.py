@@ -23,7 +23,7 @@ from reference.report.published.tables import (
 from reference.report.terminal import print_legend, short_title, style_of
 
 _ALWAYS = tuple(map(str, (Verdict.FAIL, Verdict.CRASHED, Verdict.NEEDS, Verdict.NOT_AVAILABLE)))
-"""The verdicts whose reasons the overview prints as well; all other reasons come with the cases."""
+"""The verdicts whose reasons the overview prints as well; it prints all other reasons with the cases."""
 
 
 def print_published(console: Console, tables: PublishedTables, with_cases: bool = False) -> None:
@@ -105,4 +105,4 @@ def _print_end(console: Console, tables: PublishedTables, with_cases: bool) -> N
     for exception in tables.exceptions:
         console.print(_indented(exception))
     if not with_cases:
-        console.print(Text("With --cases: every number, why so near is near enough, and what is not said to whom."))
+        console.print(Text("With --cases: every number, the reason of each tolerance, and why some have none."))

@@ -195,11 +195,20 @@ def test_a_release_holds_no_solution_hidden_test_or_model_answer(lesson, tmp_pat
     assert "tests/autograder/visible/test_detection.py" in names
     for hidden in ("solutions", "tests/autograder/hidden", "tests/autograder/misconceptions", "labs/lessons"):
         assert hidden not in names
+    others = [name for name in names if re.search(r"(labs|autograder)/.*(friction|impulse)", name)]
+    assert others == [], "what belongs to a later lab does not ship"
     assert checksums.changed(tmp_path / "out" / FOLDER.relative_to(ROOT)) == {}, "recordings arrive as they were made"
     secret = "np.vecdot(normal, point)"  # of signed_distance
     for path in (tmp_path / "out").rglob("*"):
         if path.suffix in (".py", ".ipynb", ".md"):
             assert secret not in path.read_text(encoding="utf-8"), path
+
+
+def test_a_lab_alone_has_no_answer_of_an_earlier_one(tmp_path):
+    assert release(tmp_path / "out", only="impulse") == ["impulse"]
+    assert "detection" not in {path.stem for path in (tmp_path / "out/labs/given").glob("*.py")}
+    with pytest.raises(InvalidInput, match="name one of the two"):
+        release(tmp_path / "other", "detection", "detection")
 
 
 def test_two_archives_are_the_same_and_a_full_folder_is_left_alone(lesson, tmp_path):

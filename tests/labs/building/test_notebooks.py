@@ -87,5 +87,5 @@ def test_a_notebook_of_untouched_stubs_runs_to_its_end(topic, engines, course, r
     said = printed(executed(course / "labs" / "notebooks" / f"{topic}.ipynb", course / "labs" / "notebooks"))
     assert "to do" in said
     assert "✓ signed" not in said
-    assert ("it answers from recordings" in said) == (engines == "without engines")
+    assert ("its results come from recordings" in said) == (engines == "without engines")
     assert not re.search(REFUSED, said, re.MULTILINE)

@@ -16,7 +16,7 @@ def test_named_cases_are_run_in_three_tables_and_end_with_0():
     said = collisions("compare", "--published", "P22", "p26", "P9", *BY_HAND)
     assert said.code == 0
     assert re.search("Verification.*P22.*✓ 1/1.*Validation.*P26.*✓ 4/4.*Cross-engine.*P9.*✓ 12/12", said.text)
-    assert "3 of 3 published cases come out as published" in said.text
+    assert "3 of 3 published cases agree in every number" in said.text
     assert "3 runs" in said.errors
 
 
@@ -98,7 +98,7 @@ def test_an_engine_that_is_not_installed_keeps_its_recordings(monkeypatch, tmp_p
 def test_by_hand_every_published_case_but_one_has_every_number_right():
     said = collisions("compare", "--published", *BY_HAND)
     assert said.code == 0
-    assert "26 of 27 published cases come out as published" in said.text
+    assert "26 of 27 published cases agree in every number" in said.text
     assert re.search(
         "implementation that is not their own. P11: hand-written: known deviation: a real contact", said.text
     )

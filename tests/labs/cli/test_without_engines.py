@@ -1,4 +1,4 @@
-"""A machine on which no engine can be imported: every command answers from recordings, and says so."""
+"""A machine on which no engine can be imported: every command takes results from recordings, and says so."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_a_value_between_recorded_ones_moves_all_to_the_nearest():
     said = collisions("compare", "sliding-slab", "--at", "friction=0.37", "--profile", "tuned")
     assert said.code == 0, said.errors
     names = f"{', '.join(TITLES[:-1])} and {TITLES[-1]}"
-    assert f"friction 0.37 → 0.4 for all, since {names} answer from recordings" in said.text
+    assert f"friction 0.37 → 0.4 for all, since {names} are shown from recordings" in said.text
     assert all(f"{title}*, tuned" in said.output for title in TITLES)
 
 
@@ -42,7 +42,7 @@ def test_all_are_asked_at_the_nearest_point_that_a_missing_engine_has():
     wish = "ball-to-rest", "--at", "restitution=0.57", "--timestep", "0.003", "--cases", "--profile", "tuned"
     said = collisions("compare", *wish, "--engine", "handwritten", "--engine", "mujoco")
     assert (
-        "ball-to-rest: restitution 0.57 → 0.6, timestep 3 ms → 2 ms for all, since MuJoCo answers from recordings"
+        "ball-to-rest: restitution 0.57 → 0.6, timestep 3 ms → 2 ms for all, since MuJoCo is shown from recordings"
         in said.text
     )
     # √(2h/g) (1 + e)/(1 − e) = 0.451524 · 1.6/0.4
@@ -59,7 +59,7 @@ def test_a_missing_engine_is_not_recorded_and_keeps_its_recordings(tmp_path):
 def test_published_cases_are_answered_from_recordings():
     said = collisions("compare", "--published", "P13", "P17")
     assert said.code == 0, said.errors
-    assert "2 of 2 published cases come out as published" in said.text
+    assert "2 of 2 published cases agree in every number" in said.text
     assert "was recorded on" in said.text
 
 

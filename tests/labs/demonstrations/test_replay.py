@@ -65,7 +65,7 @@ def test_without_poses_there_is_no_page(tmp_path):
     file = tmp_path / "page.html"
     said = collisions("show", "stop", "--engine", "handwritten", "--implementation", mine, "--html", file)
     assert said.code == 3
-    assert "Nobody gave poses: there is no replay" in said.text
+    assert "No run gave poses, so there is no replay" in said.text
     assert not file.exists()
 
 

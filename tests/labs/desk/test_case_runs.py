@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 from cells import right_cells, said, write_notebook
 
-from labs.desk import case_runs, sweeps
+from labs.desk import case_runs, sweep_picture, sweeps
 from reference.errors import InvalidInput, UnknownName
 
 
@@ -83,8 +83,8 @@ def test_replay_and_curve_give_an_implementation_the_same_colour(lab, installed)
     installed("mujoco")
     lab.run("dropped-ball/e=0.5", quantity="rebound")
     page = lab.shown[0]._repr_mimebundle_()["text/html"]
-    assert "&quot;title&quot;:&quot;PyBullet&quot;,&quot;tag&quot;:&quot;P&quot;,&quot;look&quot;:1," in page
-    assert "&quot;title&quot;:&quot;MuJoCo&quot;,&quot;tag&quot;:&quot;M&quot;,&quot;look&quot;:2," in page
+    assert "&quot;title&quot;:&quot;PyBullet&quot;,&quot;tag&quot;:&quot;PyBullet&quot;,&quot;look&quot;:1," in page
+    assert "&quot;title&quot;:&quot;MuJoCo&quot;,&quot;tag&quot;:&quot;MuJoCo&quot;,&quot;look&quot;:2," in page
 
 
 def test_a_table_shows_rounding_as_zero_and_leaves_out_empty_columns(lab, cells, installed):
@@ -145,6 +145,13 @@ def test_a_sweep_takes_recorded_values_where_none_are_given():
         sweeps.values_of("dropped-ball", "mass")
     with pytest.raises(InvalidInput, match="at most 8"):
         sweeps.values_of("dropped-ball", "timestep", [0.1] * 9)
+
+
+def test_no_line_is_drawn_across_a_jump():
+    level = [(0.0, -0.6), (1.0, 0.0), (2.0, 0.0)]
+    assert sweep_picture._pieces(level, spread=False) == [level[:1], level[1:]]
+    slope = [(0.0, 0.0), (1.0, 0.2), (4.0, 0.9), (5.0, 1.0)]
+    assert sweep_picture._pieces(slope, spread=False) == [slope]
 
 
 def test_a_timestep_is_swept_in_milliseconds(lab, monkeypatch):

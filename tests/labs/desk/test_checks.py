@@ -114,7 +114,7 @@ def test_an_endless_loop_in_a_check_prints_one_line(lab, cells, capsys, grader, 
 
 
 def test_given_functions_are_not_checked_and_unknown_ones_are_refused(lab, capsys):
-    assert "there is nothing of it to check" in said(capsys, lab.check, "sphere_inertia")
+    assert "so there is nothing to check" in said(capsys, lab.check, "sphere_inertia")
     assert "Did you mean 'is_colliding'?" in said(capsys, lab.check, "is_coliding")
 
 

@@ -126,10 +126,10 @@ def test_one_recorded_engine_moves_a_comparison_to_a_grid_point(monkeypatch):
     monkeypatch.setattr(snapping, "content_of", lambda engine, family: {} if engine == "dart" else {"made": {}})
     found = snapped(JOBS)
     assert {(job.at, job.changes) for job in found} == {((("restitution", 0.4),), (("timestep", 2e-3),))}
-    words = "dropped-ball: restitution 0.37 → 0.4, timestep 1.5 ms → 2 ms for all, since PyBullet answers from "
+    words = "dropped-ball: restitution 0.37 → 0.4, timestep 1.5 ms → 2 ms for all, since PyBullet is shown from "
     assert {job.snapped for job in found} == {words + "recordings"}
     assert moved(JOBS[0], ["pybullet", "mujoco", "dart"]).snapped.endswith(
-        "PyBullet, MuJoCo and DART answer from recordings"
+        "PyBullet, MuJoCo and DART are shown from recordings"
     )
 
 

@@ -297,7 +297,7 @@ def test_an_event_that_did_not_happen_fails_where_it_is_expected(what):
     (shown,) = compare(family(None, measure=ENDLESS[what], heights=(1.0, 2.0)))
     for row, verdict in ((judged, Verdict.FAIL), (shown, Verdict.SHOWN)):
         assert (row.verdict, row.measured, row.spread, row.error) == (verdict, None, None, None)
-        assert row.note == "no finite number: what is asked for did not happen before the run ended"
+        assert row.note == "no finite number: the event to be measured did not happen before the run ended"
     assert judged.expected == BIASED.value
 
 

@@ -75,7 +75,7 @@ def test_two_implementations_have_one_agreement_with_their_farthest_numbers():
         for number, both in enumerate(several)
         for engine, value in zip(("pybullet", "mujoco"), both, strict=True)
     ]
-    found = agreements(rows)["stack"][("pybullet", "stock"), ("mujoco", "stock")]
+    found = agreements(pairs(rows))["stack"][("pybullet", "stock"), ("mujoco", "stock")]
     assert (found.count(Relation.ALIKE), found.count(Relation.APART)) == (1, 2)
     assert (found.relation, found.worst.case) == (Relation.APART, "case 2")
 

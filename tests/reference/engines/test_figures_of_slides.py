@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from catalogue_rows import NEAREST_SLOPES, SLIDES, SLOPES, SOME_SLIDES, G, engines, fast_and_slow, row, slow
 
 from reference.catalogue.scenarios import catalogue
+from reference.catalogue.scenarios.friction import way_of
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 
@@ -86,7 +88,27 @@ def test_mujocos_creep_is_proportional_to_the_timestep(installed):
     assert coarse / fine == pytest.approx(10, rel=0.02)  # first order; a second-order share of 1 ms · 9.81 m/s² ÷ 1 m/s
 
 
-# The incline's way is that of its 3 s, whatever the timestep
+@pytest.mark.parametrize(
+    ("profile", "changes", "creep", "on_two_corners"),
+    [
+        ("tuned", {}, 0.298e-3, 0.22),
+        ("tuned", {"impratio": 1.0, "noslip_iterations": 0}, 0.05e-6, 0.0),  # friction in the main solver
+        ("stock", {}, 18.1e-3, 0.0),
+        ("stock", {"timestep": 4e-3}, 18.2e-3, 0.0),
+    ],
+)
+def test_mujocos_slab_creeps_where_corners_leave_or_friction_is_soft(
+    profile, changes, creep, on_two_corners, installed
+):
+    installed("mujoco")
+    engine, scenario = load_engine("mujoco"), catalogue()["incline"].case("μ=1,θ=40°").scenarios[0]
+    trajectory = engine.run(scenario, engine.settings(scenario, profile).change(**changes))
+    corners = np.bincount(trajectory.contacts.sample, minlength=len(trajectory.times))
+    assert way_of(trajectory)[-1] == pytest.approx(creep, rel=0.05)  # the figures in docs/engines*.md have two digits
+    assert np.mean(corners == 2) == pytest.approx(on_two_corners, abs=0.005)
+
+
+# The incline's way is that of its 3 s, for any timestep
 
 
 @pytest.mark.parametrize("timestep", [7e-3, 6e-3, pytest.param(1e-3, marks=slow), pytest.param(3e-4, marks=slow)])

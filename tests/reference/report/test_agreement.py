@@ -7,7 +7,7 @@ import json
 from reference.catalogue.apart import why_apart
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
-from reference.report.agreement import Matrix, as_content, pairs_csv, sentence
+from reference.report.agreement import Matrix, as_content, by_scenario, pairs_csv, sentence
 from reference.report.sections import sections
 
 CASE = "3 touching"
@@ -29,8 +29,10 @@ def test_each_implementation_is_compared_with_those_above_it():
     assert matrix.titles == ("handwritten, exact", "pybullet, tuned", "mujoco, tuned", "dart, stock")
     texts = [[entry.text if entry else None for entry in entries] for entries in matrix.rows]
     assert texts == [[], ["≠ 1"], ["≠ 1", "✓"], ["≠ 1", "≠ 1", "≠ 1"]]
-    assert matrix.rows[1][0].title == "1 of 1; most: 3 touching, first ball, by 0.33"
-    assert matrix.rows[3][2].title.endswith("where one has no number")
+    assert [matrix.rows[1][0].title, matrix.rows[3][2].title] == [
+        "1 of 1 numbers differ, most by 0.33 of the first speed in “first ball” (3 touching)",
+        "1 of 1 numbers differ, one has no “first ball” (3 touching)",
+    ]
 
 
 def test_a_reason_is_listed_once_with_those_that_it_belongs_to():
@@ -40,15 +42,28 @@ def test_a_reason_is_listed_once_with_those_that_it_belongs_to():
     }
 
 
+def test_a_reason_that_names_its_implementation_has_no_label():
+    told = [JobResult(line.result.job, "DART*", "", line.result.rows) for line in SECTION.lines[3:]]
+    section = sections([*(line.result for line in SECTION.lines[:3]), *told])[0]
+    assert dict(Matrix.of(section).whys)[why_apart("cradle", "dart", "stock")] == ()
+
+
 def test_counted_implementations_alone_are_summed_up():
-    assert sentence(ROWS) == (
+    assert sentence(SECTION.pairs) == (
         "Compared with each other, 1 of 3 pairs of numbers are alike, 0 differ as their methods say, and 2 are apart."
     )
-    assert sentence(ROWS[:1]) == ""
+    assert sentence(SECTION.pairs[2:3]) == ""  # with DART as installed
 
 
 def test_files_hold_every_pair_and_the_counts_of_each_two():
-    assert len(pairs_csv(ROWS).splitlines()) == 1 + 6
-    content = json.loads(json.dumps(as_content(ROWS)))
+    assert len(pairs_csv(SECTION.pairs).splitlines()) == 1 + 6
+    content = json.loads(json.dumps(as_content(SECTION.pairs)))
     assert [(each["alike"], each["apart"]) for each in content] == [(0, 1), (0, 1), (0, 1), (1, 0), (0, 1), (0, 1)]
     assert content[0]["whys"] == [why_apart("cradle")]
+
+
+def test_the_two_that_are_farthest_apart_are_told_in_a_sentence():
+    assert by_scenario([SECTION])["cradle"].in_words == (
+        "With each other they do not agree: 2 of 3 pairs of their numbers are apart. Most of all, handwritten (exact)"
+        " and pybullet (tuned) differ by 0.33 of the first speed in “first ball” (3 touching)."
+    )

@@ -86,7 +86,7 @@ def test_a_row_as_far_off_as_its_quantity_is_large_does_not_agree():
     found = (row(), row(Verdict.DISAGREES, 0.0))
     assert Cell(found).count == "1/2"
     assert verdict_line(found) == (
-        "Of 2 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from it and"
+        "Of 2 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from theory and"
         " none failed."
     )
 
@@ -313,34 +313,6 @@ def test_the_expected_value_is_that_of_a_line_or_else_of_theory():
     assert section(crashed).expected("e=0.5", REST.quantity("drift")) == "0 m"
 
 
-def test_a_remark_is_made_once_with_its_lines_and_number_of_cases():
-    late = [row(Verdict.KNOWN_DEVIATION, case=case, note="half a step late") for case in ("e=0.5", "e=0.8")]
-    found = section(
-        result(*late),
-        result(late[0], profile="step"),
-        result(without_number(Verdict.CRASHED, "SIGSEGV"), engine="mujoco"),
-    )
-    assert found.remarks() == [
-        ("known deviation: half a step late", ["hand-written, exact (2×)", "hand-written, step"]),
-        ("crashed: SIGSEGV", ["MuJoCo, tuned"]),
-    ]
-
-
-def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
-    rounding, step = row(reason="rounding only"), row(reason="a step late")
-    found = section(
-        result(rounding, rounding),
-        result(step, row(quantity="drift", reason="1 mm"), profile="step"),
-        result(step, engine="mujoco"),
-    )
-    assert found.tolerances("rest_time") == [
-        ("rounding only", ["hand-written, exact"]),
-        ("a step late", ["hand-written, step", "MuJoCo, tuned"]),
-    ]
-    assert found.tolerances("drift") == [("1 mm", ["hand-written, step"])]
-    assert found.tolerances("rest_height") == []
-
-
 # The one sentence
 
 
@@ -352,13 +324,13 @@ def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
         ([Verdict.PASS, Verdict.FAIL], "Of 2 checks that count, 1 came out as predicted and near theory and 1 failed."),
         (
             [Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.FAIL],
-            "Of 4 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from it"
+            "Of 4 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from theory"
             " and 2 failed.",
         ),
         (
             [Verdict.PASS, Verdict.CRASHED, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE],
             "Of 3 checks that count, 1 came out as predicted and near theory, none failed and 2 gave no answer."
-            " Besides, 1 case cannot be put to the engine and 1 case must wait for hand-written code.",
+            " Besides, 1 case cannot be expressed in the engine and 1 case wait for hand-written code.",
         ),
         (
             [Verdict.PASS, Verdict.SHOWN],

@@ -8,7 +8,7 @@ from pages import REST, result, without_answer
 
 from reference.comparison.results import JobResult
 from reference.comparison.verdicts import Verdict
-from reference.report.results_in_words import accepted, counted, plain
+from reference.report.results_in_words import Remark, accepted, counted, plain, remarks, tolerances
 from reference.report.sections import Section, sections
 
 
@@ -54,3 +54,36 @@ def test_a_reason_that_holds_for_most_is_told_of_all_others():
         ("all others", "a step late"),
     ]
     assert {it.quantities for it in found} == {", ".join(quantity.title for quantity in REST.quantities)}
+
+
+def test_a_remark_is_one_sentence_for_all_that_it_belongs_to():
+    late = {"verdict": Verdict.KNOWN_DEVIATION, "note": "−g t dt/2: half a step late"}
+    exact = changed(result(REST, "handwritten", "exact"), **late)
+    exact = replace(exact, rows=(exact.rows[0], replace(exact.rows[1], **late), *exact.rows[2:]))
+    missing = {"verdict": Verdict.FAIL, "measured": None, "note": "no finite number: it never rests"}
+    found = section(
+        exact,
+        changed(result(REST, "handwritten", "step"), **late),
+        changed(result(REST, "pybullet", "stock"), **missing),
+        without_answer(result(REST, "mujoco", "tuned"), Verdict.CRASHED, "SIGSEGV: died"),
+    )
+    assert remarks(found) == [
+        Remark(
+            Verdict.KNOWN_DEVIATION,
+            "Hand-written code (exact 2×, step) differs as the method must: −g t dt/2; half a step late.",
+        ),
+        Remark(Verdict.FAIL, "PyBullet (stock) has no number: it never rests."),
+        Remark(Verdict.CRASHED, "MuJoCo (tuned) crashed: SIGSEGV: died."),
+    ]
+
+
+def test_a_reason_for_a_tolerance_is_given_once_with_its_lines():
+    names = ("handwritten", "exact"), ("handwritten", "step"), ("mujoco", "tuned")
+    exact, step, mujoco = (result(REST, *name) for name in names)
+    found = section(changed(exact, reason="rounding only"), step, mujoco)
+    found = section(replace(found.lines[0].result, rows=found.lines[0].result.rows[:1]), step, mujoco)
+    assert tolerances(found, "rest_time") == [
+        ("rounding only", ["hand-written, exact"]),
+        ("a step late", ["hand-written, step", "MuJoCo, tuned"]),
+    ]
+    assert tolerances(found, "nothing") == []

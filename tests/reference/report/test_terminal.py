@@ -143,7 +143,7 @@ def test_long_notes_are_broken_into_lines(with_cases):
     note = "it has one coefficient of friction, not static 0.5 and kinetic 0.4 " * 5
     text = printed([without_answer(Verdict.CANNOT_EXPRESS, note.strip())], with_cases)
     assert max(map(cell_len, text.splitlines())) <= WIDTH
-    assert words(f"MuJoCo, tuned: cannot express: {note}") in words(text)
+    assert words(f"MuJoCo (tuned) cannot express this: {note.strip()}.") in words(text)
 
 
 # What is said
@@ -179,14 +179,14 @@ def test_a_printed_known_deviation_shows_its_remainder(real):
     detailed = printed(changed, with_cases=True)
     (line,) = (line for line in detailed.splitlines() if "≈" in line and "hand-written, exact" in line)
     assert words(line) == "hand-written, exact 1.5 s +11 % 0.4 % ≈ known deviation"
-    assert "hand-written, exact: known deviation: half a step late" in detailed
+    assert "Hand-written code (exact) differs as the method must: half a step late." in detailed
 
 
 @with_and_without_cases
 @pytest.mark.parametrize(
     ("verdict", "note", "said"),
     [
-        (Verdict.NOT_AVAILABLE, "get it by pip", "not available: get it by pip"),
+        (Verdict.NOT_AVAILABLE, "get it by pip", "has no number: get it by pip"),
         (Verdict.CRASHED, "its process died (SIGSEGV)", "crashed: its process died (SIGSEGV)"),
         (Verdict.CRASHED, "[bold]IndexError: [/red] of [0]", "crashed: [bold]IndexError: [/red] of [0]"),
         (Verdict.NEEDS, "needs kinematic_response (step 1)", "needs kinematic_response (step 1)"),
@@ -194,14 +194,15 @@ def test_a_printed_known_deviation_shows_its_remainder(real):
 )
 def test_an_engine_without_an_answer_says_why_in_its_own_words(verdict, note, said, with_cases, real):
     text = printed([*real, without_answer(verdict, note)], with_cases)
-    assert words(f"MuJoCo, tuned: {said}") in words(text)
+    assert words(f"MuJoCo (tuned) {said}.") in words(text)
     assert f"{MARKS[verdict]} {verdict}: {LEGEND[verdict]}" in words(text)
 
 
 @pytest.mark.parametrize(("with_cases", "lines"), [(False, 1), (True, 3 * 4)])  # a line a case and quantity
 def test_a_title_in_brackets_is_printed_unchanged(with_cases, lines):
     text = printed([without_answer(Verdict.CRASHED, "hung", "toy.py", "toy [b] [/]")], with_cases)
-    assert text.count("toy [b] [/], tuned") == lines + 1  # and a remark
+    assert text.count("toy [b] [/], tuned") == lines
+    assert "Toy [b] [/] (tuned) crashed: hung." in text
 
 
 def test_the_legend_explains_the_verdicts_that_occur_and_no_other(real):
@@ -282,8 +283,8 @@ def test_the_terminal_shows_which_scenarios_need_a_world():
     lines = [words(line) for line in text.splitlines()]
     assert "hand-written, exact … 1/2 … 1/2" in lines  # one of two cases answered, in both quantities
     assert "hand-written, exact needs" in lines  # the whole stack
-    assert "hand-written, exact: needs a rigid-body world (world)" in lines
-    assert "hand-written, exact (2×): needs a rigid-body world (world)" in lines
+    assert "Hand-written code (exact) needs a rigid-body world (world)." in lines
+    assert "Hand-written code (exact 2×) needs a rigid-body world (world)." in lines
     assert "stack … needs" in lines
     assert "tipping-box … 2/3" in lines  # outcome and way, and one case without either
-    assert "3 cases must wait for hand-written code" in words(text)
+    assert "3 cases wait for hand-written code" in words(text)

@@ -34,7 +34,7 @@ def test_an_engine_is_shown_as_recorded_and_hand_written_code_as_running():
     assert [(row.verdict, row.measured) for row in by_hand.rows] == [(Verdict.RUNNING, None)]
     assert by_hand.title == "hand-written"
     assert all(row.recorded_on for row in recorded.rows)
-    assert "its runs here are still going on" in recorded.recording
+    assert "its runs here have not ended yet" in recorded.recording
 
 
 def test_an_engine_that_is_missing_is_not_said_to_be_running(monkeypatch):

@@ -194,10 +194,10 @@ def test_each_engine_has_its_own_line_in_every_replay():
     assert len(set(DASHES)) == len(DASHES)
 
 
-def test_every_run_has_a_letter_of_its_own():
+def test_every_run_has_a_label_of_its_own():
     names = {"a": "PyBullet", "b": "PyBullet, stock", "c": "* odd", "d": "…", "e": "pymunk"}
     tags = clip(BALL, {name: bouncing(title) for name, title in names.items()}).tags()
-    assert tags == ["P", "P stock", "O", "?", "P2"]
+    assert tags == ["PyBullet", "PyBullet stock", "odd", "…", "pymunk"]
 
 
 def test_a_run_can_be_hidden_at_first():

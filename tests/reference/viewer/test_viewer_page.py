@@ -160,7 +160,7 @@ def test_a_still_shows_the_last_frame_with_each_run_in_its_line_style():
     groups = [group.attrib["stroke-dasharray"] for group in root.iter(f"{SVG}g")]
     assert groups == [" ".join(map(str, DASHES[look])) for look in (1, 2, 3)]
     words = [text.text or "" for text in root.iter(f"{SVG}text")]
-    assert words == ["Bouncing ball, 1.00 s", "H  hand-written", "P  PyBullet*", "M  MuJoCo", "D  DART"]
+    assert words == ["Bouncing ball, 1.00 s", "hand-written", "PyBullet*", "MuJoCo", "DART"]
 
 
 def test_a_still_is_drawn_to_scale():
@@ -176,7 +176,7 @@ def test_a_still_is_drawn_to_scale():
 
 def test_the_still_says_which_runs_ended_early_or_have_no_poses():
     made = clip(BALL, {"handwritten": bouncing(), "pybullet": bouncing("PyBullet", count=31)})
-    assert "P  PyBullet, until 0.50 s" in still(made)
+    assert ">PyBullet, until 0.50 s" in still(made)
 
 
 def test_boxes_and_capsules_are_drawn_from_any_side():
@@ -248,7 +248,10 @@ def test_a_replay_has_what_is_plain_beside_what_counts_where_it_fails(results):
     wrong = replace(step, rows=tuple(replace(row, verdict=Verdict.FAIL) for row in step.rows))
     made = replay_of(sections([exact, wrong])[0])
     assert made is not None
-    assert list(zip(made.tags(), (run.shown for run in made.runs), strict=True)) == [("H", True), ("H step", True)]
+    assert list(zip(made.tags(), (run.shown for run in made.runs), strict=True)) == [
+        ("hand-written", True),
+        ("hand-written step", True),
+    ]
 
 
 def test_a_missing_engine_is_replayed_from_its_recording():
@@ -259,7 +262,7 @@ def test_a_missing_engine_is_replayed_from_its_recording():
     (run,) = made.runs
     assert (run.title, run.note.split(" was recorded")[0]) == ("PyBullet*", f"* PyBullet {result.version}")
     assert run.count == made.count > 60
-    assert "P  PyBullet*, recorded" in still(made)
+    assert ">PyBullet*, recorded" in still(made)
 
 
 def test_names_in_a_fragment_are_escaped_for_html():

@@ -1,0 +1,111 @@
+"""What each engine is told, in words: a sentence for each setting, with the engine's own name for it in code type.
+
+A setting is looked up as `Settings.describe` writes it, `contact erp 0.5`: first with its value, then by its name. In a
+sentence {} stands for the value, {s} and {m} for the value as a time and as a length, and code is between backticks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+_RAISED = "The ground is {m} higher, so that rounding cannot part a body from it."
+SENTENCES: Mapping[str, Mapping[str, str]] = {
+    "pybullet": {
+        "timestep": "A timestep is {s} long (`setTimeStep`).",
+        "coordinates maximal": "Bodies are plain rigid bodies, not multibodies (`useMaximalCoordinates` = 1).",
+        "coordinates multibody": "Bodies are multibodies, as by default (`useMaximalCoordinates` = 0).",
+        "linear damping 0": "Nothing damps the velocity of a body (`linearDamping` = 0).",
+        "linear damping": "A body loses the share {} of its velocity in a second (`linearDamping`).",
+        "angular damping 0": "Nothing damps the spin of a body (`angularDamping` = 0).",
+        "angular damping": "A body loses the share {} of its spin in a second (`angularDamping`).",
+        "contact slop 0": "An overlap counts however small it is (`contactSlop` = 0).",
+        "contact slop": "An overlap of {m} is left alone (`contactSlop`).",
+        "contact erp": "Of an overlap, each step takes back the share {} (`contactERP`).",
+        "contact gap falls 0": "A contact counts only where no gap is left (`contactProcessingThreshold` = 0).",
+        "contact gap falls": "A contact counts from a gap of {} g dt² on (`contactProcessingThreshold`).",
+        "split impulse True": "Taking back an overlap of any depth adds no speed (`useSplitImpulse` = 1,"
+        " `splitImpulsePenetrationThreshold` = 0).",
+        "split impulse False": "Taking back an overlap adds speed (`useSplitImpulse` = 0).",
+        "rest threshold steps": "An impact slower than {} g dt does not bounce (`restitutionVelocityThreshold`).",
+        "solver iterations": "The solver sweeps over all contacts at most {} times a step (`numSolverIterations`).",
+        "solver residual 0": "The solver never stops early (`solverResidualThreshold` = 0).",
+        "solver residual": "The solver stops at a residual of {} (`solverResidualThreshold`).",
+        "cone friction": "Whether friction has a cone: {} (`enableConeFriction`).",
+        "ground box": "The ground is a large box, on which Bullet finds all corners of a body at once (`GEOM_BOX`).",
+        "ground plane": "The ground is a plane (`GEOM_PLANE`).",
+        "margin": _RAISED,
+        "stiffness": "A contact is a spring of {} N/m for each kilogram, with a dashpot that gives e.",
+        "spring of world": "All contacts share the spring (`contactERP` and `globalCFM`).",
+        "spring of bodies": "Each body has a spring (`contactStiffness` and `contactDamping`).",
+    },
+    "mujoco": {
+        "timestep": "A timestep is {s} long (`timestep`).",
+        "contact one step": "The damping of a contact turns its normal velocity v into −e v in one step (`solref`), and"
+        " friction may end the slip in one step (`solreffriction`).",
+        "contact spring": "A contact is a spring with the damping that gives e, resolved over many steps (`solref`).",
+        "contact default": "A contact keeps MuJoCo's default, which knows no e (`solref`).",
+        "integrator Euler": "Semi-implicit Euler moves the bodies (`integrator` = Euler).",
+        "integrator RK4": "The fourth-order Runge–Kutta method moves the bodies (`integrator` = RK4).",
+        "integrator": "The method that moves the bodies is {} (`integrator`).",
+        "cone elliptic": "Friction has a round cone (`cone` = elliptic).",
+        "cone pyramidal": "Friction has a pyramid for a cone, which is weaker between its edges (`cone` = pyramidal).",
+        "impedance": "A contact is as hard as an impedance of {} makes it (`solimp`).",
+        "overlap recovery": "Of an overlap, each step takes back the share {} (`solref`).",
+        "impratio 1": "In the main solver friction is as hard as the normal force (`impratio` = 1).",
+        "impratio": "In the main solver friction is {} times as hard as the normal force (`impratio`).",
+        "noslip iterations 0": "Friction is settled by the main solver alone (`noslip_iterations` = 0).",
+        "noslip iterations": "After the main solver, {} passes settle friction (`noslip_iterations`).",
+        "margin": "A contact counts from a gap of {m} on (`margin`).",
+        "stiffness": "The spring has {} N/m for each kilogram (`solref`).",
+    },
+    "dart": {
+        "timestep": "A timestep is {s} long (`setTimeStep`).",
+        "detector dart": "DART's own detector finds the contacts (`DARTCollisionDetector`).",
+        "detector fcl": "The Flexible Collision Library finds the contacts (`FCLCollisionDetector`).",
+        "detector bullet": "Bullet's detector finds the contacts (`BulletCollisionDetector`).",
+        "detector ode": "The detector of Open Dynamics Engine finds the contacts (`OdeCollisionDetector`).",
+        "ground plane": "The ground is a plane (`PlaneShape`).",
+        "ground box": "The ground is a large box, on which DART finds all corners of a body at once (`BoxShape`).",
+        "margin": _RAISED,
+        "split impulse True": "Taking back an overlap adds no speed (`setSplitImpulseEnabled` = True).",
+        "split impulse False": "Taking back an overlap adds speed (`setSplitImpulseEnabled` = False).",
+        "sleep False": "What is at rest is never put to sleep (`DeactivationOptions.mEnabled` = False).",
+        "sleep True": "What is at rest may be put to sleep (`DeactivationOptions.mEnabled` = True).",
+        "solver dantzig": "Pivots solve all contacts at once, with a pyramid for friction (`DantzigBoxedLcpSolver`).",
+        "solver nsgs": "Sweeps solve one contact after another, with a cone for friction (`NsgsFrictionSolver`).",
+        "solver fbf": "Forward and backward steps solve all contacts, with a cone for friction (`FbfFrictionSolver`).",
+        "solver tolerance": "The solver stops at a residual of {} (`tolerance`).",
+        "solver iterations": "The solver sweeps at most {} times a step (`maxSweeps`).",
+    },
+    "handwritten": {
+        "timestep": "A timestep is {s} long.",
+        "policy exact_root": "An impact is resolved at the exact instant (`policy` = exact_root).",
+        "policy interpolated": "An impact is resolved at the slide's T, on the straight line between two steps"
+        " (`policy` = interpolated).",
+        "policy at_step": "An impact is resolved at the end of the step that finds it (`policy` = at_step).",
+        "impact law": "Restitution follows the law of {} (`impact_law`).",
+        "impact law dissipative": "Restitution follows Newton's law, and friction takes the most energy that it can"
+        " (`impact_law` = dissipative).",
+        "impact law newton": "Restitution follows Newton's law (`impact_law` = newton).",
+        "impact law poisson": "Restitution follows Poisson's law (`impact_law` = poisson).",
+        "impact law stronge": "Restitution follows Stronge's law (`impact_law` = stronge).",
+        "shortest flight 1": "A ball rests if its next flight ends within one timestep (`shortest_flight` = 1).",
+        "shortest flight": "A ball rests if its next flight ends within {} timesteps (`shortest_flight`).",
+    },
+}
+"""By engine and setting."""
+
+
+def sentence_and_value(engine: str, told: str) -> tuple[str, str]:
+    """The sentence of one setting, as `Settings.describe` writes it, and its value.
+
+    A setting that has no sentence is its own: `stiffness 3`.
+    """
+    own = SENTENCES.get(engine, {})
+    if told in own:
+        return own[told], ""
+    names = [name for name in own if told.startswith(f"{name} ")]
+    if not names:
+        return told.replace("{", "{{").replace("}", "}}"), ""
+    name = max(names, key=len)
+    return own[name], told.removeprefix(name).strip()
