@@ -17,6 +17,7 @@ of its lines to derive, are replaced by its guesses in turn: `guess="0.25 | 'up'
 from __future__ import annotations
 
 import ast
+import re
 from dataclasses import dataclass, field
 
 from labs.grading.submission.reading import DRAFT
@@ -26,6 +27,8 @@ from reference.errors import InvalidInput
 
 OPEN = "=..."
 """Where a student puts a prediction, or a line that is to be derived."""
+_DOTS = re.compile(r"(?<==)\.\.\.|(?<=, )\.\.\.(?=[,)])")
+"""These dots, and those in place of a whole argument of a call."""
 _NAMING, _KEYED = ("given", "write", "draft"), ("broken", "answer", "model")
 """Kinds of cells whose metadata names functions, and kinds whose metadata is a key."""
 _KINDS = ("lab", *_NAMING, *_KEYED, "instructor")
@@ -53,8 +56,8 @@ class Cell:
     @property
     def guessed(self) -> str:
         """Its text with a good guess in place of the dots that a student replaces."""
-        first, *others = self.text.split(OPEN)
-        return first + "".join(f"={guess}{rest}" for guess, rest in zip(self.guesses, others, strict=True))
+        guesses = iter(self.guesses)
+        return _DOTS.sub(lambda _: next(guesses), self.text)
 
 
 @dataclass(frozen=True)
@@ -152,7 +155,7 @@ def _refuse(lesson: Lesson) -> None:
     for name in lesson.lent:
         lecture.function(name)
     for cell in lesson.cells:
-        if len(cell.guesses) != (asked := cell.text.count(OPEN)):
+        if len(cell.guesses) != (asked := len(_DOTS.findall(cell.text)) if cell.code else 0):
             guess = " | ".join(cell.guesses)
             raise InvalidInput(f"the lesson of {lesson.topic} has guess={guess!r} for {asked} predictions: {cell.text}")
     for cell in lesson.cells:
