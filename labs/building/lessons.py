@@ -4,26 +4,29 @@ A cell's metadata says what it becomes.
 
 Code: `lab="setup"` is the first cell, which finds the lab; its `lends="f g"` names functions of later labs that its
 runs need. `given="finite Body"` is code to use. `write="signed_distance"` names functions to write, each in a cell with
-a check. `broken="key"` is code that a student mends; the cell with `model="key"` shows how.
+a check. `broken="key"` is code that a student mends; the cell with `model="key"` shows how. `draft="collide"` is the
+header and description of a first version of a function, for simpler cases; the cell with `model="draft-collide"` is it.
 
 Text: `answer="key" points=3` is a question; the cell with `model="key"` has what a good answer says and how it is
 marked. `instructor=true` is for the instructor only.
 
-Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions are
-replaced by its guesses in turn: `guess="0.25 | 'up'"`.
+Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions, and
+of its lines to derive, are replaced by its guesses in turn: `guess="0.25 | 'up'"`.
 """
 
 from __future__ import annotations
 
+import ast
 from dataclasses import dataclass, field
 
+from labs.grading.submission.reading import DRAFT
 from labs.project_folders import LESSONS
 from reference import lecture
 from reference.errors import InvalidInput
 
-OPEN = "answer=..."
-"""Where a student puts a prediction."""
-_NAMING, _KEYED = ("given", "write"), ("broken", "answer", "model")
+OPEN = "=..."
+"""Where a student puts a prediction, or a line that is to be derived."""
+_NAMING, _KEYED = ("given", "write", "draft"), ("broken", "answer", "model")
 """Kinds of cells whose metadata names functions, and kinds whose metadata is a key."""
 _KINDS = ("lab", *_NAMING, *_KEYED, "instructor")
 
@@ -34,7 +37,8 @@ class Cell:
 
     kind: one of those above, empty for a cell that is the same in both notebooks. names: the functions that it gives,
     or has the student write. key: joins a question or a broken cell with its model. points: of a question. lends: the
-    functions of later labs that its runs need. guesses: good guesses for its predictions.
+    functions of later labs that its runs need. guesses: good guesses for its predictions, and
+    right lines for its derivations.
     """
 
     code: bool
@@ -48,9 +52,9 @@ class Cell:
 
     @property
     def guessed(self) -> str:
-        """Its text with a good guess in place of the dots of each prediction."""
+        """Its text with a good guess in place of the dots that a student replaces."""
         first, *others = self.text.split(OPEN)
-        return first + "".join(f"answer={guess}{rest}" for guess, rest in zip(self.guesses, others, strict=True))
+        return first + "".join(f"={guess}{rest}" for guess, rest in zip(self.guesses, others, strict=True))
 
 
 @dataclass(frozen=True)
@@ -71,12 +75,17 @@ class Lesson:
         return tuple(name for cell in self.cells if cell.kind == "given" for name in cell.names)
 
     @property
+    def drafts(self) -> tuple[str, ...]:
+        """The functions of which it has the student write a first version."""
+        return tuple(name for cell in self.cells if cell.kind == "draft" for name in cell.names)
+
+    @property
     def lent(self) -> tuple[str, ...]:
         """The functions of other labs that its runs need before these are taught."""
         return tuple(name for cell in self.cells for name in cell.lends)
 
     def models(self, key: str) -> tuple[Cell, ...]:
-        """The models of a question or a broken cell."""
+        """The models of a question, a broken cell or a draft."""
         return tuple(cell for cell in self.cells if cell.kind == "model" and cell.key == key)
 
 
@@ -149,3 +158,23 @@ def _refuse(lesson: Lesson) -> None:
     for cell in lesson.cells:
         if cell.kind in ("answer", "broken") and not lesson.models(cell.key):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.key!r}")
+    for name in lesson.drafts:
+        if name not in expected:
+            raise InvalidInput(f"the lesson of {lesson.topic} has a draft of {name}, which it does not write")
+        if len(lesson.models(f"{DRAFT}{name}")) != lesson.drafts.count(name):
+            raise InvalidInput(f"the lesson of {lesson.topic} has no model={DRAFT + name!r} for each draft={name!r}")
+    for cell in lesson.cells:
+        if cell.kind == "draft" and not _is_header(cell):
+            raise InvalidInput(f"the draft of {' '.join(cell.names)} is to be one function with a docstring")
+
+
+def _is_header(cell: Cell) -> bool:
+    """Whether a cell holds the one function that it names, with a docstring and perhaps lines to begin with."""
+    try:
+        statements = ast.parse(cell.text).body
+    except SyntaxError:
+        return False
+    match statements:
+        case [ast.FunctionDef(name=name, body=[ast.Expr(value=ast.Constant(value=str())), *_])]:
+            return cell.names == (name,)
+    return False

@@ -16,11 +16,15 @@ from typing import Any
 from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of
 from labs.building.lessons import Cell, Lesson, read
 from labs.building.points import points_of
+from labs.building.revealed_answers import answers_of, compact
+from labs.grading.submission.reading import DRAFT
+from labs.grading.submission.stubs import AGAIN, FIRST
 from reference import lecture
 from reference.errors import InvalidInput
 
 WIDTH = 88
 """Characters of a line of a stub, as in most notebooks' own style; the linter holds the solutions' docstrings to it."""
+YOURS = "is yours to write"
 _LEAST = 24
 """A line of a solution with at least so many characters gives something away; shorter ones occur in any text."""
 _SETUP = """\
@@ -100,7 +104,9 @@ def student(topic: str) -> dict[str, Any]:
     for cell in lesson.cells:
         if cell.kind == "write":
             for name in cell.names:
-                _function(draft, name, stub(draft.excerpts, name))
+                _function(draft, name, stub(draft.excerpts, name, again=name in lesson.drafts))
+        elif cell.kind == "draft":
+            _first_version(draft, cell, first_stub(lesson.topic, cell))
         elif cell.kind not in ("model", "instructor"):
             _common(draft, cell)
             if cell.kind == "answer":
@@ -114,10 +120,13 @@ def solved(topic: str) -> dict[str, Any]:
     """The instructor's notebook, with solutions, model answers and the notes for the instructor."""
     lesson = read(topic)
     draft = _Draft(lesson, TopicExcerpts.of(topic))
+    drafts = {name: iter(lesson.models(f"{DRAFT}{name}")) for name in lesson.drafts}
     for cell in lesson.cells:
         if cell.kind == "write":
             for name in cell.names:
                 _function(draft, name, _silent(text_of(draft.take([name]))))
+        elif cell.kind == "draft":
+            _first_version(draft, cell, next(drafts[cell.names[0]]).text)
         elif cell.kind == "broken":
             for model in lesson.models(cell.key):
                 draft.add("code" if model.code else "markdown", model.text)
@@ -135,17 +144,59 @@ def text(notebook: dict[str, Any]) -> str:
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
-def stub(excerpts: TopicExcerpts, name: str) -> str:
-    """A function as a student finds it: its own header and docstring, and an error that says whose turn it is."""
+def stub(excerpts: TopicExcerpts, name: str, again: bool = False) -> str:
+    """A function as a student finds it: its header, its contract, and an error that says whose turn it is.
+
+    The contract is the docstring without its *Notes*, which say how the function is found. again: whether the student
+    has written a first version of it.
+
+    Raises
+    ------
+    InvalidInput
+        If the contract holds a line that the student is to derive.
+    """
     source = excerpts.defining(name).text
     function = next(node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
-    end = function.body[0].end_lineno
     entry = lecture.function(name)
-    said = f'"{entry.topic}, step {entry.step}: {name} is yours to write"'
-    unwritten = f"    raise NotImplementedError({said})"
-    if len(unwritten) > WIDTH:
-        unwritten = f"    raise NotImplementedError(\n        {said}\n    )"
-    return "\n".join([*source.split("\n")[:end], unwritten])
+    lines = _contract(source.split("\n")[: function.body[0].end_lineno])
+    _refuse_answers(entry.topic, name, lines)
+    return "\n".join([*lines, *_unwritten(f"{entry.topic}, step {entry.step}: {name} {AGAIN if again else YOURS}")])
+
+
+def first_stub(topic: str, cell: Cell) -> str:
+    """A first version of a function as a student finds it: what the lesson says of it, and an error."""
+    (name,) = cell.names
+    _refuse_answers(topic, name, [cell.text])
+    return "\n".join([cell.text, *_unwritten(f"{topic}: {FIRST} {name} {YOURS}")])
+
+
+def _refuse_answers(topic: str, name: str, lines: Iterable[str]) -> None:
+    """Raise if a contract holds a line that the student is to derive."""
+    text = compact("\n".join(lines))
+    for answer in answers_of(topic, name):
+        if answer in text:
+            raise InvalidInput(f"the stub of {name} holds a line that is to be derived: {answer}")
+
+
+def _contract(lines: list[str]) -> list[str]:
+    """The lines of a header and a docstring up to its *Notes*."""
+    indent = "    "
+    for at in range(len(lines) - 1):
+        if lines[at] == f"{indent}Notes" and set(lines[at + 1].strip()) == {"-"}:
+            return ["\n".join(lines[:at]).rstrip(), f'{indent}"""']
+    return lines
+
+
+def _unwritten(said: str) -> list[str]:
+    """The lines of an error that says whose turn it is."""
+    whole = f'    raise NotImplementedError("{said}")'
+    return [whole] if len(whole) <= WIDTH else ["    raise NotImplementedError(", f'        "{said}"', "    )"]
+
+
+def _first_version(draft: _Draft, cell: Cell, source: str) -> None:
+    """The cell of a first version. It has no check: the runs after it show what it can do."""
+    (name,) = cell.names
+    draft.add("code", source, tags=[f"{DRAFT}{name}"])
 
 
 def _common(draft: _Draft, cell: Cell) -> None:
@@ -199,11 +250,14 @@ def _notebook(draft: _Draft) -> dict[str, Any]:
 
 
 def _refuse_solutions(draft: _Draft, made: dict[str, Any]) -> None:
-    """Raise if the student's notebook holds a line of a solution that the student is to write."""
-    text = "\n".join("".join(cell["source"]) for cell in made["cells"])
+    """Raise if the student's notebook holds a line of a solution that the student is to write.
+
+    A line that a given function has as well reveals nothing.
+    """
+    text, given = "\n".join("".join(cell["source"]) for cell in made["cells"]), text_of(draft.taken)
     for excerpt in draft.excerpts.needed(draft.lesson.written, draft.taken):
         for line in _revealing_lines(excerpt):
-            if line in text:
+            if line in text and line not in given:
                 raise InvalidInput(f"the student's notebook of {draft.lesson.topic} holds a solution's line: {line}")
 
 

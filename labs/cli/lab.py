@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from labs.building import lessons, notebooks
+from labs.building import guidance_gaps, lessons, notebooks
 from labs.building.release import release as write_release
 from labs.cli.console import errors, output
 from labs.project_folders import ROOT, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
@@ -37,6 +37,8 @@ def build(
     topics = [lecture.topic(name).name for name in topic or lessons.lessons()]
     if not topics:
         raise InvalidInput("there are no lessons: labs/lessons is empty")
+    for gap in (gap for name in topics for gap in guidance_gaps.gaps(name)):
+        errors.print(f"still to do: {gap}", markup=False, soft_wrap=True)
     stale = []
     for name in topics:
         made = {STUDENT_NOTEBOOKS / f"{name}.ipynb": notebooks.student(name)}

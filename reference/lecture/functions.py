@@ -29,13 +29,14 @@ class Function:
 
 _FUNCTIONS = (
     Function("signed_distance", "detection", 1, 4, "written"),
-    Function("is_colliding", "detection", 2, 4, "written"),
+    Function("is_colliding", "detection", 2, 4, "read"),
     Function("side_of_plane", "detection", 2, 4, "written"),
     Function("time_of_impact_interpolated", "detection", 3, 5, "written"),
+    Function("count_impacts", "detection", 3, 3, "written"),
     Function("time_of_impact_exact", "detection", 4, 5, "written"),
     Function("overlap_interval", "detection", 5, 2, "written"),
     Function("missing_probability", "detection", 6, 9, "written"),
-    Function("substeps_needed", "detection", 6, 9, "written"),
+    Function("substeps_needed", "detection", 6, 9, "read"),
     Function("kinematic_response", "response", 1, 7, "written"),
     Function("moving_plane_response", "response", 2, 7, "written"),
     Function("respond_at_step", "response", 3, 6, "written"),

@@ -26,7 +26,7 @@ SYMBOLS: tuple[Symbol, ...] = (
     Symbol("(a, b, c)", "normal", "1", "normal of a plane, any length", (4,), "n", "signed_distance"),
     Symbol("d", "offset", "m", "of the plane n·p + d = 0, for a unit normal", (4,), "d", "signed_distance"),
     Symbol("(x, y, z)", "point", "m", "a point", (4,), "p", "signed_distance"),
-    Symbol("a x + b y + c z + d", "separation", "m", "signed distance, negative behind", (4,), "s", "is_colliding"),
+    Symbol("a x + b y + c z + d", "separation", "m", "signed distance, negative behind", (4,), "s", "side_of_plane"),
     Symbol("t", "t", "s", "start of a step", (5,), "t", "time_of_impact_interpolated"),
     Symbol("Δt", "dt", "s", "length of a step", (5, 13), "Δt", "time_of_impact_interpolated"),
     Symbol("d1", "separation_0", "m", "signed distance at its start", (5,), "s0", "time_of_impact_interpolated"),

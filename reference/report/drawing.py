@@ -12,7 +12,7 @@ from reference.catalogue.scenarios import catalogue
 from reference.comparison.results import Job, JobResult
 from reference.published.results import PublishedResult
 from reference.published.theirs import published
-from reference.report import figures
+from reference.report import figures, small_pictures
 from reference.report.published.figures import PANELS, oblique_impact
 from reference.report.published.tables import PublishedCell, PublishedLine
 from reference.report.sections import Line, Section
@@ -59,12 +59,9 @@ def of_section(section: Section, study_caption: str) -> list[Drawing]:
 
 def at_a_glance(section: Section) -> Drawing:
     """The small picture of a family: what counts, and what is plain."""
-    curve = section.family.curve
     lines = [line for line in section.lines if (line.counts or line.plain) and line.result.series is not None]
-    caption = f"{curve.title}: {curve.y_label} against time."
-    return Drawing(
-        f"{section.family.name}-glance", caption, _glance, tuple(_only(line.result, "series") for line in lines)
-    )
+    shown = tuple(_only(line.result, "series") for line in lines)
+    return Drawing(f"{section.family.name}-glance", small_pictures.in_words(section), _glance, shown)
 
 
 def of_impacts(line: PublishedLine) -> list[Drawing]:
@@ -124,7 +121,7 @@ def _convergence(*results: JobResult) -> str:
 
 
 def _glance(*results: JobResult) -> str:
-    return figures.glance(_section(results)) if results else ""
+    return small_pictures.picture(_section(results)) if results else ""
 
 
 def _impact(place: int, *results: PublishedResult) -> str:

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 
 WIDTH, HEIGHT = 5.8, 3.9
 """Size of a figure, inches: two fit side by side on a desktop screen, one fills a phone."""
-GLANCE = (3.7, 1.5)
-"""Size of a picture beside a finding of the first screen, inches."""
 COLOURS = {"handwritten": "#1b1b1b", "pybullet": "#0072b2", "mujoco": "#d55e00", "dart": "#009e73"}
 _STROKES = {"handwritten": (5.0, 0.35), "pybullet": (3.2, 1.0), "mujoco": (1.9, 1.0), "dart": (0.8, 1.0)}
 """Width in points and opacity of curves that count: where they coincide, each still shows on both sides of the next."""
@@ -71,41 +69,6 @@ def trajectories(section: Section) -> str:
 
     labels = {"title": curve.title, "xlabel": "time, s", "ylabel": curve.y_label}
     return _figure(f"{section.family.name}-trajectories", plotted, draw, labels)
-
-
-def glance(section: Section) -> str:
-    """The same curve small: what counts as lines, what is plain dashed, with the engines named beside it."""
-    plotted = [line for line in section.lines if (line.counts or line.plain) and line.result.series is not None]
-    if not plotted:
-        return ""
-    import matplotlib  # late, as below
-    from matplotlib.figure import Figure
-    from matplotlib.lines import Line2D
-
-    name, curve = f"{section.family.name}-glance", section.family.curve
-    with matplotlib.rc_context(STYLE | {"svg.hashsalt": name, "font.size": 8}):
-        figure = Figure(figsize=GLANCE, layout="constrained")
-        axes = figure.add_subplot()
-        named = {}
-        for line in sorted(plotted, key=lambda line: line.counts):
-            series = line.result.series
-            assert series is not None
-            sparse = staggered(len(axes.get_lines())) if series.times else {}
-            axes.plot(*series.dense(), **sparse, **(marker(line) | {"markersize": 3.5}), **line_style(line))
-            if line.counts:
-                named[line.result.title] = axes.get_lines()[-1]
-        dashed = Line2D([], [], color="#5b5b58", linestyle=_DASHES[STOCK], linewidth=1.3)
-        axes.set(xlabel="time, s")
-        axes.set_ylabel(curve.y_label, fontsize=7)
-        handles = {title: named[title] for line in section.lines if (title := line.result.title) in named}
-        figure.legend(
-            [*handles.values(), dashed],
-            [*handles, "as installed,\nat the step"],
-            loc="outside right upper",
-            handlelength=2.2,
-            fontsize=8,
-        )
-        return as_svg(figure, name)
 
 
 def convergence(section: Section) -> str:

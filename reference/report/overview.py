@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from reference.comparison.verdicts import Row, Verdict
-from reference.engines.profiles import counts
+from reference.engines.profiles import STOCK, counts
 from reference.report.sections import Line, Section
 
 COUNTED, PLAIN, OTHER = "what counts", "as installed, and by hand at the step", "for other methods"
@@ -58,14 +58,14 @@ def columns(found: Sequence[Section]) -> list[str]:
 
 
 _SAID = {
-    "{} as predicted and away from it": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
+    "{} as predicted and away from theory": (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES),
     "{} failed": (Verdict.FAIL,),
     "{} gave no answer": (Verdict.CRASHED, Verdict.NOT_AVAILABLE),
 }
 """What is said of so many checks, by their verdicts."""
 _WITHOUT = {
-    "cannot be put to the engine": (Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS),
-    "must wait for hand-written code": (Verdict.NEEDS,),
+    "cannot be expressed in the engine": (Verdict.CANNOT_EXPRESS, Verdict.NO_WORDS),
+    "wait for hand-written code": (Verdict.NEEDS,),
 }
 """What is said of cases that have no number. One of them stands for all checks of its case."""
 _ALWAYS = (Verdict.FAIL,)
@@ -87,6 +87,11 @@ def verdict_line(rows: Sequence[Row]) -> str:
     cases = {words: sum(row.verdict in verdicts for row in every) for words, verdicts in _WITHOUT.items()}
     others = [f"{count:,} {'case' if count == 1 else 'cases'} {words}" for words, count in cases.items() if count]
     return f"{', '.join(parts[:-1])} and {parts[-1]}." + (f" Besides, {' and '.join(others)}." if others else "")
+
+
+def not_counted(rows: Sequence[Row]) -> str:
+    """What the page says beside the counts, since its marks of failure are those of engines as installed."""
+    return "Engines as installed are shown, but not counted." if any(row.profile == STOCK for row in rows) else ""
 
 
 def _checks(count: int) -> str:

@@ -10,11 +10,16 @@ from solutions.checks import finite, not_negative, vector
 from solutions.scaling import moderate_plane
 
 
-def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> Array:
-    """Distance of a point from the plane n·p + d = 0, negative behind it (slide 4).
+def signed_distance(
+    point: ArrayLike,
+    normal: ArrayLike,
+    offset: ArrayLike,
+) -> Array:
+    """Signed distance of a point from the plane n·p + d = 0 (slide 4).
 
-    The normal points to the front of the plane. It may have any length: the result is a
-    distance in metres in any case.
+    The distance is negative behind the plane. The normal points to the front
+    of the plane, and it may have any length: the result is a distance in
+    metres in any case.
 
     Parameters
     ----------
@@ -29,13 +34,13 @@ def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> A
     Raises
     ------
     ValueError
-        If a normal is zero: a plane without a direction has no sides. If a point or a
-        normal does not have three components.
+        If a normal is zero: a plane without a direction has no sides. If a
+        point or a normal does not have three components.
 
     Notes
     -----
-    From the point, go the distance s against the unit normal n/‖n‖. You arrive on the
-    plane if the new point satisfies the plane's equation:
+    From the point, go the distance s against the unit normal n/‖n‖. You arrive
+    on the plane if the new point satisfies the plane's equation:
 
         n·(p − s n/‖n‖) + d = 0
 
@@ -43,14 +48,50 @@ def signed_distance(point: ArrayLike, normal: ArrayLike, offset: ArrayLike) -> A
 
         s = (n·p + d)/‖n‖
 
-    The slide's a x + b y + c z + d is the numerator. It is the distance only when
-    ‖n‖ = 1; the division by ‖n‖ makes it one for every n.
+    The slide's a x + b y + c z + d is the numerator. It is the distance only
+    when ‖n‖ = 1; the division by ‖n‖ makes it one for every n.
     """
     point, normal = vector("point", point), vector("normal", normal)
     normal, offset, length = moderate_plane(normal, offset)
     if np.any(length == 0):
         raise ValueError("normal is zero: the plane has no direction")
     return np.asarray((np.vecdot(normal, point) + offset) / length)
+
+
+def side_of_plane(
+    separation: ArrayLike,
+    tolerance: ArrayLike = 0.0,
+) -> NDArray[np.int64]:
+    """Side of a plane on which a point is (slide 4).
+
+    It is 1 in front, 0 on the plane, and −1 behind it, where a point collides.
+
+    Parameters
+    ----------
+    separation : (...), signed distance, m
+    tolerance : (...), m, not negative
+        A point is on the plane up to and including this distance, on either
+        side. With 0 only a point exactly on the plane is on it, which does not
+        collide, as on the slide.
+
+    Returns
+    -------
+    (...), 1, 0 or −1
+
+    Raises
+    ------
+    ValueError
+        If a separation is not finite (a NaN would be on no side), or a
+        tolerance is negative.
+
+    Notes
+    -----
+    The slide knows two sides, and its strict < puts a point that touches the
+    plane among those in front.
+    """
+    s = finite("separation", separation)
+    tolerance = not_negative("tolerance", tolerance)
+    return np.asarray((s > tolerance).astype(np.int64) - (s < -tolerance))
 
 
 def is_colliding(
@@ -72,37 +113,6 @@ def is_colliding(
     Raises
     ------
     ValueError
-        If a separation is not finite (a NaN would never collide), or a tolerance is
-        negative.
-    """
-    return np.asarray(finite("separation", separation) < -not_negative("tolerance", tolerance))
-
-
-def side_of_plane(
-    separation: ArrayLike,
-    tolerance: ArrayLike = 0.0,
-) -> NDArray[np.int64]:
-    """Side of a plane on which a point is: 1 in front, 0 on it, −1 behind (slide 4).
-
-    Parameters
-    ----------
-    separation : (...), signed distance, m
-    tolerance : (...), m, not negative
-        A point is on the plane up to and including this distance, on either side.
-
-    Returns
-    -------
-    (...), 1, 0 or −1
-
-    Raises
-    ------
-    ValueError
         If a separation is not finite, or a tolerance is negative.
-
-    Notes
-    -----
-    The slide knows two sides, and its strict < puts a point that touches the plane
-    among those in front.
     """
-    s, tolerance = finite("separation", separation), not_negative("tolerance", tolerance)
-    return np.asarray((s > tolerance).astype(np.int64) - (s < -tolerance))
+    return np.asarray(side_of_plane(separation, tolerance) < 0)

@@ -20,16 +20,18 @@ def overlap_interval(
     thickness: ArrayLike,
     dt: ArrayLike,
 ) -> tuple[Array, Array]:
-    """When within a step a ball overlaps a slab: the continuous test (slide 2).
+    """When within a step a ball overlaps a slab (slide 2).
 
-    The ball moves at constant velocity. Touching counts as overlapping, so that the
-    interval includes both of its ends.
+    This is the continuous test. The ball moves at constant velocity. Touching
+    counts as overlapping, so that the interval includes both of its ends.
 
     Parameters
     ----------
-    distance : (...), x, of the centre from the slab's front face, m, positive before it
+    distance : (...), x, m
+        Of the centre from the slab's front face, positive before it.
     normal_velocity : (...), u, m/s
-        Velocity of the ball relative to the slab, along the normal of the front face.
+        Velocity of the ball relative to the slab, along the normal of the
+        front face.
     radius : (...), r, m; 0 for a point
     thickness : (...), w, m
         Infinity for the half-space behind a plane, 0 for a sheet.
@@ -38,35 +40,43 @@ def overlap_interval(
     Returns
     -------
     start, end : (...), s from now, 0 ≤ start ≤ end ≤ Δt
-        Infinity and −infinity, an empty interval, where the ball and the slab do not
-        meet. A ball that overlaps already starts at 0. A ball that moves with the slab
-        or along it overlaps for the whole step or not at all. A ball that only touches,
-        at the first or the last instant of the step, has start = end.
+        Infinity and −infinity, an empty interval, where the ball and the slab
+        do not meet. A ball that overlaps already starts at 0. A ball that
+        moves with the slab or along it overlaps for the whole step or not at
+        all. A ball that only touches, at the first or the last instant of the
+        step, has start = end.
 
     Raises
     ------
     ValueError
-        If distance or normal_velocity is not finite, or radius, thickness or dt is
-        negative.
+        If distance or normal_velocity is not finite, or radius, thickness or
+        dt is negative.
 
     Notes
     -----
-    At time t the centre is at x + u t. The ball overlaps the slab while the centre is
-    at most r before the front face and at most r behind the back face, which is at −w:
+    At time t the centre is at x + u t. The ball overlaps the slab while the
+    centre is at most r before the front face and at most r behind the back
+    face, which is at −w:
 
         −(w + r) ≤ x + u t ≤ r,  0 ≤ t ≤ Δt
 
-    A test at the ends of the step sees two instants of this interval, or none of it.
+    A test at the ends of the step sees two instants of this interval, or none
+    of it.
     """
-    x, u = finite("distance", distance), finite("normal_velocity", normal_velocity)
-    r, w, dt = not_negative("radius", radius), not_negative("thickness", thickness), not_negative("dt", dt)
+    x = finite("distance", distance)
+    u = finite("normal_velocity", normal_velocity)
+    r = not_negative("radius", radius)
+    w = not_negative("thickness", thickness)
+    dt = not_negative("dt", dt)
     moves = u != 0
-    # A ball that crawls needs more seconds than a float holds: infinity is right.
+    # A ball that crawls may need more seconds than a float holds.
     with np.errstate(over="ignore"):
-        at_front, at_back = (r - x) / np.where(moves, u, 1.0), (-(w + r) - x) / np.where(moves, u, 1.0)
+        at_front = (r - x) / np.where(moves, u, 1.0)
+        at_back = (-(w + r) - x) / np.where(moves, u, 1.0)
     inside = (-(w + r) <= x) & (x <= r)
     first = np.where(moves, np.minimum(at_front, at_back), 0.0)
-    last = np.where(moves, np.maximum(at_front, at_back), np.where(inside, np.inf, -np.inf))
+    at_rest = np.where(inside, np.inf, -np.inf)
+    last = np.where(moves, np.maximum(at_front, at_back), at_rest)
     start, end = np.maximum(first, 0.0), np.minimum(last, dt)
     meets = start <= end
     return np.where(meets, start, np.inf), np.where(meets, end, -np.inf)
@@ -78,9 +88,9 @@ def missing_probability(
     radius: ArrayLike,
     dt: ArrayLike,
 ) -> Array:
-    """Share of the balls that a test at each step misses: temporal aliasing (slide 9).
+    """Share of the balls that a test at each step misses (slide 9).
 
-    Every phase of the tests is equally likely.
+    This is temporal aliasing. Every phase of the tests is equally likely.
 
     Parameters
     ----------
@@ -91,8 +101,8 @@ def missing_probability(
     Returns
     -------
     (...), 0 to 1
-        0 for a ball that does not move, because it cannot pass the wall. 1 for a moving
-        point against a sheet.
+        0 for a ball that does not move, because it cannot pass the wall. 1 for
+        a moving point against a sheet.
 
     Raises
     ------
@@ -101,20 +111,24 @@ def missing_probability(
 
     Notes
     -----
-    A ball overlaps the wall while its centre travels a distance of w + 2r, and it moves
-    v Δt between two tests. As every phase of the tests is equally likely, a test falls
-    within the overlap with the probability (w + 2r)/(v Δt), and certainly where this
-    ratio exceeds
-    1. The share that is missed is
+    A ball overlaps the wall while its centre travels a distance of w + 2r, and
+    it moves v Δt between two tests. As every phase of the tests is equally
+    likely, a test falls within the overlap with the probability
+    (w + 2r)/(v Δt), and certainly where this ratio exceeds 1. The share that
+    is missed is
 
         P = max(0, 1 − (w + 2r)/(v Δt))
 
-    These are the balls whose overlap no test notices. How many of the noticed balls an
-    engine then turns back is a different question.
+    These are the balls whose overlap no test notices. How many of the noticed
+    balls an engine then turns back is a different question.
     """
-    way = finite("speed", not_negative("speed", speed)) * finite("dt", not_negative("dt", dt))
-    caught = not_negative("thickness", thickness) + 2 * not_negative("radius", radius)
-    return np.asarray(np.where(way > caught, 1 - caught / np.where(way > 0, way, 1.0), 0.0))
+    speed = finite("speed", not_negative("speed", speed))
+    dt = finite("dt", not_negative("dt", dt))
+    thickness = not_negative("thickness", thickness)
+    radius = not_negative("radius", radius)
+    way, caught = speed * dt, thickness + 2 * radius
+    missed = 1 - caught / np.where(way > 0, way, 1.0)
+    return np.where(way > caught, missed, 0.0)
 
 
 def substeps_needed(
@@ -123,7 +137,7 @@ def substeps_needed(
     radius: ArrayLike,
     dt: ArrayLike,
 ) -> NDArray[np.int64]:
-    """Smallest number of equal substeps that lets no ball pass unseen (slide 9).
+    """Smallest number of substeps that lets no ball pass unseen (slide 9).
 
     Parameters
     ----------
@@ -134,14 +148,14 @@ def substeps_needed(
     Returns
     -------
     (...), at least 1
-        Each substep is shorter than w + 2r; a test at the end of a substep of exactly
-        this length might find a mere touch.
+        Each substep is shorter than w + 2r; a test at the end of a substep of
+        exactly this length might find a mere touch.
 
     Raises
     ------
     ValueError
-        If an argument is negative, speed or dt is not finite, or w + 2r is zero: no
-        number of tests catches a point on a sheet.
+        If an argument is negative, speed or dt is not finite, or w + 2r is
+        zero: no number of tests catches a point on a sheet.
 
     Notes
     -----
@@ -149,8 +163,9 @@ def substeps_needed(
 
         v Δt/n < w + 2r
 
-    Each substep is then shorter than the distance over which ball and wall overlap. At
-    least one substep therefore ends while they overlap, and by more than a touch.
+    Each substep is then shorter than the distance over which ball and wall
+    overlap. At least one substep therefore ends while they overlap, and by
+    more than a touch.
     """
     way = finite("speed", not_negative("speed", speed)) * finite("dt", not_negative("dt", dt))
     caught = not_negative("thickness", thickness) + 2 * not_negative("radius", radius)

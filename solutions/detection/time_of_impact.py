@@ -16,13 +16,13 @@ def time_of_impact_interpolated(
     t: ArrayLike,
     dt: ArrayLike,
 ) -> Array:
-    """Time at which a separation that changes at a steady rate is zero (slide 5).
+    """Time at which a separation with a steady rate is zero (slide 5).
 
     Parameters
     ----------
     separation_0 : (...), m, at the start of the step, not negative
-        For a body that was left on the plane and that rounding put just behind it, pass
-        0.
+        For a body that was left on the plane and that rounding put just behind
+        it, pass 0.
     separation_1 : (...), m, at the end of the step
     t : (...), s, start of the step
     dt : (...), s, length of the step
@@ -30,9 +30,9 @@ def time_of_impact_interpolated(
     Returns
     -------
     (...), s
-        Infinity where the step does not end behind the plane. A point that starts on
-        the plane and goes through it has T = t. A point that starts behind the plane
-        met it in an earlier step and gets infinity.
+        Infinity where the step does not end behind the plane. A point that
+        starts on the plane and goes through it has T = t. A point that starts
+        behind the plane met it in an earlier step and gets infinity.
 
     Raises
     ------
@@ -46,14 +46,16 @@ def time_of_impact_interpolated(
 
         T = t + Δt s0/(s0 − s1)
 
-    The slide writes T = t + Δt d1/(d1 + d2) with the magnitudes d1 and d2. With signed
-    distances, d1 = s0 and d2 = −s1, which gives the same formula.
+    The slide writes T = t + Δt d1/(d1 + d2) with the magnitudes d1 and d2.
+    With signed distances, d1 = s0 and d2 = −s1, which gives the same formula.
 
-    Under gravity the true path is a parabola, and the straight line between its two
-    ends lies below it by up to g Δt²/8. The line therefore meets the plane too early: T
-    is early by up to g Δt²/(8 v), where v is the speed at which the body arrives.
+    Under gravity the true path is a parabola, and the straight line between
+    its two ends lies below it by up to g Δt²/8. The line therefore meets the
+    plane too early: T is early by up to g Δt²/(8 v), where v is the speed at
+    which the body arrives.
     """
-    s0, s1 = finite("separation_0", separation_0), finite("separation_1", separation_1)
+    s0 = finite("separation_0", separation_0)
+    s1 = finite("separation_1", separation_1)
     t, dt = finite("t", t), not_negative("dt", dt)
     crosses = (s0 >= 0) & (s1 < 0)
     fraction = s0 / np.where(crosses, s0 - s1, 1.0)
@@ -65,9 +67,10 @@ def time_of_impact_exact(
     normal_velocity: ArrayLike,
     normal_acceleration: ArrayLike,
 ) -> Array:
-    """Time until a separation with constant acceleration next falls through zero.
+    """Time until a separation next falls through zero (slide 5).
 
-    The separation is s + u t + a t²/2, with t counted from now.
+    This is the exact root. The acceleration is constant, and the separation is
+    s + u t + a t²/2, with t counted from now.
 
     Parameters
     ----------
@@ -79,10 +82,11 @@ def time_of_impact_exact(
     Returns
     -------
     (...), s from now
-        Infinity where the body never comes down to the plane. A body on the plane that
-        moves away gets the time of its return. A body on the plane that moves in gets
-        0, and so does one that lies there and is pressed on. A body that turns round
-        exactly on the plane touches it; within rounding of this case, rounding decides.
+        Infinity where the body never comes down to the plane. A body on the
+        plane that moves away gets the time of its return. A body on the plane
+        that moves in gets 0, and so does one that lies there and is pressed
+        on. A body that turns round exactly on the plane touches it; within
+        rounding of this case, rounding decides.
 
     Raises
     ------
@@ -91,28 +95,33 @@ def time_of_impact_exact(
 
     Notes
     -----
-    At each root of s + u t + a t²/2 = 0 the velocity u + a t is +√(u² − 2 a s) or
-    −√(u² − 2 a s). A body that falls through zero moves in, so that the minus sign
-    holds:
+    At each root of s + u t + a t²/2 = 0 the velocity u + a t is +√(u² − 2 a s)
+    or −√(u² − 2 a s). A body that falls through zero moves in, so that the
+    minus sign holds:
 
         u + a t = −√(u² − 2 a s)
 
-    When u ≥ 0 the body rises first, and only a < 0 brings it back. Solving for t gives
+    When u ≥ 0 the body rises first, and only a < 0 brings it back. Solving for
+    t gives
 
         t = (u + √(u² − 2 a s))/(−a)
 
-    When u < 0, u and the root have opposite signs, and their sum would lose digits
-    where they are nearly equal. Multiply the numerator and the denominator by
-    √(u² − 2 a s) − u; the numerator becomes −2 a s, and
+    When u < 0, u and the root have opposite signs, and their sum would lose
+    digits where they are nearly equal. Multiply the numerator and the
+    denominator by √(u² − 2 a s) − u; the numerator becomes −2 a s, and
 
         t = 2 s/(√(u² − 2 a s) − u)
 
     In both forms no two nearly equal numbers are subtracted outside the root.
     """
     s = np.maximum(finite("separation", separation), 0.0)
-    u, a = finite("normal_velocity", normal_velocity), finite("normal_acceleration", normal_acceleration)
-    root = root_of_difference(u, 2 * a, s)  # NaN where the body turns round before the plane
+    u = finite("normal_velocity", normal_velocity)
+    a = finite("normal_acceleration", normal_acceleration)
+    # NaN where the body turns round before it reaches the plane
+    root = root_of_difference(u, 2 * a, s)
     rising = u >= 0
     denominator = np.where(rising, -a, root - u)
     arrives = denominator > 0  # false for NaN
-    return np.where(arrives, np.where(rising, u + root, 2 * s) / np.where(arrives, denominator, 1.0), np.inf)
+    numerator = np.where(rising, u + root, 2 * s)
+    time = numerator / np.where(arrives, denominator, 1.0)
+    return np.where(arrives, time, np.inf)

@@ -7,9 +7,15 @@ import re
 from pathlib import Path
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
-CELLS = (("arrays", "checks", "scaling"), ("detection/planes", "detection/time_of_impact", "detection/sampling"))
+DETECTION = tuple(f"detection/{name}" for name in ("planes", "time_of_impact", "two_walls", "sampling"))
+CELLS = (("arrays", "checks", "scaling"), DETECTION)
 """The modules of each cell: what is given, and what is written."""
 OURS = re.compile(r"^from (solutions|__future__)[\w.]* import .*\n", re.MULTILINE)
+SIDE = (
+    "def side_of_plane(separation, tolerance=0.0):\n"
+    "    return (separation > tolerance) * 1 - (separation < -tolerance) * 1"
+)
+"""A right function of a student, in a cell of its own."""
 STUB = """
 def signed_distance(point, normal, offset):
     \"\"\"Distance.\"\"\"

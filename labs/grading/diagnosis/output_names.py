@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 _VELOCITIES = ("v_A", "ω_A", "v_B", "ω_B")
 OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
+    "count_impacts": ("count", "position"),
     "overlap_interval": ("start", "end"),
     "respond_at_step": ("position", "velocity"),
     "respond_at_impact": ("position", "velocity"),

@@ -41,7 +41,7 @@ CRITICAL_INCLINE = Family(
     ),
     cases=tuple(_incline(friction, ratio) for friction in (0.3, 0.7) for ratio in RATIOS),
     quantities=INCLINE.quantities,
-    curve=Curve("μ=0.3,tanθ=1.01μ", "1 % above critical at μ = 0.3", "way, m", way_of),
+    curve=Curve("μ=0.3,tanθ=1.01μ", "1 % above critical at μ = 0.3", "distance, m", way_of),
     convergence=Convergence("μ=0.3,tanθ=1.01μ", "way"),
     predict=sliding.predict,
 )

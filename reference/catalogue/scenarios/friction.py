@@ -190,7 +190,7 @@ SLIDING_SLAB = Family(
             within_a_millimetre,
         ),
     ),
-    curve=Curve("μ=0.4,v=2,heading=30°", "Sliding at μ = 0.4, v₀ = 2 m/s, heading 30°", "way, m", way_of),
+    curve=Curve("μ=0.4,v=2,heading=30°", "Sliding at μ = 0.4, v₀ = 2 m/s, heading 30°", "distance, m", way_of),
     convergence=Convergence("μ=0.4,v=2", "stopping_distance", (2.0, 1.0, 0.5, 0.25)),
     grid=Grid(
         (Parameter("friction", "", TENTHS[1:], 0.4), Parameter("speed", "m/s", (1.0, 2.0, 5.0), 2.0)),
@@ -273,7 +273,7 @@ INCLINE = Family(
             _slid,
         ),
     ),
-    curve=Curve("μ=0.3,θ=20°", "Sliding down 20° at μ = 0.3", "way, m", way_of),
+    curve=Curve("μ=0.3,θ=20°", "Sliding down 20° at μ = 0.3", "distance, m", way_of),
     convergence=Convergence("μ=0.3,θ=20°", "way"),
     grid=Grid(
         (Parameter("friction", "", TENTHS, 0.3), Parameter("angle", "°", (3.0, 10.0, 20.0, 30.0, 40.0), 20.0)),

@@ -19,6 +19,14 @@ def time_of_impact_interpolated(separation_0, separation_1, t, dt):
     return np.where((s0 >= 0) & (s1 < 0), end, np.inf)
 
 
+def count_impacts(position, velocity, length, dt, duration):
+    way = velocity * (round(duration / dt) * dt)  # straight on, through mirror images of the strip
+    ahead = length - position if velocity > 0 else position
+    passed = np.floor((abs(way) - ahead) / length) + 1 if way else 0
+    end = (position + way) % (2 * length)
+    return max(int(passed), 0), min(end, 2 * length - end)
+
+
 def overlap_interval(distance, normal_velocity, radius, thickness, dt):
     middle, half = -thickness / 2, thickness / 2 + radius
     distance, u = np.asarray(distance), np.asarray(normal_velocity)

@@ -31,11 +31,6 @@ def signed_distance(point, normal, offset):
 
 
 @np.vectorize
-def is_colliding(separation, tolerance=0.0):
-    return not separation >= -tolerance
-
-
-@np.vectorize
 def side_of_plane(separation, tolerance=0.0):
     if abs(separation) <= tolerance:
         return 0
@@ -48,6 +43,18 @@ def time_of_impact_interpolated(separation_0, separation_1, t, dt):
         return math.inf
     before, behind = abs(separation_0), abs(separation_1)
     return t + dt * before / (before + behind)
+
+
+@vector("(),(),(),(),()->(),()")
+def count_impacts(position, velocity, length, dt, duration):
+    left, count = round(duration / dt) * dt, 0  # one step is as good as many
+    while velocity:
+        ahead = length - position if velocity > 0 else position
+        if ahead > abs(velocity) * left:
+            break
+        left = left - ahead / abs(velocity)
+        position, velocity, count = length if velocity > 0 else 0.0, -velocity, count + 1
+    return count, position + velocity * left
 
 
 @vector("(),(),()->()")

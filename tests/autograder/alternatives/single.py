@@ -1,6 +1,6 @@
 """Right answers for one contact alone, in plain Python, and as lists."""
 
-from math import atan, ceil, floor, inf, sqrt
+from math import atan, inf, sqrt
 
 
 def signed_distance(point, normal, offset):
@@ -8,13 +8,18 @@ def signed_distance(point, normal, offset):
     return float((a * x + b * y + c * z + offset) / sqrt(a * a + b * b + c * c))
 
 
-def is_colliding(separation, tolerance=0.0):
-    return bool(separation + tolerance < 0)
+def side_of_plane(separation, tolerance=0.0):
+    return int(separation > tolerance) - int(separation + tolerance < 0)
 
 
-def substeps_needed(speed, thickness, radius, dt):
-    ratio = speed * dt / (thickness + radius + radius)
-    return int(ratio) + 1 if ratio == floor(ratio) else ceil(ratio)
+def count_impacts(position, velocity, length, dt, duration):
+    count, right = 0, velocity > 0
+    for _ in range(round(duration / dt)):
+        position += abs(velocity) * dt if right else -abs(velocity) * dt
+        while position >= length if right else velocity and position <= 0:
+            position = 2 * length - position if right else -position
+            right, count = not right, count + 1
+    return [count, position]
 
 
 def kinematic_response(velocity, normal, restitution):

@@ -1,4 +1,4 @@
-"""Known mistakes of what is missed between two steps: how long a point overlaps, how often that is seen."""
+"""Known mistakes of what is missed between two steps: how long a ball overlaps a wall, how often that is seen."""
 
 import numpy as np
 
@@ -164,47 +164,5 @@ BANK = (
       "Only the way to the wall's middle counts. "
       "That is how far an engine is right that pushes out by the nearest way; a test for overlap sees the whole wall.",
       "Up to where does the ball overlap the wall?"),
-    M("substeps_needed", "ball a point", lambda v, w, r, dt: np.floor(over(v * dt, w + 0 * r)) + 1,
-      "The ball is treated as a point, and the step cut finer than needed.",
-      "On how long a way does the ball overlap the wall?"),
-    M("substeps_needed", "one radius", lambda v, w, r, dt: np.floor(v * dt / (w + r)) + 1,
-      "One radius is forgotten: the ball overlaps on the thickness and two radii.",
-      "How far does the centre go between the first touch and the last?"),
-    M("substeps_needed", "rounded down", lambda v, w, r, dt: np.maximum(np.floor(v * dt / (w + 2 * r)), 1),
-      "The number is rounded down: then a part of the step is longer than the wall, and a ball may slip through.",
-      "How far does the ball go in one part? Is that shorter than the wall?"),
-    M("substeps_needed", "rounded to the nearest", lambda v, w, r, dt: np.maximum(np.round(v * dt / (w + 2 * r)), 1),
-      "The number is rounded to the nearest: half of the time a part of the step is longer than the wall.",
-      "How far does the ball go in one part? Is that shorter than the wall?"),
-    M("substeps_needed", "rounded up", lambda v, w, r, dt: np.maximum(np.ceil(v * dt / (w + 2 * r)), 1),
-      "Where the way is exactly a whole number of walls, rounding up leaves parts as long as the wall: "
-      "a touch may be all that is seen. "
-      "The part has to be shorter.",
-      "What if v Δt is exactly w + 2r?"),
-    M("substeps_needed", "none for a slow ball", lambda v, w, r, dt: np.ceil(v * dt / (w + 2 * r)),
-      "A ball that does not move gets no step at all; at least one is always made.",
-      "Into how many parts is a step cut that need not be cut?"),
-    M("substeps_needed", "not whole", lambda v, w, r, dt: v * dt / (w + 2 * r),
-      "It is not a whole number: nobody can make 3.4 steps.",
-      "Which whole number is large enough?"),
-    M("substeps_needed", "length of a part", lambda v, w, r, dt: dt / (np.floor(v * dt / (w + 2 * r)) + 1),
-      "It is the length of a part, not how many there are.",
-      "What unit should come out?"),
-    M("substeps_needed", "step left out", lambda v, w, r, dt: np.floor(v / (w + 2 * r)) + 1 + 0 * dt,
-      "The step's length is not used: a speed is divided by a length.",
-      "How far does the ball go in the whole step?"),
-    M("substeps_needed", "upside down", lambda v, w, r, dt: np.floor(over(w + 2 * r, v * dt, 0)) + 1,
-      "The ratio is upside down: a faster ball needs more parts, not fewer.",
-      "Double the speed. Should the number grow or fall?"),
-    M("substeps_needed", "rounded down to none", lambda v, w, r, dt: np.floor(v * dt / (w + 2 * r)),
-      "The number is rounded down: then a part of the step is longer than the wall, "
-      "and a slow ball gets no step at all.",
-      "How far does the ball go in one part? Is that shorter than the wall?"),
-    M("substeps_needed", "one too many", lambda v, w, r, dt: np.ceil(v * dt / (w + 2 * r)) + 1,
-      "There is mostly one part too many: rounded up, and one more.",
-      "What is the smallest number of parts, for a ball that moves half of the wall's way?"),
-    M("substeps_needed", "thickness left out", lambda v, w, r, dt: np.floor(over(v * dt, 2 * r + 0 * w)) + 1,
-      "The wall is treated as a sheet.",
-      "Which argument makes no difference to your answer?"),
 )
 # fmt: on

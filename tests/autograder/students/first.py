@@ -35,18 +35,6 @@ def signed_distance_4(point, normal, offset):
     return np.dot(point - point_on_plane, unit_normal)
 
 
-def is_colliding_1(separation, tolerance=0.0):
-    """Touching is colliding, whatever the tolerance."""
-    return separation <= tolerance
-
-
-def is_colliding_2(separation, tolerance=0.0):
-    """Whether the point is near the plane."""
-    if abs(separation) < tolerance:
-        return True
-    return separation < 0
-
-
 def time_of_impact_interpolated_1(separation_0, separation_1, t, dt):
     """The slide, typed in."""
     return t + dt * separation_0 / (separation_0 + separation_1)
@@ -104,6 +92,46 @@ def side_of_plane_2(separation, tolerance=0.0):
     return int(np.sign(separation))
 
 
+def side_of_plane_5(separation, tolerance=0.0):
+    """Touching is colliding, whatever the tolerance."""
+    if separation <= tolerance:
+        return -1
+    return 1
+
+
+def count_impacts_1(position, velocity, length, dt, duration):
+    """Moves a step, and puts back what is beyond a wall."""
+    bounces = 0
+    for _ in range(round(duration / dt)):
+        position += velocity * dt
+        if position <= 0 and velocity < 0:
+            position, velocity, bounces = 0.0, -velocity, bounces + 1
+        if position >= length and velocity > 0:
+            position, velocity, bounces = length, -velocity, bounces + 1
+    return bounces, position
+
+
+def count_impacts_2(position, velocity, length, dt, duration):
+    """The whole way over the length."""
+    distance = abs(velocity) * duration
+    folded = (position + velocity * duration) % (2 * length)
+    if folded > length:
+        folded = 2 * length - folded
+    return math.floor(distance / length), folded
+
+
+def count_impacts_3(position, velocity, length, dt, duration):
+    """Mirrors at either wall, once a step."""
+    count = 0
+    for _ in range(round(duration / dt)):
+        position = position + velocity * dt
+        if position >= length and velocity > 0:
+            position, velocity, count = 2 * length - position, -velocity, count + 1
+        elif position <= 0 and velocity < 0:
+            position, velocity, count = -position, -velocity, count + 1
+    return count, position
+
+
 def missing_probability_1(speed, thickness, radius, dt):
     """Without the radius on the far side."""
     if speed == 0 or dt == 0:
@@ -116,11 +144,6 @@ def missing_probability_2(speed, thickness, radius, dt):
     if speed * dt == 0:
         return 0.0
     return 1 - (thickness + 2 * radius) / (speed * dt)
-
-
-def substeps_needed_1(speed, thickness, radius, dt):
-    """Rounded up."""
-    return max(1, math.ceil(speed * dt / (thickness + 2 * radius)))
 
 
 def overlap_interval_1(distance, normal_velocity, radius, thickness, dt):

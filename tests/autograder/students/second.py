@@ -11,11 +11,6 @@ def signed_distance_5(point, normal, offset):
     return np.dot(n, point - np.array([0, 0, -offset]))
 
 
-def is_colliding_3(separation, tolerance=0.0):
-    """The comparison the wrong way round."""
-    return separation > -tolerance
-
-
 def time_of_impact_interpolated_4(separation_0, separation_1, t, dt):
     """Never infinite: limited to the step."""
     if separation_0 == separation_1:
@@ -37,22 +32,39 @@ def time_of_impact_exact_4(separation, normal_velocity, normal_acceleration):
     return math.sqrt(2 * max(separation, 0) / abs(normal_acceleration))
 
 
+def count_impacts_4(position, velocity, length, dt, duration):
+    """Meets the wall, and lets the clock run on."""
+    count = 0
+    for _ in range(round(duration / dt)):
+        if velocity == 0:
+            break
+        wall = length if velocity > 0 else 0
+        time = (wall - position) / velocity
+        position = position + velocity * min(time, dt)
+        if time <= dt:
+            velocity = -velocity
+            count += 1
+    return count, position
+
+
+def count_impacts_5(position, velocity, length, dt, duration):
+    """A flag for each step."""
+    total = 0
+    for _ in range(round(duration / dt)):
+        hit, left = False, dt
+        while velocity != 0 and left >= (time := (velocity > 0) * length / velocity - position / velocity):
+            position, velocity, left, hit = (velocity > 0) * length, -velocity, left - time, True
+        position += velocity * left
+        total += hit
+    return total, position
+
+
 def missing_probability_3(speed, thickness, radius, dt):
     """The share that is caught."""
     way = speed * dt
     if way == 0:
         return 1.0
     return min(1.0, (thickness + 2 * radius) / way)
-
-
-def substeps_needed_2(speed, thickness, radius, dt):
-    """With the diameter twice."""
-    return int(speed * dt // (thickness + 4 * radius)) + 1
-
-
-def substeps_needed_3(speed, thickness, radius, dt):
-    """Integer division, nothing added."""
-    return max(1, int(speed * dt / (thickness + 2 * radius)))
 
 
 def overlap_interval_2(distance, normal_velocity, radius, thickness, dt):

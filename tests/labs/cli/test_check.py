@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
+from cells import SIDE
 from program import collisions
 from submissions import solved
 
@@ -37,19 +38,19 @@ def joined(text: str) -> str:
 def test_a_right_file_is_right(tmp_path):
     code, text = checked(solved(tmp_path, "detection"))
     assert code == 0
-    assert text.count("✓") == 8
-    assert "8 of 8 functions right" in text
+    assert text.count("✓") == 7
+    assert "7 of 7 functions right" in text
 
 
 def test_a_file_with_a_mistake_is_wrong_and_gets_a_hint(tmp_path):
     (tmp_path / "lab.py").write_text(
-        "def is_colliding(separation, tolerance=0.0):\n    return separation < tolerance\n"
+        "def side_of_plane(separation, tolerance=0.0):\n    return int(separation > 0) - int(separation < 0)\n"
     )
     code, text = checked(tmp_path / "lab.py")
     assert code == 1
-    assert "✗ is_colliding" in text
+    assert "✗ side_of_plane" in text
     assert "Hint" in text
-    assert "0 of 8 functions right, 1 in part. Next: is_colliding, marked ✗ above." in text
+    assert "0 of 7 functions right, 1 in part. Next: side_of_plane, marked ✗ above." in text
 
 
 @pytest.mark.parametrize(
@@ -76,7 +77,7 @@ def test_a_topic_without_tests_is_refused(tmp_path):
 
 def test_without_pytest_nothing_can_be_checked(tmp_path, monkeypatch):
     monkeypatch.setattr(pytest_run.importlib.util, "find_spec", lambda name: None)
-    (tmp_path / "lab.py").write_text("def is_colliding(separation, tolerance=0.0):\n    return separation < 0\n")
+    (tmp_path / "lab.py").write_text("def side_of_plane(separation, tolerance=0.0):\n    return separation < 0\n")
     code, text = checked(tmp_path / "lab.py")
     assert code == 3
     assert 'pip install -e ".[dev]"' in text
@@ -84,13 +85,15 @@ def test_without_pytest_nothing_can_be_checked(tmp_path, monkeypatch):
 
 def test_a_notebook_is_checked_like_a_file(tmp_path):
     cell = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
-    sources = ["%matplotlib inline", "def is_colliding(separation, tolerance=0.0):\n    return separation < -tolerance"]
+    sources = ["%matplotlib inline", SIDE]
+    sources.append("lab.predict('high', 'How high?', answer=0.3)\nlab.predict('late', 'Too late?', answer=...)")
     cells = [cell | {"source": source} for source in sources]
     notebook = {"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}
     (tmp_path / "lab.ipynb").write_text(json.dumps(notebook))
     code, text = checked(tmp_path / "lab.ipynb")
-    assert code == 1  # seven are to do
-    assert "✓ is_colliding" in text
+    assert code == 1  # six are to do
+    assert "✓ side_of_plane" in text
+    assert "Predictions: 1 of 2 made." in text
 
 
 PARTLY = """
@@ -137,15 +140,15 @@ def test_a_right_function_waits_for_another_that_its_scenario_needs(tmp_path):
     said = checked(tmp_path / "solved.py")[1]
     assert "· signed_distance  to do, slide 4\n" in said
     assert re.search(r"· time_of_impact_exact  \d of \d parts right  waits for signed_distance\n", said)
-    assert "6 of 8 functions right. Next: write signed_distance (detection, step 1, slide 4)." in joined(said)
+    assert "5 of 7 functions right. Next: write signed_distance (detection, step 1, slide 4)." in joined(said)
 
 
 def test_a_function_that_python_cannot_read_is_not_listed_as_to_do(tmp_path):
-    (tmp_path / "lab.py").write_text("def is_colliding(separation:\n    return separation < 0\n")
+    (tmp_path / "lab.py").write_text("def side_of_plane(separation:\n    return separation < 0\n")
     code, text = checked(tmp_path / "lab.py")
     assert code == 1
-    assert "add its ). Until then is_colliding cannot be checked." in joined(text)
-    assert "✗ is_colliding  cannot be read, see the first lines" in text
+    assert "add its ). Until then side_of_plane cannot be checked." in joined(text)
+    assert "✗ side_of_plane  cannot be read, see the first lines" in text
     assert "· signed_distance  to do, slide 4" in text
 
 
@@ -161,6 +164,6 @@ def test_without_the_solutions_scenarios_are_left_out_and_cost_nothing(tmp_path,
     monkeypatch.setattr(scenario_runs, "RIGHT", "a_package_that_a_student_lacks")
     (tmp_path / "lab.py").write_text(BOUNCE)
     code, text = checked(tmp_path / "lab.py")
-    assert code == 1  # seven are to do
+    assert code == 1  # six are to do
     assert "✓ kinematic_response" in text
     assert "1 test left out: a whole scenario needs right answers of other topics" in joined(text)

@@ -64,4 +64,4 @@ def test_a_hand_written_run_is_drawn_as_the_report_draws_it():
     seen = Outcome(find("stop"), (run_job(job),))
     (curve,) = seen.curves
     assert (curve.xs, curve.ys) == (seen.results[0].series.times, seen.results[0].series.values)
-    assert seen.axes == ("time, s", "way, m")
+    assert seen.axes == ("time, s", "distance, m")

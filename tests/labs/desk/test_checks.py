@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 
 import pytest
-from cells import STUB, right_cells, said
+from cells import SIDE, STUB, right_cells, said
 
 from labs.building.points import points_of
 from labs.grading.calling.processes import Limits
+from labs.guidance import hint_files
 from reference.errors import UnknownName
 
 
@@ -36,7 +37,7 @@ def test_a_check_takes_each_function_as_its_last_cell_defines_it(lab, cells, cap
     assert "defined" not in wrong  # three times, as is right in a kernel
     cells += right_cells()
     assert "✓ signed_distance is right" in said(capsys, lab.check, "signed_distance")
-    assert "is_colliding" not in said(capsys, lab.check, "signed_distance")
+    assert "side_of_plane" not in said(capsys, lab.check, "signed_distance")
 
 
 ONE_ONLY = "def signed_distance(point, normal, offset):\n    return np.vecdot(point, normal) + offset"
@@ -51,7 +52,7 @@ def test_help_comes_one_level_with_each_try(lab, cells, capsys):
     assert TRIED in first
     assert HINT not in first
     assert MISTAKE not in first
-    assert 'A hint comes with your next try; lab.hint("signed_distance") gives it now.' in " ".join(first.split())
+    assert 'on your code comes with your next try; lab.hint("signed_distance") helps' in " ".join(first.split())
     assert "Tries are counted since this kernel started" in first
     cells.append(f"{ONE_ONLY}  # so it is")
     assert said(capsys, lab.check, "signed_distance") == first
@@ -60,7 +61,7 @@ def test_help_comes_one_level_with_each_try(lab, cells, capsys):
     assert "parts right, try 2\n" in second
     assert HINT in second
     assert MISTAKE not in second
-    assert 'lab.hint("signed_distance") says it now.' in " ".join(second.split())
+    assert 'said with your next try; lab.hint("signed_distance") helps' in " ".join(second.split())
     cells.append(ONE_ONLY)
     assert said(capsys, lab.check, "signed_distance") == second, "it was tried before"
     cells.append(AGAIN.replace("offset +", "offset - -"))
@@ -73,7 +74,8 @@ def test_help_comes_one_level_with_each_try(lab, cells, capsys):
     assert said(capsys, lab.check, "signed_distance") == first, "a function that was right begins again"
 
 
-def test_a_hint_may_be_asked_for_before_the_next_try(lab, cells, capsys):
+def test_a_hint_may_be_asked_for_before_the_next_try(lab, cells, capsys, monkeypatch, tmp_path):
+    monkeypatch.setattr(hint_files, "HINTS", tmp_path)  # where a lab has no hints of its own
     cells += [*right_cells(), ONE_ONLY]
     first = said(capsys, lab.hint, "signed_distance")
     assert "try 1\n" in first
@@ -107,49 +109,55 @@ def test_a_definition_before_one_that_python_cannot_read_is_not_diagnosed(lab, c
 
 def test_an_endless_loop_in_a_check_prints_one_line(lab, cells, capsys, grader, monkeypatch):
     monkeypatch.setattr(grader, "limits", Limits(call=0.4, test=1.0))
-    cells.append("def is_colliding(separation, tolerance=0.0):\n    while True:\n        pass")
-    assert "gave no answer within" in said(capsys, lab.check, "is_colliding")
+    cells.append("def side_of_plane(separation, tolerance=0.0):\n    while True:\n        pass")
+    assert "gave no answer within" in said(capsys, lab.check, "side_of_plane")
 
 
 def test_given_functions_are_not_checked_and_unknown_ones_are_refused(lab, capsys):
     assert "so there is nothing to check" in said(capsys, lab.check, "sphere_inertia")
-    assert "Did you mean 'is_colliding'?" in said(capsys, lab.check, "is_coliding")
+    assert "Did you mean 'side_of_plane'?" in said(capsys, lab.check, "side_of_plan")
 
 
 def test_a_misspelt_function_is_compared_with_those_of_this_lab_alone(lab, capsys):
-    told = said(capsys, lab.check, "is_coliding")
-    assert "Did you mean 'is_colliding'?" in told
+    told = said(capsys, lab.check, "side_of_plan")
+    assert "Did you mean 'side_of_plane'?" in told
     assert "orca_half_plane" not in told
 
 
 def test_a_corrected_mistake_is_not_reported_again(lab, cells, capsys):
-    cells += [*right_cells(), "def is_colliding(separation, tolerance=0.0)\n    return separation < -tolerance"]
-    assert "a colon is missing" in said(capsys, lab.check, "is_colliding")
-    cells.append("def is_colliding(separation, tolerance=0.0):\n    return separation < -tolerance")
-    assert "✓ is_colliding is right" in (told := said(capsys, lab.check, "is_colliding"))
+    cells += [*right_cells(), SIDE.replace("):", ")")]
+    assert "a colon is missing" in said(capsys, lab.check, "side_of_plane")
+    cells.append(SIDE)
+    assert "✓ side_of_plane is right" in (told := said(capsys, lab.check, "side_of_plane"))
     assert "colon" not in told
     cells.append("x = = 3")
-    assert "cannot read" not in said(capsys, lab.check, "is_colliding")
+    assert "cannot read" not in said(capsys, lab.check, "side_of_plane")
 
 
 def test_a_check_says_which_function_no_executed_cell_defines(lab, cells, capsys):
-    assert "No cell that defines is_colliding has been run" in said(capsys, lab.check, "is_colliding")
+    assert "No cell that defines side_of_plane has been run" in said(capsys, lab.check, "side_of_plane")
     assert "No cell that defines a function of this lab has been run" in said(capsys, lab.check)
     cells += right_cells()
     assert "has been run" not in said(capsys, lab.check)
 
 
+def test_a_check_of_the_whole_lab_says_how_many_predictions_were_made(lab, cells, capsys):
+    cells += ["lab.predict('high', 'How high?', answer=...)", "lab.predict('high', 'How high?', answer=0.3)"]
+    assert "Predictions: 1 of 1 made." in said(capsys, lab.check)
+    assert "Predictions" not in said(capsys, lab.check, "signed_distance")
+
+
 def test_a_function_may_be_named_without_quotes(lab, cells, capsys):
-    def is_colliding():
+    def side_of_plane():
         pass
 
     cells += right_cells()
-    assert "✓ is_colliding is right" in said(capsys, lab.check, is_colliding)
+    assert "✓ side_of_plane is right" in said(capsys, lab.check, side_of_plane)
 
 
 def test_a_cell_is_named_by_the_number_the_kernel_gave_it(lab, cells, capsys):
-    cells += [*right_cells(), "1", "def is_colliding(separation, tolerance=0.0):\n    return 1 / 0"]
-    assert "cell [4], line 2" in (told := said(capsys, lab.check, "is_colliding"))
+    cells += [*right_cells(), "1", "def side_of_plane(separation, tolerance=0.0):\n    return 1 / 0"]
+    assert "cell [4], line 2" in (told := said(capsys, lab.check, "side_of_plane"))
     assert "code cell" not in told
 
 
@@ -168,12 +176,12 @@ def test_nbgrader_gets_the_points_of_a_checked_function_as_a_value(lab, cells, m
 
 
 FOR_ONE = """
-def is_colliding(separation, tolerance=0.0):
-    return True if separation < -tolerance else False
-
-
 def side_of_plane(separation, tolerance=0.0):
     return 1 if separation > tolerance else -int(separation < -tolerance)
+
+
+def missing_probability(speed, thickness, radius, dt):
+    return 0.0 if speed * dt <= thickness + 2 * radius else 1 - (thickness + 2 * radius) / (speed * dt)
 """
 """Two functions that are right for one case alone."""
 
@@ -181,19 +189,19 @@ def side_of_plane(separation, tolerance=0.0):
 def test_nbgrader_takes_one_part_from_a_lab_whose_functions_are_of_one_case(lab, cells, monkeypatch):
     monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
     cells += [*right_cells(), FOR_ONE]
-    assert lab.check("is_colliding") == points_of("is_colliding") - 1
-    assert lab.check("side_of_plane") == points_of("side_of_plane")
-    assert lab.check("is_colliding") == points_of("is_colliding") - 1
+    assert lab.check("side_of_plane") == points_of("side_of_plane") - 1
+    assert lab.check("missing_probability") == points_of("missing_probability")
+    assert lab.check("side_of_plane") == points_of("side_of_plane") - 1
 
 
 def test_one_part_is_lost_in_all_checks_together_until_its_function_is_mended(lab, cells, capsys):
     cells += [*right_cells(), FOR_ONE]
-    assert "✗ is_colliding" in said(capsys, lab.check, "is_colliding")
-    assert "✓ side_of_plane is right for one case at a time" in said(capsys, lab.check, "side_of_plane")
-    cells += right_cells()
-    cells.append(FOR_ONE[FOR_ONE.index("def side_of_plane") :])
-    assert "✓ is_colliding is right at try 2, as far" in said(capsys, lab.check, "is_colliding")
     assert "✗ side_of_plane" in said(capsys, lab.check, "side_of_plane")
+    assert "✓ missing_probability is right for one case at a time" in said(capsys, lab.check, "missing_probability")
+    cells += right_cells()
+    cells.append(FOR_ONE[FOR_ONE.index("def missing_probability") :])
+    assert "✓ side_of_plane is right at try 2, as far" in said(capsys, lab.check, "side_of_plane")
+    assert "✗ missing_probability" in said(capsys, lab.check, "missing_probability")
 
 
 def test_a_failed_check_raises_for_nbgrader_which_gives_no_points(lab, monkeypatch):
@@ -220,15 +228,15 @@ class Shell:
 def test_a_function_that_the_kernel_lost_is_named(lab, cells, capsys, monkeypatch):
     cells += right_cells()
     monkeypatch.setattr("IPython.get_ipython", lambda: Shell(signed_distance=1))
-    told = said(capsys, lab.check, "is_colliding")
-    assert "is_colliding is not there any more: deleted, or its cell ended in an error." in told
+    told = said(capsys, lab.check, "side_of_plane")
+    assert "side_of_plane is not there any more: deleted, or its cell ended in an error." in told
     assert "not there any more" not in said(capsys, lab.check, "signed_distance")
 
 
 def test_a_check_says_where_to_see_what_a_function_prints(lab, cells, capsys):
-    printing = "def is_colliding(separation, tolerance=0.0):\n    print(separation)\n    return separation < -tolerance"
+    printing = SIDE.replace("    return", "    print(separation)\n    return")
     cells += [*right_cells(), printing]
-    assert "What is_colliding prints is not shown here" in said(capsys, lab.check)
-    assert "What is_colliding prints" not in said(capsys, lab.check, "signed_distance")
+    assert "What side_of_plane prints is not shown here" in said(capsys, lab.check)
+    assert "What side_of_plane prints" not in said(capsys, lab.check, "signed_distance")
     cells += [printing.replace("print(separation)", "pass")]
-    assert "prints" not in said(capsys, lab.check, "is_colliding")
+    assert "prints" not in said(capsys, lab.check, "side_of_plane")

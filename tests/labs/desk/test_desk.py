@@ -50,12 +50,12 @@ def test_a_prediction_is_kept_or_refused_in_words(lab, capsys, answer, named, wo
 
 
 def test_a_later_lab_uses_earlier_notebooks_and_given_functions(tmp_path):
-    own = "def is_colliding(separation, tolerance=0.0):\n    return separation < -5"
+    own = "def side_of_plane(separation, tolerance=0.0):\n    return -int(separation < -5)"
     write_notebook(tmp_path / "detection.ipynb", STUB, own)
     now = write_notebook(tmp_path / "now.ipynb", "pass")
     found = student_code.collect("impulse", now, student_code.earlier_notebooks("impulse", tmp_path))
-    assert found.earlier == (("is_colliding", "detection.ipynb"),)
-    assert not Implementation(found.source).function("is_colliding")(-1.0)
+    assert found.earlier == (("side_of_plane", "detection.ipynb"),)
+    assert Implementation(found.source).function("side_of_plane")(-1.0) == 0
     assert Implementation(found.source).function("signed_distance")([0, 0, 3], [0, 0, 2], -4) == 1  # given
 
 
@@ -66,15 +66,15 @@ def test_given_functions_never_replace_those_of_the_lab_itself(tmp_path):
 
 
 def test_plots_and_experiments_of_a_notebook_are_not_run(tmp_path):
-    text = "raise SystemExit\n\ndef is_colliding(separation, tolerance=0.0):\n    return separation < LIMIT"
+    text = "raise SystemExit\n\ndef side_of_plane(separation, tolerance=0.0):\n    return -int(separation < LIMIT)"
     path = write_notebook(tmp_path / "now.ipynb", "LIMIT = -2", text, "import nothing_there")
-    assert Implementation(student_code.collect("detection", path).source).function("is_colliding")(-3.0)
+    assert Implementation(student_code.collect("detection", path).source).function("side_of_plane")(-3.0) == -1
 
 
 def test_a_notebook_is_an_implementation_on_the_command_line(tmp_path):
     path = write_notebook(tmp_path / "detection.ipynb", *right_cells())
     assert student_code.named_implementation("solutions") == "solutions"
-    assert Implementation(student_code.named_implementation(str(path))).function("is_colliding")(-1.0)
+    assert Implementation(student_code.named_implementation(str(path))).function("side_of_plane")(-1.0) == -1
 
 
 def test_markup_of_a_table_is_escaped():
@@ -92,7 +92,7 @@ def test_the_desk_is_loaded_by_name_alone():
 
 
 def test_an_earlier_notebook_that_cannot_be_read_is_named(lab, capsys, tmp_path):
-    write_notebook(tmp_path / "detection.ipynb", "def is_colliding(separation:\n    return")
+    write_notebook(tmp_path / "detection.ipynb", "def side_of_plane(separation:\n    return")
     assert "detection.ipynb, code cell 1, line 1: Python cannot read" in said(capsys, lab.begin, "response")
 
 

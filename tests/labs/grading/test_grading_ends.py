@@ -40,14 +40,14 @@ def test_a_silent_nursery_is_killed_with_all_its_processes():
 
 
 def test_a_fault_of_the_grader_costs_no_points(tmp_path):
-    (tmp_path / "lab.py").write_text("def is_colliding(separation, tolerance=0.0): return separation < -tolerance")
+    (tmp_path / "lab.py").write_text("def side_of_plane(separation, tolerance=0.0): return separation < -tolerance")
     with Grader(least=Tier.NETWORK, without=("limits",)) as lesser, pytest.raises(GraderFailed, match="below"):
         grade(tmp_path / "lab.py", None, ["visible"], lesser)
 
 
 def test_a_nursery_that_is_killed_makes_no_grade(tmp_path):
     kills = "os.kill(os.getppid(), 9); time.sleep(4)"  # else it may answer before the nursery is gone
-    (tmp_path / "lab.py").write_text(f"import os, time\ndef is_colliding(separation, tolerance=0.0): {kills}")
+    (tmp_path / "lab.py").write_text(f"import os, time\ndef side_of_plane(separation, tolerance=0.0): {kills}")
     with Grader(without=("seccomp", "landlock", "user")) as open_grader, pytest.raises(GraderFailed, match="nursery"):
         grade(tmp_path / "lab.py", None, ["visible"], open_grader)
 

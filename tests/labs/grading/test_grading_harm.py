@@ -157,7 +157,7 @@ def made(text):
     found = {"text": text}
     exec(compile("def f(*arguments): raise Exception(text)", "elsewhere", "exec"), found)
     return found["f"]
-is_colliding = made("is_colliding = submission.is_colliding")
+side_of_plane = made("side_of_plane = submission.side_of_plane")
 signed_distance = made("signed_distance = submission.signed_distance")
 """
     (tmp_path / "lab.py").write_text(silent)
@@ -167,7 +167,7 @@ signed_distance = made("signed_distance = submission.signed_distance")
 
 
 def test_no_link_is_followed_with_topics_or_without(grader, tmp_path):
-    (tmp_path / "right.py").write_text("def is_colliding(separation, tolerance=0.0): return separation < -tolerance")
+    (tmp_path / "right.py").write_text("def side_of_plane(separation, tolerance=0.0): return separation < -tolerance")
     (tmp_path / "lab.py").symlink_to(tmp_path / "right.py")
     for topics in (None, ["detection"]):
         with pytest.raises(UnreadableSubmission, match=r"lab\.py: it is a symbolic link"):
@@ -214,7 +214,7 @@ def test_examples_also_depend_on_the_file_of_the_test(tmp_path):
 
 def test_a_grade_has_its_tier_though_the_submission_does_not_load(grader, tmp_path, monkeypatch):
     monkeypatch.setattr(grader, "limits", Limits(call=0.3))
-    loops = "import time\ndef wait():\n    while True: time.sleep(0.01)\nis_colliding = wait()\n"
+    loops = "import time\ndef wait():\n    while True: time.sleep(0.01)\nside_of_plane = wait()\n"
     (tmp_path / "lab.py").write_text(loops)
     found = grade(tmp_path / "lab.py", ["detection"], ["visible"], grader)
     with Remote(Submission("lab.py", ""), grader).fresh() as call:

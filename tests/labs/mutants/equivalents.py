@@ -30,6 +30,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         "Only a separation that is positive at the start crosses zero.": ("size for it: s0 - s1 → np.abs(s0) - s1",),
         NOT_NEGATIVE: ("size for it: t + dt * fraction → t + np.abs(dt * fraction)",),
     },
+    "count_impacts": {"A puck at rest is done with before.": ("boundary: v > 0 → v >= 0",)},
     "time_of_impact_exact": {
         "This root is taken only while the body does not approach, and then the velocity is not negative.": (
             "size for it: u + root → np.abs(u) + root",
@@ -46,9 +47,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "size for it: w + r → …",
             "size for it: (np.where(meets, start, np.inf), …) → (np.abs(np.where(meets, start, np.inf)), …",
         ),
-        "The earlier and the later of the two are taken, whichever they are.": (
-            "results swapped: ((r - x) / np.where(moves, u, 1.0), …",
-        ),
         "A ball at rest in the wall has been there since before the step, and beside it the interval is empty.": (
             "branch dropped: np.where(moves, np.minimum(at_front, at_back), 0.0) → shaped(np.minimum(…",
         ),
@@ -57,7 +55,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         FIRST_OF_BOTH: ("boundary: way > caught → way >= caught",),
         NOT_NEGATIVE: ("size for it: …",),
     },
-    "substeps_needed": {NOT_NEGATIVE: ("size for it: …",)},
     "kinematic_response": {NOT_NEGATIVE: ("size for it: 1 + restitution → 1 + np.abs(restitution)",)},
     "moving_plane_response": {NOT_NEGATIVE: ("size for it: 1 + e → 1 + np.abs(e)",)},
     "respond_at_impact": {NOT_NEGATIVE: ("size for it: dt - before → …",)},

@@ -45,9 +45,9 @@ CHECKS = dict.fromkeys(
 """What stands for the checks of what enters: they turn lists into arrays."""
 HELPERS = {
     name: getattr(operators, name)
-    for name in ("shaped", "always", "never", "without", "alone", "transposed", "diagonal")
+    for name in ("shaped", "always", "never", "without", "alone", "transposed", "diagonal", "rounds")
 }
-"""What wrong expressions call."""
+"""What wrong expressions call, and loops."""
 
 
 OPERATORS = (operators.sums, operators.sizes, operators.products, operators.conditions, operators.calls,
@@ -226,7 +226,12 @@ def _bare(function: FunctionType) -> ast.FunctionDef:
 
 
 class _Longer(ast.NodeTransformer):
-    """Writes `a -= b` as `a = a - b`, so that it is mutated as any difference is."""
+    """Writes `a -= b` as `a = a - b`, so that it is mutated as any difference is, and gives every loop an end."""
+
+    def visit_While(self, node: ast.While) -> ast.AST:
+        self.generic_visit(node)
+        leaves = ast.If(ast.UnaryOp(ast.Not(), node.test), [ast.Break()], [])
+        return ast.For(ast.Name("_", ast.Store()), operators.made("rounds()"), [leaves, *node.body], [])
 
     def visit_AugAssign(self, node: ast.AugAssign) -> ast.AST:
         value = ast.parse(operators.text(node.target), mode="eval").body

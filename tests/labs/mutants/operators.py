@@ -1,7 +1,7 @@
 """What can be wrong in an expression: each operator has a name and gives the wrong expressions for a right one.
 
 An operator is a function of a node of the syntax tree. It gives pairs: what was done, in words, and the node to put in
-its place. The functions that wrong expressions call, such as `without`, are at the end of this file.
+its place. The functions that wrong expressions and loops call, such as `without`, are at the end of this file.
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ TWINS = (("a", "b"), ("COLLIDING", "SEPARATING"), ("s0", "s1"), ("at_front", "at
          ("first", "last"), ("rebound", "slowing"), ("press", "press_rate"), ("f", "rate"), ("force", "rate"),
          ("grip", "slip"), ("leaves", "lifts"), ("before", "dt"), ("first", "rest"), ("x", "y"),
          ("before", "time"), ("velocity", "angular_velocity"), ("momentum", "angular_momentum"),
-         ("v", "w"), ("v", "omega"), ("v", "spin"))  # fmt: skip
+         ("v", "w"), ("v", "omega"), ("v", "spin"), ("remaining", "dt"), ("remaining", "arrives"),
+         ("dt", "duration"), ("x", "wall"))  # fmt: skip
 """Names that are mistaken for one another, besides those that differ in their ending alone."""
 ENDINGS = (("_a", "_b"), ("_0", "_1"), ("_x", "_y"), ("_static", "_kinetic"))
 BEGINNINGS = (("static_", "kinetic_"),)
@@ -257,3 +258,9 @@ def diagonal(matrix: object) -> object:
     """Matrices with nothing beside their diagonal."""
     found = np.asarray(matrix, dtype=float)
     return found * np.eye(*found.shape[-2:])
+
+
+def rounds() -> Iterator[int]:
+    """The rounds of a loop, for a mutant that would never leave it."""
+    yield from range(1000)
+    raise RuntimeError("the loop does not end")

@@ -21,7 +21,7 @@ HANDED_IN = """
     def kinematic_response(velocity, normal, restitution):
         raise ZeroDivisionError("my own mistake")
 
-    is_colliding = "not a function"
+    side_of_plane = "not a function"
 """
 
 
@@ -88,8 +88,8 @@ def test_a_stub_is_needed_once_it_is_called(handed_in):
 
 
 def test_a_name_that_is_no_function_is_refused(handed_in):
-    with pytest.raises(NeedsFunction, match=r"needs is_colliding \(detection, step 2\)"):
-        Implementation(handed_in()).function("is_colliding")
+    with pytest.raises(NeedsFunction, match=r"needs side_of_plane \(detection, step 2\)"):
+        Implementation(handed_in()).function("side_of_plane")
 
 
 def test_a_package_without_the_topic_needs_its_functions(package):

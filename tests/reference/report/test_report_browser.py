@@ -68,3 +68,25 @@ def test_whatever_is_read_aloud_has_a_name(browser, whole):
     levels = browser.run(script)["levels"]
     assert levels.count(1) == 1
     assert all(later <= earlier + 1 for earlier, later in itertools.pairwise(levels))
+
+
+def test_tables_keep_their_headings_for_a_screen_reader_in_a_narrow_window(browser, whole):
+    counts = []
+    for width in (1200, 390):
+        browser.open(whole, width=width)
+        nodes = browser.do("Accessibility.getFullAXTree")["nodes"]
+        roles = [it["role"]["value"] for it in nodes if not it["ignored"]]
+        counts.append({role: roles.count(role) for role in ("table", "rowheader", "columnheader")})
+    assert counts[0] == counts[1]
+    assert counts[0]["columnheader"] > 4
+
+
+def test_paper_has_every_result_and_the_long_tables_that_were_unfolded(browser, whole):
+    browser.open(whole)
+    found = browser.run("""const folds = () => [...document.querySelectorAll("#stack details")].map(it => it.open);
+        const last = [...document.querySelectorAll("#stack details")].at(-1); last.open = true; found.screen = folds();
+        dispatchEvent(new Event("beforeprint")); found.paper = folds();
+        dispatchEvent(new Event("afterprint")); found.after = folds();""")
+    assert found["screen"] == found["after"]
+    assert found["paper"] == [True, *found["screen"][1:]]
+    assert found["screen"][1:-1].count(True) == 0

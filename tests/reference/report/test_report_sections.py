@@ -86,7 +86,7 @@ def test_a_row_as_far_off_as_its_quantity_is_large_does_not_agree():
     found = (row(), row(Verdict.DISAGREES, 0.0))
     assert Cell(found).count == "1/2"
     assert verdict_line(found) == (
-        "Of 2 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from it and"
+        "Of 2 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from theory and"
         " none failed."
     )
 
@@ -324,13 +324,13 @@ def test_the_expected_value_is_that_of_a_line_or_else_of_theory():
         ([Verdict.PASS, Verdict.FAIL], "Of 2 checks that count, 1 came out as predicted and near theory and 1 failed."),
         (
             [Verdict.PASS, Verdict.KNOWN_DEVIATION, Verdict.FAIL, Verdict.FAIL],
-            "Of 4 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from it"
+            "Of 4 checks that count, 1 came out as predicted and near theory, 1 as predicted and away from theory"
             " and 2 failed.",
         ),
         (
             [Verdict.PASS, Verdict.CRASHED, Verdict.NEEDS, Verdict.CANNOT_EXPRESS, Verdict.NOT_AVAILABLE],
             "Of 3 checks that count, 1 came out as predicted and near theory, none failed and 2 gave no answer."
-            " Besides, 1 case cannot be put to the engine and 1 case must wait for hand-written code.",
+            " Besides, 1 case cannot be expressed in the engine and 1 case wait for hand-written code.",
         ),
         (
             [Verdict.PASS, Verdict.SHOWN],

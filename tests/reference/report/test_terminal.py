@@ -287,4 +287,4 @@ def test_the_terminal_shows_which_scenarios_need_a_world():
     assert "Hand-written code (exact 2×) needs a rigid-body world (world)." in lines
     assert "stack … needs" in lines
     assert "tipping-box … 2/3" in lines  # outcome and way, and one case without either
-    assert "3 cases must wait for hand-written code" in words(text)
+    assert "3 cases wait for hand-written code" in words(text)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from labs.grading.diagnosis.probes.probe import YES_OR_NO, Draw, Probe, edge, made, refused, usual
 
 UP = [0.0, 0.0, 1.0]
@@ -28,23 +26,24 @@ def _signed_distance() -> list[Probe]:
     return made("signed_distance", by_hand, lambda draw: (draw.vector(), draw.vector(3), draw.number(-5, 5)), single=())
 
 
-def _is_colliding() -> list[Probe]:
+def _side() -> list[Probe]:
     by_hand = [
-        usual("well in front", 1.0),
-        usual("well behind", -1.0),
-        usual("behind, but within the tolerance", -0.05, 0.1),
-        usual("in front, but within the tolerance", 0.05, 0.1),
-        usual("behind by more than the tolerance", -0.2, 0.1),
-        usual("far in front, with a tolerance", 2.0, 0.1),
-        edge("touching exactly", 0.0),
-        edge("touching exactly, with a tolerance", 0.0, 0.25),
-        edge("behind by exactly the tolerance", -0.25, 0.25),
+        usual("in front", 1.0),
+        usual("behind", -1.0),
+        usual("in front, within the tolerance", 0.05, 0.1),
+        usual("behind, within the tolerance", -0.05, 0.1),
+        usual("in front, beyond the tolerance", 0.7, 0.1),
+        usual("behind, beyond the tolerance", -0.7, 0.1),
+        edge("on the plane", 0.0),
+        edge("on the plane, with a tolerance", 0.0, 0.25),
         edge("in front by exactly the tolerance", 0.25, 0.25),
+        edge("behind by exactly the tolerance", -0.25, 0.25),
+        edge("hardly in front", 1e-12),
         edge("hardly behind", -1e-12),
         refused("a separation that is no number", float("nan"), 0.0),
         refused("a negative tolerance", 1.0, -0.5),
     ]
-    return made("is_colliding", by_hand, _separation_and_tolerance, count=YES_OR_NO)
+    return made("side_of_plane", by_hand, _separation_and_tolerance, count=YES_OR_NO)
 
 
 def _separation_and_tolerance(draw: Draw) -> tuple[float, float]:
@@ -74,6 +73,41 @@ def _interpolated() -> list[Probe]:
     return made("time_of_impact_interpolated", by_hand, maker)
 
 
+def _impacts() -> list[Probe]:
+    by_hand = [
+        usual("it does not arrive", 0.25, 0.5, 1.0, 0.25, 1.25),
+        usual("one impact within a step", 0.25, 2.0, 1.0, 0.25, 0.5),
+        usual("to the left", 0.25, -1.5, 1.0, 0.25, 0.5),
+        usual("to the left, then to the right", 0.75, -1.5, 1.0, 0.25, 2.25),
+        usual("walls 2.5 m apart", 0.5, 2.0, 2.5, 0.375, 3.375),
+        usual("to the left, walls 0.5 m apart", 0.375, -1.25, 0.5, 0.125, 1.25),
+        usual("three impacts in one step", 0.25, 6.0, 1.0, 0.5, 0.5),
+        usual("eleven impacts in one step", 0.5, -7.0, 2.0, 3.0, 3.0),
+        usual("the same in six steps", 0.5, -7.0, 2.0, 0.5, 3.0),
+        edge("from a wall, away from it", 0.0, 0.75, 2.0, 0.5, 2.0),
+        edge("from the far wall, away from it", 2.0, -0.75, 2.0, 0.5, 2.0),
+        edge("from a wall, into it", 0.0, -0.75, 2.0, 0.5, 2.0),
+        edge("from the far wall, into it", 2.0, 0.75, 2.0, 0.5, 2.0),
+        edge("some steps end on a wall", 0.5, 1.0, 1.0, 0.25, 3.25),
+        edge("the last step ends on a wall", 0.5, 1.0, 1.0, 0.25, 2.5),
+        edge("at rest", 0.25, 0.0, 1.0, 0.25, 1.0),
+        edge("at rest on a wall", 1.0, 0.0, 1.0, 0.25, 1.0),
+        edge("three steps, though 0.3/0.1 is just below 3", 0.5, 2.0, 1.0, 0.1, 0.3),
+        edge("ten steps of 0.1 s, which add up to just below 1 s", 0.25, 2.0, 1.0, 0.1, 1.0),
+        edge("no step", 0.5, 2.0, 1.0, 0.25, 0.0),
+        refused("a start beyond the wall", 1.5, 2.0, 1.0, 0.25, 1.0),
+    ]
+
+    def maker(draw: Draw) -> tuple[float, ...]:
+        length, dt, sign = draw.number(0.5, 2.5), draw.number(0.05, 0.5), draw.sign()
+        duration = round(int(draw.rng.integers(2, 12)) * dt, 6)
+        start, end = draw.number(0.1, 0.9) * length, (int(draw.rng.integers(6)) + draw.number(0.2, 0.8)) * length
+        way = end - start if sign > 0 else start + end  # it ends away from a wall, where rounding would decide
+        return round(start, 4), round(sign * way / duration, 2), length, dt, duration
+
+    return made("count_impacts", by_hand, maker, single=range(5))
+
+
 def _exact() -> list[Probe]:
     by_hand = [
         usual("let fall from rest", 2.0, 0.0, -9.81),
@@ -94,24 +128,6 @@ def _exact() -> list[Probe]:
     ]
     maker = lambda draw: (draw.number(0.2, 3), draw.number(-5, 5), -draw.number(1, 10))  # noqa: E731
     return made("time_of_impact_exact", by_hand, maker)
-
-
-def _side() -> list[Probe]:
-    by_hand = [
-        usual("in front", 1.0),
-        usual("behind", -1.0),
-        usual("in front, within the tolerance", 0.05, 0.1),
-        usual("behind, within the tolerance", -0.05, 0.1),
-        usual("in front, beyond the tolerance", 0.7, 0.1),
-        usual("behind, beyond the tolerance", -0.7, 0.1),
-        edge("on the plane", 0.0),
-        edge("on the plane, with a tolerance", 0.0, 0.25),
-        edge("in front by exactly the tolerance", 0.25, 0.25),
-        edge("behind by exactly the tolerance", -0.25, 0.25),
-        refused("a separation that is no number", float("nan"), 0.0),
-        refused("a negative tolerance", 1.0, -0.5),
-    ]
-    return made("side_of_plane", by_hand, _separation_and_tolerance, count=YES_OR_NO)
 
 
 def _overlap() -> list[Probe]:
@@ -169,35 +185,12 @@ def _missing() -> list[Probe]:
     return made("missing_probability", by_hand, _walls)
 
 
-def _substeps() -> list[Probe]:
-    by_hand = [
-        usual("slow: one is enough", 1.0, 0.1, 0.05, 0.01),
-        usual("three and a bit", 70.0, 0.1, 0.05, 0.01),
-        usual("a point against a wall", 33.0, 0.05, 0.0, 0.01),
-        usual("a ball against a sheet", 33.0, 0.0, 0.05, 0.01),
-        usual("very fast", 901.0, 0.02, 0.01, 0.02),
-        edge("no speed", 0.0, 0.1, 0.05, 0.01),
-        edge("exactly the wall's way", 16.0, 0.5, 0.25, 0.0625),
-        edge("exactly three times the wall's way", 48.0, 0.5, 0.25, 0.0625),
-        edge("a step of no length", 5.0, 0.1, 0.05, 0.0),
-        refused("a point against a sheet", 1.0, 0.0, 0.0, 0.01),
-    ]
-
-    def maker(draw: Draw) -> tuple[float, ...]:
-        wall = _walls(draw)  # away from a whole number of walls, where rounding would decide
-        whole = np.floor(wall[0] * wall[3] / (wall[1] + 2 * wall[2]))
-        return (round(float((whole + 0.4) * (wall[1] + 2 * wall[2]) / wall[3]), 6), *wall[1:])
-
-    return made("substeps_needed", by_hand, maker)
-
-
 _TABLE = {
     "signed_distance": _signed_distance,
-    "is_colliding": _is_colliding,
-    "time_of_impact_interpolated": _interpolated,
-    "time_of_impact_exact": _exact,
     "side_of_plane": _side,
+    "time_of_impact_interpolated": _interpolated,
+    "count_impacts": _impacts,
+    "time_of_impact_exact": _exact,
     "overlap_interval": _overlap,
     "missing_probability": _missing,
-    "substeps_needed": _substeps,
 }

@@ -109,7 +109,8 @@ def refused(note: str, *arguments: Any) -> Probe:
 def made(name: str, by_hand: Sequence[Probe], maker: Maker, count: int = 20, single: Sequence[int] = ()) -> list[Probe]:
     """All probes of a function: those by hand, drawn ones, and several drawn at once.
 
-    single: the places of the arguments that are the same for all contacts of one call, such as a number of sweeps.
+    single: the places of the arguments that are the same for all contacts of one call, such as a number of sweeps; all
+    places of a function that takes one case alone.
     """
     draw = Draw(np.random.default_rng(zlib.crc32(name.encode())))
     drawn = [Probe(_plain(maker(draw))) for _ in range(count)]
@@ -128,6 +129,8 @@ def made(name: str, by_hand: Sequence[Probe], maker: Maker, count: int = 20, sin
 def _several(draws: list[Arguments], single: frozenset[int]) -> list[Probe]:
     """Drawn arguments side by side, in every way in which a call may combine them."""
     every = range(len(draws[0]))
+    if single.issuperset(every):
+        return []
     first = next(place for place in every if place not in single)
     last = next(place for place in reversed(every) if place not in single)
     found = [

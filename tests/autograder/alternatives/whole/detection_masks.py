@@ -15,10 +15,6 @@ def signed_distance(point, normal, offset):
     return (product[..., 0] + product[..., 1] + product[..., 2] + offset) / (normal**2).sum(-1) ** 0.5
 
 
-def is_colliding(separation, tolerance=0.0):
-    return np.logical_not(np.greater_equal(np.add(separation, tolerance), 0))
-
-
 def side_of_plane(separation, tolerance=0.0):
     s, near = spread(separation, tolerance)
     side = np.asarray(np.sign(s))
@@ -32,6 +28,19 @@ def time_of_impact_interpolated(separation_0, separation_1, t, dt):
     hit = (before >= 0) & (after < 0)
     found[hit] = t[hit] + dt[hit] * (before[hit] / (before[hit] + abs(after[hit])))
     return found
+
+
+def count_impacts(position, velocity, length, dt, duration):
+    x, v, length, dt, duration = spread(position, velocity, length, dt, duration)
+    left, count = np.round(duration / dt) * dt, np.zeros_like(x)
+    while True:
+        wall = np.where(v > 0, length, 0.0)
+        arrives = np.divide(wall - x, v, out=np.full_like(x, FOREVER), where=v != 0)
+        hits = (arrives <= left) & (left > 0)
+        if not hits.any():
+            return count.astype(int), x + v * left
+        x, v, left = np.where(hits, wall, x), np.where(hits, -v, v), np.where(hits, left - arrives, left)
+        count = count + hits
 
 
 def time_of_impact_exact(separation, normal_velocity, normal_acceleration):
@@ -68,7 +77,3 @@ def missing_probability(speed, thickness, radius, dt):
     ratio = np.ones_like(way)
     np.divide(thickness + 2 * radius, way, out=ratio, where=way > 0)
     return 1 - ratio.clip(max=1)
-
-
-def substeps_needed(speed, thickness, radius, dt):
-    return (np.asarray(speed * np.asarray(dt)) // (thickness + 2 * np.asarray(radius)) + 1).astype(int)

@@ -8,12 +8,6 @@ def signed_distance(point, normal, offset):
     return (a * x + b * y + c * z + offset) / math.hypot(a, b, c)
 
 
-def is_colliding(separation, tolerance=0.0):
-    if separation < -tolerance:
-        return True
-    return False
-
-
 def side_of_plane(separation, tolerance=0.0):
     if separation > tolerance:
         return 1
@@ -26,6 +20,23 @@ def time_of_impact_interpolated(separation_0, separation_1, t, dt):
     if separation_0 >= 0 and separation_1 < 0:
         return t + dt * separation_0 / (separation_0 - separation_1)
     return math.inf
+
+
+def count_impacts(position, velocity, length, dt, duration):
+    count = 0
+    for _ in range(round(duration / dt)):
+        time_left = dt
+        while velocity != 0:
+            wall = length if velocity > 0 else 0.0
+            time = (wall - position) / velocity
+            if time > time_left:
+                position += velocity * time_left
+                break
+            position = wall
+            velocity = -velocity
+            time_left -= time
+            count += 1
+    return count, position
 
 
 def time_of_impact_exact(separation, normal_velocity, normal_acceleration):
@@ -55,7 +66,3 @@ def missing_probability(speed, thickness, radius, dt):
     if way == 0:
         return 0.0
     return max(0.0, 1 - caught / way)
-
-
-def substeps_needed(speed, thickness, radius, dt):
-    return math.floor(speed * dt / (thickness + 2 * radius)) + 1

@@ -358,5 +358,5 @@ def test_a_driver_gets_defined_functions_and_hears_which_are_missing():
     call, _ = begun(value(1, 5.0))
     code = call.implementation()
     assert code.function("f")(1.0, e=2.0) == 5.0
-    with pytest.raises(NeedsFunction, match=r"^needs is_colliding \(detection, step 2\)$"):
-        code.function("is_colliding")
+    with pytest.raises(NeedsFunction, match=r"^needs side_of_plane \(detection, step 2\)$"):
+        code.function("side_of_plane")

@@ -55,13 +55,13 @@ def test_lists_are_as_good_as_arrays():
 
 def test_a_run_takes_only_functions_of_the_topic_from_the_submission():
     code = Mixed(
-        call=submission(kinematic_response=half, is_colliding=None, ballistic_motion=None).process(), topic="response"
+        call=submission(kinematic_response=half, side_of_plane=None, ballistic_motion=None).process(), topic="response"
     )
-    assert code.function("is_colliding")(-1.0)  # of detection: the right one
+    assert code.function("side_of_plane")(-1.0) == -1  # of detection: the right one
     np.testing.assert_allclose(
         code.function("kinematic_response")(np.array([0, 0, -2.0]), np.array([0, 0, 1.0]), 1.0), [0, 0, 1]
     )
-    assert Mixed(topic="response").function("is_colliding")(-1.0)
+    assert Mixed(topic="response").function("side_of_plane")(-1.0) == -1
 
 
 def test_a_run_of_too_many_calls_is_stopped():
@@ -69,7 +69,7 @@ def test_a_run_of_too_many_calls_is_stopped():
     for _ in range(MOST_CALLS + 1):
         code.function("kinematic_response")()
     with pytest.raises(RunFailed, match="comes to no end"):
-        code.function("is_colliding")(0.0)
+        code.function("side_of_plane")(0.0)
 
 
 def test_a_run_is_skipped_if_other_topics_have_no_answers_yet(monkeypatch):

@@ -221,18 +221,19 @@ def test_a_known_mistake_with_another_at_the_edges_is_only_likely():
 
 
 def test_several_explanations_are_listed_and_none_is_chosen():
-    """The two mistakes differ in touching alone, where this one has no answer."""
+    """The three mistakes differ in touching alone, where this one has no answer."""
 
     def without_touching(separation, tolerance=0.0):
         if np.any(separation == 0):
             raise ZeroDivisionError("float division by zero")
-        return np.broadcast_to(separation < 0, np.broadcast(separation, tolerance).shape)
+        return np.where(np.broadcast_arrays(separation, tolerance)[0] < 0, -1, 1)
 
-    found = diagnose("is_colliding", of(without_touching))
+    found = diagnose("side_of_plane", of(without_touching))
     assert found.verdict == "several"
     assert [known.id for known in found.mistakes] == [
-        "is_colliding/tolerance left out",
-        "is_colliding/tolerance left out, touching counts",
+        "side_of_plane/tolerance left out",
+        "side_of_plane/two sides, tolerance left out",
+        "side_of_plane/two sides, touching behind, tolerance left out",
     ]
     assert "do not say which it is" in " ".join(told(found).split())
 

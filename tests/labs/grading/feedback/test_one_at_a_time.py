@@ -36,11 +36,11 @@ def test_functions_of_one_case_lose_one_part_of_the_lab_together(tmp_path, grade
 
 def test_the_lab_that_lost_a_part_is_named_where_a_file_has_two(tmp_path, grader):
     (tmp_path / "lab.py").write_text(
-        "def is_colliding(d, t=0.0):\n    return d < -t if d < 0 else False\n"
+        "def side_of_plane(d, t=0.0):\n    return 1 if d > t else -int(d < -t)\n"
         "def rebound_velocity(u, e):\n    return -e * u if u < 0 else u\n"
     )
     topics = ("detection", "impulse")
-    sheet = pytest_run.run(tmp_path / "lab.py", topics, grader=grader, functions=("is_colliding", "rebound_velocity"))
+    sheet = pytest_run.run(tmp_path / "lab.py", topics, grader=grader, functions=("side_of_plane", "rebound_velocity"))
     text = joined("\n".join(report.report(sheet, topics)))
     assert text.index("one part of the detection lab") < text.index("one part of the impulse lab")
 

@@ -29,7 +29,7 @@ SHEET = Sheet(
     outcomes=[
         Outcome("test_a_ball_bounces", 6, False, parts=(KEPT, LOST), function="rebound_velocity"),
         Outcome("test_it_bounces_twice", 4, True, hidden=True, rationale="why", function="rebound_velocity"),
-        Outcome("test_touching", 2, False, True, "the answer is wrong", "why", "look", function="is_colliding"),
+        Outcome("test_touching", 2, False, True, "the answer is wrong", "why", "look", function="side_of_plane"),
         Outcome("test_all_together", 1, False, said="no"),
         Outcome("test_v", 7, True, parts=(Part(7, "all"),), function="point_velocity"),
     ],
@@ -56,7 +56,7 @@ def test_a_failed_test_earns_its_passed_parts_up_to_its_points(passed, parts, ea
 
 def test_a_sheet_adds_up_points_and_names_each_losing_function_once():
     assert (SHEET.earned, SHEET.points) == (2 + 4 + 0 + 0 + 7, 6 + 4 + 2 + 1 + 7)
-    assert SHEET.lost == ["rebound_velocity", "is_colliding"]
+    assert SHEET.lost == ["rebound_velocity", "side_of_plane"]
 
 
 def test_lost_points_are_listed_part_by_part_and_passed_tests_not():
@@ -85,7 +85,7 @@ def test_a_grade_lists_points_by_test_part_function_and_topic():
     right = {"verdict": "right", "suspect": False, "mend_first": [], "mistakes": [], "message": ""}
     assert content["functions"] == [
         {"name": "rebound_velocity", "got": 6, "possible": 10, **named},
-        {"name": "is_colliding", "got": 0, "possible": 2, "topic": "detection", **right, "verdict": "wrong"},
+        {"name": "side_of_plane", "got": 0, "possible": 2, "topic": "detection", **right, "verdict": "wrong"},
         {"name": "point_velocity", "got": 7, "possible": 7, "topic": "impulse", **right},
     ]
     rebound, _, touching, together, _ = content["tests"]
@@ -98,7 +98,7 @@ def test_a_grade_lists_points_by_test_part_function_and_topic():
         ],
     }  # fmt: skip
     assert touching == {
-        "name": "test_touching", "title": "touching", "function": "is_colliding", "topic": "detection",
+        "name": "test_touching", "title": "touching", "function": "side_of_plane", "topic": "detection",
         "hidden": True, "passed": False, "got": 0, "possible": 2, "message": "the answer is wrong",
         "rationale": "why", "help": "look", "parts": [],
     }  # fmt: skip
@@ -160,7 +160,7 @@ def test_only_the_named_topics_are_graded(tmp_path, monkeypatch):
     asked = []
     monkeypatch.setattr(grading, "run", lambda *given, budget: asked.append((*given, budget.seconds)) or SHEET)
     path = tmp_path / "lab.py"
-    path.write_text("def is_colliding(separation, tolerance=0.0):\n    return separation < tolerance\n")
+    path.write_text("def side_of_plane(separation, tolerance=0.0):\n    return separation < tolerance\n")
     assert grade(path, ["impulse", "friction"]).topics == ("impulse", "friction")
     assert grade(path, folders=("visible",), seconds=5).topics == ("detection",)
     assert asked == [
