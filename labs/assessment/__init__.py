@@ -1,1 +1,1 @@
-"""What a lab's mark is made of besides checked functions: questions, inputs that expose a wrong function, predictions."""
+"""What a mark is made of besides checked functions: questions, inputs that expose a wrong function, predictions."""

@@ -74,16 +74,20 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         warnings.simplefilter("ignore")
         try:
             needed = right(*arguments)
+        except NotImplementedError:
+            raise InvalidInput(f"write {wrong.function} first: the suspect is compared with it") from None
         except Exception as error:
             reason = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
             raise InvalidInput(f"{wrong.function} refuses this input ({reason}), so it exposes nothing") from None
         try:
             given = wrong.wrong(*arguments)
         except Exception as error:
-            return Exposure(True, f"right: {_shown(needed)}; the suspect stops with {type(error).__name__}")
+            return Exposure(
+                True, f"{wrong.function} gives {_shown(needed)}, and the suspect stops with {type(error).__name__}"
+            )
     if _same(given, needed):
-        return Exposure(False, f"both give {_shown(needed)}: this input does not expose it")
-    return Exposure(True, f"right: {_shown(needed)}; the suspect gives {_shown(given)}")
+        return Exposure(False, f"Both give {_shown(needed)}")
+    return Exposure(True, f"{wrong.function} gives {_shown(needed)}, and the suspect {_shown(given)}")
 
 
 def found_in(path: Path, topic: str, source: str = "solutions") -> dict[str, bool]:

@@ -27,7 +27,7 @@ _DECIDES = ("where", "minimum", "maximum", "clip", "isfinite", "min", "max")
 
 @dataclass(frozen=True)
 class Prompt:
-    """One prompt. code: the student's own lines that it is about. good: what a full answer holds, a line for a point."""
+    """One prompt. code: the student's own line that it is about. good: what a full answer holds, a point each."""
 
     title: str
     question: str
@@ -66,13 +66,11 @@ def kit(path: Path, topic: str) -> tuple[Prompt, Prompt, Prompt]:
         raise InvalidInput(f"{path.name} holds too few functions of {topic} for three prompts: write two at least")
     turn = int.from_bytes(hashlib.sha256("".join(line.text for line in lines).encode()).digest()[:4], "big")
     ordered = functions[turn % len(functions) :] + functions[: turn % len(functions)]
-    densest = {
-        name: max((each for each in lines if each.function == name), key=lambda each: each.weight) for name in ordered
-    }
-    changeable = [name for name in ordered if _changed(densest[name]) is not None]
-    explained = next((name for name in ordered if name not in changeable[:1]), ordered[0])
-    limit = max(lines, key=lambda line: (_decides(line), line.function not in (explained, *changeable[:1])))
-    return _explain(densest[explained]), _change(densest[(changeable or ordered)[0]]), _limit(limit)
+    changed = max(lines, key=lambda line: (_is_sum(line), line.weight, -ordered.index(line.function)))
+    other = next(name for name in ordered if name != changed.function)
+    explained = max((line for line in lines if line.function == other), key=lambda line: line.weight)
+    limit = max(lines, key=lambda line: (_decides(line), line.function not in (other, changed.function)))
+    return _explain(explained), _change(changed), _limit(limit)
 
 
 def text(prompts: tuple[Prompt, Prompt, Prompt], name: str) -> str:
@@ -112,7 +110,7 @@ def _change(line: _Line) -> Prompt:
         (
             "the direction of the effect (too large, too small, the wrong way), reasoned from the line",
             "a conserved or measured quantity that shows it",
-            "a symmetric or limiting scene that hides it, such as equal masses, an arm of zero, or a plane along an axis",
+            "a symmetric scene that hides it, such as equal masses, an arm of zero, or a plane along an axis",
         ),
     )
 
@@ -160,6 +158,13 @@ def _changed(line: _Line) -> str | None:
         return None
     operators[0].op = _FLIPPED[type(operators[0].op)]()
     return ast.unparse(ast.fix_missing_locations(statement))
+
+
+def _is_sum(line: _Line) -> bool:
+    """Whether a line adds or subtracts; in such a line one wrong sign is a mistake that people make."""
+    return any(
+        isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub) for node in ast.walk(line.statement)
+    )
 
 
 def _decides(line: _Line) -> int:

@@ -13,15 +13,16 @@ from reference.arrays import Array
 
 def edge_edge_normal(edge_a: ArrayLike, edge_b: ArrayLike, centre_a: ArrayLike, centre_b: ArrayLike) -> Array:
     """Normal of two edges that cross."""
-    across = np.cross(edge_a, edge_b)
+    across = np.cross(np.asarray(edge_a, dtype=float), np.asarray(edge_b, dtype=float))
     return np.asarray(across / np.linalg.norm(across))
 
 
 def inverse_effective_mass(body_a: Any, body_b: Any, normal: ArrayLike) -> float:
     """Normal velocity that the points of contact gain from a unit impulse."""
     arm, inverse_inertia = np.asarray(body_a[2], dtype=float), np.asarray(body_a[4], dtype=float)
-    turned = np.cross(inverse_inertia @ np.cross(arm, normal), arm)
-    return float(body_a[3] + body_b[3] + np.dot(normal, turned))
+    n = np.asarray(normal, dtype=float)
+    turned = np.cross(inverse_inertia @ np.cross(arm, n), arm)
+    return float(body_a[3] + body_b[3] + n @ turned)
 
 
 def world_inverse_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:

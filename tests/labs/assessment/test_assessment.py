@@ -68,7 +68,7 @@ def test_a_suspect_is_wrong_on_some_inputs_alone(topic, suspect):
     assert exposures.tried(suspect, EXPOSING[suspect.key], right(suspect.function)).exposed
     harmless = exposures.tried(suspect, HARMLESS[suspect.key], right(suspect.function))
     assert not harmless.exposed
-    assert harmless.said.startswith("both give")
+    assert harmless.said.startswith("Both give")
 
 
 @pytest.mark.parametrize(("topic", "key"), BANK_ENTRY)
@@ -121,7 +121,8 @@ def test_an_oral_kit_asks_about_the_students_own_lines(tmp_path):
     path = tmp_path / "lab.py"
     path.write_text(
         "import numpy as np\n"
-        "def missing_probability(v, w, r, dt):\n    way = v * dt\n    return np.where(way > 0, 1 - (w + 2 * r) / way, 0)\n"
+        "def missing_probability(v, w, r, dt):\n    way = v * dt\n"
+        "    return np.where(way > 0, 1 - (w + 2 * r) / way, 0)\n"
         "def signed_distance(p, n, d):\n    return (np.dot(p, n) + d) / np.linalg.norm(n)\n"
         "def side_of_plane(s, tolerance=0.0):\n    raise NotImplementedError('yours')\n",
         encoding="utf-8",
