@@ -8,6 +8,8 @@
     lab.check("signed_distance")              what was tried, what came, what physics expects
     lab.run("dropped-ball/e=0.5")             the same case with your functions and with engines
     lab.watch("dropped-ball/e=0.5")           the replay alone
+    lab.numbers("late", e=(0.3, 0.5))         numbers of a question that are yours, once lab.student("…") has your name
+    lab.expose("distance", point, normal, 2)  whether an input shows what is wrong with somebody else's function
     lab.sweep("dropped-ball", "restitution")  one parameter moved: where your method breaks, and where theirs does
 
 Your functions run in processes of their own: a loop without end or a crash costs a line of text, and the kernel lives
@@ -20,9 +22,10 @@ import logging
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from types import EllipsisType
+from types import EllipsisType, SimpleNamespace
 from typing import TYPE_CHECKING
 
+from labs.assessment import seeded
 from labs.desk.hints import Revealed, Text
 from labs.desk.predictions import Prediction, predicted
 from labs.desk.progress_line import Progress
@@ -51,6 +54,7 @@ class Lab:
         self._tries = Tries()
         self._paid: dict[str, str] = {}
         self._revealed = Revealed()
+        self._student = ""
 
     @errors_in_words
     def begin(self, topic: str) -> None:
@@ -248,6 +252,42 @@ class Lab:
         _display(sweep_picture.picture(found), found.table)
         sweeps.slide(found)
         _display(*(Text(said) for each in predictions if (said := each.verdict())))
+
+    @errors_in_words
+    def student(self, name: str) -> None:
+        """Say who you are, by name or number as your course has it: questions then have numbers of your own."""
+        self._student = str(name).strip()
+        print(f"Numbers are now those of {self._student!r}." if self._student else "Numbers are now the first ones.")
+
+    @errors_in_words
+    def numbers(self, key: str, /, **choices: Sequence[float]) -> SimpleNamespace:
+        """The numbers of a question, one of the values of each name: always the same for one student."""
+        found = seeded.drawn(self._student, self._begun(), key, choices)
+        whose = f"numbers of {self._student!r}" if self._student else 'numbers, until lab.student("…") has your name'
+        print(f"Your {whose}: {seeded.in_words(found)}.")
+        return found
+
+    @errors_in_words
+    def expose(self, key: str, /, *arguments: object) -> None:
+        """Try an input on a wrong function and on yours: an input at which they differ exposes the wrong one.
+
+        Write the input in numbers, without names: it is read from the notebook when the lab is marked.
+        """
+        from labs.assessment import exposures  # noqa: PLC0415
+        from labs.desk import student_code  # noqa: PLC0415
+
+        suspect = exposures.suspect(self._begun(), key)
+        if not arguments or any(each is ... for each in arguments):
+            print(f"Put an input of {suspect.function} in place of the dots: one at which the suspect is wrong.")
+            return
+        yours = student_code.defined_now(suspect.function)
+        if yours is None:
+            print(f"Write {suspect.function} first: the suspect is compared with yours.")
+            return
+        found = exposures.tried(suspect, arguments, yours)
+        print(
+            f"{'✓ Exposed' if found.exposed else '✗ Not exposed'}, if your {suspect.function} is right. {found.said}."
+        )
 
     def _run_case(self, request: Request) -> CaseRuns:
         from labs.desk import case_runs  # noqa: PLC0415 - loads the catalogue

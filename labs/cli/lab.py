@@ -7,7 +7,10 @@ from typing import Annotated
 
 import typer
 
-from labs.building import guidance_gaps, lessons, notebooks
+from labs.assessment import oral as oral_kit
+from labs.assessment.seeded import in_words
+from labs.assessment.shares import SHARES
+from labs.building import guidance_gaps, lessons, marking, notebooks, seeded_questions
 from labs.building.release import release as write_release
 from labs.cli.console import errors, output
 from labs.project_folders import ROOT, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
@@ -77,6 +80,61 @@ def release(
     """
     labs = write_release(out, through, only)
     output.print(f"{out} holds the labs {', '.join(labs)}.", soft_wrap=True, markup=False)
+
+
+@app.command("marks")
+def marks(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A student's notebook.", show_default=False)],
+    topic: Annotated[str, typer.Option("--lab", metavar="LAB", help="Which lab.", show_default=False)],
+    questions: Annotated[
+        float | None,
+        typer.Option(metavar="POINTS", help="What you gave for the written questions.", show_default=False),
+    ] = None,
+) -> None:
+    """Say what a notebook reached in each kind of work, as points of a hundred.
+
+    For example:  collisions lab marks ada.ipynb --lab impulse --questions 14
+    """
+    found = marking.marked(file, topic, questions)
+    for kind, count in found.counts.items():
+        points = found.points(kind)
+        reached = "to be marked by you" if count.reached is None else f"{count.reached:g} of {count.possible:g}"
+        given = "" if points is None else f"{points:.1f}"
+        output.print(f"{kind:18} {reached:>20} {given:>6} of {SHARES[kind]}", markup=False)
+    missing = f", and {found.open} to be given for the written questions (--questions)" if found.open else ""
+    output.print(f"{found.total:.1f} of 100{missing}", markup=False)
+
+
+@app.command("numbers")
+def numbers(
+    topic: Annotated[str, typer.Argument(metavar="LAB", help="Which lab.", show_default=False)],
+    student: Annotated[
+        list[str],
+        typer.Option(metavar="NAME", help="A student's name or number; repeat for several.", show_default=False),
+    ],
+) -> None:
+    """Print the numbers that students have in the questions of a lab, and what follows from them.
+
+    For example:  collisions lab numbers impulse --student 1234
+    """
+    for name in student:
+        for question in seeded_questions.questions(lecture.topic(topic).name, name):
+            results = "; ".join(f"{key} = {value:.4g}" for key, value in question.results.items())
+            said = f"{name}, {question.key}: {in_words(question.numbers)}" + f"; {results}" * bool(results)
+            output.print(said, markup=False, soft_wrap=True)
+
+
+@app.command("oral")
+def oral(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A student's notebook.", show_default=False)],
+    topic: Annotated[str, typer.Option("--lab", metavar="LAB", help="Which lab.", show_default=False)],
+) -> None:
+    """Make three oral questions from a student's own functions, each with what a good answer holds.
+
+    For example:  collisions lab oral ada.ipynb --lab impulse
+    """
+    name = lecture.topic(topic).name
+    output.print(oral_kit.text(oral_kit.kit(file, name), file.name), markup=False, soft_wrap=True)
 
 
 def _is(path: Path, text: str) -> bool:

@@ -14,7 +14,7 @@ import json
 import re
 import shutil
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -87,6 +87,15 @@ def vanished_functions(cells: Sequence[str]) -> list[str]:
 
     shell = get_ipython()
     return [] if shell is None else sorted(defined_in(cells) - shell.user_ns.keys())
+
+
+def defined_now(name: str) -> Callable[..., object] | None:
+    """The function of that name in the kernel; None if it has none."""
+    from IPython import get_ipython  # noqa: PLC0415
+
+    shell = get_ipython()
+    found = None if shell is None else shell.user_ns.get(name)
+    return found if callable(found) else None
 
 
 def functions_that_print(cells: Sequence[str]) -> list[str]:

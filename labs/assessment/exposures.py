@@ -1,0 +1,151 @@
+"""Inputs that expose a wrong function: whether one does, and which of them a notebook holds."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import importlib.util
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from labs.grading.submission.cells import read_cells
+from labs.grading.submission.magics import without_magics
+from reference import lecture
+from reference.engines.implementation import Implementation
+from reference.errors import InvalidInput, UnknownName
+
+NEAR = 1e-9
+"""Two answers that differ by no more than this, relative to the larger one, are the same: rounding."""
+LONGEST = 2000
+"""Characters of the longest input."""
+MOST = 100
+"""The most numbers in it."""
+
+
+@dataclass(frozen=True)
+class Suspect:
+    """A wrong function. key: its name in the lab. function: which function it should be."""
+
+    key: str
+    function: str
+    wrong: Callable[..., Any]
+
+
+@dataclass(frozen=True)
+class Exposure:
+    """What came of an input. exposed: whether the two answers differ. said: both answers in words."""
+
+    exposed: bool
+    said: str
+
+
+def suspects(topic: str) -> tuple[Suspect, ...]:
+    """The wrong functions of a lab; none where the lab has no such question."""
+    name = f"labs.assessment.suspects.{lecture.topic(topic).name}"
+    if importlib.util.find_spec(name) is None:
+        return ()
+    table = importlib.import_module(name).SUSPECTS
+    return tuple(Suspect(key, function, wrong) for key, (function, wrong) in table.items())
+
+
+def suspect(topic: str, key: str) -> Suspect:
+    """A lab's wrong function by its key; raises `UnknownName` if the lab has none of that name."""
+    found = {each.key: each for each in suspects(topic)}
+    if key not in found:
+        raise UnknownName("wrong function", key, found)
+    return found[key]
+
+
+def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -> Exposure:
+    """Whether an input exposes a wrong function. right: a function that is right.
+
+    Raises
+    ------
+    InvalidInput
+        If the right function refuses the input, so that it says nothing about the wrong one.
+    """
+    _check_size(arguments)
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        try:
+            needed = right(*arguments)
+        except NotImplementedError:
+            raise InvalidInput(f"write {wrong.function} first: the suspect is compared with it") from None
+        except Exception as error:
+            reason = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+            raise InvalidInput(f"{wrong.function} refuses this input ({reason}), so it exposes nothing") from None
+        try:
+            given = wrong.wrong(*arguments)
+        except Exception as error:
+            return Exposure(
+                True, f"{wrong.function} gives {_shown(needed)}, and the suspect stops with {type(error).__name__}"
+            )
+    if _same(given, needed):
+        return Exposure(False, f"Both give {_shown(needed)}")
+    return Exposure(True, f"{wrong.function} gives {_shown(needed)}, and the suspect {_shown(given)}")
+
+
+def found_in(path: Path, topic: str, source: str = "solutions") -> dict[str, bool]:
+    """Of each of a lab's suspects, whether a notebook's last input for it exposes it.
+
+    The notebook is read, never run; an input counts only if it is written in numbers. source: of the right functions.
+    """
+    right = Implementation(source)
+    written = dict(_inputs(path))
+    found = {}
+    for each in suspects(topic):
+        arguments = written.get(each.key)
+        found[each.key] = False
+        if arguments is not None:
+            try:
+                found[each.key] = tried(each, arguments, right.function(each.function)).exposed
+            except InvalidInput:
+                continue
+    return found
+
+
+def _inputs(path: Path) -> Iterator[tuple[str, list[Any]]]:
+    """Key and arguments of every call of `lab.expose` in a notebook, in its order, where these are plain numbers."""
+    for cell in read_cells(path)[0]:
+        try:
+            tree = ast.parse(without_magics(cell.source))
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            continue
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "expose":
+                try:
+                    key, *arguments = [ast.literal_eval(each) for each in node.args]
+                except (ValueError, TypeError, RecursionError, MemoryError):
+                    continue
+                if isinstance(key, str) and arguments and not node.keywords:
+                    yield key, arguments
+
+
+def _check_size(arguments: Sequence[Any]) -> None:
+    if len(repr(arguments)) > LONGEST or _count(arguments) > MOST:
+        raise InvalidInput("the input is too long: one case is enough")
+
+
+def _count(value: Any) -> int:
+    return sum(map(_count, value)) if isinstance(value, list | tuple) else 1
+
+
+def _flat(answer: Any) -> np.ndarray[Any, Any]:
+    """An answer's numbers in a row; a tuple is read as its parts one after another."""
+    parts = answer if isinstance(answer, tuple) else (answer,)
+    return np.concatenate([np.ravel(np.asarray(part, dtype=float)) for part in parts])
+
+
+def _same(one: Any, other: Any) -> bool:
+    first, second = _flat(one), _flat(other)
+    return first.shape == second.shape and bool(np.allclose(first, second, rtol=NEAR, atol=NEAR, equal_nan=True))
+
+
+def _shown(answer: Any) -> str:
+    numbers = [f"{value:.4g}".replace("-", "−") for value in _flat(answer)]
+    return numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"

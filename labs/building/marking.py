@@ -1,0 +1,36 @@
+"""Marks a student's notebook in a lab: functions, inputs and predictions are counted, a person marks the questions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from labs.assessment import exposures
+from labs.assessment.marks import Marks, marks
+from labs.building import lessons
+from labs.grading.judging.grade import grade
+from labs.grading.submission.asked_predictions import predictions_in, predictions_of
+from reference import lecture
+
+
+def marked(file: Path, topic: str, questions: float | None = None) -> Marks:
+    """What a notebook reached. questions: points that a person gave for the written questions, if they are marked.
+
+    A prediction of the lesson that the notebook has lost counts as not made.
+
+    Raises
+    ------
+    UnknownName, InvalidInput, UnreadableSubmission
+        If there is no such lab, the questions do not have so many points, or the file cannot be read.
+    """
+    name = lecture.topic(topic).name
+    lesson = lessons.read(name)
+    asked = predictions_in(cell.text for cell in lesson.cells if cell.code)
+    made = predictions_of(file)
+    possible = sum(cell.points for cell in lesson.cells if cell.kind == "answer")
+    sheet = grade(file, [name]).sheet
+    return marks(
+        (sum(outcome.earned for outcome in sheet.outcomes), sum(outcome.points for outcome in sheet.outcomes)),
+        exposures.found_in(file, name),
+        (sum(made.get(key, False) for key in asked), len(asked)),
+        (questions, possible),
+    )

@@ -1,0 +1,140 @@
+"""What a lab's mark is made of besides functions: numbers of one's own, inputs found, the sum, and an oral kit."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from labs.assessment import exposures, oral, seeded
+from labs.assessment.marks import marks
+from labs.assessment.shares import CODE, INPUTS, QUESTIONS, SHARES
+from labs.grading.diagnosis import misconceptions
+from labs.grading.diagnosis.probes import probes
+from reference.engines.implementation import Implementation
+from reference.errors import InvalidInput, UnknownName
+
+CHOICES = {"e": (0.3, 0.4, 0.6, 0.7), "mass": (1.0, 2.0, 3.0)}
+BANK_ENTRY = {
+    ("detection", "distance"): "signed_distance/offset not over the length",
+    ("detection", "thrown"): "time_of_impact_exact/never when rising",
+    ("detection", "behind"): "overlap_interval/from the front alone",
+    ("impulse", "edges"): "edge_edge_normal/as they run",
+    ("impulse", "rim"): "inverse_effective_mass/only A turns",
+    ("impulse", "turned"): "world_inverse_inertia/turned the other way",
+}
+EXPOSING = {
+    "distance": ([0.0, 0.0, 3.0], [0.0, 0.0, 2.0], 4.0),
+    "thrown": (0.5, 2.0, -10.0),
+    "behind": (-0.5, 2.0, 0.1, 0.1, 1.0),
+    "edges": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 0.0]),
+    "rim": (
+        ([0, 0, -1], [0, 0, 0], [0, 0, 0], 1.0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
+        ([0, 0, 0], [0, 0, 0], [0.5, 0, 0], 1.0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
+        [0, 0, 1],
+    ),
+    "turned": ([1.0, 2.0, 4.0], [0.8, 0.4, 0.4, 0.2]),
+}
+HARMLESS = {
+    "distance": ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
+    "thrown": (0.5, -2.0, -10.0),
+    "behind": (0.5, -2.0, 0.1, 0.1, 1.0),
+    "edges": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
+    "rim": (EXPOSING["rim"][1], EXPOSING["rim"][0], [0, 0, 1]),
+    "turned": ([1.0, 2.0, 4.0], [1.0, 0.0, 0.0, 0.0]),
+}
+EVERY = [(topic, suspect) for topic in ("detection", "impulse") for suspect in exposures.suspects(topic)]
+
+
+def right(name):
+    return Implementation("solutions").function(name)
+
+
+def test_numbers_depend_on_the_student_and_the_question_alone():
+    mine = seeded.drawn("Ada 17", "impulse", "weight", CHOICES)
+    assert mine == seeded.drawn(" ada 17 ", "impulse", "weight", CHOICES)
+    assert seeded.drawn("", "impulse", "weight", CHOICES) == seeded.drawn("", "detection", "other", CHOICES)
+    many = [seeded.drawn(str(number), "impulse", "weight", CHOICES) for number in range(200)]
+    assert {each.e for each in many} == set(CHOICES["e"])
+    assert len({(each.e, each.mass) for each in many}) == 12
+    assert max([each.e for each in many].count(e) for e in CHOICES["e"]) < 80  # 50 each, and some luck
+    with pytest.raises(InvalidInput, match="several values"):
+        seeded.drawn("Ada", "impulse", "weight", {"e": 0.5})
+
+
+@pytest.mark.parametrize(("topic", "suspect"), EVERY, ids=lambda each: getattr(each, "key", each))
+def test_a_suspect_is_wrong_on_some_inputs_alone(topic, suspect):
+    assert exposures.tried(suspect, EXPOSING[suspect.key], right(suspect.function)).exposed
+    harmless = exposures.tried(suspect, HARMLESS[suspect.key], right(suspect.function))
+    assert not harmless.exposed
+    assert harmless.said.startswith("Both give")
+
+
+@pytest.mark.parametrize(("topic", "key"), BANK_ENTRY)
+def test_a_suspect_makes_the_mistake_of_the_bank(topic, key):
+    suspect = exposures.suspect(topic, key)
+    (entry,) = [each for each in misconceptions.read_bank() if each.id == BANK_ENTRY[topic, key]]
+    same = 0
+    for probe in probes(suspect.function):
+        if probe.group == "usual":
+            with np.errstate(all="ignore"):
+                wrong = np.hstack([np.ravel(part) for part in np.atleast_1d(entry.formula(*probe.arguments))])
+            same += exposures._same(suspect.wrong(*probe.arguments), tuple(wrong))
+    assert same >= 4
+
+
+def test_an_input_that_the_right_function_refuses_exposes_nothing():
+    suspect = exposures.suspect("impulse", "edges")
+    with pytest.raises(InvalidInput, match="refuses this input"):
+        exposures.tried(suspect, ([1, 0, 0], [2, 0, 0], [0, 0, 1], [0, 0, 0]), right(suspect.function))
+    with pytest.raises(InvalidInput, match="too long"):
+        exposures.tried(suspect, ([0.0] * 200,), right(suspect.function))
+    with pytest.raises(UnknownName, match="edges"):
+        exposures.suspect("impulse", "edge")
+
+
+def test_inputs_are_read_from_a_notebook_that_is_never_run(tmp_path):
+    cells = [
+        'lab.expose("thrown", 0.5, 2.0, -10.0)',
+        'lab.expose("distance", [0, 0, 3], [0, 0, 2], ...)',
+        'lab.expose("behind", *__import__("os").listdir())\nlab.expose("behind", -0.5, 2.0, 0.1, 0.1, 1.0)',
+    ]
+    notebook = {"cells": [{"cell_type": "code", "metadata": {}, "outputs": [], "source": each} for each in cells]}
+    path = tmp_path / "lab.ipynb"
+    path.write_text(json.dumps(notebook | {"metadata": {}, "nbformat": 4, "nbformat_minor": 5}), encoding="utf-8")
+    assert exposures.found_in(path, "detection") == {"distance": False, "thrown": True, "behind": True}
+
+
+def test_functions_are_less_than_half_of_a_mark():
+    assert sum(SHARES.values()) == 100
+    assert (SHARES[CODE], SHARES[INPUTS]) == (45, 15)
+    found = marks((20, 40), {"a": True, "b": False, "c": False}, (9, 10), (None, 30))
+    assert found.total == pytest.approx(22.5 + 5 + 4.5)
+    assert (found.points(QUESTIONS), found.open) == (None, 35)
+    assert marks((20, 40), {}, (0, 0), (30, 30)).total == pytest.approx(22.5 + 15 + 5 + 35)
+    with pytest.raises(InvalidInput, match="30 points"):
+        marks((20, 40), {}, (0, 0), (31, 30))
+
+
+def test_an_oral_kit_asks_about_the_students_own_lines(tmp_path):
+    path = tmp_path / "lab.py"
+    path.write_text(
+        "import numpy as np\n"
+        "def missing_probability(v, w, r, dt):\n    way = v * dt\n"
+        "    return np.where(way > 0, 1 - (w + 2 * r) / way, 0)\n"
+        "def signed_distance(p, n, d):\n    return (np.dot(p, n) + d) / np.linalg.norm(n)\n"
+        "def side_of_plane(s, tolerance=0.0):\n    raise NotImplementedError('yours')\n",
+        encoding="utf-8",
+    )
+    prompts = oral.kit(path, "detection")
+    said = oral.text(prompts, path.name)
+    assert "side_of_plane" not in said
+    assert "np.where(way > 0" in prompts[2].code
+    changed = prompts[1].question.partition("```python\n")[2].partition("\n```")[0]
+    assert changed != prompts[1].code
+    assert len(changed) == len(prompts[1].code)
+    assert said.count("1 point") == 9
+    (tmp_path / "one.py").write_text("def signed_distance(p, n, d):\n    return p @ n + d\n", encoding="utf-8")
+    with pytest.raises(InvalidInput, match="two at least"):
+        oral.kit(tmp_path / "one.py", "detection")

@@ -1,0 +1,30 @@
+"""Numbers of one's own, and inputs that expose a wrong function, as a student calls them in a notebook."""
+
+from __future__ import annotations
+
+from cells import said
+
+from labs.desk import student_code
+from solutions.detection import signed_distance
+
+
+def test_numbers_are_the_first_ones_until_the_student_is_known(lab, capsys):
+    assert lab.numbers("late", e=(0.3, 0.5, 0.7)).e == 0.3
+    assert "until lab.student" in capsys.readouterr().out
+    drawn = set()
+    for name in "abcdefgh":
+        lab.student(name)
+        drawn.add(lab.numbers("late", e=(0.3, 0.5, 0.7)).e)
+    assert drawn == {0.3, 0.5, 0.7}
+    assert "several values" in said(capsys, lab.numbers, "late", e=0.5)
+
+
+def test_an_input_is_tried_on_the_suspect_and_on_ones_own_function(lab, capsys, monkeypatch):
+    assert "in place of the dots" in said(capsys, lab.expose, "distance", ...)
+    plane = ([0.0, 0.0, 3.0], [0.0, 0.0, 2.0], 4.0)
+    assert "Write signed_distance first" in said(capsys, lab.expose, "distance", *plane)
+    monkeypatch.setattr(student_code, "defined_now", lambda name: signed_distance)
+    assert "✓ Exposed" in (told := said(capsys, lab.expose, "distance", *plane))
+    assert "signed_distance gives 5, and the suspect 7" in told
+    assert "✗ Not exposed" in said(capsys, lab.expose, "distance", *plane[:2], 0.0)
+    assert "refuses this input" in said(capsys, lab.expose, "distance", plane[0], [0.0, 0.0, 0.0], 1.0)
