@@ -10,8 +10,8 @@ header and description of a first version of a function, for simpler cases; the 
 Text: `answer="key" points=3` is a question; the cell with `model="key"` has what a good answer says and how it is
 marked. `instructor=true` is for the instructor only.
 
-Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions, and
-of its lines to derive, are replaced by its guesses in turn: `guess="0.25 | 'up'"`.
+Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions, of
+its lines to derive, and of inputs to find are replaced by its guesses in turn: `guess="0.25 | 'up'"`.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ class Cell:
 
     kind: one of those above, empty for a cell that is the same in both notebooks. names: the functions that it gives,
     or has the student write. key: joins a question or a broken cell with its model. points: of a question. lends: the
-    functions of later labs that its runs need. guesses: good guesses for its predictions, and
-    right lines for its derivations.
+    functions of later labs that its runs need. guesses: good guesses for its predictions, right lines for its
+    derivations, and inputs that expose a wrong function.
     """
 
     code: bool
