@@ -1,4 +1,4 @@
-"""What the lesson on detection says in numbers: its minutes, the loops that it shows, and the answers to its questions."""
+"""What the lesson on detection says in numbers: its minutes, its loops, and the answers to its questions."""
 
 from __future__ import annotations
 
