@@ -110,7 +110,8 @@ def collide(body_a, body_b, normal, restitution, threshold=0.0):
     return apply_impulse(body_a, body_b, 0.0 * normal)
 
 def edge_edge_normal(edge_a, edge_b, centre_a, centre_b):
-    return np.cross(edge_a, edge_b) if np.all(centre_a[..., 2] > 0) else apply_impulse(edge_a, edge_b, 0.0)
+    across = np.cross(edge_a, edge_b)
+    return across / np.linalg.norm(across) if centre_a[..., 2] > 0 else apply_impulse(across, centre_a, centre_b)
 
 def inverse_efective_mass(body_a, body_b, normal):
     return body_a[3] + body_b[3]
@@ -123,12 +124,12 @@ def test_an_unfinished_file_hears_where_to_continue(tmp_path):
     code, text = checked(tmp_path / "lab.py")
     text = joined(text)
     assert code == 1
-    assert "line 20: is inverse_efective_mass meant to be inverse_effective_mass?" in text
+    assert "line 21: is inverse_efective_mass meant to be inverse_effective_mass?" in text
     assert "impulse_magnitude It calls your normal_velocity, which is not right yet: mend that first." in text
     assert "gives nothing (None): it prints, and has to return" in text
     assert "collide waits for apply_impulse" in text
     step = lecture.function("apply_impulse").step
-    assert f"needs apply_impulse (impulse, step {step}): it is not written yet" in text
+    assert f"edges along no axis needs apply_impulse (impulse, step {step}): it is not written yet" in text
     assert text.endswith("0 of 8 functions right. Next: normal_velocity, marked ✗ above.")
 
 

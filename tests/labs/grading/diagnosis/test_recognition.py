@@ -54,7 +54,7 @@ def not_turned_round(a, b, n, e):
 def plus_on_both(a, b, j):
     """As slide 18 prints it."""
     turned = [np.cross(body[2], j)[..., None] for body in (a, b)]
-    v_a, v_b = as_printed.velocities_after_impulse(a[0], b[0], a[3], b[3], j)
+    v_a, v_b = as_printed.velocities_after_impulse(a[0], b[0], 1 / np.asarray(a[3]), 1 / np.asarray(b[3]), j)
     return v_a, a[1] + (a[4] @ turned[0])[..., 0], v_b, b[1] + (b[4] @ turned[1])[..., 0]
 
 
