@@ -24,6 +24,10 @@ def audit(
     An impact may only take energy. Anything else that it changes is a mistake in the
     program.
 
+    The bodies that can move are counted. An immovable body, 1/M = 0, counts nothing,
+    and neither does a spin about an axis without an inverse inertia (see
+    `mass_and_inertia`). Beside the ground, ΔP is therefore what the ground has given.
+
     Parameters
     ----------
     body_a, body_b : Body, or a tuple in its order
@@ -41,10 +45,6 @@ def audit(
     energy : (...), ΔE, J
         Kinetic energy of both bodies together, negative where the impact takes some.
 
-        All three are for the bodies that can move. An immovable body, 1/M = 0, counts
-        nothing, and neither does a turn about an axis without an inverse inertia.
-        Beside the ground, ΔP is therefore what the ground has given.
-
     Raises
     ------
     ValueError
@@ -59,17 +59,18 @@ def audit(
         L = I ω − r × P
 
     An impulse J at the contact changes P by J and I ω by r × J. It does not change L,
-    not even that of one body, since r × J − r × J = 0. Each number therefore asks a
-    question of its own. ΔP: has B lost what A has gained? ΔL: does each spin fit the
-    velocity of the same body? With the plus signs of slide 18 on both lines of B, ΔP is
-    2 J and ΔL is 0. With a plus on ω_B alone, ΔP is 0 and ΔL is 2 r_B × J.
+    not even that of one body, since r × J − r × J = 0. Each of the two momenta
+    therefore answers a question of its own. ΔP: has B lost what A has gained? ΔL: does
+    the spin of each body fit the change of its velocity? With the plus signs of slide
+    18 on both lines of B, ΔP is 2 J and ΔL is 0. With a plus on ω_B alone, ΔP is 0 and
+    ΔL is 2 r_B × J.
 
-    About any other point, p away from the contact, ΔL is less by p × ΔP. Where ΔP is 0
-    the point makes no difference.
+    About another point, at p as seen from the contact, ΔL is less by p × ΔP. Where ΔP
+    is 0 the point makes no difference.
 
-    For the energy, M (v⁺·v⁺ − v⁻·v⁻)/2 = ΔP·(v⁺ + v⁻)/2: the work of the impulse along
-    the mean of both velocities. The same holds for the spin. A correct impact between
-    bodies that both can move gives ΔE = −`energy_lost`.
+    For the energy, M (v⁺·v⁺ − v⁻·v⁻)/2 = M (v⁺ − v⁻)·(v⁺ + v⁻)/2: the change of the
+    momentum times the mean of the two velocities. The same holds for the spin. Where
+    both bodies can move, a correct impact gives ΔE = −`energy_lost`.
     """
     v_a, w_a, v_b, w_b = (finite("after", vector("after", velocity)) for velocity in after)
     momentum_a, angular_a, energy_a = _gained(checked(body_a), v_a, w_a)

@@ -250,6 +250,7 @@ def test_one_plane_has_its_normal_for_every_pair_of_bodies_on_it():
         (lambda: normal_velocity(flying(UP), flying(UP), (0, 0, 2)), "normal must have length 1, not 2"),
         (lambda: normal_velocity(flying(UP), flying(UP), 1.0), "normal must have shape"),
         (lambda: normal_velocity(flying((0, 0, math.nan)), flying(UP), UP), "velocity must be finite"),
+        (lambda: normal_velocity(flying(UP), flying((0, 0, math.inf)), UP), "velocity must be finite"),
         (lambda: normal_velocity(flying(UP), flying(UP, arm=1.0), UP), "arm must have shape"),
         (lambda: rebound_velocity(-1.0, 1.5), "restitution must be from 0 to 1, not 1.5"),
         (lambda: rebound_velocity(math.nan, 0.5), "normal_velocity must be finite, not nan"),
