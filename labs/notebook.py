@@ -2,8 +2,10 @@
 
     lab.begin("detection")                    which engines are available, and which functions
     lab.predict("rest", "…?", answer=...)     a guess, kept for the run
+    lab.derive("impulse_magnitude", j="…")    one line of a derivation, right or where it is wrong
+    lab.hint("signed_distance")               the idea, then the next line, then the formula, then help with your code
+    lab.figure("contact")                     a drawn figure
     lab.check("signed_distance")              what was tried, what came, what physics expects
-    lab.hint("signed_distance")               the next hint at once, before the next try
     lab.run("dropped-ball/e=0.5")             the same case with your functions and with engines
     lab.watch("dropped-ball/e=0.5")           the replay alone
     lab.sweep("dropped-ball", "restitution")  one parameter moved: where your method breaks, and where theirs does
@@ -21,10 +23,13 @@ from pathlib import Path
 from types import EllipsisType
 from typing import TYPE_CHECKING
 
+from labs.desk.hints import Revealed, Text
 from labs.desk.predictions import Prediction, predicted
 from labs.desk.progress_line import Progress
 from labs.desk.refusals import errors_in_words
 from labs.grading.feedback.tries import Tries
+from labs.guidance import drawings
+from labs.guidance.hint_files import Guide, hints
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 
@@ -45,6 +50,7 @@ class Lab:
         self._grader: Grader | None = None
         self._tries = Tries()
         self._paid: dict[str, str] = {}
+        self._revealed = Revealed()
 
     @errors_in_words
     def begin(self, topic: str) -> None:
@@ -73,15 +79,49 @@ class Lab:
         return self._check(functions)
 
     @errors_in_words
+    def derive(self, function: str | Callable[..., object], /, **lines: str) -> None:
+        """Check a line of the derivation that a function needs; without a line, say which one is asked for.
+
+        Write the right side between quotes, as in j="-(1 + e) * u / k". Every form of the right line is right.
+        """
+        from labs.desk import derivations  # noqa: PLC0415
+
+        guide = self._guide(function)
+        for line in derivations.judged(guide, lines) if lines else derivations.asked(guide):
+            print(line)
+
+    @errors_in_words
     def hint(self, function: str | Callable[..., object]) -> None:
-        """Check one function, and show the next hint on it without waiting for another try."""
-        self._check((function,), hint=True)
+        """Show the next hint on a function: the idea, the next line, the formula, then help with your own code.
+
+        Hints cost nothing.
+        """
+        if shown := self._revealed.next(self._guide(function)):
+            _display(*shown)
+        else:
+            self._check((function,), hint=True)
+
+    @errors_in_words
+    def figure(self, name: str) -> None:
+        """Show a drawn figure by its name."""
+        _display(drawings.drawing(name))
+
+    def _guide(self, function: str | Callable[..., object]) -> Guide:
+        """The hints on a function of a lab."""
+        name = _name(function)
+        if name not in lecture.FUNCTIONS:
+            raise UnknownName("function of this lab", name, self._written())
+        return hints(lecture.function(name).topic).of(name)
+
+    def _written(self) -> list[str]:
+        """The functions that a student of this lab writes."""
+        return [entry.name for entry in lecture.functions_of(self._begun()) if entry.role == "written"]
 
     def _check(self, functions: Sequence[str | Callable[..., object]], hint: bool = False) -> float | None:
         from labs.desk import checks, student_code  # noqa: PLC0415 - loads the grader
+        from labs.grading.submission import asked_predictions  # noqa: PLC0415
 
-        here = [entry.name for entry in lecture.functions_of(self._begun()) if entry.role == "written"]
-        names = [str(getattr(function, "__name__", function)) for function in functions]
+        here, names = self._written(), [_name(function) for function in functions]
         for name in names:
             if name not in lecture.FUNCTIONS:
                 raise UnknownName("function of this lab", name, here)
@@ -96,6 +136,8 @@ class Lab:
         with Progress("checking"):
             found = checks.check(notebook, self._begun(), names, self._started_grader(), self._tries, self._paid, hint)
         print(found.report)
+        if not names and (made := asked_predictions.in_words(asked_predictions.predictions_in(cells))):
+            print(made)
         _warn_of_printing(name for name in student_code.functions_that_print(cells) if name in (names or here))
         return found.credit
 
@@ -108,8 +150,9 @@ class Lab:
         unit: str = "",
         choices: Sequence[str] = (),
     ) -> None:
-        """Keep what you expect and show it beside the result. It is not graded."""
-        self._predictions[key] = predicted(key, question, answer, unit, choices)
+        """Keep what you expect and compare it with the result. That you predict counts; being wrong costs nothing."""
+        right = hints(self.topic).answers.get(key) if self.topic else None
+        self._predictions[key] = predicted(key, question, answer, unit, choices, right)
         print(self._predictions[key])
 
     @errors_in_words
@@ -122,11 +165,13 @@ class Lab:
         engines: Sequence[str] | None = None,
         profile: str = "exact",
         timestep: float | None = None,
+        unfold: bool = False,
         **parameters: float,
     ) -> None:
         """Run a case with your functions and with engines: replay, curve, and numbers beside theory.
 
-        predicted: the key of a prediction to show beside the result, or several keys. quantity: which numbers; all if
+        predicted: the key of a prediction to compare with the result, or several keys; the run stays folded until these
+        predictions were made. unfold: whether to show it without them. quantity: which numbers; all if
         none is named. engines: such as ("mujoco",); no engine runs if it is empty. profile: the method of your code,
         such as "step", which responds at the end of a step. timestep: s, for all. Give parameters of the scenario,
         such as restitution=0.3, instead of a case.
@@ -134,14 +179,18 @@ class Lab:
         from labs.desk import case_runs, display, student_code, tables  # noqa: PLC0415
         from reference.catalogue.scenarios import find  # noqa: PLC0415 - a check needs no catalogue
 
-        predictions = self._guesses(predicted)
         wanted = [quantity] if isinstance(quantity, str) else list(quantity)
         for name in wanted:
             find(scenario)[0].quantity(name)
-        options = ("predicted", "quantity", *case_runs.OPTIONS)
+        options = ("predicted", "quantity", "unfold", *case_runs.OPTIONS)
         chosen = case_runs.chosen_engines(engines)
+        predictions = self._predicted(predicted, unfold)
+        if predictions is None:
+            return
         runs = self._run_case(case_runs.Request(scenario, chosen, profile, timestep, parameters, options=options))
-        _display(*display.pictures(runs), tables.tables(runs, wanted, predictions))
+        theory = tables.theory(runs, wanted)
+        verdicts = [Text(said) for each in predictions if (said := each.verdict(theory))]
+        _display(*display.pictures(runs), tables.tables(runs, wanted, predictions), *verdicts)
         if runs.results[0].job.engine == case_runs.HANDWRITTEN:
             printing = student_code.functions_that_print(student_code.executed_cells())
             _warn_of_printing(set(printing) & set(runs.results[0].functions))
@@ -175,11 +224,14 @@ class Lab:
         quantity: str = "",
         engines: Sequence[str] | None = None,
         profile: str = "exact",
+        unfold: bool = False,
     ) -> None:
         """Move one parameter of a scenario, or its timestep: a slider beside small pictures of every value."""
         from labs.desk import case_runs, sweeps  # noqa: PLC0415
 
-        values, predictions = sweeps.values_of(scenario, parameter, values), self._guesses(predicted)
+        values, predictions = sweeps.values_of(scenario, parameter, values), self._predicted(predicted, unfold)
+        if predictions is None:
+            return
         request = case_runs.Request(scenario, case_runs.chosen_engines(engines), profile, recorded=True)
         with Progress("running", len(values)) as progress:
             cases: list[CaseRuns] = []
@@ -192,7 +244,7 @@ class Lab:
                 progress.done(len(cases), len(values), f"{parameter} {value:g}")
         guesses = ", ".join(each.with_unit for each in predictions)
         found = sweeps.Sweep(parameter, tuple(values), tuple(cases), quantity, guesses)
-        _display(found.picture, found.table)
+        _display(found.picture, found.table, *(Text(said) for each in predictions if (said := each.verdict())))
         sweeps.slide(found)
 
     def _run_case(self, request: Request) -> CaseRuns:
@@ -224,12 +276,13 @@ class Lab:
             raise InvalidInput(f'which lab is this? Run the first cell, or lab.begin("…") with one of {names}')
         return self.topic
 
-    def _guesses(self, keys: str | Sequence[str]) -> list[Prediction]:
-        """The predictions with those keys; says which of them were not made yet."""
-        keys = [keys] if isinstance(keys, str) else list(keys)
+    def _predicted(self, keys: str | Sequence[str], unfold: bool) -> list[Prediction] | None:
+        """The predictions with those keys; None, with a line that says so, if one of them was not made yet."""
+        keys = [key for key in ([keys] if isinstance(keys, str) else keys) if key]
         made = {key: each for key, each in self._predictions.items() if each.answer is not None}
-        for key in [key for key in keys if key and key not in made]:
-            print(f"There is no prediction {key!r} yet: guess first, in a cell above; it is the point of the run.")
+        if (open_keys := [key for key in keys if key not in made]) and not unfold:
+            print(f"Folded until you have predicted {', '.join(map(repr, open_keys))} in a cell above (or: unfold=True).")
+            return None
         return [made[key] for key in keys if key in made]
 
     def _started_grader(self) -> Grader:
@@ -239,6 +292,11 @@ class Lab:
 
             self._grader = Grader()
         return self._grader
+
+
+def _name(function: str | Callable[..., object]) -> str:
+    """The name of a function that is given as such, or by its name."""
+    return str(getattr(function, "__name__", function))
 
 
 def _warn_of_printing(names: Iterable[str]) -> None:

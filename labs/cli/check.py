@@ -11,6 +11,7 @@ from labs.cli.console import errors, output
 from labs.grading.budget import SECONDS, Budget
 from labs.grading.feedback import report
 from labs.grading.judging import pytest_run
+from labs.grading.submission import asked_predictions
 from labs.grading.submission.reading import Submission
 from labs.grading.wrapping import folded
 from reference import lecture
@@ -42,6 +43,8 @@ def check(
     sheet = pytest_run.run(file, topics, (pytest_run.VISIBLE,), budget=budget)
     for line in report.report(sheet, topics):
         output.print(line, markup=False, soft_wrap=True)
+    if made := asked_predictions.in_words(asked_predictions.predictions_of(file)):
+        output.print(made, markup=False)
     raise typer.Exit(0 if report.all_right(sheet) else WRONG)
 
 

@@ -23,10 +23,10 @@ from labs.correct_functions import package_of_correct_functions
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.reading import Submission, read
+from labs.grading.submission.stubs import UNWRITTEN, is_stub
 from reference import lecture
 from reference.engines.implementation import Implementation
 
-_UNWRITTEN = "NotImplementedError"
 _ABOVE = 1
 """Lines of a written module before the student's own: one import."""
 _DEFINES = re.compile(r"^def (\w+)", re.MULTILINE)
@@ -221,13 +221,13 @@ def _unwritten(submission: Submission) -> frozenset[str]:
     return frozenset(
         node.name
         for node in ast.parse(submission.text).body
-        if isinstance(node, ast.FunctionDef) and _UNWRITTEN in ast.dump(node.body[-1]) and len(node.body) <= 2
+        if isinstance(node, ast.FunctionDef) and is_stub(node)
     )
 
 
 def _stubs(names: Iterable[str]) -> str:
     """Functions whose cells were not run: an error, so that no correct function takes their place."""
-    return "".join(f"\n\ndef {name}(*arguments, **named):\n    raise {_UNWRITTEN}\n" for name in names)
+    return "".join(f"\n\ndef {name}(*arguments, **named):\n    raise {UNWRITTEN}\n" for name in names)
 
 
 def _write_module(name: str, text: str) -> Path:

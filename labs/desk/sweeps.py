@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from labs.desk.display import DPI, Picture, curve, look
-from labs.desk.tables import Table, capital, tables
+from labs.desk.tables import Table, absent, capital, tables
 from reference.catalogue.family import Quantity
 from reference.catalogue.scenarios import find
 from reference.errors import InvalidInput, UnknownName
@@ -102,7 +102,7 @@ class Sweep:
         title = f"{capital(self.measured.title)}{unit}, by {self.parameter}"
         lines = list(self._lines())
         notes = [f"You predicted {self.predicted}."] * bool(self.predicted)
-        notes += [f"{line.result.title}: {line.note}" for line in lines if line.note]
+        notes += [absent(line) for line in lines if line.note]
         recorded = dict.fromkeys(line.result.title for line in lines if line.result.recording)
         notes += [f"{', '.join(recorded)}: recorded earlier, which is quicker than a run."] * bool(recorded)
         notes += [runs.snapped for runs in self.cases]

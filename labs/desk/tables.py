@@ -12,6 +12,7 @@ from labs.desk.predictions import Prediction
 from reference.catalogue.family import Quantity
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines.handwritten.impact_response import MEETS_AGAIN
+from reference.engines.profiles import SLIDE, STEP
 from reference.report import numbers
 from reference.report.marks import MARKS
 from reference.report.row_text import error_of, tolerance_of
@@ -28,6 +29,10 @@ _MEANINGS = {
     Verdict.SHOWN: "theory has no number",
 }
 """The legend below a table; an implementation without a number says itself why it has none."""
+_METHODS = {STEP: "at the step", SLIDE: "by the slide’s T"}
+"""Methods of hand-written code in words."""
+_NEEDS = "needs "
+"""Begins the note of a run for which a function is not written yet."""
 _BEYOND = 10.0
 """A guess that is off by more than so many times theory is only said to be beyond that."""
 _STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums"
@@ -93,21 +98,39 @@ class Tables:
 def tables(runs: CaseRuns, quantities: Sequence[str], predictions: Sequence[Prediction] = ()) -> Table | Tables:
     """One table per quantity: who ran, the value, and how far it is from theory.
 
-    A predicted number is listed in the first table; a prediction in words is quoted below all tables.
+    A predicted number is listed in the first table. A prediction in words is quoted below all tables if nobody knows
+    whether it is right.
     """
     wanted = [runs.family.quantity(name) for name in quantities] or list(runs.family.quantities)
     guesses = [each for each in predictions if isinstance(each.answer, float)]
     found = [_table(runs, quantity, guesses if place == 0 else ()) for place, quantity in enumerate(wanted)]
-    said = [f"You predicted {each.shown}. {each.question}" for each in predictions if isinstance(each.answer, str)]
+    words = [each for each in predictions if isinstance(each.answer, str) and not each.verdict()]
+    said = [f"You predicted {each.shown}. {each.question}" for each in words]
     notes = (*said, *_notes(runs, [quantity.name for quantity in wanted]))
     if len(found) > 1:
         return Tables(runs.title, tuple(table for table in found if table.rows), notes)
     return replace(found[0], title=f"{found[0].title} ({runs.title})", notes=notes)
 
 
+def theory(runs: CaseRuns, quantities: Sequence[str]) -> float | None:
+    """What theory expects of the first of these quantities, or of the family's first; None if it has no number."""
+    return _theory(runs, runs.family.quantity(quantities[0]) if quantities else runs.family.quantities[0])
+
+
 def who(line: Line) -> str:
-    """`yours`, `PyBullet`; with the profile if it is not the one that counts."""
-    return line.result.title if line.counts else line.title
+    """An implementation as a table names it: `yours`, `PyBullet`; with its method if that is not the one that counts."""
+    if line.counts:
+        return line.result.title
+    method = _METHODS.get(line.result.job.profile, line.result.job.profile)
+    return f"{line.result.title}, {method}" if line.result.job.engine == HANDWRITTEN else line.title
+
+
+def absent(line: Line) -> str:
+    """Why an implementation has no number, as a sentence if it is the student's own."""
+    if line.result.job.engine != HANDWRITTEN:
+        return f"{who(line)}: {line.note}"
+    note = line.note.removeprefix(_NEEDS)
+    return f"Your implementation waits for {note}." if note != line.note else f"Your implementation {note}"
 
 
 def capital(text: str) -> str:
@@ -117,11 +140,11 @@ def capital(text: str) -> str:
 
 def _table(runs: CaseRuns, quantity: Quantity, guesses: Sequence[Prediction]) -> Table:
     rows = [(line, row) for line in runs.lines if (row := _row(line, quantity.name))]
-    theory = next((row.expected for _, row in rows if row.expected is not None), None)
+    expected = _theory(runs, quantity)
     cells = [_cells(line, row, runs.timestep(line)) for line, row in rows]
-    cells[:0] = [("you predicted", guess.shown, _off(guess, theory), "", "", "") for guess in guesses]
-    if theory is not None:
-        cells.append(("theory", _value(theory), "", "", "", ""))
+    cells[:0] = [("you predicted", guess.shown, _off(guess, expected), "", "", "") for guess in guesses]
+    if expected is not None:
+        cells.append(("theory", _value(expected), "", "", "", ""))
     unit = f", {quantity.unit}" if quantity.unit else ""
     headings = ("", f"value{unit}", "off by", "", "allowed", "timestep")
     used = [place for place in range(len(headings)) if place < 2 or any(row[place] for row in cells)]
@@ -130,6 +153,11 @@ def _table(runs: CaseRuns, quantity: Quantity, guesses: Sequence[Prediction]) ->
         tuple(headings[place] for place in used),
         tuple(tuple(row[place] for place in used) for row in cells),
     )
+
+
+def _theory(runs: CaseRuns, quantity: Quantity) -> float | None:
+    rows = [row for line in runs.lines if (row := _row(line, quantity.name))]
+    return next((row.expected for row in rows if row.expected is not None), None)
 
 
 def _row(line: Line, quantity: str) -> Row | None:
@@ -149,7 +177,12 @@ def _allowed(row: Row) -> str:
 
 
 def _off(prediction: Prediction, theory: float | None) -> str:
-    """How far a guess is from theory, as a share of theory and up to `_BEYOND`; empty if theory is zero."""
+    """How far a guess is from theory, as a share of theory and up to `_BEYOND`.
+
+    Empty if theory is zero, or if something else is right, such as what an engine's own method gives.
+    """
+    if prediction.right.number is not None:
+        return ""
     if theory is None or _value(theory) == "0" or not isinstance(prediction.answer, float):
         return ""
     off = (prediction.answer - theory) / abs(theory)
@@ -165,7 +198,7 @@ def _notes(runs: CaseRuns, quantities: Sequence[str]) -> Iterator[str]:
     """Who has no number and why, what the marks mean, why numbers deviate, and which were recorded elsewhere."""
     for line in runs.lines:
         if not any(_row(line, name) for name in quantities):
-            yield f"{who(line)}: {line.note}"
+            yield absent(line)
     rows = [(line, row) for line in runs.lines for row in line.result.rows if row.quantity in quantities]
     if any(line.result.job.engine == HANDWRITTEN and _is_wrong(line) for line in runs.lines):
         yield "lab.check() says more about your functions."

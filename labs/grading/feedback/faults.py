@@ -32,8 +32,8 @@ Told = Sequence[tuple[str, str]]
 HINT, EXPLANATION = "hint", "explanation"
 """Levels of help besides what was tried: where to look, and then what the mistake is."""
 _NEXT = {
-    HINT: 'A hint comes with your next try; lab.hint("{}") gives it now.',
-    EXPLANATION: 'What is wrong is said with your next try; lab.hint("{}") says it now.',
+    HINT: 'A hint on your code comes with your next try; lab.hint("{}") helps before that.',
+    EXPLANATION: 'What is wrong is said with your next try; lab.hint("{}") helps before that.',
 }
 
 

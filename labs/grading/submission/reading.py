@@ -5,7 +5,8 @@ down to what the functions need (`slicing`). Lines that are left out remain as e
 number leads back to the student's own line, and in a notebook to the code cell.
 
 If a function is defined several times, its last definition counts, unless a cell was made for it: one that is tagged
-with the function's name, or that nbgrader knows by that name.
+with the function's name, or that nbgrader knows by that name. A stub counts only if nothing else defines the function.
+A cell that is tagged `draft-NAME` asks for a first version of a function that is written again later.
 """
 
 from __future__ import annotations
@@ -32,9 +33,12 @@ from labs.grading.submission.complaints import (
 )
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.slicing import Group, defined_as, groups, needed, used_by
+from labs.grading.submission.stubs import is_stub
 
 __all__ = ["Complaint", "Submission", "read"]
 
+DRAFT = "draft-"
+"""Begins the tag of a cell for a first version of a function."""
 _TOO_MUCH = (ValueError, RecursionError, MemoryError)  # raised by ast for text that no person writes
 
 
@@ -129,6 +133,7 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
         pieces += [Located(group, cell) for group in found]
         if complaint:
             unread.append((cell, complaint))
+    pieces = _without_outdone_stubs(pieces)
     defined = {name: piece.cell for piece in pieces for name in piece.group.defines}
     complaints += [with_its_cost(complaint, cell, defined) for cell, complaint in unread]
     functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
@@ -162,6 +167,19 @@ def _parsed(cell: Cell) -> tuple[str, tuple[Group, ...], Complaint | None]:
             return "", (), unreadable(error, cell, source)
 
 
+def _without_outdone_stubs(pieces: list[Located]) -> list[Located]:
+    """The pieces without the stubs of functions that are written elsewhere."""
+    stubs = [piece for piece in pieces if all(map(is_stub, piece.group.statements))]
+    written = {
+        name
+        for piece in pieces
+        if piece not in stubs
+        for name in piece.group.defines
+        if defined_as(piece.group, name) == "def"
+    }
+    return [piece for piece in pieces if piece not in stubs or not piece.group.defines <= written]
+
+
 def _check_definition(name: str, pieces: list[Located], complaints: list[Complaint]) -> bool:
     """Whether the submission defines the function; complains of copies, and of an import instead of a definition."""
     found = [piece for piece in pieces if defined_as(piece.group, name)]
@@ -169,7 +187,7 @@ def _check_definition(name: str, pieces: list[Located], complaints: list[Complai
     if kinds == {"import"}:
         complaints.append(Complaint(f"{name} is imported, not written", found[-1].cell.number, found[-1].group.first))
         return False
-    if len(found) > 1:
+    if len([piece for piece in found if f"{DRAFT}{name}" not in piece.cell.tags]) > 1:
         counts = _counting(name, found)
         where = place(counts.cell.number, counts.group.first)
         text = f"{name} is defined {len(found)} times; the one at {where} counts"

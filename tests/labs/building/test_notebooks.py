@@ -58,7 +58,7 @@ def test_the_solved_notebook_passes_every_check(topic, tmp_path, monkeypatch):
     assert "✗" not in said.replace("✗ fail", "")
     assert not re.search(r"· \w+ +to do", said)
     assert "lab." not in said  # which a refused call begins with
-    assert "yours: needs" in said  # what is asked before it is written
+    assert "Your implementation waits for" in said  # what is asked before it is written
     assert "functions right. Hidden tests" in said
     assert "You predict" in said
     assert "you predicted" in said  # beside what came

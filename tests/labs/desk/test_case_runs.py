@@ -36,7 +36,8 @@ def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, monke
     cells += right_cells()
     lab.predict("high", "How high?", 0.3)
     lab.run("dropped-ball/e=0.5", predicted="high", quantity="rebound")
-    pictures, table = lab.shown
+    pictures, table, verdict = lab.shown
+    assert str(verdict) == "You predicted 0.3, but 0.25 is right."
     assert "yours" in str(table)
     assert ["you predicted", "0.3", "+20 %"] in [list(row[:3]) for row in table.rows]
     assert [row[-1] for row in table.rows if row[0] in ("yours", "PyBullet")] == ["1 ms", "1 ms"]
@@ -50,14 +51,14 @@ def test_a_run_shows_yours_beside_engines_theory_and_the_guess(lab, cells, monke
 
 def test_a_run_before_anything_is_written_names_the_missing_function(lab):
     lab.run("dropped-ball/e=0.5", quantity="rebound")
-    assert "yours: needs signed_distance (detection, step 1)" in str(lab.shown[-1])
+    assert "Your implementation waits for signed_distance (detection, step 1)." in str(lab.shown[-1])
 
 
 def test_a_crash_is_a_line_with_its_error_its_cell_and_its_function(lab, cells):
     cells += [*right_cells(), "def signed_distance(point, normal, offset):\n    return 1 / 0"]
     lab.run("dropped-ball/e=0.5", quantity="rebound")
     where = "at cell [3], line 2, in signed_distance"
-    assert f"yours: crashed: ZeroDivisionError: division by zero, {where}" in str(lab.shown[-1])
+    assert f"Your implementation crashed: ZeroDivisionError: division by zero, {where}" in str(lab.shown[-1])
 
 
 def test_a_crash_in_an_earlier_notebook_names_the_notebook(lab, cells, tmp_path):
@@ -115,7 +116,7 @@ def test_a_run_at_parameters_is_named_after_them(lab, installed):
         ("dropped-ball", {"profile": "stock"}, "Did you mean 'step'?"),
         ("dropped-ball", {"engines": ("bullet",)}, "unknown engine 'bullet'"),
         ("dropped-ball/e=0.5", {"timestep": -1.0}, "timestep"),
-        ("dropped-ball/e=0.5", {"predicted": "nothing", "engines": ()}, "There is no prediction 'nothing' yet"),
+        ("dropped-ball/e=0.5", {"predicted": "nothing", "engines": ()}, "Folded until you have predicted 'nothing'"),
     ],
 )
 def test_a_run_that_is_refused_prints_one_line(lab, capsys, scenario, named, words):
@@ -182,18 +183,23 @@ def test_guesses_in_words_are_notes_and_guesses_in_numbers_are_rows(lab, capsys,
     lab.predict("high", "How high?", 0.3)
     lab.predict("way", "Which way?", "up", choices=("up", "down"))
     lab.run("dropped-ball/e=0.5", predicted=("high", "way"), quantity="rebound", engines=("pybullet",))
-    table = lab.shown[-1]
+    table, verdict = lab.shown[-2:]
+    assert "0.25 is right" in str(verdict)
     assert [row[0] for row in table.rows] == ["you predicted", "PyBullet", "theory"]
     assert "You predicted “up”. Which way?" in table.notes
 
 
 @pytest.mark.parametrize("made", [(), ("other",)])
-def test_a_run_before_its_guess_asks_for_the_guess_and_runs(lab, capsys, made):
+def test_a_run_stays_folded_until_its_prediction_was_made(lab, capsys, made):
     for key in made:
         lab.predict(key, "?", 1.0)
     lab.predict("high", "How high?", ...)
-    out = said(capsys, lab.run, "dropped-ball/e=0.5", predicted="high", quantity="rebound", engines=("pybullet",))
-    assert "There is no prediction 'high' yet: guess first" in out
+    asked = {"predicted": "high", "quantity": "rebound", "engines": ("pybullet",)}
+    out = said(capsys, lab.run, "dropped-ball/e=0.5", **asked)
+    assert "Folded until you have predicted 'high' in a cell above" in out
+    lab.sweep("dropped-ball", "restitution", (0.5,), **asked)
+    assert not lab.shown
+    lab.run("dropped-ball/e=0.5", unfold=True, **asked)
     assert lab.shown
 
 
@@ -210,7 +216,7 @@ def test_a_run_that_uses_no_function_of_the_student_is_called_given(lab, cells):
 def test_a_run_names_a_function_that_returns_nothing(lab, cells):
     cells += [*right_cells(), "def signed_distance(point, normal, offset):\n    point.sum()"]
     lab.run("dropped-ball/e=0.5", quantity="rebound", engines=())
-    assert "yours: crashed: signed_distance returned nothing: is a return missing?" in str(lab.shown[-1])
+    assert "Your implementation crashed: signed_distance returned nothing: is a return missing?" in str(lab.shown[-1])
     assert "lab.check() says more about your functions." in str(lab.shown[-1])
     assert "value" not in str(lab.shown[-1])  # of a table without rows
 

@@ -9,6 +9,7 @@ from cells import STUB, right_cells, said
 
 from labs.building.points import points_of
 from labs.grading.calling.processes import Limits
+from labs.guidance import hint_files
 from reference.errors import UnknownName
 
 
@@ -51,7 +52,7 @@ def test_help_comes_one_level_with_each_try(lab, cells, capsys):
     assert TRIED in first
     assert HINT not in first
     assert MISTAKE not in first
-    assert 'A hint comes with your next try; lab.hint("signed_distance") gives it now.' in " ".join(first.split())
+    assert 'on your code comes with your next try; lab.hint("signed_distance") helps' in " ".join(first.split())
     assert "Tries are counted since this kernel started" in first
     cells.append(f"{ONE_ONLY}  # so it is")
     assert said(capsys, lab.check, "signed_distance") == first
@@ -60,7 +61,7 @@ def test_help_comes_one_level_with_each_try(lab, cells, capsys):
     assert "parts right, try 2\n" in second
     assert HINT in second
     assert MISTAKE not in second
-    assert 'lab.hint("signed_distance") says it now.' in " ".join(second.split())
+    assert 'said with your next try; lab.hint("signed_distance") helps' in " ".join(second.split())
     cells.append(ONE_ONLY)
     assert said(capsys, lab.check, "signed_distance") == second, "it was tried before"
     cells.append(AGAIN.replace("offset +", "offset - -"))
@@ -73,7 +74,8 @@ def test_help_comes_one_level_with_each_try(lab, cells, capsys):
     assert said(capsys, lab.check, "signed_distance") == first, "a function that was right begins again"
 
 
-def test_a_hint_may_be_asked_for_before_the_next_try(lab, cells, capsys):
+def test_a_hint_may_be_asked_for_before_the_next_try(lab, cells, capsys, monkeypatch, tmp_path):
+    monkeypatch.setattr(hint_files, "HINTS", tmp_path)  # where a lab has no hints of its own
     cells += [*right_cells(), ONE_ONLY]
     first = said(capsys, lab.hint, "signed_distance")
     assert "try 1\n" in first

@@ -1,0 +1,47 @@
+"""What `lab.derive` prints: which line of a derivation is asked for, and whether a student's line is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from labs.guidance.derivations import POINTS, Derivation
+from labs.guidance.expressions import UNDERSTOOD
+from labs.guidance.hint_files import Guide
+from reference.errors import InvalidInput
+
+
+def asked(guide: Guide) -> Iterator[str]:
+    """What there is to derive for a function, line by line."""
+    for derivation in guide.derivations:
+        meaning = f", {derivation.asked}," if derivation.asked else ""
+        yield f"Find {derivation.left}{meaning} from"
+        width = max(len(name) for name in derivation.names)
+        yield from (f"    {each.name:<{width}}  {each.meaning}" for each in derivation.quantities)
+        yield f'and write it as lab.derive("{guide.function}", {derivation.left}="…").'
+    if guide.derivations:
+        yield f"A line may hold numbers, these names, {UNDERSTOOD}. Any form of the right line is right."
+    else:
+        yield f"Of {guide.function} no line is asked for."
+
+
+def judged(guide: Guide, lines: Mapping[str, object]) -> Iterator[str]:
+    """For each line that a student gives, whether it is right, and where it is not.
+
+    Raises
+    ------
+    InvalidInput
+        If no such line is asked for, or a line cannot be understood.
+    """
+    for left, line in lines.items():
+        derivation = guide.derivation(left)
+        if not isinstance(line, str):
+            raise InvalidInput(f'write the line between quotes, as in {left}="{derivation.names[0]} + 1"')
+        yield _judged(derivation, line)
+
+
+def _judged(derivation: Derivation, line: str) -> str:
+    found = derivation.read(line)
+    said = f"{derivation.left} = {found.text}"
+    if difference := derivation.difference(found):
+        return f"✗ {said}\n  {difference}"
+    return f"✓ {said} is right: it was tried at round numbers and at {POINTS} random ones."

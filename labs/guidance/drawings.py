@@ -1,0 +1,62 @@
+"""Figures that are drawn for the labs: vector files in `labs/figures`, each with a title and a description in words."""
+
+from __future__ import annotations
+
+import base64
+import re
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+from html import escape
+from typing import Any
+
+from labs.project_folders import FIGURES
+from reference.errors import InvalidInput, UnknownName
+
+IN_TEXT = re.compile(r"!\[([^\]]*)\]\(figure:([\w-]+)\)")
+"""A figure in a text in Markdown: its alternative text and its name."""
+_SVG = "{http://www.w3.org/2000/svg}"
+_CARD = (
+    "display:block;box-sizing:border-box;max-width:100%;height:auto;margin:4px 0;padding:8px;"
+    "background-color:#ffffff;border-radius:6px"
+)
+"""A light card, so that dark strokes can be read where the notebook is dark."""
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure. alternative: what it shows, for readers who cannot see it."""
+
+    svg: str
+    alternative: str
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        source = base64.b64encode(self.svg.encode()).decode("ascii")
+        markup = f'<img alt="{escape(self.alternative)}" style="{_CARD}" src="data:image/svg+xml;base64,{source}">'
+        return {"text/plain": f"[Figure: {self.alternative}]", "text/html": markup, "image/svg+xml": self.svg}
+
+
+def names() -> list[str]:
+    """The figures that there are."""
+    return sorted(path.stem for path in FIGURES.glob("*.svg"))
+
+
+def drawing(name: str, alternative: str = "") -> Drawing:
+    """A figure by its name. alternative: instead of the description that the file has.
+
+    Raises
+    ------
+    UnknownName, InvalidInput
+        If there is no such figure, or it is not drawn as SVG with a title and a description.
+    """
+    if name not in names():
+        raise UnknownName("figure", name, names())
+    svg = (FIGURES / f"{name}.svg").read_text(encoding="utf-8")
+    try:
+        root = ElementTree.fromstring(svg)
+    except ElementTree.ParseError as error:
+        raise InvalidInput(f"figures/{name}.svg cannot be read: {error}") from None
+    texts = ["".join((found.itertext() if (found := root.find(f"{_SVG}{tag}")) is not None else ())).strip()
+             for tag in ("title", "desc")]  # fmt: skip
+    if not all(texts):
+        raise InvalidInput(f"figures/{name}.svg needs a <title> and a <desc> that say what it shows")
+    return Drawing(svg, alternative or ". ".join(text.rstrip(".") for text in texts) + ".")
