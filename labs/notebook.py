@@ -281,7 +281,9 @@ class Lab:
         keys = [key for key in ([keys] if isinstance(keys, str) else keys) if key]
         made = {key: each for key, each in self._predictions.items() if each.answer is not None}
         if (open_keys := [key for key in keys if key not in made]) and not unfold:
-            print(f"Folded until you have predicted {', '.join(map(repr, open_keys))} in a cell above (or: unfold=True).")
+            print(
+                f"Folded until you have predicted {', '.join(map(repr, open_keys))} in a cell above (or: unfold=True)."
+            )
             return None
         return [made[key] for key in keys if key in made]
 

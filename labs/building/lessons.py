@@ -4,7 +4,8 @@ A cell's metadata says what it becomes.
 
 Code: `lab="setup"` is the first cell, which finds the lab; its `lends="f g"` names functions of later labs that its
 runs need. `given="finite Body"` is code to use. `write="signed_distance"` names functions to write, each in a cell with
-a check. `broken="key"` is code that a student mends; the cell with `model="key"` shows how.
+a check. `broken="key"` is code that a student mends; the cell with `model="key"` shows how. `draft="collide"` is the
+header and description of a first version of a function, for simpler cases; the cell with `model="draft-collide"` is it.
 
 Text: `answer="key" points=3` is a question; the cell with `model="key"` has what a good answer says and how it is
 marked. `instructor=true` is for the instructor only.
@@ -17,13 +18,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from labs.grading.submission.reading import DRAFT
 from labs.project_folders import LESSONS
 from reference import lecture
 from reference.errors import InvalidInput
 
 OPEN = "answer=..."
 """Where a student puts a prediction."""
-_NAMING, _KEYED = ("given", "write"), ("broken", "answer", "model")
+_NAMING, _KEYED = ("given", "write", "draft"), ("broken", "answer", "model")
 """Kinds of cells whose metadata names functions, and kinds whose metadata is a key."""
 _KINDS = ("lab", *_NAMING, *_KEYED, "instructor")
 
@@ -71,12 +73,17 @@ class Lesson:
         return tuple(name for cell in self.cells if cell.kind == "given" for name in cell.names)
 
     @property
+    def drafts(self) -> tuple[str, ...]:
+        """The functions of which it has the student write a first version."""
+        return tuple(name for cell in self.cells if cell.kind == "draft" for name in cell.names)
+
+    @property
     def lent(self) -> tuple[str, ...]:
         """The functions of other labs that its runs need before these are taught."""
         return tuple(name for cell in self.cells for name in cell.lends)
 
     def models(self, key: str) -> tuple[Cell, ...]:
-        """The models of a question or a broken cell."""
+        """The models of a question, a broken cell or a draft."""
         return tuple(cell for cell in self.cells if cell.kind == "model" and cell.key == key)
 
 
@@ -149,3 +156,8 @@ def _refuse(lesson: Lesson) -> None:
     for cell in lesson.cells:
         if cell.kind in ("answer", "broken") and not lesson.models(cell.key):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.key!r}")
+    for name in lesson.drafts:
+        if name not in expected:
+            raise InvalidInput(f"the lesson of {lesson.topic} has a draft of {name}, which it does not write")
+        if not lesson.models(f"{DRAFT}{name}"):
+            raise InvalidInput(f"the lesson of {lesson.topic} has no model={DRAFT + name!r} for draft={name!r}")

@@ -16,11 +16,15 @@ from typing import Any
 from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of
 from labs.building.lessons import Cell, Lesson, read
 from labs.building.points import points_of
+from labs.building.revealed_answers import answers_of, compact
+from labs.grading.submission.reading import DRAFT
+from labs.grading.submission.stubs import AGAIN
 from reference import lecture
 from reference.errors import InvalidInput
 
 WIDTH = 88
 """Characters of a line of a stub, as in most notebooks' own style; the linter holds the solutions' docstrings to it."""
+YOURS = "is yours to write"
 _LEAST = 24
 """A line of a solution with at least so many characters gives something away; shorter ones occur in any text."""
 _SETUP = """\
@@ -100,7 +104,9 @@ def student(topic: str) -> dict[str, Any]:
     for cell in lesson.cells:
         if cell.kind == "write":
             for name in cell.names:
-                _function(draft, name, stub(draft.excerpts, name))
+                _function(draft, name, stub(draft.excerpts, name, again=name in lesson.drafts))
+        elif cell.kind == "draft":
+            _first_version(draft, cell, first_stub(lesson.topic, cell))
         elif cell.kind not in ("model", "instructor"):
             _common(draft, cell)
             if cell.kind == "answer":
@@ -118,6 +124,9 @@ def solved(topic: str) -> dict[str, Any]:
         if cell.kind == "write":
             for name in cell.names:
                 _function(draft, name, _silent(text_of(draft.take([name]))))
+        elif cell.kind == "draft":
+            for name in cell.names:
+                _first_version(draft, cell, "\n\n\n".join(each.text for each in lesson.models(f"{DRAFT}{name}")))
         elif cell.kind == "broken":
             for model in lesson.models(cell.key):
                 draft.add("code" if model.code else "markdown", model.text)
@@ -135,17 +144,51 @@ def text(notebook: dict[str, Any]) -> str:
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
-def stub(excerpts: TopicExcerpts, name: str) -> str:
-    """A function as a student finds it: its own header and docstring, and an error that says whose turn it is."""
+def stub(excerpts: TopicExcerpts, name: str, again: bool = False) -> str:
+    """A function as a student finds it: its header, its contract, and an error that says whose turn it is.
+
+    The contract is the docstring without its *Notes*, which say how the function is found. again: whether the student
+    has written a first version of it.
+
+    Raises
+    ------
+    InvalidInput
+        If the contract holds a line that the student is to derive.
+    """
     source = excerpts.defining(name).text
     function = next(node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
-    end = function.body[0].end_lineno
     entry = lecture.function(name)
-    said = f'"{entry.topic}, step {entry.step}: {name} is yours to write"'
-    unwritten = f"    raise NotImplementedError({said})"
-    if len(unwritten) > WIDTH:
-        unwritten = f"    raise NotImplementedError(\n        {said}\n    )"
-    return "\n".join([*source.split("\n")[:end], unwritten])
+    lines = _contract(source.split("\n")[: function.body[0].end_lineno])
+    for answer in answers_of(entry.topic, name):
+        if answer in compact("\n".join(lines)):
+            raise InvalidInput(f"the stub of {name} holds a line that is to be derived: {answer}")
+    return "\n".join([*lines, *_unwritten(f"{entry.topic}, step {entry.step}: {name} {AGAIN if again else YOURS}")])
+
+
+def first_stub(topic: str, cell: Cell) -> str:
+    """A first version of a function as a student finds it: what the lesson says of it, and an error."""
+    return "\n".join([cell.text, *_unwritten(f"{topic}: a first version of {' and '.join(cell.names)} {YOURS}")])
+
+
+def _contract(lines: list[str]) -> list[str]:
+    """The lines of a header and a docstring up to its *Notes*."""
+    indent = "    "
+    for at in range(len(lines) - 1):
+        if lines[at] == f"{indent}Notes" and set(lines[at + 1].strip()) == {"-"}:
+            return ["\n".join(lines[:at]).rstrip(), f'{indent}"""']
+    return lines
+
+
+def _unwritten(said: str) -> list[str]:
+    """The lines of an error that says whose turn it is."""
+    whole = f'    raise NotImplementedError("{said}")'
+    return [whole] if len(whole) <= WIDTH else ["    raise NotImplementedError(", f'        "{said}"', "    )"]
+
+
+def _first_version(draft: _Draft, cell: Cell, source: str) -> None:
+    """The cell of a first version. It has no check: the runs after it show what it can do."""
+    (name,) = cell.names
+    draft.add("code", source, tags=[f"{DRAFT}{name}"])
 
 
 def _common(draft: _Draft, cell: Cell) -> None:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from labs.building import lessons, notebooks
+from labs.building import guidance_gaps, lessons, notebooks
 from labs.building.release import release as write_release
 from labs.cli.console import errors, output
 from labs.project_folders import ROOT, SOLVED_NOTEBOOKS, STUDENT_NOTEBOOKS
@@ -52,6 +52,9 @@ def build(
     if check and stale:
         errors.print(f"Not what its lesson and solutions make now: {', '.join(shown)}. Run: collisions lab build")
         raise typer.Exit(STALE)
+    for name in topics:
+        for gap in guidance_gaps.gaps(name):
+            errors.print(f"still to do: {gap}", markup=False, soft_wrap=True)
     output.print("\n".join(f"wrote {name}" for name in shown) or f"{', '.join(topics)}: as they should be.")
 
 

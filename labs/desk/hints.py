@@ -11,7 +11,7 @@ from typing import Any
 
 from labs.guidance import drawings
 from labs.guidance.drawings import Drawing
-from labs.guidance.hint_files import LEVELS, Guide
+from labs.guidance.hint_files import Guide
 
 
 @dataclass(frozen=True)
@@ -39,18 +39,10 @@ class Revealed:
         if count >= len(guide.levels):
             return []
         self._counts[guide.function] = count + 1
-        of = len(guide.levels)
-        heading = f"**{guide.function}, hint {count + 1} of {of}: {_title(count)}**"
-        more = f'*`lab.hint("{guide.function}")` shows {_following(count + 1, of)}.*'
-        return pieces(f"{heading}\n\n{guide.levels[count]}\n\n{more}")
-
-
-def _title(level: int) -> str:
-    return LEVELS[level].lower()
-
-
-def _following(level: int, of: int) -> str:
-    return f"{_title(level)} next" if level < of else "help with your own code next"
+        titles = [title.lower() for title, _ in guide.titled] + ["help with your own code"]
+        heading = f"**{guide.function}, hint {count + 1} of {len(guide.levels)}: {titles[count]}**"
+        following = f'*`lab.hint("{guide.function}")` shows {titles[count + 1]} next.*'
+        return pieces(f"{heading}\n\n{guide.levels[count]}\n\n{following}")
 
 
 def pieces(markdown: str) -> list[Text | Drawing]:

@@ -15,7 +15,6 @@ import numpy as np
 from labs.guidance.hint_files import Answer
 from reference.errors import InvalidInput
 
-
 _NEAR = 0.1
 """A number is right within this share of the right one: it is worked out by hand, often for an ideal case."""
 _NEAR_ZERO = 0.01
@@ -45,7 +44,7 @@ class Prediction:
         return "" if self.answer is None else f"{self.shown}{unit}"
 
     def verdict(self, theory: float | None = None) -> str:
-        """Whether it is right, and why; empty if nobody knows. theory: the right number if the lab names none itself."""
+        """Whether it is right, and why; empty if nobody knows. theory: the right number if the lab names none."""
         if isinstance(self.answer, str):
             if not self.right.said:
                 return ""

@@ -219,9 +219,7 @@ def _read_earlier(path: Path, topic: str) -> tuple[Submission | None, list[str]]
 def _unwritten(submission: Submission) -> frozenset[str]:
     """The functions that are still stubs: a description, and an error that says whose turn it is."""
     return frozenset(
-        node.name
-        for node in ast.parse(submission.text).body
-        if isinstance(node, ast.FunctionDef) and is_stub(node)
+        node.name for node in ast.parse(submission.text).body if isinstance(node, ast.FunctionDef) and is_stub(node)
     )
 
 

@@ -118,7 +118,7 @@ def theory(runs: CaseRuns, quantities: Sequence[str]) -> float | None:
 
 
 def who(line: Line) -> str:
-    """An implementation as a table names it: `yours`, `PyBullet`; with its method if that is not the one that counts."""
+    """An implementation as a table names it: `yours`, `PyBullet`; with its method if another one counts."""
     if line.counts:
         return line.result.title
     method = _METHODS.get(line.result.job.profile, line.result.job.profile)

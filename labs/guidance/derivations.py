@@ -20,6 +20,8 @@ POINTS = 40
 TOLERANCE = 1e-9
 """Relative to the right value, or to its typical size if that is larger. Two forms of one formula differ by rounding
 alone, some 1e-16 times the digits that cancel; a term that is missing changes a value by far more than this."""
+_SAME = 1e-6
+"""Ratios that differ by less than this share are one constant factor."""
 _SEED = 20
 _MOST_ROUND = 4096
 """The most combinations of round values that are tried."""
@@ -108,15 +110,14 @@ def _complexity(point: Sequence[tuple[int, float]]) -> tuple[int, list[int]]:
 
 def _slip(given: Values, needed: Values) -> str:
     """A common slip in words: a sign or a factor, if the line is off by the same one everywhere."""
-    counts = np.isfinite(needed) & (needed != 0)
-    with np.errstate(all="ignore"):
-        ratios = (given / needed)[counts]
-    if not len(ratios) or not np.all(np.isfinite(ratios)) or np.ptp(ratios) > 1e-6 * abs(ratios[0]):
+    there, zero = np.isfinite(needed) & (needed != 0), needed == 0
+    if not there.any() or not np.isfinite(given[there]).all() or (given[zero] != 0).any():
         return ""
+    ratios = given[there] / needed[there]
     ratio = float(ratios[0])
-    if ratio == 0:
+    if ratio == 0 or np.ptp(ratios) > _SAME * abs(ratio):
         return ""
-    if math.isclose(ratio, -1, rel_tol=1e-6):
+    if abs(ratio + 1) < _SAME:
         return "Yours is −1 times what is needed, whatever the numbers: look for a sign."
     return f"Yours is {_digits(ratio)} times what is needed, whatever the numbers: look for a factor."
 

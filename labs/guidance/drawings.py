@@ -40,6 +40,11 @@ def names() -> list[str]:
     return sorted(path.stem for path in FIGURES.glob("*.svg"))
 
 
+def named_in(text: str) -> list[str]:
+    """The figures that a text in Markdown shows."""
+    return [found[2] for found in IN_TEXT.finditer(text)]
+
+
 def drawing(name: str, alternative: str = "") -> Drawing:
     """A figure by its name. alternative: instead of the description that the file has.
 
@@ -55,8 +60,7 @@ def drawing(name: str, alternative: str = "") -> Drawing:
         root = ElementTree.fromstring(svg)
     except ElementTree.ParseError as error:
         raise InvalidInput(f"figures/{name}.svg cannot be read: {error}") from None
-    texts = ["".join((found.itertext() if (found := root.find(f"{_SVG}{tag}")) is not None else ())).strip()
-             for tag in ("title", "desc")]  # fmt: skip
+    texts = [(root.findtext(f"{_SVG}{tag}") or "").strip() for tag in ("title", "desc")]
     if not all(texts):
         raise InvalidInput(f"figures/{name}.svg needs a <title> and a <desc> that say what it shows")
     return Drawing(svg, alternative or ". ".join(text.rstrip(".") for text in texts) + ".")

@@ -50,11 +50,16 @@ _NUMBER = re.compile(r"^([-−+]?[\d.]+(?:e[-+]?\d+)?)(?:\s*±\s*([\d.]+(?:e[-+]
 
 @dataclass(frozen=True)
 class Guide:
-    """What the hints say of one function. derivations: by their left side. levels: the texts in their order."""
+    """What the hints say of one function: its derivations, and its levels in order, each a title with a text."""
 
     function: str
     derivations: tuple[Derivation, ...] = ()
-    levels: tuple[str, ...] = ()
+    titled: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def levels(self) -> tuple[str, ...]:
+        """The texts of the levels."""
+        return tuple(text for _, text in self.titled)
 
     def derivation(self, left: str) -> Derivation:
         """The derivation of one left side."""
@@ -132,7 +137,7 @@ def _guide(function: str, body: str) -> Guide:
     texts = dict(_parts(_BLOCK.sub("", body), "### "))
     if unknown := [heading for heading in texts if heading not in LEVELS]:
         raise InvalidInput(f"“{unknown[0]}” is no level of hints: they are {', '.join(LEVELS)}")
-    return Guide(function, derivations, tuple(texts[heading] for heading in LEVELS if texts.get(heading)))
+    return Guide(function, derivations, tuple((heading, texts[heading]) for heading in LEVELS if texts.get(heading)))
 
 
 def derivation(block: str) -> Derivation:

@@ -1,4 +1,4 @@
-"""Which predictions a notebook asks for, and which of them a student has made: read from its cells, without running them.
+"""Which predictions a notebook asks for, and which of them a student has made. Cells are read and never run.
 
 A prediction counts as made if its answer is no longer the dots of the cell. Whether it is right is not asked here.
 """

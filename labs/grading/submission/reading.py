@@ -5,8 +5,8 @@ down to what the functions need (`slicing`). Lines that are left out remain as e
 number leads back to the student's own line, and in a notebook to the code cell.
 
 If a function is defined several times, its last definition counts, unless a cell was made for it: one that is tagged
-with the function's name, or that nbgrader knows by that name. A stub counts only if nothing else defines the function.
-A cell that is tagged `draft-NAME` asks for a first version of a function that is written again later.
+with the function's name, or that nbgrader knows by that name. A function may be written twice, at first for simpler
+cases in a cell that is tagged `draft-NAME`; that version counts until the stub of the second one is replaced.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from labs.grading.submission.complaints import (
 )
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.slicing import Group, defined_as, groups, needed, used_by
-from labs.grading.submission.stubs import is_stub
+from labs.grading.submission.stubs import is_stub, is_stub_of_a_second_version
 
 __all__ = ["Complaint", "Submission", "read"]
 
@@ -133,7 +133,7 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
         pieces += [Located(group, cell) for group in found]
         if complaint:
             unread.append((cell, complaint))
-    pieces = _without_outdone_stubs(pieces)
+    pieces = _without_second_stubs(pieces)
     defined = {name: piece.cell for piece in pieces for name in piece.group.defines}
     complaints += [with_its_cost(complaint, cell, defined) for cell, complaint in unread]
     functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
@@ -167,15 +167,13 @@ def _parsed(cell: Cell) -> tuple[str, tuple[Group, ...], Complaint | None]:
             return "", (), unreadable(error, cell, source)
 
 
-def _without_outdone_stubs(pieces: list[Located]) -> list[Located]:
-    """The pieces without the stubs of functions that are written elsewhere."""
-    stubs = [piece for piece in pieces if all(map(is_stub, piece.group.statements))]
+def _without_second_stubs(pieces: list[Located]) -> list[Located]:
+    """The pieces without the stubs of functions of which a first version is written."""
+    stubs = [piece for piece in pieces if all(map(is_stub_of_a_second_version, piece.group.statements))]
+    if not stubs:
+        return pieces
     written = {
-        name
-        for piece in pieces
-        if piece not in stubs
-        for name in piece.group.defines
-        if defined_as(piece.group, name) == "def"
+        name for piece in pieces for name in piece.group.defines if not all(map(is_stub, piece.group.statements))
     }
     return [piece for piece in pieces if piece not in stubs or not piece.group.defines <= written]
 

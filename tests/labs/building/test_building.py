@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import ast
 import json
+import re
 import sys
 import zipfile
 from pathlib import Path
 from types import ModuleType
 
 import pytest
+from made_lessons import HEAD, WRITES, sources
 from program import collisions
 
 from labs.building import lessons, notebooks
@@ -24,25 +26,6 @@ from reference.errors import CollisionsError, InvalidInput
 from reference.recording import checksums
 from reference.recording.files import FOLDER
 
-HEAD = """---
-jupyter:
-  jupytext:
-    text_representation:
-      extension: .md
-      format_name: markdown
----
-
-# Detecting
-
-```python lab="setup" lends="kinematic_response"
-```
-
-```python given="finite not_negative positive vector"
-```
-"""
-WRITES = "".join(
-    f'\n```python write="{entry.name}"\n```\n' for entry in lecture.functions_of("detection") if entry.role == "written"
-)
 GRADED = ("detection", "response", "friction", "impulse")
 EVERY_TOPIC = pytest.mark.parametrize(
     "topic",
@@ -88,15 +71,13 @@ def lesson(tmp_path, monkeypatch):
     return write
 
 
-def sources(notebook, kind="code"):
-    return ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == kind]
-
-
-def test_a_stub_has_its_signature_and_docstring_and_raises(lesson):
+def test_a_stub_has_its_signature_and_contract_and_raises(lesson):
     found = sources(notebooks.student("detection"))
     (stub,) = (source for source in found if source.startswith("def signed_distance("))
-    function = ast.parse(stub).body[0]
-    assert "n·p + d = 0" in (ast.get_docstring(function) or "")
+    described = ast.get_docstring(ast.parse(stub).body[0]) or ""
+    assert "n·p + d = 0" in described
+    assert "Raises" in described
+    assert "Notes" not in described
     assert stub.endswith('raise NotImplementedError("detection, step 1: signed_distance is yours to write")')
     assert 'lab.check("signed_distance")' in found
 
@@ -131,7 +112,7 @@ def test_a_solved_notebook_is_a_submission_with_every_function(lesson, tmp_path)
 
 
 @EVERY_TOPIC
-def test_stub_is_the_solutions_own_header_and_docstring(topic):
+def test_stub_is_the_solutions_own_header_and_docstring_without_notes(topic):
     excerpts = TopicExcerpts.of(topic)
     for entry in lecture.functions_of(topic):
         if entry.role != "written":
@@ -139,11 +120,13 @@ def test_stub_is_the_solutions_own_header_and_docstring(topic):
         stub = notebooks.stub(excerpts, entry.name).split("\n")
         (whole,) = (each.text.split("\n") for each in excerpts.every if entry.name in each.defines)
         (function,) = (node for node in ast.parse("\n".join(whole)).body if isinstance(node, ast.FunctionDef))
-        end = function.body[0].end_lineno
+        end = next((at for at, line in enumerate(whole) if line == "    Notes"), 0)
+        end = end - 1 if end else (function.body[0].end_lineno or 0) - 1
         assert ast.get_docstring(function)
         assert max(map(len, stub)) <= notebooks.WIDTH
         assert stub[:end] == whole[:end]
-        assert "".join(stub[end:]).strip().startswith("raise NotImplementedError(")
+        rest = "\n".join(stub[end:])
+        assert re.fullmatch(r'\s*"""\n    raise NotImplementedError\([^)]*\)', rest), rest
 
 
 PREDICT = """

@@ -35,6 +35,28 @@ def test_the_cell_made_for_a_function_counts_before_a_later_copy(made_for_it, tm
     assert "the one at code cell 1, line 1 counts" in told(submission)
 
 
+FIRST, SECOND = "def rebound_velocity(v, e): return 0.0", "def rebound_velocity(v, e): return -e * v"
+AGAIN = 'def rebound_velocity(v, e):\n    """Rebound."""\n    raise NotImplementedError("it is yours to write again")'
+
+
+@pytest.mark.parametrize(
+    ("second", "speed"), [(SECOND, 1.0), (AGAIN, 0.0), (f"{AGAIN}\n\n{SECOND}", 1.0)], ids=["written", "stub", "both"]
+)
+def test_a_first_version_counts_until_the_second_is_written(tmp_path, second, speed):
+    cells = tagged(FIRST, "draft-rebound_velocity"), tagged(second, "rebound_velocity")
+    submission = handed_in(tmp_path, notebook(*cells))
+    assert defined(submission)["rebound_velocity"](-2.0, 0.5) == speed
+    assert "defined" not in told(submission)
+    in_a_kernel = handed_in(tmp_path, notebook(FIRST, second))  # where cells have no tags
+    assert defined(in_a_kernel)["rebound_velocity"](-2.0, 0.5) == speed
+
+
+def test_a_stub_after_a_function_counts_if_it_asks_for_no_second_version(tmp_path):
+    submission = handed_in(tmp_path, notebook(SECOND, AGAIN.replace(" again", "")))
+    with pytest.raises(NotImplementedError):
+        defined(submission)["rebound_velocity"](-2.0, 0.5)
+
+
 def test_a_missing_and_an_imported_function_are_named(tmp_path):
     submission = handed_in(tmp_path, "from solutions.impulse import rebound_velocity\n", "lab.py")
     assert submission.functions == ()

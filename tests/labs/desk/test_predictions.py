@@ -1,0 +1,32 @@
+"""A verdict on a prediction: in words, in numbers, by theory, or by what the lab says itself."""
+
+from __future__ import annotations
+
+import pytest
+
+from labs.desk.predictions import predicted
+from labs.guidance.hint_files import Answer
+
+UP = Answer("up", reason="it keeps half")
+THIN = Answer("0.4 ± 0.05", 0.4, 0.05, "$w/2$ counts")
+
+
+@pytest.mark.parametrize(
+    ("answer", "choices", "right", "theory", "verdict"),
+    [
+        ("up", ("up", "down"), UP, None, "You predicted “up”, and that is right. It keeps half."),
+        ("down", ("up", "down"), UP, None, "You predicted “down”, but “up” is right. It keeps half."),
+        ("up", ("up", "down"), None, 1.0, ""),
+        (0.25, (), None, 0.25, "You predicted 0.25 m, and that is right."),
+        (0.26, (), None, 0.25, "You predicted 0.26 m, and that is right, near enough to 0.25 m."),
+        (0.3, (), Answer(reason="e² counts."), 0.25, "You predicted 0.3 m, but 0.25 m is right. e² counts."),
+        (-1.0, (), None, 0.0, "You predicted −1 m, but 0 m is right."),
+        (0.005, (), None, 0.0, "You predicted 0.005 m, and that is right, near enough to 0 m."),
+        (0.44, (), THIN, 0.0, "You predicted 0.44 m, and that is right, near enough to 0.4 m. $w/2$ counts."),
+        (0.0, (), THIN, 0.0, "You predicted 0 m, but 0.4 m is right. $w/2$ counts."),
+        (0.3, (), None, None, ""),
+        (..., (), UP, 1.0, ""),
+    ],
+)
+def test_a_prediction_gets_a_verdict_with_its_reason(answer, choices, right, theory, verdict):
+    assert predicted("key", "?", answer, "" if choices else "m", choices, right).verdict(theory) == verdict
