@@ -10,8 +10,8 @@ header and description of a first version of a function, for simpler cases; the 
 Text: `answer="key" points=3` is a question; the cell with `model="key"` has what a good answer says and how it is
 marked. `instructor=true` is for the instructor only.
 
-Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions are
-replaced by its guesses in turn: `guess="0.25 | 'up'"`.
+Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions, and
+of its lines to derive, are replaced by its guesses in turn: `guess="0.25 | 'up'"`.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from labs.project_folders import LESSONS
 from reference import lecture
 from reference.errors import InvalidInput
 
-OPEN = "answer=..."
-"""Where a student puts a prediction."""
+OPEN = "=..."
+"""Where a student puts a prediction, or a line that is to be derived."""
 _NAMING, _KEYED = ("given", "write", "draft"), ("broken", "answer", "model")
 """Kinds of cells whose metadata names functions, and kinds whose metadata is a key."""
 _KINDS = ("lab", *_NAMING, *_KEYED, "instructor")
@@ -36,7 +36,8 @@ class Cell:
 
     kind: one of those above, empty for a cell that is the same in both notebooks. names: the functions that it gives,
     or has the student write. key: joins a question or a broken cell with its model. points: of a question. lends: the
-    functions of later labs that its runs need. guesses: good guesses for its predictions.
+    functions of later labs that its runs need. guesses: good guesses for its predictions, and
+    right lines for its derivations.
     """
 
     code: bool
@@ -50,9 +51,9 @@ class Cell:
 
     @property
     def guessed(self) -> str:
-        """Its text with a good guess in place of the dots of each prediction."""
+        """Its text with a good guess in place of the dots that a student replaces."""
         first, *others = self.text.split(OPEN)
-        return first + "".join(f"answer={guess}{rest}" for guess, rest in zip(self.guesses, others, strict=True))
+        return first + "".join(f"={guess}{rest}" for guess, rest in zip(self.guesses, others, strict=True))
 
 
 @dataclass(frozen=True)
@@ -152,12 +153,12 @@ def _refuse(lesson: Lesson) -> None:
     for cell in lesson.cells:
         if len(cell.guesses) != (asked := cell.text.count(OPEN)):
             guess = " | ".join(cell.guesses)
-            raise InvalidInput(f"the lesson of {lesson.topic} has guess={guess!r} for {asked} predictions: {cell.text}")
+            raise InvalidInput(f"the lesson of {lesson.topic} has guess={guess!r} for {asked} dots: {cell.text}")
     for cell in lesson.cells:
         if cell.kind in ("answer", "broken") and not lesson.models(cell.key):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.key!r}")
     for name in lesson.drafts:
         if name not in expected:
             raise InvalidInput(f"the lesson of {lesson.topic} has a draft of {name}, which it does not write")
-        if not lesson.models(f"{DRAFT}{name}"):
-            raise InvalidInput(f"the lesson of {lesson.topic} has no model={DRAFT + name!r} for draft={name!r}")
+        if len(lesson.models(f"{DRAFT}{name}")) != lesson.drafts.count(name):
+            raise InvalidInput(f"the lesson of {lesson.topic} has no model={DRAFT + name!r} for each draft={name!r}")
