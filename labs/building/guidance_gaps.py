@@ -107,4 +107,4 @@ def _arguments(cell: Cell, method: str) -> Iterator[tuple[str, ast.Call]]:
     with contextlib.suppress(SyntaxError):
         for node in ast.walk(ast.parse(cell.text)):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == method:
-                yield from ((each.value, node) for each in node.args[:1] if isinstance(each, ast.Constant))
+                yield from ((str(each.value), node) for each in node.args[:1] if isinstance(each, ast.Constant))

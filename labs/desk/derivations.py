@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from labs.grading.wrapping import folded
 from labs.guidance.derivations import POINTS, Derivation
 from labs.guidance.expressions import UNDERSTOOD
 from labs.guidance.hint_files import Guide
@@ -19,7 +20,7 @@ def asked(guide: Guide) -> Iterator[str]:
         yield from (f"    {each.name:<{width}}  {each.meaning}" for each in derivation.quantities)
         yield f'and write it as lab.derive("{guide.function}", {derivation.left}="…").'
     if guide.derivations:
-        yield f"A line may hold numbers, these names, {UNDERSTOOD}. Any form of the right line is right."
+        yield from folded(f"A line may hold numbers, these names, {UNDERSTOOD}. Any form of the right line is right.", 0)
     else:
         yield f"Of {guide.function} no line is asked for."
 
@@ -36,12 +37,14 @@ def judged(guide: Guide, lines: Mapping[str, object]) -> Iterator[str]:
         derivation = guide.derivation(left)
         if not isinstance(line, str):
             raise InvalidInput(f'write the line between quotes, as in {left}="{derivation.names[0]} + 1"')
-        yield _judged(derivation, line)
+        yield from _judged(derivation, line)
 
 
-def _judged(derivation: Derivation, line: str) -> str:
+def _judged(derivation: Derivation, line: str) -> Iterator[str]:
     found = derivation.read(line)
     said = f"{derivation.left} = {found.text}"
     if difference := derivation.difference(found):
-        return f"✗ {said}\n  {difference}"
-    return f"✓ {said} is right: it was tried at round numbers and at {POINTS} random ones."
+        yield f"✗ {said}"
+        yield from folded(difference, 1)
+    else:
+        yield from folded(f"✓ {said} is right: it was tried at round numbers and at {POINTS} random ones.", 0)

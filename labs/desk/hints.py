@@ -41,7 +41,7 @@ class Revealed:
         self._counts[guide.function] = count + 1
         titles = [title.lower() for title, _ in guide.titled] + ["help with your own code"]
         heading = f"**{guide.function}, hint {count + 1} of {len(guide.levels)}: {titles[count]}**"
-        following = f'*`lab.hint("{guide.function}")` shows {titles[count + 1]} next.*'
+        following = f'*The next `lab.hint("{guide.function}")` shows {titles[count + 1]}.*'
         return pieces(f"{heading}\n\n{guide.levels[count]}\n\n{following}")
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from labs.guidance.hint_files import Answer
 from reference.errors import InvalidInput
 
-_NEAR = 0.1
+_NEAR = 0.05
 """A number is right within this share of the right one: it is worked out by hand, often for an ideal case."""
 _NEAR_ZERO = 0.01
 """How near to zero a number has to be, in its unit, if zero is right."""
@@ -57,10 +57,13 @@ class Prediction:
             is_right, right = abs(self.answer - number) <= within, _said(number, self.unit)
         else:
             return ""
-        found = f"You predicted {self.with_unit}, "
-        found += "and that is right" if is_right else f"but {right} is right"
-        near = f", near enough to {right}" if is_right and right != self.with_unit else ""
-        return f"{found}{near}. {_sentence(self.right.reason)}".strip()
+        if not is_right:
+            found = f"but {right} is right"
+        elif right == self.with_unit:
+            found = "and that is right"
+        else:
+            found = f"which is near enough: {right} is right"
+        return f"You predicted {self.with_unit}, {found}. {_sentence(self.right.reason)}".strip()
 
     def __str__(self) -> str:
         if self.answer is None:

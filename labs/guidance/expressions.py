@@ -114,6 +114,6 @@ def _value(node: ast.expr, values: Mapping[str, Values]) -> Any:
             for other in others:
                 first = _SEVERAL[name](first, other)
             return first
-        case ast.Constant(value=number):
+        case ast.Constant(value=int() | float() as number):
             return np.float64(number)
     raise AssertionError(node)  # _names lets nothing else through

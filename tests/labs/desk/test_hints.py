@@ -48,7 +48,7 @@ def test_each_call_reveals_one_level_and_then_helps_with_the_code(lab, monkeypat
         assert f"**signed_distance, hint {count} of 3: the {title}**" in shown
         assert text in shown
         assert asked == []
-    assert "shows help with your own code next" in shown
+    assert "shows help with your own code." in shown
     lab.hint("signed_distance")
     assert asked == [(("signed_distance",), True)]
 
@@ -80,7 +80,7 @@ def test_derive_says_what_is_asked_for_and_what_it_is_made_of(lab, capsys):
     ("lines", "words"),
     [
         ({"s": "-r + z"}, "✓ s = -r + z is right"),
-        ({"s": "z + r"}, "✗ s = z + r\n  At z = 1 and r = 0.1 your line gives 1.1; the equation holds for 0.9."),
+        ({"s": "z + r"}, "✗ s = z + r\n    At z = 1 and r = 0.1 your line gives 1.1; the equation holds for 0.9."),
         ({"s": "z - d"}, "lab.derive: unknown quantity 'd'. Choices: z, r."),
         ({"d": "z - r"}, "lab.derive: of signed_distance no line d = … is asked for; there is s"),
         ({"s": 0.5}, "lab.derive: write the line between quotes"),
