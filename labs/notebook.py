@@ -79,15 +79,16 @@ class Lab:
         return self._check(functions)
 
     @errors_in_words
-    def derive(self, function: str | Callable[..., object], /, **lines: str) -> None:
-        """Check a line of the derivation that a function needs; without a line, say which one is asked for.
+    def derive(self, function: str | Callable[..., object], /, **lines: str | EllipsisType) -> None:
+        """Check a line of the derivation that a function needs; as long as it is dots, say what is asked for.
 
         Write the right side between quotes, as in j="-(1 + e) * u / k". Every form of the right line is right.
         """
         from labs.desk import derivations  # noqa: PLC0415
 
         guide = self._guide(function)
-        for line in derivations.judged(guide, lines) if lines else derivations.asked(guide):
+        found = {left: line for left, line in lines.items() if line is not ...}
+        for line in derivations.judged(guide, found) if found else derivations.asked(guide):
             print(line)
 
     @errors_in_words

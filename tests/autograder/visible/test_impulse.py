@@ -273,6 +273,8 @@ def test_an_audit_finds_what_an_impact_must_not_change(submission, part):
         expect(submission.audit, (a, b, TUMBLING_AFTER), (REST, REST, 75.0))
         expect(submission.audit, (SPINNING_B, SPINNING_A, EXCHANGED_AFTER), (REST, REST, -9.375))
         expect(submission.audit, (a, b, (a[0], a[1], b[0], b[1])), (REST, REST, 0.0))  # nothing happens
+        back_a, back_b = (v_a, w_a, *a[2:]), (v_b, w_b, *b[2:])
+        expect(submission.audit, (back_a, back_b, (a[0], a[1], b[0], b[1])), (REST, REST, -75.0))  # run backwards
         anything = ([-1, 2, 1], [3, 1, -1], [0.5, 2, -2], [1, -2, 3])
         expect(submission.audit, (a, b, anything), ([-2, 20, 0], [16, 22, -3], -27.5))
     with part(1, "a wrong sign on B: of both its changes, of its velocity alone, of its spin alone"):
