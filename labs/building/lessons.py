@@ -153,7 +153,7 @@ def _refuse(lesson: Lesson) -> None:
     for cell in lesson.cells:
         if len(cell.guesses) != (asked := cell.text.count(OPEN)):
             guess = " | ".join(cell.guesses)
-            raise InvalidInput(f"the lesson of {lesson.topic} has guess={guess!r} for {asked} dots: {cell.text}")
+            raise InvalidInput(f"the lesson of {lesson.topic} has guess={guess!r} for {asked} predictions: {cell.text}")
     for cell in lesson.cells:
         if cell.kind in ("answer", "broken") and not lesson.models(cell.key):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.key!r}")

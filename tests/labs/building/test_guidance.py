@@ -119,11 +119,28 @@ def test_a_draft_is_a_stub_then_a_model_and_its_function_is_written_again(write,
     assert "def signed_distance" in found.text
 
 
+def test_the_first_of_two_drafts_is_solved_by_the_first_model(write):
+    write(HEAD + DRAFT + DRAFT.replace("point[..., 2]", "-point[..., 2]") + WRITES + CALLS)
+    solved = sources(notebooks.solved("detection"))
+    assert [source.split("return ")[1] for source in solved if source.count("\n") == 1 and "def signed" in source] == [
+        "point[..., 2]",
+        "-point[..., 2]",
+    ]
+
+
+def test_a_line_to_derive_is_open_until_the_notebook_is_solved(write):
+    asked = '\n```python guess="\'(s0 + 2 * s1) / s0\'"\nlab.derive("signed_distance", w=...)\n```\n'
+    write(HEAD + WRITES + CALLS + asked)
+    assert 'lab.derive("signed_distance", w=...)' in sources(notebooks.student("detection"))
+    assert "lab.derive(\"signed_distance\", w='(s0 + 2 * s1) / s0')" in sources(notebooks.solved("detection"))
+
+
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
         ('draft="signed_distance"', 'draft="finite"', "a draft of finite, which it does not write"),
         ('model="draft-signed_distance"', 'model="draft"', "no model='draft-signed_distance'"),
+        ("```python model", '```python draft="signed_distance"\n```\n\n```python model', "for each draft"),
     ],
 )
 def test_a_draft_of_nothing_or_without_a_model_is_refused(write, old, new, said):

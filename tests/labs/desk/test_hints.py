@@ -73,6 +73,7 @@ def test_derive_says_what_is_asked_for_and_what_it_is_made_of(lab, capsys):
     assert "Find s, separation, m, from\n    z  height of the centre, m\n    r  radius, m\n" in found
     assert 'lab.derive("signed_distance", s="…")' in found
     assert "z - r" not in found
+    assert said(capsys, lab.derive, "signed_distance", s=...) == found
     assert "Of side_of_plane no line is asked for." in said(capsys, lab.derive, "side_of_plane")
 
 
