@@ -120,13 +120,13 @@ def solved(topic: str) -> dict[str, Any]:
     """The instructor's notebook, with solutions, model answers and the notes for the instructor."""
     lesson = read(topic)
     draft = _Draft(lesson, TopicExcerpts.of(topic))
-    drafts = {(name,): iter(lesson.models(f"{DRAFT}{name}")) for name in lesson.drafts}
+    drafts = {name: iter(lesson.models(f"{DRAFT}{name}")) for name in lesson.drafts}
     for cell in lesson.cells:
         if cell.kind == "write":
             for name in cell.names:
                 _function(draft, name, _silent(text_of(draft.take([name]))))
         elif cell.kind == "draft":
-            _first_version(draft, cell, next(drafts[cell.names]).text)
+            _first_version(draft, cell, next(drafts[cell.names[0]]).text)
         elif cell.kind == "broken":
             for model in lesson.models(cell.key):
                 draft.add("code" if model.code else "markdown", model.text)
