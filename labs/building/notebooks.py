@@ -159,15 +159,23 @@ def stub(excerpts: TopicExcerpts, name: str, again: bool = False) -> str:
     function = next(node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
     entry = lecture.function(name)
     lines = _contract(source.split("\n")[: function.body[0].end_lineno])
-    for answer in answers_of(entry.topic, name):
-        if answer in compact("\n".join(lines)):
-            raise InvalidInput(f"the stub of {name} holds a line that is to be derived: {answer}")
+    _refuse_answers(entry.topic, name, lines)
     return "\n".join([*lines, *_unwritten(f"{entry.topic}, step {entry.step}: {name} {AGAIN if again else YOURS}")])
 
 
 def first_stub(topic: str, cell: Cell) -> str:
     """A first version of a function as a student finds it: what the lesson says of it, and an error."""
-    return "\n".join([cell.text, *_unwritten(f"{topic}: a first version of {' and '.join(cell.names)} {YOURS}")])
+    (name,) = cell.names
+    _refuse_answers(topic, name, [cell.text])
+    return "\n".join([cell.text, *_unwritten(f"{topic}: a first version of {name} {YOURS}")])
+
+
+def _refuse_answers(topic: str, name: str, lines: Iterable[str]) -> None:
+    """Raise if a contract holds a line that the student is to derive."""
+    text = compact("\n".join(lines))
+    for answer in answers_of(topic, name):
+        if answer in text:
+            raise InvalidInput(f"the stub of {name} holds a line that is to be derived: {answer}")
 
 
 def _contract(lines: list[str]) -> list[str]:

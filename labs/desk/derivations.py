@@ -20,7 +20,7 @@ def asked(guide: Guide) -> Iterator[str]:
         yield from (f"    {each.name:<{width}}  {each.meaning}" for each in derivation.quantities)
         yield f'and write it as lab.derive("{guide.function}", {derivation.left}="…").'
     if guide.derivations:
-        yield from folded(f"A line may hold numbers, these names, {UNDERSTOOD}. Any form of the right line is right.", 0)
+        yield from folded(f"A line may hold numbers, these names, {UNDERSTOOD}. Every right form of it counts.", 0)
     else:
         yield f"Of {guide.function} no line is asked for."
 

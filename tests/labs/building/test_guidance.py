@@ -138,7 +138,9 @@ def test_a_line_to_derive_is_open_until_the_notebook_is_solved(write):
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ('draft="signed_distance"', 'draft="finite"', "a draft of finite, which it does not write"),
+        ("signed_distance", "finite", "a draft of finite, which it does not write"),
+        ('    """Distance from a level floor, m."""', "    return 0", "is to be one function with a docstring"),
+        ("def signed_distance(point", "def distance(point", "is to be one function with a docstring"),
         ('model="draft-signed_distance"', 'model="draft"', "no model='draft-signed_distance'"),
         ("```python model", '```python draft="signed_distance"\n```\n\n```python model', "for each draft"),
     ],

@@ -85,12 +85,14 @@ def test_without_pytest_nothing_can_be_checked(tmp_path, monkeypatch):
 def test_a_notebook_is_checked_like_a_file(tmp_path):
     cell = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
     sources = ["%matplotlib inline", "def is_colliding(separation, tolerance=0.0):\n    return separation < -tolerance"]
+    sources.append("lab.predict('high', 'How high?', answer=0.3)\nlab.predict('late', 'Too late?', answer=...)")
     cells = [cell | {"source": source} for source in sources]
     notebook = {"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}
     (tmp_path / "lab.ipynb").write_text(json.dumps(notebook))
     code, text = checked(tmp_path / "lab.ipynb")
     assert code == 1  # seven are to do
     assert "✓ is_colliding" in text
+    assert "Predictions: 1 of 2 made." in text
 
 
 PARTLY = """

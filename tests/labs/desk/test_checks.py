@@ -141,6 +141,12 @@ def test_a_check_says_which_function_no_executed_cell_defines(lab, cells, capsys
     assert "has been run" not in said(capsys, lab.check)
 
 
+def test_a_check_of_the_whole_lab_says_how_many_predictions_were_made(lab, cells, capsys):
+    cells += ["lab.predict('high', 'How high?', answer=...)", "lab.predict('high', 'How high?', answer=0.3)"]
+    assert "Predictions: 1 of 1 made." in said(capsys, lab.check)
+    assert "Predictions" not in said(capsys, lab.check, "signed_distance")
+
+
 def test_a_function_may_be_named_without_quotes(lab, cells, capsys):
     def is_colliding():
         pass
