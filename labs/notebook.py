@@ -245,8 +245,9 @@ class Lab:
                 progress.done(len(cases), len(values), f"{parameter} {value:g}")
         guesses = ", ".join(each.with_unit for each in predictions)
         found = sweeps.Sweep(parameter, tuple(values), tuple(cases), quantity, guesses)
-        _display(found.picture, found.table, *(Text(said) for each in predictions if (said := each.verdict())))
+        _display(found.picture, found.table)
         sweeps.slide(found)
+        _display(*(Text(said) for each in predictions if (said := each.verdict())))
 
     def _run_case(self, request: Request) -> CaseRuns:
         from labs.desk import case_runs  # noqa: PLC0415 - loads the catalogue

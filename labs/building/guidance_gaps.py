@@ -37,22 +37,13 @@ def _hints(lesson: Lesson, found: Hints) -> Iterator[str]:
 
 def _figures(lesson: Lesson, found: Hints) -> Iterator[str]:
     """Figures that are named and cannot be shown, or lack a description."""
-    for name in _figure_names(lesson, found):
+    named = [name for guide in found.guides.values() for text in guide.levels for name in drawings.named_in(text)]
+    named += [argument for cell in lesson.cells for argument, _ in _arguments(cell, "figure")]
+    for name in dict.fromkeys(named):
         try:
             drawings.drawing(name)
         except InvalidInput as error:
             yield f"figure {name}: {error}"
-
-
-def figures_of(topic: str) -> list[str]:
-    """The figures that the hints and the lesson of a topic show."""
-    return _figure_names(read(topic), hints(topic))
-
-
-def _figure_names(lesson: Lesson, found: Hints) -> list[str]:
-    named = [name for guide in found.guides.values() for text in guide.levels for name in drawings.named_in(text)]
-    named += [argument for cell in lesson.cells for argument, _ in _arguments(cell, "figure")]
-    return list(dict.fromkeys(named))
 
 
 def _calls(lesson: Lesson, found: Hints) -> Iterator[str]:

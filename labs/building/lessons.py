@@ -158,25 +158,23 @@ def _refuse(lesson: Lesson) -> None:
     for cell in lesson.cells:
         if cell.kind in ("answer", "broken") and not lesson.models(cell.key):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model for {cell.kind}={cell.key!r}")
-    for cell in lesson.cells:
-        if cell.kind == "draft" and not _is_header(cell):
-            raise InvalidInput(
-                f"the draft of {' '.join(cell.names)} is to be one function with a docstring, and no more"
-            )
     for name in lesson.drafts:
         if name not in expected:
             raise InvalidInput(f"the lesson of {lesson.topic} has a draft of {name}, which it does not write")
         if len(lesson.models(f"{DRAFT}{name}")) != lesson.drafts.count(name):
             raise InvalidInput(f"the lesson of {lesson.topic} has no model={DRAFT + name!r} for each draft={name!r}")
+    for cell in lesson.cells:
+        if cell.kind == "draft" and not _is_header(cell):
+            raise InvalidInput(f"the draft of {' '.join(cell.names)} is to be one function with a docstring")
 
 
 def _is_header(cell: Cell) -> bool:
-    """Whether a cell holds the header and the docstring of the one function that it names."""
+    """Whether a cell holds the one function that it names, with a docstring and perhaps lines to begin with."""
     try:
         statements = ast.parse(cell.text).body
     except SyntaxError:
         return False
     match statements:
-        case [ast.FunctionDef(name=name, body=[ast.Expr(value=ast.Constant(value=str()))])]:
+        case [ast.FunctionDef(name=name, body=[ast.Expr(value=ast.Constant(value=str())), *_])]:
             return cell.names == (name,)
     return False

@@ -18,7 +18,7 @@ from labs.building.lessons import Cell, Lesson, read
 from labs.building.points import points_of
 from labs.building.revealed_answers import answers_of, compact
 from labs.grading.submission.reading import DRAFT
-from labs.grading.submission.stubs import AGAIN
+from labs.grading.submission.stubs import AGAIN, FIRST
 from reference import lecture
 from reference.errors import InvalidInput
 
@@ -167,7 +167,7 @@ def first_stub(topic: str, cell: Cell) -> str:
     """A first version of a function as a student finds it: what the lesson says of it, and an error."""
     (name,) = cell.names
     _refuse_answers(topic, name, [cell.text])
-    return "\n".join([cell.text, *_unwritten(f"{topic}: a first version of {name} {YOURS}")])
+    return "\n".join([cell.text, *_unwritten(f"{topic}: {FIRST} {name} {YOURS}")])
 
 
 def _refuse_answers(topic: str, name: str, lines: Iterable[str]) -> None:

@@ -12,9 +12,9 @@ import zipfile
 from collections.abc import Collection, Iterator
 from pathlib import Path
 
-from labs.building import guidance_gaps, lessons, notebooks
+from labs.building import lessons, notebooks
 from labs.building.excerpts import TopicExcerpts, imports_of, text_of
-from labs.project_folders import FIGURES, HINTS, ROOT
+from labs.project_folders import ROOT
 from reference import lecture
 from reference.errors import InvalidInput
 from reference.writable import check_file, folder_for
@@ -22,11 +22,8 @@ from reference.writable import check_file, folder_for
 NAME = "collisions-lab"
 _FOLDERS = ("labs", "reference", "tests/autograder/visible")
 _FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
-_LEFT_OUT = (
-    "labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/hints", "labs/figures", "labs/cli/lab.py",
-)  # fmt: skip
-"""Code that makes notebooks, and files that hold model answers. Notebooks, given functions, hints and figures are those
-of the open labs."""
+_LEFT_OUT = ("labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py")
+"""Code that makes notebooks, and files that hold model answers. Notebooks and given functions are made per release."""
 _CONTENT, _OPTION = "the release", "--out"
 _DATE = (1980, 1, 1, 0, 0, 0)
 """The date of all files in an archive, so that the same release makes the same bytes on every day."""
@@ -99,26 +96,12 @@ def _write(out: Path, open_labs: Collection[str]) -> None:
         path = out / "labs" / "notebooks" / f"{topic}.ipynb"
         path.parent.mkdir(exist_ok=True)
         path.write_text(notebooks.text(notebooks.student(topic)), encoding="utf-8")
-    _write_guidance(out, open_labs)
     folder = out / "labs" / "given"
     folder.mkdir()
     (folder / "__init__.py").write_text('"""Functions that are given: answers of labs that are closed."""\n')
     for topic, text in given(open_labs).items():
         (folder / f"{topic}.py").write_text(text, encoding="utf-8")
     (out / "README.md").write_text(_README, encoding="utf-8")
-
-
-def _write_guidance(out: Path, open_labs: Collection[str]) -> None:
-    """The hints of the open labs, and the figures that these and their lessons show."""
-    for path in (HINTS, FIGURES):
-        (out / path.relative_to(ROOT)).mkdir()
-    for topic in open_labs:
-        hints = HINTS / f"{topic}.md"
-        if hints.is_file():
-            shutil.copy(hints, out / hints.relative_to(ROOT))
-        for name in guidance_gaps.figures_of(topic):
-            figure = FIGURES / f"{name}.svg"
-            shutil.copy(figure, out / figure.relative_to(ROOT))
 
 
 def _ignored(folder: str, names: list[str]) -> set[str]:

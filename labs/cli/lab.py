@@ -37,6 +37,8 @@ def build(
     topics = [lecture.topic(name).name for name in topic or lessons.lessons()]
     if not topics:
         raise InvalidInput("there are no lessons: labs/lessons is empty")
+    for gap in (gap for name in topics for gap in guidance_gaps.gaps(name)):
+        errors.print(f"still to do: {gap}", markup=False, soft_wrap=True)
     stale = []
     for name in topics:
         made = {STUDENT_NOTEBOOKS / f"{name}.ipynb": notebooks.student(name)}
@@ -52,9 +54,6 @@ def build(
     if check and stale:
         errors.print(f"Not what its lesson and solutions make now: {', '.join(shown)}. Run: collisions lab build")
         raise typer.Exit(STALE)
-    for name in topics:
-        for gap in guidance_gaps.gaps(name):
-            errors.print(f"still to do: {gap}", markup=False, soft_wrap=True)
     output.print("\n".join(f"wrote {name}" for name in shown) or f"{', '.join(topics)}: as they should be.")
 
 

@@ -23,7 +23,7 @@ from labs.correct_functions import package_of_correct_functions
 from labs.grading.errors import UnreadableSubmission
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.reading import Submission, read
-from labs.grading.submission.stubs import UNWRITTEN, is_stub
+from labs.grading.submission.stubs import UNWRITTEN, is_open_version, is_stub
 from reference import lecture
 from reference.engines.implementation import Implementation
 
@@ -219,7 +219,9 @@ def _read_earlier(path: Path, topic: str) -> tuple[Submission | None, list[str]]
 def _unwritten(submission: Submission) -> frozenset[str]:
     """The functions that are still stubs: a description, and an error that says whose turn it is."""
     return frozenset(
-        node.name for node in ast.parse(submission.text).body if isinstance(node, ast.FunctionDef) and is_stub(node)
+        node.name
+        for node in ast.parse(submission.text).body
+        if isinstance(node, ast.FunctionDef) and (is_stub(node) or is_open_version(node))
     )
 
 

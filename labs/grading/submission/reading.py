@@ -5,8 +5,8 @@ down to what the functions need (`slicing`). Lines that are left out remain as e
 number leads back to the student's own line, and in a notebook to the code cell.
 
 If a function is defined several times, its last definition counts, unless a cell was made for it: one that is tagged
-with the function's name, or that nbgrader knows by that name. A function may be written twice, at first for simpler
-cases in a cell that is tagged `draft-NAME`; that version counts until the stub of the second one is replaced.
+with the function's name, or that nbgrader knows by that name. A function may be written in several versions, the
+first ones for simpler cases in cells that are tagged `draft-NAME`; the last version that is written counts.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from labs.grading.submission.complaints import (
 )
 from labs.grading.submission.magics import without_magics
 from labs.grading.submission.slicing import Group, defined_as, groups, needed, used_by
-from labs.grading.submission.stubs import is_stub, is_stub_of_a_second_version
+from labs.grading.submission.stubs import is_open_version, is_stub
 
 __all__ = ["Complaint", "Submission", "read"]
 
@@ -133,7 +133,7 @@ def read(path: Path | str, wanted: Collection[str], also: Collection[str] = ()) 
         pieces += [Located(group, cell) for group in found]
         if complaint:
             unread.append((cell, complaint))
-    pieces = _without_second_stubs(pieces)
+    pieces = _without_open_versions(pieces)
     defined = {name: piece.cell for piece in pieces for name in piece.group.defines}
     complaints += [with_its_cost(complaint, cell, defined) for cell, complaint in unread]
     functions = [each for each in wanted if _check_definition(each, pieces, complaints)]
@@ -167,15 +167,14 @@ def _parsed(cell: Cell) -> tuple[str, tuple[Group, ...], Complaint | None]:
             return "", (), unreadable(error, cell, source)
 
 
-def _without_second_stubs(pieces: list[Located]) -> list[Located]:
-    """The pieces without the stubs of functions of which a first version is written."""
-    stubs = [piece for piece in pieces if all(map(is_stub_of_a_second_version, piece.group.statements))]
-    if not stubs:
+def _without_open_versions(pieces: list[Located]) -> list[Located]:
+    """The pieces without the versions of functions that are not written yet, if another version is."""
+    still_open = [piece for piece in pieces if all(map(is_open_version, piece.group.statements))]
+    if not still_open:
         return pieces
-    written = {
-        name for piece in pieces for name in piece.group.defines if not all(map(is_stub, piece.group.statements))
-    }
-    return [piece for piece in pieces if piece not in stubs or not piece.group.defines <= written]
+    others = [piece for piece in pieces if piece not in still_open and not all(map(is_stub, piece.group.statements))]
+    written = {name for piece in others for name in piece.group.defines}
+    return [piece for piece in pieces if piece not in still_open or not piece.group.defines <= written]
 
 
 def _check_definition(name: str, pieces: list[Located], complaints: list[Complaint]) -> bool:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 
 UNWRITTEN = "NotImplementedError"
-AGAIN = "is yours to write again"
-"""Ends the error of a stub of which a first version was written before; that version counts as long as it is a stub."""
+FIRST, AGAIN = "a first version of", "is yours to write again"
+"""Parts of what the stubs say of a function that is written several times: first for simpler cases, then in full."""
 
 
 def is_stub(statement: ast.stmt) -> bool:
@@ -16,6 +16,13 @@ def is_stub(statement: ast.stmt) -> bool:
     return UNWRITTEN in ast.dump(statement.body[-1])
 
 
-def is_stub_of_a_second_version(statement: ast.stmt) -> bool:
-    """Whether a statement is a stub of a function that was written before, for simpler cases."""
-    return is_stub(statement) and AGAIN in ast.dump(statement)
+def is_open_version(statement: ast.stmt) -> bool:
+    """Whether a statement is one version of a function that is written several times, and is not written yet.
+
+    It may hold lines to begin with; it is written as soon as it returns something.
+    """
+    if not isinstance(statement, ast.FunctionDef) or not isinstance(statement.body[-1], ast.Raise):
+        return False
+    said = ast.dump(statement.body[-1])
+    returns = any(isinstance(node, ast.Return) for node in ast.walk(statement))
+    return UNWRITTEN in said and (FIRST in said or AGAIN in said) and not returns

@@ -7,7 +7,7 @@ import json
 import pytest
 from made_lessons import HEAD, WRITES, sources
 
-from labs.building import guidance_gaps, lessons, notebooks
+from labs.building import lessons, notebooks
 from labs.building.guidance_gaps import gaps
 from labs.building.revealed_answers import compact
 from labs.grading.submission.reading import read
@@ -65,7 +65,6 @@ def write(tmp_path, monkeypatch):
 
 def test_a_complete_lab_has_no_gaps(write):
     assert gaps("detection") == []
-    assert guidance_gaps.figures_of("detection") == ["contact"]
 
 
 @pytest.mark.parametrize(

@@ -51,6 +51,17 @@ def test_a_first_version_counts_until_the_second_is_written(tmp_path, second, sp
     assert defined(in_a_kernel)["rebound_velocity"](-2.0, 0.5) == speed
 
 
+BEGUN = 'def rebound_velocity(v, e):\n    u = v\n    {}raise NotImplementedError("a first version of it is yours")'
+
+
+@pytest.mark.parametrize(("ending", "speed"), [("", 0.0), ("return 3\n    ", 3)], ids=["open", "written"])
+def test_a_version_with_lines_to_begin_with_counts_once_it_returns(tmp_path, ending, speed):
+    cells = tagged(FIRST, "draft-rebound_velocity"), tagged(BEGUN.format(ending), "draft-rebound_velocity")
+    submission = handed_in(tmp_path, notebook(*cells, tagged(AGAIN, "rebound_velocity")))
+    assert defined(submission)["rebound_velocity"](-2.0, 0.5) == speed
+    assert "defined" not in told(submission)
+
+
 def test_a_stub_after_a_function_counts_if_it_asks_for_no_second_version(tmp_path):
     submission = handed_in(tmp_path, notebook(SECOND, AGAIN.replace(" again", "")))
     with pytest.raises(NotImplementedError):
