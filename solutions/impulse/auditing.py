@@ -67,8 +67,8 @@ def audit(
     About any other point, p away from the contact, ΔL is less by p × ΔP. Where ΔP is 0
     the point makes no difference.
 
-    For the energy, M (v⁺·v⁺ − v⁻·v⁻)/2 = ΔP·(v⁺ + v⁻)/2: what the impulse does along the
-    mean of both velocities. The same holds for the spin. A correct impact between
+    For the energy, M (v⁺·v⁺ − v⁻·v⁻)/2 = ΔP·(v⁺ + v⁻)/2: the work of the impulse along
+    the mean of both velocities. The same holds for the spin. A correct impact between
     bodies that both can move gives ΔE = −`energy_lost`.
     """
     v_a, w_a, v_b, w_b = (finite("after", vector("after", velocity)) for velocity in after)

@@ -90,9 +90,10 @@ def relative_velocity(
 
 
 def normal_velocity(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike) -> Array:
-    """Rate at which the points of contact of two bodies part along the normal (slide 19).
+    """Rate at which two bodies part at their point of contact (slides 15 and 19).
 
-    Each point moves with its own body, which flies and spins (slides 14 and 15).
+    Each body has a point there, which moves as the body flies and spins (slide 14). The
+    rate is taken along the normal.
 
     Parameters
     ----------
@@ -103,7 +104,7 @@ def normal_velocity(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike) -> Arra
     Returns
     -------
     (...), u_n, m/s, negative when approaching
-        Whatever moves along the surface alone contributes nothing.
+        What the points do along the surface does not count.
 
     Raises
     ------

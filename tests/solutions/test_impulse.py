@@ -78,7 +78,9 @@ def test_as_printed_the_place_of_a_point_ignores_where_the_body_is():
 def test_a_car_that_catches_up_sees_the_other_come_towards_it():
     behind, ahead = (30.0, 0, 0), (20.0, 0, 0)
     assert relative_velocity(behind, ahead).tolist() == [10, 0, 0]
-    assert normal_velocity(flying(behind), flying(ahead), (-1, 0, 0)) == -10  # A is behind: from B to A is backwards; they close
+    assert (
+        normal_velocity(flying(behind), flying(ahead), (-1, 0, 0)) == -10
+    )  # A is behind: from B to A is backwards; they close
 
 
 @pytest.mark.erratum(15)

@@ -72,7 +72,9 @@ def test_the_audit_is_what_the_particles_of_both_bodies_gain(seed, kinds):
     def gained(about):
         later = [body.sums(*after[2 * at : 2 * at + 2], about) for at, body in enumerate(made)]
         before = [body.sums(body.velocity, body.spin, about) for body in made]
-        return [sum(new) - sum(old) for new, old in zip(zip(*later, strict=True), zip(*before, strict=True), strict=True)]
+        return [
+            sum(new) - sum(old) for new, old in zip(zip(*later, strict=True), zip(*before, strict=True), strict=True)
+        ]
 
     # An inertia of particles in nearly one line is right to 1e-11; sums of ten terms of some tens
     momentum, angular, energy = audit(*(body.body() for body in made), after)

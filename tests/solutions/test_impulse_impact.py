@@ -250,10 +250,8 @@ def immovable(scene) -> bool:
 def test_the_points_part_at_e_times_the_speed_at_which_they_closed(scene, e):
     v_a, w_a, v_b, w_b = scene.after(e)
     a, b = scene.body
-    moving_a, moving_b = (
-        body._replace(velocity=v, angular_velocity=w) for body, v, w in ((a, v_a, w_a), (b, v_b, w_b))
-    )
-    after = normal_velocity(moving_a, moving_b, scene.normal)
+    moved = a._replace(velocity=v_a, angular_velocity=w_a), b._replace(velocity=v_b, angular_velocity=w_b)
+    after = normal_velocity(*moved, scene.normal)
     expected = scene.closing() if immovable(scene) else rebound_velocity(scene.closing(), e)
     assert after == pytest.approx(expected, abs=ROUNDING)
 

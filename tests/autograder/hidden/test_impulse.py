@@ -276,6 +276,7 @@ def test_an_audit_of_any_velocities(submission, part, examples):
     with part(1, "limiting cases: the ground, a pivot, what cannot turn, no change, correct impacts"):
         for a, b, normal in LIMITS:
             for later in ((*a[:2], *b[:2]), collision(a, b, normal, 0.5)):
-                expect(submission.audit, (a, b, later), account(a, b, later))
+                gains = tuple(np.round(gain, 12) for gain in account(a, b, later))  # what is kept is 0, and no rounding
+                expect(submission.audit, (a, b, later), gains)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.audit, account, changed)

@@ -78,7 +78,7 @@ def test_an_exception_is_reported_with_its_line(body, error, words, of):
 
 
 def test_a_missing_function_is_named_with_its_topic_and_step(of):
-    with of("").fresh() as call, pytest.raises(NeedsFunction, match=r"needs rebound_velocity \(impulse, step 2\)"):
+    with of("").fresh() as call, pytest.raises(NeedsFunction, match=r"needs rebound_velocity \(impulse, step 1\)"):
         call("rebound_velocity", -1.0, 0.5)
 
 
