@@ -197,18 +197,6 @@ def collide_10(body_a, body_b, normal, restitution, threshold=0.0):
     )  # fmt: skip
 
 
-def classify_contact_3(normal_velocity, threshold=0.0):
-    """Fast is colliding, slow is resting, whichever way."""
-    return -1 if abs(normal_velocity) > threshold else 0
-
-
-def classify_contact_4(normal_velocity, threshold=0.0):
-    """Above the threshold they part; all others collide."""
-    if normal_velocity > threshold:
-        return 1
-    return -1
-
-
 def side_of_plane_3(separation, tolerance=0.0):
     """The tolerance's minus is forgotten behind the plane."""
     if separation > tolerance:
@@ -280,15 +268,6 @@ def sphere_impact_3(velocity, angular_velocity, normal, radius, restitution, fri
     spin = cross(arm, j)
     inertia = inertia_share * radius**2
     return [velocity[i] + j[i] for i in range(3)], [angular_velocity[i] + spin[i] / inertia for i in range(3)]
-
-
-def impulse_of_force_3(force, time):
-    """Each pair of samples has its mean times t."""
-    total = [0.0, 0.0, 0.0]
-    for k in range(1, len(time)):
-        for i in range(3):
-            total[i] += (force[k][i] + force[k - 1][i]) / 2 * time[k]
-    return total
 
 
 def friction_impulse_3(velocity, normal, inverse_mass, restitution, friction):
@@ -477,15 +456,6 @@ def friction_impulse_4(velocity, normal, inverse_mass, restitution, friction):
     j_n = -(1 + restitution) * u_n / k_n
     j_t = min(size / k_n, friction * j_n)
     return [j_n * normal[i] - (j_t * along[i] / size if size else 0) for i in range(3)]
-
-
-def classify_contact_5(normal_velocity, threshold=0.0):
-    """Slide 21 read line by line, V above the threshold separating."""
-    if normal_velocity > threshold:
-        return 1
-    if normal_velocity < -threshold:
-        return 0
-    return -1
 
 
 def side_of_plane_4(separation, tolerance=0.0):
