@@ -32,3 +32,8 @@ def test_the_minutes_of_the_headings_add_up_to_the_hours_promised(text):
     minutes = [int(re.search(r"\((\d+) minutes\)$", heading)[1]) for heading in headings]
     assert "**Time:** four hours" in text
     assert sum(minutes) == 4 * 60
+
+
+def test_every_line_of_code_of_the_lesson_can_be_read_at_800_pixels():
+    code = [cell.text for cell in lessons.read("impulse").cells if cell.code and cell.kind != "given"]
+    assert [line for text in code for line in text.split("\n") if len(line) > 79] == []
