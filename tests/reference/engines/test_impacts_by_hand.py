@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from reference import truth
 from reference.engines import load_engine
 from reference.engines.handwritten.scenario_kind import Kind, kind
+from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, NeedsFunction
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 
@@ -173,6 +174,20 @@ def test_a_rod_turned_with_its_ball_moves_like_a_level_one(profile, turn):
     made = run(scenario, profile)
     np.testing.assert_allclose(made.position("ball"), level.position("ball") @ matrix.T, atol=1e-12)
     np.testing.assert_allclose(made.angular_velocity("rod"), level.angular_velocity("rod"), atol=1e-12)
+
+
+def test_a_first_collide_runs_before_inertia_is_turned_into_the_world(tmp_path):
+    path = tmp_path / "first.py"
+    path.write_text(
+        "def world_inverse_inertia(*arguments):\n    raise NotImplementedError\n\n"
+        "def collide(a, b, normal, restitution):\n    assert a[4].shape == b[4].shape == (1, 3, 3)\n"
+        "    return b[0], a[1], a[0], b[1]\n"
+    )
+    engine = load_engine("handwritten", Implementation(f"{path} | solutions"))
+    found = engine.run(rod(), engine.settings(rod(), "exact"))
+    assert found.velocity("rod")[-1] == pytest.approx([0, 0, -SPEED])
+    with pytest.raises(NeedsFunction, match="needs world_inverse_inertia"):
+        engine.run(rod(turn=(0, 0, 0, 1)), engine.settings(rod(), "exact"))
 
 
 def test_a_struck_rod_turns_at_a_steady_rate():
