@@ -99,25 +99,26 @@ def respond_at_step(
 
     Notes
     -----
-    A ball that is dropped and arrives with the speed v is noticed at a depth d from 0
-    to v Δt, v Δt/2 on average, and turns there. Its apex is e²h, and on average over
-    all phases of the steps it differs from that by
+    A ball that is dropped arrives at the plane with the speed v. It is noticed at a
+    depth of up to v Δt, on average v Δt/2, and turns there. Its apex would be at e²h.
+    On average over all phases of the steps it differs from that by
 
         −(1 − e) v Δt/2
 
-    The rebound starts v Δt/2 too low. In its first step the ball moves with the whole
-    e v, so that its steps rise higher than the parabola, by e v Δt/2. The next three
-    lines compare this with two other orders of the same loop. All three cost the same:
+    because the rebound starts v Δt/2 too low, and in its first step the ball moves with
+    the whole e v. So its steps rise e v Δt/2 higher than the parabola.
 
-    - respond, then step (this function): −(1 − e) v Δt/2
-    - fly exactly over the whole step, then respond: −(1 − e²) v Δt/2. The ball has
-      also gained speed on its way into the plane, and that raises the apex by e² d.
-    - take the semi-implicit step with the weight, then respond: −(1 + e) v Δt/2. The
-      first step of the rebound already loses g Δt, so that its steps rise less than
-      the parabola.
+    The same loop may do the three things in another order. Both other orders cost as
+    much and err more:
 
-    The first one is chosen because its error is the smallest, and because physics
-    engines use this order: look for contacts, change the velocities, move.
+    - Fly exactly over the whole step, then respond: −(1 − e²) v Δt/2. On its way into
+      the plane the ball has also gained speed, and the rebound keeps e² of that energy.
+    - Take a semi-implicit step with the weight, then respond: −(1 + e) v Δt/2. The
+      first step of the rebound already loses g Δt, and so the steps of the rebound
+      rise e v Δt/2 less than the parabola.
+
+    The order of this function is chosen because its error is the smallest, and because
+    physics engines use it too: they look for contacts, change the velocities and move.
     """
     v, n = vector("velocity", velocity), np.asarray(normal, dtype=float)
     pull, dt = vector("acceleration", acceleration), not_negative("dt", dt)
