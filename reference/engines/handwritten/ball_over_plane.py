@@ -37,8 +37,8 @@ def bounce(
 class _Balls(PointsAndPlanes):
     """N balls, each over a plane of its own: three ways to step them, and what the three share.
 
-    `respond_at_impact` and `respond_at_step` know no rest, which takes infinitely many impacts. So the loop itself takes
-    the normal velocity from a ball that leaves its plane too slowly, and from then on the plane carries it.
+    `respond_at_impact` and `respond_at_step` know one impact, and a ball comes to rest by infinitely many. So the loop
+    itself takes the normal velocity from a ball that leaves its plane too slowly. From then on the plane carries it.
     """
 
     def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
@@ -109,9 +109,9 @@ class _Balls(PointsAndPlanes):
     def bounce_through_step(self, time: float, until_impact: Callable[[Array], Array]) -> None:
         """Let each ball respond at its impacts, and fly on until the step is over.
 
-        `respond_at_impact` goes from the start of the step to its end, and a second impact on the way is not seen there.
-        So the loop also looks from the place where the ball is just after its impact. Only if it meets the plane again
-        from there within the rest of the step, or rests, is the end of the step found anew.
+        `respond_at_impact` goes from the start of the step to its end and does not see a second impact on the way. So
+        the loop also asks it for the state just after the impact, and looks from there. Only if the ball meets the
+        plane again within the rest of the step, or comes to rest, does the loop replace the end of the step.
         """
         remaining = self.whole_step
         impact = until_impact(remaining)

@@ -1,4 +1,4 @@
-"""The single movable body of each of N scenarios, which moves as a point does, batch first: its state and its events."""
+"""The single movable body of each of N scenarios, which moves as a point does: its state and its events."""
 
 from __future__ import annotations
 

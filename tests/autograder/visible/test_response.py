@@ -56,33 +56,36 @@ def test_a_bounce_is_that_of_the_velocity_seen_from_the_plane(submission, part):
 
 @asks(
     "respond_at_step", 3,
-    "Fly the whole step; a body that then is behind the plane and moves in gets its new velocity.",
-    "Slide 6, after the fact: where is the body at the end of the step, and how fast is it there?",
+    "A body that starts the step behind the plane and moves in turns round; for this step the plane carries it.",
+    "Slide 6, at time steps: which velocity moves the body in this step, and what can gravity do to it meanwhile?",
 )  # fmt: skip
-def test_a_body_behind_the_plane_at_the_end_of_the_step_turns_round_there(submission, part):
-    slanted = (
-        [-0.25, 3.25, 1.25],
-        [-2, -5, 0],
-        [2, 2, -2],
-        SLANTED,
-    )  # to (−1, 1, 1) with (−1, −4, −1) after half a second
-    with part(1, "it ends behind the floor, or behind a plane along no axis"):
+def test_a_body_behind_the_plane_at_the_start_of_the_step_turns_round(submission, part):
+    with part(1, "behind the floor or behind a plane along no axis, and moving in"):
         expect(
-            submission.respond_at_step, ([0, 0, 1], [1, 0, -3], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -0.5], [1, 0, 1.5])
+            submission.respond_at_step, ([0, 0, -0.25], [1, 0, -3], FALL, UP, True, 0.5, 0.5),
+            ([0.5, 0, 0.5], [1, 0, 1.5])
+        )  # fmt: skip
+        expect(
+            submission.respond_at_step, (REST, [-1, -4, -1], [1, -4, 0], SLANTED, True, 0.5, 0.5),
+            ([-1.25, -1, 1.5], [-2.5, -2, 3])
+        )  # fmt: skip
+    with part(1, "above the floor, falling; behind it, but on its way out; pulled away from the floor"):
+        expect(
+            submission.respond_at_step, ([0, 0, 9], [1, 0, -1], FALL, UP, False, 0.5, 0.5), ([0.5, 0, 6.5], [1, 0, -5])
         )
-        expect(submission.respond_at_step, (*slanted, -2.0, 0.5, 0.5), ([-1, 1, 1], [-2.5, -1, 2]))
-    with part(
-        1, "it ends above the floor, falling; just in front of a plane, or touching it; behind it, but on its way out"
-    ):
-        expect(submission.respond_at_step, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.0, 0.5, 0.5), ([0.5, 0, 8], [1, 0, -4]))
-        expect(submission.respond_at_step, (*slanted, -1.5, 0.5, 0.5), ([-1, 1, 1], [-1, -4, -1]))
-        expect(submission.respond_at_step, ([0, 0, 2], [1, 0, -4], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, 0], [1, 0, -4]))
-        expect(submission.respond_at_step, ([0, 0, -2], [1, 0, 2], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -1], [1, 0, 2]))
+        expect(
+            submission.respond_at_step, ([0, 0, -2], [1, 0, 2], FALL, UP, True, 0.5, 0.5), ([0.5, 0, -3], [1, 0, -2])
+        )
+        expect(
+            submission.respond_at_step,
+            ([0, 0, -1], [0, 0, -4], [0, 0, 2], UP, True, 0.5, 0.5),
+            ([0, 0, 0.5], [0, 0, 3]),
+        )
     with part(1, "both in one call"):
         expect(
             submission.respond_at_step,
-            ([[0, 0, 1], [0, 0, 9]], [[1, 0, -3], [1, 0, 0]], REST, UP, 0.0, 0.5, 0.5),
-            ([[0.5, 0, -0.5], [0.5, 0, 9]], [[1, 0, 1.5], [1, 0, 0]]),
+            ([[0, 0, -0.25], [0, 0, 9]], [[1, 0, -3], [1, 0, -1]], FALL, UP, [True, False], 0.5, 0.5),
+            ([[0.5, 0, 0.5], [0.5, 0, 6.5]], [[1, 0, 1.5], [1, 0, -5]]),
         )
 
 

@@ -70,6 +70,6 @@ def test_hand_written_code_lets_the_share_of_its_method_pass(profile, timestep, 
     engine, case = load_engine("handwritten"), FAMILY.case("v=10")
     settings = engine.settings(case.scenarios[0], profile).change(timestep=timestep)
     rows, _ = compare_case(FAMILY, case, engine, profile, settings)
-    # A step goes 0.1 m; by hand the ball is turned back wherever it overlaps the wall, on 0.05 m. Less than one ball off.
+    # A step goes 0.1 m; by hand the ball is turned back wherever it overlaps the wall, on 0.05 m. One ball off at most.
     assert rows[0].measured == pytest.approx(share, abs=1 / SHOTS if share else 0)
     assert {row.verdict for row in rows} == {Verdict.DISAGREES if share else Verdict.PASS}

@@ -66,7 +66,9 @@ def test_a_step_in_which_the_plane_carries_no_weight_rebounds_too_low(tmp_path):
 @pytest.mark.parametrize("profile", ["exact", "slide"])
 def test_a_step_that_ends_at_its_impact_comes_to_rest_late(profile, tmp_path):
     source = handed_in(tmp_path, REST_OF_THE_STEP_LOST)
-    late, right = (row(each, "ball-to-rest/e=0.5", profile, "rest_time", timestep=0.01) for each in (source, "solutions"))
+    late, right = (
+        row(each, "ball-to-rest/e=0.5", profile, "rest_time", timestep=0.01) for each in (source, "solutions")
+    )
     assert right.measured + 0.01 < late.measured
     assert late.verdict is Verdict.FAIL
 

@@ -276,7 +276,11 @@ def test_many_more_rows_keep_their_momentum(**balls):
 FLOOR = Body("floor", HalfSpace())
 WALL = Body("wall", Box((0.005, 1.0, 1.0)))
 SHOT = Scenario(
-    "shot", (WALL, Body("ball", Sphere(R), 1.0, (-1, 0, 0), velocity=(9, 0, 0))), (Pair("ball", "wall"),), 1.0, WEIGHTLESS
+    "shot",
+    (WALL, Body("ball", Sphere(R), 1.0, (-1, 0, 0), velocity=(9, 0, 0))),
+    (Pair("ball", "wall"),),
+    1.0,
+    WEIGHTLESS,
 )
 CLOSE_BY = Body("ball", Sphere(R), 1.0, (0, 0, 0.5), velocity=(1, 0, 0))
 KINDS = {
