@@ -196,7 +196,7 @@ def test_a_stiff_contact_needs_a_short_step(submission, part):
 
 
 @asks(
-    "kinematic_response", 2, "A ball that is let fall rises to e² of its height, and comes to rest, as in every engine."
+    "respond_at_impact", 2, "A ball that is let fall rises to e² of its height, and comes to rest, as in every engine."
 )
 def test_a_ball_rises_to_e_squared_of_its_height_and_comes_to_rest(submission, part):
     code = with_solutions(submission, "response")

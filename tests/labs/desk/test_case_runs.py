@@ -225,10 +225,10 @@ def test_a_time_of_impact_in_the_past_is_reported_at_once(lab, cells):
 
 
 def test_a_run_says_where_to_see_what_a_function_prints(lab, cells, capsys):
-    printing = "def is_colliding(separation, tolerance=0.0):\n    print(1)\n    return separation < -tolerance"
+    printing = "def side_of_plane(separation, tolerance=0.0):\n    print(1)\n    return np.sign(separation)"
     cells += [*right_cells(), printing]
     at_step = {"quantity": "rebound", "engines": (), "profile": "step"}
-    assert "What is_colliding prints is not shown here" in said(capsys, lab.run, "dropped-ball/e=0.5", **at_step)
+    assert "What side_of_plane prints is not shown here" in said(capsys, lab.run, "dropped-ball/e=0.5", **at_step)
     assert "prints" not in said(capsys, lab.run, "dropped-ball/e=0.5", quantity="rebound", engines=())
 
 
