@@ -122,8 +122,8 @@ def respond_at_step(
     """
     v, n = vector("velocity", velocity), np.asarray(normal, dtype=float)
     pull, dt = vector("acceleration", acceleration), not_negative("dt", dt)
-    answered = kinematic_response(v, n, restitution)
-    struck = np.asarray(behind, dtype=bool) & (np.vecdot(v, n) < 0)
+    behind = np.asarray(behind, dtype=bool)
+    start = np.where(behind[..., None], kinematic_response(v, n, restitution), v)
+    struck = behind & (np.vecdot(v, n) < 0)
     carried = np.where(struck, np.minimum(np.vecdot(pull, n), 0.0), 0.0)
-    start = np.where(struck[..., None], answered, v)
     return semi_implicit_euler(position, start, pull - carried[..., None] * n, dt)

@@ -14,6 +14,8 @@ UP, REST = [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
 FALL = [0.0, 0.0, -8.0]
 SLANTED = [-1 / 3, 2 / 3, 2 / 3]
 """The unit normal of a plane that lies along no axis: n·(−1, −4, −1) = −3."""
+PRESSED = [1.0, -4.0, 0.0]
+"""An acceleration of 3 m/s² onto that plane, and some along it."""
 INFINITY = math.inf
 
 
@@ -66,21 +68,19 @@ def test_a_body_behind_the_plane_at_the_start_of_the_step_turns_round(submission
             ([0.5, 0, 0.5], [1, 0, 1.5])
         )  # fmt: skip
         expect(
-            submission.respond_at_step, (REST, [-1, -4, -1], [1, -4, 0], SLANTED, True, 0.5, 0.5),
-            ([-1.25, -1, 1.5], [-2.5, -2, 3])
+            submission.respond_at_step, ([1, 2, 3], [-1, -4, -1], PRESSED, SLANTED, True, 0.5, 0.5),
+            ([-0.25, 1, 4.5], [-2.5, -2, 3])
         )  # fmt: skip
-    with part(1, "above the floor, falling; behind it, but on its way out; pulled away from the floor"):
-        expect(
-            submission.respond_at_step, ([0, 0, 9], [1, 0, -1], FALL, UP, False, 0.5, 0.5), ([0.5, 0, 6.5], [1, 0, -5])
-        )
-        expect(
-            submission.respond_at_step, ([0, 0, -2], [1, 0, 2], FALL, UP, True, 0.5, 0.5), ([0.5, 0, -3], [1, 0, -2])
-        )
-        expect(
-            submission.respond_at_step,
-            ([0, 0, -1], [0, 0, -4], [0, 0, 2], UP, True, 0.5, 0.5),
-            ([0, 0, 0.5], [0, 0, 3]),
-        )
+    with part(1, "in front of the plane; on its way out of it, or along it; pulled away from the floor"):
+        for velocity, acceleration, normal, behind, after in (
+            ([1, 0, -1], FALL, UP, False, ([1.5, 2, 0.5], [1, 0, -5])),
+            ([1, 0, 2], FALL, UP, True, ([1.5, 2, 2], [1, 0, -2])),
+            ([-9, -3, 0], PRESSED, SLANTED, True, ([-3.25, -0.5, 3], [-8.5, -5, 0])),
+            ([0, 3, -2], PRESSED, SLANTED, True, ([1.25, 2.5, 2], [0.5, 1, -2])),
+            ([2, 4, 0], FALL, UP, True, ([2, 4, 1], [2, 4, -4])),
+            ([0, 0, -4], [0, 0, 2], UP, True, ([1, 2, 4.5], [0, 0, 3])),
+        ):
+            expect(submission.respond_at_step, ([1, 2, 3], velocity, acceleration, normal, behind, 0.5, 0.5), after)
     with part(1, "both in one call"):
         expect(
             submission.respond_at_step,
