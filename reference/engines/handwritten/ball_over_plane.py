@@ -129,7 +129,7 @@ class _Balls(PointsAndPlanes):
             again = to_rest | (impact <= remaining)
             if again.any():
                 end = self.chosen(again, self.after_impact(impact, remaining), end)
-        raise RunFailed(f"more than {_MOST_IMPACTS} impacts in one step: a time of impact of 0 again and again")
+        raise RunFailed(f"more than {_MOST_IMPACTS} impacts in one step: the ball does not get away from its plane")
 
     def after_impact(self, impact: Array, duration: Array) -> tuple[Array, Array]:
         """Positions and velocities after a while in which each ball responds at the time of its impact, (N,), s."""

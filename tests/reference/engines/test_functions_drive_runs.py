@@ -13,6 +13,7 @@ from reference.catalogue.scenarios.tunnelling import SHOTS, passing_share
 from reference.comparison.compare import compare_case
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import load_engine
+from reference.engines.handwritten import ball_over_plane
 from reference.engines.implementation import Implementation
 from reference.scene.scenario import GRAVITY
 from solutions.detection import missing_probability
@@ -37,6 +38,12 @@ from solutions.detection import overlap_interval as right
 
 def overlap_interval(distance, normal_velocity, radius, thickness, dt):
     return right(distance, normal_velocity, radius, 0 * thickness, dt)
+"""
+
+
+IMPACT_AT_ONCE = """
+def time_of_impact_exact(separation, velocity, acceleration):
+    return 0 * separation
 """
 
 
@@ -82,3 +89,9 @@ def test_an_overlap_that_ends_too_early_lets_more_balls_pass(tmp_path):
     assert right.measured == pytest.approx(float(missing_probability(10.0, 0.01, 0.02, 0.01)), abs=1 / SHOTS)
     assert short.measured == pytest.approx(passing_share(10.0, 0.01, 0.04), abs=1 / SHOTS)
     assert (right.verdict, short.verdict) == (Verdict.DISAGREES, Verdict.FAIL)
+
+
+def test_an_impact_that_comes_again_at_once_is_given_up(tmp_path, monkeypatch):
+    monkeypatch.setattr(ball_over_plane, "_MOST_IMPACTS", 100)
+    found = row(handed_in(tmp_path, IMPACT_AT_ONCE), "dropped-ball/e=0.5", "exact", "")
+    assert "more than 100 impacts in one step" in found.note
