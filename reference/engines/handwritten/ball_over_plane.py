@@ -122,7 +122,9 @@ class _Balls(PointsAndPlanes):
                 self.position, self.velocity = end
                 return
             passed = np.minimum(impact, remaining)
-            self.position, self.velocity = self.after_impact(impact, passed)
+            place, _ = self.flown(passed)
+            _, self.velocity = self.after_impact(impact, passed)
+            self.position = place  # of the flight alone: in single precision, ever smaller bounces would never end
             remaining = remaining - passed
             to_rest = self.bring_to_rest(struck, time + self.dt - remaining)
             impact = until_impact(remaining)
