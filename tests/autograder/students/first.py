@@ -211,25 +211,21 @@ def moving_plane_response_2(velocity, plane_velocity, normal, restitution):
     return v
 
 
-def respond_at_step_1(position, velocity, acceleration, normal, offset, restitution, dt):
-    """Semi-implicit Euler and put back on the plane."""
+def respond_at_step_1(position, velocity, acceleration, normal, behind, restitution, dt):
+    """It turns round in the middle of the step."""
     velocity = velocity + acceleration * dt
-    position = position + velocity * dt
-    depth = np.dot(normal, position) + offset
-    if depth < 0:
-        position = position - depth * normal
-        if np.dot(velocity, normal) < 0:
-            velocity = velocity - (1 + restitution) * np.dot(velocity, normal) * normal
-    return position, velocity
+    position = position + velocity * dt / 2
+    if behind and np.dot(velocity, normal) < 0:
+        velocity = velocity - (1 + restitution) * np.dot(velocity, normal) * normal
+    return position + velocity * dt / 2, velocity
 
 
-def respond_at_step_2(position, velocity, acceleration, normal, offset, restitution, dt):
+def respond_at_step_2(position, velocity, acceleration, normal, behind, restitution, dt):
     """Explicit Euler."""
-    new_position = position + velocity * dt
-    new_velocity = velocity + acceleration * dt
-    if np.dot(normal, new_position) + offset < 0 and np.dot(new_velocity, normal) < 0:
-        new_velocity = new_velocity - (1 + restitution) * np.dot(new_velocity, normal) * normal
-    return new_position, new_velocity
+    if behind and np.dot(velocity, normal) < 0:
+        velocity = velocity - (1 + restitution) * np.dot(velocity, normal) * normal
+        acceleration = acceleration - min(np.dot(acceleration, normal), 0) * normal
+    return position + velocity * dt, velocity + acceleration * dt
 
 
 def respond_at_impact_1(position, velocity, acceleration, normal, restitution, time_of_impact, dt):

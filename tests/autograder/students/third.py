@@ -412,13 +412,15 @@ def time_of_impact_interpolated_8(separation_0, separation_1, t, dt):
     return t + t * d1 / (d1 + d2)
 
 
-def respond_at_step_3(position, velocity, acceleration, normal, offset, restitution, dt):
+def respond_at_step_3(position, velocity, acceleration, normal, behind, restitution, dt):
     """Behind the plane the velocity is reversed, whole."""
-    x = [position[i] + velocity[i] * dt + acceleration[i] * dt * dt / 2 for i in range(3)]
-    v = [velocity[i] + acceleration[i] * dt for i in range(3)]
-    if inner(x, normal) + offset < 0:
+    v, a = list(velocity), list(acceleration)
+    if behind:
         v = [-restitution * c for c in v]
-    return x, v
+        pressing = min(inner(acceleration, normal), 0)
+        a = [a[i] - pressing * normal[i] for i in range(3)]
+    v = [v[i] + a[i] * dt for i in range(3)]
+    return [position[i] + v[i] * dt for i in range(3)], v
 
 
 def respond_at_impact_4(position, velocity, acceleration, normal, restitution, time_of_impact, dt):

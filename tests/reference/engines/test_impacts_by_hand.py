@@ -289,6 +289,14 @@ def test_many_more_rows_keep_their_momentum(**balls):
 # What is for which driver
 
 FLOOR = Body("floor", HalfSpace())
+WALL = Body("wall", Box((0.005, 1.0, 1.0)))
+SHOT = Scenario(
+    "shot",
+    (WALL, Body("ball", Sphere(R), 1.0, (-1, 0, 0), velocity=(9, 0, 0))),
+    (Pair("ball", "wall"),),
+    1.0,
+    WEIGHTLESS,
+)
 CLOSE_BY = Body("ball", Sphere(R), 1.0, (0, 0, 0.5), velocity=(1, 0, 0))
 KINDS = {
     Kind.BALLS: {"balls": balls(), "rough balls": balls(friction=0.3), "falling balls": balls(gravity=(0, 0, -9.81))},
@@ -296,7 +304,10 @@ KINDS = {
         "a rod": rod(),
         "a rod struck at its centre": rod(0.0),
         "a rough ball thrown at a floor": Scenario("ball", (FLOOR, CLOSE_BY), (Pair("ball", "floor", 0.5, 0.3),), 1.0),
+        "a ball shot at a rough wall": replace(SHOT, pairs=(Pair("ball", "wall", 0.5, 0.3),)),
+        "a ball that falls on a block": replace(SHOT, gravity=(9.81, 0.0, 0.0)),
     },
+    Kind.THIN_WALL: {"a ball shot at a wall": SHOT},
     Kind.ROW: {"a row": row([1.0, 0.0, 0.0])},
     Kind.BOUNCE: {
         "a smooth ball over a floor": Scenario("ball", (FLOOR, CLOSE_BY), (Pair("ball", "floor", 0.5),), 1.0)
