@@ -226,7 +226,7 @@ def chord(figure: Figure) -> None:
     _span(axes, (-0.045, 0), (-0.045, path[0]), "$s_0$", vertical=True)
     _span(axes, (1.045, 0), (1.045, path[-1]), "$s_1 < 0$", vertical=True)
     axes.plot([cross], [0], "D", color=ORANGE, zorder=5)
-    axes.annotate("T of the slide", (cross, 0), (-8, -17), textcoords="offset points", color=ORANGE, ha="center")
+    axes.annotate("T of the slide", (cross, 0), (-6, -17), textcoords="offset points", color=ORANGE, ha="right")
     axes.annotate("true path", (0.45, 0.47), (8, 4), textcoords="offset points", color=GREY)
     axes.annotate("chord", (0.28, 0.38), (-10, -14), textcoords="offset points", color=BLUE, ha="right")
     _span(axes, (0, -0.62), (1, -0.62), "$\\Delta t$")
@@ -245,7 +245,8 @@ def puck(figure: Figure) -> None:
         axes.plot(
             [wall, wall], [0.55, 1.25], color=INK, lw=2 if wall in (0, 1) else 1, ls="-" if wall in (0, 1) else ":"
         )
-    _arrow(axes, (0.35, 0.9), (3.3, 0), BLUE, "the way, unfolded", beside=(52, 0))
+    _arrow(axes, (0.35, 0.9), (3.3, 0), BLUE)
+    axes.annotate("the way, unfolded: three walls", (1.2, 0.36), color=BLUE, fontsize=9, va="center")
     axes.plot(0.35, 0.9, "o", color=BLUE, markersize=9)
     for wall in (1, 2, 3):
         axes.plot(wall, 0.9, "D", color=ORANGE, markersize=6, zorder=5)

@@ -10,13 +10,14 @@ header and description of a first version of a function, for simpler cases; the 
 Text: `answer="key" points=3` is a question; the cell with `model="key"` has what a good answer says and how it is
 marked. `instructor=true` is for the instructor only.
 
-Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions, and
-of its lines to derive, are replaced by its guesses in turn: `guess="0.25 | 'up'"`.
+Everything else is the same in both notebooks, except that in the solved one the dots of a code cell's predictions, of
+its lines to derive, and of inputs to find are replaced by its guesses in turn: `guess="0.25 | 'up'"`.
 """
 
 from __future__ import annotations
 
 import ast
+import re
 from dataclasses import dataclass, field
 
 from labs.grading.submission.reading import DRAFT
@@ -26,6 +27,8 @@ from reference.errors import InvalidInput
 
 OPEN = "=..."
 """Where a student puts a prediction, or a line that is to be derived."""
+_DOTS = re.compile(r"(?<==)\.\.\.|(?<=, )\.\.\.(?=[,)])")
+"""These dots, and those in place of a whole argument of a call."""
 _NAMING, _KEYED = ("given", "write", "draft"), ("broken", "answer", "model")
 """Kinds of cells whose metadata names functions, and kinds whose metadata is a key."""
 _KINDS = ("lab", *_NAMING, *_KEYED, "instructor")
@@ -37,8 +40,8 @@ class Cell:
 
     kind: one of those above, empty for a cell that is the same in both notebooks. names: the functions that it gives,
     or has the student write. key: joins a question or a broken cell with its model. points: of a question. lends: the
-    functions of later labs that its runs need. guesses: good guesses for its predictions, and
-    right lines for its derivations.
+    functions of later labs that its runs need. guesses: good guesses for its predictions, right lines for its
+    derivations, and inputs that expose a wrong function.
     """
 
     code: bool
@@ -53,8 +56,8 @@ class Cell:
     @property
     def guessed(self) -> str:
         """Its text with a good guess in place of the dots that a student replaces."""
-        first, *others = self.text.split(OPEN)
-        return first + "".join(f"={guess}{rest}" for guess, rest in zip(self.guesses, others, strict=True))
+        guesses = iter(self.guesses)
+        return _DOTS.sub(lambda _: next(guesses), self.text)
 
 
 @dataclass(frozen=True)
@@ -152,7 +155,7 @@ def _refuse(lesson: Lesson) -> None:
     for name in lesson.lent:
         lecture.function(name)
     for cell in lesson.cells:
-        if len(cell.guesses) != (asked := cell.text.count(OPEN)):
+        if len(cell.guesses) != (asked := len(_DOTS.findall(cell.text)) if cell.code else 0):
             guess = " | ".join(cell.guesses)
             raise InvalidInput(f"the lesson of {lesson.topic} has guess={guess!r} for {asked} predictions: {cell.text}")
     for cell in lesson.cells:

@@ -35,7 +35,7 @@ def overlap_interval(
 
 SUSPECTS: dict[str, tuple[str, Callable[..., Any]]] = {
     "distance": ("signed_distance", signed_distance),
-    "thrown": ("time_of_impact_exact", time_of_impact_exact),
-    "behind": ("overlap_interval", overlap_interval),
+    "hail": ("time_of_impact_exact", time_of_impact_exact),
+    "gallery": ("overlap_interval", overlap_interval),
 }
 """Key → the function that it should be, and the wrong one."""

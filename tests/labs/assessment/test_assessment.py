@@ -18,16 +18,16 @@ from reference.errors import InvalidInput, UnknownName
 CHOICES = {"e": (0.3, 0.4, 0.6, 0.7), "mass": (1.0, 2.0, 3.0)}
 BANK_ENTRY = {
     ("detection", "distance"): "signed_distance/offset not over the length",
-    ("detection", "thrown"): "time_of_impact_exact/never when rising",
-    ("detection", "behind"): "overlap_interval/from the front alone",
+    ("detection", "hail"): "time_of_impact_exact/never when rising",
+    ("detection", "gallery"): "overlap_interval/from the front alone",
     ("impulse", "edges"): "edge_edge_normal/as they run",
     ("impulse", "rim"): "inverse_effective_mass/only A turns",
     ("impulse", "turned"): "world_inverse_inertia/turned the other way",
 }
 EXPOSING = {
     "distance": ([0.0, 0.0, 3.0], [0.0, 0.0, 2.0], 4.0),
-    "thrown": (0.5, 2.0, -10.0),
-    "behind": (-0.5, 2.0, 0.1, 0.1, 1.0),
+    "hail": (0.5, 2.0, -10.0),
+    "gallery": (-0.5, 2.0, 0.1, 0.1, 1.0),
     "edges": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 0.0]),
     "rim": (
         ([0, 0, -1], [0, 0, 0], [0, 0, 0], 1.0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
@@ -38,8 +38,8 @@ EXPOSING = {
 }
 HARMLESS = {
     "distance": ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
-    "thrown": (0.5, -2.0, -10.0),
-    "behind": (0.5, -2.0, 0.1, 0.1, 1.0),
+    "hail": (0.5, -2.0, -10.0),
+    "gallery": (0.5, -2.0, 0.1, 0.1, 1.0),
     "edges": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
     "rim": (EXPOSING["rim"][1], EXPOSING["rim"][0], [0, 0, 1]),
     "turned": ([1.0, 2.0, 4.0], [1.0, 0.0, 0.0, 0.0]),
@@ -96,14 +96,14 @@ def test_an_input_that_the_right_function_refuses_exposes_nothing():
 
 def test_inputs_are_read_from_a_notebook_that_is_never_run(tmp_path):
     cells = [
-        'lab.expose("thrown", 0.5, 2.0, -10.0)',
+        'lab.expose("hail", 0.5, 2.0, -10.0)',
         'lab.expose("distance", [0, 0, 3], [0, 0, 2], ...)',
-        'lab.expose("behind", *__import__("os").listdir())\nlab.expose("behind", -0.5, 2.0, 0.1, 0.1, 1.0)',
+        'lab.expose("gallery", *__import__("os").listdir())\nlab.expose("gallery", -0.5, 2.0, 0.1, 0.1, 1.0)',
     ]
     notebook = {"cells": [{"cell_type": "code", "metadata": {}, "outputs": [], "source": each} for each in cells]}
     path = tmp_path / "lab.ipynb"
     path.write_text(json.dumps(notebook | {"metadata": {}, "nbformat": 4, "nbformat_minor": 5}), encoding="utf-8")
-    assert exposures.found_in(path, "detection") == {"distance": False, "thrown": True, "behind": True}
+    assert exposures.found_in(path, "detection") == {"distance": False, "hail": True, "gallery": True}
 
 
 def test_functions_are_less_than_half_of_a_mark():

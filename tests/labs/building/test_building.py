@@ -145,6 +145,13 @@ def test_only_the_solved_notebook_replaces_the_dots_by_a_good_guess(lesson):
     assert guessed == asked.replace("answer=...", "answer=0.4", 1).replace("answer=...", "answer='up'")
 
 
+def test_the_dots_of_whole_arguments_are_replaced_by_guesses_too(lesson):
+    cell = 'lab.expose("thrown", ..., ...)\nfirst = values[..., 0]'
+    lesson(f'{HEAD}{WRITES}\n```python guess="[1.0, 2.0] | -9.81"\n{cell}\n```\n')
+    assert cell in sources(notebooks.student("detection"))
+    assert cell.replace("..., ...)", "[1.0, 2.0], -9.81)") in sources(notebooks.solved("detection"))
+
+
 def test_the_same_lesson_makes_the_same_bytes(lesson):
     assert notebooks.text(notebooks.student("detection")) == notebooks.text(notebooks.student("detection"))
 

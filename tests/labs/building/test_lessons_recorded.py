@@ -11,7 +11,7 @@ import pytest
 from agreeing import same, same_curve
 
 from labs.building import lessons
-from labs.desk import case_runs, display, sweeps
+from labs.desk import case_runs, display, sweep_picture, sweeps
 from reference.comparison.results import Job, JobResult
 from reference.recording.reading import recall
 from reference.running.study import run_job
@@ -54,7 +54,7 @@ def asked(lab, monkeypatch):
     monkeypatch.setattr(lab, "_student_code", lambda: replace(code(), source="solutions"))
     monkeypatch.setattr(sweeps, "slide", lambda _: None)
     monkeypatch.setattr(display, "pictures", lambda _: [])  # the tests of notebooks draw pictures
-    monkeypatch.setattr(sweeps.Sweep, "picture", None)
+    monkeypatch.setattr(sweep_picture, "picture", lambda _: None)
     came, run_case = [], case_runs.run_case
     monkeypatch.setattr(case_runs, "run_case", lambda *given: came.append(run_case(*given)) or came[-1])
 

@@ -1,0 +1,81 @@
+"""What the lesson on detection says in numbers: its minutes, its loops, and the answers to its questions."""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+from typing import Any
+
+import pytest
+
+from labs.building import lessons
+from labs.project_folders import LESSONS
+
+
+@pytest.fixture(scope="module")
+def lesson():
+    return lessons.read("detection")
+
+
+def defined_in_cell_of(lesson: lessons.Lesson, name: str) -> dict[str, Any]:
+    """What a cell of the lesson defines that defines a function of this name."""
+    (cell,) = (cell for cell in lesson.cells if cell.code and not cell.kind and f"def {name}(" in cell.text)
+    defined: dict[str, Any] = {}
+    exec(compile(cell.text, name, "exec"), defined)
+    return defined
+
+
+def model(lesson: lessons.Lesson, key: str) -> str:
+    """The model answer to a question, in one line."""
+    return " ".join(" ".join(cell.text for cell in lesson.models(key)).split())
+
+
+def choices(lesson: lessons.Lesson, key: str) -> dict[str, tuple[float, ...]]:
+    """The numbers that a question draws from."""
+    calls = (node for cell in lesson.cells if cell.code and "lab.numbers(" in cell.text
+             for node in ast.walk(ast.parse(cell.text)) if isinstance(node, ast.Call))  # fmt: skip
+    call = next(node for node in calls if node.args and ast.literal_eval(node.args[0]) == key)
+    return {str(each.arg): ast.literal_eval(each.value) for each in call.keywords}
+
+
+def test_the_minutes_of_the_headings_make_four_hours(lesson):
+    text = "\n".join(cell.text for cell in lesson.cells if not cell.code)
+    planned = {title: int(minutes) for title, minutes in re.findall(r"^## (.*) \((\d+) minutes\)$", text, re.MULTILINE)}
+    assert "**Time:** four hours" in text
+    assert sum(planned.values()) == 4 * 60
+    table = (LESSONS / "times.md").read_text(encoding="utf-8").partition("## detection")[2]
+    rows = [[part.strip() for part in line.split("|")[1:-1]] for line in table.splitlines() if line.startswith("| ")]
+    kept = {row[0]: row for row in rows[1:-1]}
+    assert {title: int(row[-1]) for title, row in kept.items()} == planned
+    for title, row in kept.items():
+        assert int(row[-1]) == pytest.approx(3 * float(row[-2]), abs=0.5), title
+
+
+def test_three_orders_of_the_loop_have_the_errors_that_are_named(lesson, capsys):
+    shown = defined_in_cell_of(lesson, "mean_apex")
+    e = shown["e"]
+    printed = [float(number) for number in re.findall(r": (-[\d.]+) times", capsys.readouterr().out)]
+    assert printed == pytest.approx([-(1 - e), -(1 - e**2), -(1 + e)], abs=0.006)
+
+
+def test_the_puck_that_loses_time_counts_what_the_answer_says(lesson, capsys):
+    count = defined_in_cell_of(lesson, "impacts_with_loss")["impacts_with_loss"]
+    capsys.readouterr()
+    asked, said = choices(lesson, "puck"), model(lesson, "puck")
+    for speed in asked["speed"]:
+        found = ", ".join(str(count(speed, dt, 10.0)) for dt in asked["dt"])
+        assert f"{found} at {speed:g} m/s" in said
+        larger = {3.0: 0.334, 6.0: 0.167, 7.0: 0.143}[speed]
+        assert larger > max(asked["dt"])
+        assert f"{larger:g}" in said
+        assert count(speed, larger, 10.0) == 10 * speed
+
+
+def test_parts_of_a_step_are_those_of_the_answer(lesson):
+    said, ways = model(lesson, "wall"), [speed / 240 for speed in choices(lesson, "wall")["speed"]]
+    for seen in (0.05, 0.025):
+        parts = [math.floor(way / seen) + 1 for way in ways]
+        assert f"n = {', '.join(map(str, parts))}" in said
+        for way in ways:  # no whole number of parts, where rounding would decide
+            assert abs(way / seen - round(way / seen)) > 0.05
