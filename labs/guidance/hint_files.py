@@ -148,14 +148,15 @@ def derivation(block: str) -> Derivation:
     InvalidInput
         If its first line is no equation, or another one describes no quantity.
     """
-    first, *others = [unicodedata.normalize("NFKC", line.strip()) for line in block.strip().split("\n") if line.strip()]
-    equation = _LINE.match(first)
+    first, *others = [line.strip() for line in block.strip().split("\n") if line.strip()]
+    equation = _LINE.match(unicodedata.normalize("NFKC", first))
     if equation is None:
         raise InvalidInput(f"“{first}” is no line such as j = -(1 + e) * u / k")
     left, right = equation.groups()
     asked, quantities = "", list[Quantity]()
     for line in others:
         name, colon, meaning = (part.strip() for part in line.partition(":"))
+        name = unicodedata.normalize("NFKC", name)  # as Python reads a name; a unit such as m² stays as it is
         found = _RANGE.match(meaning)
         if colon and name == left and found is None:
             asked = meaning

@@ -22,8 +22,9 @@ from reference.scene.settings import Move, Settings
 from reference.scene.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
-RULES = RESPOND_THEN_STEP, CHORD, BULLET, BULLET_SPRING, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
+RULES = RESPOND_THEN_STEP, TURN_BACK, CHORD, BULLET, BULLET_SPRING, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
     "respond, then step",
+    "turn back, then step",
     "chord",
     "Bullet's",
     "Bullet's spring",

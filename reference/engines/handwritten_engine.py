@@ -8,8 +8,17 @@ from typing import ClassVar
 import numpy as np
 
 from reference.engines import profiles
-from reference.engines.base import AT_STEP, CHORD, EXACT, INTERPOLATED, RESPOND_THEN_STEP, Engine, Method
-from reference.engines.handwritten import ball_rows, corner_impact, queries, single_body, two_bodies
+from reference.engines.base import AT_STEP, CHORD, EXACT, INTERPOLATED, RESPOND_THEN_STEP, TURN_BACK, Engine, Method
+from reference.engines.handwritten import (
+    ball_over_plane,
+    ball_rows,
+    balls_between_planes,
+    corner_impact,
+    queries,
+    slabs,
+    thin_wall,
+    two_bodies,
+)
 from reference.engines.handwritten.impact_response import NEEDS_A_WORLD
 from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part
 from reference.engines.ranges import NOT_NEGATIVE, Allowed
@@ -21,6 +30,9 @@ from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 from reference.spatial_impact import ALONG_GRIP
 
+BOUNCES = Kind.BOUNCE, Kind.WALLS
+"""The kinds for which the slide's T is a method too: the surfaces are planes, and the ball comes back."""
+
 POLICIES = {
     "exact_root": EXACT,
     "interpolated": INTERPOLATED,
@@ -28,6 +40,8 @@ POLICIES = {
 }
 RULES = {INTERPOLATED: CHORD, AT_STEP: RESPOND_THEN_STEP}
 """The recurrences of the policies that have one; the exact root gives what theory says."""
+RULES_AT_A_WALL = {AT_STEP: TURN_BACK}
+"""The same for a ball that flies at a thin wall, of which `overlap_interval` sees both faces."""
 
 LAWS = {
     DISSIPATIVE: "exact root, maximal dissipation",
@@ -37,8 +51,10 @@ LAWS = {
 """The profiles for the laws of an impact with friction that are not Newton's, where the laws can part."""
 
 DRIVERS = {
-    Kind.BOUNCE: single_body.bounce,
-    Kind.SLIDE: single_body.slide,
+    Kind.BOUNCE: ball_over_plane.bounce,
+    Kind.WALLS: balls_between_planes.fly,
+    Kind.SLIDE: slabs.slide,
+    Kind.THIN_WALL: thin_wall.shoot,
     Kind.BALLS: two_bodies.strike_ball,
     Kind.FACE: two_bodies.strike_face,
     Kind.CORNER: corner_impact.strike_corner,
@@ -66,7 +82,7 @@ class Handwritten(Engine):
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
         """The exact root counts; the plainest method is the step. The slide's T is for what falls on a plane."""
         found = {profiles.EXACT: "exact root"}
-        if kind(scenario) is Kind.BOUNCE:
+        if kind(scenario) in BOUNCES:
             found[profiles.SLIDE] = "the slide's T"
         if laws_may_part(scenario):
             found |= LAWS
@@ -79,7 +95,7 @@ class Handwritten(Engine):
         options: dict[str, float | str] = {"policy": policy}
         if laws_may_part(scenario):
             options["impact_law"] = profile if profile in LAWS else NEWTON
-        if kind(scenario) is Kind.BOUNCE:
+        if kind(scenario) in BOUNCES:
             # The exact root follows the bounces down to rounding. A flight within one step starts and ends on the
             # plane, so the slide's T cannot see it. At the step, even a flight of two steps is lost in the overlap.
             options["shortest_flight"] = {"exact_root": 1e-9, "interpolated": 1.0, "at_step": 2.0}[policy]
@@ -94,11 +110,12 @@ class Handwritten(Engine):
             law = ALONG_GRIP  # in a plane, where all other impacts of the drivers are, the two are one
         rest_speed = steps * settings.timestep * gravity / 2
         policy = POLICIES[str(settings["policy"])]
-        return Method(policy, rest_speed=rest_speed, law=law, rule=RULES.get(policy, ""))
+        rules = RULES_AT_A_WALL if kind(scenario) is Kind.THIN_WALL else RULES
+        return Method(policy, rest_speed=rest_speed, law=law, rule=rules.get(policy, ""))
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
         """Refuse also a `shortest_flight` below the one step that the slide's T can see."""
-        if settings["policy"] == "interpolated" and kind(scenario) is Kind.BOUNCE:
+        if settings["policy"] == "interpolated" and kind(scenario) in BOUNCES:
             shortest = settings.number("shortest_flight")
             if shortest < 1:
                 raise InvalidInput(f"shortest_flight is {shortest:g}; with the policy interpolated it is at least 1")

@@ -56,7 +56,8 @@ class Law(Protocol):
 class RespondThenStep:
     """The lecture's response: behind the plane and approaching, the rate is turned back; then semi-implicit Euler.
 
-    rest_speed: of a rebound that is taken for rest, m/s. In the step of its impact, and at rest, a body is carried.
+    rest_speed: of a rebound that is taken for rest, m/s. In the step of its impact, and at rest, a body is carried. A
+    plane pushes and does not pull, so that a weight which pulls the body off acts in that step too.
     """
 
     dt: float
@@ -69,7 +70,7 @@ class RespondThenStep:
         """Gap and rate at the end of a step."""
         if gap <= 0 and rate <= 0 and (rate < 0 or self.rest_speed > 0):
             rebound = -self.restitution * rate
-            rate = rebound if rebound > self.rest_speed else 0.0
+            rate = (rebound if rebound > self.rest_speed else 0.0) + max(fall, 0.0)
         else:
             rate += fall
         return gap + rate * self.dt, rate

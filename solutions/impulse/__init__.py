@@ -3,10 +3,12 @@
 The package goes from the velocity of a point to an impact in space.
 """
 
+from solutions.impulse.auditing import audit
 from solutions.impulse.body import Body
 from solutions.impulse.impact import apply_impulse, collide, energy_lost, impulse_magnitude, inverse_effective_mass
 from solutions.impulse.inertia import (
     box_inertia,
+    mass_and_inertia,
     rod_inertia,
     rotation_matrix,
     sphere_inertia,
@@ -39,6 +41,7 @@ __all__ = [
     "Body",
     "apply_impulse",
     "apply_impulse_to_momenta",
+    "audit",
     "box_inertia",
     "classify_contact",
     "collide",
@@ -48,6 +51,7 @@ __all__ = [
     "impulse_magnitude",
     "impulse_of_force",
     "inverse_effective_mass",
+    "mass_and_inertia",
     "mean_force",
     "normal_velocity",
     "point_plane_normal",

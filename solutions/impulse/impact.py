@@ -12,8 +12,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, unit, vector
 from solutions.impulse.body import AnyBody, Arrays, checked, moved
-from solutions.impulse.momentum import contact_impulses
-from solutions.impulse.points import COLLIDING, classify_contact, normal_velocity, point_velocity
+from solutions.impulse.points import COLLIDING, classify_contact, normal_velocity
 from solutions.scaling import length_of
 
 NO_LEVER = 1e-15
@@ -121,9 +120,8 @@ def impulse_magnitude(
         j = −(1 + e) u_n⁻ / k
         k = 1/M_A + 1/M_B + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
     """
-    a, b, n = checked(body_a), checked(body_b), unit("normal", vector("normal", normal))
-    e, k = in_unit_interval("restitution", restitution), _softness(a, n) + _softness(b, n)
-    wanted = -(1 + e) * _closing(a, b, n)
+    e, k = in_unit_interval("restitution", restitution), inverse_effective_mass(body_a, body_b, normal)
+    wanted = -(1 + e) * normal_velocity(body_a, body_b, normal)
     return np.where(k > 0, wanted / np.where(k > 0, k, 1.0), 0.0)
 
 
@@ -197,11 +195,9 @@ def collide(
     velocity along the normal. If the points collide, apply the impulse j n to A and −j
     n to B.
     """
-    a, b, n = checked(body_a), checked(body_b), unit("normal", vector("normal", normal))
-    colliding = classify_contact(_closing(a, b, n), threshold) == COLLIDING
-    magnitude = np.where(colliding, impulse_magnitude(a, b, n, restitution), 0.0)
-    on_a, _ = contact_impulses(magnitude, n)
-    return apply_impulse(a, b, on_a)
+    colliding = classify_contact(normal_velocity(body_a, body_b, normal), threshold) == COLLIDING
+    j = np.where(colliding, impulse_magnitude(body_a, body_b, normal, restitution), 0.0)
+    return apply_impulse(body_a, body_b, j[..., None] * np.asarray(normal, dtype=float))
 
 
 def energy_lost(
@@ -239,9 +235,8 @@ def energy_lost(
     An immovable body that moves does work besides. Beside such a body, ΔE is the loss
     as seen by an observer who moves along with its point of contact.
     """
-    a, b, n = checked(body_a), checked(body_b), unit("normal", vector("normal", normal))
-    e, k = in_unit_interval("restitution", restitution), _softness(a, n) + _softness(b, n)
-    closing = np.minimum(_closing(a, b, n), 0.0)
+    e, k = in_unit_interval("restitution", restitution), inverse_effective_mass(body_a, body_b, normal)
+    closing = np.minimum(normal_velocity(body_a, body_b, normal), 0.0)
     return np.where(k > 0, (1 - e**2) * closing**2 / np.where(k > 0, 2 * k, 1.0), 0.0)
 
 
@@ -256,8 +251,3 @@ def _softness(body: Arrays, normal: Array) -> Array:
     lever = length_of(np.cross(r, normal)) > NO_LEVER * length_of(r)
     turning = np.where(lever, np.vecdot(normal, np.cross(dw, r)), 0.0)
     return np.asarray(np.vecdot(normal, dv) + turning)
-
-
-def _closing(a: Arrays, b: Arrays, normal: Array) -> Array:
-    """The normal velocity u_n⁻ of the points of contact."""
-    return normal_velocity(point_velocity(*a[:3]), point_velocity(*b[:3]), normal)

@@ -9,7 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, not_negative, positive, unit, vector
+from solutions.checks import finite, matrix, not_negative, positive, unit, vector
+
+NO_INVERSE = 1e-12
+"""Share of the largest inverse moment up to which another one counts as 0.
+
+Turned to the world frame and back, an inverse moment of 0 is a rounding of this matrix.
+"""
 
 
 def sphere_inertia(mass: ArrayLike, radius: ArrayLike) -> Array:
@@ -198,6 +204,41 @@ def world_inverse_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
     """
     moments = not_negative("inertia", vector("inertia", inertia))
     return _turned(np.where(moments > 0, 1 / np.where(moments > 0, moments, 1.0), 0.0), orientation)
+
+
+def mass_and_inertia(inverse_mass: ArrayLike, inverse_inertia: ArrayLike) -> tuple[Array, Array]:
+    """Mass and inertia of what can be moved; 0 for what cannot.
+
+    Parameters
+    ----------
+    inverse_mass : (...), 1/M, 1/kg, not negative
+    inverse_inertia : (..., 3, 3), I⁻¹, 1/(kg m²)
+        In any axes, symmetric.
+
+    Returns
+    -------
+    mass : (...), M, kg
+        0 for an immovable body, 1/M = 0, so that it adds nothing to a sum.
+    inertia : (..., 3, 3), I, kg m²
+        0 about an axis without an inverse inertia, for the same reason.
+
+    Raises
+    ------
+    ValueError
+        If an inverse mass is negative, or something is not finite or does not fit.
+
+    Notes
+    -----
+    An inverse moment is 0 in two cases: nothing turns the body about this axis, or, as
+    for a thin rod, all mass lies on the axis. No impact changes the spin of the first.
+    The spin of the second has neither angular momentum nor energy. So neither may count
+    in an account of an impact, and I is the pseudo-inverse of I⁻¹: inverted about all
+    other axes, 0 about these.
+    """
+    per_mass = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))
+    mass = np.where(per_mass > 0, 1 / np.where(per_mass > 0, per_mass, 1.0), 0.0)
+    inertia = np.linalg.pinv(matrix("inverse_inertia", inverse_inertia), rcond=NO_INVERSE, hermitian=True)
+    return mass, np.asarray(inertia)
 
 
 def _turned(diagonal: Array, orientation: ArrayLike) -> Array:

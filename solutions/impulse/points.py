@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, not_negative, unit, vector
+from solutions.impulse.body import AnyBody, checked
 
 COLLIDING, RESTING, SEPARATING = -1, 0, 1
 """Results of `classify_contact`.
@@ -88,37 +89,40 @@ def relative_velocity(
     return np.asarray(vector("point_velocity_a", point_velocity_a) - vector("point_velocity_b", point_velocity_b))
 
 
-def normal_velocity(
-    point_velocity_a: ArrayLike,
-    point_velocity_b: ArrayLike,
-    normal: ArrayLike,
-) -> Array:
-    """Rate at which two points of contact part along the normal (slides 15 and 19).
+def normal_velocity(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike) -> Array:
+    """Rate at which two bodies part at their point of contact (slides 15 and 19).
+
+    Each body has a point there, which moves as the body flies and spins (slide 14). The
+    rate is taken along the normal.
 
     Parameters
     ----------
-    point_velocity_a, point_velocity_b : (..., 3), ṗ_A and ṗ_B, m/s
+    body_a, body_b : Body, or a tuple in its order
+        Neither the masses nor the inertias make a difference.
     normal : (..., 3), unit, from B to A
 
     Returns
     -------
     (...), u_n, m/s, negative when approaching
+        What the points do along the surface does not count.
 
     Raises
     ------
     ValueError
-        If a normal does not have length 1, or an argument does not have three
-        components.
+        If a normal does not have length 1, an inverse mass or the diagonal of an
+        inverse inertia is negative, or something is not finite or does not fit.
 
     Notes
     -----
-        u_n = n·(ṗ_A − ṗ_B)
+        u_n = n·u    u = ṗ_A − ṗ_B    ṗ = v + ω × r
 
     The velocities before the impact give u_n⁻. The velocities after the impact give
     u_n⁺ = n·(v_A⁺ + ω_A⁺ × r_A − v_B⁺ − ω_B⁺ × r_B).
     """
-    n = unit("normal", vector("normal", normal))
-    return np.asarray(np.vecdot(relative_velocity(point_velocity_a, point_velocity_b), n))
+    v_a, w_a, r_a, *_ = checked(body_a)
+    v_b, w_b, r_b, *_ = checked(body_b)
+    u = relative_velocity(point_velocity(v_a, w_a, r_a), point_velocity(v_b, w_b, r_b))
+    return np.asarray(np.vecdot(u, unit("normal", vector("normal", normal))))
 
 
 def rebound_velocity(normal_velocity: ArrayLike, restitution: ArrayLike) -> Array:

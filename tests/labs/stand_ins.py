@@ -76,7 +76,7 @@ def calls_until_it_fails(call: Call, name: str) -> None:
 class Function:
     """A function of a submission, called here; asked and foreseen are kept. changed, printed: by its last call."""
 
-    def __init__(self, formula, name="point_velocity", changed=(), printed=""):
+    def __init__(self, formula, name="signed_distance", changed=(), printed=""):
         self.formula, self.name, self.asked, self.foreseen = formula, name, [], []
         self.functions = SimpleNamespace(process=lambda: SimpleNamespace(changed=changed, printed=printed))
 

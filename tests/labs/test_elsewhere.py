@@ -18,8 +18,9 @@ pytestmark = pytest.mark.slow
 SUBMISSION = """import numpy as np
 
 
-def rebound_velocity(normal_velocity, restitution):
-    return np.where(np.asarray(normal_velocity) < 0, -restitution * normal_velocity, normal_velocity)
+def normal_velocity(body_a, body_b, normal):
+    p, q = (body[0] + np.cross(body[1], body[2]) for body in (body_a, body_b))
+    return np.vecdot(p - q, normal)
 """
 CALL = """
 import labs
@@ -29,15 +30,15 @@ from labs.grading.submission.reading import read
 from reference.recording.reading import content_of
 
 print(labs.__file__)
-with Remote(read("rebound.py", ["rebound_velocity"])) as remote, remote.fresh() as call:
-    print(diagnose("rebound_velocity", call).verdict)
+with Remote(read("lab.py", ["normal_velocity"])) as remote, remote.fresh() as call:
+    print(diagnose("normal_velocity", call).verdict)
 print(content_of("mujoco", "dropped-ball") is not None)
 """
 NOTEBOOK = """
 from IPython.core.interactiveshell import InteractiveShell
 
 shell = InteractiveShell.instance()
-for cell in ("from labs import lab\\nlab.begin('impulse')", open("rebound.py").read(), "lab.check('rebound_velocity')"):
+for cell in ("from labs import lab\\nlab.begin('impulse')", open("lab.py").read(), "lab.check('normal_velocity')"):
     shell.run_cell(cell, store_history=True)
 """
 
@@ -54,7 +55,7 @@ def place(tmp_path) -> Path:
     """A folder with a submission."""
     folder = tmp_path / "place"
     folder.mkdir()
-    (folder / "rebound.py").write_text(SUBMISSION, encoding="utf-8")
+    (folder / "lab.py").write_text(SUBMISSION, encoding="utf-8")
     return folder
 
 
@@ -71,7 +72,7 @@ def test_an_installed_wheel_compares_and_says_that_it_has_no_tests(place, tmp_pa
     assert "Of 12 checks that count, 12 came out as predicted and near theory" in compared.stdout
     called = python(installed, place, "-c", CALL)
     assert called.stdout.split() == [str(installed / "labs" / "__init__.py"), "right", "True"], called.stderr
-    checked = python(installed, place, "-m", "labs", "check", "rebound.py")
+    checked = python(installed, place, "-m", "labs", "check", "lab.py")
     assert checked.returncode == 3
     assert "without its folder tests/autograder" in " ".join(checked.stderr.split())
 
@@ -82,9 +83,9 @@ def test_an_unzipped_release_checks_a_submission_and_a_notebooks_cell(place, tmp
     unzipped = tmp_path / NAME
     assert not (unzipped / "solutions").exists()
 
-    checked = python(unzipped, place, "-m", "labs", "check", "rebound.py")
-    assert checked.returncode == 1, checked.stderr  # 16 other functions are not written
-    assert "✓ rebound_velocity" in checked.stdout
-    assert "1 of 17 functions right" in checked.stdout
+    checked = python(unzipped, place, "-m", "labs", "check", "lab.py")
+    assert checked.returncode == 1, checked.stderr  # 7 other functions are not written
+    assert "✓ normal_velocity" in checked.stdout
+    assert "1 of 8 functions right" in checked.stdout
     in_notebook = python(unzipped, place, "-c", NOTEBOOK)
-    assert "✓ rebound_velocity is right, as far as this tries it" in in_notebook.stdout, in_notebook.stderr
+    assert "✓ normal_velocity is right, as far as this tries it" in in_notebook.stdout, in_notebook.stderr

@@ -34,7 +34,9 @@ def rebound_error(step, dt):
     for _ in range(round(0.5 / dt)):
         position, velocity = step(position, velocity, dt)
         lowest = min(lowest, position[:, 2].min())
-    share = (position[:, 2] + velocity[:, 2] ** 2 / (2 * G)) / HEIGHTS / RESTITUTION**2
+    # The steps of semi-implicit Euler lie on a parabola whose slope is that of a velocity half a step ago.
+    slope = velocity[:, 2] - G * dt / 2 * (step is at_the_step)
+    share = (position[:, 2] + slope**2 / (2 * G)) / HEIGHTS / RESTITUTION**2
     return np.sqrt(np.mean((share - 1) ** 2)), -lowest
 
 
@@ -51,7 +53,7 @@ def backed_up(policy):
 
 
 def at_the_step(position, velocity, dt):
-    return respond_at_step(position, velocity, PULL, UP, 0.0, RESTITUTION, dt)
+    return respond_at_step(position, velocity, PULL, UP, position[:, 2] < 0, RESTITUTION, dt)
 
 
 def penalty(stiffness):
@@ -71,13 +73,13 @@ TWO_DIGITS = 0.03
 def test_backing_up_is_more_accurate_than_resolving_at_the_step():
     assert rebound_error(backed_up("exact"), 1e-3)[0] < 3e-14
     assert rebound_error(backed_up("slide"), 1e-3)[0] == pytest.approx(1.9e-6, rel=TWO_DIGITS)
-    assert rebound_error(at_the_step, 1e-3)[0] == pytest.approx(0.0037, rel=TWO_DIGITS)
+    assert rebound_error(at_the_step, 1e-3)[0] == pytest.approx(0.0028, rel=TWO_DIGITS)
 
 
 @pytest.mark.parametrize(
     "figure",
     [
-        *("1.9·10⁻⁶", "0.37 %", "4.2 %, 28 mm deep | 29", "5.2 %, 8.9 mm deep | 9", "30 % | 3"),
+        *("1.9·10⁻⁶", "0.28 %", "4.2 %, 28 mm deep | 29", "5.2 %, 8.9 mm deep | 9", "30 % | 3"),
         *("0.53 %, 2.8 mm deep | 146", "3.8 % remain", "limit of 1.8 ms", "0.83/ω at ζ = 1", "4.9 mm", "1.6 mm"),
         *("20.5 m/s at e = 0.7", "12.5 J have become 210 J", "ΔE = J w·N − ½ m (1 − e²) u_n²"),
         *("98 µm", "15 times the depth", "55 times for ten", "1.01/ω for ten", "6.7 times as slow"),
@@ -133,7 +135,7 @@ def test_resolved_at_the_step_a_resting_body_sinks_or_jitters():
     for e in (0.0, 0.5):
         position, velocity = np.zeros(3), np.zeros(3)
         for _ in range(1000):
-            position, velocity = respond_at_step(position, velocity, PULL, UP, 0.0, e, 1e-3)
+            position, velocity = respond_at_step(position, velocity, PULL, UP, position[2] < 0, e, 1e-3)
         depths.append(-position[2])
     assert depths[0] == pytest.approx(G * 1e-3 / 2, rel=1e-12)
     assert depths == pytest.approx([4.9e-3, 1.6e-3], rel=TWO_DIGITS)

@@ -13,11 +13,9 @@ OUTPUT_NAMES: dict[str, tuple[str, ...]] = {
     "sliding_motion": ("position", "velocity", "stopping time"),
     "sphere_impact": ("velocity", "angular velocity"),
     "resting_problem": ("A", "b"),
-    "contact_impulses": ("on A", "on B"),
     "apply_impulse": _VELOCITIES,
     "collide": _VELOCITIES,
-    "apply_impulse_to_momenta": ("momentum", "angular momentum"),
-    "velocities_from_momenta": ("velocity", "angular velocity"),
+    "audit": ("ΔP", "ΔL", "ΔE"),
 }
 
 

@@ -77,7 +77,7 @@ class _Boxes:
         """Resolve the impact of every box that overlaps the plane and approaches it, then take a step of Euler's."""
         none = np.zeros(len(self.scenarios))
         gap = self.lowest_gap(self.function("ballistic_motion"), none)
-        struck = self.function("is_colliding")(gap) & (self.approach() < -_ROUNDING)
+        struck = (self.function("side_of_plane")(gap) < 0) & (self.approach() < -_ROUNDING)
         if struck.any():
             self.respond(struck, np.full(len(struck), time))
         self.box.move(self.function("semi_implicit_euler"), none + self.dt)

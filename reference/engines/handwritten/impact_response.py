@@ -46,8 +46,9 @@ def after_impact(
     if not friction.any():
         smooth: tuple[Array, ...] = function("collide")(at_a, at_b, normal, restitution)
         return smooth
-    point_velocity, point_inverse_mass = function("point_velocity"), function("point_inverse_mass")
-    slip = function("relative_velocity")(point_velocity(*at_a[:3]), point_velocity(*at_b[:3]))
+    normal_velocity, point_inverse_mass = function("normal_velocity"), function("point_inverse_mass")
+    # The velocity of A's point of contact as seen from B's, component by component
+    slip = np.stack([normal_velocity(at_a, at_b, axis) for axis in np.eye(3)], axis=-1)
     softness = sum(
         point_inverse_mass(inverse_mass, inverse_inertia, arm)
         for _, _, arm, inverse_mass, inverse_inertia in (at_a, at_b)

@@ -17,13 +17,16 @@ _ROUNDING = 1e-9  # a length (m), speed (m/s) or sine below this is zero
 class Kind(Enum):
     """The kinds of scenario, one for each driver.
 
-    BOUNCE: a ball over a plane that nothing makes spin, or without weight between several. SLIDE: a box that slides as
-    a point does. BALLS: two balls that strike each other. FACE: a ball that strikes a plane, or straight on a face of a
+    BOUNCE: a ball over a plane that nothing makes spin. WALLS: one without weight between several planes. THIN_WALL: a
+    ball that flies straight at a face of a fixed box, without weight, spin and friction. SLIDE: a box that slides as a
+    point does. BALLS: two balls that strike each other. FACE: a ball that strikes a plane, or straight on a face of a
     box. CORNER: a box without weight that flies at a plane. These three may spin and rub. ROW: balls in a line, without
     weight.
     """
 
     BOUNCE = "bounce"
+    WALLS = "walls"
+    THIN_WALL = "thin wall"
     SLIDE = "slide"
     BALLS = "balls"
     FACE = "face"
@@ -38,7 +41,7 @@ def kind(scenario: Scenario) -> Kind | None:
     if _is_row(scenario):
         return Kind.ROW
     if len(scenario.bodies) > 2:
-        return Kind.BOUNCE if _is_between_planes(scenario) else None
+        return Kind.WALLS if _is_between_planes(scenario) else None
     if len(scenario.bodies) != 2 or geometry.starts_in_contact(scenario):
         return _over_a_plane(scenario)
     return _over_a_plane(scenario) or _strikes(scenario)
@@ -122,7 +125,15 @@ def _strikes(scenario: Scenario) -> Kind | None:
         one_falls = any(scenario.gravity) and ball.immovable != other.immovable
         return None if one_falls else Kind.BALLS  # seen from either ball, the other flies straight
     straight = isinstance(other.shape, HalfSpace) or _straight_at_a_face(scenario, ball, other)
-    return Kind.FACE if straight else None
+    if not straight:
+        return None
+    return Kind.THIN_WALL if _is_shot(scenario, ball, other) else Kind.FACE
+
+
+def _is_shot(scenario: Scenario, ball: Body, other: Body) -> bool:
+    """Whether a ball is shot at a fixed box, and nothing but the box will change its velocity."""
+    smooth = _friction(scenario) == 0 and not any(ball.angular_velocity) and not any(scenario.gravity)
+    return smooth and isinstance(other.shape, Box) and other.immovable and not ball.immovable
 
 
 def _is_ball(body: Body) -> bool:

@@ -89,7 +89,7 @@ class _Pairs(ABC):
 
     def respond_then_step(self, time: float) -> None:
         """Resolve the impact of every pair that overlaps and approaches, then take a step of semi-implicit Euler."""
-        struck = self.function("is_colliding")(self.gap()) & (self.normal_velocity() < 0) & ~self.out_of_reach()
+        struck = (self.function("side_of_plane")(self.gap()) < 0) & (self.normal_velocity() < 0) & ~self.out_of_reach()
         if struck.any():
             self.respond(struck, np.full(len(struck), time))
         self.move(self.function("semi_implicit_euler"), self.whole_step)

@@ -104,20 +104,15 @@ def sphere_grips(slip, approach_speed, restitution, friction):
     return 2 * np.asarray(slip) - 7 * friction * (1 + np.asarray(restitution)) * approach_speed <= 0
 
 
-def point_velocity(velocity, angular_velocity, arm):
+def _point(velocity, angular_velocity, arm, *_):
     x, y, z = np.moveaxis(np.asarray(angular_velocity), -1, 0)
     zero = np.zeros_like(x)
     spin = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=-1).reshape(*x.shape, 3, 3)
     return velocity + np.matvec(spin, arm)
 
 
-def rebound_velocity(normal_velocity, restitution):
-    u = np.asarray(normal_velocity)
-    return np.maximum(u, 0) + restitution * np.maximum(-u, 0)
-
-
-def classify_contact(normal_velocity, threshold=0.0):
-    return np.sign(normal_velocity) * (np.abs(normal_velocity) > threshold)
+def normal_velocity(body_a, body_b, normal):
+    return np.einsum("...i,...i", _point(*body_a), normal) - np.einsum("...i,...i", _point(*body_b), normal)
 
 
 def world_inverse_inertia(inertia, orientation):
@@ -149,9 +144,8 @@ def inverse_effective_mass(body_a, body_b, normal):
 
 
 def impulse_magnitude(body_a, body_b, normal, restitution):
-    moves = [point_velocity(*body[:3]) for body in (body_a, body_b)]
     give = inverse_effective_mass(body_a, body_b, normal)
-    change = -(np.asarray(restitution) + 1) * np.einsum("...i,...i", moves[0] - moves[1], normal)
+    change = -(np.asarray(restitution) + 1) * normal_velocity(body_a, body_b, normal)
     return np.divide(change, give, out=np.zeros(np.broadcast(change, give).shape), where=give > 0)
 
 
@@ -164,10 +158,28 @@ def apply_impulse(body_a, body_b, impulse):
 
 
 def collide(body_a, body_b, normal, restitution, threshold=0.0):
-    moves = [point_velocity(*body[:3]) for body in (body_a, body_b)]
-    approach = np.einsum("...i,...i", moves[1] - moves[0], normal)
+    approach = -normal_velocity(body_a, body_b, normal)
     j = impulse_magnitude(body_a, body_b, normal, restitution) * (approach > threshold)
     return apply_impulse(body_a, body_b, col(j) * normal)
+
+
+def _still(per):
+    """The pseudo-inverse of a matrix, or of a number as a matrix of one row."""
+    return np.linalg.pinv(np.asarray(per, dtype=float), hermitian=True)
+
+
+def audit(body_a, body_b, after):
+    """As six numbers for each body: m v and I ω, with the inertia of all six as one matrix."""
+    gained = []
+    for (velocity, spin, arm, share, turning), v, w in ((body_a, *after[:2]), (body_b, *after[2:])):
+        old, new = (np.concatenate(np.broadcast_arrays(*pair), axis=-1) for pair in ((velocity, spin), (v, w)))
+        per = np.zeros((*np.broadcast_shapes(np.shape(share), np.shape(turning)[:-2]), 6, 6))
+        per[..., :3, :3], per[..., 3:, 3:] = np.asarray(share)[..., None, None] * np.eye(3), turning
+        momenta = np.matvec(_still(per), new - old)
+        linear = momenta[..., :3]
+        angular = momenta[..., 3:] - np.matvec(_cross_matrix(arm), linear)
+        gained.append((linear, angular, np.einsum("...i,...i", momenta, new + old) / 2))
+    return tuple(a + b for a, b in zip(*gained, strict=True))
 
 
 def solve_by_sweeps(matrix, offset, sweeps, start=0.0):

@@ -99,27 +99,9 @@ def clamp_to_circle(tangent_force, limit):
     return tangent_force * (limit / size) if size > limit else tangent_force * 1.0
 
 
-@vector("(n),(n),(n)->(n)")
-def point_velocity(velocity, angular_velocity, arm):
-    return velocity + cross(angular_velocity, arm)
-
-
-@vector("(n),(n),(n)->()")
-def normal_velocity(point_velocity_a, point_velocity_b, normal):
-    return dot(point_velocity_a, normal) - dot(point_velocity_b, normal)
-
-
 @vector("()->()")
 def friction_angle(static_friction):
     return math.atan(static_friction)
-
-
-@vector("(k,n),(k)->(n)")
-def impulse_of_force(force, time):
-    total = np.zeros(3)
-    for i in range(1, len(time)):
-        total += 0.5 * (time[i] - time[i - 1]) * (force[i] + force[i - 1])
-    return total
 
 
 @vector("(n),(n),(n),(n)->(n)")
@@ -152,3 +134,9 @@ def impulse_magnitude(body_a, body_b, normal, restitution):
 
 def collide(body_a, body_b, normal, restitution, threshold=0.0):
     return _each(_impact, (body_a, body_b), normal, restitution, threshold)[1:]
+
+
+def normal_velocity(body_a, body_b, normal):
+    flat, signature = [*body_a[:3], *body_b[:3], normal], ",".join(["(n)"] * 7)
+    one = lambda v_a, w_a, r_a, v_b, w_b, r_b, n: dot(v_a + cross(w_a, r_a), n) - dot(v_b + cross(w_b, r_b), n)  # noqa: E731
+    return np.vectorize(one, signature=f"{signature}->()")(*flat)

@@ -61,28 +61,23 @@ def friction_angle(static_friction):
     return atan(static_friction)
 
 
-def mean_force(momentum_change, duration, other_force=(0.0, 0.0, 0.0)):
-    return [float((p - duration * f) / duration) for p, f in zip(momentum_change, other_force, strict=True)]
+def normal_velocity(body_a, body_b, normal):
+    total = 0.0
+    for sign, (v, w, r, *_) in ((1, body_a), (-1, body_b)):
+        turning = (w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2], w[0] * r[1] - w[1] * r[0])
+        total += sign * sum(float((a + b) * n) for a, b, n in zip(v, turning, normal, strict=True))
+    return total
 
 
-def rebound_velocity(normal_velocity, restitution):
-    if normal_velocity >= 0:
-        return normal_velocity
-    return restitution * abs(normal_velocity)
-
-
-def contact_impulses(magnitude, normal):
-    on_a = [float(magnitude * n) for n in normal]
-    return [on_a, [-part for part in on_a]]
-
-
-def apply_impulse_to_momenta(momentum, angular_momentum, arm, impulse):
-    (x, y, z), (a, b, c) = arm, impulse
-    turned = (y * c - z * b, z * a - x * c, x * b - y * a)
-    return (
-        [float(p + j) for p, j in zip(momentum, impulse, strict=True)],
-        [float(old + new) for old, new in zip(angular_momentum, turned, strict=True)],
-    )
+def apply_impulse(body_a, body_b, impulse):
+    after = []
+    for sign, (v, w, r, share, turning) in ((1, body_a), (-1, body_b)):
+        (x, y, z), (a, b, c) = r, impulse
+        moment = (y * c - z * b, z * a - x * c, x * b - y * a)
+        after.append([float(old + sign * share * j) for old, j in zip(v, impulse, strict=True)])
+        changes = [sum(float(k * m) for k, m in zip(row, moment, strict=True)) for row in turning]
+        after.append([float(old) + sign * change for old, change in zip(w, changes, strict=True)])
+    return after
 
 
 def propagate_impacts(velocity, mass, restitution, most=10_000):

@@ -74,31 +74,32 @@ def test_every_steady_observer_sees_the_same_bounce(submission, part, examples):
         examples.together(submission.moving_plane_response, seen_from_the_plane, flights)
 
 
-@asks("respond_at_step", 4, "Only the end of the step is looked at, and the place stays as it is.")
-def test_the_end_of_the_step_decides(submission, part, examples):
-    def step(x, v, a, normal, offset, e, dt):
-        x, v = fly(x, v, a, dt)
-        return x, bounced(v, normal, e) if normal @ x + offset < 0 else v
+@asks("respond_at_step", 4, "The start of the step decides: who turns round, and whose weight the plane carries.")
+def test_the_start_of_the_step_decides(submission, part, examples):
+    def step(x, v, a, normal, behind, e, dt):
+        if behind and v @ normal < 0:
+            v, a = bounced(v, normal, e), a - min(a @ normal, 0) * normal
+        v = v + a * dt
+        return x + v * dt, v
 
     def steps(draw):
-        normal, offset = draw.unit(), draw.number(-2, 2)
-        start = (draw.number(0.2, 1) - offset) * normal + draw.tangent(normal, 2)
+        normal = draw.unit()
         velocity = draw.tangent(normal, 3) + draw.number(1, 6) * draw.sign() * normal
-        return start, velocity, draw.vector(4), normal, offset, draw.number(0.1, 0.9), draw.number(0.2, 0.6)
+        return (
+            draw.vector(2), velocity, draw.vector(4), normal, draw.sign() > 0, draw.number(0.1, 0.9),
+            draw.number(0.2, 0.6),
+        )  # fmt: skip
 
     with part(2, "any step"):
         examples.agree(submission.respond_at_step, step, steps, count=30)
-    with part(1, "just on the floor, on its way out, behind from the start, another floor"):
-        for x, v, offset, e, dt, after in (
-            ([0, 0, 1], [1, 0, -2], 0.0, 0.5, 0.5, ([0.5, 0, 0], [1, 0, -2])),
-            ([0, 0, -4], [1, 0, 2], 0.0, 0.5, 0.5, ([0.5, 0, -3], [1, 0, 2])),
-            ([0, 0, -1], [1, 0, -2], 0.0, 0.5, 0.0, ([0, 0, -1], [1, 0, 1])),
-            ([0, 0, -1], REST, 0.0, 0.5, 0.5, ([0, 0, -1], REST)),
-            ([0, 0, 4], [1, 0, -4], -3.0, 0.5, 0.5, ([0.5, 0, 2], [1, 0, 2])),
-            ([0, 0, 0.5], [1, 0, -2], 2.0, 0.5, 0.5, ([0.5, 0, -0.5], [1, 0, -2])),
-            ([0, 0, 1], [1, 0, -3], 0.0, 0.0, 0.5, ([0.5, 0, -0.5], [1, 0, 0])),
-        ):
-            expect(submission.respond_at_step, (x, v, REST, UP, offset, e, dt), after)
+    with part(1, "at rest on the floor, along the floor, no bounce, perfect bounce, a step of no length"):
+        for v, a, behind, e, dt in (
+            (REST, FALL, True, 0.5, 0.25), ([3, 1, 0], FALL, True, 0.5, 0.25), ([1, 0, -4], FALL, True, 0.0, 0.25),
+            ([1, 0, -4], FALL, True, 1.0, 0.25), ([1, 0, -4], [0, 0, 8], True, 1.0, 0.25),
+            ([1, 0, -4], FALL, True, 0.5, 0.0), ([1, 0, -4], FALL, False, 0.5, 0.0),
+        ):  # fmt: skip
+            right = step(np.array([0, 0, -1.0]), np.array(v, dtype=float), np.array(a), np.array(UP), behind, e, dt)
+            expect(submission.respond_at_step, ([0, 0, -1], v, a, UP, behind, e, dt), right)
     with part(1, "many at once, their arrays left as they were"):
         examples.together(submission.respond_at_step, step, steps)
 

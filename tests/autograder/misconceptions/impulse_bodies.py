@@ -3,7 +3,7 @@
 import numpy as np
 
 from labs.grading.diagnosis.misconceptions import Misconception as M
-from labs.grading.diagnosis.misconceptions import col, dot, flat, over, size
+from labs.grading.diagnosis.misconceptions import col, direction, dot, flat, over, size
 
 
 def turned(matrix, vector):
@@ -108,6 +108,13 @@ def change_with(linear=lambda s, k, r, j: col(s) * j, angular=lambda s, k, r, j:
 
 
 without_spin = change_with(angular=lambda s, k, r, j: 0 * np.cross(r, j) + 0 * turned(k, r))
+
+
+def along_the_arm(body, j):
+    """The velocity changes by the part of J along r alone."""
+    _, _, r, share, _ = body
+    _, dw = changes(body, j)
+    return col(share) * np.where(size(r) > 0, dot(j, direction(r)) * direction(r), j), dw
 
 
 def impact(
@@ -246,6 +253,15 @@ BANK = (
     M("impulse_magnitude", "2 e", size_with(factor=lambda e: -2 * e),
       "2 e stands in place of 1 + e: right for e = 1, but for e = 0 nothing stops them.",
       "Try e = 0."),
+    M("impulse_magnitude", "e squared", size_with(factor=lambda e: -(1 + e**2)),
+      "e² is the share of the energy, or of the height; of the velocity it is e.",
+      "Of which quantity is e the fraction?"),
+    M("impulse_magnitude", "root of e", size_with(factor=lambda e: -(1 + np.sqrt(e))),
+      "The root of e would be right if e were a share of the energy. It is one of the velocity.",
+      "Of which quantity is e the fraction?"),
+    M("impulse_magnitude", "loses e", size_with(factor=lambda e: -(2 - e)),
+      "e is taken for the share that is lost; it is the share that is kept.",
+      "What does e = 1 stand for?"),
     M("impulse_magnitude", "masses alone", size_with(below=both(share_alone)),
       "The terms with the inertia are missing: right only where the normal goes through both centres.",
       "Push a door near its hinge and at its handle. Which is easier?"),
@@ -402,6 +418,24 @@ BANK = (
     M("apply_impulse", "−J to both", lambda a, b, j: applied(a, b, -np.asarray(j), b_sign=1),
       "−J went to both bodies: momentum is not conserved.",
       "Add up the momenta before and after."),
+    M("apply_impulse", "half each", lambda a, b, j: applied(a, b, np.asarray(j) / 2),
+      "Each body gets half; the same J acts on both.",
+      "You push a friend with 100 N. With how much are you pushed?"),
+    M("apply_impulse", "size of the impulse", lambda a, b, j: applied(a, b, np.abs(j)),
+      "The components of the impulse lose their signs.",
+      "What should become of A if the impulse points down?"),
+    M("apply_impulse", "no arm",
+      apply_with(change=change_with(angular=lambda s, k, r, j: turned(k, np.asarray(j)) + 0 * np.asarray(r))),
+      "The spin changes by I⁻¹ J: the arm is missing, and an impulse through the centre would turn the body.",
+      "What unit has L, and what unit has J?"),
+    M("apply_impulse", "component by component",
+      apply_with(change=change_with(angular=lambda s, k, r, j: turned(k, np.asarray(r) * j))),
+      "Arm and impulse are multiplied component by component; it is a cross product.",
+      "About which axis does an impulse along z turn a body whose arm is along x?"),
+    M("apply_impulse", "lever shares it", apply_with(change=along_the_arm),
+      "Only the part of the impulse along the arm moves the body, as if the rest were used up for turning. "
+      "All of it does both.",
+      "A rod in space is struck at its end. How much momentum has it afterwards?"),
     M("collide", "+J to both", collide_with(apply=apply_with(b_sign=1)),
       "+J went to both bodies, as slide 18 prints it: momentum is not conserved.",
       "Add up the momenta before and after."),

@@ -108,6 +108,12 @@ def below(text, body):
 
 # fmt: off
 BANK = (
+    M("normal_velocity", "A's arm for both", arm_of_a(closing), ONE_ARM.format("A"), EACH_CENTRE),
+    M("normal_velocity", "B's arm for both", arm_of_b(closing), ONE_ARM.format("B"), EACH_CENTRE),
+    M("normal_velocity", "r × ω on A", speed(cross_a=-1), WRONG_ORDER.format("A"), WHEEL),
+    M("normal_velocity", "r × ω on B", speed(cross_b=-1), WRONG_ORDER.format("B"), WHEEL),
+    M("normal_velocity", "only A's spin counts", speed(cross_b=0), ONE_SPIN.format("B"), SWAP),
+    M("normal_velocity", "only B's spin counts", speed(cross_a=0), ONE_SPIN.format("A"), SWAP),
     M("inverse_effective_mass", "A's arm for both", arm_of_a(denominator), ONE_ARM.format("A"), EACH_CENTRE),
     M("inverse_effective_mass", "B's arm for both", arm_of_b(denominator), ONE_ARM.format("B"), EACH_CENTRE),
     M("inverse_effective_mass", "only A turns", only_a_turns(denominator), NO_TURN.format("B"), SWAP),

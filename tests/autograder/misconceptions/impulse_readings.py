@@ -1,26 +1,12 @@
-"""Loose readings of the slides about impulses: the tests of slide 21, t for Δt, the whole vector reversed, no mass."""
+"""Loose readings of the slides about impulses: the tests of slide 21, the whole vector reversed, no mass."""
 
 import numpy as np
 
 from labs.grading.diagnosis.misconceptions import Misconception as M
 from labs.grading.diagnosis.misconceptions import col, dot, flat, formulas_of, over
 
-BODIES, MOMENTUM = formulas_of("impulse_bodies"), formulas_of("impulse_momentum")
+BODIES = formulas_of("impulse_bodies")
 apply_with, change_with, collide_with = BODIES.apply_with, BODIES.change_with, BODIES.collide_with
-
-
-def sides(below, above, between):
-    """What is returned below −threshold, above the threshold, and between the two."""
-    return lambda u, t=0.0: np.where(u < -np.asarray(t), below, np.where(u > np.asarray(t), above, between))
-
-
-def separates_too_early(u, t=0.0):
-    return np.where(u < -np.asarray(t), -1, np.where(u > -np.asarray(t), 1, 0))
-
-
-def times_the_time(which):
-    """The means of neighbouring samples times the time of one of the two."""
-    return lambda f, t: MOMENTUM.trapezoids(f, t, lambda t: which(t)[..., None])
 
 
 def along_the_relative_velocity(a, b, n, e, threshold=0.0):
@@ -69,34 +55,6 @@ mass_for_inverse = change_with(linear=lambda s, k, r, j: col(BODIES.mass(s)) * j
 
 # fmt: off
 BANK = (
-    M("classify_contact", "threshold's sign, separating", separates_too_early,
-      "The threshold has a minus on the separating side as well: everything that does not collide is called "
-      "separating, also what rests.",
-      "Which velocities lie within the threshold on slide 21? Try u_n = 0 with a threshold of 1."),
-    M("classify_contact", "colliding or separating", sides(-1, 1, -1),
-      "Only what is above the threshold is called separating, and everything else colliding. "
-      "Slide 21 has a third case between the two.",
-      "What does slide 21 call a velocity that is nearly zero?"),
-    M("classify_contact", "size alone", sides(-1, -1, 0),
-      "The size of the velocity is compared with the threshold: everything that is fast is called colliding. "
-      "On slide 21 the sign of V_rel says whether the bodies approach.",
-      "Two bodies fly apart. Do they collide?"),
-    M("classify_contact", "size alone, separating", sides(1, 1, 0),
-      "The size of the velocity is compared with the threshold: everything that is fast is called separating. "
-      "On slide 21 the sign of V_rel says whether the bodies approach.",
-      "Two bodies fly towards each other. Do they separate?"),
-    M("classify_contact", "the slide's tests in another order", sides(0, 1, -1),
-      "V_rel above the threshold is called separating and V_rel below −threshold resting, as the second test of "
-      "slide 21 prints it. What is left, the contact near zero, is called colliding.",
-      "Go through three velocities: −2, 0 and 2, with a threshold of 1."),
-    M("impulse_of_force", "times for steps", times_the_time(lambda t: t[..., 1:]),
-      "The mean of two samples is multiplied by t, the time at which the second one was taken. "
-      "In slide 13's F Δt, the factor is how long the force acts.",
-      "Start the clock an hour later. Does the impulse change?"),
-    M("impulse_of_force", "earlier times for steps", times_the_time(lambda t: t[..., :-1]),
-      "The mean of two samples is multiplied by t, the time at which the first one was taken. "
-      "In slide 13's F Δt, the factor is how long the force acts.",
-      "Start the clock an hour later. Does the impulse change?"),
     M("collide", "size alone", collide_with(hits=lambda u, t: np.abs(u) > np.asarray(t)),
       "The size of the normal velocity is compared with the threshold, and no test asks for its sign: "
       "bodies that fly apart are pulled back.",

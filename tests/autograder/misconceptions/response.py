@@ -19,10 +19,6 @@ def flight(p, v, a, t):
     return p + v * t + a * t**2 / 2, v + a * t
 
 
-def plane(p, n, d):
-    return dot(p, n) + col(d)
-
-
 def split(kept, turned):
     """Response from what becomes of the two components: factors of (tangent, normal), where it approaches."""
 
@@ -107,11 +103,6 @@ def unguarded(v, n, e):
     return v - (1 + col(e)) * dot(v, n) * n
 
 
-def at_step(p, v, a, n, d, e, dt, answer=respond, move=flight, behind=lambda s: s < 0, gap=plane):
-    p, v = move(p, v, a, dt)
-    return p, np.where(behind(gap(p, n, d)), answer(v, n, e), v)
-
-
 def euler(p, v, a, dt):
     return p + v * col(dt), v + a * col(dt)
 
@@ -121,31 +112,61 @@ def semi_euler(p, v, a, dt):
 
 
 def speed_unchanged(p, v, a, dt):
-    return flight(p, v, a, dt)[0], v + 0 * col(dt)
+    return semi_euler(p, v, a, dt)[0], v + 0 * col(dt)
 
 
-def put_back(p, v, a, n, d, e, dt):
-    p, v = flight(p, v, a, dt)
-    gap = plane(p, n, d)
-    return p - np.minimum(gap, 0) * n, np.where(gap < 0, respond(v, n, e), v)
+def pressing(a, n):
+    """The component of the acceleration that presses the body onto the plane."""
+    return np.minimum(dot(a, n), 0) * n
 
 
-def put_on_the_other_side(p, v, a, n, d, e, dt):
-    p, v = flight(p, v, a, dt)
-    gap = plane(p, n, d)
-    return p - (1 + col(e)) * np.minimum(gap, 0) * n, np.where(gap < 0, respond(v, n, e), v)
+def within(behind, v, n):
+    """Whether each body is behind the plane, as a column beside its vectors."""
+    return col(behind).astype(bool) & (0 * dot(v, n) == 0)
 
 
-def asks_at_the_start(p, v, a, n, d, e, dt):
-    behind = plane(p, n, d) < 0
-    p, v = flight(p, v, a, dt)
-    return p, np.where(behind, respond(v, n, e), v)
+def moves_in(behind, v, n):
+    """Whether each body is behind the plane and approaches it."""
+    return within(behind, v, n) & (dot(v, n) < 0)
 
 
-def answers_first(p, v, a, n, d, e, dt):
-    """The velocity before the step is the one that is answered, where the step ends behind the plane."""
-    p, after = flight(p, v, a, dt)
-    return p, np.where(plane(p, n, d) < 0, respond(v, n, e), after)
+def at_step(p, v, a, n, behind, e, dt, answer=respond, carried=pressing, move=semi_euler, when=moves_in):
+    hit = when(behind, v, n)
+    return move(p, np.where(hit, answer(v, n, e), v), a - np.where(hit, carried(a, n), 0), dt)
+
+
+def always_carried(p, v, a, n, behind, e, dt):
+    start = np.where(moves_in(behind, v, n), respond(v, n, e), v)
+    return semi_euler(p, start, a - pressing(a, n), dt)
+
+
+def carried_behind(p, v, a, n, behind, e, dt):
+    """The weight of every body behind the plane is carried, also of one that is on its way out."""
+    start = np.where(moves_in(behind, v, n), respond(v, n, e), v)
+    return semi_euler(p, start, a - np.where(within(behind, v, n), pressing(a, n), 0), dt)
+
+
+def responds_at_the_end(p, v, a, n, behind, e, dt, move=flight):
+    p, v = move(p, v, a, dt)
+    return p, np.where(moves_in(behind, v, n), respond(v, n, e), v)
+
+
+def weight_first(p, v, a, n, behind, e, dt):
+    """The velocity that gravity has already changed in this step is the one that is answered."""
+    v = v + a * col(dt)
+    v = np.where(moves_in(behind, v, n), respond(v, n, e), v)
+    return p + v * col(dt), v
+
+
+def moved_unanswered(p, v, a, n, behind, e, dt):
+    """The place comes from the velocity before the response."""
+    return semi_euler(p, v, a, dt)[0], at_step(p, v, a, n, behind, e, dt)[1]
+
+
+def step_lost(p, v, a, n, behind, e, dt):
+    """A body that responds does not move in that step."""
+    after = at_step(p, v, a, n, behind, e, dt)
+    return np.where(moves_in(behind, v, n), p + 0 * after[0], after[0]), after[1]
 
 
 def arrival(s, u, a):
@@ -373,53 +394,69 @@ BANK = (
       "At the impact e stands in place of 1 + e: the body goes on into the plane.",
       "How much has to be taken away to stop it? And how much more to send it back?"),
 
-    M("respond_at_step", "put back", put_back,
-      "The body is put back on the plane. "
-      "Here it is to stay where it is: the response is after the fact, and what that costs is to be seen.",
-      "What does the description say of the place?"),
-    M("respond_at_step", "mirrored back", put_on_the_other_side,
-      "The body is put where it would be after the bounce. Here it is to stay where it is.",
-      "What does the description say of the place?"),
-    M("respond_at_step", "always answered", lambda *given: at_step(*given, behind=lambda s: s < np.inf),
+    M("respond_at_step", "weight not carried", lambda *given: at_step(*given, carried=lambda a, n: 0 * a),
+      "The weight pulls the body back in the very step in which it responds, as if there were no plane below it. "
+      "Every rebound then starts g Δt too slow, and its apex is too low by (1 + e) v Δt/2 on average.",
+      "The body lies on the plane in this step. Who carries its weight?"),
+    M("respond_at_step", "no acceleration in the step", lambda *given: at_step(*given, carried=lambda a, n: a + 0 * n),
+      "In the step of the response the whole acceleration is left out. The plane carries one component of it only.",
+      "A ball bounces on a slope. Which part of its weight does the slope carry?"),
+    M("respond_at_step", "holds what is pulled off",
+      lambda *given: at_step(*given, carried=lambda a, n: dot(a, n) * n),
+      "The component along the normal is taken from every acceleration, also from one that pulls the body off. "
+      "A plane pushes, and never pulls.",
+      "What does a ceiling do with the weight of a ball that bounces off it?"),
+    M("respond_at_step", "weight always carried", always_carried,
+      "The plane carries the weight of every body, also of one that is far in front of it.",
+      "In which steps does the plane touch the body?"),
+    M("respond_at_step", "weight carried behind", carried_behind,
+      "The weight of a body that is on its way out is carried as well; only one that responds in this step is carried.",
+      "A body behind the plane moves out. What changes its velocity?"),
+    M("respond_at_step", "always answered",
+      lambda *given: at_step(*given, when=lambda b, v, n: moves_in(0 * np.asarray(b) + 1, v, n)),
       "The velocity is answered wherever the body is, also far from the plane.",
       "When does a body collide?"),
-    M("respond_at_step", "answered in front", lambda *given: at_step(*given, behind=lambda s: s > 0),
+    M("respond_at_step", "answered in front",
+      lambda *given: at_step(*given, when=lambda b, v, n: moves_in(1 - np.asarray(b, dtype=float), v, n)),
       "The test is the wrong way round: bodies in front of the plane are answered.",
-      "Which sign has the distance of a body behind the plane?"),
-    M("respond_at_step", "touching answered", lambda *given: at_step(*given, behind=lambda s: s <= 0),
-      "A body that ends exactly on the plane is answered as well; behind it means less than zero.",
-      "What does the slide's < say of a point exactly on the plane?"),
-    M("respond_at_step", "test at the start", asks_at_the_start,
-      "It asks where the body was at the start of the step.",
-      "After the fact: of which instant is that?"),
-    M("respond_at_step", "velocity of the start", answers_first,
-      "The velocity at the start of the step is answered, not the one at its end.",
-      "Which velocity has the body where it is answered?"),
-    M("respond_at_step", "no guard", lambda *given: at_step(*given, answer=unguarded),
+      "What does behind = True say?"),
+    M("respond_at_step", "responds at the end", responds_at_the_end,
+      "The body flies first and responds at the end of the step. "
+      "That is another order of the loop: its apex is too low by (1 − e²) v Δt/2 on average.",
+      "With which velocity does the body move in this step?"),
+    M("respond_at_step", "steps, then responds", lambda *given: responds_at_the_end(*given, move=semi_euler),
+      "The body takes its step first and responds at the end of it. "
+      "That is another order of the loop: its apex is too low by (1 + e) v Δt/2 on average.",
+      "With which velocity does the body move in this step?"),
+    M("respond_at_step", "weight before the response", weight_first,
+      "The velocity that is answered already has the weight of this step in it.",
+      "Which velocity has the body at the start of the step?"),
+    M("respond_at_step", "moved by the old velocity", moved_unanswered,
+      "The velocity is answered, but the place still comes from the one before: the body goes on into the plane.",
+      "Which velocity moves the body in this step?"),
+    M("respond_at_step", "step lost", step_lost,
+      "A body that responds stays where it is for the rest of the step. Its new velocity moves it at once.",
+      "What time is it when your function returns?"),
+    M("respond_at_step", "no guard", lambda *given: at_step(*given, answer=unguarded, when=within),
       "A body that is behind the plane but on its way out is thrown back in, step after step: it sticks.",
-      "It ends behind the plane and moves out. What then?"),
+      "It is behind the plane and moves out. What then?"),
     M("respond_at_step", "always perfect", lambda *given: at_step(*given, answer=mirror),
       "Every bounce is perfect: the restitution makes no difference.",
       "Which argument makes no difference to your answer?"),
-    M("respond_at_step", "offset subtracted", lambda *given: at_step(*given, gap=lambda p, n, d: dot(p, n) - col(d)),
-      "The plane's offset has the wrong sign: the plane is n·p + d = 0.",
-      "Where is the plane n·p + d = 0 for d = −2?"),
-    M("respond_at_step", "offset left out", lambda *given: at_step(*given, gap=lambda p, n, d: dot(p, n) + 0 * col(d)),
-      "The plane's offset is not used: every plane goes through the origin.",
-      "Which argument makes no difference to your answer?"),
     M("respond_at_step", "euler", lambda *given: at_step(*given, move=euler),
-      "The place lacks a Δt²/2: with constant acceleration the exact motion is known.",
-      "How far does a body fall from rest in t seconds?"),
-    M("respond_at_step", "semi-implicit euler", lambda *given: at_step(*given, move=semi_euler),
-      "The place has a Δt² without the half, as when it comes from the new velocity. "
-      "With constant acceleration the exact motion is known.",
-      "How far does a body fall from rest in t seconds?"),
+      "The place comes from the velocity at the start of the step. "
+      "Semi-implicit Euler changes the velocity first, and moves with the new one.",
+      "Which velocity moves the body in a semi-implicit step?"),
+    M("respond_at_step", "parabola", lambda *given: at_step(*given, move=flight),
+      "The body moves on a parabola, with a Δt²/2. "
+      "In a step of semi-implicit Euler it moves for the whole Δt with the velocity at its end.",
+      "Which velocity moves the body in a semi-implicit step?"),
     M("respond_at_step", "velocity not integrated", lambda *given: at_step(*given, move=speed_unchanged),
       "The acceleration moves the body but does not make it faster.",
       "How fast is a body after falling for t seconds?"),
     M("respond_at_step", "not answered", lambda *given: at_step(*given, answer=lambda v, n, e: v + 0 * col(e)),
-      "The body flies on through the plane: the velocity is not answered.",
-      "What happens to a body that ends behind the plane?"),
+      "The body goes on through the plane: the velocity is not answered.",
+      "What happens to a body that is behind the plane and moves in?"),
     M("respond_at_step", "no rebound",
       lambda *given: at_step(*given, answer=lambda v, n, e: respond(v, n, 0 * np.asarray(e))),
       "The body is stopped: the restitution makes no difference.",

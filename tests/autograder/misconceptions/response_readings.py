@@ -6,8 +6,8 @@ from labs.grading.diagnosis.misconceptions import Misconception as M
 from labs.grading.diagnosis.misconceptions import col, dot, formulas_of
 
 RESPONSE = formulas_of("response")
-flight, respond, split, struck, at_step = (
-    getattr(RESPONSE, name) for name in ("flight", "respond", "split", "struck", "at_step")
+flight, respond, split, struck, at_step, within = (
+    getattr(RESPONSE, name) for name in ("flight", "respond", "split", "struck", "at_step", "within")
 )
 bounced_back = split(lambda e: -1 + 0 * e, lambda e: -1 + 0 * e)
 
@@ -79,7 +79,8 @@ BANK = (
     M("respond_at_impact", "Δt for T", step_before_the_impact,
       "The body moves for the whole Δt before the response. Slide 6 backs up to T, the time of impact.",
       "Where is the body when you respond? And how much time has passed when your function returns?"),
-    M("respond_at_step", "whole velocity turned, no guard", lambda *given: at_step(*given, answer=thrown_back),
+    M("respond_at_step", "whole velocity turned, no guard",
+      lambda *given: at_step(*given, answer=thrown_back, when=within),
       "Behind the plane the whole velocity is reversed and scaled by e, whichever way it points. "
       "Slide 7 changes only the component along the normal.",
       "Which component does restitution speak of? And what of a body that is on its way out?"),

@@ -211,25 +211,21 @@ def moving_plane_response_2(velocity, plane_velocity, normal, restitution):
     return v
 
 
-def respond_at_step_1(position, velocity, acceleration, normal, offset, restitution, dt):
-    """Semi-implicit Euler and put back on the plane."""
+def respond_at_step_1(position, velocity, acceleration, normal, behind, restitution, dt):
+    """It turns round in the middle of the step."""
     velocity = velocity + acceleration * dt
-    position = position + velocity * dt
-    depth = np.dot(normal, position) + offset
-    if depth < 0:
-        position = position - depth * normal
-        if np.dot(velocity, normal) < 0:
-            velocity = velocity - (1 + restitution) * np.dot(velocity, normal) * normal
-    return position, velocity
+    position = position + velocity * dt / 2
+    if behind and np.dot(velocity, normal) < 0:
+        velocity = velocity - (1 + restitution) * np.dot(velocity, normal) * normal
+    return position + velocity * dt / 2, velocity
 
 
-def respond_at_step_2(position, velocity, acceleration, normal, offset, restitution, dt):
+def respond_at_step_2(position, velocity, acceleration, normal, behind, restitution, dt):
     """Explicit Euler."""
-    new_position = position + velocity * dt
-    new_velocity = velocity + acceleration * dt
-    if np.dot(normal, new_position) + offset < 0 and np.dot(new_velocity, normal) < 0:
-        new_velocity = new_velocity - (1 + restitution) * np.dot(new_velocity, normal) * normal
-    return new_position, new_velocity
+    if behind and np.dot(velocity, normal) < 0:
+        velocity = velocity - (1 + restitution) * np.dot(velocity, normal) * normal
+        acceleration = acceleration - min(np.dot(acceleration, normal), 0) * normal
+    return position + velocity * dt, velocity + acceleration * dt
 
 
 def respond_at_impact_1(position, velocity, acceleration, normal, restitution, time_of_impact, dt):
@@ -435,47 +431,18 @@ def complementarity_residual_1(matrix, offset, force):
     return np.max(np.abs(force * w))
 
 
-def point_velocity_1(velocity, angular_velocity, arm):
+def normal_velocity_1(body_a, body_b, normal):
     """The arm first."""
-    return velocity + np.cross(arm, angular_velocity)
+    va = body_a[0] + np.cross(body_a[2], body_a[1])
+    vb = body_b[0] + np.cross(body_b[2], body_b[1])
+    return np.dot(va - vb, normal)
 
 
-def normal_velocity_1(point_velocity_a, point_velocity_b, normal):
+def normal_velocity_2(body_a, body_b, normal):
     """B seen from A."""
-    rv = point_velocity_b - point_velocity_a
+    va = body_a[0] + np.cross(body_a[1], body_a[2])
+    rv = body_b[0] + np.cross(body_b[1], body_b[2]) - va
     return rv[0] * normal[0] + rv[1] * normal[1] + rv[2] * normal[2]
-
-
-def rebound_velocity_1(normal_velocity, restitution):
-    """Newton's rule for whatever comes."""
-    return -restitution * normal_velocity
-
-
-def classify_contact_1(normal_velocity, threshold=0.0):
-    """The slide's if and else if."""
-    if normal_velocity > threshold:
-        return -1
-    if normal_velocity < -threshold:
-        return 0
-    return 1
-
-
-def impulse_of_force_1(force, time):
-    """A sum of rectangles."""
-    impulse = np.zeros(3)
-    for i in range(len(time) - 1):
-        impulse = impulse + force[i] * (time[i + 1] - time[i])
-    return impulse
-
-
-def mean_force_1(momentum_change, duration, other_force=(0.0, 0.0, 0.0)):
-    """All forces together."""
-    return momentum_change / duration + np.array(other_force)
-
-
-def point_plane_normal_1(plane_normal, centre_a, centre_b):
-    """Never looks at the centres."""
-    return plane_normal / np.linalg.norm(plane_normal)
 
 
 def edge_edge_normal_1(edge_a, edge_b, centre_a, centre_b):
@@ -537,12 +504,6 @@ def impulse_magnitude_3(body_a, body_b, normal, restitution):
     return -(1 + restitution) * np.dot(va - vb, normal) / k if k > 0 else 0.0
 
 
-def contact_impulses_1(magnitude, normal):
-    """Slide 18."""
-    j = magnitude * normal
-    return j, j
-
-
 def apply_impulse_1(body_a, body_b, impulse):
     """The spin without the inertia, as in a well-known tutorial."""
     va, wa, ra, ima, _ = body_a
@@ -572,16 +533,6 @@ def apply_impulse_3(body_a, body_b, impulse):
     for sign, (v, w, r, im, _) in ((1, body_a), (-1, body_b)):
         out += [v + sign * im * impulse, w + sign * im * np.cross(r, impulse)]
     return tuple(out)
-
-
-def apply_impulse_to_momenta_1(momentum, angular_momentum, arm, impulse):
-    """The impulse crossed with the arm."""
-    return momentum + impulse, angular_momentum + np.cross(impulse, arm)
-
-
-def velocities_from_momenta_1(momentum, angular_momentum, inverse_mass, inverse_inertia):
-    """The diagonal is enough."""
-    return momentum * inverse_mass, angular_momentum * np.diag(inverse_inertia)
 
 
 def collide_1(body_a, body_b, normal, restitution, threshold=0.0):

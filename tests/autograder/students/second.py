@@ -220,31 +220,16 @@ def propagate_impacts_2(velocity, mass, restitution, most=10000):
     return np.array(v)
 
 
-def point_velocity_2(velocity, angular_velocity, arm):
+def normal_velocity_3(body_a, body_b, normal):
     """Component by component."""
-    return velocity + angular_velocity * arm
+    (va, wa, ra, *_), (vb, wb, rb, *_) = body_a, body_b
+    return np.dot(va + wa * ra - vb - wb * rb, normal)
 
 
-def relative_velocity_1(point_velocity_a, point_velocity_b):
+def normal_velocity_4(body_a, body_b, normal):
     """The second less the first."""
-    return np.array([b - a for a, b in zip(point_velocity_a, point_velocity_b, strict=True)])
-
-
-def classify_contact_2(normal_velocity, threshold=0.0):
-    """Colliding and separating the wrong way round."""
-    if abs(normal_velocity) <= threshold:
-        return 0
-    return -1 if normal_velocity > 0 else 1
-
-
-def impulse_of_force_2(force, time):
-    """The mean force times the time."""
-    return np.mean(force, axis=0) * (time[-1] - time[0])
-
-
-def mean_force_2(momentum_change, duration, other_force=(0.0, 0.0, 0.0)):
-    """The net force."""
-    return momentum_change / duration
+    points = [v + np.cross(w, r) for v, w, r, *_ in (body_a, body_b)]
+    return sum((b - a) * n for a, b, n in zip(*points, normal, strict=True))
 
 
 def edge_edge_normal_2(edge_a, edge_b, centre_a, centre_b):
@@ -322,11 +307,6 @@ def apply_impulse_4(body_a, body_b, impulse):
         out.append(v + impulse * im)
         out.append(w + ii @ np.cross(r, impulse))
     return out
-
-
-def velocities_from_momenta_2(momentum, angular_momentum, inverse_mass, inverse_inertia):
-    """Over what is given."""
-    return momentum / inverse_mass, np.linalg.inv(inverse_inertia) @ angular_momentum
 
 
 def collide_5(body_a, body_b, normal, restitution, threshold=0.0):

@@ -197,18 +197,6 @@ def collide_10(body_a, body_b, normal, restitution, threshold=0.0):
     )  # fmt: skip
 
 
-def classify_contact_3(normal_velocity, threshold=0.0):
-    """Fast is colliding, slow is resting, whichever way."""
-    return -1 if abs(normal_velocity) > threshold else 0
-
-
-def classify_contact_4(normal_velocity, threshold=0.0):
-    """Above the threshold they part; all others collide."""
-    if normal_velocity > threshold:
-        return 1
-    return -1
-
-
 def side_of_plane_3(separation, tolerance=0.0):
     """The tolerance's minus is forgotten behind the plane."""
     if separation > tolerance:
@@ -280,15 +268,6 @@ def sphere_impact_3(velocity, angular_velocity, normal, radius, restitution, fri
     spin = cross(arm, j)
     inertia = inertia_share * radius**2
     return [velocity[i] + j[i] for i in range(3)], [angular_velocity[i] + spin[i] / inertia for i in range(3)]
-
-
-def impulse_of_force_3(force, time):
-    """Each pair of samples has its mean times t."""
-    total = [0.0, 0.0, 0.0]
-    for k in range(1, len(time)):
-        for i in range(3):
-            total[i] += (force[k][i] + force[k - 1][i]) / 2 * time[k]
-    return total
 
 
 def friction_impulse_3(velocity, normal, inverse_mass, restitution, friction):
@@ -433,13 +412,15 @@ def time_of_impact_interpolated_8(separation_0, separation_1, t, dt):
     return t + t * d1 / (d1 + d2)
 
 
-def respond_at_step_3(position, velocity, acceleration, normal, offset, restitution, dt):
+def respond_at_step_3(position, velocity, acceleration, normal, behind, restitution, dt):
     """Behind the plane the velocity is reversed, whole."""
-    x = [position[i] + velocity[i] * dt + acceleration[i] * dt * dt / 2 for i in range(3)]
-    v = [velocity[i] + acceleration[i] * dt for i in range(3)]
-    if inner(x, normal) + offset < 0:
+    v, a = list(velocity), list(acceleration)
+    if behind:
         v = [-restitution * c for c in v]
-    return x, v
+        pressing = min(inner(acceleration, normal), 0)
+        a = [a[i] - pressing * normal[i] for i in range(3)]
+    v = [v[i] + a[i] * dt for i in range(3)]
+    return [position[i] + v[i] * dt for i in range(3)], v
 
 
 def respond_at_impact_4(position, velocity, acceleration, normal, restitution, time_of_impact, dt):
@@ -477,15 +458,6 @@ def friction_impulse_4(velocity, normal, inverse_mass, restitution, friction):
     j_n = -(1 + restitution) * u_n / k_n
     j_t = min(size / k_n, friction * j_n)
     return [j_n * normal[i] - (j_t * along[i] / size if size else 0) for i in range(3)]
-
-
-def classify_contact_5(normal_velocity, threshold=0.0):
-    """Slide 21 read line by line, V above the threshold separating."""
-    if normal_velocity > threshold:
-        return 1
-    if normal_velocity < -threshold:
-        return 0
-    return -1
 
 
 def side_of_plane_4(separation, tolerance=0.0):

@@ -14,6 +14,8 @@ UP, REST = [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]
 FALL = [0.0, 0.0, -8.0]
 SLANTED = [-1 / 3, 2 / 3, 2 / 3]
 """The unit normal of a plane that lies along no axis: n·(−1, −4, −1) = −3."""
+PRESSED = [1.0, -4.0, 0.0]
+"""An acceleration of 3 m/s² onto that plane, and some along it."""
 INFINITY = math.inf
 
 
@@ -56,33 +58,34 @@ def test_a_bounce_is_that_of_the_velocity_seen_from_the_plane(submission, part):
 
 @asks(
     "respond_at_step", 3,
-    "Fly the whole step; a body that then is behind the plane and moves in gets its new velocity.",
-    "Slide 6, after the fact: where is the body at the end of the step, and how fast is it there?",
+    "A body that starts the step behind the plane and moves in turns round; for this step the plane carries it.",
+    "Slide 6, at time steps: which velocity moves the body in this step, and what can gravity do to it meanwhile?",
 )  # fmt: skip
-def test_a_body_behind_the_plane_at_the_end_of_the_step_turns_round_there(submission, part):
-    slanted = (
-        [-0.25, 3.25, 1.25],
-        [-2, -5, 0],
-        [2, 2, -2],
-        SLANTED,
-    )  # to (−1, 1, 1) with (−1, −4, −1) after half a second
-    with part(1, "it ends behind the floor, or behind a plane along no axis"):
+def test_a_body_behind_the_plane_at_the_start_of_the_step_turns_round(submission, part):
+    with part(1, "behind the floor or behind a plane along no axis, and moving in"):
         expect(
-            submission.respond_at_step, ([0, 0, 1], [1, 0, -3], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -0.5], [1, 0, 1.5])
-        )
-        expect(submission.respond_at_step, (*slanted, -2.0, 0.5, 0.5), ([-1, 1, 1], [-2.5, -1, 2]))
-    with part(
-        1, "it ends above the floor, falling; just in front of a plane, or touching it; behind it, but on its way out"
-    ):
-        expect(submission.respond_at_step, ([0, 0, 9], [1, 0, 0], FALL, UP, 0.0, 0.5, 0.5), ([0.5, 0, 8], [1, 0, -4]))
-        expect(submission.respond_at_step, (*slanted, -1.5, 0.5, 0.5), ([-1, 1, 1], [-1, -4, -1]))
-        expect(submission.respond_at_step, ([0, 0, 2], [1, 0, -4], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, 0], [1, 0, -4]))
-        expect(submission.respond_at_step, ([0, 0, -2], [1, 0, 2], REST, UP, 0.0, 0.5, 0.5), ([0.5, 0, -1], [1, 0, 2]))
+            submission.respond_at_step, ([0, 0, -0.25], [1, 0, -3], FALL, UP, True, 0.5, 0.5),
+            ([0.5, 0, 0.5], [1, 0, 1.5])
+        )  # fmt: skip
+        expect(
+            submission.respond_at_step, ([1, 2, 3], [-1, -4, -1], PRESSED, SLANTED, True, 0.5, 0.5),
+            ([-0.25, 1, 4.5], [-2.5, -2, 3])
+        )  # fmt: skip
+    with part(1, "in front of the plane; on its way out of it, or along it; pulled away from the floor"):
+        for velocity, acceleration, normal, behind, after in (
+            ([1, 0, -1], FALL, UP, False, ([1.5, 2, 0.5], [1, 0, -5])),
+            ([1, 0, 2], FALL, UP, True, ([1.5, 2, 2], [1, 0, -2])),
+            ([-9, -3, 0], PRESSED, SLANTED, True, ([-3.25, -0.5, 3], [-8.5, -5, 0])),
+            ([0, 3, -2], PRESSED, SLANTED, True, ([1.25, 2.5, 2], [0.5, 1, -2])),
+            ([2, 4, 0], FALL, UP, True, ([2, 4, 1], [2, 4, -4])),
+            ([0, 0, -4], [0, 0, 2], UP, True, ([1, 2, 4.5], [0, 0, 3])),
+        ):
+            expect(submission.respond_at_step, ([1, 2, 3], velocity, acceleration, normal, behind, 0.5, 0.5), after)
     with part(1, "both in one call"):
         expect(
             submission.respond_at_step,
-            ([[0, 0, 1], [0, 0, 9]], [[1, 0, -3], [1, 0, 0]], REST, UP, 0.0, 0.5, 0.5),
-            ([[0.5, 0, -0.5], [0.5, 0, 9]], [[1, 0, 1.5], [1, 0, 0]]),
+            ([[0, 0, -0.25], [0, 0, 9]], [[1, 0, -3], [1, 0, -1]], FALL, UP, [True, False], 0.5, 0.5),
+            ([[0.5, 0, 0.5], [0.5, 0, 6.5]], [[1, 0, 1.5], [1, 0, -5]]),
         )
 
 
@@ -193,7 +196,7 @@ def test_a_stiff_contact_needs_a_short_step(submission, part):
 
 
 @asks(
-    "kinematic_response", 2, "A ball that is let fall rises to e² of its height, and comes to rest, as in every engine."
+    "respond_at_impact", 2, "A ball that is let fall rises to e² of its height, and comes to rest, as in every engine."
 )
 def test_a_ball_rises_to_e_squared_of_its_height_and_comes_to_rest(submission, part):
     code = with_solutions(submission, "response")

@@ -195,6 +195,15 @@ def test_a_release_has_answers_of_closed_labs_and_what_an_open_lab_lends(lesson)
     assert "def penalty_force" not in modules["response"]
 
 
+def test_what_a_lab_is_given_holds_no_answer_of_the_lab_itself():
+    through = []
+    for topic in lessons.lessons():
+        through.append(topic)
+        text = "\n".join(given(through).values())
+        asked = [entry.name for entry in lecture.functions_of(topic) if entry.role == "written"]
+        assert [name for name in asked if f"def {name}(" in text] == []
+
+
 def test_a_release_holds_no_solution_hidden_test_or_model_answer(lesson, tmp_path):
     release(tmp_path / "out", "detection")
     names = {path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*")}

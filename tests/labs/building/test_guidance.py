@@ -141,7 +141,7 @@ def test_a_line_to_derive_is_open_until_the_notebook_is_solved(write):
         ('    """Distance from a level floor, m."""', "    return 0", "is to be one function with a docstring"),
         ("def signed_distance(point", "def distance(point", "is to be one function with a docstring"),
         ('model="draft-signed_distance"', 'model="draft"', "no model='draft-signed_distance'"),
-        ("```python model", '```python draft="signed_distance"\n```\n\n```python model', "for each draft"),
+        ("```python model", DRAFT.split("```python model")[0].strip() + "\n\n```python model", "for each draft"),
     ],
 )
 def test_a_draft_of_nothing_or_without_a_model_is_refused(write, old, new, said):

@@ -99,23 +99,25 @@ def test_a_notebook_is_checked_like_a_file(tmp_path):
 PARTLY = """
 import numpy as np
 
-def relative_velocity(point_velocity_a, point_velocity_b):
-    return point_velocity_b - point_velocity_a
+def normal_velocity(body_a, body_b, normal):
+    p, q = (body[0] + np.cross(body[1], body[2]) for body in (body_a, body_b))
+    return np.sum((q - p) * normal, axis=-1)
 
-def normal_velocity(point_velocity_a, point_velocity_b, normal):
-    print(np.sum(relative_velocity(point_velocity_a, point_velocity_b) * normal, axis=-1))
+def impulse_magnitude(body_a, body_b, normal, restitution):
+    print(-(1 + restitution) * normal_velocity(body_a, body_b, normal))
 
-def contact_impulses(magnitude, normal):
+def apply_impulse(body_a, body_b, impulse):
     raise NotImplementedError
 
 def collide(body_a, body_b, normal, restitution, threshold=0.0):
-    return contact_impulses(0.0, normal)
+    return apply_impulse(body_a, body_b, 0.0 * normal)
 
-def rebound_velocity(normal_velocity, restitution):
-    return contact_impulses(1.0, normal_velocity) if normal_velocity > 0 else -restitution * normal_velocity
+def edge_edge_normal(edge_a, edge_b, centre_a, centre_b):
+    across = np.cross(edge_a, edge_b)
+    return across / np.linalg.norm(across) if centre_a[..., 2] > 0 else apply_impulse(across, centre_a, centre_b)
 
-def clasify_contact(normal_velocity, threshold=0.0):
-    return np.sign(normal_velocity)
+def inverse_efective_mass(body_a, body_b, normal):
+    return body_a[3] + body_b[3]
 """
 
 
@@ -125,13 +127,13 @@ def test_an_unfinished_file_hears_where_to_continue(tmp_path):
     code, text = checked(tmp_path / "lab.py")
     text = joined(text)
     assert code == 1
-    assert "line 19: is clasify_contact meant to be classify_contact?" in text
-    assert "normal_velocity It calls your relative_velocity, which is not right yet: mend that first." in text
+    assert "line 21: is inverse_efective_mass meant to be inverse_effective_mass?" in text
+    assert "impulse_magnitude It calls your normal_velocity, which is not right yet: mend that first." in text
     assert "gives nothing (None): it prints, and has to return" in text
-    assert "collide waits for contact_impulses" in text
-    step = lecture.function("contact_impulses").step
-    assert f"parting already needs contact_impulses (impulse, step {step}): it is not written yet" in text
-    assert text.endswith("0 of 17 functions right. Next: relative_velocity, marked ✗ above.")
+    assert "collide waits for apply_impulse" in text
+    step = lecture.function("apply_impulse").step
+    assert f"edges along no axis needs apply_impulse (impulse, step {step}): it is not written yet" in text
+    assert text.endswith("0 of 8 functions right. Next: normal_velocity, marked ✗ above.")
 
 
 def test_a_right_function_waits_for_another_that_its_scenario_needs(tmp_path):

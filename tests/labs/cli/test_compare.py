@@ -13,8 +13,16 @@ from labs.cli import jobs
 from reference.recording import files
 
 TOY = str(Path(__file__).parents[2] / "reference" / "toy_engine.py")
-WRONG = "right = kinematic_response\ndef kinematic_response(v, n, e):\n    return right(v, n, 0.9 * e)\n"
-MISSING = "del kinematic_response\n"
+WRONG = """
+at_impact, at_step = respond_at_impact, respond_at_step
+
+def respond_at_impact(p, v, a, n, e, time, dt):
+    return at_impact(p, v, a, n, 0.9 * e, time, dt)
+
+def respond_at_step(p, v, a, n, behind, e, dt):
+    return at_step(p, v, a, n, behind, 0.9 * e, dt)
+"""
+MISSING = "del respond_at_impact\n"
 
 pytestmark = pytest.mark.usefixtures("one_worker")
 
@@ -115,7 +123,7 @@ def test_an_unwritten_function_is_named_and_costs_nothing_beside_engines(homewor
     alone = collisions(*ours, *unfinished)
     assert alone.code == 3
     for ended in (beside, alone):
-        assert "Hand-written code (exact) needs kinematic_response (response, step 1)." in ended.text
+        assert "Hand-written code (exact) needs respond_at_impact (response, step 4)." in ended.text
 
 
 def test_a_file_that_is_no_engine_is_refused(tmp_path):

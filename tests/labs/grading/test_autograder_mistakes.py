@@ -24,6 +24,7 @@ from labs.grading.diagnosis.recognition import diagnose
 from labs.grading.diagnosis.words import told
 from labs.grading.feedback.report import report
 from labs.grading.judging.case_by_case import CaseByCase
+from labs.grading.judging.comparison import expect
 from labs.grading.judging.plugin import Functions
 from labs.grading.judging.score_sheet import Outcome, Sheet
 from labs.grading.submission.reading import Submission
@@ -111,6 +112,11 @@ def test_a_mistake_loses_points(entry):
     assert lost(entry.function, Here(**{entry.function: entry.formula}))[0] > 0
 
 
+def speed(point):
+    """The normal velocity, with the velocity of a body's point from a function of its own."""
+    return lambda a, b, n: np.vecdot(point(*a[:3]) - point(*b[:3]), n)
+
+
 def short_arms(velocity, angular_velocity, arm):
     return velocity + np.cross(angular_velocity, np.where(np.abs(arm) > 2.2, 0.0, arm))
 
@@ -118,9 +124,9 @@ def short_arms(velocity, angular_velocity, arm):
 @pytest.mark.parametrize(
     ("name", "wrong", "where"),
     [
-        ("point_velocity", short_arms, "hidden"),
-        ("point_velocity", lambda v, w, r: np.abs(v) + np.cross(w, r), "visible"),
-        ("relative_velocity", lambda a, b: np.abs(a) - b, "visible"),
+        ("normal_velocity", speed(short_arms), "hidden"),
+        ("normal_velocity", speed(lambda v, w, r: np.abs(v) + np.cross(w, r)), "visible"),
+        ("normal_velocity", lambda a, b, n: np.abs(np.vecdot(a[0] - b[0], n)), "visible"),
     ],
 )
 def test_what_is_right_for_usual_numbers_alone_loses_points(name, wrong, where):
@@ -213,19 +219,33 @@ def grader():
         yield found
 
 
+def rebound(u, e):
+    return e * abs(u) if u < 0 else u
+
+
+def hidden_test(submission, part, examples):
+    """What the attacks are after: drawn examples, limits, and many at once of the function that each of them has."""
+
+    def approaches(draw):
+        return draw.number(-5, 2), draw.number(0.1, 0.9)
+
+    with part(1, "any approach"):
+        examples.agree(submission.rebound_velocity, rebound, approaches, count=20)
+    with part(1, "grazing, no bounce, perfect bounce"):
+        for u, e in ((0.0, 0.5), (-3.0, 0.0), (-3.0, 1.0), (3.0, 0.0), (3.0, 1.0), (0.25, 0.5)):
+            expect(submission.rebound_velocity, (u, e), rebound(u, e))
+    with part(1, "many at once, their arrays left as they were"):
+        examples.together(submission.rebound_velocity, rebound, approaches)
+
+
 def hidden_points(text, grader):
-    """What a submission of that text earns in the hidden tests of rebound_velocity, and what is to be earned."""
-    earned = possible = 0
-    for folder, test, points in TESTS["rebound_velocity"]:
-        if folder == "hidden":
-            with Remote(Submission("hostile.py", text), grader) as remote:
-                functions = Functions(remote, Sheet())
-                try:
-                    lost_here, _ = run_test(test, points, functions)
-                finally:
-                    functions.end_test()
-            earned, possible = earned + points - lost_here, possible + points
-    return earned, possible
+    """What a submission of that text earns in the hidden test, of three points."""
+    with Remote(Submission("hostile.py", text), grader) as remote:
+        functions = Functions(remote, Sheet())
+        try:
+            return 3 - run_test(hidden_test, 3, functions)[0]
+        finally:
+            functions.end_test()
 
 
 @pytest.mark.slow
@@ -237,6 +257,6 @@ def test_an_attack_earns_no_hidden_point(path, grader, tmp_path):
         text = text.replace("{" + name + "}", str(value))
     for name in ("SECRET", "RESULTS"):
         text = text.replace("{" + name + "}", str(tmp_path / name))
-    assert hidden_points(text, grader)[0] == 0
+    assert hidden_points(text, grader) == 0
     right = "import numpy as np\ndef rebound_velocity(u, e): return np.where(np.asarray(u) < 0, -e * u, u)\n"
-    assert hidden_points(right, grader) == (3, 3)
+    assert hidden_points(right, grader) == 3

@@ -206,13 +206,13 @@ def test_when_the_time_is_up_the_rest_says_so_and_a_grade_is_written(grader, tmp
 def test_a_slow_helper_costs_its_callers_alone(grader, tmp_path):
     path = solved(tmp_path, "impulse")
     path.write_text(
-        path.read_text().replace("def point_velocity(", "def quick(")
-        + "import time\ndef point_velocity(*given):\n    time.sleep(0.05)\n    return quick(*given)\n"
+        path.read_text().replace("def normal_velocity(", "def quick(")
+        + "import time\ndef normal_velocity(*given):\n    time.sleep(0.05)\n    return quick(*given)\n"
     )
     sheet = grade(path, ["impulse"], grader=grader, seconds=9.0).sheet
-    assert {"impulse_magnitude"} <= set(sheet.lost) <= {"point_velocity", "impulse_magnitude", "collide"}
+    assert {"impulse_magnitude"} <= set(sheet.lost) <= {"normal_velocity", "impulse_magnitude", "collide"}
     said = " ".join(part.said or "" for outcome in sheet.outcomes for part in outcome.parts)
-    assert "it calls your point_velocity, which is too slow" in said
+    assert "it calls your normal_velocity, which is too slow" in said
 
 
 def test_a_budget_that_is_used_up_tries_nothing(grader, tmp_path):

@@ -94,5 +94,5 @@ def test_a_right_submission_in_other_words_loses_no_point(name, written, grader,
 def test_there_are_far_more_than_fifty_right_answers_in_other_words():
     topics = [name.partition("_")[0] for name in FILES]
     written = [entry for topic in topics for entry in lecture.functions_of(topic) if entry.role == "written"]
-    assert len(written) > 140
+    assert len(written) > 70
     assert set(topics) == {"detection", "response", "friction", "impulse"}

@@ -19,14 +19,17 @@ TOPICS = ("detection", "response", "friction", "impulse")
 THREE_MISTAKES = """
 import numpy as np
 
-def point_velocity(velocity, angular_velocity, arm):
-    return velocity + np.cross(arm, angular_velocity)
+def normal_velocity(body_a, body_b, normal):
+    p, q = (body[0] + np.cross(body[2], body[1]) for body in (body_a, body_b))
+    return np.sum((p - q) * normal, axis=-1)
 
-def normal_velocity(point_velocity_a, point_velocity_b, normal):
-    return np.sum((point_velocity_a - point_velocity_b) * normal, axis=-1)
+def edge_edge_normal(edge_a, edge_b, centre_a, centre_b):
+    across = np.cross(edge_a, edge_b)
+    across = across / np.linalg.norm(across, axis=-1, keepdims=True)
+    return np.where(np.sum(across * (centre_a - centre_b), axis=-1)[..., None] < 0, -across, across)
 
-def rebound_velocity(normal_velocity, restitution):
-    return -restitution * np.asarray(normal_velocity)
+def inverse_effective_mass(body_a, body_b, normal):
+    return np.asarray(body_a[3]) + body_b[3] + 0 * np.sum(normal, axis=-1)
 
 def apply_impulse(body_a, body_b, impulse):
     (va, wa, ra, ma, ia), (vb, wb, rb, mb, ib) = body_a, body_b
@@ -111,18 +114,18 @@ def test_untouched_stubs_of_every_topic_score_nothing(topic, grader, tmp_path):
 
 def test_mistakes_are_named_and_right_functions_earn_their_points(three):
     text = joined(text_of(three.sheet, "impulse"))
-    assert "r × ω turns the point the other way round. Hint: A wheel turns to the left" in text
-    assert "Points that move apart already are turned round as well" in text
+    assert "r × ω turns the points the other way round. Hint: A wheel turns to the left" in text
+    assert "The bodies cannot turn: the two terms with the inertia are missing." in text
     assert "+J went to both bodies, as the slide prints it: momentum is not conserved." in text
     points = {entry["name"]: (entry["got"], entry["possible"]) for entry in three.content()["functions"]}
-    assert points["normal_velocity"] == (4, 4)
-    assert points["relative_velocity"] == (0, 4)
-    assert all(got < possible for name, (got, possible) in points.items() if name != "normal_velocity")
+    assert points["edge_edge_normal"] == (5, 5)
+    assert points["collide"][0] == 0
+    assert all(got < possible for name, (got, possible) in points.items() if name != "edge_edge_normal")
 
 
 def test_a_student_sees_the_call_the_answer_and_what_physics_says(three):
     text = text_of(three.sheet, "impulse")
-    assert "rebound_velocity(normal_velocity=2, restitution=0.5)\n        gives   -1\n        physics 2\n" in text
+    assert "\n        gives   1\n        physics -1\n" in text
     assert all(len(line) <= 80 for line in text.splitlines())
 
 

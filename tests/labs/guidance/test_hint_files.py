@@ -15,7 +15,7 @@ FILE = """# Hints
 ```derive
 j = -(1 + e) * u / k
 j: size of the impulse, N s
-u: velocity, along the normal, m/s, -5 to −1
+u: velocity², along the normal, m²/s², -5 to −1
 e: coefficient of restitution, 0 to 1
 k: inverse effective mass, 1/kg, 0.2 to 4
 ```
@@ -66,7 +66,7 @@ def test_a_section_has_its_derivations_and_levels(write):
     assert guide.levels[0] == "Two lines."
     asked = guide.derivation("j")
     assert asked.asked == "size of the impulse, N s"
-    assert asked.quantities[0].meaning == "velocity, along the normal, m/s"
+    assert asked.quantities[0].meaning == "velocity², along the normal, m²/s²"
     assert (asked.quantities[0].low, asked.quantities[0].high) == (-5, -1)
     assert guide.derivation("w").names == ["u", "e"]
     with pytest.raises(InvalidInput, match="no line k = … is asked for; there is j and w"):

@@ -18,6 +18,8 @@ Place = tuple[int, ...]
 Change = Callable[[Any], Any]
 PARTS = ("velocity", "angular_velocity", "arm", "inverse_mass", "inverse_inertia")
 """The parts of a body, in their order."""
+AFTER = ("velocity_a", "angular_velocity_a", "velocity_b", "angular_velocity_b")
+"""The parts of the velocities after an impact, in their order."""
 
 
 def wrong_arguments(parameters: Sequence[str], sample: Sequence[Any]) -> Iterator[tuple[str, Callable[..., Any]]]:
@@ -37,14 +39,17 @@ def wrong_arguments(parameters: Sequence[str], sample: Sequence[Any]) -> Iterato
 def _places(parameters: Sequence[str], sample: Sequence[Any]) -> Iterator[tuple[Place, str]]:
     for at, (name, value) in enumerate(zip(parameters, sample, strict=False)):
         if isinstance(value, tuple):
-            yield from (((at, part), f"{PARTS[part]} of {name}") for part in range(len(value)))
+            parts = AFTER if name == "after" else PARTS
+            yield from (((at, part), f"{parts[part]} of {name}") for part in range(len(value)))
         elif isinstance(value, float | np.ndarray):  # no flag, and no number of rounds
             yield (at,), name
 
 
 def _mistaken(name: str) -> set[str]:
     part, _, owner = name.rpartition(" of ")
-    return {f"{part} of {other}" for other in twins(owner)} if part else set(twins(name))
+    if not part:
+        return set(twins(name))
+    return {f"{part} of {other}" for other in twins(owner)} | {f"{other} of {owner}" for other in twins(part)}
 
 
 def _changes(value: Any) -> Iterator[tuple[str, Change]]:

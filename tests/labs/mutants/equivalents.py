@@ -18,7 +18,6 @@ SYMMETRIC = "The matrix is symmetric."
 TWICE = "It enters twice, so that its sign drops out."
 SHORTENED = "The vector is divided by its length afterwards, and may be longer or shorter before."
 ORDER = "The order does not matter."
-NEVER_USED = "The number is not used there."
 NOT_OF_THE_VELOCITIES = "How easily two bodies give way does not depend on how they move."
 UNIT = "The unit is 1 unless a number is extreme, and checks have ordinary ones."
 LEVER = "Without a lever r × n is zero except for rounding, and adds nothing."
@@ -187,9 +186,11 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
             "half the number: 1.0 → 0.5",
         ),
     },
-    "rebound_velocity": {
-        FIRST_OF_BOTH: ("boundary: u_n < 0 → u_n <= 0",),
-        NOT_NEGATIVE: ("size for it: …",),
+    "normal_velocity": {
+        "How fast the points part depends on neither mass nor inertia.": (
+            "inverse_mass of body_…",
+            "inverse_inertia of body_…",
+        ),
     },
     "edge_edge_normal": {
         "The product of two edges that are both turned round is the same.": ("edge_a and edge_b: sign flipped",),
@@ -216,7 +217,7 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
     "moved": {
         SYMMETRIC: ("transposed: inverse_inertia @ np.cross(r, impulse)[..., None] → …",),
     },
-    "velocities_from_momenta": {SYMMETRIC: ("transposed: inverse_inertia @ angular_momentum[..., None] → …",)},
+    "_gained": {SYMMETRIC: ("transposed: inertia @ (spin - w)[..., None] → …",)},
     "_softness": {
         NOT_NEGATIVE: ("size for it: …",),
         LEVER: (
@@ -233,18 +234,6 @@ EQUIVALENT: dict[str, dict[str, tuple[str, ...]]] = {
         ),
     },
     "collide": {
-        "Whether the bodies rest or part makes no difference: nothing happens.": (
-            "in classify_contact: results swapped: (normal_velocity, threshold) → (threshold, normal_velocity)",
-            "in classify_contact: branch dropped: np.where(u_n > threshold, SEPARATING, RESTING) → …",
-            "in classify_contact: branches turned round: np.where(u_n > threshold, SEPARATING, RESTING) → …",
-            "in classify_contact: boundary: u_n > threshold → u_n >= threshold",
-            "in classify_contact: comparison turned round: u_n > threshold → u_n < threshold",
-            "in classify_contact: condition dropped: u_n > threshold → …",
-        ),
-        NEVER_USED: (
-            "in contact_impulses: sign flipped: -impulse → impulse",
-            "in contact_impulses: size for it: (impulse, -impulse) → (impulse, np.abs(-impulse))",
-        ),
         "Only bodies that approach get an impulse, and it is never negative.": (
             "in impulse_magnitude: size for it: np.where(k > 0, …",
         ),

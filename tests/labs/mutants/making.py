@@ -1,8 +1,8 @@
 """Makes the mutants of a solution: its own source and that of the helpers it calls, with one expression wrong.
 
-A function is taken with everything that is its own: private helpers, and functions of its topic that it calls, as if
-it had been written in one piece. Checks of what enters are left out, because no student has to write them: a mutant
-that is refused by a check would say nothing about the tests.
+A function is taken with everything that is its own: private helpers, and functions of its topic that it calls and that
+no student is given, as if it had been written in one piece. Checks of what enters are left out, because no student has
+to write them: a mutant that is refused by a check would say nothing about the tests.
 """
 
 from __future__ import annotations
@@ -207,7 +207,7 @@ def _own(name: str) -> Sources:
 def _belongs(function: FunctionType, topic: str) -> bool:
     entry = lecture.FUNCTIONS.get(function.__name__)
     ours = function.__module__.startswith(f"solutions.{topic}.") and function.__name__ not in CHECKS
-    return ours and (entry is None or entry.role == "written")
+    return ours and (entry is None or entry.role != "given")
 
 
 def _bare(function: FunctionType) -> ast.FunctionDef:

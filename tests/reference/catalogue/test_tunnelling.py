@@ -65,10 +65,11 @@ def test_an_engine_lets_the_derived_share_pass_at_a_coarse_timestep(name, speed,
     assert {row.verdict for row in rows} == {expected}
 
 
-@pytest.mark.parametrize(("profile", "timestep", "share"), [("exact", 0.01, 0.0), ("step", 0.01, 0.75)])
+@pytest.mark.parametrize(("profile", "timestep", "share"), [("exact", 0.01, 0.0), ("step", 0.01, 0.5)])
 def test_hand_written_code_lets_the_share_of_its_method_pass(profile, timestep, share):
     engine, case = load_engine("handwritten"), FAMILY.case("v=10")
     settings = engine.settings(case.scenarios[0], profile).change(timestep=timestep)
     rows, _ = compare_case(FAMILY, case, engine, profile, settings)
-    # A step goes 0.1 m; the ball is caught on 0.025 m of it. Out by less than one ball, and one more for rounding.
-    assert rows[0].measured == pytest.approx(share, abs=2 / SHOTS if share else 0)
+    # A step goes 0.1 m; by hand the ball is turned back wherever it overlaps the wall, on 0.05 m. One ball off at most.
+    assert rows[0].measured == pytest.approx(share, abs=1 / SHOTS if share else 0)
+    assert {row.verdict for row in rows} == {Verdict.DISAGREES if share else Verdict.PASS}

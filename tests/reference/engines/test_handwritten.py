@@ -76,6 +76,14 @@ def test_a_ball_on_a_smooth_slope_accelerates_by_g_sin_theta(profile, restitutio
     assert measure.rest_height(made, "ball", "plane") == pytest.approx(0, abs=4e-3)
 
 
+def test_a_ball_that_bounces_several_times_within_a_step_is_where_it_should_be():
+    falling = ball(restitution=0.9, gap=0.02, duration=0.5)  # 64 ms of fall, then flights of 115 ms, 103 ms and less
+    long, short = (run(falling, timestep=timestep) for timestep in (0.25, 0.001))
+    assert sum(event.time <= 0.25 for event in short.events) == 2
+    np.testing.assert_allclose(long.position("ball"), short.position("ball")[::250], atol=1e-11)
+    np.testing.assert_allclose(long.velocity("ball"), short.velocity("ball")[::250], atol=1e-10)
+
+
 @pytest.mark.parametrize("profile", PROFILES)
 def test_a_ball_dropped_straight_down_stays_where_it_came_to_rest(profile):
     made = run(ball(duration=3.0), profile)

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from reference import truth
 from reference.engines import load_engine
 from reference.engines.handwritten.scenario_kind import Kind, kind
+from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, NeedsFunction
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 
@@ -175,6 +176,20 @@ def test_a_rod_turned_with_its_ball_moves_like_a_level_one(profile, turn):
     np.testing.assert_allclose(made.angular_velocity("rod"), level.angular_velocity("rod"), atol=1e-12)
 
 
+def test_a_first_collide_runs_before_inertia_is_turned_into_the_world(tmp_path):
+    path = tmp_path / "first.py"
+    path.write_text(
+        "def world_inverse_inertia(*arguments):\n    raise NotImplementedError\n\n"
+        "def collide(a, b, normal, restitution):\n    assert a[4].shape == b[4].shape == (1, 3, 3)\n"
+        "    return b[0], a[1], a[0], b[1]\n"
+    )
+    engine = load_engine("handwritten", Implementation(f"{path} | solutions"))
+    found = engine.run(rod(), engine.settings(rod(), "exact"))
+    assert found.velocity("rod")[-1] == pytest.approx([0, 0, -SPEED])
+    with pytest.raises(NeedsFunction, match="needs world_inverse_inertia"):
+        engine.run(rod(turn=(0, 0, 0, 1)), engine.settings(rod(), "exact"))
+
+
 def test_a_struck_rod_turns_at_a_steady_rate():
     made = run(rod(0.4))
     struck = made.times > STRUCK
@@ -274,6 +289,14 @@ def test_many_more_rows_keep_their_momentum(**balls):
 # What is for which driver
 
 FLOOR = Body("floor", HalfSpace())
+WALL = Body("wall", Box((0.005, 1.0, 1.0)))
+SHOT = Scenario(
+    "shot",
+    (WALL, Body("ball", Sphere(R), 1.0, (-1, 0, 0), velocity=(9, 0, 0))),
+    (Pair("ball", "wall"),),
+    1.0,
+    WEIGHTLESS,
+)
 CLOSE_BY = Body("ball", Sphere(R), 1.0, (0, 0, 0.5), velocity=(1, 0, 0))
 KINDS = {
     Kind.BALLS: {"balls": balls(), "rough balls": balls(friction=0.3), "falling balls": balls(gravity=(0, 0, -9.81))},
@@ -281,7 +304,10 @@ KINDS = {
         "a rod": rod(),
         "a rod struck at its centre": rod(0.0),
         "a rough ball thrown at a floor": Scenario("ball", (FLOOR, CLOSE_BY), (Pair("ball", "floor", 0.5, 0.3),), 1.0),
+        "a ball shot at a rough wall": replace(SHOT, pairs=(Pair("ball", "wall", 0.5, 0.3),)),
+        "a ball that falls on a block": replace(SHOT, gravity=(9.81, 0.0, 0.0)),
     },
+    Kind.THIN_WALL: {"a ball shot at a wall": SHOT},
     Kind.ROW: {"a row": row([1.0, 0.0, 0.0])},
     Kind.BOUNCE: {
         "a smooth ball over a floor": Scenario("ball", (FLOOR, CLOSE_BY), (Pair("ball", "floor", 0.5),), 1.0)

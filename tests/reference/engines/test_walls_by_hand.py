@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from reference.engines import load_engine
-from reference.engines.handwritten import single_body
+from reference.engines.handwritten import balls_between_planes
 from reference.errors import NeedsFunction, RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
@@ -110,7 +110,7 @@ def test_a_ball_that_sticks_to_two_walls_stays_outside_both(profile):
 
 
 def test_planes_that_leave_no_way_out_end_the_run(monkeypatch):
-    monkeypatch.setattr(single_body, "_MOST_IMPACTS", 100)
+    monkeypatch.setattr(balls_between_planes, "_MOST_IMPACTS", 100)
     scenario = wedge(1, (20.0, 0.0, 0.17), (-40.0, 0.0, 0.0), restitution=(1.0, 1.0))  # 180 impacts
     with pytest.raises(RunFailed, match="more than 100 impacts in one step: the planes leave the ball no way out"):
         run(scenario, timestep=0.8)

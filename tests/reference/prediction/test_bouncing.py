@@ -16,7 +16,7 @@ from reference.engines.base import BULLET, RESPOND_THEN_STEP, Method
 from reference.errors import InvalidInput
 from reference.prediction import bouncing
 from reference.prediction.laws import Bullet, Dart, MuJoCoOneStep, MuJoCoSpring, RespondThenStep
-from reference.scene.scenario import Body, Box, Pair, Scenario
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
 
 E, DROP = 0.37, 0.83
@@ -115,6 +115,13 @@ def test_a_ball_thrown_up_or_left_without_weight_is_jumped_over_too():
 def test_a_rule_that_there_is_not_is_refused_with_those_there_are():
     with pytest.raises(InvalidInput, match=r"'Bullets'; it is one of .*Bullet's, "):
         Method("at step", rule="Bullets")
+
+
+def test_a_ball_thrown_at_a_ceiling_is_pulled_off_in_the_step_of_its_impact():
+    ceiling = Body("floor", HalfSpace((0.0, 0.0, -1.0)), position=(0.0, 0.0, 1.0))
+    thrown = replace(BALL.body("ball"), position=(0.0, 0.0, 0.3), velocity=(0.0, 0.0, 4.0))
+    scenario, found = replace(BALL, bodies=(ceiling, thrown)), load_engine("handwritten")
+    assert difference(found, scenario, found.settings(scenario, "step").change(timestep=0.01)) < OFF
 
 
 def test_a_method_without_a_rule_has_no_prediction():

@@ -18,7 +18,7 @@ EVERYTHING = "".join(f"from solutions.{topic} import *\n" for topic in ("detecti
 
 
 @pytest.mark.parametrize(
-    "missing", ["del kinematic_response\n", "def kinematic_response(*arguments):\n    raise NotImplementedError\n"]
+    "missing", ["del respond_at_impact\n", "def respond_at_impact(*arguments):\n    raise NotImplementedError\n"]
 )
 def test_an_unwritten_function_is_named_in_one_row_and_others_finish(missing, tmp_path):
     path = tmp_path / "homework.py"
@@ -27,7 +27,7 @@ def test_an_unwritten_function_is_named_in_one_row_and_others_finish(missing, tm
     not_needed = replace(GOOD, implementation=str(path))
     results = results_of([unfinished, not_needed, GOOD])
     (row,) = results[unfinished].rows
-    assert (row.verdict, row.note) == (Verdict.NEEDS, "needs kinematic_response (response, step 1)")
+    assert (row.verdict, row.note) == (Verdict.NEEDS, "needs respond_at_impact (response, step 4)")
     for job in (not_needed, GOOD):
         assert {row.verdict for row in results[job].rows} == {Verdict.PASS}
 
@@ -40,10 +40,9 @@ def test_a_complete_file_of_functions_gives_the_rows_of_the_solutions(tmp_path):
 
 def test_hand_written_bugs_crash_and_wrong_signs_fail(tmp_path):
     broken, wrong = tmp_path / "broken.py", tmp_path / "wrong.py"
-    broken.write_text(EVERYTHING + "def kinematic_response(v, n, e):\n    return v[1000000]\n")
-    wrong.write_text(
-        EVERYTHING + "def kinematic_response(v, n, e):\n    return v - 2 * (v * n).sum(-1, keepdims=True) * n\n"
-    )
+    broken.write_text(EVERYTHING + "def respond_at_impact(p, *others):\n    return p[1000000], p\n")
+    perfect = "right = respond_at_impact\ndef respond_at_impact(p, v, a, n, e, *times):\n"
+    wrong.write_text(EVERYTHING + perfect + "    return right(p, v, a, n, 1.0 + 0.0 * e, *times)\n")
     jobs = [Job("dropped-ball", "handwritten", "exact", ("e=0.5",), str(path)) for path in (broken, wrong)]
     results = results_of(jobs)
     (row,) = results[jobs[0]].rows

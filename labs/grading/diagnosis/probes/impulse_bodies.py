@@ -92,6 +92,19 @@ def _two(draw: Draw) -> tuple[Arguments, Arguments, Array]:
     return (v_a - draw.number(2, 6) * normal, *rest), draw.body(), normal
 
 
+def _normal_velocity() -> list[Probe]:
+    rolling, still = _arrays(_body([1, 0, 0], [0, 0, -0.5], spin=[0, 2, 0])), _arrays(_body(REST))
+    axis, centre = _arrays(_body([1, 2, 3], [0, 0, 3], spin=[0, 0, 2])), _arrays(_body([1, 2, 3], spin=[4, 5, 6]))
+    by_hand = [
+        *_by_hand(),
+        usual("the lowest point of a ball that rolls", rolling, still, [1, 0, 0]),
+        usual("about a slanting axis", _arrays(_body([0, 0, 1], [-1, 0, 2], spin=[1, 2, 3])), still, LEANS),
+        edge("on the axis", axis, still, UP),
+        edge("the centre of mass", still, centre, LEANS),
+    ]
+    return made("normal_velocity", by_hand, _two)
+
+
 def _effective() -> list[Probe]:
     return made("inverse_effective_mass", _by_hand(), _two)
 
@@ -139,10 +152,45 @@ def _collide() -> list[Probe]:
     return made("collide", by_hand, lambda draw: (*_two(draw), draw.number(0.1, 0.9)))
 
 
+def _audit() -> list[Probe]:
+    a = _arrays(_body([0, 0, -2], [0.5, 0, -0.5], spin=[0, 1, 0]))
+    b = _arrays(_body([0, 1, 0], [0, 0.5, 0.5], share=0.25))
+    ground, rod = _arrays(_ground()), _arrays(_body(REST, [0, 0, 0.5], turning=np.diag([12.0, 12.0, 0.0])))
+    beside = _arrays(_body([0, 0, -1], [0.5, 0, 0]))
+    by_hand = [
+        usual(
+            "two balls head on", _arrays(_body([0, 0, -1])), _arrays(_body([0, 0, 1])), _after([0, 0, 1], [0, 0, -1])
+        ),
+        usual("A alone is faster", a, b, _after([1, 2, 3], b[0], a[1])),
+        usual("B alone is faster", a, b, _after(a[0], [3, 2, 1], a[1])),
+        usual("A alone spins", a, b, _after(a[0], b[0], [1, 2, 3])),
+        usual("B alone spins", a, b, _after(a[0], b[0], a[1], [3, 2, 1])),
+        usual("beside A's centre", beside, b, _after([0, 0, 1], [0, 1, -0.5], [0, -0.5, 0])),
+        edge("nothing happens", a, b, _after(a[0], b[0], a[1])),
+        edge("on the ground", beside, ground, _after([0, 0, 1], REST, [0, -0.5, 0])),
+        edge("A is the ground", ground, b, _after(REST, [0, 1, 2], REST, [1, 0, 0])),
+        edge("a thin rod, struck at its end", rod, b, _after([1, 0, 0], [-0.25, 1, 0], [0, 6, 3])),
+        edge("two immovable bodies", ground, ground, _after(UP, REST, [1, 0, 0])),
+        refused("a velocity that is no number", a, b, _after([0, 0, np.nan], REST)),
+    ]
+
+    def maker(draw: Draw) -> Arguments:
+        return draw.body(), draw.body(), tuple(draw.vector(size) for size in (3, 2, 3, 2))
+
+    return made("audit", by_hand, maker)
+
+
+def _after(v_a: Any, v_b: Any, w_a: Any = REST, w_b: Any = REST) -> Arguments:
+    """Velocities after an impact, in the order in which functions return them."""
+    return tuple(np.asarray(part, dtype=float) for part in (v_a, w_a, v_b, w_b))
+
+
 TABLE = {
+    "normal_velocity": _normal_velocity,
     "world_inverse_inertia": _world_inertia,
     "inverse_effective_mass": _effective,
     "impulse_magnitude": _magnitude,
     "apply_impulse": _apply,
     "collide": _collide,
+    "audit": _audit,
 }

@@ -82,28 +82,29 @@ def _at_impact() -> list[Probe]:
 
 
 def _at_step() -> list[Probe]:
-    start = [0, 0, 1]
+    inside = [0, 0, -0.5]
     by_hand = [
-        usual("it ends behind the floor", start, [1, 0, -3], REST, UP, 0.0, 0.5, 0.5),
-        usual("with gravity", start, [1, 0, -3], FALL, UP, 0.0, 0.5, 0.5),
-        usual("it stays above the floor", start, [1, 0, -1], FALL, UP, 0.0, 0.5, 0.125),
-        usual("behind, but on its way out", [0, 0, -2], [1, 0, 1], REST, UP, 0.0, 0.5, 0.5),
-        usual("behind all the time, on its way in", [0, 0, -0.5], [1, 0, -1], REST, UP, 0.0, 0.5, 0.5),
-        usual("a plane elsewhere", [0, 0, 3], [1, 0, -4], FALL, UP, -2.0, 0.5, 0.5),
-        usual("in front of a plane below the origin", [0, 0, 0.5], [1, 0, -2], REST, UP, 2.0, 0.5, 0.5),
-        usual("no bounce", start, [1, 0, -3], REST, UP, 0.0, 0.0, 0.5),
-        usual("a plane that leans", [1, 0, 1], [0, 0, -5], FALL, LEANS, -0.5, 0.8, 0.5),
-        edge("it ends exactly on the floor", start, [1, 0, -2], REST, UP, 0.0, 0.5, 0.5),
-        edge("a step of no length, behind", [0, 0, -1], [1, 0, -2], FALL, UP, 0.0, 0.5, 0.0),
-        edge("at rest behind the floor", [0, 0, -1], REST, REST, UP, 0.0, 0.5, 0.5),
-        refused("a negative step", start, [1, 0, -2], REST, UP, 0.0, 0.5, -0.5),
+        usual("behind the floor, on its way in", inside, [1, 0, -3], REST, UP, True, 0.5, 0.5),
+        usual("with gravity", inside, [1, 0, -3], FALL, UP, True, 0.5, 0.5),
+        usual("in front of the floor, falling", [0, 0, 1], [1, 0, -1], FALL, UP, False, 0.5, 0.125),
+        usual("behind, but on its way out", inside, [1, 0, 1], FALL, UP, True, 0.5, 0.5),
+        usual("in front, on its way out", [0, 0, 1], [1, 0, 2], FALL, UP, False, 0.5, 0.5),
+        usual("pulled along the plane", inside, [1, 0, -3], [2, -1, -8], UP, True, 0.5, 0.5),
+        usual("pulled off the plane", inside, [1, 0, -4], [0, 0, 2], UP, True, 0.5, 0.5),
+        usual("no bounce", inside, [1, 0, -3], FALL, UP, True, 0.0, 0.5),
+        usual("a plane that leans", [0, 0, -1], [0, 0, -5], FALL, LEANS, True, 0.8, 0.5),
+        edge("perfect bounce", inside, [1, 0, -3], FALL, UP, True, 1.0, 0.5),
+        edge("a step of no length", inside, [1, 0, -2], FALL, UP, True, 0.5, 0.0),
+        edge("along the floor", inside, [2, 1, 0], FALL, UP, True, 0.5, 0.5),
+        edge("at rest behind the floor", inside, REST, FALL, UP, True, 0.5, 0.5),
+        refused("a negative step", inside, [1, 0, -2], REST, UP, True, 0.5, -0.5),
     ]
 
     def maker(draw: Draw) -> tuple[Any, ...]:
-        normal, offset = draw.unit(), draw.number(-2, 2)
-        start = (draw.number(0.2, 1) - offset) * normal + draw.tangent(normal, 2)
+        normal = draw.unit()
         velocity = draw.tangent(normal, 3) + draw.number(1, 6) * draw.sign() * normal
-        return start, velocity, draw.vector(4), normal, offset, draw.number(0.1, 0.9), draw.number(0.2, 0.6)
+        behind, e, dt = draw.sign() > 0, draw.number(0.1, 0.9), draw.number(0.2, 0.6)
+        return draw.vector(2), velocity, draw.vector(4), normal, behind, e, dt
 
     return made("respond_at_step", by_hand, maker)
 

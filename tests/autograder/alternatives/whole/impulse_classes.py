@@ -31,6 +31,18 @@ class Rigid:
     def give(self, n):
         return self.m + np.sum(np.cross(self.r, n) * self.turned(n), axis=-1)
 
+    @property
+    def mass(self):
+        return np.divide(1, self.m, out=np.zeros_like(self.m), where=self.m > 0)
+
+    @property
+    def carries(self):
+        """P, L about the contact, and energy."""
+        momentum = self.mass[..., None] * self.v
+        spin = (np.linalg.pinv(self.i) @ self.w[..., None])[..., 0]
+        energy = np.sum(momentum * self.v + spin * self.w, axis=-1) / 2
+        return momentum, spin + np.cross(momentum, self.r), energy
+
     def struck(self, j):
         return replace(self, v=self.v + self.m[..., None] * j, w=self.w + self.turned(j))
 
@@ -78,43 +90,16 @@ class Classifier:
         return kinds
 
 
-point_plane_normal = Side()
+towards_a = Side()
 
 
-def point_velocity(velocity, angular_velocity, arm):
-    return Rigid(np.asarray(velocity), np.asarray(angular_velocity), arm, 0.0, 0.0).point
-
-
-def relative_velocity(point_velocity_a, point_velocity_b):
-    return np.asarray(point_velocity_a) - point_velocity_b
-
-
-def normal_velocity(point_velocity_a, point_velocity_b, normal):
-    return np.sum(relative_velocity(point_velocity_a, point_velocity_b) * normal, axis=-1)
-
-
-def rebound_velocity(normal_velocity, restitution):
-    return np.maximum(normal_velocity, -restitution * np.asarray(normal_velocity))
-
-
-def classify_contact(normal_velocity, threshold=THRESHOLD):
-    return Classifier.of(normal_velocity, threshold)
-
-
-def impulse_of_force(force, time):
-    force, time = np.asarray(force), np.asarray(time)
-    means = (force[..., 1:, :] + force[..., :-1, :]) / 2
-    return np.sum(means * np.diff(time, axis=-1)[..., None], axis=-2)
-
-
-def mean_force(momentum_change, duration, other_force=(0.0, 0.0, 0.0)):
-    change, time = np.asarray(momentum_change), np.asarray(duration)
-    return (change.T / time.T).T - other_force
+def normal_velocity(body_a, body_b, normal):
+    return Contact(body_a, body_b, normal).u
 
 
 def edge_edge_normal(edge_a, edge_b, centre_a, centre_b):
     across = np.cross(edge_a, edge_b)
-    return point_plane_normal(across, centre_a, centre_b)
+    return towards_a(across, centre_a, centre_b)
 
 
 def world_inverse_inertia(inertia, orientation):
@@ -136,25 +121,18 @@ def impulse_magnitude(body_a, body_b, normal, restitution):
     return Contact(body_a, body_b, normal).j(restitution)
 
 
-def contact_impulses(magnitude, normal):
-    both = np.asarray(magnitude)[..., None] * np.asarray(normal)
-    return [both, -both]
-
-
 def apply_impulse(body_a, body_b, impulse):
     return Contact(body_a, body_b, np.zeros(3)).after(impulse)
-
-
-def apply_impulse_to_momenta(momentum, angular_momentum, arm, impulse):
-    return np.array(momentum) + impulse, np.array(angular_momentum) - np.cross(impulse, arm)
-
-
-def velocities_from_momenta(momentum, angular_momentum, inverse_mass, inverse_inertia):
-    w = np.einsum("...ij,...j->...i", inverse_inertia, angular_momentum)
-    return np.multiply(momentum, np.asarray(inverse_mass)[..., None]), w
 
 
 def collide(body_a, body_b, normal, restitution, threshold=THRESHOLD):
     contact = Contact(body_a, body_b, normal)
     strikes = Classifier.of(contact.u, threshold) == KINDS["colliding"]
     return contact.after((contact.j(restitution) * strikes)[..., None] * contact.n)
+
+
+def audit(body_a, body_b, after):
+    before = [Rigid.of(body) for body in (body_a, body_b)]
+    later = [replace(body, v=v, w=w) for body, v, w in zip(before, after[::2], after[1::2], strict=True)]
+    books = [[body.carries for body in bodies] for bodies in (before, later)]
+    return tuple(a_new + b_new - a - b for a, b, a_new, b_new in zip(*books[0], *books[1], strict=True))

@@ -41,9 +41,10 @@ def impulse_on(sign):
 on_a, on_b = impulse_on(+1), impulse_on(-1)
 
 point_velocity = lambda velocity, angular_velocity, arm: added(velocity, np.cross(angular_velocity, arm))  # noqa: E731
-relative_velocity = as_arrays(operator.sub)
-normal_velocity = lambda a, b, normal: dot(relative_velocity(a, b), normal)  # noqa: E731
-rebound_velocity = as_arrays(lambda u, e: np.where(u < 0, -e * u, u))
+minus = as_arrays(operator.sub)
+normal_velocity = lambda a, b, normal: dot(  # noqa: E731
+    minus(*(point_velocity(v, w, r) for v, w, r, *_ in (a, b))), normal
+)
 
 
 @as_arrays
@@ -51,33 +52,17 @@ def classify_contact(normal_velocity, threshold=0.0):
     return (normal_velocity > threshold).astype(int) - (normal_velocity < np.negative(threshold)).astype(int)
 
 
-@as_arrays
-def impulse_of_force(force, time):
-    def area(count):
-        if count < 2:
-            return 0.0 * force[..., 0, :] * time[..., :1]
-        span = time[..., count - 1] - time[..., count - 2]
-        return area(count - 1) + span[..., None] * (force[..., count - 1, :] + force[..., count - 2, :]) / 2
-
-    return area(force.shape[-2])
-
-
-def mean_force(momentum_change, duration, other_force=np.zeros(3)):
-    per = np.reciprocal(np.asarray(duration, dtype=float))
-    return upright(per) * momentum_change - other_force
-
-
 def direction(vector):
     return vector / np.sqrt(upright(dot(vector, vector)))
 
 
 @as_arrays
-def point_plane_normal(plane_normal, centre_a, centre_b):
+def towards_a(normal, centre_a, centre_b):
     flip = lambda n: n * upright(np.where(dot(n, centre_a) >= dot(n, centre_b), 1, -1))  # noqa: E731
-    return composed(flip, direction)(plane_normal)
+    return composed(flip, direction)(normal)
 
 
-edge_edge_normal = lambda a, b, *centres: point_plane_normal(np.cross(a, b), *centres)  # noqa: E731
+edge_edge_normal = lambda a, b, *centres: towards_a(np.cross(a, b), *centres)  # noqa: E731
 
 
 @as_arrays
@@ -111,20 +96,10 @@ def inverse_effective_mass(body_a, body_b, normal):
     return sum(map(_gain(normal), (body_a, body_b)))
 
 
-def _closing(body_a, body_b, normal):
-    a, b = (point_velocity(v, w, r) for v, w, r, *_ in (body_a, body_b))
-    return normal_velocity(a, b, normal)
-
-
 def impulse_magnitude(body_a, body_b, normal, restitution):
-    k, u = inverse_effective_mass(body_a, body_b, normal), _closing(body_a, body_b, normal)
+    k, u = inverse_effective_mass(body_a, body_b, normal), normal_velocity(body_a, body_b, normal)
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.where(k > 1e-12, np.negative(np.add(1, restitution)) * u / k, 0.0)
-
-
-contact_impulses = lambda magnitude, normal: tuple(  # noqa: E731
-    sign * upright(np.asarray(magnitude)) * normal for sign in (1, -1)
-)
 
 
 def apply_impulse(body_a, body_b, impulse):
@@ -132,16 +107,21 @@ def apply_impulse(body_a, body_b, impulse):
     return v_a, w_a, v_b, w_b
 
 
-def apply_impulse_to_momenta(*given):
-    *momenta, arm, impulse = given
-    return tuple(map(np.add, momenta, (impulse, np.cross(arm, impulse))))
-
-
-def velocities_from_momenta(momentum, angular_momentum, inverse_mass, inverse_inertia):
-    return upright(np.asarray(inverse_mass)) * momentum, np.matvec(inverse_inertia, angular_momentum)
-
-
 def collide(body_a, body_b, normal, restitution, threshold=0.0):
-    colliding = classify_contact(_closing(body_a, body_b, normal), threshold) == -1
+    colliding = classify_contact(normal_velocity(body_a, body_b, normal), threshold) == -1
     j = impulse_magnitude(body_a, body_b, normal, restitution)
     return apply_impulse(body_a, body_b, upright(np.where(colliding, j, 0.0)) * normal)
+
+
+def _of(body, velocity, spin):
+    _, _, arm, share, turning = body
+    mass = np.where(share > 0, 1 / np.where(share > 0, share, 1.0), 0.0)
+    momentum, own = upright(mass) * velocity, np.matvec(np.linalg.pinv(turning, rcond=1e-10), spin)
+    return momentum, own - np.cross(arm, momentum), (dot(momentum, velocity) + dot(own, spin)) / 2
+
+
+@as_arrays
+def audit(body_a, body_b, after):
+    v_a, w_a, v_b, w_b = after
+    change = lambda body, v, w: map(operator.sub, _of(body, v, w), _of(body, *body[:2]))  # noqa: E731
+    return tuple(map(operator.add, change(body_a, v_a, w_a), change(body_b, v_b, w_b)))

@@ -25,60 +25,7 @@ def many(signature):
 
 
 @many("(n),(n),(n)->(n)")
-def point_velocity(v, w, r):
-    return v + cross(w, r)
-
-
-def relative_velocity(a, b):
-    a, b = np.broadcast_arrays(a, b)
-    result = np.empty(a.shape)
-    for place in np.ndindex(a.shape):
-        result[place] = a[place] - b[place]
-    return result
-
-
-@many("(n),(n),(n)->()")
-def normal_velocity(a, b, n):
-    return math.fsum((x - y) * z for x, y, z in zip(a, b, n, strict=True))
-
-
-def rebound_velocity(u, e):
-    if np.ndim(u) or np.ndim(e):
-        u, e = np.broadcast_arrays(u, e)
-        return np.array([rebound_velocity(one, share) for one, share in zip(u, e, strict=True)])
-    return -e * float(u) if u < 0 else float(u)
-
-
-@np.vectorize
-def classify_contact(u, threshold=0.0):
-    match (bool(u < -threshold), bool(u > threshold)):
-        case (True, _):
-            return -1
-        case (_, True):
-            return 1
-    return 0
-
-
-@many("(k,n),(k)->(n)")
-def impulse_of_force(force, time):
-    total, i = np.zeros(3), 0
-    while i + 1 < len(time):
-        total = total + (time[i + 1] - time[i]) * (force[i] + force[i + 1]) * 0.5
-        i += 1
-    return total
-
-
-@many("(n),(),(n)->(n)")
-def _mean(change, duration, other):
-    return np.array([p / duration - f for p, f in zip(change, other, strict=True)])
-
-
-def mean_force(momentum_change, duration, other_force=None):
-    return _mean(momentum_change, duration, np.zeros(3) if other_force is None else other_force)
-
-
-@many("(n),(n),(n)->(n)")
-def point_plane_normal(n, a, b):
+def towards_a(n, a, b):
     length = math.hypot(*n)
     sign = 1 if dot(n, a) >= dot(n, b) else -1
     return np.array([sign * part / length for part in n])
@@ -86,7 +33,7 @@ def point_plane_normal(n, a, b):
 
 @many("(n),(n),(n),(n)->(n)")
 def edge_edge_normal(edge_a, edge_b, a, b):
-    return point_plane_normal(cross(edge_a, edge_b), a, b)
+    return towards_a(cross(edge_a, edge_b), a, b)
 
 
 @many("(n),(q)->(n,n)")
@@ -103,7 +50,7 @@ def world_inverse_inertia(inertia, orientation):
 def each_contact(function):
     """The bodies taken apart, and put together for each contact."""
     body = "(n),(n),(n),(),(n,n)"
-    sizes = {1: "(n)", 2: "(n),()", 3: "(n),(),()"}
+    sizes = {1: "(n)", 2: "(n),()", 3: "(n),(),()", 4: "(n),(n),(n),(n)"}
 
     def called(a, b, *more, gives):
         def one(*parts):
@@ -124,7 +71,8 @@ def _softness(a, b, n):
 
 def _closing(a, b, n):
     (va, wa, ra, *_), (vb, wb, rb, *_) = a, b
-    return dot(n, va + cross(wa, ra)) - dot(n, vb + cross(wb, rb))
+    p_a, p_b = va + cross(wa, ra), vb + cross(wb, rb)
+    return math.fsum((x - y) * z for x, y, z in zip(p_a, p_b, n, strict=True))
 
 
 def _size(a, b, n, e):
@@ -147,6 +95,27 @@ def _collision(a, b, n, e, threshold):
     return _after(a, b, j * n)
 
 
+def _account(a, b, *after):
+    momentum, angular, energy = np.zeros(3), np.zeros(3), 0.0
+    for sign, velocities in ((-1, (*a[:2], *b[:2])), (1, after)):
+        for at, (_, _, r, share, turning) in enumerate((a, b)):
+            v, w = velocities[2 * at], velocities[2 * at + 1]
+            if share > 0:
+                momentum = momentum + sign * v / share
+                angular = angular + sign * cross(v / share, r)
+                energy += sign * dot(v, v) / share / 2
+            moments, axes = np.linalg.eigh(turning)
+            for moment, axis in zip(moments, axes.T, strict=True):
+                if moment > 1e-12 * moments[-1]:
+                    angular = angular + sign * dot(axis, w) / moment * axis
+                    energy += sign * dot(axis, w) ** 2 / moment / 2
+    return momentum, angular, energy
+
+
+def normal_velocity(a, b, n):
+    return each_contact(_closing)(a, b, n, gives="()")
+
+
 def inverse_effective_mass(a, b, n):
     return each_contact(_softness)(a, b, n, gives="()")
 
@@ -155,34 +124,13 @@ def impulse_magnitude(a, b, n, e):
     return each_contact(_size)(a, b, n, e, gives="()")
 
 
-def contact_impulses(j, n):
-    if np.ndim(j) == 0 and np.ndim(n) == 1:
-        return [j * part for part in n], [-j * part for part in n]
-    on_a = np.multiply.outer(j, np.ones(3)) * n
-    return on_a, -on_a
-
-
 def apply_impulse(a, b, impulse):
     return each_contact(_after)(a, b, impulse, gives="(n),(n),(n),(n)")
 
 
-def apply_impulse_to_momenta(p, angular, r, j):
-    p, angular, r, j = (np.array(each, dtype=float) for each in (p, angular, r, j))
-    turned = np.stack(
-        [
-            r[..., 1] * j[..., 2] - r[..., 2] * j[..., 1],
-            r[..., 2] * j[..., 0] - r[..., 0] * j[..., 2],
-            r[..., 0] * j[..., 1] - r[..., 1] * j[..., 0],
-        ],
-        axis=-1,
-    )
-    return p + j, angular + turned
-
-
-@many("(n),(n),(),(n,n)->(n),(n)")
-def velocities_from_momenta(p, angular, share, turning):
-    return share * p, matrix_times(turning, angular)
-
-
 def collide(a, b, n, e, threshold=0.0):
     return each_contact(_collision)(a, b, n, e, threshold, gives="(n),(n),(n),(n)")
+
+
+def audit(a, b, after):
+    return each_contact(_account)(a, b, *after, gives="(n),(n),()")

@@ -20,29 +20,19 @@ class After(NamedTuple):
     angular_velocity_b: np.ndarray
 
 
-Momenta = namedtuple("Momenta", "momentum angular_momentum")
-Pair = namedtuple("Pair", ["on_a", "on_b"])
+Gained = namedtuple("Gained", "momentum angular_momentum energy")
 
 
 def column(number):
     return np.asarray(number, dtype=float)[..., np.newaxis]
 
 
-def point_velocity(velocity, angular_velocity, arm):
-    return np.add(velocity, np.cross(angular_velocity, arm))
+def point(body):
+    return body.velocity + np.cross(body.angular_velocity, body.arm)
 
 
-def relative_velocity(point_velocity_a, point_velocity_b):
-    return np.subtract(point_velocity_a, point_velocity_b)
-
-
-def normal_velocity(point_velocity_a, point_velocity_b, normal):
-    return np.vecdot(relative_velocity(point_velocity_a, point_velocity_b), normal)
-
-
-def rebound_velocity(normal_velocity, restitution):
-    u = np.asarray(normal_velocity, dtype=float)
-    return np.choose(u < 0, [u, -restitution * u])
+def normal_velocity(body_a, body_b, normal):
+    return np.vecdot(np.subtract(point(body_a), point(body_b)), normal)
 
 
 def classify_contact(normal_velocity, threshold=0.0):
@@ -55,23 +45,15 @@ def classify_contact(normal_velocity, threshold=0.0):
     return np.select([u < -np.asarray(threshold), u > threshold], kinds, Contact.RESTING)
 
 
-def impulse_of_force(force, time):
-    return np.trapezoid(force, np.asarray(time)[..., np.newaxis], axis=-2)
-
-
-def mean_force(momentum_change, duration, other_force=(0.0, 0.0, 0.0)):
-    return np.asarray(momentum_change) / column(duration) - other_force
-
-
-def point_plane_normal(plane_normal, centre_a, centre_b):
-    n = np.asarray(plane_normal, dtype=float)
+def towards_a(normal, centre_a, centre_b):
+    n = np.asarray(normal, dtype=float)
     n = n / np.linalg.norm(n, axis=-1, keepdims=True)
     side = np.vecdot(n, np.subtract(centre_a, centre_b))
     return column(np.where(side < 0, -1.0, 1.0)) * n
 
 
 def edge_edge_normal(edge_a, edge_b, centre_a, centre_b):
-    return point_plane_normal(np.cross(edge_a, edge_b), centre_a, centre_b)
+    return towards_a(np.cross(edge_a, edge_b), centre_a, centre_b)
 
 
 def world_inverse_inertia(inertia, orientation):
@@ -98,20 +80,10 @@ def inverse_effective_mass(body_a, body_b, normal):
     return give(body_a, normal) + give(body_b, normal)
 
 
-def approach(body_a, body_b, normal):
-    points = [point_velocity(body.velocity, body.angular_velocity, body.arm) for body in (body_a, body_b)]
-    return normal_velocity(*points, normal)
-
-
 def impulse_magnitude(body_a, body_b, normal, restitution):
     k = inverse_effective_mass(body_a, body_b, normal)
-    wanted = -(1 + np.asarray(restitution)) * approach(body_a, body_b, normal)
+    wanted = -(1 + np.asarray(restitution)) * normal_velocity(body_a, body_b, normal)
     return np.where(k > 1e-12, wanted / np.where(k > 1e-12, k, 1.0), 0.0)
-
-
-def contact_impulses(magnitude, normal):
-    on_a = column(magnitude) * normal
-    return Pair(on_b=-on_a, on_a=on_a)
 
 
 def apply_impulse(body_a, body_b, impulse):
@@ -122,15 +94,28 @@ def apply_impulse(body_a, body_b, impulse):
     return After(*after(body_a, impulse), *after(body_b, -np.asarray(impulse)))
 
 
-def apply_impulse_to_momenta(momentum, angular_momentum, arm, impulse):
-    return Momenta(np.add(momentum, impulse), angular_momentum + np.cross(arm, impulse))
-
-
-def velocities_from_momenta(momentum, angular_momentum, inverse_mass, inverse_inertia):
-    return Momenta(column(inverse_mass) * momentum, np.matvec(inverse_inertia, angular_momentum))
-
-
 def collide(body_a, body_b, normal, restitution, threshold=0.0):
-    strikes = approach(body_a, body_b, normal) < -np.asarray(threshold)
+    strikes = classify_contact(normal_velocity(body_a, body_b, normal), threshold) == Contact.COLLIDING
     j = np.where(strikes, impulse_magnitude(body_a, body_b, normal, restitution), 0.0)
-    return apply_impulse(body_a, body_b, contact_impulses(j, normal).on_a)
+    return apply_impulse(body_a, body_b, column(j) * normal)
+
+
+def carried(body, velocity, spin):
+    per_mass = np.asarray(body.inverse_mass, dtype=float)
+    momentum = column(np.divide(1.0, per_mass, out=np.zeros_like(per_mass), where=per_mass > 0)) * velocity
+    own = np.matvec(np.linalg.pinv(body.inverse_inertia, hermitian=True), spin)
+    centre = np.negative(body.arm)  # as seen from the contact
+    return Gained(
+        momentum, own + np.cross(centre, momentum), (np.vecdot(momentum, velocity) + np.vecdot(own, spin)) / 2
+    )
+
+
+def audit(body_a, body_b, after):
+    after = After(*after)
+    before_a, before_b = (carried(body, body.velocity, body.angular_velocity) for body in (body_a, body_b))
+    a = carried(body_a, after.velocity_a, after.angular_velocity_a)
+    b = carried(body_b, after.velocity_b, after.angular_velocity_b)
+    energy = a.energy + b.energy - before_a.energy - before_b.energy
+    momentum = a.momentum + b.momentum - before_a.momentum - before_b.momentum
+    angular = a.angular_momentum + b.angular_momentum - before_a.angular_momentum - before_b.angular_momentum
+    return Gained(energy=energy, momentum=momentum, angular_momentum=angular)

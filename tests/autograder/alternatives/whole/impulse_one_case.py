@@ -11,18 +11,8 @@ def point_velocity(v, w, r):
     return v + np.array([w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2], w[0] * r[1] - w[1] * r[0]])
 
 
-def relative_velocity(a, b):
-    return a - b
-
-
-def normal_velocity(a, b, n):
-    return np.dot(a - b, n)
-
-
-def rebound_velocity(u, e):
-    if u < 0:
-        return -e * u
-    return u
+def normal_velocity(A, B, n):
+    return np.dot(point_velocity(*A[:3]) - point_velocity(*B[:3]), n)
 
 
 def classify_contact(u, threshold=0.0):
@@ -33,18 +23,7 @@ def classify_contact(u, threshold=0.0):
     return 0
 
 
-def impulse_of_force(force, time):
-    total = np.zeros(3)
-    for i in range(1, len(time)):
-        total += 0.5 * (time[i] - time[i - 1]) * (force[i] + force[i - 1])
-    return total
-
-
-def mean_force(dP, dt, other=(0, 0, 0)):
-    return np.array(dP) / dt - np.array(other)
-
-
-def point_plane_normal(n, a, b):
+def face_normal(n, a, b):
     n = n / np.linalg.norm(n)
     if np.dot(n, a - b) < 0:
         n = -n
@@ -52,7 +31,7 @@ def point_plane_normal(n, a, b):
 
 
 def edge_edge_normal(ea, eb, a, b):
-    return point_plane_normal(np.cross(ea, eb), a, b)
+    return face_normal(np.cross(ea, eb), a, b)
 
 
 def world_inverse_inertia(inertia, q):
@@ -79,12 +58,8 @@ def impulse_magnitude(A, B, n, e):
     k = inverse_effective_mass(A, B, n)
     if k == 0:
         return 0.0
-    u = normal_velocity(point_velocity(*A[:3]), point_velocity(*B[:3]), n)
+    u = normal_velocity(A, B, n)
     return -(1 + e) * u / k
-
-
-def contact_impulses(j, n):
-    return j * n, -j * n
 
 
 def apply_impulse(A, B, J):
@@ -93,18 +68,21 @@ def apply_impulse(A, B, J):
     return va + ma * J, wa + Ia @ np.cross(ra, J), vb - mb * J, wb - Ib @ np.cross(rb, J)
 
 
-def apply_impulse_to_momenta(P, L, r, J):
-    return P + J, L + np.cross(r, J)
-
-
-def velocities_from_momenta(P, L, m, I):
-    return P * m, I @ L
-
-
 def collide(A, B, n, e, threshold=0.0):
-    u = normal_velocity(point_velocity(*A[:3]), point_velocity(*B[:3]), n)
-    if classify_contact(u, threshold) == -1:
-        J, _ = contact_impulses(impulse_magnitude(A, B, n, e), n)
-    else:
-        J = 0 * n
+    J = 0 * n
+    if classify_contact(normal_velocity(A, B, n), threshold) == -1:
+        J = impulse_magnitude(A, B, n, e) * n
     return apply_impulse(A, B, J)
+
+
+def audit(A, B, after):
+    P, L, E = np.zeros(3), np.zeros(3), 0.0
+    for (v, w, r, m, I), v2, w2 in ((A, after[0], after[1]), (B, after[2], after[3])):
+        if m > 0:
+            P = P + (v2 - v) / m
+            L = L - np.cross(r, (v2 - v) / m)
+            E = E + (v2 @ v2 - v @ v) / (2 * m)
+        inertia = np.linalg.pinv(I)
+        L = L + inertia @ (w2 - w)
+        E = E + (w2 @ inertia @ w2 - w @ inertia @ w) / 2
+    return P, L, E

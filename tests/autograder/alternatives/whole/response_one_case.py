@@ -20,11 +20,12 @@ def _flown(position, velocity, acceleration, time):
     return position + velocity * time + acceleration * time**2 / 2, velocity + acceleration * time
 
 
-def respond_at_step(position, velocity, acceleration, normal, offset, restitution, dt):
-    position, velocity = _flown(position, velocity, acceleration, dt)
-    if position @ normal + offset < 0:
+def respond_at_step(position, velocity, acceleration, normal, behind, restitution, dt):
+    if behind and velocity @ normal < 0:
         velocity = kinematic_response(velocity, normal, restitution)
-    return position, velocity
+        acceleration = acceleration - min(acceleration @ normal, 0.0) * normal
+    velocity = velocity + dt * acceleration
+    return position + dt * velocity, velocity
 
 
 def respond_at_impact(position, velocity, acceleration, normal, restitution, time_of_impact, dt):

@@ -16,7 +16,7 @@ from reference.comparison.compare import compare_case
 from reference.comparison.verdicts import Verdict
 from reference.engines.implementation import Implementation
 from reference.errors import NeedsFunction, RunFailed
-from solutions.response import kinematic_response
+from solutions.response import respond_at_impact
 
 
 def submission(**functions):
@@ -26,14 +26,14 @@ def submission(**functions):
     return SimpleNamespace(process=lambda: call, one_case=one_case)
 
 
-def half(velocity, normal, restitution):
-    return kinematic_response(velocity, normal, restitution / 2)
+def half(position, velocity, acceleration, normal, restitution, time_of_impact, dt):
+    return respond_at_impact(position, velocity, acceleration, normal, restitution / 2, time_of_impact, dt)
 
 
 def test_a_wrong_run_is_reported_beside_theory_and_the_engines():
-    right = with_solutions(submission(kinematic_response=kinematic_response), "response")
+    right = with_solutions(submission(respond_at_impact=respond_at_impact), "response")
     compared_with_theory(right, "dropped-ball", ["e=0.2"], ["rebound"])
-    wrong = with_solutions(submission(kinematic_response=half), "response")
+    wrong = with_solutions(submission(respond_at_impact=half), "response")
     with pytest.raises(AssertionError) as raised:
         compared_with_theory(wrong, "dropped-ball", ["e=0.2"], ["rebound"])
     lines = str(raised.value).splitlines()
@@ -49,18 +49,17 @@ def test_a_wrong_run_is_reported_beside_theory_and_the_engines():
 
 
 def test_lists_are_as_good_as_arrays():
-    listed = submission(kinematic_response=lambda *given: kinematic_response(*given).tolist())
+    listed = submission(respond_at_impact=lambda *given: tuple(part.tolist() for part in respond_at_impact(*given)))
     compared_with_theory(with_solutions(listed, "response"), "dropped-ball", ["e=0.2"], ["rebound"])
 
 
 def test_a_run_takes_only_functions_of_the_topic_from_the_submission():
     code = Mixed(
-        call=submission(kinematic_response=half, side_of_plane=None, ballistic_motion=None).process(), topic="response"
+        call=submission(respond_at_impact=half, side_of_plane=None, ballistic_motion=None).process(), topic="response"
     )
     assert code.function("side_of_plane")(-1.0) == -1  # of detection: the right one
-    np.testing.assert_allclose(
-        code.function("kinematic_response")(np.array([0, 0, -2.0]), np.array([0, 0, 1.0]), 1.0), [0, 0, 1]
-    )
+    _, velocity = code.function("respond_at_impact")([0, 0, 0], [0, 0, -2], [0, 0, 0], [0, 0, 1], 1.0, 0.0, 1.0)
+    np.testing.assert_allclose(velocity, [0, 0, 1])
     assert Mixed(topic="response").function("side_of_plane")(-1.0) == -1
 
 
@@ -111,30 +110,30 @@ def test_a_run_is_right_within_single_precision_of_theory(changes, right, monkey
 
 
 def test_a_run_calls_functions_of_one_case_for_one_at_a_time():
-    def single(velocity, normal, restitution):
-        speed = float(velocity @ normal)
-        return velocity if speed >= 0 else velocity - (1 + restitution) * speed * normal
+    def single(position, velocity, acceleration, normal, restitution, time_of_impact, dt):
+        time = float(time_of_impact)  # refuses an array of several
+        return respond_at_impact(position, velocity, acceleration, normal, restitution, time, dt)
 
     compared_with_theory(
-        with_solutions(submission(kinematic_response=single), "response"), "dropped-ball", ["e=0.2"], ["rebound"]
+        with_solutions(submission(respond_at_impact=single), "response"), "dropped-ball", ["e=0.2"], ["rebound"]
     )
 
 
 def test_a_run_calls_functions_of_many_alone_for_all_at_once():
-    def of_many(velocity, normal, restitution):
+    def of_many(position, velocity, *others):
         if np.ndim(velocity) < 2:
-            raise FunctionRaised("kinematic_response raised IndexError")
-        return kinematic_response(velocity, normal, restitution)
+            raise FunctionRaised("respond_at_impact raised IndexError")
+        return respond_at_impact(position, velocity, *others)
 
     compared_with_theory(
-        with_solutions(submission(kinematic_response=of_many), "response"), "dropped-ball", ["e=0.2"], ["rebound"]
+        with_solutions(submission(respond_at_impact=of_many), "response"), "dropped-ball", ["e=0.2"], ["rebound"]
     )
 
 
 def test_a_run_that_fails_names_the_reason():
     def broken(*_):
-        raise NeedsFunction("needs kinematic_response")
+        raise NeedsFunction("needs respond_at_impact")
 
-    code = with_solutions(submission(kinematic_response=broken), "response")
-    with pytest.raises(AssertionError, match=r"^Dropped ball: bounce heights, e=0\.2: .*needs kinematic_response"):
+    code = with_solutions(submission(respond_at_impact=broken), "response")
+    with pytest.raises(AssertionError, match=r"^Dropped ball: bounce heights, e=0\.2: .*needs respond_at_impact"):
         compared_with_theory(code, "dropped-ball", ["e=0.2"], ["rebound"])

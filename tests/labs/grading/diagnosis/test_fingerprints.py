@@ -16,7 +16,7 @@ from labs.grading.diagnosis.misconceptions import Misconception, read_bank
 from labs.grading.diagnosis.probes import probed, probes
 from reference import lecture
 from reference.errors import InvalidInput
-from solutions.impulse import rebound_velocity
+from solutions.impulse import normal_velocity
 from solutions.response import kinematic_response
 
 BANK = read_bank()
@@ -102,9 +102,9 @@ def test_a_faulty_list_of_mistakes_is_reported_in_one_line(capsys, monkeypatch):
 
 
 def test_two_entries_of_the_same_mistake_are_refused():
-    entry = next(entry for entry in BANK if entry.function == "rebound_velocity")
+    entry = next(entry for entry in BANK if entry.function == "normal_velocity")
     with pytest.raises(InvalidInput, match=r"give the same numbers; merge them"):
-        building.learned("rebound_velocity", rebound_velocity, [entry, replace(entry, name="again")])
+        building.learned("normal_velocity", normal_velocity, [entry, replace(entry, name="again")])
 
 
 def test_an_entry_that_is_right_is_refused():

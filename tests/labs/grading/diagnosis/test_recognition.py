@@ -17,12 +17,17 @@ from labs.grading.phrases import no_answer
 from reference import lecture
 from reference.errors import UnknownName
 from solutions import as_printed
-from solutions.impulse import collide, impulse_magnitude, point_velocity
+from solutions.impulse import (
+    apply_impulse,
+    collide,
+    edge_edge_normal,
+    impulse_magnitude,
+    inverse_effective_mass,
+    normal_velocity,
+)
 from solutions.response import kinematic_response
 
 BANK = read_bank()
-
-KINDS = ("colliding", "resting", "separating")
 
 TOPICS = ("detection", "response", "friction", "impulse")
 
@@ -37,6 +42,26 @@ def of(function):
 def bounce(v, n, e):
     """Right for one contact or many, without checks of its input."""
     return v - (1 + np.asarray(e))[..., None] * np.minimum(np.sum(v * n, axis=-1), 0)[..., None] * n
+
+
+def not_turned_round(a, b, n, e):
+    """The impulse after which the points have the velocity that the slide prints."""
+    u, k = normal_velocity(a, b, n), inverse_effective_mass(a, b, n)
+    wanted = as_printed.velocity_after_restitution(u, e) - u
+    return np.where(k > 0, wanted / np.where(k > 0, k, 1.0), 0.0)
+
+
+def plus_on_both(a, b, j):
+    """As slide 18 prints it."""
+    turned = [np.cross(body[2], j)[..., None] for body in (a, b)]
+    v_a, v_b = as_printed.velocities_after_impulse(a[0], b[0], 1 / np.asarray(a[3]), 1 / np.asarray(b[3]), j)
+    return v_a, a[1] + (a[4] @ turned[0])[..., 0], v_b, b[1] + (b[4] @ turned[1])[..., 0]
+
+
+def colliding_as_printed(a, b, n, e, threshold=0.0):
+    """The slide's test for a collision, with the normal from B to A."""
+    hit = as_printed.contact_kind(normal_velocity(a, b, n), threshold) == "colliding"
+    return apply_impulse(a, b, np.where(hit, impulse_magnitude(a, b, n, e), 0.0)[..., None] * n)
 
 
 # What the slides print
@@ -56,14 +81,14 @@ def bounce(v, n, e):
             lambda s, u, n, k, c=0.0, adhesive=False: as_printed.penalty_force(k, s)[..., None] * n,
             "the slide's spring",
         ),
-        ("rebound_velocity", as_printed.velocity_after_restitution, "not turned round, no guard"),
+        ("impulse_magnitude", not_turned_round, "1 − e"),
+        ("collide", colliding_as_printed, "guard turned round"),
+        ("apply_impulse", plus_on_both, "+J to both"),
         (
-            "classify_contact",
-            lambda u, limit=0.0: np.select([as_printed.contact_kind(u, limit) == kind for kind in KINDS], [-1, 0, 1]),
-            "the slide's tests",
+            "normal_velocity",
+            lambda a, b, n: np.vecdot(a[2] + np.cross(a[1], a[2]) - b[2] - np.cross(b[1], b[2]), n),
+            "a place",
         ),
-        ("contact_impulses", lambda j, n: (np.asarray(j)[..., None] * n,) * 2, "+J to both"),
-        ("point_velocity", lambda v, w, r: r + np.cross(w, r), "a place"),
     ],
     ids=lambda value: "" if callable(value) else value,
 )
@@ -109,7 +134,7 @@ def test_a_mistake_is_named_if_the_function_takes_one_contact_only():
 
 
 def test_a_function_that_is_right_for_one_contact_only_hears_so():
-    found = diagnose("point_velocity", of(lambda v, w, r: point_velocity(v.reshape(3), w.reshape(3), r.reshape(3))))
+    found = diagnose("edge_edge_normal", of(lambda *given: edge_edge_normal(*(each.reshape(3) for each in given))))
     assert found.verdict == "one at a time"
     assert not found.mistakes
 
@@ -136,11 +161,11 @@ def test_a_change_of_arguments_reported_by_the_process_counts():
 
 
 def test_a_function_that_calls_a_wrong_one_is_not_blamed(monkeypatch):
-    entry = next(entry for entry in BANK if entry.id == "point_velocity/component by component")
-    monkeypatch.setattr("solutions.impulse.impact.point_velocity", entry.formula)
+    entry = next(entry for entry in BANK if entry.id == "normal_velocity/component by component")
+    monkeypatch.setattr("solutions.impulse.impact.normal_velocity", entry.formula)
     found = diagnose("collide", of(collide))
     assert found.mistakes[0].origins == (entry.id,)
-    assert "It answers as if it were right itself and used a wrong point_velocity" in " ".join(told(found).split())
+    assert "It answers as if it were right itself and used a wrong normal_velocity" in " ".join(told(found).split())
 
 
 def test_a_stub_counts_as_unwritten():
@@ -160,14 +185,14 @@ def test_an_error_everywhere_is_shown_with_its_input():
 
 @pytest.mark.parametrize("value", [None, "up", {"a": 1}, [[1, 2], [3]], np.zeros(2, complex), np.zeros((3, 1))])
 def test_a_value_that_is_no_answer_has_the_wrong_shape(value):
-    found = diagnose("point_velocity", of(lambda *_: value))
+    found = diagnose("edge_edge_normal", of(lambda *_: value))
     assert found.verdict == "shape"
     assert not found.mistakes
 
 
-def test_one_output_instead_of_two_has_the_wrong_shape():
-    found = diagnose("contact_impulses", of(lambda j, n: np.asarray(j)[..., None] * n))
-    assert "gives   one array instead of 2 arrays" in told(found)
+def test_one_output_instead_of_several_has_the_wrong_shape():
+    found = diagnose("apply_impulse", of(lambda a, b, j: a[0] + np.asarray(a[3])[..., None] * j))
+    assert "gives   one array instead of 4 arrays" in told(found)
 
 
 @pytest.mark.parametrize(
@@ -196,10 +221,10 @@ def test_a_constant_answer_is_no_known_mistake():
 
 
 def test_an_unknown_mistake_gets_an_example_only():
-    found = diagnose("point_velocity", of(lambda v, w, r: 1.37 * v + np.cross(w, r)))
+    found = diagnose("edge_edge_normal", of(lambda e, f, a, b: 1.37 * edge_edge_normal(e, f, a, b)))
     assert (found.verdict, found.mistakes) == ("unknown", ())
     assert "in a way that the lab does not know" in told(found)
-    assert "velocity=(1, 2, 3)" in told(found)
+    assert "edge_a=(1, 0, 0)" in told(found)
 
 
 def test_a_known_mistake_with_another_at_the_edges_is_only_likely():

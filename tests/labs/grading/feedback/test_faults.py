@@ -21,9 +21,22 @@ from labs.grading.judging import pytest_run
 from labs.grading.judging.examples import Examples
 from labs.grading.judging.score_sheet import Outcome, Sheet
 
-RELATIVE = "import numpy as np\n\ndef relative_velocity(a, b):\n    return np.asarray(a) - b\n"
-TURNED = RELATIVE.replace("np.asarray(a) - b", "np.asarray(b) - a")
-NORMAL = "\ndef normal_velocity(a, b, n):\n    return np.sum(relative_velocity(a, b) * n, axis=-1)\n"
+CLOSING = """
+import numpy as np
+
+def normal_velocity(a, b, n):
+    p, q = (body[0] + np.cross(body[1], body[2]) for body in (a, b))
+    return np.sum((p - q) * n, axis=-1)
+"""
+TURNED = CLOSING.replace("p - q", "q - p")
+IMPULSE = """
+def impulse_magnitude(a, b, n, e):
+    k = 0.0
+    for _, _, r, share, turning in (a, b):
+        turned = (turning @ np.cross(r, n)[..., None])[..., 0]
+        k = k + share + np.sum(n * np.cross(turned, r), axis=-1)
+    return np.where(k > 0, -(1 + np.asarray(e)) * normal_velocity(a, b, n) / np.where(k > 0, k, 1), 0)
+"""
 
 
 @pytest.fixture(scope="module")
@@ -36,13 +49,11 @@ def grader():
 
 
 def test_a_function_is_not_blamed_for_a_wrong_one_that_it_calls(tmp_path, grader):
-    text = checked(tmp_path, grader, TURNED + NORMAL, "normal_velocity")
-    assert (
-        "✗ normal_velocity It calls your relative_velocity, which is not right yet: mend that first. Not yet:" in text
-    )
-    assert "✗ relative_velocity Not yet: both move" in text
-    assert "The order is wrong" not in text  # of normal_velocity
-    assert text.endswith("Next: relative_velocity, marked ✗ above.")
+    text = checked(tmp_path, grader, TURNED + IMPULSE, "impulse_magnitude")
+    assert "✗ impulse_magnitude 1 of 4 parts right It calls your normal_velocity, which is not right yet: mend" in text
+    assert "✗ normal_velocity Not yet: one body flies" in text
+    assert "The minus is missing" not in text  # of impulse_magnitude
+    assert text.endswith("Next: normal_velocity, marked ✗ above.")
 
 
 def test_a_suspect_that_is_slow_is_not_said_to_be_wrong():
@@ -61,41 +72,41 @@ def test_the_names_of_a_body_are_told_where_another_one_is_used():
 
 
 def test_called_functions_are_listed_only_if_they_are_wrong(tmp_path, grader):
-    turned = NORMAL.replace("return ", "return -")
-    text = checked(tmp_path, grader, RELATIVE + turned, "normal_velocity")
-    assert "The order is wrong" in text
-    assert "relative_velocity" not in text
-    assert sheet_of(tmp_path, grader, RELATIVE + NORMAL, "normal_velocity").beneath == []
+    driving = IMPULSE.replace("-(1 +", "(1 +")
+    text = checked(tmp_path, grader, CLOSING + driving, "impulse_magnitude")
+    assert "The minus is missing" in text
+    assert "normal_velocity" not in text
+    assert sheet_of(tmp_path, grader, CLOSING + IMPULSE, "impulse_magnitude").beneath == []
 
 
 def test_called_functions_cost_no_points(tmp_path, grader):
-    wrong = TURNED + NORMAL
-    sheet = sheet_of(tmp_path, grader, wrong, "normal_velocity")
-    assert {outcome.function for outcome in sheet.beneath} == {"relative_velocity"}
-    assert sheet.points == sum(outcome.points for outcome in sheet.about("normal_velocity"))
+    wrong = TURNED + IMPULSE
+    sheet = sheet_of(tmp_path, grader, wrong, "impulse_magnitude")
+    assert {outcome.function for outcome in sheet.beneath} == {"normal_velocity"}
+    assert sheet.points == sum(outcome.points for outcome in sheet.about("impulse_magnitude"))
 
 
 def test_the_function_that_hangs_is_named_not_its_caller(tmp_path, grader):
-    endless = "import numpy as np, time\ndef relative_velocity(a, b):\n    while True: time.sleep(0.01)\n" + NORMAL
-    text = checked(tmp_path, grader, endless, "normal_velocity")
-    assert "✗ normal_velocity It calls your relative_velocity, which gave no answer in time: mend that first." in text
+    endless = "import numpy as np, time\ndef normal_velocity(a, b, n):\n    while True: time.sleep(0.01)\n" + IMPULSE
+    text = checked(tmp_path, grader, endless, "impulse_magnitude")
+    assert "✗ impulse_magnitude It calls your normal_velocity, which gave no answer in time: mend that first." in text
     assert text.count("gave no answer within") == 1
     assert text.count("Does every loop in it come to an end") == 1
 
 
 def test_a_function_is_blamed_if_the_one_it_calls_fails_for_batches_only(tmp_path, grader):
-    one = "import numpy as np\n\ndef relative_velocity(a, b):\n    return np.array([a[i] - b[i] for i in range(3)])\n"
-    text = checked(tmp_path, grader, one + NORMAL.replace("return ", "return -"), "normal_velocity")
+    one = CLOSING.replace("np.sum((p - q) * n, axis=-1)", "sum((p[i] - q[i]) * n[i] for i in range(3))")
+    text = checked(tmp_path, grader, one + IMPULSE.replace("-(1 +", "(1 +"), "impulse_magnitude")
     assert "Right for one case, not yet for several in one call." in text
-    assert "It calls your relative_velocity" in text
-    assert "The order is wrong" in text
+    assert "It calls your normal_velocity" in text
+    assert "The minus is missing" in text
 
 
 # Hints
 
 
 def test_a_missing_return_is_reported_once_without_a_hint(tmp_path, grader):
-    text = checked(tmp_path, grader, "def point_velocity(v, w, r):\n    v + w\n", "point_velocity")
+    text = checked(tmp_path, grader, "def normal_velocity(a, b, n):\n    a[0] + b[0]\n", "normal_velocity")
     assert text.count("gives nothing (None): is a return missing?") == 1
     assert "Hint" not in text
 
@@ -198,7 +209,10 @@ def test_an_answer_of_another_kind_gets_advice_on_its_cause(came, points_to):
 @pytest.mark.parametrize("answer", ["np.sqrt(np.asarray(u) + 0j)", "(-1.0) ** 0.5", "np.complex64(u)"])
 def test_complex_numbers_are_called_so(tmp_path, grader, answer):
     text = checked(
-        tmp_path, grader, f"import numpy as np\ndef rebound_velocity(u, e): return {answer}\n", "rebound_velocity"
+        tmp_path,
+        grader,
+        f"import numpy as np\ndef impulse_magnitude(a, b, n, u): return {answer}\n",
+        "impulse_magnitude",
     )
     assert "complex numbers instead of real ones" in text or "an object of type " in text
     assert text.count("is complex in (-1) ** 0.5") == 1
@@ -206,8 +220,8 @@ def test_complex_numbers_are_called_so(tmp_path, grader, answer):
 
 
 def test_a_package_that_is_not_there_is_named_with_those_that_are(tmp_path, grader):
-    text = "import scipy.linalg\ndef relative_velocity(a, b): return scipy.linalg.norm(a - b)\n"
-    found = checked(tmp_path, grader, text, "relative_velocity")
+    text = "import scipy.linalg\ndef edge_edge_normal(e, f, a, b): return scipy.linalg.norm(a - b)\n"
+    found = checked(tmp_path, grader, text, "edge_edge_normal")
     assert "NumPy and Python's standard library: no other package, such as SciPy" in found
 
 
@@ -242,30 +256,30 @@ def in_notebook(tmp_path, grader, *sources):
     (tmp_path / "lab.ipynb").write_text(
         json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells})
     )
-    sheet = pytest_run.run(tmp_path / "lab.ipynb", ("impulse",), (pytest_run.VISIBLE,), grader, ("point_velocity",))
+    sheet = pytest_run.run(tmp_path / "lab.ipynb", ("impulse",), (pytest_run.VISIBLE,), grader, ("edge_edge_normal",))
     return joined("\n".join(report.report(sheet, ("impulse",))))
 
 
 @pytest.mark.parametrize("name", ["np", "vector", "checked"])
 def test_a_name_of_a_given_cell_is_said_to_need_that_cell_run(name, tmp_path, grader):
-    text = in_notebook(tmp_path, grader, f"def point_velocity(v, w, r):\n    return {name}.cross(w, r)")
+    text = in_notebook(tmp_path, grader, f"def edge_edge_normal(e, f, a, b):\n    return {name}.cross(e, f)")
     assert f"→ {name} comes from a cell of the lab that was not run, or is gone: Run ▸ Run All Above." in text
     assert "import" not in text
 
 
 def test_a_misspelt_name_gets_the_suggestion_of_python(tmp_path, grader):
-    text = in_notebook(tmp_path, grader, RELATIVE, "def point_velocity(v, w, r):\n    return relative_velocty(v, w)")
-    assert "name 'relative_velocty' is not defined. Did you mean: 'relative_velocity'?" in text
+    text = in_notebook(tmp_path, grader, CLOSING, "def edge_edge_normal(*given):\n    return normal_velocty(*given)")
+    assert "name 'normal_velocty' is not defined. Did you mean: 'normal_velocity'?" in text
     assert "Did you mean: 'cross'?" in in_notebook(
-        tmp_path, grader, "import numpy as np", "def point_velocity(v, w, r):\n    return v + np.croos(w, r)"
+        tmp_path, grader, "import numpy as np", "def edge_edge_normal(e, f, a, b):\n    return np.croos(e, f)"
     )
-    assert "Did you mean" not in in_notebook(tmp_path, grader, "def point_velocity(v, w, r):\n    return qqqqqq")
+    assert "Did you mean" not in in_notebook(tmp_path, grader, "def edge_edge_normal(e, f, a, b):\n    return qqqqqq")
 
 
 def test_a_variable_from_another_cell_is_named_but_no_constant(tmp_path, grader):
     others = "import numpy as np\nspin = np.ones(3)\nHALF = 0.5"
     text = in_notebook(
-        tmp_path, grader, others, "two = 2\ndef point_velocity(v, w, r):\n    return v + HALF * two * spin"
+        tmp_path, grader, others, "two = 2\ndef edge_edge_normal(e, f, a, b):\n    return e + HALF * two * spin"
     )
     assert "It takes spin from code cell 1, not from its arguments: is that meant?" in text
     assert text.count("It takes") == 1

@@ -15,10 +15,10 @@ from labs.grading.judging.score_sheet import Outcome, Part, Sheet
 from labs.grading.submission.cells import Complaint
 from reference import lecture
 
-FIRST, SECOND = known("rebound_velocity").mistakes[:2]
+FIRST, SECOND = known("impulse_magnitude").mistakes[:2]
 
 EXAMPLE = Counterexample(
-    "rebound_velocity", usual("down", -2.0, 0.5), ("v", "e"), Answer(-1.0), Right((np.array(1.0),), (1.0,))
+    "impulse_magnitude", usual("down", -2.0, 0.5), ("v", "e"), Answer(-1.0), Right((np.array(1.0),), (1.0,))
 )
 
 
@@ -36,9 +36,9 @@ def lines(*outcomes, complaints=(), topics=("impulse",), tries=None, unread=(), 
 
 def test_a_function_is_right_wrong_or_to_do():
     unwritten = Diagnosis("collide", "unwritten")
-    outcomes = [outcome("point_velocity", True), outcome("collide", True), outcome("collide", False)]
+    outcomes = [outcome("normal_velocity", True), outcome("collide", True), outcome("collide", False)]
     sheet = Sheet(outcomes=outcomes)
-    assert [state(sheet, name) for name in ("point_velocity", "collide")] == [RIGHT, WRONG]
+    assert [state(sheet, name) for name in ("normal_velocity", "collide")] == [RIGHT, WRONG]
     sheet.diagnoses["collide"] = unwritten
     assert state(sheet, "collide") == TO_DO
     sheet.diagnoses["collide"] = Diagnosis("collide", "unknown")
@@ -48,10 +48,10 @@ def test_a_function_is_right_wrong_or_to_do():
 
 
 def test_the_report_follows_topic_and_step_and_ends_with_the_next_step():
-    right = outcome("rebound_velocity", True), outcome("point_velocity", True), outcome("side_of_plane", True)
+    right = outcome("impulse_magnitude", True), outcome("normal_velocity", True), outcome("side_of_plane", True)
     assert lines(*right, topics=("detection", "impulse")) == [
         "", f"{lecture.topic('detection').title} (detection)", "  ✓ side_of_plane",
-        "", f"{lecture.topic('impulse').title} (impulse)", "  ✓ point_velocity", "  ✓ rebound_velocity",
+        "", f"{lecture.topic('impulse').title} (impulse)", "  ✓ normal_velocity", "  ✓ impulse_magnitude",
         "", "3 of 3 functions right. Hidden tests ask the same of other inputs, at limits and",
         "  of many cases at once.",
     ]  # fmt: skip
@@ -80,35 +80,35 @@ def test_complaints_come_first_except_for_listed_functions():
 
 def test_functions_that_cannot_be_read_share_one_line_and_lead_to_its_place():
     complaint = Complaint("Python cannot read 'x = )'", 3, 2, "unreadable")
-    lost = [outcome(name, False) for name in ("collide", "point_velocity")]
-    found = lines(*lost, complaints=[complaint], unread=("collide", "point_velocity"))
-    assert "  ✗ point_velocity and collide  cannot be read, see the first lines" in found
+    lost = [outcome(name, False) for name in ("collide", "normal_velocity")]
+    found = lines(*lost, complaints=[complaint], unread=("collide", "normal_velocity"))
+    assert "  ✗ normal_velocity and collide  cannot be read, see the first lines" in found
     assert found[-1] == "0 of 2 functions right. Next: mend code cell 3, line 2, so that it can be read."
 
 
-SEVERAL = Diagnosis("rebound_velocity", "several", (FIRST, SECOND), EXAMPLE)
-LIKELY = Diagnosis("rebound_velocity", "likely", (FIRST,), EXAMPLE, odd=EXAMPLE)
-CRASH = Diagnosis("rebound_velocity", "crashes", counterexample=EXAMPLE)
+SEVERAL = Diagnosis("impulse_magnitude", "several", (FIRST, SECOND), EXAMPLE)
+LIKELY = Diagnosis("impulse_magnitude", "likely", (FIRST,), EXAMPLE, odd=EXAMPLE)
+CRASH = Diagnosis("impulse_magnitude", "crashes", counterexample=EXAMPLE)
 
 
 @pytest.mark.parametrize(
     ("diagnosis", "helps"),
     [
-        (Diagnosis("rebound_velocity", "named", (FIRST,), EXAMPLE), ["Hint: ", "fraction of the velocity"]),
+        (Diagnosis("impulse_magnitude", "named", (FIRST,), EXAMPLE), ["Hint: ", "into each other"]),
         (LIKELY, ["Hint: ", "Most of its numbers fit this mistake"]),
         (SEVERAL, ["Its numbers fit more than one mistake"]),
-        (Diagnosis("rebound_velocity", "unknown", counterexample=EXAMPLE), ["Hint: Look there."]),
+        (Diagnosis("impulse_magnitude", "unknown", counterexample=EXAMPLE), ["Hint: Look there."]),
         (CRASH, []),
     ],
     ids=lambda value: value.verdict if isinstance(value, Diagnosis) else "",
 )
 def test_each_try_after_the_first_shows_one_level_of_help_more(diagnosis, helps):
-    tries, part = Tries(), Part(1, "one", "rebound_velocity(2)\ngives   -1\nphysics 1")
+    tries, part = Tries(), Part(1, "one", "impulse_magnitude(2)\ngives   -1\nphysics 1")
     for count in range(1, 5):
-        tries.add("rebound_velocity", f"try {count}")
-        failed = outcome("rebound_velocity", False, part, help="Look there.")
-        text = "\n".join(lines(failed, tries=tries, rebound_velocity=diagnosis))
-        assert f"  ✗ rebound_velocity  try {count}\n    Not yet: one\n" in text
+        tries.add("impulse_magnitude", f"try {count}")
+        failed = outcome("impulse_magnitude", False, part, help="Look there.")
+        text = "\n".join(lines(failed, tries=tries, impulse_magnitude=diagnosis))
+        assert f"  ✗ impulse_magnitude  try {count}\n    Not yet: one\n" in text
         assert "physics 1" in text
         assert [words in text for words in helps] == [at < count - 1 for at in range(len(helps))]
         assert ("lab.hint(" in text) == (count <= len(helps))
@@ -139,12 +139,12 @@ def test_the_first_two_failed_parts_are_shown_with_their_calls():
 
 def test_a_named_mistake_has_one_example_and_one_hint():
     parts = [Part(1, "one", "tried\ngives   -1\nphysics 1"), Part(1, "two", "also")]
-    diagnosis = Diagnosis("rebound_velocity", "named", (FIRST,), EXAMPLE, accepted=("less",))
-    text = "\n".join(lines(outcome("rebound_velocity", False, *parts, help="Look."), rebound_velocity=diagnosis))
-    assert "    Not yet: one\n        tried\n        gives   -1\n        physics 1\n    It is the fraction" in text
+    diagnosis = Diagnosis("impulse_magnitude", "named", (FIRST,), EXAMPLE, accepted=("less",))
+    text = "\n".join(lines(outcome("impulse_magnitude", False, *parts, help="Look."), impulse_magnitude=diagnosis))
+    assert "    Not yet: one\n        tried\n        gives   -1\n        physics 1\n    The minus is missing" in text
     assert "\n    Not yet either: two\n" in text
     assert text.count("Hint: ") == 1
-    for left_out in ("Look.", "also", "For example", "refuse", "rebound_velocity: "):
+    for left_out in ("Look.", "also", "For example", "refuse", "impulse_magnitude: "):
         assert left_out not in text
 
 
@@ -153,7 +153,7 @@ def test_a_test_without_parts_has_its_title_and_an_example():
     found = lines(outcome("collide", False), outcome("collide", False, said="gives 1"), collide=diagnosis)
     example = [
         "    For example",
-        "        rebound_velocity(v=-2, e=0.5), down",
+        "        impulse_magnitude(v=-2, e=0.5), down",
         "        gives   -1",
         "        physics 1",
     ]

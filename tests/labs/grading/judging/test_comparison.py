@@ -50,7 +50,7 @@ def test_an_answer_is_right_within_rounding(said, answer):
 )  # fmt: skip
 def test_a_wrong_answer_is_shown_with_what_physics_says(said, answer):
     text = fails(said, answer)
-    assert text.startswith("point_velocity(velocity=(0, 1, 0), angular_velocity=(0, 0, 2), arm=(3, 0, 0))\ngives   ")
+    assert text.startswith("signed_distance(point=(0, 1, 0), normal=(0, 0, 2), offset=(3, 0, 0))\ngives   ")
     assert "\nphysics " in text
 
 
@@ -69,7 +69,7 @@ def test_numbers_come_as_arrays_and_other_values_are_refused():
     np.testing.assert_array_equal(one, [1.0, 2.0], strict=True)
     first, second = numbers(Function(lambda: (1, [2, 3])), (), count=2)
     assert (float(first), second.tolist()) == (1.0, [2.0, 3.0])
-    said = r"^point_velocity\(velocity=1\)\ngives   the text 'up' instead of a number or an array$"
+    said = r"^signed_distance\(point=1\)\ngives   the text 'up' instead of a number or an array$"
     with pytest.raises(AssertionError, match=said):
         numbers(Function(lambda v: "up"), (1.0,))
     with pytest.raises(AssertionError, match=r"gives   1 thing instead of 2$"):
@@ -131,5 +131,5 @@ def test_only_values_that_all_contacts_share_may_be_given_once():
 )  # fmt: skip
 def test_a_batch_without_a_usable_answer_fails_like_any_other(said, told):
     """As an AssertionError: any other error would cost the parts of the test that follow."""
-    with pytest.raises(AssertionError, match=rf"(?s)point_velocity\(velocity=.*\ngives   .*{told}"):
+    with pytest.raises(AssertionError, match=rf"(?s)signed_distance\(point=.*\ngives   .*{told}"):
         Examples(1).together(Function(lambda v: said), lambda v: v, lambda draw: (draw.vector(),))

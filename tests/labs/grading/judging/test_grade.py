@@ -19,7 +19,7 @@ from labs.grading.submission.cells import Complaint
 from reference.errors import InvalidInput
 
 KEPT, LOST = Part(2, "at rest"), Part(3, "the sign", "gives 1")
-SIGN = known("rebound_velocity").mistakes[0]
+SIGN = known("impulse_magnitude").mistakes[0]
 SHEET = Sheet(
     "lab.py",
     [Complaint("collide is missing", kind="missing")],
@@ -27,13 +27,13 @@ SHEET = Sheet(
     missing=("no filter",),
     skipped=["no solutions", "no solutions"],
     outcomes=[
-        Outcome("test_a_ball_bounces", 6, False, parts=(KEPT, LOST), function="rebound_velocity"),
-        Outcome("test_it_bounces_twice", 4, True, hidden=True, rationale="why", function="rebound_velocity"),
+        Outcome("test_a_ball_bounces", 6, False, parts=(KEPT, LOST), function="impulse_magnitude"),
+        Outcome("test_it_bounces_twice", 4, True, hidden=True, rationale="why", function="impulse_magnitude"),
         Outcome("test_touching", 2, False, True, "the answer is wrong", "why", "look", function="side_of_plane"),
         Outcome("test_all_together", 1, False, said="no"),
-        Outcome("test_v", 7, True, parts=(Part(7, "all"),), function="point_velocity"),
+        Outcome("test_v", 7, True, parts=(Part(7, "all"),), function="normal_velocity"),
     ],
-    diagnoses={"rebound_velocity": Diagnosis("rebound_velocity", "named", (SIGN,))},
+    diagnoses={"impulse_magnitude": Diagnosis("impulse_magnitude", "named", (SIGN,))},
 )
 GRADE = Grade(("impulse", "detection"), SHEET)
 
@@ -56,7 +56,7 @@ def test_a_failed_test_earns_its_passed_parts_up_to_its_points(passed, parts, ea
 
 def test_a_sheet_adds_up_points_and_names_each_losing_function_once():
     assert (SHEET.earned, SHEET.points) == (2 + 4 + 0 + 0 + 7, 6 + 4 + 2 + 1 + 7)
-    assert SHEET.lost == ["rebound_velocity", "side_of_plane"]
+    assert SHEET.lost == ["impulse_magnitude", "side_of_plane"]
 
 
 def test_lost_points_are_listed_part_by_part_and_passed_tests_not():
@@ -80,17 +80,17 @@ def test_a_grade_lists_points_by_test_part_function_and_topic():
     ]
     named = {
         "topic": "impulse", "verdict": "named", "suspect": False, "mend_first": [], "mistakes": [SIGN.id],
-        "message": told(SHEET.diagnoses["rebound_velocity"]),
+        "message": told(SHEET.diagnoses["impulse_magnitude"]),
     }  # fmt: skip
     right = {"verdict": "right", "suspect": False, "mend_first": [], "mistakes": [], "message": ""}
     assert content["functions"] == [
-        {"name": "rebound_velocity", "got": 6, "possible": 10, **named},
+        {"name": "impulse_magnitude", "got": 6, "possible": 10, **named},
         {"name": "side_of_plane", "got": 0, "possible": 2, "topic": "detection", **right, "verdict": "wrong"},
-        {"name": "point_velocity", "got": 7, "possible": 7, "topic": "impulse", **right},
+        {"name": "normal_velocity", "got": 7, "possible": 7, "topic": "impulse", **right},
     ]
     rebound, _, touching, together, _ = content["tests"]
     assert rebound == {
-        "name": "test_a_ball_bounces", "title": "a ball bounces", "function": "rebound_velocity", "topic": "impulse",
+        "name": "test_a_ball_bounces", "title": "a ball bounces", "function": "impulse_magnitude", "topic": "impulse",
         "hidden": False, "passed": False, "got": 2, "possible": 6, "message": "", "rationale": "", "help": "",
         "parts": [
             {"reason": "at rest", "got": 2, "possible": 2, "message": ""},

@@ -134,7 +134,7 @@ def test_a_wrong_submission_hears_why_and_gets_the_points_of_its_parts(graded):
     assert told.endswith("leaves with e times the speed it came with.\nStatement 12.")
     assert sheet.earned == 1 + 1
     assert outcomes["test_in_parts"].parts[2].said == "normal_velocity raised Told: asked for 1.0 (line 4)"
-    result.stdout.fnmatch_lines(["point_velocity, relative_velocity, *are missing", "2 of 16 points (*)"])
+    result.stdout.fnmatch_lines(["edge_edge_normal, world_inverse_inertia, *are missing", "2 of 16 points (*)"])
     result.stdout.fnmatch_lines(["_* test_error _*", "normal_velocity raised Told: asked for *"], consecutive=True)
     result.stdout.fnmatch_lines(["_* test_rebound _*", "*", "E*assert -1.0 == 1.0*"])
 
@@ -167,7 +167,7 @@ def test_unwritten_functions_are_listed_as_to_do(graded):
     assert sheet.earned == 0
     assert "normal_velocity" in sheet.complaints[0].text
     told = {outcome.test: outcome.said for outcome in sheet.outcomes}
-    assert told["test_rebound"] == "needs rebound_velocity (impulse, step 2): it is not written yet"
+    assert told["test_rebound"] == "needs rebound_velocity (impulse, step 1): it is not written yet"
     assert told["test_property"] == told["test_rebound"]
 
 

@@ -64,11 +64,15 @@ def test_another_user_has_the_whole_library_and_no_other_file_of_its_folders(gra
 
 
 def test_a_greek_letter_earns_its_points_from_root_and_from_an_ordinary_user(grader, tmp_path):
-    text = "import numpy as np\ndef rebound_velocity(u, ε): return np.where(np.less(u, 0), -ε * np.asarray(u), u)\n"
+    text = (
+        "import numpy as np\ndef edge_edge_normal(α, β, a, b):\n    ν = np.cross(α, β)\n"
+        "    ν = ν / np.linalg.norm(ν, axis=-1, keepdims=True)\n"
+        "    return np.where(np.sum(ν * (a - b), axis=-1)[..., None] < 0, -ν, ν)\n"
+    )
     (tmp_path / "lab.py").write_text(text, encoding="utf-8")
     found = grade(tmp_path / "lab.py", ["impulse"], ["visible", "hidden"], grader).content()
     points = {each["name"]: (each["got"], each["possible"]) for each in found["functions"]}
-    assert points["rebound_velocity"][0] == points["rebound_velocity"][1] > 0
+    assert points["edge_edge_normal"][0] == points["edge_edge_normal"][1] > 0
 
 
 def test_a_module_that_cannot_be_loaded_is_an_error_and_no_mark(closed, tmp_path):

@@ -1,0 +1,88 @@
+"""What an impact must leave as it is, counted before and after (slide 21).
+
+A wrong sign on B shows in one of three numbers.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.arrays import Array
+from solutions.checks import finite, vector
+from solutions.impulse.body import AnyBody, Arrays, checked
+from solutions.impulse.inertia import mass_and_inertia
+
+
+def audit(
+    body_a: AnyBody,
+    body_b: AnyBody,
+    after: tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike],
+) -> tuple[Array, Array, Array]:
+    """Momentum, angular momentum and kinetic energy that two bodies gain (slide 21).
+
+    An impact may only take energy. Anything else that it changes is a mistake in the
+    program.
+
+    The bodies that can move are counted. An immovable body, 1/M = 0, counts nothing,
+    and neither does a spin about an axis without an inverse inertia (see
+    `mass_and_inertia`). Beside the ground, ΔP is therefore what the ground has given.
+
+    Parameters
+    ----------
+    body_a, body_b : Body, or a tuple in its order
+        As they are before the impact.
+    after : v_A, ω_A, v_B, ω_B, (..., 3) each, m/s and rad/s
+        The velocities after it, as `collide` and `apply_impulse` return them.
+
+    Returns
+    -------
+    momentum : (..., 3), ΔP, N s
+        Of both bodies together; 0 where each takes what the other gives.
+    angular_momentum : (..., 3), ΔL, N m s
+        Of both bodies together, about the point of contact: that of their spins, and
+        that of their centres, which fly past this point.
+    energy : (...), ΔE, J
+        Kinetic energy of both bodies together, negative where the impact takes some.
+
+    Raises
+    ------
+    ValueError
+        As inverse_effective_mass, or if a velocity after the impact is not finite or
+        does not have three components.
+
+    Notes
+    -----
+    One body has the momentum P = M v and the energy (M v·v + ω·I ω)/2. Its centre is at
+    −r as seen from the contact, so that about the contact
+
+        L = I ω − r × P
+
+    An impulse J at the contact changes P by J and I ω by r × J. It does not change L,
+    not even that of one body, since r × J − r × J = 0. Each of the two momenta
+    therefore answers a question of its own. ΔP: has B lost what A has gained? ΔL: does
+    the spin of each body fit the change of its velocity? With the plus signs of slide
+    18 on both lines of B, ΔP is 2 J and ΔL is 0. With a plus on ω_B alone, ΔP is 0 and
+    ΔL is 2 r_B × J.
+
+    About another point, at p as seen from the contact, ΔL is less by p × ΔP. Where ΔP
+    is 0 the point makes no difference.
+
+    For the energy, M (v⁺·v⁺ − v⁻·v⁻)/2 = M (v⁺ − v⁻)·(v⁺ + v⁻)/2: the change of the
+    momentum times the mean of the two velocities. The same holds for the spin. Where
+    both bodies can move, a correct impact gives ΔE = −`energy_lost`.
+    """
+    v_a, w_a, v_b, w_b = (finite("after", vector("after", velocity)) for velocity in after)
+    momentum_a, angular_a, energy_a = _gained(checked(body_a), v_a, w_a)
+    momentum_b, angular_b, energy_b = _gained(checked(body_b), v_b, w_b)
+    return momentum_a + momentum_b, angular_a + angular_b, energy_a + energy_b
+
+
+def _gained(body: Arrays, velocity: Array, spin: Array) -> tuple[Array, Array, Array]:
+    """ΔP, ΔL about the contact, and ΔE of one body that now has these velocities."""
+    v, w, r, inverse_mass, inverse_inertia = body
+    mass, inertia = mass_and_inertia(inverse_mass, inverse_inertia)
+    momentum = mass[..., None] * (velocity - v)
+    own = (inertia @ (spin - w)[..., None])[..., 0]
+    energy = (np.vecdot(momentum, velocity + v) + np.vecdot(own, spin + w)) / 2
+    return momentum, own - np.cross(r, momentum), np.asarray(energy)
