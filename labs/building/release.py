@@ -31,6 +31,7 @@ _OF_LABS = (
     "labs/grading/diagnosis/probes",
     "labs/grading/diagnosis/fingerprints",
     "labs/hints",
+    "labs/assessment/suspects",
 )
 """Folders with files that each belong to one lab and are named after it."""
 _FIGURES = "labs/figures"
