@@ -41,8 +41,8 @@ def world_inverse_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
 
 
 SUSPECTS: dict[str, tuple[str, Callable[..., Any]]] = {
-    "edges": ("edge_edge_normal", edge_edge_normal),
-    "rim": ("inverse_effective_mass", inverse_effective_mass),
-    "turned": ("world_inverse_inertia", world_inverse_inertia),
+    "crates": ("edge_edge_normal", edge_edge_normal),
+    "hammer": ("inverse_effective_mass", inverse_effective_mass),
+    "aircraft": ("world_inverse_inertia", world_inverse_inertia),
 }
 """Key → the function that it should be, and the wrong one."""

@@ -20,29 +20,29 @@ BANK_ENTRY = {
     ("detection", "distance"): "signed_distance/offset not over the length",
     ("detection", "hail"): "time_of_impact_exact/never when rising",
     ("detection", "gallery"): "overlap_interval/from the front alone",
-    ("impulse", "edges"): "edge_edge_normal/as they run",
-    ("impulse", "rim"): "inverse_effective_mass/only A turns",
-    ("impulse", "turned"): "world_inverse_inertia/turned the other way",
+    ("impulse", "crates"): "edge_edge_normal/as they run",
+    ("impulse", "hammer"): "inverse_effective_mass/only A turns",
+    ("impulse", "aircraft"): "world_inverse_inertia/turned the other way",
 }
 EXPOSING = {
     "distance": ([0.0, 0.0, 3.0], [0.0, 0.0, 2.0], 4.0),
     "hail": (0.5, 2.0, -10.0),
     "gallery": (-0.5, 2.0, 0.1, 0.1, 1.0),
-    "edges": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 0.0]),
-    "rim": (
+    "crates": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.0, 0.0, 0.0]),
+    "hammer": (
         ([0, 0, -1], [0, 0, 0], [0, 0, 0], 1.0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
         ([0, 0, 0], [0, 0, 0], [0.5, 0, 0], 1.0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
         [0, 0, 1],
     ),
-    "turned": ([1.0, 2.0, 4.0], [0.8, 0.4, 0.4, 0.2]),
+    "aircraft": ([1.0, 2.0, 4.0], [0.8, 0.4, 0.4, 0.2]),
 }
 HARMLESS = {
     "distance": ([1.0, 2.0, 3.0], [0.0, 0.0, 2.0], 0.0),
     "hail": (0.5, -2.0, -10.0),
     "gallery": (0.5, -2.0, 0.1, 0.1, 1.0),
-    "edges": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
-    "rim": (EXPOSING["rim"][1], EXPOSING["rim"][0], [0, 0, 1]),
-    "turned": ([1.0, 2.0, 4.0], [1.0, 0.0, 0.0, 0.0]),
+    "crates": ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
+    "hammer": (EXPOSING["hammer"][1], EXPOSING["hammer"][0], [0, 0, 1]),
+    "aircraft": ([1.0, 2.0, 4.0], [1.0, 0.0, 0.0, 0.0]),
 }
 EVERY = [(topic, suspect) for topic in ("detection", "impulse") for suspect in exposures.suspects(topic)]
 
@@ -85,13 +85,13 @@ def test_a_suspect_makes_the_mistake_of_the_bank(topic, key):
 
 
 def test_an_input_that_the_right_function_refuses_exposes_nothing():
-    suspect = exposures.suspect("impulse", "edges")
+    suspect = exposures.suspect("impulse", "crates")
     with pytest.raises(InvalidInput, match="refuses this input"):
         exposures.tried(suspect, ([1, 0, 0], [2, 0, 0], [0, 0, 1], [0, 0, 0]), right(suspect.function))
     with pytest.raises(InvalidInput, match="too long"):
         exposures.tried(suspect, ([0.0] * 200,), right(suspect.function))
-    with pytest.raises(UnknownName, match="edges"):
-        exposures.suspect("impulse", "edge")
+    with pytest.raises(UnknownName, match="crates"):
+        exposures.suspect("impulse", "crate")
 
 
 def test_inputs_are_read_from_a_notebook_that_is_never_run(tmp_path):

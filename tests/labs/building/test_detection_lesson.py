@@ -39,19 +39,6 @@ def choices(lesson: lessons.Lesson, key: str) -> dict[str, tuple[float, ...]]:
     return {str(each.arg): ast.literal_eval(each.value) for each in call.keywords}
 
 
-def test_the_minutes_of_the_headings_make_four_hours(lesson):
-    text = "\n".join(cell.text for cell in lesson.cells if not cell.code)
-    planned = {title: int(minutes) for title, minutes in re.findall(r"^## (.*) \((\d+) minutes\)$", text, re.MULTILINE)}
-    assert "**Time:** four hours" in text
-    assert sum(planned.values()) == 4 * 60
-    table = (LESSONS / "times.md").read_text(encoding="utf-8").partition("## detection")[2]
-    rows = [[part.strip() for part in line.split("|")[1:-1]] for line in table.splitlines() if line.startswith("| ")]
-    kept = {row[0]: row for row in rows[1:-1]}
-    assert {title: int(row[-1]) for title, row in kept.items()} == planned
-    for title, row in kept.items():
-        assert int(row[-1]) == pytest.approx(3 * float(row[-2]), abs=0.5), title
-
-
 def test_three_orders_of_the_loop_have_the_errors_that_are_named(lesson, capsys):
     shown = defined_in_cell_of(lesson, "mean_apex")
     e = shown["e"]

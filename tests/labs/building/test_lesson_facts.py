@@ -6,7 +6,9 @@ import re
 
 import pytest
 
-from labs.building import lessons
+from labs.building import lessons, notebooks
+from labs.building.notebooks import WIDTH
+from labs.project_folders import LESSONS
 
 
 @pytest.fixture(scope="module")
@@ -26,14 +28,22 @@ def test_the_lesson_follows_the_parting_balls_into_their_second_collision(text):
     assert "collide in the next step" in text[reversal:end]
 
 
-def test_the_minutes_of_the_headings_add_up_to_the_hours_promised(text):
-    lines = [line for cell in lessons.read("impulse").cells if not cell.code for line in cell.text.split("\n")]
-    headings = [line for line in lines if line.startswith("## ") and "extension" not in line]
-    minutes = [int(re.search(r"\((\d+) minutes\)$", heading)[1]) for heading in headings]
+@pytest.mark.parametrize("topic", lessons.lessons())
+def test_the_minutes_of_the_headings_make_four_hours(topic):
+    text = "\n".join(cell.text for cell in lessons.read(topic).cells if not cell.code)
+    planned = {title: int(minutes) for title, minutes in re.findall(r"^## (.*) \((\d+) minutes\)$", text, re.MULTILINE)}
     assert "**Time:** four hours" in text
-    assert sum(minutes) == 4 * 60
+    assert sum(planned.values()) == 4 * 60
+    table = (LESSONS / "times.md").read_text(encoding="utf-8").partition(f"## {topic}\n")[2].partition("\n## ")[0]
+    rows = [[part.strip() for part in line.split("|")[1:-1]] for line in table.splitlines() if line.startswith("| ")]
+    kept = {row[0]: row for row in rows[1:-1]}
+    assert {title: int(row[-1]) for title, row in kept.items()} == planned
+    for title, row in kept.items():
+        assert int(row[-1]) == pytest.approx(3 * float(row[-2]), abs=0.5), title
 
 
-def test_every_line_of_code_of_the_lesson_can_be_read_at_800_pixels():
-    code = [cell.text for cell in lessons.read("impulse").cells if cell.code and cell.kind != "given"]
-    assert [line for text in code for line in text.split("\n") if len(line) > 79] == []
+@pytest.mark.parametrize("topic", lessons.lessons())
+def test_a_students_code_can_be_read_at_800_pixels(topic):
+    cells = [cell for cell in notebooks.student(topic)["cells"] if cell["cell_type"] == "code"]
+    assert [line for cell in cells for line in cell["source"] if len(line.rstrip()) > WIDTH] == []
+
