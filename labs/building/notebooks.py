@@ -22,13 +22,13 @@ from labs.grading.submission.stubs import AGAIN, FIRST
 from reference import lecture
 from reference.errors import InvalidInput
 
-WIDTH = 88
-"""Characters of a line of a stub, as in most notebooks' own style; the linter holds the solutions' docstrings to it."""
+WIDTH = 79
+"""Characters of a line of code that a notebook shows whole where it is 800 pixels wide."""
 YOURS = "is yours to write"
 _LEAST = 24
 """A line of a solution with at least so many characters gives something away; shorter ones occur in any text."""
 _SETUP = """\
-# Run this cell first, and after every restart: it finds the lab, and says which engines answer.
+# @title Run this cell first, and after every restart
 from __future__ import annotations
 
 import sys
@@ -37,27 +37,32 @@ from pathlib import Path
 here = Path.cwd()
 course = here / "collisions-lab"
 
-if "google.colab" in sys.modules:  # asks for the course's files, once for every machine that Colab lends you
+if "google.colab" in sys.modules:
+    # Colab asks for the course's files, once for every machine that it lends.
     import io, zipfile
     from google.colab import files
 
     if not course.exists():
-        print("Choose collisions-lab.zip, and with it your notebooks of earlier labs, if you have any.")
+        print("Choose collisions-lab.zip,")
+        print("and with it your notebooks of earlier labs, if you have any.")
         for content in files.upload().values():
             if zipfile.is_zipfile(io.BytesIO(content)):
                 zipfile.ZipFile(io.BytesIO(content)).extractall()
     if not course.exists():
-        raise FileNotFoundError("That was not collisions-lab.zip: run this cell again and choose it.")
+        raise FileNotFoundError("not collisions-lab.zip: run this cell again")
     !pip install --quiet mujoco hypothesis "pytest>=8.4"
 
-for folder in [course, here, *here.parents]:  # the lab is above this notebook, or beside it
+for folder in [course, here, *here.parents]:
     if (folder / "labs" / "notebook.py").is_file():
         sys.path.insert(0, str(folder))
         break
 
-from labs import lab  # if there is no such module: put this notebook back where it came from
+# If there is no module labs, put this notebook back where it came from.
+from labs import lab
 
 lab.begin("{topic}")"""
+_SETUP_ABOVE = """\
+**Run the folded cell below first**, and again after every restart. It finds the lab and says which engines run here."""
 _ANSWER = "*Your answer:* "
 _KERNEL = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
@@ -202,7 +207,9 @@ def _first_version(draft: _Draft, cell: Cell, source: str) -> None:
 def _common(draft: _Draft, cell: Cell) -> None:
     """A cell that is the same in both notebooks."""
     if cell.kind == "lab":
-        draft.add("code", _SETUP.replace("{topic}", draft.lesson.topic), tags=["setup"])
+        draft.add("markdown", _SETUP_ABOVE)
+        folded = {"jupyter": {"source_hidden": True}, "cellView": "form"}  # in Jupyter, and on Colab
+        draft.add("code", _SETUP.replace("{topic}", draft.lesson.topic), tags=["setup"], **folded)
     elif cell.kind == "given":
         draft.add("code", _given(draft, cell), tags=["given"], jupyter={"source_hidden": True})
     else:

@@ -1,12 +1,23 @@
 """Detecting a collision with a plane (slides 2, 3, 4, 5 and 9).
 
-These functions say where a point is, when it meets a plane, how often a puck meets
-two walls, and what a step may miss.
+These functions say where a point is, when it meets a plane, how often a puck
+meets two walls, and what a step may miss.
 """
 
-from solutions.detection.planes import is_colliding, side_of_plane, signed_distance
-from solutions.detection.sampling import missing_probability, overlap_interval, substeps_needed
-from solutions.detection.time_of_impact import time_of_impact_exact, time_of_impact_interpolated
+from solutions.detection.planes import (
+    is_colliding,
+    side_of_plane,
+    signed_distance,
+)
+from solutions.detection.sampling import (
+    missing_probability,
+    overlap_interval,
+    substeps_needed,
+)
+from solutions.detection.time_of_impact import (
+    time_of_impact_exact,
+    time_of_impact_interpolated,
+)
 from solutions.detection.two_walls import count_impacts
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""The signed distance of a point from a plane, and the side it is on (slide 4)."""
+"""Signed distance of a point from a plane, and the side it is on (slide 4)."""
 
 from __future__ import annotations
 

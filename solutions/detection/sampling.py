@@ -1,7 +1,7 @@
 """What a test at the ends of steps does not see (slides 2 and 9).
 
-The functions say when within a step a ball overlaps a slab, how many balls a test at
-each step misses, and how many substeps miss none.
+The functions say when within a step a ball overlaps a slab, how many balls a
+test at each step misses, and how many substeps miss none.
 """
 
 from __future__ import annotations
@@ -167,6 +167,12 @@ def substeps_needed(
     overlap. At least one substep therefore ends while they overlap, and by
     more than a touch.
     """
-    way = finite("speed", not_negative("speed", speed)) * finite("dt", not_negative("dt", dt))
-    caught = not_negative("thickness", thickness) + 2 * not_negative("radius", radius)
-    return np.asarray(np.floor(way / positive("thickness + 2 radius", caught)) + 1).astype(np.int64)
+    way = finite("speed", not_negative("speed", speed)) * finite(
+        "dt", not_negative("dt", dt)
+    )
+    caught = not_negative("thickness", thickness) + 2 * not_negative(
+        "radius", radius
+    )
+    return np.asarray(
+        np.floor(way / positive("thickness + 2 radius", caught)) + 1
+    ).astype(np.int64)

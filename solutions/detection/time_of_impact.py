@@ -1,4 +1,4 @@
-"""When a point meets a plane, by the slide's interpolation and exactly (slide 5)."""
+"""When a point meets a plane, by interpolation and exactly (slide 5)."""
 
 from __future__ import annotations
 

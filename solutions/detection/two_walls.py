@@ -1,4 +1,4 @@
-"""A puck between two walls: time backed up, and the rest of the step (slide 3)."""
+"""A puck between two walls: back up time, then go the rest (slide 3)."""
 
 from __future__ import annotations
 

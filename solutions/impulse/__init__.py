@@ -5,7 +5,13 @@ The package goes from the velocity of a point to an impact in space.
 
 from solutions.impulse.auditing import audit
 from solutions.impulse.body import Body
-from solutions.impulse.impact import apply_impulse, collide, energy_lost, impulse_magnitude, inverse_effective_mass
+from solutions.impulse.impact import (
+    apply_impulse,
+    collide,
+    energy_lost,
+    impulse_magnitude,
+    inverse_effective_mass,
+)
 from solutions.impulse.inertia import (
     box_inertia,
     mass_and_inertia,

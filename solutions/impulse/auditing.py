@@ -19,14 +19,15 @@ def audit(
     body_b: AnyBody,
     after: tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike],
 ) -> tuple[Array, Array, Array]:
-    """Momentum, angular momentum and kinetic energy that two bodies gain (slide 21).
+    """Momentum, angular momentum and energy that two bodies gain (slide 21).
 
-    An impact may only take energy. Anything else that it changes is a mistake in the
-    program.
+    An impact may only take energy. Anything else that it changes is a mistake
+    in the program.
 
-    The bodies that can move are counted. An immovable body, 1/M = 0, counts nothing,
-    and neither does a spin about an axis without an inverse inertia (see
-    `mass_and_inertia`). Beside the ground, ΔP is therefore what the ground has given.
+    The bodies that can move are counted. An immovable body, 1/M = 0, counts
+    nothing, and neither does a spin about an axis without an inverse inertia
+    (see `mass_and_inertia`). Beside the ground, ΔP is therefore what the
+    ground has given.
 
     Parameters
     ----------
@@ -40,46 +41,52 @@ def audit(
     momentum : (..., 3), ΔP, N s
         Of both bodies together; 0 where each takes what the other gives.
     angular_momentum : (..., 3), ΔL, N m s
-        Of both bodies together, about the point of contact: that of their spins, and
-        that of their centres, which fly past this point.
+        Of both bodies together, about the point of contact: that of their
+        spins, and that of their centres, which fly past this point.
     energy : (...), ΔE, J
-        Kinetic energy of both bodies together, negative where the impact takes some.
+        Kinetic energy of both bodies together, negative where the impact takes
+        some.
 
     Raises
     ------
     ValueError
-        As inverse_effective_mass, or if a velocity after the impact is not finite or
-        does not have three components.
+        As inverse_effective_mass, or if a velocity after the impact is not
+        finite or does not have three components.
 
     Notes
     -----
-    One body has the momentum P = M v and the energy (M v·v + ω·I ω)/2. Its centre is at
-    −r as seen from the contact, so that about the contact
+    One body has the momentum P = M v and the energy (M v·v + ω·I ω)/2. Its
+    centre is at −r as seen from the contact, so that about the contact
 
         L = I ω − r × P
 
-    An impulse J at the contact changes P by J and I ω by r × J. It does not change L,
-    not even that of one body, since r × J − r × J = 0. Each of the two momenta
-    therefore answers a question of its own. ΔP: has B lost what A has gained? ΔL: does
-    the spin of each body fit the change of its velocity? With the plus signs of slide
-    18 on both lines of B, ΔP is 2 J and ΔL is 0. With a plus on ω_B alone, ΔP is 0 and
-    ΔL is 2 r_B × J.
+    An impulse J at the contact changes P by J and I ω by r × J. It does not
+    change L, not even that of one body, since r × J − r × J = 0. Each of the
+    two momenta therefore answers a question of its own. ΔP: has B lost what A
+    has gained? ΔL: does the spin of each body fit the change of its velocity?
+    With the plus signs of slide 18 on both lines of B, ΔP is 2 J and ΔL is 0.
+    With a plus on ω_B alone, ΔP is 0 and ΔL is 2 r_B × J.
 
-    About another point, at p as seen from the contact, ΔL is less by p × ΔP. Where ΔP
-    is 0 the point makes no difference.
+    About another point, at p as seen from the contact, ΔL is less by p × ΔP.
+    Where ΔP is 0 the point makes no difference.
 
-    For the energy, M (v⁺·v⁺ − v⁻·v⁻)/2 = M (v⁺ − v⁻)·(v⁺ + v⁻)/2: the change of the
-    momentum times the mean of the two velocities. The same holds for the spin. Where
-    both bodies can move, a correct impact gives ΔE = −`energy_lost`.
+    For the energy, M (v⁺·v⁺ − v⁻·v⁻)/2 = M (v⁺ − v⁻)·(v⁺ + v⁻)/2: the change
+    of the momentum times the mean of the two velocities. The same holds for
+    the spin. Where both bodies can move, a correct impact gives ΔE =
+    −`energy_lost`.
     """
-    v_a, w_a, v_b, w_b = (finite("after", vector("after", velocity)) for velocity in after)
+    v_a, w_a, v_b, w_b = (
+        finite("after", vector("after", velocity)) for velocity in after
+    )
     momentum_a, angular_a, energy_a = _gained(checked(body_a), v_a, w_a)
     momentum_b, angular_b, energy_b = _gained(checked(body_b), v_b, w_b)
     return momentum_a + momentum_b, angular_a + angular_b, energy_a + energy_b
 
 
-def _gained(body: Arrays, velocity: Array, spin: Array) -> tuple[Array, Array, Array]:
-    """ΔP, ΔL about the contact, and ΔE of one body that now has these velocities."""
+def _gained(
+    body: Arrays, velocity: Array, spin: Array
+) -> tuple[Array, Array, Array]:
+    """ΔP, ΔL about the contact, and ΔE of one body with these velocities."""
     v, w, r, inverse_mass, inverse_inertia = body
     mass, inertia = mass_and_inertia(inverse_mass, inverse_inertia)
     momentum = mass[..., None] * (velocity - v)

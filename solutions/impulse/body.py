@@ -1,4 +1,4 @@
-"""What an impact needs to know of one body, and what an impulse does to that body."""
+"""What an impact needs to know of a body, and what an impulse does to it."""
 
 from __future__ import annotations
 
@@ -13,17 +13,18 @@ from solutions.checks import finite, matrix, not_negative, vector
 ROUNDING = 1e-12
 """How far the diagonal of an inverse inertia may be below zero.
 
-It is a share of the largest number of the matrix. The inverse inertia of a thin rod can
-have such a diagonal once the rod has been turned.
+It is a share of the largest number of the matrix. The inverse inertia of a
+thin rod can have such a diagonal once the rod has been turned.
 """
 
 
 class Body(NamedTuple):
-    """One of the two bodies of an impact; a plain tuple in this order works as well.
+    """One body of an impact; a plain tuple in this order works as well.
 
-    It is what an impact needs to know, at its instant. The lab's scenarios have a
-    `Body` too, in `reference.scene.scenario`: a name, a shape and a mass, with the
-    state at the start of a run. Neither can stand for the other.
+    It is what an impact needs to know, at its instant. The lab's scenarios
+    have a `Body` too, in `reference.scene.scenario`: a name, a shape and a
+    mass, with the state at the start of a run. Neither can stand for the
+    other.
 
     Attributes
     ----------
@@ -49,22 +50,32 @@ Arrays = tuple[Array, Array, Array, Array, Array]
 
 
 def checked(body: AnyBody) -> Arrays:
-    """Return v, ω, r, 1/M and I⁻¹ as arrays; refuse values that no body can have."""
+    """Return v, ω, r, 1/M and I⁻¹ as arrays; refuse impossible values."""
     body = Body(*body)
     inverse_inertia = matrix("inverse_inertia", body.inverse_inertia)
-    least = ROUNDING * np.max(np.abs(inverse_inertia), axis=(-2, -1))[..., None]
-    not_negative("diagonal of inverse_inertia", np.diagonal(inverse_inertia, axis1=-2, axis2=-1) + least)
+    least = (
+        ROUNDING * np.max(np.abs(inverse_inertia), axis=(-2, -1))[..., None]
+    )
+    not_negative(
+        "diagonal of inverse_inertia",
+        np.diagonal(inverse_inertia, axis1=-2, axis2=-1) + least,
+    )
     return (
         finite("velocity", vector("velocity", body.velocity)),
-        finite("angular_velocity", vector("angular_velocity", body.angular_velocity)),
+        finite(
+            "angular_velocity",
+            vector("angular_velocity", body.angular_velocity),
+        ),
         finite("arm", vector("arm", body.arm)),
-        finite("inverse_mass", not_negative("inverse_mass", body.inverse_mass)),
+        finite(
+            "inverse_mass", not_negative("inverse_mass", body.inverse_mass)
+        ),
         inverse_inertia,
     )
 
 
 def moved(body: Arrays, impulse: Array) -> tuple[Array, Array]:
-    """Changes Δv = J/M and Δω = I⁻¹(r × J) that an impulse (..., 3) gives a body."""
+    """Changes Δv = J/M and Δω = I⁻¹(r × J) that an impulse (..., 3) makes."""
     _, _, r, inverse_mass, inverse_inertia = body
     turned = inverse_inertia @ np.cross(r, impulse)[..., None]
     return inverse_mass[..., None] * impulse, turned[..., 0]

@@ -1,7 +1,7 @@
 """An impact of two rigid bodies (slides 11, 18, 20 and 21).
 
-These functions find the impulse that makes the bodies rebound, and what it does to
-them.
+These functions find the impulse that makes the bodies rebound, and what it
+does to them.
 """
 
 from __future__ import annotations
@@ -12,7 +12,11 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array
 from solutions.checks import finite, in_unit_interval, unit, vector
 from solutions.impulse.body import AnyBody, Arrays, checked, moved
-from solutions.impulse.points import COLLIDING, classify_contact, normal_velocity
+from solutions.impulse.points import (
+    COLLIDING,
+    classify_contact,
+    normal_velocity,
+)
 from solutions.scaling import length_of
 
 NO_LEVER = 1e-15
@@ -29,7 +33,7 @@ def inverse_effective_mass(
     body_b: AnyBody,
     normal: ArrayLike,
 ) -> Array:
-    """Normal velocity that the points of contact gain from a unit impulse (slide 20).
+    """Normal velocity that the points gain from a unit impulse (slide 20).
 
     It is the denominator of the slide's impulse.
 
@@ -42,30 +46,33 @@ def inverse_effective_mass(
     Returns
     -------
     (...), k, 1/kg
-        1/M_A + 1/M_B where the normal goes through both centres, r × n = 0. 0 where
-        both bodies are immovable.
+        1/M_A + 1/M_B where the normal goes through both centres, r × n = 0. 0
+        where both bodies are immovable.
 
     Raises
     ------
     ValueError
-        If a normal does not have length 1, an inverse mass or the diagonal of an
-        inverse inertia is negative, or something is not finite or does not fit.
+        If a normal does not have length 1, an inverse mass or the diagonal of
+        an inverse inertia is negative, or something is not finite or does not
+        fit.
 
     Notes
     -----
-    A unit impulse n on A changes v_A by n/M_A and ω_A by I_A⁻¹(r_A × n). It therefore
-    changes the velocity of A's point of contact by n/M_A + (I_A⁻¹(r_A × n)) × r_A. On B
-    the impulse is −n, and all these changes have a minus sign, which the difference
-    ṗ_A − ṗ_B turns into a plus. Along the normal, with n·n = 1, the sum is
+    A unit impulse n on A changes v_A by n/M_A and ω_A by I_A⁻¹(r_A × n). It
+    therefore changes the velocity of A's point of contact by n/M_A +
+    (I_A⁻¹(r_A × n)) × r_A. On B the impulse is −n, and all these changes have
+    a minus sign, which the difference ṗ_A − ṗ_B turns into a plus. Along the
+    normal, with n·n = 1, the sum is
 
-        k = 1/M_A + 1/M_B + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
+        k = 1/M_A + 1/M_B
+            + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
 
-    A body that can turn gives way more easily at its rim: the effective mass 1/k is
-    never more than the mass of either body.
+    A body that can turn gives way more easily at its rim: the effective mass
+    1/k is never more than the mass of either body.
 
-    k equals n·K n with the matrix K = K_A + K_B of `point_inverse_mass`. Friction needs
-    the whole matrix; this function keeps the terms in the order in which one derives
-    them.
+    k equals n·K n with the matrix K = K_A + K_B of `point_inverse_mass`.
+    Friction needs the whole matrix; this function keeps the terms in the order
+    in which one derives them.
     """
     n = unit("normal", vector("normal", normal))
     return _softness(checked(body_a), n) + _softness(checked(body_b), n)
@@ -77,7 +84,7 @@ def impulse_magnitude(
     normal: ArrayLike,
     restitution: ArrayLike,
 ) -> Array:
-    """Size of the impulse after which the points of contact part at −e u_n⁻ (slide 20).
+    """Size of the impulse after which the points part at −e u_n⁻ (slide 20).
 
     Parameters
     ----------
@@ -88,10 +95,11 @@ def impulse_magnitude(
     Returns
     -------
     (...), j, N s
-        The function has no guard: for points that separate, j is negative, an impulse
-        that would pull them back. `collide` has a guard. 0 where no impulse stops the
-        points, k = 0, and they go through each other: both bodies are immovable, or
-        they turn about pivots through which the normal goes.
+        The function has no guard: for points that separate, j is negative, an
+        impulse that would pull them back. `collide` has a guard. 0 where no
+        impulse stops the points, k = 0, and they go through each other: both
+        bodies are immovable, or they turn about pivots through which the
+        normal goes.
 
     Raises
     ------
@@ -100,32 +108,38 @@ def impulse_magnitude(
 
     Notes
     -----
-    The slides say "put in terms of the unknown impulse … compute impulse" and give no
-    formula. It follows step by step:
+    The slides say "put in terms of the unknown impulse … compute impulse" and
+    give no formula. It follows step by step:
 
-    1. Drop the time dependence. An impact is so short that r, n and I⁻¹ stay as they
-       are and the weight has no effect.
+    1. Drop the time dependence. An impact is so short that r, n and I⁻¹ stay
+       as they are and the weight has no effect.
     2. Slide 18, with a minus sign for B: v_A⁺ = v_A⁻ + j n/M_A and
        ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × j n). For B, replace j by −j.
-    3. Slide 14 gives the velocities of the points: ṗ_A⁺ = v_A⁺ + ω_A⁺ × r_A, which is
-       ṗ_A⁻ + j (n/M_A + (I_A⁻¹(r_A × n)) × r_A). For B, replace j by −j.
-    4. Slide 19 gives the normal velocity: u_n⁺ = n·(ṗ_A⁺ − ṗ_B⁺) = u_n⁻ + j k, where k
-       collects the factors of j. All four terms of k have a plus sign, because B's
-       minus meets the minus of the difference, and n·n = 1.
+    3. Slide 14 gives the velocities of the points: ṗ_A⁺ = v_A⁺ + ω_A⁺ × r_A,
+       which is ṗ_A⁻ + j (n/M_A + (I_A⁻¹(r_A × n)) × r_A). For B, replace j by
+       −j.
+    4. Slide 19 gives the normal velocity: u_n⁺ = n·(ṗ_A⁺ − ṗ_B⁺) = u_n⁻ + j k,
+       where k collects the factors of j. All four terms of k have a plus sign,
+       because B's minus meets the minus of the difference, and n·n = 1.
     5. Slide 12 gives the rebound that the user wants: u_n⁺ = −e u_n⁻. So
        u_n⁻ + j k = −e u_n⁻, and j = −(1 + e) u_n⁻/k.
 
     Written out, the result is
 
-        j = −(1 + e) u_n⁻ / k
-        k = 1/M_A + 1/M_B + n·((I_A⁻¹(r_A × n)) × r_A) + n·((I_B⁻¹(r_B × n)) × r_B)
+        j = −(1 + e) u_n⁻ / k k = 1/M_A + 1/M_B + n·((I_A⁻¹(r_A × n)) × r_A) +
+        n·((I_B⁻¹(r_B × n)) × r_B)
     """
-    e, k = in_unit_interval("restitution", restitution), inverse_effective_mass(body_a, body_b, normal)
+    e, k = (
+        in_unit_interval("restitution", restitution),
+        inverse_effective_mass(body_a, body_b, normal),
+    )
     wanted = -(1 + e) * normal_velocity(body_a, body_b, normal)
     return np.where(k > 0, wanted / np.where(k > 0, k, 1.0), 0.0)
 
 
-def apply_impulse(body_a: AnyBody, body_b: AnyBody, impulse: ArrayLike) -> Velocities:
+def apply_impulse(
+    body_a: AnyBody, body_b: AnyBody, impulse: ArrayLike
+) -> Velocities:
     """Velocities after an impulse, J on A and −J on B (slide 18).
 
     Parameters
@@ -145,16 +159,22 @@ def apply_impulse(body_a: AnyBody, body_b: AnyBody, impulse: ArrayLike) -> Veloc
 
     Notes
     -----
-    An impulse changes the momentum of a body by J and its angular momentum by r × J.
-    Divided by the mass and multiplied by I⁻¹, these are changes of v and ω:
+    An impulse changes the momentum of a body by J and its angular momentum by
+    r × J. Divided by the mass and multiplied by I⁻¹, these are changes of v
+    and ω:
 
         v_A⁺ = v_A⁻ + J/M_A        ω_A⁺ = ω_A⁻ + I_A⁻¹(r_A × J)
         v_B⁺ = v_B⁻ − J/M_B        ω_B⁺ = ω_B⁻ − I_B⁻¹(r_B × J)
 
     The slide has a plus sign for both bodies. This contradicts the slides' own
-    pseudo-code, P_B −= J, and Newton's third law: the pair would push itself along.
+    pseudo-code, P_B −= J, and Newton's third law: the pair would push itself
+    along.
     """
-    a, b, impulse = checked(body_a), checked(body_b), finite("impulse", vector("impulse", impulse))
+    a, b, impulse = (
+        checked(body_a),
+        checked(body_b),
+        finite("impulse", vector("impulse", impulse)),
+    )
     (dv_a, dw_a), (dv_b, dw_b) = moved(a, impulse), moved(b, impulse)
     return a[0] + dv_a, a[1] + dw_a, b[0] - dv_b, b[1] - dw_b
 
@@ -181,8 +201,8 @@ def collide(
     Returns
     -------
     v_A, ω_A, v_B, ω_B : (..., 3) each, m/s and rad/s
-        Unchanged for a pair that rests, grazes or separates, and for a pair that no
-        impulse stops, such as two immovable bodies.
+        Unchanged for a pair that rests, grazes or separates, and for a pair
+        that no impulse stops, such as two immovable bodies.
 
     Raises
     ------
@@ -191,13 +211,20 @@ def collide(
 
     Notes
     -----
-    This is the whole of slide 21. Compute the velocities of the two points and the
-    velocity along the normal. If the points collide, apply the impulse j n to A and −j
-    n to B.
+    This is the whole of slide 21. Compute the velocities of the two points and
+    the velocity along the normal. If the points collide, apply the impulse j n
+    to A and −j n to B.
     """
-    colliding = classify_contact(normal_velocity(body_a, body_b, normal), threshold) == COLLIDING
-    j = np.where(colliding, impulse_magnitude(body_a, body_b, normal, restitution), 0.0)
-    return apply_impulse(body_a, body_b, j[..., None] * np.asarray(normal, dtype=float))
+    colliding = (
+        classify_contact(normal_velocity(body_a, body_b, normal), threshold)
+        == COLLIDING
+    )
+    j = np.where(
+        colliding, impulse_magnitude(body_a, body_b, normal, restitution), 0.0
+    )
+    return apply_impulse(
+        body_a, body_b, j[..., None] * np.asarray(normal, dtype=float)
+    )
 
 
 def energy_lost(
@@ -226,25 +253,31 @@ def energy_lost(
 
     Notes
     -----
-    The closing motion has the energy of an effective mass 1/k that moves at u_n⁻, with
-    the k of `inverse_effective_mass`: u_n⁻²/(2k). The parting motion has the velocity
-    −e u_n⁻ and so the share e² of this energy. The impact takes the difference:
+    The closing motion has the energy of an effective mass 1/k that moves at
+    u_n⁻, with the k of `inverse_effective_mass`: u_n⁻²/(2k). The parting
+    motion has the velocity −e u_n⁻ and so the share e² of this energy. The
+    impact takes the difference:
 
         ΔE = (1 − e²) u_n⁻²/(2k)
 
-    An immovable body that moves does work besides. Beside such a body, ΔE is the loss
-    as seen by an observer who moves along with its point of contact.
+    An immovable body that moves does work besides. Beside such a body, ΔE is
+    the loss as seen by an observer who moves along with its point of contact.
     """
-    e, k = in_unit_interval("restitution", restitution), inverse_effective_mass(body_a, body_b, normal)
+    e, k = (
+        in_unit_interval("restitution", restitution),
+        inverse_effective_mass(body_a, body_b, normal),
+    )
     closing = np.minimum(normal_velocity(body_a, body_b, normal), 0.0)
-    return np.where(k > 0, (1 - e**2) * closing**2 / np.where(k > 0, 2 * k, 1.0), 0.0)
+    return np.where(
+        k > 0, (1 - e**2) * closing**2 / np.where(k > 0, 2 * k, 1.0), 0.0
+    )
 
 
 def _softness(body: Arrays, normal: Array) -> Array:
     """One body's part of k: 1/M + n·((I⁻¹(r × n)) × r).
 
-    A lever that is only rounding counts as none. Otherwise it would give a body on a
-    pivot, 1/M = 0, a spin of any size.
+    A lever that is only rounding counts as none. Otherwise it would give a
+    body on a pivot, 1/M = 0, a spin of any size.
     """
     r = body[2]
     dv, dw = moved(body, normal)

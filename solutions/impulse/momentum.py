@@ -1,7 +1,7 @@
 """Impulse and momentum (slides 13, 16 and 21).
 
-A short force leaves an impulse, which changes the momentum P and the angular momentum
-L.
+A short force leaves an impulse, which changes the momentum P and the angular
+momentum L.
 """
 
 from __future__ import annotations
@@ -10,7 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, matrix, not_negative, positive, unit, vector
+from solutions.checks import (
+    finite,
+    matrix,
+    not_negative,
+    positive,
+    unit,
+    vector,
+)
 
 
 def impulse_of_force(force: ArrayLike, time: ArrayLike) -> Array:
@@ -24,29 +31,36 @@ def impulse_of_force(force: ArrayLike, time: ArrayLike) -> Array:
     Returns
     -------
     (..., 3), N s
-        0 for a single sample. Exact where the force changes at a steady rate between
-        the samples.
+        0 for a single sample. Exact where the force changes at a steady rate
+        between the samples.
 
     Raises
     ------
     ValueError
-        If the times go backwards, their number is not that of the samples, or something
-        is not finite.
+        If the times go backwards, their number is not that of the samples, or
+        something is not finite.
 
     Notes
     -----
-    Between two samples the function takes the mean of the two forces times the time
-    between them, which is the area of a trapezoid. For a constant force the sum is the
-    slide's F Δt. With F = M a it is Δ(M v) = ΔP.
+    Between two samples the function takes the mean of the two forces times the
+    time between them, which is the area of a trapezoid. For a constant force
+    the sum is the slide's F Δt. With F = M a it is Δ(M v) = ΔP.
 
-    The slides call J a force applied over a short time, but J is not a force. A harder
-    ball has the same J, a shorter Δt and a larger F.
+    The slides call J a force applied over a short time, but J is not a force.
+    A harder ball has the same J, a shorter Δt and a larger F.
     """
     force, time = finite("force", vector("force", force)), finite("time", time)
     if force.ndim < 2 or time.shape[-1:] != force.shape[-2:-1]:
-        raise ValueError(f"time must have a value for each of the samples of force {force.shape}, not {time.shape}")
+        raise ValueError(
+            "time must have a value for each of the samples of force"
+            f" {force.shape}, not {time.shape}"
+        )
     steps = not_negative("steps of time", np.diff(time))
-    return np.asarray(((force[..., 1:, :] + force[..., :-1, :]) / 2 * steps[..., None]).sum(axis=-2))
+    return np.asarray(
+        ((force[..., 1:, :] + force[..., :-1, :]) / 2 * steps[..., None]).sum(
+            axis=-2
+        )
+    )
 
 
 def mean_force(
@@ -61,8 +75,8 @@ def mean_force(
     momentum_change : (..., 3), ΔP, N s
     duration : (...), Δt, s, positive
     other_force : (..., 3), N
-        What else acts meanwhile, such as the weight. With zero the result is the net
-        force.
+        What else acts meanwhile, such as the weight. With zero the result is
+        the net force.
 
     Returns
     -------
@@ -71,24 +85,32 @@ def mean_force(
     Raises
     ------
     ValueError
-        If a duration is not positive, or an argument does not have three components.
+        If a duration is not positive, or an argument does not have three
+        components.
 
     Notes
     -----
-    ΔP/Δt is the net force, the sum of the contact force and all others. The contact
-    provides what the others do not:
+    ΔP/Δt is the net force, the sum of the contact force and all others. The
+    contact provides what the others do not:
 
         F = ΔP/Δt − F_other
 
-    For a ball on the floor, the net force is the contact force less the weight. In an
-    impact Δt is short, so that ΔP/Δt is large and the weight does not matter. This is
-    what slide 20 drops.
+    For a ball on the floor, the net force is the contact force less the
+    weight. In an impact Δt is short, so that ΔP/Δt is large and the weight
+    does not matter. This is what slide 20 drops.
     """
-    change, other = vector("momentum_change", momentum_change), vector("other_force", other_force)
-    return np.asarray(change / positive("duration", duration)[..., None] - other)
+    change, other = (
+        vector("momentum_change", momentum_change),
+        vector("other_force", other_force),
+    )
+    return np.asarray(
+        change / positive("duration", duration)[..., None] - other
+    )
 
 
-def contact_impulses(magnitude: ArrayLike, normal: ArrayLike) -> tuple[Array, Array]:
+def contact_impulses(
+    magnitude: ArrayLike, normal: ArrayLike
+) -> tuple[Array, Array]:
     """Impulses at a contact: J = j n on A and −J on B (slide 16).
 
     Parameters
@@ -107,16 +129,22 @@ def contact_impulses(magnitude: ArrayLike, normal: ArrayLike) -> tuple[Array, Ar
 
     Notes
     -----
-    The slide's forces along the normal are those of an impact without friction. For
-    every j the two impulses add up to zero, so that P is conserved. They also act at
-    one point, so that L about any point is conserved.
+    The slide's forces along the normal are those of an impact without
+    friction. For every j the two impulses add up to zero, so that P is
+    conserved. They also act at one point, so that L about any point is
+    conserved.
     """
-    impulse = np.asarray(magnitude, dtype=float)[..., None] * unit("normal", vector("normal", normal))
+    impulse = np.asarray(magnitude, dtype=float)[..., None] * unit(
+        "normal", vector("normal", normal)
+    )
     return np.asarray(impulse), np.asarray(-impulse)
 
 
 def apply_impulse_to_momenta(
-    momentum: ArrayLike, angular_momentum: ArrayLike, arm: ArrayLike, impulse: ArrayLike
+    momentum: ArrayLike,
+    angular_momentum: ArrayLike,
+    arm: ArrayLike,
+    impulse: ArrayLike,
 ) -> tuple[Array, Array]:
     """Momenta of one body after an impulse at the end of its arm (slide 21).
 
@@ -141,13 +169,18 @@ def apply_impulse_to_momenta(
         P += J
         L += r × J
 
-    For B, whose impulse is −J, this is the slide's P_B −= J, L_B −= r_B × J. The step
-    needs no mass and no inertia. These come back in with `velocities_from_momenta`,
-    which must follow.
+    For B, whose impulse is −J, this is the slide's P_B −= J, L_B −= r_B × J.
+    The step needs no mass and no inertia. These come back in with
+    `velocities_from_momenta`, which must follow.
     """
     impulse = vector("impulse", impulse)
-    momentum, angular_momentum = vector("momentum", momentum), vector("angular_momentum", angular_momentum)
-    return np.asarray(momentum + impulse), np.asarray(angular_momentum + np.cross(vector("arm", arm), impulse))
+    momentum, angular_momentum = (
+        vector("momentum", momentum),
+        vector("angular_momentum", angular_momentum),
+    )
+    return np.asarray(momentum + impulse), np.asarray(
+        angular_momentum + np.cross(vector("arm", arm), impulse)
+    )
 
 
 def velocities_from_momenta(
@@ -168,8 +201,9 @@ def velocities_from_momenta(
     Returns
     -------
     velocity, angular_velocity : (..., 3) each, m/s and rad/s
-        An immovable body, 1/M = 0, is at rest in the result, and a rod does not spin
-        about itself: its momenta cannot describe such a motion, its velocities can.
+        An immovable body, 1/M = 0, is at rest in the result, and a rod does
+        not spin about itself: its momenta cannot describe such a motion, its
+        velocities can.
 
     Raises
     ------
@@ -182,10 +216,18 @@ def velocities_from_momenta(
 
         v = P/M,    ω = I⁻¹(t) L
 
-    The slide's pseudo-code stops at P and L. A program that keeps v and ω beside them
-    must recompute both.
+    The slide's pseudo-code stops at P and L. A program that keeps v and ω
+    beside them must recompute both.
     """
-    momentum, angular_momentum = vector("momentum", momentum), vector("angular_momentum", angular_momentum)
-    per_mass = finite("inverse_mass", not_negative("inverse_mass", inverse_mass))[..., None]
-    turned = matrix("inverse_inertia", inverse_inertia) @ angular_momentum[..., None]
+    momentum, angular_momentum = (
+        vector("momentum", momentum),
+        vector("angular_momentum", angular_momentum),
+    )
+    per_mass = finite(
+        "inverse_mass", not_negative("inverse_mass", inverse_mass)
+    )[..., None]
+    turned = (
+        matrix("inverse_inertia", inverse_inertia)
+        @ angular_momentum[..., None]
+    )
     return np.asarray(per_mass * momentum), np.asarray(turned[..., 0])

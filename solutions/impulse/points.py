@@ -9,14 +9,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from solutions.arrays import Array
-from solutions.checks import finite, in_unit_interval, not_negative, unit, vector
+from solutions.checks import (
+    finite,
+    in_unit_interval,
+    not_negative,
+    unit,
+    vector,
+)
 from solutions.impulse.body import AnyBody, checked
 
 COLLIDING, RESTING, SEPARATING = -1, 0, 1
 """Results of `classify_contact`.
 
-Each is the sign of the normal velocity where that is beyond the threshold, and 0
-elsewhere.
+Each is the sign of the normal velocity where that is beyond the threshold, and
+0 elsewhere.
 """
 
 
@@ -37,7 +43,8 @@ def point_velocity(
     Returns
     -------
     (..., 3), m/s
-        v itself for the centre of mass, and for a point on the axis through it.
+        v itself for the centre of mass, and for a point on the axis through
+        it.
 
     Raises
     ------
@@ -46,14 +53,18 @@ def point_velocity(
 
     Notes
     -----
-    The point moves with the centre of mass, and it also turns about that centre:
+    The point moves with the centre of mass, and it also turns about that
+    centre:
 
         ṗ = v + ω × r
 
-    The slide's p_A(t) = v_A(t) + ω_A(t) × r_A has lost its dot. The quantity is a
-    velocity, not a position.
+    The slide's p_A(t) = v_A(t) + ω_A(t) × r_A has lost its dot. The quantity
+    is a velocity, not a position.
     """
-    v, omega = vector("velocity", velocity), vector("angular_velocity", angular_velocity)
+    v, omega = (
+        vector("velocity", velocity),
+        vector("angular_velocity", angular_velocity),
+    )
     return np.asarray(v + np.cross(omega, vector("arm", arm)))
 
 
@@ -82,18 +93,23 @@ def relative_velocity(
     -----
         u = ṗ_A − ṗ_B
 
-    The slide says "the difference" and not in which order to subtract. The order
-    matters: with the normal from B to A, this order makes n·u negative when the points
-    approach.
+    The slide says "the difference" and not in which order to subtract. The
+    order matters: with the normal from B to A, this order makes n·u negative
+    when the points approach.
     """
-    return np.asarray(vector("point_velocity_a", point_velocity_a) - vector("point_velocity_b", point_velocity_b))
+    return np.asarray(
+        vector("point_velocity_a", point_velocity_a)
+        - vector("point_velocity_b", point_velocity_b)
+    )
 
 
-def normal_velocity(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike) -> Array:
-    """Rate at which two bodies part at their point of contact (slides 15 and 19).
+def normal_velocity(
+    body_a: AnyBody, body_b: AnyBody, normal: ArrayLike
+) -> Array:
+    """Rate at which two bodies part at their contact (slides 15 and 19).
 
-    Each body has a point there, which moves as the body flies and spins (slide 14). The
-    rate is taken along the normal.
+    Each body has a point there, which moves as the body flies and spins (slide
+    14). The rate is taken along the normal.
 
     Parameters
     ----------
@@ -109,24 +125,29 @@ def normal_velocity(body_a: AnyBody, body_b: AnyBody, normal: ArrayLike) -> Arra
     Raises
     ------
     ValueError
-        If a normal does not have length 1, an inverse mass or the diagonal of an
-        inverse inertia is negative, or something is not finite or does not fit.
+        If a normal does not have length 1, an inverse mass or the diagonal of
+        an inverse inertia is negative, or something is not finite or does not
+        fit.
 
     Notes
     -----
         u_n = n·u    u = ṗ_A − ṗ_B    ṗ = v + ω × r
 
-    The velocities before the impact give u_n⁻. The velocities after the impact give
-    u_n⁺ = n·(v_A⁺ + ω_A⁺ × r_A − v_B⁺ − ω_B⁺ × r_B).
+    The velocities before the impact give u_n⁻. The velocities after the impact
+    give u_n⁺ = n·(v_A⁺ + ω_A⁺ × r_A − v_B⁺ − ω_B⁺ × r_B).
     """
     v_a, w_a, r_a, *_ = checked(body_a)
     v_b, w_b, r_b, *_ = checked(body_b)
-    u = relative_velocity(point_velocity(v_a, w_a, r_a), point_velocity(v_b, w_b, r_b))
+    u = relative_velocity(
+        point_velocity(v_a, w_a, r_a), point_velocity(v_b, w_b, r_b)
+    )
     return np.asarray(np.vecdot(u, unit("normal", vector("normal", normal))))
 
 
-def rebound_velocity(normal_velocity: ArrayLike, restitution: ArrayLike) -> Array:
-    """Normal velocity that the user wants after the impact: u_n⁺ = −e u_n⁻ (slide 12).
+def rebound_velocity(
+    normal_velocity: ArrayLike, restitution: ArrayLike
+) -> Array:
+    """Normal velocity that the user wants: u_n⁺ = −e u_n⁻ (slide 12).
 
     Parameters
     ----------
@@ -136,7 +157,8 @@ def rebound_velocity(normal_velocity: ArrayLike, restitution: ArrayLike) -> Arra
     Returns
     -------
     (...), u_n⁺, m/s
-        For points that separate or graze, u_n⁻ ≥ 0, the velocity that they have.
+        For points that separate or graze, u_n⁻ ≥ 0, the velocity that they
+        have.
 
     Raises
     ------
@@ -145,12 +167,15 @@ def rebound_velocity(normal_velocity: ArrayLike, restitution: ArrayLike) -> Arra
 
     Notes
     -----
-    The slide's "fraction of the relative velocity the points will have" leaves out the
-    minus sign. With e u_n⁻ the points would continue into the other body. The rule also
-    holds for the normal component alone: without friction the user cannot choose the
-    tangential one.
+    The slide's "fraction of the relative velocity the points will have" leaves
+    out the minus sign. With e u_n⁻ the points would continue into the other
+    body. The rule also holds for the normal component alone: without friction
+    the user cannot choose the tangential one.
     """
-    u_n, e = finite("normal_velocity", normal_velocity), in_unit_interval("restitution", restitution)
+    u_n, e = (
+        finite("normal_velocity", normal_velocity),
+        in_unit_interval("restitution", restitution),
+    )
     return np.where(u_n < 0, -e * u_n, u_n)
 
 
@@ -158,7 +183,7 @@ def classify_contact(
     normal_velocity: ArrayLike,
     threshold: ArrayLike = 0.0,
 ) -> NDArray[np.int_]:
-    """Whether two bodies that touch are colliding, resting or separating (slide 21).
+    """Whether two bodies collide, rest or separate (slide 21).
 
     Parameters
     ----------
@@ -175,15 +200,22 @@ def classify_contact(
     Raises
     ------
     ValueError
-        If a velocity is not finite (a NaN would pass for resting), or a threshold is
-        negative.
+        If a velocity is not finite (a NaN would pass for resting), or a
+        threshold is negative.
 
     Notes
     -----
-    The slide tests V_rel > threshold for colliding, then V_rel < −threshold for
-    resting. Its first test takes n from A to B. In its second test `<` should be `>`:
-    as printed, it calls bodies that move away resting, and bodies that rest moving
-    away.
+    The slide tests V_rel > threshold for colliding, then V_rel < −threshold
+    for resting. Its first test takes n from A to B. In its second test `<`
+    should be `>`: as printed, it calls bodies that move away resting, and
+    bodies that rest moving away.
     """
-    u_n, threshold = finite("normal_velocity", normal_velocity), not_negative("threshold", threshold)
-    return np.where(u_n < -threshold, COLLIDING, np.where(u_n > threshold, SEPARATING, RESTING))
+    u_n, threshold = (
+        finite("normal_velocity", normal_velocity),
+        not_negative("threshold", threshold),
+    )
+    return np.where(
+        u_n < -threshold,
+        COLLIDING,
+        np.where(u_n > threshold, SEPARATING, RESTING),
+    )

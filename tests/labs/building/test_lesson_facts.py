@@ -46,4 +46,3 @@ def test_the_minutes_of_the_headings_make_four_hours(topic):
 def test_a_students_code_can_be_read_at_800_pixels(topic):
     cells = [cell for cell in notebooks.student(topic)["cells"] if cell["cell_type"] == "code"]
     assert [line for cell in cells for line in cell["source"] if len(line.rstrip()) > WIDTH] == []
-
