@@ -114,6 +114,7 @@ class Clip:
     def json(self) -> str:
         """The clip as the script reads it, without a character that could end a script element in a page."""
         step = min(STEP, 10.0 ** math.floor(math.log10(max(float(np.max(self.high - self.low)), 1e-9) / FINENESS)))
+        marked = self._marked() if self.runs else 0
         content = {
             "schema": SCHEMA,
             "version": VERSION,
@@ -129,21 +130,30 @@ class Clip:
             "high": [_rounded(value) for value in self.high],
             "solids": [_solid(solid) for solid in self.solids],
             "springs": [list(pair) for pair in self.springs],
-            "runs": [self._run(run, tag, step) for run, tag in zip(self.runs, self.tags(), strict=True)],
+            "runs": [self._run(run, tag, step, marked) for run, tag in zip(self.runs, self.tags(), strict=True)],
         }
         text = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
         escapes = {ord(sign): f"\\u{ord(sign):04x}" for sign in "<>&\u2028\u2029"}
         return text.translate(escapes)
 
-    def _furthest(self, run: Run) -> int:
-        """The body, or the point of a mesh, that is at some time furthest from where the first run has it."""
+    def _marked(self) -> int:
+        """The body, or the point of a mesh, that is at some time furthest from where the first run has it.
+
+        All runs are labelled at it: a label at another body for each run would be read as the name of that body.
+        """
+        apart = [self._apart(run) for run in self.runs]
+        alike = [each for each in apart if each.shape == apart[0].shape]
+        return int(np.argmax(np.max(alike, axis=0))) if alike and alike[0].size else 0
+
+    def _apart(self, run: Run) -> Array:
+        """How far each body of a run, or point of its mesh, is at most from where the first run has it."""
         first, count = self.runs[0], min(run.count, self.runs[0].count)
         own, other = ((it.poses[:count, :, :3] if run.bodies else it.points[:count]) for it in (run, first))
         if own.shape != other.shape or not own.size:
-            return 0
-        return int(np.argmax(np.linalg.norm(own - other, axis=-1).max(axis=0)))
+            return np.zeros(0)
+        return np.asarray(np.linalg.norm(own - other, axis=-1).max(axis=0))
 
-    def _run(self, run: Run, tag: str, step: float) -> dict[str, Any]:
+    def _run(self, run: Run, tag: str, step: float, marked: int) -> dict[str, Any]:
         places = {solid.name: at for at, solid in enumerate(self.solids)}
         return {
             "title": run.title,
@@ -151,7 +161,7 @@ class Clip:
             "look": run.look,
             "dash": list(DASHES[run.look]),
             "width": WIDTHS[run.look],
-            "marked": self._furthest(run),
+            "marked": marked if marked < max(len(run.bodies), run.points.shape[1]) else 0,
             "shown": run.shown,
             "note": run.note,
             "count": run.count,
