@@ -55,7 +55,7 @@ class Implementation:
         modules = (_module(source, entry.topic) for source in self.sources)
         found = next((each for module in modules if callable(each := getattr(module, name, None))), None)
         if found is None:
-            raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.step})")
+            raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.first_step})")
         self.asked.add(name)
 
         @functools.wraps(found)
@@ -63,7 +63,7 @@ class Implementation:
             try:
                 answer = found(*arguments, **named)
             except NotImplementedError:
-                raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.step})") from None
+                raise NeedsFunction(f"needs {name} ({entry.topic}, step {entry.first_step})") from None
             if answer is None:
                 raise RunFailed(f"{name} returned nothing: is a return missing?")
             return answer

@@ -18,6 +18,7 @@ class Function:
 
     name: as it is called. topic: the name of the topic whose module holds it. step: of the lab in which it comes, from
     1; a step may have several. statement: the number of the statement that it puts into code. role: who writes it.
+    begun: the step in which a student writes a first version of it, if that is an earlier one.
     """
 
     name: str
@@ -25,6 +26,12 @@ class Function:
     step: int
     statement: int
     role: Role
+    begun: int | None = None
+
+    @property
+    def first_step(self) -> int:
+        """The step from which on a student may have it."""
+        return self.step if self.begun is None else self.begun
 
 
 _FUNCTIONS = (
@@ -107,7 +114,7 @@ _FUNCTIONS = (
     Function("apply_impulse", "impulse", 6, 18, "written"),
     Function("apply_impulse_to_momenta", "impulse", 7, 21, "read"),
     Function("velocities_from_momenta", "impulse", 7, 21, "read"),
-    Function("collide", "impulse", 7, 11, "written"),
+    Function("collide", "impulse", 7, 11, "written", begun=1),
     Function("energy_lost", "impulse", 7, 20, "read"),
     Function("mass_and_inertia", "impulse", 8, 21, "given"),
     Function("audit", "impulse", 8, 21, "written"),
