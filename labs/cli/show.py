@@ -30,6 +30,8 @@ from reference.running.study import plan
 
 LEAST_HEIGHT, MOST_WIDTH = 8, 140
 """Lines of the lowest plot that can be read, and columns of the widest."""
+ROWS = 24
+"""Rows of the smallest usual terminal, for which a text is made that goes elsewhere."""
 RUNS_AND_PROMPT = 2
 """Lines that stand on the screen as well: how many runs there are, and the prompt."""
 SIZE, DPI = (9.0, 5.0), 160
@@ -118,7 +120,7 @@ def _plot(outcome: Outcome, beside: int) -> None:
     if not outcome.curves:
         return
     width = min(output.width, MOST_WIDTH)
-    height = max(LEAST_HEIGHT, min(output.height - beside, width // 3))
+    height = max(LEAST_HEIGHT, min((output.height if output.is_terminal else ROWS) - beside, width // 3))
     try:
         drawn = terminal_plot.plot(outcome.curves, *outcome.axes, width, height)
     except ImportError:

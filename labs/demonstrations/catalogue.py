@@ -83,9 +83,9 @@ BOUNCE = Demonstration(
 STOP = Demonstration(
     name="stop",
     title="A slab slides to a stop",
-    question="A slab slides over the floor at 2 m/s, with μ = 0.4, at 30° to the axes. What will happen: how far does"
-    " it go, and does its direction matter?",
-    look="Look at where each curve becomes level, and at how far aside the slab has gone.",
+    question="It starts at 2 m/s on a floor with μ = 0.4, at 30° to the axes. What will happen: how far does it go, and"
+    " does its direction matter?",
+    look="Look at where each curve levels off, and how far aside it ends.",
     lesson=(
         Line("v²/(2 μ g) = ", Theory("stopping_distance"), ", for any mass and direction."),
         Line(

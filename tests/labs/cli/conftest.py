@@ -38,7 +38,7 @@ def screen(monkeypatch):
     """A terminal of 80 × 24 without colour; call it for another size."""
 
     def resize(width: int = 80, height: int = 24) -> None:
-        monkeypatch.setattr(show, "output", Console(width=width, height=height))
+        monkeypatch.setattr(show, "output", Console(width=width, height=height, force_terminal=True, color_system=None))
 
     resize()
     return resize
