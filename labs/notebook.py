@@ -257,7 +257,7 @@ class Lab:
     def student(self, name: str) -> None:
         """Say who you are, by name or number as your course has it: questions then have numbers of your own."""
         self._student = str(name).strip()
-        print(f"Numbers are now those of {self._student!r}." if self._student else "Numbers are now the first ones.")
+        print(f"Your numbers are those of {self._student!r}." if self._student else "Put your name between the quotes.")
 
     @errors_in_words
     def numbers(self, key: str, /, **choices: Sequence[float]) -> SimpleNamespace:
@@ -278,11 +278,11 @@ class Lab:
 
         suspect = exposures.suspect(self._begun(), key)
         if not arguments or any(each is ... for each in arguments):
-            print(f"Put an input of {suspect.function} in place of the dots: one at which the suspect is wrong.")
+            print(f"Put an input of {suspect.function} in place of the dots: one at which your colleague's is wrong.")
             return
         yours = student_code.defined_now(suspect.function)
         if yours is None:
-            print(f"Write {suspect.function} first: the suspect is compared with yours.")
+            print(f"Write {suspect.function} first: your colleague's is compared with it.")
             return
         found = exposures.tried(suspect, arguments, yours)
         print(

@@ -75,7 +75,7 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
         try:
             needed = right(*arguments)
         except NotImplementedError:
-            raise InvalidInput(f"write {wrong.function} first: the suspect is compared with it") from None
+            raise InvalidInput(f"write {wrong.function} first: your colleague's is compared with it") from None
         except Exception as error:
             reason = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
             raise InvalidInput(f"{wrong.function} refuses this input ({reason}), so it exposes nothing") from None
@@ -83,11 +83,11 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
             given = wrong.wrong(*arguments)
         except Exception as error:
             return Exposure(
-                True, f"{wrong.function} gives {_shown(needed)}, and the suspect stops with {type(error).__name__}"
+                True, f"{wrong.function} gives {_shown(needed)}, and your colleague's stops with {type(error).__name__}"
             )
     if _same(given, needed):
         return Exposure(False, f"Both give {_shown(needed)}")
-    return Exposure(True, f"{wrong.function} gives {_shown(needed)}, and the suspect {_shown(given)}")
+    return Exposure(True, f"{wrong.function} gives {_shown(needed)}, and your colleague's {_shown(given)}")
 
 
 def found_in(path: Path, topic: str, source: str = "solutions") -> dict[str, bool]:
@@ -147,5 +147,5 @@ def _same(one: Any, other: Any) -> bool:
 
 
 def _shown(answer: Any) -> str:
-    numbers = [f"{value:.4g}".replace("-", "−") for value in _flat(answer)]
+    numbers = [f"{value + 0.0:.4g}".replace("-", "−") for value in np.round(_flat(answer), 12)]
     return numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"

@@ -6,10 +6,13 @@ a lab that is not open nothing else is in it: no visible test, no hint, no figur
 
 from __future__ import annotations
 
+import base64
 import re
 import shutil
 import tempfile
+import textwrap
 import zipfile
+import zlib
 from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
@@ -26,12 +29,14 @@ _FOLDERS = ("labs", "reference", "tests/autograder/visible")
 _FILES = ("pyproject.toml", "constraints.txt", "LICENSE")
 _LEFT_OUT = ("labs/building", "labs/lessons", "labs/notebooks", "labs/given", "labs/cli/lab.py")
 """Code that makes notebooks, and files that hold model answers. Notebooks and given functions are made per release."""
+_SUSPECTS = "labs/assessment/suspects"
+_UNPACK = "import base64\nimport zlib\n\nexec(zlib.decompress(base64.b85decode"
 _OF_LABS = (
     "tests/autograder/visible",
     "labs/grading/diagnosis/probes",
     "labs/grading/diagnosis/fingerprints",
     "labs/hints",
-    "labs/assessment/suspects",
+    _SUSPECTS,
 )
 """Folders with files that each belong to one lab and are named after it."""
 _FIGURES = "labs/figures"
@@ -140,9 +145,20 @@ def _remove_other_labs(out: Path, open_labs: Collection[str]) -> None:
             name = path.stem.removeprefix("test_")
             if any(name == other or name.startswith(f"{other}_") for other in others):
                 path.unlink()
+    for topic in open_labs:
+        path = out / _SUSPECTS / f"{topic}.py"
+        if path.is_file():
+            path.write_text(_packed(path.read_text(encoding="utf-8")), encoding="utf-8")
     for path in (out / _FIGURES).glob("*.svg"):
         if path.stem not in _figures_of(out, open_labs):
             path.unlink()
+
+
+def _packed(source: str) -> str:
+    """A module that does the same and cannot be read in passing: wrong functions give most of the right ones away."""
+    text = base64.b85encode(zlib.compress(source.encode("utf-8"))).decode("ascii")
+    lines = "\n".join(f'    "{part}"' for part in textwrap.wrap(text, 100))
+    return f'"""Packed, so that nobody reads it in passing: find the input instead."""\n\n{_UNPACK}(\n{lines}\n)))\n'
 
 
 def _figures_of(out: Path, open_labs: Collection[str]) -> set[str]:

@@ -157,7 +157,7 @@ TUNNELLING = Demonstration(
     look="Look at the share that passes as the step grows; the line is the prediction.",
     lesson=(
         Line(
-            f"A step moves the ball v dt; only on L = d/2 + r = {1000 * tunnelling.CAUGHT:g} mm can the wall stop it."
+            f"A step moves the ball v dt; only on L = w/2 + r = {1000 * tunnelling.CAUGHT:g} mm can the wall stop it."
         ),
         Line(
             "So 1 − L/(v dt) pass: at 1/240 s ",

@@ -109,5 +109,5 @@ def predicted(
     if isinstance(answer, np.ndarray) and answer.size == 1:  # as functions of the labs answer
         answer = answer.item()
     if not isinstance(answer, Real) or isinstance(answer, bool) or math.isnan(answer):
-        raise InvalidInput(f"{answer!r} is no number; write one such as 0.25, without quotes or unit")
+        raise InvalidInput(f"{answer!r} is no number; write one such as 1.5, without quotes or unit")
     return Prediction(key, question, float(answer), unit, (), right)

@@ -19,10 +19,14 @@ _LARGE, _SMALL, _ROWS = (3.6, 3.4), 1.75, 2
 """Size of the large picture and width of a small one, in inches, and the number of rows of small ones."""
 _ALIKE = 10.0
 """All curves get the same scale if the largest range is at most so many times the smallest."""
-_JUMP = 0.6
+_JUMP = 0.75
 """Two neighbouring numbers that differ by more than this share of their range are two, and no line joins them."""
+_LEVEL = 1e-2
+"""Numbers that differ by less than this share of their size make no jump."""
 _STEEP = 1.5
 """They do so only if they are that much steeper than the whole."""
+_ROUNDING = 1e-9
+"""A difference below this share of theory's range is rounding, of which no picture is made."""
 _SEEN = 0.05
 """What lies nearer to theory than this share of theory's range cannot be told from it in a picture."""
 
@@ -126,6 +130,8 @@ def _pieces(points: Sequence[tuple[float, float]], spread: bool) -> list[list[tu
         return []
     wide = max(x for x, _ in points) - min(x for x, _ in points)
     high = max(y for _, y in points) - min(y for _, y in points)
+    if high <= _LEVEL * max(abs(y) for _, y in points):
+        return [list(points)]
     pieces = [[points[0]]]
     for before, after in itertools.pairwise(points):
         rise, run = abs(after[1] - before[1]), after[0] - before[0]
@@ -143,4 +149,5 @@ def _lies_on_theory(measured: dict[str, dict[float, float]], theory: dict[float,
     if len(theory) < 2 or any(expected is None for _, expected in known):
         return False
     high = max(theory.values()) - min(theory.values())
-    return all(abs(number - expected) <= _SEEN * high for number, expected in known if expected is not None)
+    off = [abs(number - expected) for number, expected in known if expected is not None]
+    return _ROUNDING * high < max(off, default=0.0) <= _SEEN * high

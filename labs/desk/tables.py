@@ -166,8 +166,19 @@ def _row(line: Line, quantity: str) -> Row | None:
 
 def _cells(line: Line, row: Row, timestep: float) -> tuple[str, ...]:
     value = _value(row.measured) if row.measured is not None else "none"
+    row = _by_theory(row)
     error = error_of(row) if row.error is not None else ""
-    return who(line), value, error, MARKS[row.verdict], _allowed(row), f"{1000 * timestep:.3g} ms"
+    return who(line), value, error, MARKS[_verdict(row)], _allowed(row), f"{1000 * timestep:.3g} ms"
+
+
+def _by_theory(row: Row) -> Row:
+    """A row whose percentages are of what theory expects, which is beside them; without any where that is zero."""
+    return replace(row, scale=abs(row.expected)) if row.scale and row.expected is not None else row
+
+
+def _verdict(row: Row) -> Verdict:
+    """The verdict as a student sees it: what its method predicts is no ✓ where theory has no number."""
+    return Verdict.SHOWN if row.expected is None and row.verdict is Verdict.PASS else row.verdict
 
 
 def _allowed(row: Row) -> str:
@@ -202,7 +213,7 @@ def _notes(runs: CaseRuns, quantities: Sequence[str]) -> Iterator[str]:
     rows = [(line, row) for line in runs.lines for row in line.result.rows if row.quantity in quantities]
     if any(line.result.job.engine == HANDWRITTEN and _is_wrong(line) for line in runs.lines):
         yield "lab.check() says more about your functions."
-    verdicts = dict.fromkeys(row.verdict for _, row in rows if row.verdict in _MEANINGS)
+    verdicts = dict.fromkeys(_verdict(row) for _, row in rows if _verdict(row) in _MEANINGS)
     if verdicts:
         yield f"({'; '.join(f'{MARKS[verdict]} {_MEANINGS[verdict]}' for verdict in verdicts)})"
     for note in dict.fromkeys(row.note for _, row in rows if row.note):

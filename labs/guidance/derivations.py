@@ -128,7 +128,7 @@ def listed(words: Sequence[str]) -> str:
 
 
 def _digits(value: float) -> str:
-    return f"{value:.4g}".replace("-", "−")
+    return f"{value + 0.0:.4g}".replace("-", "−")
 
 
 def check_range(derivation: Derivation) -> None:

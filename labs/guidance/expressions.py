@@ -64,7 +64,11 @@ def expression(text: str, quantities: Collection[str]) -> Expression:
     try:
         tree = ast.parse(text.replace("−", "-"), mode="eval").body
     except (SyntaxError, ValueError):
-        raise InvalidInput(f"“{text}” cannot be read: write every product with * and every power with **") from None
+        if text.count("(") != text.count(")"):
+            raise InvalidInput(f"“{text}” cannot be read: it has not as many ) as (") from None
+        raise InvalidInput(
+            f"“{text}” cannot be read: is something missing, or a product without *, or a power without **?"
+        ) from None
     except (RecursionError, MemoryError):
         raise InvalidInput("the line is nested too deeply") from None
     return Expression(text, frozenset(_names(tree, quantities)), tree)

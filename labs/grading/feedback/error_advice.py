@@ -98,8 +98,8 @@ _ADVICE = (
     (r"float division by zero", "What should come out where the divisor is zero?"),
     (
         r"^ *gives +(?=[^\n]*\b(nan|inf)\b)(?![^\n]* instead of )[^\n]*\n *physics (?![^\n]*\binf\b)",
-        "inf comes of a division by zero, nan of 0/0, of inf · 0 or of the root of a negative number: what should come"
-        " out here?",
+        "inf comes from a division by zero, unless it is in your code; nan comes from 0/0, inf · 0 or the root of a"
+        " negative number. What should come out here?",
     ),
 )
 """Patterns that a message is searched for, each with its advice."""

@@ -144,7 +144,7 @@ def test_a_ball_overlaps_a_wall_from_touching_its_front_to_leaving_its_back(subm
         expect(submission.overlap_interval, (-2.25, 0.0, 0.5, 2.0, 1.0), (0.0, 1.0))  # most of it behind the wall
     with part(1, "at rest on the wall's face, and on its back"):
         expect(submission.overlap_interval, (0.25, 0.0, 0.25, 1.0, 0.5), (0.0, 0.5))
-        expect(submission.overlap_interval, (-2.5, 0.0, 0.5, 2.0, 1.0), (0.0, 1.0))
+        expect(submission.overlap_interval, (-2.5, 0.0, 0.5, 2.0, 3.0), (0.0, 3.0))
     with part(1, "no overlap, at rest and beside one, in one call"):
         expect(submission.overlap_interval, (2.0, 0.0, 0.5, 1.0, 2.0), (INFINITY, -INFINITY))
         expect(submission.overlap_interval, (-3.0, 0.0, 0.5, 2.0, 1.0), (INFINITY, -INFINITY))  # behind the wall

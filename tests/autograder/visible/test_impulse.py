@@ -268,7 +268,7 @@ def test_balls_and_a_rod_part_as_theory_says(submission, part):
 def test_an_audit_finds_what_an_impact_must_not_change(submission, part):
     a, b = TUMBLING_A, TUMBLING_B
     v_a, w_a, v_b, w_b = TUMBLING_AFTER
-    with part(1, "right impulses, and velocities of any kind"):
+    with part(1, "after a right impulse, and after velocities that no impact gives"):
         expect(submission.audit, (FALLING, STILL, ([0, 0, 1], REST, [0, 0, -3], REST)), (REST, REST, 3.0))
         expect(submission.audit, (a, b, TUMBLING_AFTER), (REST, REST, 75.0))
         expect(submission.audit, (SPINNING_B, SPINNING_A, EXCHANGED_AFTER), (REST, REST, -9.375))

@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 
 from labs.building import lessons
-from labs.project_folders import LESSONS
 
 
 @pytest.fixture(scope="module")

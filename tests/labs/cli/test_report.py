@@ -201,7 +201,7 @@ def test_in_the_whole_report_every_counted_verdict_agrees(tmp_path, installed, c
     assert " ".join(said.text.split()).startswith(
         f"Of {len(judged) + silent:,} checks that count, {near:,} came out as predicted and"
         f" near theory, {silent} as predicted where theory is silent, {len(judged) - near} as predicted and away from"
-        f" it and none failed. Besides, {len(without)} cases cannot be expressed in the engine and {len(waits)} cases"
+        f" theory and none failed. Besides, {len(without)} cases cannot be expressed in the engine and {len(waits)}"
     )
     assert not [row for row in rows if str(row.verdict) in ("crashed", "not available")]
     unsaid = {(row.family, row.engine) for row in rows if str(row.verdict) == "cannot express"}

@@ -25,6 +25,6 @@ def test_an_input_is_tried_on_the_suspect_and_on_ones_own_function(lab, capsys, 
     assert "Write signed_distance first" in said(capsys, lab.expose, "distance", *plane)
     monkeypatch.setattr(student_code, "defined_now", lambda name: signed_distance)
     assert "✓ Exposed" in (told := said(capsys, lab.expose, "distance", *plane))
-    assert "signed_distance gives 5, and the suspect 7" in told
+    assert "signed_distance gives 5, and your colleague's 7" in told
     assert "✗ Not exposed" in said(capsys, lab.expose, "distance", *plane[:2], 0.0)
     assert "refuses this input" in said(capsys, lab.expose, "distance", plane[0], [0.0, 0.0, 0.0], 1.0)

@@ -70,7 +70,7 @@ def test_a_line_without_a_value_is_wrong_and_says_so(line):
     ("line", "said"),
     [
         ("-(1 + e) * v / k", "unknown quantity 'v'. Choices: u, e, k."),
-        ("2u", "write every product with \\*"),
+        ("2u", "a product without \\*"),
         ("u^2", "write \\*\\* for it"),
         ("e(u)", "a \\* is missing between e and"),
         ("2(u)", "a \\* is missing before a bracket"),

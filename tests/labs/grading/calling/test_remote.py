@@ -155,13 +155,16 @@ def test_a_function_that_was_too_slow_gets_less_time_afterwards(of, hasty):
 
 def test_a_test_that_runs_out_of_time_blames_no_function(of, hasty):
     remote = of("import time\ndef f(): time.sleep(0.3)")
-    with remote.fresh() as call, pytest.raises(OutOfTime, match="time is up|used up"):
+    with remote.fresh() as call, pytest.raises(OutOfTime, match=r"time is up|used up"):
         calls_until_it_fails(call, "f")
     assert not remote.slow
 
 
 def test_many_calls_in_time_cannot_exceed_the_limit_of_their_test(of, hasty):
-    with of("import time\ndef f(): time.sleep(0.3)").fresh() as call, pytest.raises(OutOfTime, match="time is up|used up"):
+    with (
+        of("import time\ndef f(): time.sleep(0.3)").fresh() as call,
+        pytest.raises(OutOfTime, match=r"time is up|used up"),
+    ):
         calls_until_it_fails(call, "f")
 
 

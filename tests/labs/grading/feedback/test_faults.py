@@ -156,7 +156,7 @@ def test_nan_is_explained_and_the_mistake_shown_at_another_input():
     diagnosis = diagnose("world_inverse_inertia", lambda _, *given: turned_back(*given))
     sheet = Sheet(outcomes=[outcome], diagnoses={"world_inverse_inertia": diagnosis})
     text = joined("\n".join(report.report(sheet, ["impulse"])))
-    assert text.index("→ inf comes of a division by zero") < text.index("It is Rᵀ I⁻¹ R")
+    assert text.index("→ inf comes from a division by zero") < text.index("It is Rᵀ I⁻¹ R")
     assert "For example world_inverse_inertia(inertia=(1, 2, 4), orientation=(0.5, 0.5, 0.5, 0.5))" in text
     assert text.count("→ inf") == 1
 
