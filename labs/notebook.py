@@ -5,6 +5,7 @@
     lab.derive("impulse_magnitude", j="…")    one line of a derivation, right or where it is wrong
     lab.hint("signed_distance")               the idea, then the next line, then the formula, then help with your code
     lab.figure("contact")                     a drawn figure
+    lab.verdict("rest")                       whether it was right, where a plain cell shows the result
     lab.check("signed_distance")              what was tried, what came, what physics expects
     lab.run("dropped-ball/e=0.5")             the same case with your functions and with engines
     lab.watch("dropped-ball/e=0.5")           the replay alone
@@ -19,6 +20,7 @@ on. Every call takes the functions as they are in the cells that you have run.
 from __future__ import annotations
 
 import logging
+import textwrap
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -159,6 +161,12 @@ class Lab:
         right = hints(self.topic).answers.get(key) if self.topic else None
         self._predictions[key] = predicted(key, question, answer, unit, choices, right)
         print(self._predictions[key])
+
+    @errors_in_words
+    def verdict(self, key: str) -> None:
+        """Say whether a prediction was right, and why, after a cell that is no run has shown the result."""
+        if predictions := self._predicted(key, unfold=False):
+            print(textwrap.fill(predictions[0].verdict(), 80))
 
     @errors_in_words
     def run(

@@ -62,11 +62,12 @@ def _predictions(lesson: Lesson, found: Hints) -> Iterator[str]:
     asked = {key: call for cell in lesson.cells if OPEN in cell.text for key, call in _arguments(cell, "predict")}
     compared = {key for cell in lesson.cells for method in ("run", "sweep") for _, call in _arguments(cell, method)
                 for key in _texts(_named(call, "predicted"))}  # fmt: skip
+    judged = compared | {key for cell in lesson.cells for key, _ in _arguments(cell, "verdict")}
     for key, call in asked.items():
         choices = _texts(_named(call, "choices"))
+        if key not in judged:
+            yield f"the lesson never compares the prediction {key} with anything: lab.verdict({key!r})"
         if key not in found.answers:
-            if key not in compared:
-                continue  # a cell of the lesson answers it
             yield f"hints/{lesson.topic}.md: no line for the prediction {key}"
         elif choices and found.answers[key].said not in choices:
             yield f"hints/{lesson.topic}.md: the answer to {key} is none of {', '.join(choices)}"

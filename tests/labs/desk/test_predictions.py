@@ -30,3 +30,12 @@ THIN = Answer("0.4 ± 0.05", 0.4, 0.05, "$w/2$ counts")
 )
 def test_a_prediction_gets_a_verdict_with_its_reason(answer, choices, right, theory, verdict):
     assert predicted("key", "?", answer, "" if choices else "m", choices, right).verdict(theory) == verdict
+
+
+def test_a_prediction_is_judged_after_a_plain_cell_and_not_before(lab, capsys):
+    lab.predict("lost", "It counts …", answer=..., choices=("more", "170", "fewer"))
+    lab.verdict("lost")
+    assert "Folded until you have predicted 'lost'" in capsys.readouterr().out
+    lab.predict("lost", "It counts …", answer="more", choices=("more", "170", "fewer"))
+    lab.verdict("lost")
+    assert "You predicted “more”, but “fewer” is right. Each impact is exact" in capsys.readouterr().out
