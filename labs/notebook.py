@@ -24,17 +24,17 @@ import textwrap
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from types import EllipsisType, SimpleNamespace
+from types import EllipsisType
 from typing import TYPE_CHECKING
 
-from labs.assessment import seeded
-from labs.desk.hints import Revealed, Text
+from labs.desk.guiding import Guiding, name_of
+from labs.desk.hints import Text
 from labs.desk.predictions import Prediction, predicted
 from labs.desk.progress_line import Progress
+from labs.desk.questions import Questions
 from labs.desk.refusals import errors_in_words
 from labs.grading.feedback.tries import Tries
-from labs.guidance import drawings
-from labs.guidance.hint_files import Guide, hints
+from labs.guidance.hint_files import hints
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 
@@ -46,17 +46,16 @@ if TYPE_CHECKING:
 logging.getLogger("reference").addHandler(logging.NullHandler())  # a table says what happened to a worker
 
 
-class Lab:
+class Lab(Guiding, Questions):
     """One student at one notebook."""
 
     def __init__(self) -> None:
+        super().__init__()
         self.topic = ""
         self._predictions: dict[str, Prediction] = {}
         self._grader: Grader | None = None
         self._tries = Tries()
         self._paid: dict[str, str] = {}
-        self._revealed = Revealed()
-        self._student = ""
 
     @errors_in_words
     def begin(self, topic: str) -> None:
@@ -84,41 +83,8 @@ class Lab:
         """
         return self._check(functions)
 
-    @errors_in_words
-    def derive(self, function: str | Callable[..., object], /, **lines: str | EllipsisType) -> None:
-        """Check a line of the derivation that a function needs; as long as it is dots, say what is asked for.
-
-        Write the right side between quotes, as in j="-(1 + e) * u / k". Every form of the right line is right.
-        """
-        from labs.desk import derivations  # noqa: PLC0415
-
-        guide = self._guide(function)
-        found = {left: line for left, line in lines.items() if line is not ...}
-        for line in derivations.judged(guide, found) if found else derivations.asked(guide):
-            print(line)
-
-    @errors_in_words
-    def hint(self, function: str | Callable[..., object]) -> None:
-        """Show the next hint on a function: the idea, the next line, the formula, then help with your own code.
-
-        Hints cost nothing.
-        """
-        if shown := self._revealed.next(self._guide(function)):
-            _display(*shown)
-        else:
-            self._check((function,), hint=True)
-
-    @errors_in_words
-    def figure(self, name: str) -> None:
-        """Show a drawn figure by its name."""
-        _display(drawings.drawing(name))
-
-    def _guide(self, function: str | Callable[..., object]) -> Guide:
-        """The hints on a function of a lab."""
-        name = _name(function)
-        if name not in lecture.FUNCTIONS:
-            raise UnknownName("function of this lab", name, self._written())
-        return hints(lecture.function(name).topic).of(name)
+    def _show(self, *shown: object) -> None:
+        _display(*shown)
 
     def _written(self) -> list[str]:
         """The functions that a student of this lab writes."""
@@ -128,7 +94,7 @@ class Lab:
         from labs.desk import checks, student_code  # noqa: PLC0415 - loads the grader
         from labs.grading.submission import asked_predictions  # noqa: PLC0415
 
-        here, names = self._written(), [_name(function) for function in functions]
+        here, names = self._written(), [name_of(function) for function in functions]
         for name in names:
             if name not in lecture.FUNCTIONS:
                 raise UnknownName("function of this lab", name, here)
@@ -261,42 +227,6 @@ class Lab:
         sweeps.slide(found)
         _display(*(Text(said) for each in predictions if (said := each.verdict())))
 
-    @errors_in_words
-    def student(self, name: str) -> None:
-        """Say who you are, by name or number as your course has it: questions then have numbers of your own."""
-        self._student = str(name).strip()
-        print(f"Your numbers are those of {self._student!r}." if self._student else "Put your name between the quotes.")
-
-    @errors_in_words
-    def numbers(self, key: str, /, **choices: Sequence[float]) -> SimpleNamespace:
-        """The numbers of a question, one of the values of each name: always the same for one student."""
-        found = seeded.drawn(self._student, self._begun(), key, choices)
-        whose = f"numbers of {self._student!r}" if self._student else 'numbers, until lab.student("…") has your name'
-        print(f"Your {whose}: {seeded.in_words(found)}.")
-        return found
-
-    @errors_in_words
-    def expose(self, key: str, /, *arguments: object) -> None:
-        """Try an input on a wrong function and on yours: an input at which they differ exposes the wrong one.
-
-        Write the input in numbers, without names: it is read from the notebook when the lab is marked.
-        """
-        from labs.assessment import exposures  # noqa: PLC0415
-        from labs.desk import student_code  # noqa: PLC0415
-
-        suspect = exposures.suspect(self._begun(), key)
-        if not arguments or any(each is ... for each in arguments):
-            print(f"Put an input of {suspect.function} in place of the dots: one at which your colleague's is wrong.")
-            return
-        yours = student_code.defined_now(suspect.function)
-        if yours is None:
-            print(f"Write {suspect.function} first: your colleague's is compared with it.")
-            return
-        found = exposures.tried(suspect, arguments, yours)
-        print(
-            f"{'✓ Exposed' if found.exposed else '✗ Not exposed'}, if your {suspect.function} is right. {found.said}."
-        )
-
     def _run_case(self, request: Request) -> CaseRuns:
         from labs.desk import case_runs  # noqa: PLC0415 - loads the catalogue
 
@@ -344,11 +274,6 @@ class Lab:
 
             self._grader = Grader()
         return self._grader
-
-
-def _name(function: str | Callable[..., object]) -> str:
-    """The name of a function that is given as such, or by its name."""
-    return str(getattr(function, "__name__", function))
 
 
 def _warn_of_printing(names: Iterable[str]) -> None:
