@@ -212,8 +212,7 @@ def chord(figure: Figure) -> None:
     """The slide's time of impact: where the chord crosses the plane.
 
     Separation over one step. It begins at s0, above zero, and ends at s1, below zero. The slide joins the two with a
-    straight chord, which crosses zero at T. The true path is a parabola above the chord and crosses zero a little
-    later.
+    straight chord, which crosses zero at T. The true path between the same two points is a parabola.
     """
     axes = _plot(figure, "time within the step", "separation")
     time = np.linspace(0, 1, 100)

@@ -21,19 +21,20 @@ from reference.errors import InvalidInput, UnknownName
 
 NEAR = 1e-9
 """Two answers that differ by no more than this, relative to the larger one, are the same: rounding."""
-LONGEST = 2000
-"""Characters of the longest input."""
+LARGEST = 1e100
+"""Numbers of an input are smaller than this: an overflow exposes nobody."""
 MOST = 100
 """The most numbers in it."""
 
 
 @dataclass(frozen=True)
 class Suspect:
-    """A wrong function. key: its name in the lab. function: which function it should be."""
+    """A wrong function. key: its name in the lab. function: which function it should be. shape: of one result."""
 
     key: str
     function: str
     wrong: Callable[..., Any]
+    shape: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ def suspects(topic: str) -> tuple[Suspect, ...]:
     if importlib.util.find_spec(name) is None:
         return ()
     table = importlib.import_module(name).SUSPECTS
-    return tuple(Suspect(key, function, wrong) for key, (function, wrong) in table.items())
+    return tuple(Suspect(key, function, wrong, shape) for key, (function, wrong, shape) in table.items())
 
 
 def suspect(topic: str, key: str) -> Suspect:
@@ -67,27 +68,31 @@ def tried(wrong: Suspect, arguments: Sequence[Any], right: Callable[..., Any]) -
     Raises
     ------
     InvalidInput
-        If the right function refuses the input, so that it says nothing about the wrong one.
+        If it is no single case, or one of the two functions refuses it: then it says nothing about the mistake.
     """
     _check_size(arguments)
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         try:
             needed = right(*arguments)
+            single = {np.shape(part) for part in (needed if isinstance(needed, tuple) else (needed,))}
+            answer = _flat(needed)
         except NotImplementedError:
             raise InvalidInput(f"write {wrong.function} first: your colleague's is compared with it") from None
         except Exception as error:
             reason = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
             raise InvalidInput(f"{wrong.function} refuses this input ({reason}), so it exposes nothing") from None
+        if single != {wrong.shape}:
+            raise InvalidInput("the input has to be one case: your colleague's function takes no more at once")
         try:
-            given = wrong.wrong(*arguments)
+            given = _flat(wrong.wrong(*arguments))
         except Exception as error:
-            return Exposure(
-                True, f"{wrong.function} gives {_shown(needed)}, and your colleague's stops with {type(error).__name__}"
-            )
-    if _same(given, needed):
-        return Exposure(False, f"Both give {_shown(needed)}")
-    return Exposure(True, f"{wrong.function} gives {_shown(needed)}, and your colleague's {_shown(given)}")
+            raise InvalidInput(
+                f"your colleague's function ends in {type(error).__name__}: take another input"
+            ) from None
+    if given.shape == answer.shape and np.allclose(given, answer, rtol=NEAR, atol=NEAR, equal_nan=True):
+        return Exposure(False, f"Both give {_shown(answer)}")
+    return Exposure(True, f"{wrong.function} gives {_shown(answer)}, and your colleague's {_shown(given)}")
 
 
 def found_in(path: Path, topic: str, source: str = "solutions") -> dict[str, bool]:
@@ -126,8 +131,18 @@ def _inputs(path: Path) -> Iterator[tuple[str, list[Any]]]:
                     yield key, arguments
 
 
+def plain(arguments: Sequence[Any]) -> bool:
+    """Whether an input is made of numbers, lists and tuples alone, as it has to be to be read from a notebook."""
+    return all(
+        plain(each) if isinstance(each, list | tuple) else type(each) in (int, float) and abs(each) < LARGEST
+        for each in arguments
+    )
+
+
 def _check_size(arguments: Sequence[Any]) -> None:
-    if len(repr(arguments)) > LONGEST or _count(arguments) > MOST:
+    if not plain(arguments):
+        raise InvalidInput("write the input in numbers, in lists or tuples where it has several: no names, no 1/240")
+    if _count(arguments) > MOST:
         raise InvalidInput("the input is too long: one case is enough")
 
 
@@ -141,11 +156,6 @@ def _flat(answer: Any) -> np.ndarray[Any, Any]:
     return np.concatenate([np.ravel(np.asarray(part, dtype=float)) for part in parts])
 
 
-def _same(one: Any, other: Any) -> bool:
-    first, second = _flat(one), _flat(other)
-    return first.shape == second.shape and bool(np.allclose(first, second, rtol=NEAR, atol=NEAR, equal_nan=True))
-
-
-def _shown(answer: Any) -> str:
-    numbers = [f"{value + 0.0:.4g}".replace("-", "−") for value in np.round(_flat(answer), 12)]
+def _shown(answer: np.ndarray[Any, Any]) -> str:
+    numbers = [f"{value + 0.0:.4g}".replace("-", "−") for value in np.round(answer, 12)]
     return numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"

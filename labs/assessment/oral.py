@@ -66,7 +66,13 @@ def kit(path: Path, topic: str) -> tuple[Prompt, Prompt, Prompt]:
         raise InvalidInput(f"{path.name} holds too few functions of {topic} for three prompts: write two at least")
     turn = int.from_bytes(hashlib.sha256("".join(line.text for line in lines).encode()).digest()[:4], "big")
     ordered = functions[turn % len(functions) :] + functions[: turn % len(functions)]
-    changed = max(lines, key=lambda line: (_is_sum(line), line.weight, -ordered.index(line.function)))
+    changed = max(
+        lines, key=lambda line: (_changed(line) is not None, _is_sum(line), line.weight, -ordered.index(line.function))
+    )
+    if _changed(changed) is None:
+        raise InvalidInput(
+            f"{path.name} has no line that adds, subtracts, multiplies or divides: nothing can be changed"
+        )
     other = next(name for name in ordered if name != changed.function)
     explained = max((line for line in lines if line.function == other), key=lambda line: line.weight)
     limit = max(lines, key=lambda line: (_decides(line), line.function not in (other, changed.function)))
@@ -80,7 +86,7 @@ def text(prompts: tuple[Prompt, Prompt, Prompt], name: str) -> str:
         "About three minutes each. The student sees the code and not the list below it.",
     ]
     for number, prompt in enumerate(prompts, 1):
-        parts += [f"## {number}. {prompt.title}", f"```python\n{prompt.code}\n```", prompt.question]
+        parts += [f"## {number}. {prompt.title}", f"````python\n{prompt.code}\n````", prompt.question]
         parts.append("\n".join(f"- 1 point: {each}" for each in prompt.good))
     return "\n\n".join(parts) + "\n"
 
@@ -103,7 +109,7 @@ def _change(line: _Line) -> Prompt:
     changed = _changed(line)
     return Prompt(
         f"One sign or operator changed in {line.function}",
-        f"Somebody changes this line to\n\n```python\n{changed or line.text}\n```\n\nWithout running it: what would one"
+        f"Somebody changes this line to\n\n````python\n{changed}\n````\n\nWithout running it: what would one"
         " see first, and in which scene? Which quantity that should be kept is not kept any more? In which scene would"
         " nobody notice?",
         line.text,

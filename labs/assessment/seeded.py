@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import unicodedata
 from collections.abc import Mapping, Sequence
 from types import SimpleNamespace
 
@@ -17,13 +18,16 @@ def drawn(student: str, topic: str, key: str, choices: Mapping[str, Sequence[flo
     InvalidInput
         If a name has no values to choose from.
     """
+    who = " ".join(unicodedata.normalize("NFKC", student).casefold().split())
     found = {}
     for name, values in choices.items():
-        if isinstance(values, int | float) or len(values) == 0:
+        if (
+            not isinstance(values, list | tuple)
+            or not values
+            or not all(isinstance(each, int | float) for each in values)
+        ):
             raise InvalidInput(f"{name} needs several values to choose from, such as {name}=(0.3, 0.5, 0.7)")
-        found[name] = values[
-            _number(f"{student.strip().casefold()}|{topic}|{key}|{name}") % len(values) if student else 0
-        ]
+        found[name] = values[_number(f"{who}|{topic}|{key}|{name}") % len(values) if who else 0]
     return SimpleNamespace(**found)
 
 

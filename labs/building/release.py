@@ -42,6 +42,11 @@ _OF_LABS = (
 _FIGURES = "labs/figures"
 _FIGURE = re.compile(r"""lab\.figure\(["'](\w+)|\(figure:(\w+)\)""")
 """How a lesson and a hint name a figure."""
+_NOTES = re.compile(r"\n\n {4}Notes\n {4}-----\n(?:(?! {4}\"\"\").*\n)*( {4}\"\"\")")
+"""The notes of a description: they derive what a student of some lab is to derive."""
+_STATEMENTS = "reference/lecture/statements.py"
+_ANSWER = re.compile(r"""(right|erratum)=(?:"[^"]*"\s*)+""")
+"""What a slide should say, and what is wrong with it, in the file of the statements."""
 _CONTENT, _OPTION = "the release", "--out"
 _DATE = (1980, 1, 1, 0, 0, 0)
 """The date of all files in an archive, so that the same release makes the same bytes on every day."""
@@ -121,6 +126,8 @@ def _write(out: Path, open_labs: Sequence[str], closed: Collection[str]) -> None
     for name in _FOLDERS:
         shutil.copytree(ROOT / name, out / name, ignore=_ignored, dirs_exist_ok=True)
     _remove_other_labs(out, open_labs)
+    statements = out / _STATEMENTS
+    statements.write_text(_ANSWER.sub(r'\1=""', statements.read_text(encoding="utf-8")), encoding="utf-8")
     for name in _FILES:
         shutil.copy(ROOT / name, out / name)
     project = out / "pyproject.toml"
@@ -187,8 +194,9 @@ def _for_students(project: str) -> str:
 
 def _module(topic: str, names: Collection[str]) -> str:
     excerpts = TopicExcerpts.of(topic).needed(names)
+    texts = _NOTES.sub(r"\1", text_of(excerpts))
     head = f'"""{lecture.topic(topic).title}: given."""\n\nfrom __future__ import annotations\n\n'
-    return f"{head}{imports_of(excerpts)}\n\n{text_of(excerpts)}\n"
+    return f"{head}{imports_of(excerpts)}\n\n{texts}\n"
 
 
 def _pack(folder: Path, out: Path) -> None:

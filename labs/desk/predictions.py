@@ -103,11 +103,14 @@ def predicted(
     if answer is None or answer is ...:
         return Prediction(key, question, None, unit, tuple(choices), right)
     if choices:
-        if answer not in choices:
+        if not isinstance(answer, str) or answer not in choices:
             raise InvalidInput(f"{answer!r} is none of the choices: {', '.join(map(repr, choices))}")
         return Prediction(key, question, str(answer), unit, tuple(choices), right)
     if isinstance(answer, np.ndarray) and answer.size == 1:  # as functions of the labs answer
         answer = answer.item()
     if not isinstance(answer, Real) or isinstance(answer, bool) or math.isnan(answer):
         raise InvalidInput(f"{answer!r} is no number; write one such as 1.5, without quotes or unit")
-    return Prediction(key, question, float(answer), unit, (), right)
+    try:
+        return Prediction(key, question, float(answer), unit, (), right)
+    except OverflowError:
+        raise InvalidInput("that number is too large for any prediction") from None

@@ -71,7 +71,10 @@ def expression(text: str, quantities: Collection[str]) -> Expression:
         ) from None
     except (RecursionError, MemoryError):
         raise InvalidInput("the line is nested too deeply") from None
-    return Expression(text, frozenset(_names(tree, quantities)), tree)
+    try:
+        return Expression(text, frozenset(_names(tree, quantities)), tree)
+    except RecursionError:
+        raise InvalidInput("the line is nested too deeply") from None
 
 
 def _names(node: ast.expr, quantities: Collection[str]) -> list[str]:

@@ -33,9 +33,9 @@ def overlap_interval(
     return (start, end) if start <= end else (math.inf, -math.inf)
 
 
-SUSPECTS: dict[str, tuple[str, Callable[..., Any]]] = {
-    "distance": ("signed_distance", signed_distance),
-    "hail": ("time_of_impact_exact", time_of_impact_exact),
-    "gallery": ("overlap_interval", overlap_interval),
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], tuple[int, ...]]] = {
+    "distance": ("signed_distance", signed_distance, ()),
+    "hail": ("time_of_impact_exact", time_of_impact_exact, ()),
+    "gallery": ("overlap_interval", overlap_interval, ()),
 }
-"""Key → the function that it should be, and the wrong one."""
+"""Key → the function that it should be, the wrong one, and the shape of one result."""

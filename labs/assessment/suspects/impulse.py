@@ -40,9 +40,9 @@ def world_inverse_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
     return np.asarray(turn.T @ np.diag(inverse) @ turn)
 
 
-SUSPECTS: dict[str, tuple[str, Callable[..., Any]]] = {
-    "crates": ("edge_edge_normal", edge_edge_normal),
-    "hammer": ("inverse_effective_mass", inverse_effective_mass),
-    "aircraft": ("world_inverse_inertia", world_inverse_inertia),
+SUSPECTS: dict[str, tuple[str, Callable[..., Any], tuple[int, ...]]] = {
+    "crates": ("edge_edge_normal", edge_edge_normal, (3,)),
+    "hammer": ("inverse_effective_mass", inverse_effective_mass, ()),
+    "aircraft": ("world_inverse_inertia", world_inverse_inertia, (3, 3)),
 }
-"""Key → the function that it should be, and the wrong one."""
+"""Key → the function that it should be, the wrong one, and the shape of one result."""

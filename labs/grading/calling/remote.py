@@ -1,7 +1,7 @@
 """A submission's functions, called as if they were here, but run in a process that shuts them in.
 
     with Remote(submission) as remote, remote.fresh() as call:
-        speed = call("rebound_velocity", -2.0, 0.5)
+        side = call("side_of_plane", -2.0, 0.5)
 
 Each `fresh()` is a process of its own, so one test's crash, loop or patch costs that test only. Everything that a call
 raises because of the submission is a `StudentError`, with a message for the student; `GraderFailed` is our own fault.

@@ -1,8 +1,8 @@
 """Compares what a submission's function returns with the right answer, in a test.
 
-    def test_a_ball_leaves_with_e_times_its_speed(submission, part):
-        with part(1, "the direction and the speed"):
-            expect(submission.rebound_velocity, (-2.0, 0.5), 1.0)
+    def test_a_point_behind_the_plane_is_behind(submission, part):
+        with part(1, "by more than the tolerance"):
+            expect(submission.side_of_plane, (-2.0, 0.5), -1)
 
 Vectors may be written as lists: the submission gets arrays, as in the lab. Any answer with the right numbers is
 accepted, such as a list or single precision. `diagnosis.deviations` says how close is close enough.

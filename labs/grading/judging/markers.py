@@ -1,7 +1,7 @@
 """The markers of a test: which function it is about, what it is worth, why it asks, and what to look at.
 
-@asks("rebound_velocity", 2, "A ball leaves with e times the speed it came with.", "Statement 12.")
-def test_a_ball_leaves_with_e_times_its_speed(submission, part):
+@asks("side_of_plane", 2, "A point behind the plane by more than the tolerance is behind.", "Slide 4.")
+def test_a_point_behind_the_plane_is_behind(submission, part):
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
     pytest tests/autograder --submission lab.ipynb
 
-A test calls functions of the fixture `submission`, as in `submission.rebound_velocity(-2.0, 0.5)`; each test has a
+A test calls functions of the fixture `submission`, as in `submission.side_of_plane(-2.0, 0.5)`; each test has a
 process of its own. Markers say what the test is worth: `points(3)`, or one point by default; `rationale("…")`, why it
 asks; `help("…")`, what to look at. The fixture `part` gives points for a part: `with part(2, "the normal direction"):
 assert …`; the test continues after it, and fails at the end. Properties (hypothesis) draw the same examples whenever

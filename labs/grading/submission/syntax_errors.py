@@ -179,7 +179,7 @@ _MESSAGES: tuple[tuple[str, str | Callable[[str], str]], ...] = (
     (r"(non-default argument|parameter without a default) follows", "arguments with a default come last: move them"),
     (r"duplicate argument '(\w+)'", r"two of its arguments are named \1: give each a name of its own"),
     (r"f-string: expecting '}'", "a { in its text is never closed: add its }"),
-    (r"expected '\('", "the name of a function is one word, as in rebound_velocity, and a bracket follows it"),
+    (r"expected '\('", "the name of a function is one word, as in signed_distance, and a bracket follows it"),
     (r"Missing parentheses in call to '(\w+)'",
      r"\1 is a function, so brackets belong around what follows it, as in \1(x)"),
     (r"forgot a comma", "a comma or an operator such as * is missing in it, or a bracket is not closed"),

@@ -31,6 +31,8 @@ ROLLS = ([1, 0, 0], [0, 2, 0], [0, 0, -0.5], 1.0, TURNS)
 STILL = (REST, REST, REST, 1.0, TURNS)
 LIGHT = (REST, REST, REST, 3.0, TURNS)
 """A third of a kilogram."""
+PIVOTED = (REST, REST, [1, 0, 0], 0.0, TURNS)
+"""It cannot be moved, but turned about its centre."""
 GROUND = (REST, REST, REST, 0.0, np.zeros((3, 3)))
 SLANTED = [1 / 3, 2 / 3, 2 / 3]
 """A unit normal along no axis."""
@@ -178,6 +180,7 @@ def test_an_impulse_moves_a_and_b_in_opposite_directions(submission, part, examp
     with part(1, "through the centres, and beside one"):
         expect(submission.apply_impulse, (FALLING, STILL, [0, 0, 3]), ([0, 0, 1], REST, [0, 0, -3], REST))
         expect(submission.apply_impulse, (BESIDE, GROUND, [0, 0, 1]), ([0, 0, -1], [0, -1, 0], REST, REST))
+        expect(submission.apply_impulse, (PIVOTED, GROUND, [0, 0, 1]), (REST, [0, -2, 0], REST, REST))
     with part(1, "both bodies move, turn, and are struck beside their centres"):
         expect(submission.apply_impulse, (SPINNING_B, SPINNING_A, [-1, -2, -2]), EXCHANGED_AFTER)
     with part(1, "momentum is kept"):
