@@ -113,7 +113,7 @@ def test_the_browser_unpacks_the_poses_that_were_packed(browser, alone):
 def test_the_contacts_are_those_of_the_first_run_shown(browser, alone):
     browser.open(alone)
     found = browser.run("replay.boxes[0].click(); found.label = replay.whose.textContent;")
-    assert found == {"label": "contacts of P"}
+    assert found == {"label": "contacts of PyBullet"}
 
 
 def test_a_new_width_redraws_the_picture_as_sharply(browser, alone):
