@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from labs.grading.diagnosis.words import listed
 from labs.guidance.expressions import Expression, Values, expression
 from reference.errors import InvalidInput
 
@@ -120,11 +121,6 @@ def _slip(given: Values, needed: Values) -> str:
     if abs(ratio + 1) < _SAME:
         return "Yours is −1 times what is needed, whatever the numbers: look for a sign."
     return f"Yours is {_digits(ratio)} times what is needed, whatever the numbers: look for a factor."
-
-
-def listed(words: Sequence[str]) -> str:
-    """Words as a sentence lists them."""
-    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
 def _digits(value: float) -> str:
