@@ -20,7 +20,6 @@ on. Every call takes the functions as they are in the cells that you have run.
 from __future__ import annotations
 
 import logging
-import textwrap
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -34,6 +33,7 @@ from labs.desk.progress_line import Progress
 from labs.desk.questions import Questions
 from labs.desk.refusals import errors_in_words
 from labs.grading.feedback.tries import Tries
+from labs.grading.wrapping import folded
 from labs.guidance.hint_files import hints
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
@@ -132,7 +132,7 @@ class Lab(Guiding, Questions):
     def verdict(self, key: str) -> None:
         """Say whether a prediction was right, and why, after a cell that is no run has shown the result."""
         if predictions := self._predicted(key, unfold=False):
-            print(textwrap.fill(predictions[0].verdict(), 80))
+            print("\n".join(folded(predictions[0].verdict(), 0)))
 
     @errors_in_words
     def run(

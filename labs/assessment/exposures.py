@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import contextlib
 import importlib
 import importlib.util
 import warnings
@@ -39,7 +40,7 @@ class Suspect:
 
 @dataclass(frozen=True)
 class Exposure:
-    """What came of an input. exposed: whether the two answers differ. said: both answers in words."""
+    """The result of an input. exposed: whether the two answers differ. said: both answers in words."""
 
     exposed: bool
     said: str
@@ -104,19 +105,16 @@ def found_in(path: Path, topic: str, source: str = "solutions") -> dict[str, boo
     written = dict(_inputs(path))
     found = {}
     for each in suspects(topic):
-        arguments = written.get(each.key)
         found[each.key] = False
-        if arguments is not None:
-            try:
-                found[each.key] = tried(each, arguments, right.function(each.function)).exposed
-            except InvalidInput:
-                continue
+        if each.key in written:
+            with contextlib.suppress(InvalidInput):
+                found[each.key] = tried(each, written[each.key], right.function(each.function)).exposed
     return found
 
 
 def _inputs(path: Path) -> Iterator[tuple[str, list[Any]]]:
     """Key and arguments of every call of `lab.expose` in a notebook, in its order, where these are plain numbers."""
-    for cell in read_cells(path)[0]:
+    for cell in (each for each in read_cells(path)[0] if each.code):
         try:
             tree = ast.parse(without_magics(cell.source))
         except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -131,16 +129,16 @@ def _inputs(path: Path) -> Iterator[tuple[str, list[Any]]]:
                     yield key, arguments
 
 
-def plain(arguments: Sequence[Any]) -> bool:
+def _is_plain(arguments: Sequence[Any]) -> bool:
     """Whether an input is made of numbers, lists and tuples alone, as it has to be to be read from a notebook."""
     return all(
-        plain(each) if isinstance(each, list | tuple) else type(each) in (int, float) and abs(each) < LARGEST
+        _is_plain(each) if isinstance(each, list | tuple) else type(each) in (int, float) and abs(each) < LARGEST
         for each in arguments
     )
 
 
 def _check_size(arguments: Sequence[Any]) -> None:
-    if not plain(arguments):
+    if not _is_plain(arguments):
         raise InvalidInput("write the input in numbers, in lists or tuples where it has several: no names, no 1/240")
     if _count(arguments) > MOST:
         raise InvalidInput("the input is too long: one case is enough")

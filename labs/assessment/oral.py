@@ -58,7 +58,7 @@ def kit(path: Path, topic: str) -> tuple[Prompt, Prompt, Prompt]:
     Raises
     ------
     InvalidInput
-        If the file holds fewer than two functions of the lab that do anything.
+        If the file holds fewer than two functions of the lab that do anything, or no arithmetic in them.
     """
     lines = _lines(path, topic)
     functions = sorted({line.function for line in lines})

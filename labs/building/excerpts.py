@@ -9,6 +9,7 @@ a folder of modules, such as `friction`. A topic is one or the other.
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,6 +21,7 @@ from reference.errors import InvalidInput
 
 SOLUTIONS = "solutions"
 FOLDER = ROOT / SOLUTIONS
+_NOTES = re.compile(r"\n\n {4}Notes\n {4}-----\n(?:(?! {4}\"\"\").*\n)*( {4}\"\"\")")
 
 
 @dataclass(frozen=True)
@@ -109,6 +111,11 @@ def _refuse_two_of_a_name(excerpts: Collection[Excerpt]) -> None:
                 raise InvalidInput(
                     f"the solutions define {name} more than once, and one notebook cannot hold both definitions"
                 )
+
+
+def without_notes(text: str) -> str:
+    """The source of functions with descriptions that end before their *Notes*, which say how a function is found."""
+    return _NOTES.sub(r"\n\1", text)
 
 
 def text_of(excerpts: Collection[Excerpt]) -> str:

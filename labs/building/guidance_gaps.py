@@ -35,11 +35,16 @@ def _hints(lesson: Lesson, found: Hints) -> Iterator[str]:
             yield f"hints/{lesson.topic}.md: {name} is not written in the lesson"
 
 
-def _figures(lesson: Lesson, found: Hints) -> Iterator[str]:
-    """Figures that are named and cannot be shown, or lack a description."""
+def figures_named(lesson: Lesson, found: Hints) -> list[str]:
+    """The figures that a lesson and its hints show, each once."""
     named = [name for guide in found.guides.values() for text in guide.levels for name in drawings.named_in(text)]
     named += [argument for cell in lesson.cells for argument, _ in _arguments(cell, "figure")]
-    for name in dict.fromkeys(named):
+    return list(dict.fromkeys(named))
+
+
+def _figures(lesson: Lesson, found: Hints) -> Iterator[str]:
+    """Figures that are named and cannot be shown, or lack a description."""
+    for name in figures_named(lesson, found):
         try:
             drawings.drawing(name)
         except InvalidInput as error:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of
+from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of, without_notes
 from labs.building.lessons import Cell, Lesson, read
 from labs.building.points import points_of
 from labs.building.revealed_answers import answers_of, compact
@@ -163,33 +163,24 @@ def stub(excerpts: TopicExcerpts, name: str, again: bool = False) -> str:
     source = excerpts.defining(name).text
     function = next(node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
     entry = lecture.function(name)
-    lines = _contract(source.split("\n")[: function.body[0].end_lineno])
-    _refuse_answers(entry.topic, name, lines)
-    return "\n".join([*lines, *_unwritten(f"{entry.topic}, step {entry.step}: {name} {AGAIN if again else YOURS}")])
+    contract = without_notes("\n".join(source.split("\n")[: function.body[0].end_lineno]))
+    _refuse_answers(entry.topic, name, contract)
+    return "\n".join([contract, *_unwritten(f"{entry.topic}, step {entry.step}: {name} {AGAIN if again else YOURS}")])
 
 
 def first_stub(topic: str, cell: Cell) -> str:
     """A first version of a function as a student finds it: what the lesson says of it, and an error."""
     (name,) = cell.names
-    _refuse_answers(topic, name, [cell.text])
+    _refuse_answers(topic, name, cell.text)
     return "\n".join([cell.text, *_unwritten(f"{topic}: {FIRST} {name} {YOURS}")])
 
 
-def _refuse_answers(topic: str, name: str, lines: Iterable[str]) -> None:
+def _refuse_answers(topic: str, name: str, contract: str) -> None:
     """Raise if a contract holds a line that the student is to derive."""
-    text = compact("\n".join(lines))
+    text = compact(contract)
     for answer in answers_of(topic, name):
         if answer in text:
             raise InvalidInput(f"the stub of {name} holds a line that is to be derived: {answer}")
-
-
-def _contract(lines: list[str]) -> list[str]:
-    """The lines of a header and a docstring up to its *Notes*."""
-    indent = "    "
-    for at in range(len(lines) - 1):
-        if lines[at] == f"{indent}Notes" and set(lines[at + 1].strip()) == {"-"}:
-            return ["\n".join(lines[:at]).rstrip(), f'{indent}"""']
-    return lines
 
 
 def _unwritten(said: str) -> list[str]:

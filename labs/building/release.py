@@ -17,8 +17,10 @@ from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 from labs.building import lessons, notebooks
-from labs.building.excerpts import TopicExcerpts, imports_of, text_of
+from labs.building.excerpts import TopicExcerpts, imports_of, text_of, without_notes
+from labs.building.guidance_gaps import figures_named
 from labs.building.release_readme import readme
+from labs.guidance.hint_files import hints
 from labs.project_folders import ROOT
 from reference import lecture
 from reference.errors import InvalidInput
@@ -40,10 +42,6 @@ _OF_LABS = (
 )
 """Folders with files that each belong to one lab and are named after it."""
 _FIGURES = "labs/figures"
-_FIGURE = re.compile(r"""lab\.figure\(["'](\w+)|\(figure:(\w+)\)""")
-"""How a lesson and a hint name a figure."""
-_NOTES = re.compile(r"\n\n {4}Notes\n {4}-----\n(?:(?! {4}\"\"\").*\n)*( {4}\"\"\")")
-"""The notes of a description: they derive what a student of some lab is to derive."""
 _STATEMENTS = "reference/lecture/statements.py"
 _ANSWER = re.compile(r"""(right|erratum)=(?:"[^"]*"\s*)+""")
 """What a slide should say, and what is wrong with it, in the file of the statements."""
@@ -126,8 +124,7 @@ def _write(out: Path, open_labs: Sequence[str], closed: Collection[str]) -> None
     for name in _FOLDERS:
         shutil.copytree(ROOT / name, out / name, ignore=_ignored, dirs_exist_ok=True)
     _remove_other_labs(out, open_labs)
-    statements = out / _STATEMENTS
-    statements.write_text(_ANSWER.sub(r'\1=""', statements.read_text(encoding="utf-8")), encoding="utf-8")
+    _hide_answers(out, open_labs)
     for name in _FILES:
         shutil.copy(ROOT / name, out / name)
     project = out / "pyproject.toml"
@@ -152,13 +149,19 @@ def _remove_other_labs(out: Path, open_labs: Collection[str]) -> None:
             name = path.stem.removeprefix("test_")
             if any(name == other or name.startswith(f"{other}_") for other in others):
                 path.unlink()
-    for topic in open_labs:
-        path = out / _SUSPECTS / f"{topic}.py"
+    shown = {name for topic in open_labs for name in figures_named(lessons.read(topic), hints(topic))}
+    for path in (out / _FIGURES).glob("*.svg"):
+        if path.stem not in shown:
+            path.unlink()
+
+
+def _hide_answers(out: Path, open_labs: Collection[str]) -> None:
+    """Pack the suspects of the open labs, and empty what is right of the statements: nothing of a lab reads that."""
+    statements = out / _STATEMENTS
+    statements.write_text(_ANSWER.sub(r'\1=""', statements.read_text(encoding="utf-8")), encoding="utf-8")
+    for path in (out / _SUSPECTS / f"{topic}.py" for topic in open_labs):
         if path.is_file():
             path.write_text(_packed(path.read_text(encoding="utf-8")), encoding="utf-8")
-    for path in (out / _FIGURES).glob("*.svg"):
-        if path.stem not in _figures_of(out, open_labs):
-            path.unlink()
 
 
 def _packed(source: str) -> str:
@@ -166,14 +169,6 @@ def _packed(source: str) -> str:
     text = base64.b85encode(zlib.compress(source.encode("utf-8"))).decode("ascii")
     lines = "\n".join(f'    "{part}"' for part in textwrap.wrap(text, 100))
     return f'"""Packed, so that nobody reads it in passing: find the input instead."""\n\n{_UNPACK}(\n{lines}\n)))\n'
-
-
-def _figures_of(out: Path, open_labs: Collection[str]) -> set[str]:
-    """The names of the figures that lessons and hints of some labs show."""
-    texts = [cell.text for topic in open_labs for cell in lessons.read(topic).cells]
-    hints = [out / "labs" / "hints" / f"{topic}.md" for topic in open_labs]
-    texts += [path.read_text(encoding="utf-8") for path in hints if path.is_file()]
-    return {first or second for text in texts for first, second in _FIGURE.findall(text)}
 
 
 def _ignored(folder: str, names: list[str]) -> set[str]:
@@ -194,9 +189,8 @@ def _for_students(project: str) -> str:
 
 def _module(topic: str, names: Collection[str]) -> str:
     excerpts = TopicExcerpts.of(topic).needed(names)
-    texts = _NOTES.sub(r"\1", text_of(excerpts))
     head = f'"""{lecture.topic(topic).title}: given."""\n\nfrom __future__ import annotations\n\n'
-    return f"{head}{imports_of(excerpts)}\n\n{texts}\n"
+    return f"{head}{imports_of(excerpts)}\n\n{without_notes(text_of(excerpts))}\n"
 
 
 def _pack(folder: Path, out: Path) -> None:

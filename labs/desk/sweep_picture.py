@@ -19,12 +19,14 @@ _LARGE, _SMALL, _ROWS = (3.6, 3.4), 1.75, 2
 """Size of the large picture and width of a small one, in inches, and the number of rows of small ones."""
 _ALIKE = 10.0
 """All curves get the same scale if the largest range is at most so many times the smallest."""
+_UNNAMED = "_"
+"""The label of a line that a legend leaves out."""
 _JUMP = 0.75
 """Two neighbouring numbers that differ by more than this share of their range are two, and no line joins them."""
-_LEVEL = 1e-2
-"""Numbers that differ by less than this share of their size make no jump."""
 _STEEP = 1.5
 """They do so only if they are that much steeper than the whole."""
+_LEVEL = 1e-2
+"""Numbers that all differ by less than this share of their size make no jump."""
 _ROUNDING = 1e-9
 """A difference below this share of theory's range is rounding, of which no picture is made."""
 _SEEN = 0.05
@@ -90,12 +92,12 @@ def _draw_measured(large: Any, sweep: Sweep) -> None:
     places = {value: float(at) if sweep.spread else sweep.shown(value) for at, value in enumerate(sweep.values)}
     for engine, title in sweep.titles.items():
         style = {**figures.marker(looks[engine]), **look(looks[engine])}
-        numbers_of = measured[engine]
-        _draw_line(panels[0], places, numbers_of, sweep.spread, style | {"label": title})
+        _draw_line(panels[0], places, measured[engine], sweep.spread, title, style)
         if below:
-            off = {value: number - theory[value] for value, number in numbers_of.items()}
-            _draw_line(panels[1], places, off, sweep.spread, style)
-    _draw_line(panels[0], places, theory, sweep.spread, {"color": "#999999", "linestyle": ":", "marker": "_"}, "theory")
+            off = {value: number - theory[value] for value, number in measured[engine].items()}
+            _draw_line(panels[1], places, off, sweep.spread, _UNNAMED, style)
+    grey = {"color": "#999999", "linestyle": ":", "marker": "_"}
+    _draw_line(panels[0], places, theory, sweep.spread, "theory", grey)
     unit = f", {sweep.measured.unit}" if sweep.measured.unit else ""
     panels[0].set(title=f"{capital(sweep.measured.title)}{unit}")
     if below:
@@ -109,19 +111,13 @@ def _draw_measured(large: Any, sweep: Sweep) -> None:
 
 
 def _draw_line(
-    axes: Any,
-    places: dict[float, float],
-    found: dict[float, float],
-    spread: bool,
-    style: dict[str, Any],
-    name: str = "",
+    axes: Any, places: dict[float, float], found: dict[float, float], spread: bool, label: str, style: dict[str, Any]
 ) -> None:
     """Draw numbers over the parameter, joined by a line except where they jump."""
-    label = style.pop("label", name)
     points = [(places[value], number) for value, number in found.items()]
     for piece in _pieces(points, spread):
         axes.plot(*zip(*piece, strict=True), label=label, **style)
-        label = "_"  # a legend has the name once
+        label = _UNNAMED  # a legend has the name once
 
 
 def _pieces(points: Sequence[tuple[float, float]], spread: bool) -> list[list[tuple[float, float]]]:

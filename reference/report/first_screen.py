@@ -18,8 +18,6 @@ from reference.report import numbers
 from reference.report.marks import MARKS
 from reference.report.sections import Line, Section
 
-_LEAST_SHARE = 1e-6
-"""A share of what theory expects that is accepted by rounding alone is not mentioned."""
 _NOTHING_LEFT, _FAR = 0.01, 0.1
 """Shares of what theory expects: with less of it nothing has happened; with more of an error the number is told."""
 
@@ -99,7 +97,7 @@ _STACK = _Pick("stack", "height", ("boxes=10", "boxes=10"), "m", 1.0)
 _AGREE = 0.01
 """A number that is as its method predicts and within this share of theory agrees with theory, as one says."""
 _AS_PREDICTED = (Verdict.KNOWN_DEVIATION, Verdict.DISAGREES)
-_WORDS = ("", "", "two", "three", "four", "five", "six", "seven", "eight")
+_WORDS = {2: "two", 3: "three", 4: "four", 5: "five"}
 _GROUPS = (
     (Verdict.PASS, "Agree with theory within {:.1g} %"),
     (Verdict.KNOWN_DEVIATION, "Differ, as their method predicts"),
@@ -191,7 +189,7 @@ def _group(pick: _Pick, rows: Sequence[tuple[Line, Row]], verdict: Verdict, open
     alike = [row.measured for _, row in own if row.measured is not None and row.verdict in _AS_PREDICTED]
     closing = ""
     if _are_alike(alike):
-        closing = f"the last {_WORDS[len(alike)]} agree to"
+        closing = f"the last {_WORDS.get(len(alike), len(alike))} agree to"
         closing += f" {_upper(max(alike) - min(alike), own[0][1].unit)}"
     return Group(verdict, MARKS[verdict], opening.format(100 * max(_AGREE, *shares, 0.0)), figures, closing)
 

@@ -30,6 +30,8 @@ _LINE, _LEADER, _CROSSING = 4.0, 15.0, 15.0
 """What a line of text costs, a line that leads to the curve, and one that crosses others on its way."""
 _MOST = 500
 """Places of a name that are compared; all others are worse."""
+_MOST_IN_TURN = 6
+"""So many names are tried in every order, 720 of them; more are placed in the order in which they come."""
 _ELSEWHERE = 1e4
 """Outside of every picture: a point of no curve, where there is only one."""
 _ACROSS, _UP = 5.0, 0.5
@@ -69,7 +71,8 @@ def placed(area: Box, names: Sequence[str], curves: Sequence[Array]) -> list[Pla
     for number, name in enumerate(names):
         others = np.concatenate([*curves[:number], *curves[number + 1 :], np.full((1, 2), -_ELSEWHERE)])
         choices.append(_places(area, name, curves[number], others))
-    tried = [_in_turn(order, choices) for order in itertools.permutations(range(len(names)))]
+    orders = itertools.permutations(range(len(names))) if len(names) <= _MOST_IN_TURN else [range(len(names))]
+    tried = [_in_turn(order, choices) for order in orders]
     best = min(tried, key=lambda found: (-len(found), sum(place.cost for place in found.values())))
     return [best.get(number) for number in range(len(names))]
 

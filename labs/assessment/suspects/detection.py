@@ -17,9 +17,9 @@ def time_of_impact_exact(separation: float, normal_velocity: float, normal_accel
     """When a body in free motion next falls through the plane."""
     s, u, a = max(separation, 0.0), normal_velocity, normal_acceleration
     inside = u**2 - 2 * a * s
-    if inside < 0 or u >= 0:
+    if inside < 0 or u > 0 or (u == 0 and a >= 0):
         return math.inf
-    return 2 * s / (math.sqrt(inside) - u)
+    return 2 * s / (math.sqrt(inside) - u) if s > 0 else 0.0
 
 
 def overlap_interval(

@@ -180,7 +180,7 @@ BANK = (
     M("side_of_plane", "two sides, tolerance left out",
       lambda s, tol=0.0: np.where(np.broadcast_arrays(s, tol)[0] < 0, -1, 1),
       "There are only two sides, as on the slide, and the tolerance is not used.",
-      "What should come out of a point that touches, but for rounding?"),
+      "What should come out of a point that touches, except for rounding?"),
     M("side_of_plane", "two sides, touching behind, tolerance left out",
       lambda s, tol=0.0: np.where(np.broadcast_arrays(s, tol)[0] > 0, 1, -1),
       "There are only two sides, a point on the plane is said to be behind, and the tolerance is not used.",

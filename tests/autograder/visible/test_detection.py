@@ -31,7 +31,7 @@ def test_a_point_has_a_distance_from_a_plane_with_a_sign(submission, part):
 
 @asks(
     "side_of_plane", 3, "A point is in front, behind, or on the plane: three answers, 1, −1 and 0.",
-    "Slide 4 knows two sides. What should come out of a point that touches, but for rounding?",
+    "Slide 4 knows two sides. What should come out of a point that touches, except for rounding?",
 )  # fmt: skip
 def test_a_point_is_in_front_behind_or_on_the_plane(submission, part):
     with part(1, "without a tolerance"):

@@ -9,6 +9,7 @@ import sys
 import zipfile
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import pytest
 from made_lessons import HEAD, WRITES, sources
@@ -223,11 +224,22 @@ def test_a_release_holds_no_solution_hidden_test_or_model_answer(lesson, tmp_pat
             assert secret not in path.read_text(encoding="utf-8"), path
 
 
-def test_a_lab_alone_has_of_an_earlier_one_what_its_runs_need(tmp_path):
+def test_a_lab_alone_has_of_an_earlier_one_what_its_runs_need(tmp_path, monkeypatch):
     assert release(tmp_path / "out", only="impulse") == ["impulse"]
     text = (tmp_path / "out/labs/given/detection.py").read_text(encoding="utf-8")
     assert "def signed_distance" in text
     assert "def count_impacts" not in text
+    assert not [path for path in (tmp_path / "out/labs/given").glob("*.py") if "    Notes\n" in path.read_text("utf-8")]
+    assert "turn.T" not in (tmp_path / "out/labs/assessment/suspects/impulse.py").read_text(encoding="utf-8")
+    statements = (tmp_path / "out/reference/lecture/statements.py").read_text(encoding="utf-8")
+    found: dict[str, Any] = {"__name__": "statements"}
+    monkeypatch.setitem(sys.modules, "statements", ModuleType("statements"))  # where a dataclass looks for itself
+    exec(statements, found)
+    assert {(entry.right, entry.erratum) for entry in found["STATEMENTS"]} == {("", "")}
+    assert [entry.slide for entry in found["STATEMENTS"]] == [entry.slide for entry in lecture.STATEMENTS]
+    figures = {path.stem for path in (tmp_path / "out/labs/figures").glob("*.svg")}
+    assert "contact" in figures
+    assert "chord" not in figures
     with pytest.raises(InvalidInput, match="name one of the two"):
         release(tmp_path / "other", "detection", "detection")
 
