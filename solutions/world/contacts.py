@@ -1,0 +1,105 @@
+"""Where bodies touch: the contacts of an instant (slides 2, 9 and 17)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from solutions.arrays import Array, Integers
+from solutions.impulse import rotation_matrix
+from solutions.world.bodies import Bodies, State
+from solutions.world.broad_phase import candidate_pairs
+from solutions.world.narrow_phase import PAIRS
+from solutions.world.pieces import bounding_boxes, placed
+from solutions.world.shapes import Found
+
+FEATURES = 1 << 16
+"""Numbers of features of one pair of pieces."""
+
+
+class Contacts(NamedTuple):
+    """All contacts of an instant, m of them, in an order that repeats bit for bit.
+
+    Attributes
+    ----------
+    body_a, body_b : (m,), numbers of the bodies
+    point : (m, 3), halfway between the two surfaces, m
+    normal : (m, 3), unit, from B to A
+    separation : (m,), m; negative in overlap
+    key : (m,), names the two features that touch, from one step to the next
+    """
+
+    body_a: Integers
+    body_b: Integers
+    point: Array
+    normal: Array
+    separation: Array
+    key: Integers
+
+
+def collect_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Contacts:
+    """The contacts of a world at an instant: broad phase, then narrow phase.
+
+    Parameters
+    ----------
+    bodies, state : the world
+    margin : m
+        A gap up to which two surfaces count as a contact.
+
+    Returns
+    -------
+    Contacts
+
+    Notes
+    -----
+    The broad phase finds the pieces whose boxes along the axes overlap. Pairs that
+    cannot collide are left out: pieces of one body, two immovable bodies, materials that
+    do not collide. The narrow phase has one function for each two kinds of pieces. It
+    takes all pairs of those kinds at once, because a function of a batch costs little
+    more than that of one pair.
+    """
+    pieces, rotation = bodies.pieces, rotation_matrix(state.orientation)
+    lower, upper = bounding_boxes(pieces, state.position, rotation)
+    pairs = candidate_pairs(lower - margin / 2, upper + margin / 2, bodies.group[pieces.body])
+    first, second = _can_collide(bodies, pairs)
+    found = []
+    for kinds, chosen in _alike(pieces.kind, pieces.hull, first, second):
+        a, b = first[chosen], second[chosen]
+        touching = PAIRS[kinds](
+            placed(pieces, a, state.position, rotation), placed(pieces, b, state.position, rotation), margin
+        )
+        found.append(touching._replace(pair=chosen[touching.pair]))
+    return _contacts(bodies, first, second, found)
+
+
+def _can_collide(bodies: Bodies, pairs: Integers) -> tuple[Integers, Integers]:
+    """The pieces A and B of the pairs that can collide; A has the lower kind."""
+    first, second = pairs[:, 0], pairs[:, 1]
+    a, b = bodies.pieces.body[first], bodies.pieces.body[second]
+    movable = bodies.inverse_mass[a] + bodies.inverse_mass[b] > 0
+    kept = (a != b) & movable & bodies.surfaces.collide[bodies.material[a], bodies.material[b]]
+    first, second = first[kept], second[kept]
+    turn = bodies.pieces.kind[first] > bodies.pieces.kind[second]
+    return np.where(turn, second, first), np.where(turn, first, second)
+
+
+def _alike(kind: Integers, hull: Integers, first: Integers, second: Integers) -> list[tuple[tuple[int, int], Integers]]:
+    """Kinds of A and B, with the numbers of all pairs of these kinds and hulls."""
+    most = int(np.max(hull, initial=0)) + 2
+    signs = ((kind[first] * most + hull[first] + 1) * 8 + kind[second]) * most + hull[second] + 1
+    groups = [np.flatnonzero(signs == sign) for sign in np.unique(signs)]
+    return [((int(kind[first[each[0]]]), int(kind[second[each[0]]])), each) for each in groups]
+
+
+def _contacts(bodies: Bodies, first: Integers, second: Integers, found: list[Found]) -> Contacts:
+    """All that was found, pair by pair in the order of the broad phase."""
+    if not found:
+        none = np.zeros(0, dtype=np.int64)
+        return Contacts(none, none, np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), none)
+    pair, point, normal, separation, feature = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    order = np.argsort(pair, kind="stable")
+    a, b = first[pair], second[pair]
+    key = (a * len(bodies.pieces.body) + b) * FEATURES + feature
+    body = bodies.pieces.body
+    return Contacts(body[a][order], body[b][order], point[order], normal[order], separation[order], key[order])

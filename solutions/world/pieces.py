@@ -1,0 +1,179 @@
+"""The convex pieces of bodies, and where they are at an instant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from solutions.arrays import Array, Integers
+from solutions.checks import finite, positive, unit, vector
+from solutions.impulse import rotation_matrix
+from solutions.world.shapes import BOX, CAPSULE, HALF_SPACE, POLYHEDRON, SPHERE, Placed, Shape
+
+NO_FACES = np.zeros((0, 3), dtype=np.int64)
+BOX_VERTICES = np.array([(x, y, z) for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+BOX_FACES = np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
+"""The corners of a box of half extents 1, and its faces, counterclockwise from outside."""
+
+
+class Pieces(NamedTuple):
+    """All convex pieces of a world, p of them.
+
+    Attributes
+    ----------
+    body : (p,), to which each belongs
+    kind : (p,), SPHERE to HALF_SPACE
+    size : (p, 3), m, as in `Placed`
+    position : (p, 3), of its origin in the body's own axes, m
+    rotation : (p, 3, 3), from its own axes to the body's
+    hull : (p,), which of the hulls it is; −1 for a piece without corners
+    hulls : for each a pair of vertices (v, 3), in the piece's own axes, and faces
+        (f, s). All boxes have the same hull, ±1 along each axis, times their size.
+    """
+
+    body: Integers
+    kind: Integers
+    size: Array
+    position: Array
+    rotation: Array
+    hull: Integers
+    hulls: tuple[tuple[Array, Integers], ...]
+
+
+def pieces_of(shapes: Sequence[Shape]) -> Pieces:
+    """The convex pieces of bodies with these shapes.
+
+    Raises
+    ------
+    ValueError
+        If there is no such kind of shape, or a size is not positive and finite.
+    """
+    body, kind, size, position, rotation, hull = [], [], [], [], [], []
+    hulls: list[tuple[Array, Integers]] = [(BOX_VERTICES, BOX_FACES)]
+    for number, whole in enumerate(shapes):
+        for shape, place, turn in _convex(whole, np.zeros(3), np.eye(3)):
+            body.append(number)
+            position.append(place)
+            rotation.append(turn)
+            if shape[0] == "sphere":
+                kind.append(SPHERE)
+                size.append([_length(shape[1]), 0.0, 0.0])
+                hull.append(-1)
+            elif shape[0] == "capsule":
+                kind.append(CAPSULE)
+                size.append([_length(shape[1]), _length(shape[2]), 0.0])
+                hull.append(-1)
+            elif shape[0] == "box":
+                kind.append(BOX)
+                size.append([_length(each) for each in vector("half_extents", shape[1])])
+                hull.append(0)
+            elif shape[0] == "polyhedron":
+                kind.append(POLYHEDRON)
+                size.append([0.0, 0.0, 0.0])
+                hull.append(_place_of(hulls, finite("vertices", vector("vertices", shape[1])), shape[2]))
+            else:
+                kind.append(HALF_SPACE)
+                size.append([0.0, 0.0, 0.0])
+                hull.append(-1)
+                rotation[-1] = turn @ _axes_along(unit("normal", vector("normal", shape[1])))
+    return Pieces(
+        np.array(body, dtype=np.int64),
+        np.array(kind, dtype=np.int64),
+        np.array(size).reshape(-1, 3),
+        np.array(position).reshape(-1, 3),
+        np.array(rotation).reshape(-1, 3, 3),
+        np.array(hull, dtype=np.int64),
+        tuple(hulls),
+    )
+
+
+def _convex(shape: Shape, position: Array, rotation: Array) -> Iterator[tuple[Shape, Array, Array]]:
+    """A shape's convex pieces, each with its place in the body."""
+    if shape[0] == "compound":
+        for part, place, orientation in shape[1]:
+            turn = rotation_matrix(orientation)
+            yield from _convex(part, position + rotation @ vector("position", place), rotation @ turn)
+    elif shape[0] in ("sphere", "capsule", "box", "polyhedron", "half-space"):
+        yield shape, position, rotation
+    else:
+        known = "sphere, capsule, box, polyhedron, half-space or compound"
+        raise ValueError(f"shape must be a {known}, not {shape[0]!r}")
+
+
+def _length(value: float) -> float:
+    return float(positive("size of a shape", finite("size of a shape", value)))
+
+
+def _place_of(hulls: list[tuple[Array, Integers]], vertices: Array, faces: Sequence[Sequence[int]]) -> int:
+    """Where a hull stands in the list; one that is not there yet is added."""
+    longest = max(len(face) for face in faces)
+    padded = np.array([[*face, *[face[-1]] * (longest - len(face))] for face in faces], dtype=np.int64)
+    for place, (others, their_faces) in enumerate(hulls):
+        if place and np.array_equal(others, vertices) and np.array_equal(their_faces, padded):
+            return place
+    hulls.append((vertices, padded))
+    return len(hulls) - 1
+
+
+def _axes_along(normal: Array) -> Array:
+    """A rotation whose third column is the normal, (3, 3)."""
+    first, second = tangents(normal)
+    return np.stack([first, second, normal], axis=-1)
+
+
+def tangents(normal: Array) -> tuple[Array, Array]:
+    """Two unit vectors, each (..., 3), at right angles to each other and to a normal; right-handed with it."""
+    least = np.argmin(np.abs(normal), axis=-1)
+    across = np.cross(normal, np.eye(3)[least])
+    first = across / np.linalg.norm(across, axis=-1, keepdims=True)
+    return first, np.cross(normal, first)
+
+
+def placed(pieces: Pieces, chosen: Integers, position: Array, rotation: Array) -> Placed:
+    """Some pieces of one kind and one hull, where their bodies are.
+
+    Parameters
+    ----------
+    pieces : all pieces
+    chosen : (k,), numbers of pieces
+    position : (n, 3), of all bodies, m
+    rotation : (n, 3, 3), of all bodies
+    """
+    of_body = rotation[pieces.body[chosen]]
+    at = position[pieces.body[chosen]] + np.matvec(of_body, pieces.position[chosen])
+    turned = of_body @ pieces.rotation[chosen]
+    size, number = pieces.size[chosen], int(pieces.hull[chosen[0]]) if len(chosen) else -1
+    if number < 0:
+        return Placed(at, turned, size, np.zeros((len(chosen), 0, 3)), NO_FACES)
+    corners, faces = pieces.hulls[number]
+    own = corners * size[:, None, :] if number == 0 else np.broadcast_to(corners, (len(chosen), *corners.shape))
+    return Placed(at, turned, size, at[:, None, :] + own @ np.swapaxes(turned, -1, -2), faces)
+
+
+def bounding_boxes(pieces: Pieces, position: Array, rotation: Array) -> tuple[Array, Array]:
+    """Lowest and highest corner of each piece's box along the world's axes, (p, 3) each, m."""
+    of_body = rotation[pieces.body]
+    at = position[pieces.body] + np.matvec(of_body, pieces.position)
+    reach = np.zeros_like(at)
+    for kind in np.unique(pieces.kind):
+        chosen = np.flatnonzero(pieces.kind == kind)
+        turned, size = of_body[chosen] @ pieces.rotation[chosen], pieces.size[chosen]
+        if kind == SPHERE:
+            reach[chosen] = size[:, :1]
+        elif kind == CAPSULE:
+            reach[chosen] = size[:, :1] + size[:, 1:2] * np.abs(turned[:, :, 2])
+        elif kind == BOX:
+            reach[chosen] = np.matvec(np.abs(turned), size)
+        elif kind == HALF_SPACE:
+            reach[chosen] = np.inf
+        else:
+            for number in np.unique(pieces.hull[chosen]):
+                some = chosen[pieces.hull[chosen] == number]
+                corners = pieces.hulls[number][0] @ np.swapaxes(of_body[some] @ pieces.rotation[some], -1, -2)
+                # The hull lies around its own origin, but not evenly: its middle is moved, too.
+                low, high = np.min(corners, axis=1), np.max(corners, axis=1)
+                at[some] += (low + high) / 2
+                reach[some] = (high - low) / 2
+    return at - reach, at + reach
