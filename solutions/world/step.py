@@ -63,7 +63,7 @@ def step_world(
     state: State,
     acceleration: ArrayLike,
     dt: float,
-    rules: Rules = Rules(),  # noqa: B008  (an immutable tuple)
+    rules: Rules | tuple[float, ...] = Rules(),  # noqa: B008  (an immutable tuple)
     memory: Memory = NOTHING,
     force: ArrayLike = 0.0,
     torque: ArrayLike = 0.0,
@@ -84,6 +84,8 @@ def step_world(
     state, memory : for the next step
     contacts : those that this step has answered
     """
+    rules = Rules(*rules)
+
     # Forces
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
     pull = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
