@@ -54,10 +54,10 @@ def collect_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Conta
     Notes
     -----
     The broad phase finds the pieces whose boxes along the axes overlap. Pairs that
-    cannot collide are left out: pieces of one body, two immovable bodies, materials that
-    do not collide. The narrow phase has one function for each two kinds of pieces. It
-    takes all pairs of those kinds at once, because a function of a batch costs little
-    more than that of one pair.
+    cannot collide are left out: pieces of one body, two immovable bodies, materials
+    that do not collide. The narrow phase has one function for each two kinds of
+    pieces. It takes all pairs of those kinds at once, because a function of a batch
+    costs little more than that of one pair.
     """
     pieces, rotation = bodies.pieces, rotation_matrix(state.orientation)
     lower, upper = bounding_boxes(pieces, state.position, rotation)

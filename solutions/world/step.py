@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -12,10 +11,10 @@ from solutions.arrays import Array, Integers
 from solutions.impulse import world_inverse_inertia
 from solutions.world.bodies import Bodies, State
 from solutions.world.contacts import Contacts, collect_contacts
-from solutions.world.pieces import tangents
 from solutions.world.rotation import rotate_by_momentum, turned
 from solutions.world.rows import Rows, contact_rows, speeds
-from solutions.world.sequential import Wanted, colours, solve_sequentially
+from solutions.world.sequential import Wanted, in_groups, solve_sequentially
+from solutions.world.vectors import tangents
 
 
 class Rules(NamedTuple):
@@ -92,8 +91,9 @@ def step_world(
 
     # Contacts
     contacts = collect_contacts(bodies, state, rules.margin)
+    order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
+    contacts = Contacts(*(each[order] for each in contacts))
     rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia)
-    groups = colours(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
 
     # Velocities
     wanted = _wanted(bodies, state, contacts, rows, dt, rules)
@@ -130,24 +130,25 @@ def _wanted(bodies: Bodies, state: State, contacts: Contacts, rows: Rows, dt: fl
 
 
 def _remembered(contacts: Contacts, rows: Rows, memory: Memory) -> Array:
-    """Impulses (m, 3) to begin with: those of the last step where the same features touch, N s."""
+    """Impulses (m, 3) to begin with, N s: of the last step, where features stay."""
     if not len(memory.key):
         return np.zeros((len(contacts.key), 3))
     order = np.argsort(memory.key, kind="stable")
     place = order[np.minimum(np.searchsorted(memory.key, contacts.key, sorter=order), len(order) - 1)]
     had = np.where((memory.key[place] == contacts.key)[:, None], memory.impulse[place], 0.0)
-    # Along t − a n friction takes a·λ_t from the normal impulse, so that λ_n is more than it.
+    # Along t − a n friction takes a·λ_t from the normal impulse; λ_n is that much more.
     friction = np.stack([np.vecdot(had, tangent) for tangent in tangents(contacts.normal)], axis=-1)
     normal = np.vecdot(had, contacts.normal) + np.vecdot(rows.coupling, friction)
     return np.concatenate([normal[:, None], friction], axis=-1)
 
 
 def _push_apart(
-    rows: Rows, groups: list[Integers], contacts: Contacts, velocity: Array, spin: Array, dt: float, rules: Rules
+    rows: Rows, groups: list[slice], contacts: Contacts, velocity: Array, spin: Array, dt: float, rules: Rules
 ) -> Array:
-    """How far (n, 6) each body is moved and turned to take back a share of the overlaps, m and rad.
+    """How far each body is moved and turned (n, 6) out of the overlaps, m and rad.
 
-    It is a motion beside the velocities, and so it adds no kinetic energy.
+    It takes back a share of each. It is a motion beside the velocities, and so it adds
+    no kinetic energy.
     """
     ahead = contacts.separation + dt * speeds(rows, velocity, spin)[:, 0]
     deep = np.minimum(ahead, 0.0)
