@@ -160,9 +160,9 @@ class _Friction:
         coupling, kinetic = self.coupling[group], self.wanted.kinetic_friction[group]
         sticking = had - np.matvec(self.mass[group], slip)
         most = self.wanted.static_friction[group] * (normal - np.vecdot(coupling, sticking))
-        holds = np.vecdot(sticking, sticking) <= most * np.abs(most)  # a cone has no edge below zero
+        holds = np.vecdot(sticking, sticking) <= most * np.abs(most)  # no edge below zero
         if np.all(holds):
-            return sticking
+            return np.asarray(sticking)
         if self.rebounds:
             slip = slip + self._towards_least_energy(group, had, slip)
         sliding = had - self.least_mass[group] * slip

@@ -86,13 +86,13 @@ def step_world(
     # Forces
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
     pull = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
-    velocity = state.velocity + dt * (pull + bodies.inverse_mass[:, None] * force)
+    velocity = state.velocity + dt * (pull + bodies.inverse_mass[:, None] * np.asarray(force))
     spin = state.angular_velocity + dt * np.matvec(inverse_inertia, np.broadcast_to(torque, velocity.shape))
 
     # Contacts
     contacts = collect_contacts(bodies, state, rules.margin)
     order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
-    contacts = Contacts(*(each[order] for each in contacts))
+    contacts = contacts.in_order(order)
     rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia)
 
     # Velocities
