@@ -27,6 +27,9 @@ class Rules(NamedTuple):
         good choice, 2 g Δt: what is slower has fallen for two steps at most.
     margin : m
         A gap up to which a contact is kept, so that resting bodies keep theirs.
+    with_weight : whether the speed that is turned back includes the gain of this step
+        Newton's law speaks of the speed of approach. At a step one may take it before
+        the forces of the step act, or after; engines of both kinds exist.
     recovery : share of an overlap that each step moves away, 0 to 1
     sweeps : how often all contacts take their turn in a step, at most
     tolerance : share of the largest impulse; smaller changes end the sweeps
@@ -35,6 +38,7 @@ class Rules(NamedTuple):
 
     rest_speed: float = 0.1
     margin: float = 1e-3
+    with_weight: bool = False
     recovery: float = 0.2
     sweeps: int = 50
     tolerance: float = 1e-6
@@ -96,7 +100,8 @@ def step_world(
     rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia)
 
     # Velocities
-    wanted = _wanted(bodies, state, contacts, rows, dt, rules)
+    approaching = (velocity, spin) if rules.with_weight else (state.velocity, state.angular_velocity)
+    wanted = _wanted(bodies, contacts, -speeds(rows, *approaching)[:, 0], dt, rules)
     start = _remembered(contacts, rows, memory)
     velocity, spin, impulse = solve_sequentially(
         rows, groups, velocity, spin, wanted, start, rules.sweeps, rules.tolerance
@@ -111,14 +116,9 @@ def step_world(
     return after, Memory(contacts.key, np.vecmat(impulse, rows.direction)), contacts
 
 
-def _wanted(bodies: Bodies, state: State, contacts: Contacts, rows: Rows, dt: float, rules: Rules) -> Wanted:
-    """What the impulses have to reach: a rebound, or to come no nearer than the gap.
-
-    Newton's law of restitution looks at the speed before the step. What gravity adds in
-    the step is no part of the approach, and the contact carries it.
-    """
+def _wanted(bodies: Bodies, contacts: Contacts, approach: Array, dt: float, rules: Rules) -> Wanted:
+    """What the impulses have to reach: a rebound, or to come no nearer than the gap."""
     surfaces, of_a, of_b = bodies.surfaces, bodies.material[contacts.body_a], bodies.material[contacts.body_b]
-    approach = -speeds(rows, state.velocity, state.angular_velocity)[:, 0]
     rebound = np.where(approach > rules.rest_speed, surfaces.restitution[of_a, of_b] * approach, 0.0)
     return Wanted(
         np.where(rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt),
