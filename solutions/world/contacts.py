@@ -37,6 +37,11 @@ class Contacts(NamedTuple):
     separation: Array
     key: Integers
 
+    def in_order(self, order: Integers) -> Contacts:
+        """Some of the contacts, or all of them in another order."""
+        a, b = self.body_a[order], self.body_b[order]
+        return Contacts(a, b, self.point[order], self.normal[order], self.separation[order], self.key[order])
+
 
 def collect_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Contacts:
     """The contacts of a world at an instant: broad phase, then narrow phase.
@@ -54,10 +59,10 @@ def collect_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Conta
     Notes
     -----
     The broad phase finds the pieces whose boxes along the axes overlap. Pairs that
-    cannot collide are left out: pieces of one body, two immovable bodies, materials that
-    do not collide. The narrow phase has one function for each two kinds of pieces. It
-    takes all pairs of those kinds at once, because a function of a batch costs little
-    more than that of one pair.
+    cannot collide are left out: pieces of one body, two immovable bodies, materials
+    that do not collide. The narrow phase has one function for each two kinds of
+    pieces. It takes all pairs of those kinds at once, because a function of a batch
+    costs little more than that of one pair.
     """
     pieces, rotation = bodies.pieces, rotation_matrix(state.orientation)
     lower, upper = bounding_boxes(pieces, state.position, rotation)
@@ -98,8 +103,7 @@ def _contacts(bodies: Bodies, first: Integers, second: Integers, found: list[Fou
         none = np.zeros(0, dtype=np.int64)
         return Contacts(none, none, np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0), none)
     pair, point, normal, separation, feature = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    order = np.argsort(pair, kind="stable")
     a, b = first[pair], second[pair]
     key = (a * len(bodies.pieces.body) + b) * FEATURES + feature
-    body = bodies.pieces.body
-    return Contacts(body[a][order], body[b][order], point[order], normal[order], separation[order], key[order])
+    contacts = Contacts(bodies.pieces.body[a], bodies.pieces.body[b], point, normal, separation, key)
+    return contacts.in_order(np.argsort(pair, kind="stable"))

@@ -11,11 +11,12 @@ from solutions.arrays import Array, Integers
 from solutions.checks import finite, positive, unit, vector
 from solutions.impulse import rotation_matrix
 from solutions.world.shapes import BOX, CAPSULE, HALF_SPACE, POLYHEDRON, SPHERE, Placed, Shape
+from solutions.world.vectors import tangents
 
 NO_FACES = np.zeros((0, 3), dtype=np.int64)
 BOX_VERTICES = np.array([(x, y, z) for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 BOX_FACES = np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
-"""The corners of a box of half extents 1, and its faces, counterclockwise from outside."""
+"""Corners of a box of half extents 1; its faces, counterclockwise from outside."""
 
 
 class Pieces(NamedTuple):
@@ -123,14 +124,6 @@ def _axes_along(normal: Array) -> Array:
     return np.stack([first, second, normal], axis=-1)
 
 
-def tangents(normal: Array) -> tuple[Array, Array]:
-    """Two unit vectors, each (..., 3), at right angles to each other and to a normal; right-handed with it."""
-    least = np.argmin(np.abs(normal), axis=-1)
-    across = np.cross(normal, np.eye(3)[least])
-    first = across / np.linalg.norm(across, axis=-1, keepdims=True)
-    return first, np.cross(normal, first)
-
-
 def placed(pieces: Pieces, chosen: Integers, position: Array, rotation: Array) -> Placed:
     """Some pieces of one kind and one hull, where their bodies are.
 
@@ -141,10 +134,10 @@ def placed(pieces: Pieces, chosen: Integers, position: Array, rotation: Array) -
     position : (n, 3), of all bodies, m
     rotation : (n, 3, 3), of all bodies
     """
-    of_body = rotation[pieces.body[chosen]]
-    at = position[pieces.body[chosen]] + np.matvec(of_body, pieces.position[chosen])
+    body, size, number = pieces.body[chosen], pieces.size[chosen], int(pieces.hull[chosen[0]])
+    of_body = rotation[body]
+    at = position[body] + np.matvec(of_body, pieces.position[chosen])
     turned = of_body @ pieces.rotation[chosen]
-    size, number = pieces.size[chosen], int(pieces.hull[chosen[0]]) if len(chosen) else -1
     if number < 0:
         return Placed(at, turned, size, np.zeros((len(chosen), 0, 3)), NO_FACES)
     corners, faces = pieces.hulls[number]
@@ -153,7 +146,7 @@ def placed(pieces: Pieces, chosen: Integers, position: Array, rotation: Array) -
 
 
 def bounding_boxes(pieces: Pieces, position: Array, rotation: Array) -> tuple[Array, Array]:
-    """Lowest and highest corner of each piece's box along the world's axes, (p, 3) each, m."""
+    """Lowest and highest corner, (p, 3) each, m, of a box around each piece."""
     of_body = rotation[pieces.body]
     at = position[pieces.body] + np.matvec(of_body, pieces.position)
     reach = np.zeros_like(at)
@@ -172,7 +165,7 @@ def bounding_boxes(pieces: Pieces, position: Array, rotation: Array) -> tuple[Ar
             for number in np.unique(pieces.hull[chosen]):
                 some = chosen[pieces.hull[chosen] == number]
                 corners = pieces.hulls[number][0] @ np.swapaxes(of_body[some] @ pieces.rotation[some], -1, -2)
-                # The hull lies around its own origin, but not evenly: its middle is moved, too.
+                # A hull need not lie evenly around its origin.
                 low, high = np.min(corners, axis=1), np.max(corners, axis=1)
                 at[some] += (low + high) / 2
                 reach[some] = (high - low) / 2

@@ -1,4 +1,4 @@
-"""What an impulse at a contact does to the bodies, and how fast their points move (slides 14 to 18)."""
+"""What an impulse at a contact does, and how fast its points move (slides 14 to 18)."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ import numpy as np
 
 from solutions.arrays import Array, Integers
 from solutions.world.contacts import Contacts
-from solutions.world.pieces import tangents
+from solutions.world.vectors import cross, tangents
 
 
 class Rows(NamedTuple):
-    """Three directions at each of m contacts: along the normal, and two along which friction acts.
+    """Three directions at each of m contacts: the normal, and two for friction.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ def contact_rows(contacts: Contacts, position: Array, inverse_mass: Array, inver
     a, b = contacts.body_a, contacts.body_b
     direction = np.stack([contacts.normal, *tangents(contacts.normal)], axis=1)
     arms = [(contacts.point - position[each])[:, None, :] for each in (a, b)]
-    turn_a, turn_b = (np.cross(arm, direction) for arm in arms)
+    turn_a, turn_b = (cross(arm, direction) for arm in arms)
     speed = np.concatenate([direction, turn_a, -direction, -turn_b], axis=-1)
     answer = np.concatenate(
         [

@@ -1,7 +1,8 @@
-"""Sequential impulses: contact after contact, again and again, until nothing changes (slides 16 and 22)."""
+"""Sequential impulses: contact after contact until nothing changes (slide 22)."""
 
 from __future__ import annotations
 
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -29,8 +30,8 @@ class Wanted(NamedTuple):
     rebounds: Booleans
 
 
-def colours(body_a: Integers, body_b: Integers, movable: Booleans) -> list[Integers]:
-    """Contacts in groups, such that no two of one group move the same body.
+def in_groups(body_a: Integers, body_b: Integers, movable: Booleans) -> tuple[Integers, list[slice]]:
+    """An order of the contacts, in groups of which no two contacts move the same body.
 
     Parameters
     ----------
@@ -39,33 +40,38 @@ def colours(body_a: Integers, body_b: Integers, movable: Booleans) -> list[Integ
 
     Returns
     -------
-    list of (k,) numbers of contacts
-        Each contact is in one group.
+    order : (m,), numbers of the contacts, group by group
+    groups : where each group stands in this order
 
     Notes
     -----
-    In every round, each body that can be moved picks the first of its contacts that are
-    left. A contact picked by both of its bodies goes into this round's group. Contacts
-    of one group do not notice each other, so that an array of them may take its turn
-    together; the result is the same as one after another.
+    In every round, each body that can be moved picks one of its contacts that are left,
+    the first in a shuffled order. A contact picked by both of its bodies goes into this
+    round's group. Shuffled, because in a row of bodies in order each would wait for the
+    one before; the shuffling is the same each time, so that a run repeats.
+
+    Contacts of one group do not notice each other. So an array of them may take its
+    turn together, and the result is the same as one after another.
     """
-    left, groups = np.arange(len(body_a)), []
-    free_a, free_b = ~movable[body_a], ~movable[body_b]
+    left, groups = np.random.default_rng(0).permutation(len(body_a)), []
     while len(left):
-        first = np.full(len(movable), len(body_a))
-        # Written from the last to the first, so that the first stays.
-        both = np.concatenate([body_a[left], body_b[left]]), np.concatenate([left, left])
-        order = np.argsort(-both[1], kind="stable")
-        first[both[0][order]] = both[1][order]
-        picked = (free_a[left] | (first[body_a[left]] == left)) & (free_b[left] | (first[body_b[left]] == left))
+        places = np.arange(len(left))
+        picked = np.ones(len(left), dtype=bool)
+        first = np.full(len(movable), len(left))
+        for body in (body_a[left], body_b[left]):
+            np.minimum.at(first, body, places)
+        for body in (body_a[left], body_b[left]):
+            picked &= (first[body] == places) | ~movable[body]
         groups.append(left[picked])
         left = left[~picked]
-    return groups
+    ends = np.cumsum([0, *(len(group) for group in groups)])
+    order = np.concatenate(groups) if groups else left
+    return order, [slice(start, end) for start, end in itertools.pairwise(ends.tolist())]
 
 
 def solve_sequentially(
     rows: Rows,
-    groups: list[Integers],
+    groups: list[slice],
     velocity: Array,
     angular_velocity: Array,
     wanted: Wanted,
@@ -77,8 +83,8 @@ def solve_sequentially(
 
     Parameters
     ----------
-    rows : of m contacts
-    groups : contacts that may take their turn together, as `colours` gives them
+    rows : of m contacts, in the order of their groups
+    groups : contacts that may take their turn together, as `in_groups` gives them
     velocity, angular_velocity : (n, 3), of all bodies before, m/s and rad/s
         With what all other forces add in this step.
     wanted : what the impulses have to reach
@@ -111,72 +117,71 @@ def solve_sequentially(
     Without a rebound, u_n = 0, friction opposes the slip, as Coulomb says.
     """
     velocities = np.concatenate([velocity, angular_velocity], axis=-1)
-    impulse = np.array(np.broadcast_to(start, (len(rows.body_a), 3)), dtype=float)
+    bodies = np.stack([rows.body_a, rows.body_b], axis=-1)
+    impulse = np.array(np.broadcast_to(start, (len(bodies), 3)), dtype=float)
     if np.any(impulse):
-        given = np.vecmat(impulse, rows.answer)
-        np.add.at(velocities, rows.body_a, given[:, :6])
-        np.add.at(velocities, rows.body_b, given[:, 6:])
-    turns = [_Turn(rows, wanted, group) for group in groups]
+        np.add.at(velocities, bodies, np.vecmat(impulse, rows.answer).reshape(-1, 2, 6))
+    friction = _Friction(rows, wanted)
     for _ in range(sweeps):
         before = impulse.copy()
-        for turn in turns:
-            turn.take(velocities, impulse)
+        for group in groups:
+            of_both, had = velocities[bodies[group]], before[group]
+            speed = np.matvec(rows.speed[group], of_both.reshape(-1, 12))
+            new = impulse[group]
+            missing = wanted.speed[group] - speed[:, 0]
+            taken = np.vecdot(rows.coupling[group], had[:, 1:])
+            new[:, 0] = np.maximum(wanted.least[group] + taken, had[:, 0] + missing / rows.softness[group, 0, 0])
+            new[:, 1:] = friction.impulse(group, had[:, 1:], speed[:, 1:], new[:, 0])
+            velocities[bodies[group]] = of_both + np.vecmat(new - had, rows.answer[group]).reshape(-1, 2, 6)
         if np.max(np.abs(impulse - before), initial=0.0) <= tolerance * np.max(np.abs(impulse), initial=0.0):
             break
     return velocities[:, :3], velocities[:, 3:], impulse
 
 
-class _Turn:
-    """The turn of one group: what stays the same from sweep to sweep."""
+class _Friction:
+    """Coulomb's cone at all contacts."""
 
-    def __init__(self, rows: Rows, wanted: Wanted, group: Integers) -> None:
-        self.group, self.a, self.b = group, rows.body_a[group], rows.body_b[group]
-        self.speed, self.answer = rows.speed[group], rows.answer[group]
-        self.coupling, softness = rows.coupling[group], rows.softness[group]
-        self.normal_mass = 1 / softness[:, 0, 0]
-        self.wanted = Wanted(*(each[group] for each in wanted))
-        self.rough = bool(np.any(self.wanted.static_friction))
-        self.tangent_mass = np.linalg.inv(softness[:, 1:, 1:])
-        # The larger eigenvalue of two: no step along the slip that is divided by it goes too far.
-        half, off = (softness[:, 1, 1] + softness[:, 2, 2]) / 2, softness[:, 1, 2]
-        self.slip_mass = 1 / (half + np.hypot((softness[:, 1, 1] - softness[:, 2, 2]) / 2, off))[:, None]
+    def __init__(self, rows: Rows, wanted: Wanted) -> None:
+        self.coupling, self.wanted = rows.coupling, wanted
+        self.rough, self.rebounds = bool(np.any(wanted.static_friction)), bool(np.any(wanted.rebounds))
+        if self.rough:
+            softness = rows.softness[:, 1:, 1:]
+            self.mass = np.linalg.inv(softness)
+            # The larger eigenvalue: no step along the slip that is divided by it goes
+            # too far.
+            mean = (softness[:, 0, 0] + softness[:, 1, 1]) / 2
+            most = mean + np.hypot((softness[:, 0, 0] - softness[:, 1, 1]) / 2, softness[:, 0, 1])
+            self.least_mass = 1 / most[:, None]
 
-    def take(self, velocities: Array, impulse: Array) -> None:
-        """Change the impulses of these contacts, and the velocities of their bodies."""
-        had = impulse[self.group]
-        speed = np.matvec(self.speed, np.concatenate([velocities[self.a], velocities[self.b]], axis=-1))
-        new = np.empty_like(had)
-        pull = np.vecdot(self.coupling, had[:, 1:])
-        normal = had[:, 0] - (speed[:, 0] - self.wanted.speed) * self.normal_mass
-        new[:, 0] = np.maximum(self.wanted.least + pull, normal)
-        new[:, 1:] = self._friction(had[:, 1:], speed[:, 1:], new[:, 0]) if self.rough else 0.0
-        impulse[self.group] = new
-        given = np.vecmat(new - had, self.answer)
-        velocities[self.a] += given[:, :6]
-        velocities[self.b] += given[:, 6:]
-
-    def _friction(self, had: Array, slip: Array, normal: Array) -> Array:
+    def impulse(self, group: slice, had: Array, slip: Array, normal: Array) -> Array | float:
         """Impulses (k, 2) that end the slip, or oppose it at the edge of the cone."""
-        coupling, kinetic = self.coupling, self.wanted.kinetic_friction
-        sticking = had - np.matvec(self.tangent_mass, slip)
-        most = self.wanted.static_friction * (normal - np.vecdot(coupling, sticking))
-        holds = np.vecdot(sticking, sticking) <= np.maximum(most, 0.0) ** 2
+        if not self.rough:
+            return 0.0
+        coupling, kinetic = self.coupling[group], self.wanted.kinetic_friction[group]
+        sticking = had - np.matvec(self.mass[group], slip)
+        most = self.wanted.static_friction[group] * (normal - np.vecdot(coupling, sticking))
+        holds = np.vecdot(sticking, sticking) <= most * np.abs(most)  # no edge below zero
         if np.all(holds):
-            return sticking
-        if np.any(self.wanted.rebounds):
-            slip = slip + self._towards_least_energy(had, slip)
-        sliding = had - self.slip_mass * slip
-        length = np.sqrt(np.vecdot(sliding, sliding))
-        along = sliding / np.where(length > 0, length, 1.0)[:, None]
+            return np.asarray(sticking)
+        if self.rebounds:
+            slip = slip + self._towards_least_energy(group, had, slip)
+        sliding = had - self.least_mass[group] * slip
+        length, along = _split(sliding)
         steepness = 1 + kinetic * np.vecdot(coupling, along)
         edge = np.where(steepness > 0, kinetic * normal / np.where(steepness > 0, steepness, 1.0), length)
         return np.where(holds[:, None], sticking, np.minimum(edge, length)[:, None] * along)
 
-    def _towards_least_energy(self, had: Array, slip: Array) -> Array:
-        """What turns friction from the direction against the slip to that of least energy, c μ a, at rebounds."""
-        length = np.sqrt(np.vecdot(had, had))
-        along = had / np.where(length > 0, length, 1.0)[:, None]
-        mu_a = self.wanted.kinetic_friction[:, None] * self.coupling
+    def _towards_least_energy(self, group: slice, had: Array, slip: Array) -> Array:
+        """What turns friction at rebounds from the slip to least energy, c μ a."""
+        mu_a = self.wanted.kinetic_friction[group, None] * self.coupling[group]
+        _, along = _split(had)
         steepness = 1 + np.vecdot(mu_a, along)
-        hold = np.maximum(-np.vecdot(slip, along), 0.0) / np.where(steepness > 0, steepness, 1.0)
-        return np.where(self.wanted.rebounds & (steepness > 0), hold, 0.0)[:, None] * mu_a
+        turns = self.wanted.rebounds[group] & (steepness > 0)
+        hold = np.maximum(-np.vecdot(slip, along), 0.0) / np.where(turns, steepness, 1.0)
+        return np.where(turns, hold, 0.0)[:, None] * mu_a
+
+
+def _split(vectors: Array) -> tuple[Array, Array]:
+    """Lengths (k,) and directions (k, 2); no direction for a vector of no length."""
+    length = np.sqrt(np.vecdot(vectors, vectors))
+    return length, vectors / np.where(length > 0, length, 1.0)[:, None]

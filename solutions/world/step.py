@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -12,10 +11,10 @@ from solutions.arrays import Array, Integers
 from solutions.impulse import world_inverse_inertia
 from solutions.world.bodies import Bodies, State
 from solutions.world.contacts import Contacts, collect_contacts
-from solutions.world.pieces import tangents
 from solutions.world.rotation import rotate_by_momentum, turned
 from solutions.world.rows import Rows, contact_rows, speeds
-from solutions.world.sequential import Wanted, colours, solve_sequentially
+from solutions.world.sequential import Wanted, in_groups, solve_sequentially
+from solutions.world.vectors import tangents
 
 
 class Rules(NamedTuple):
@@ -28,6 +27,9 @@ class Rules(NamedTuple):
         good choice, 2 g Δt: what is slower has fallen for two steps at most.
     margin : m
         A gap up to which a contact is kept, so that resting bodies keep theirs.
+    with_weight : whether the speed that is turned back includes the gain of this step
+        Newton's law speaks of the speed of approach. At a step one may take it before
+        the forces of the step act, or after; engines of both kinds exist.
     recovery : share of an overlap that each step moves away, 0 to 1
     sweeps : how often all contacts take their turn in a step, at most
     tolerance : share of the largest impulse; smaller changes end the sweeps
@@ -36,6 +38,7 @@ class Rules(NamedTuple):
 
     rest_speed: float = 0.1
     margin: float = 1e-3
+    with_weight: bool = False
     recovery: float = 0.2
     sweeps: int = 50
     tolerance: float = 1e-6
@@ -89,16 +92,18 @@ def step_world(
     # Forces
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
     pull = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
-    velocity = state.velocity + dt * (pull + bodies.inverse_mass[:, None] * force)
+    velocity = state.velocity + dt * (pull + bodies.inverse_mass[:, None] * np.asarray(force))
     spin = state.angular_velocity + dt * np.matvec(inverse_inertia, np.broadcast_to(torque, velocity.shape))
 
     # Contacts
     contacts = collect_contacts(bodies, state, rules.margin)
+    order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
+    contacts = contacts.in_order(order)
     rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia)
-    groups = colours(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
 
     # Velocities
-    wanted = _wanted(bodies, state, contacts, rows, dt, rules)
+    approaching = (velocity, spin) if rules.with_weight else (state.velocity, state.angular_velocity)
+    wanted = _wanted(bodies, contacts, -speeds(rows, *approaching)[:, 0], dt, rules)
     start = _remembered(contacts, rows, memory)
     velocity, spin, impulse = solve_sequentially(
         rows, groups, velocity, spin, wanted, start, rules.sweeps, rules.tolerance
@@ -113,14 +118,9 @@ def step_world(
     return after, Memory(contacts.key, np.vecmat(impulse, rows.direction)), contacts
 
 
-def _wanted(bodies: Bodies, state: State, contacts: Contacts, rows: Rows, dt: float, rules: Rules) -> Wanted:
-    """What the impulses have to reach: a rebound, or to come no nearer than the gap.
-
-    Newton's law of restitution looks at the speed before the step. What gravity adds in
-    the step is no part of the approach, and the contact carries it.
-    """
+def _wanted(bodies: Bodies, contacts: Contacts, approach: Array, dt: float, rules: Rules) -> Wanted:
+    """What the impulses have to reach: a rebound, or to come no nearer than the gap."""
     surfaces, of_a, of_b = bodies.surfaces, bodies.material[contacts.body_a], bodies.material[contacts.body_b]
-    approach = -speeds(rows, state.velocity, state.angular_velocity)[:, 0]
     rebound = np.where(approach > rules.rest_speed, surfaces.restitution[of_a, of_b] * approach, 0.0)
     return Wanted(
         np.where(rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt),
@@ -132,24 +132,25 @@ def _wanted(bodies: Bodies, state: State, contacts: Contacts, rows: Rows, dt: fl
 
 
 def _remembered(contacts: Contacts, rows: Rows, memory: Memory) -> Array:
-    """Impulses (m, 3) to begin with: those of the last step where the same features touch, N s."""
+    """Impulses (m, 3) to begin with, N s: of the last step, where features stay."""
     if not len(memory.key):
         return np.zeros((len(contacts.key), 3))
     order = np.argsort(memory.key, kind="stable")
     place = order[np.minimum(np.searchsorted(memory.key, contacts.key, sorter=order), len(order) - 1)]
     had = np.where((memory.key[place] == contacts.key)[:, None], memory.impulse[place], 0.0)
-    # Along t − a n friction takes a·λ_t from the normal impulse, so that λ_n is more than it.
+    # Along t − a n friction takes a·λ_t from the normal impulse; λ_n is that much more.
     friction = np.stack([np.vecdot(had, tangent) for tangent in tangents(contacts.normal)], axis=-1)
     normal = np.vecdot(had, contacts.normal) + np.vecdot(rows.coupling, friction)
     return np.concatenate([normal[:, None], friction], axis=-1)
 
 
 def _push_apart(
-    rows: Rows, groups: list[Integers], contacts: Contacts, velocity: Array, spin: Array, dt: float, rules: Rules
+    rows: Rows, groups: list[slice], contacts: Contacts, velocity: Array, spin: Array, dt: float, rules: Rules
 ) -> Array:
-    """How far (n, 6) each body is moved and turned to take back a share of the overlaps, m and rad.
+    """How far each body is moved and turned (n, 6) out of the overlaps, m and rad.
 
-    It is a motion beside the velocities, and so it adds no kinetic energy.
+    It takes back a share of each. It is a motion beside the velocities, and so it adds
+    no kinetic energy.
     """
     ahead = contacts.separation + dt * speeds(rows, velocity, spin)[:, 0]
     deep = np.minimum(ahead, 0.0)
