@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.base import BULLET, DART, RESPOND_THEN_STEP, Method
+from reference.engines.base import BULLET, DART, RESPOND_THEN_STEP, WORLD, Method
 from reference.engines.dart_engine import SOFTNESS
 from reference.impact_truth import POISSON, STRONGE
 from reference.prediction.axes import bullets_axes, darts_axes
@@ -65,7 +65,7 @@ def _has_a_cone(settings: Settings, method: Method, pair: Pair) -> bool:
         return options.get("detector") == "ode" and options.get("solver", "dantzig") != "dantzig"
     if method.rule == BULLET:
         return options["coordinates"] == "multibody" or pair.kinetic_friction == 0
-    return method.rule == RESPOND_THEN_STEP
+    return method.rule in (RESPOND_THEN_STEP, WORLD)
 
 
 class _Corners:
@@ -97,7 +97,7 @@ class _Corners:
         """The state after a step; None where the corners in the plane do not strike as one."""
         arms = geometry.rotate(state.orientation[self.place], self.corners)
         gaps = (state.position[self.place] + arms - self.foot) @ self.axes[2]
-        inside = gaps <= 0
+        inside = gaps <= self.law.reach
         if not inside.any():
             return self._moved(state)
         struck, lift = self._struck(state, arms[inside], float(np.mean(gaps[inside])))

@@ -14,28 +14,43 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.handwritten.rigid_bodies import moments_of_inertia
+from reference.engines.handwritten.world_settings import rules
 from reference.engines.implementation import Implementation
-from reference.scene.scenario import Body, Box, Scenario, Sphere
+from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
-
-RULES = "rest_speed", "margin", "recovery", "sweeps", "tolerance", "push_sweeps"
-"""The settings that say how a step responds to contacts, in the order in which `step_world` takes them."""
 
 
 def run(
     engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
+) -> list[Trajectory]:
+    """Step scenarios in which contacts follow the same rules as one world; return the trajectories of all."""
+    told = [rules(scenario, settings) for scenario in scenarios]
+    found: dict[int, Trajectory] = {}
+    for alike in dict.fromkeys(told):
+        places = [place for place, each in enumerate(told) if each == alike]
+        own = [scenarios[place] for place in places], [steps[place] for place in places]
+        found |= zip(places, _run_together(engine, *own, settings, alike, implementation), strict=True)
+    return [found[place] for place in range(len(scenarios))]
+
+
+def _run_together(
+    engine: str,
+    scenarios: Sequence[Scenario],
+    steps: Sequence[int],
+    settings: Settings,
+    told: tuple[float, ...],
+    implementation: Implementation,
 ) -> list[Trajectory]:
     """Step all scenarios as one world; return each one's own trajectory, cut after its own number of steps."""
     step_world = implementation.function("step_world")
     bodies = _bodies(scenarios, implementation)
     state = implementation.function("make_state")(*(_of_all(scenarios, part) for part in range(4)))
     acceleration = np.concatenate([np.tile(each.gravity, (len(each.bodies), 1)) for each in scenarios])
-    force, rules = _forces(scenarios), tuple(settings[name] for name in RULES)
-    every, samples, told = settings.sample_every, [np.concatenate(state, axis=-1)], ()
+    force, memory = _forces(scenarios), list[Any]()
+    every, samples = settings.sample_every, [np.concatenate(state, axis=-1)]
     for number in range(1, max(steps) + 1):
-        state, memory, _ = step_world(bodies, state, acceleration, settings.timestep, rules, *told, force=force)
-        told = (memory,)
+        state, *memory, _ = step_world(bodies, state, acceleration, settings.timestep, told, *memory, force=force)
         if number % every == 0:
             samples.append(np.concatenate(state, axis=-1))
     times: Array = np.arange(len(samples), dtype=np.float64) * every * settings.timestep
@@ -75,11 +90,7 @@ def _surfaces(scenarios: Sequence[Scenario]) -> tuple[list[int], dict[str, Array
     kinds: dict[tuple[tuple[float, ...], ...], int] = {}
     material, tables, count = list[int](), list[tuple[int, tuple[tuple[float, ...], ...]]](), 0
     for scenario in scenarios:
-        index = scenario.index
-        told = tuple(
-            (index(pair.body_a), index(pair.body_b), pair.restitution, pair.kinetic_friction, pair.static_friction or 0.0)
-            for pair in scenario.pairs
-        )
+        told = tuple(_told(scenario, pair) for pair in scenario.pairs)
         if told not in kinds:
             kinds[told] = count
             tables.append((count, told))
@@ -92,6 +103,12 @@ def _surfaces(scenarios: Sequence[Scenario]) -> tuple[list[int], dict[str, Array
             for name, number in zip(names, (*numbers, True), strict=True):
                 found[name][first + int(a), first + int(b)] = found[name][first + int(b), first + int(a)] = number
     return material, found
+
+
+def _told(scenario: Scenario, pair: Pair) -> tuple[float, ...]:
+    """The places of the two bodies, and restitution, kinetic and static friction."""
+    places = scenario.index(pair.body_a), scenario.index(pair.body_b)
+    return *places, pair.restitution, pair.kinetic_friction, pair.static_friction or 0.0
 
 
 def _shape(body: Body) -> tuple[Any, ...]:

@@ -1,0 +1,84 @@
+"""The settings of the hand-written world for a scenario, and what it makes of contacts with them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from reference.engines.base import AT_STEP, WORLD, Method
+from reference.engines.ranges import COUNT, NOT_NEGATIVE, SHARE, Allowed
+from reference.impact_truth import DISSIPATIVE
+from reference.scene import geometry
+from reference.scene.scenario import GRAVITY, Box, Scenario
+from reference.scene.settings import Settings, steps_per_sample
+
+TIMESTEP, TIMESTEP_OF_STACKS = 1e-3, 2e-3
+"""s. Boxes that stand on each other have many contacts, which take their turns many times, and nothing moves."""
+ALLOWED: Mapping[str, Allowed] = {
+    "rest_threshold_steps": NOT_NEGATIVE,
+    "contact_gap_falls": NOT_NEGATIVE,
+    "overlap_recovery": SHARE,
+    "sweeps": COUNT,
+    "tolerance": SHARE,
+    "push_sweeps": COUNT,
+}
+"""What each option may be."""
+
+
+def settings_of(scenario: Scenario) -> Settings:
+    """Derive the settings of the profile `world`."""
+    movable = [body for body in scenario.bodies if not body.immovable]
+    stacked = len(movable) > 1 and all(isinstance(body.shape, Box) for body in movable)
+    timestep = TIMESTEP_OF_STACKS if stacked and geometry.starts_in_contact(scenario) else TIMESTEP
+    options = {
+        # A rebound that takes fewer steps of gravity than this to come about is taken for rest.
+        "rest_threshold_steps": 2.0,
+        # The gap at which a contact counts, in falls of one step from rest, g dt²: a body at rest keeps its contacts.
+        "contact_gap_falls": 1.0,
+        "with_weight": False,
+        "overlap_recovery": 0.2,
+        # So many, and so small a tolerance, that what is left to the sweeps is rounding in most scenarios.
+        "sweeps": 200,
+        "tolerance": 1e-12,
+        "push_sweeps": 200,
+    }
+    return Settings(timestep, steps_per_sample(timestep), options=options)
+
+
+def method_of(scenario: Scenario, settings: Settings) -> Method:
+    """What the world does with a contact that it finds at the start of a step."""
+    return Method(
+        AT_STEP,
+        recovery=settings.number("overlap_recovery"),
+        rest_speed=rest_speed(scenario, settings),
+        inset=0.5,  # impulses act halfway between the two surfaces
+        weighed=float(bool(settings["with_weight"])),
+        law=DISSIPATIVE,
+        reach=reach(settings),
+        rule=WORLD,
+    )
+
+
+def rules(scenario: Scenario, settings: Settings) -> tuple[float, ...]:
+    """How a step responds to contacts, in the order in which `step_world` takes it."""
+    return (
+        rest_speed(scenario, settings),
+        reach(settings),
+        bool(settings["with_weight"]),
+        settings.number("overlap_recovery"),
+        int(settings.number("sweeps")),
+        settings.number("tolerance"),
+        int(settings.number("push_sweeps")),
+    )
+
+
+def rest_speed(scenario: Scenario, settings: Settings) -> float:
+    """Speed of an approach up to which nothing rebounds, m/s; nothing rests where nothing is pulled."""
+    gravity = float(np.linalg.norm(scenario.gravity))
+    return settings.number("rest_threshold_steps") * gravity * settings.timestep
+
+
+def reach(settings: Settings) -> float:
+    """Gap up to which there is a contact, m; also without weight, because balls that touch may have a rounded gap."""
+    return settings.number("contact_gap_falls") * GRAVITY * settings.timestep**2
