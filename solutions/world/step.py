@@ -17,6 +17,10 @@ from solutions.world.sequential import Wanted, in_groups, solve_sequentially
 from solutions.world.vectors import tangents
 
 
+ROUNDING = 1e-12
+"""An overlap of less than this, m, is rounding."""
+
+
 class Rules(NamedTuple):
     """How a world responds to its contacts.
 
@@ -149,16 +153,15 @@ def _push_apart(
 ) -> Array:
     """How far each body is moved and turned (n, 6) out of the overlaps, m and rad.
 
-    It takes back a share of each. It is a motion beside the velocities, and so it adds
-    no kinetic energy.
+    It takes back a share of each, except of those that are rounding. It is a motion
+    beside the velocities, and so it adds no kinetic energy.
     """
     ahead = contacts.separation + dt * speeds(rows, velocity, spin)[:, 0]
-    deep = np.minimum(ahead, 0.0)
-    nothing = np.zeros_like(velocity)
-    if not np.any(deep < 0):
+    deep = ahead < -ROUNDING
+    nothing, none = np.zeros_like(velocity), np.zeros(len(ahead))
+    if not np.any(deep):
         return np.zeros((len(velocity), 6))
-    none = np.zeros(len(deep))
     # Where a gap is left, the push may close it, and no more.
-    wanted = Wanted(np.where(deep < 0, -rules.recovery * deep, -ahead), none, none, none, none > 0)
+    wanted = Wanted(np.where(deep, -rules.recovery * ahead, -np.maximum(ahead, 0.0)), none, none, none, none > 0)
     moved, turn, _ = solve_sequentially(rows, groups, nothing, nothing, wanted, 0.0, rules.push_sweeps, rules.tolerance)
     return np.concatenate([moved, turn], axis=-1)

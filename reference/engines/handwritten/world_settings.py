@@ -10,11 +10,13 @@ from reference.engines.base import AT_STEP, WORLD, Method
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, SHARE, Allowed
 from reference.impact_truth import DISSIPATIVE
 from reference.scene import geometry
-from reference.scene.scenario import GRAVITY, Box, Scenario
+from reference.scene.scenario import Box, Scenario
 from reference.scene.settings import Settings, steps_per_sample
 
 TIMESTEP, TIMESTEP_OF_STACKS = 1e-3, 2e-3
 """s. Boxes that stand on each other have many contacts, which take their turns many times, and nothing moves."""
+LEAST_REACH = 1e-9
+"""A gap of less than this is none, m."""
 ALLOWED: Mapping[str, Allowed] = {
     "rest_threshold_steps": NOT_NEGATIVE,
     "contact_gap_falls": NOT_NEGATIVE,
@@ -55,7 +57,7 @@ def method_of(scenario: Scenario, settings: Settings) -> Method:
         inset=0.5,  # impulses act halfway between the two surfaces
         weighed=float(bool(settings["with_weight"])),
         law=DISSIPATIVE,
-        reach=reach(settings),
+        reach=reach(scenario, settings),
         rule=WORLD,
     )
 
@@ -64,7 +66,7 @@ def rules(scenario: Scenario, settings: Settings) -> tuple[float, ...]:
     """How a step responds to contacts, in the order in which `step_world` takes it."""
     return (
         rest_speed(scenario, settings),
-        reach(settings),
+        reach(scenario, settings),
         bool(settings["with_weight"]),
         settings.number("overlap_recovery"),
         int(settings.number("sweeps")),
@@ -75,10 +77,14 @@ def rules(scenario: Scenario, settings: Settings) -> tuple[float, ...]:
 
 def rest_speed(scenario: Scenario, settings: Settings) -> float:
     """Speed of an approach up to which nothing rebounds, m/s; nothing rests where nothing is pulled."""
-    gravity = float(np.linalg.norm(scenario.gravity))
-    return settings.number("rest_threshold_steps") * gravity * settings.timestep
+    return settings.number("rest_threshold_steps") * _gained(scenario, settings)
 
 
-def reach(settings: Settings) -> float:
-    """Gap up to which there is a contact, m; also without weight, because balls that touch may have a rounded gap."""
-    return settings.number("contact_gap_falls") * GRAVITY * settings.timestep**2
+def reach(scenario: Scenario, settings: Settings) -> float:
+    """Gap up to which there is a contact, m; some also without weight, because a gap of zero may be rounded."""
+    return max(LEAST_REACH, settings.number("contact_gap_falls") * _gained(scenario, settings) * settings.timestep)
+
+
+def _gained(scenario: Scenario, settings: Settings) -> float:
+    """Speed that weight adds in a step, m/s."""
+    return float(np.linalg.norm(scenario.gravity)) * settings.timestep
