@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from solutions.arrays import Array, Integers
-from solutions.world.edge_contacts import edge_contacts
+from solutions.arrays import Array, Booleans, Integers
+from solutions.world.edge_contacts import Crossing, edge_contacts
 from solutions.world.face_contacts import face_contacts
 from solutions.world.hulls import hull_of
 from solutions.world.round_pairs import above_half_space
@@ -24,6 +24,8 @@ Where a box rests on a face, rounding and the little overlap that holds it up mu
 decide from step to step whether it rests on a face or on an edge, and on which face.
 For the same reason a face of A must be better than one of B by this much.
 """
+SAME_NORMAL = np.cos(0.03)
+"""Cosine of the angle up to which two edges' normal counts as that of a face."""
 FEATURES = 1 << 16
 """Numbers that a feature may have."""
 
@@ -62,9 +64,9 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     face_b = np.where(on_b, face_b, np.argmin(np.matvec(other.normal, out), axis=1))
     places, edges = face_contacts(one, other, face_a, face_b, on_b), edge_contacts(one, other)
 
-    # A face that is hardly worse than the edges may have no place within the margin.
-    by_edges = edges.separation > np.maximum(over_a, over_b) + bias
-    by_edges |= np.all(places.separation > margin, axis=1)
+    normal = np.where(on_b[:, None], out, -out)
+    by_edges = _prefers_edges(edges, normal, np.maximum(over_a, over_b), np.min(places.separation, axis=1), bias)
+
     separation = np.concatenate(
         [
             np.where(by_edges[:, None], np.inf, places.separation),
@@ -75,12 +77,40 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     separation[edges.separation > margin] = np.inf
     point = np.concatenate([places.point, edges.point[:, None]], axis=1)
     feature = np.concatenate([places.feature, edges.feature[:, None]], axis=1) % FEATURES
-    normal = np.where(by_edges[:, None], edges.normal, np.where(on_b[:, None], out, -out))
+    normal = np.where(by_edges[:, None], edges.normal, normal)
 
     row, slot = np.nonzero(separation <= margin)
     order = np.argsort(row * FEATURES + feature[row, slot], kind="stable")
     row, slot = row[order], slot[order]
     return Found(pair[row], point[row, slot], normal[row], separation[row, slot], feature[row, slot])
+
+
+def _prefers_edges(edges: Crossing, normal: Array, by_face: Array, deepest: Array, bias: Array) -> Booleans:
+    """Which pairs touch with an edge of each rather than with a face.
+
+    Parameters
+    ----------
+    edges : that separate the hulls best
+    normal : (n, 3), of the contact if it is with a face, unit
+    by_face : (n,), how far the reference face separates the hulls, m
+    deepest : (n,), separation of the deepest place of the two faces, m
+    bias : (n,), m
+
+    Notes
+    -----
+    The hulls touch with the edges if these separate them better than the face does by
+    more than the bias. There are two exceptions:
+
+    - A box that hangs over the edge of another one and is hardly tilted has nearly the
+      same normal in both ways. The faces have more places, so they are preferred as
+      long as one of these is as deep as the edges are.
+    - A face that is as good as the edges may still miss the place where they cross.
+    """
+    as_deep = deepest <= np.maximum(by_face, edges.separation) + bias
+    better = edges.separation > by_face + bias
+    alike = np.vecdot(edges.normal, normal) > SAME_NORMAL
+    missed = edges.touching & (edges.separation > by_face - bias) & ~as_deep
+    return np.asarray((better & ~(alike & as_deep)) | missed)
 
 
 def _best_face(normal: Array, offset: Array, vertices: Array) -> tuple[Array, Integers]:
