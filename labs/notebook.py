@@ -5,12 +5,13 @@
     lab.derive("impulse_magnitude", j="…")    one line of a derivation, right or where it is wrong
     lab.hint("signed_distance")               the idea, then the next line, then the formula, then help with your code
     lab.figure("contact")                     a drawn figure
-    lab.verdict("rest")                       whether it was right, where a plain cell shows the result
+    lab.show(experiment, predicted="rest")    a function of the notebook, run after the prediction
     lab.check("signed_distance")              what was tried, what came, what physics expects
     lab.run("dropped-ball/e=0.5")             the same case with your functions and with engines
     lab.watch("dropped-ball/e=0.5")           the replay alone
     lab.numbers("late", e=(0.3, 0.5))         numbers of a question that are yours, once lab.student("…") has your name
     lab.expose("distance", point, normal, 2)  whether an input shows what is wrong with somebody else's function
+    lab.mended("momenta", bounce)             whether you have found the bug of a program
     lab.sweep("dropped-ball", "restitution")  one parameter moved: where your method breaks, and where theirs does
 
 Your functions run in processes of their own: a loop without end or a crash costs a line of text, and the kernel lives
@@ -23,18 +24,15 @@ import logging
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from types import EllipsisType
 from typing import TYPE_CHECKING
 
 from labs.desk.guiding import Guiding, name_of
 from labs.desk.hints import Text
-from labs.desk.predictions import Prediction, predicted
+from labs.desk.predicting import Predicting
 from labs.desk.progress_line import Progress
 from labs.desk.questions import Questions
 from labs.desk.refusals import errors_in_words
 from labs.grading.feedback.tries import Tries
-from labs.grading.wrapping import folded
-from labs.guidance.hint_files import hints
 from reference import lecture
 from reference.errors import InvalidInput, UnknownName
 
@@ -46,13 +44,12 @@ if TYPE_CHECKING:
 logging.getLogger("reference").addHandler(logging.NullHandler())  # a table says what happened to a worker
 
 
-class Lab(Guiding, Questions):
+class Lab(Guiding, Predicting, Questions):
     """One student at one notebook."""
 
     def __init__(self) -> None:
         super().__init__()
         self.topic = ""
-        self._predictions: dict[str, Prediction] = {}
         self._grader: Grader | None = None
         self._tries = Tries()
         self._paid: dict[str, str] = {}
@@ -109,30 +106,11 @@ class Lab(Guiding, Questions):
         with Progress("checking"):
             found = checks.check(notebook, self._begun(), names, self._started_grader(), self._tries, self._paid, hint)
         print(found.report)
+        _say_which_versions(names or here)
         if not names and (made := asked_predictions.in_words(asked_predictions.predictions_in(cells))):
             print(made)
         _warn_of_printing(name for name in student_code.functions_that_print(cells) if name in (names or here))
         return found.credit
-
-    @errors_in_words
-    def predict(
-        self,
-        key: str,
-        question: str,
-        answer: float | str | EllipsisType | None = None,
-        unit: str = "",
-        choices: Sequence[str] = (),
-    ) -> None:
-        """Keep what you expect and compare it with the result. That you predict counts; being wrong costs nothing."""
-        right = hints(self.topic).answers.get(key) if self.topic else None
-        self._predictions[key] = predicted(key, question, answer, unit, choices, right)
-        print(self._predictions[key])
-
-    @errors_in_words
-    def verdict(self, key: str) -> None:
-        """Say whether a prediction was right, and why, after a cell that is no run has shown the result."""
-        if predictions := self._predicted(key, unfold=False):
-            print("\n".join(folded(predictions[0].verdict(), 0)))
 
     @errors_in_words
     def run(
@@ -171,6 +149,7 @@ class Lab(Guiding, Questions):
         verdicts = [Text(said) for each in predictions if (said := each.verdict(theory))]
         _display(*display.pictures(runs), tables.tables(runs, wanted, predictions), *verdicts)
         if runs.results[0].job.engine == case_runs.HANDWRITTEN:
+            _say_which_versions(runs.results[0].functions)
             printing = student_code.functions_that_print(student_code.executed_cells())
             _warn_of_printing(set(printing) & set(runs.results[0].functions))
 
@@ -191,6 +170,7 @@ class Lab(Guiding, Questions):
         runs = self._run_case(case_runs.Request(scenario, chosen, profile, timestep, parameters))
         replay = display.replay(runs)
         _display(replay if replay is not None else tables.tables(runs, ()))
+        _say_which_versions(runs.results[0].functions)
 
     @errors_in_words
     def sweep(
@@ -226,6 +206,7 @@ class Lab(Guiding, Questions):
         _display(sweep_picture.picture(found), found.table)
         sweeps.slide(found)
         _display(*(Text(said) for each in predictions if (said := each.verdict())))
+        _say_which_versions(name for runs in cases for name in runs.results[0].functions)
 
     def _run_case(self, request: Request) -> CaseRuns:
         from labs.desk import case_runs  # noqa: PLC0415 - loads the catalogue
@@ -256,17 +237,6 @@ class Lab(Guiding, Questions):
             raise InvalidInput(f'which lab is this? Run the first cell, or lab.begin("…") with one of {names}')
         return self.topic
 
-    def _predicted(self, keys: str | Sequence[str], unfold: bool) -> list[Prediction] | None:
-        """The predictions with those keys; None, with a line that says so, if one of them was not made yet."""
-        keys = [key for key in ([keys] if isinstance(keys, str) else keys) if key]
-        made = {key: each for key, each in self._predictions.items() if each.answer is not None}
-        if (open_keys := [key for key in keys if key not in made]) and not unfold:
-            print(
-                f"Folded until you have predicted {', '.join(map(repr, open_keys))} in a cell above (or: unfold=True)."
-            )
-            return None
-        return [made[key] for key in keys if key in made]
-
     def _started_grader(self) -> Grader:
         """The grader that runs the tests. It is started once, since that takes longer than a check."""
         if self._grader is None:
@@ -274,6 +244,16 @@ class Lab(Guiding, Questions):
 
             self._grader = Grader()
         return self._grader
+
+
+def _say_which_versions(names: Iterable[str]) -> None:
+    """Say of which functions an earlier version is in use, among some."""
+    from labs.desk import student_code, versions  # noqa: PLC0415
+
+    said = versions.earlier_versions(student_code.executed_cells())
+    for name in dict.fromkeys(names):
+        if name in said:
+            print(said[name])
 
 
 def _warn_of_printing(names: Iterable[str]) -> None:

@@ -65,13 +65,12 @@ def _calls(lesson: Lesson, found: Hints) -> Iterator[str]:
 def _predictions(lesson: Lesson, found: Hints) -> Iterator[str]:
     """Predictions that a run is compared with and that have no reason, or no right answer among their choices."""
     asked = {key: call for cell in lesson.cells if OPEN in cell.text for key, call in _arguments(cell, "predict")}
-    compared = {key for cell in lesson.cells for method in ("run", "sweep") for _, call in _arguments(cell, method)
+    compared = {key for cell in lesson.cells for method in ("run", "sweep", "show") for call in _calls_of(cell, method)
                 for key in _texts(_named(call, "predicted"))}  # fmt: skip
-    judged = compared | {key for cell in lesson.cells for key, _ in _arguments(cell, "verdict")}
     for key, call in asked.items():
         choices = _texts(_named(call, "choices"))
-        if key not in judged:
-            yield f"the lesson never compares the prediction {key} with anything: lab.verdict({key!r})"
+        if key not in compared:
+            yield f"the lesson never compares the prediction {key} with anything: predicted={key!r}"
         if key not in found.answers:
             yield f"hints/{lesson.topic}.md: no line for the prediction {key}"
         elif choices and found.answers[key].said not in choices:
@@ -98,10 +97,16 @@ def _texts(value: Any) -> tuple[str, ...]:
 
 
 def _arguments(cell: Cell, method: str) -> Iterator[tuple[str, ast.Call]]:
-    """The first argument of each call of a method of the lab in a code cell, with the call."""
+    """The first argument of each call of a method of the lab in a code cell, where it is a text, with the call."""
+    for call in _calls_of(cell, method):
+        yield from ((str(each.value), call) for each in call.args[:1] if isinstance(each, ast.Constant))
+
+
+def _calls_of(cell: Cell, method: str) -> Iterator[ast.Call]:
+    """Each call of a method of the lab in a code cell."""
     if not cell.code:
         return
     with contextlib.suppress(SyntaxError):
         for node in ast.walk(ast.parse(cell.text)):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == method:
-                yield from ((str(each.value), node) for each in node.args[:1] if isinstance(each, ast.Constant))
+                yield node

@@ -17,6 +17,7 @@ class Guiding:
     """The part of the desk that guides. _revealed: the hints that were shown."""
 
     def __init__(self) -> None:
+        super().__init__()
         self._revealed = Revealed()
 
     def _show(self, *shown: object) -> None:

@@ -1,12 +1,13 @@
-"""What a notebook's questions need: numbers of a student's own, and inputs that expose somebody's wrong function."""
+"""What a notebook's questions need: numbers of a student's own, and wrong functions to expose or to mend."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import SimpleNamespace
 
 from labs.assessment import seeded
 from labs.desk.refusals import errors_in_words
+from labs.grading.wrapping import folded
 
 
 class Questions:
@@ -43,13 +44,24 @@ class Questions:
 
         suspect = exposures.suspect(self._begun(), key)
         if not arguments or any(each is ... for each in arguments):
-            print(f"Put an input of {suspect.function} in place of the dots: one at which your colleague's is wrong.")
+            _say(f"Put an input of {suspect.function} in place of the dots: one at which your colleague's is wrong.")
             return
         yours = student_code.defined_now(suspect.function)
         if yours is None:
-            print(f"Write {suspect.function} first: your colleague's is compared with it.")
+            _say(f"Write {suspect.function} first: your colleague's is compared with it.")
             return
         found = exposures.tried(suspect, arguments, yours)
-        print(
-            f"{'✓ Exposed' if found.exposed else '✗ Not exposed'}, if your {suspect.function} is right. {found.said}."
-        )
+        exposed = "✓ Exposed" if found.exposed else "✗ Not exposed"
+        _say(f"{exposed}, if your {suspect.function} is right. {found.said}.")
+
+    @errors_in_words
+    def mended(self, key: str, program: Callable[..., object], /) -> None:
+        """Say whether you have found the bug of a program, which is tried with other numbers too."""
+        from labs.assessment import mending  # noqa: PLC0415
+
+        wrong = mending.still_wrong(self._begun(), key, program)
+        _say(f"✗ Not mended yet. {wrong}" if wrong else "✓ Mended: it is right for other numbers as well.")
+
+
+def _say(text: str) -> None:
+    print("\n".join(folded(text, 0)))

@@ -36,6 +36,9 @@ _NEEDS = "needs "
 _BEYOND = 10.0
 """A guess that is off by more than so many times theory is only said to be beyond that."""
 _STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums"
+_BOX = "min-width:0;max-width:100%"
+_SCROLLS = "overflow-x:auto"
+"""A table that is wider than the page, as on a telephone, scrolls in a box of its own, and its notes stay in sight."""
 _CELL = "padding:2px 12px 2px 0;text-align:{};border:0;background:none"
 
 
@@ -62,14 +65,14 @@ class Table:
 
     def markup(self) -> Iterator[str]:
         """The same as a piece of a page."""
-        yield f'<div><b>{escape(self.title)}</b><table style="{_STYLE}">'
+        yield f'<div style="{_BOX}"><b>{escape(self.title)}</b><div style="{_SCROLLS}"><table style="{_STYLE}">'
         for kind, row in [("th", self.headings), *(("td", row) for row in self.rows)] if self.rows else []:
             cells = (
                 f'<{kind} style="{_CELL.format("left" if place == 0 else "right")}">{escape(text)}</{kind}>'
                 for place, text in enumerate(row)
             )
             yield f"<tr>{''.join(cells)}</tr>"
-        yield "</table>"
+        yield "</table></div>"
         yield from _lines(self.notes)
         yield "</div>"
 

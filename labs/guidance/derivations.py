@@ -9,6 +9,7 @@ import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -77,13 +78,13 @@ class Derivation:
         said = f"At {where} your line gives {value}; the equation holds for {_digits(needed[first])}."
         return " ".join([said, _slip(given, needed)]).strip()
 
-    @property
+    @cached_property
     def random(self) -> dict[str, Values]:
         """The random values of each quantity, the same every time."""
         draw = np.random.default_rng(_SEED)
         return {each.name: draw.uniform(each.low, each.high, POINTS) for each in self.quantities}
 
-    @property
+    @cached_property
     def round(self) -> dict[str, Values]:
         """The round values of each quantity in all combinations, the simplest first."""
         most = max(2, int(_MOST_ROUND ** (1 / len(self.quantities))))
@@ -97,7 +98,8 @@ def _round_values(quantity: Quantity) -> list[float]:
     """Round numbers in the range of a quantity, the simplest first; its ends and its middle if there are none."""
     low, high = quantity.low, quantity.high
     unit = 10.0 ** math.floor(math.log10(max(abs(low), abs(high))))
-    found = [float(f"{sign * each * unit:.6g}") for each in _SIMPLE for sign in (1, -1)]
+    signs = (1, -1) if high >= -low else (-1, 1)  # that of the longer side of the range first
+    found = [float(f"{sign * each * unit:.6g}") for each in _SIMPLE for sign in signs]
     inside = [value for value in dict.fromkeys(found) if low <= value <= high]
     return inside or [low, (low + high) / 2, high]
 

@@ -102,15 +102,16 @@ class World(ByContact):
     `solutions.world.step`: the impulse is what the rate needs to be e times that of the approach, if that is faster
     than `rest_speed`; or else to come no nearer in this step than the gap, 0 in overlap. It never pulls. with_weight:
     whether the approach includes what the forces of this step add to it. `recovery` is the share of the overlap at the
-    end of the step that the step moves away.
+    end of the step, beyond `slop`, that the step moves away.
     """
 
     dt: float
     restitution: float
     rest_speed: float
     recovery: float
+    slop: float
     reach: float
-    with_weight: bool = False
+    with_weight: bool
     in_parabolas: ClassVar[bool] = False
 
     def rebound(self, rate: float, fall: float) -> float:
@@ -124,7 +125,7 @@ class World(ByContact):
         if gap > self.reach:
             return after, 0.0
         after = max(after, self.rebound(rate, fall) or -max(gap, 0.0) / self.dt)
-        return after, self.recovery * max(-(gap + after * self.dt), 0.0)
+        return after, self.recovery * max(-(gap + after * self.dt + self.slop), 0.0)
 
 
 @dataclass(frozen=True)
@@ -268,7 +269,8 @@ def law_of(settings: Settings, method: Method, restitution: float, ease: float =
     if method.rule == RESPOND_THEN_STEP:
         return RespondThenStep(dt, restitution, method.rest_speed)
     if method.rule == WORLD:
-        return World(dt, restitution, method.rest_speed, method.recovery, method.reach, method.weighed > 0)
+        slop, weighed = settings.number("overlap_slop"), bool(settings["with_weight"])
+        return World(dt, restitution, method.rest_speed, method.recovery, slop, method.reach, weighed)
     if method.rule == BULLET:
         return Bullet(dt, restitution, method.rest_speed, method.recovery, method.reach)
     if method.rule == BULLET_SPRING:

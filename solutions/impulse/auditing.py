@@ -24,10 +24,13 @@ def audit(
     An impact may only take energy. Anything else that it changes is a mistake
     in the program.
 
-    The bodies that can move are counted. An immovable body, 1/M = 0, counts
-    nothing, and neither does a spin about an axis without an inverse inertia
-    (see `mass_and_inertia`). Beside the ground, ΔP is therefore what the
-    ground has given.
+    Count what can move and what can turn, each by itself. A centre that
+    cannot move, 1/M = 0, adds nothing, but its body may still turn about it,
+    as a door does on its hinges: then its spin counts. A spin about an axis
+    without an inverse inertia adds nothing (see `mass_and_inertia`), and the
+    ground, which has neither inverse, adds nothing at all. Beside the ground,
+    ΔP is therefore what the ground has given; beside a body on a pivot, ΔP
+    and ΔL are what the pivot has given.
 
     Parameters
     ----------
@@ -61,11 +64,12 @@ def audit(
         L = I ω − r × P
 
     An impulse J at the contact changes P by J and I ω by r × J. It does not
-    change L, not even that of one body, since r × J − r × J = 0. Each of the
-    two momenta therefore answers a question of its own. ΔP: has B lost what A
-    has gained? ΔL: does the spin of each body fit the change of its velocity?
-    With the plus signs of slide 18 on both lines of B, ΔP is 2 J and ΔL is 0.
-    With a plus on ω_B alone, ΔP is 0 and ΔL is 2 r_B × J.
+    change L, not even that of one body, since r × J − r × J = 0. (Where a
+    pivot holds the centre, the second term is missing.) Each of the two
+    momenta therefore answers a question of its own. ΔP: has B lost what A has
+    gained? ΔL: does the spin of each body fit the change of its velocity? With
+    the plus signs of slide 18 on both lines of B, ΔP is 2 J and ΔL is 0. With
+    a plus on ω_B alone, ΔP is 0 and ΔL is 2 r_B × J.
 
     About another point, at p as seen from the contact, ΔL is less by p × ΔP.
     Where ΔP is 0 the point makes no difference.

@@ -1,28 +1,41 @@
-import numpy as np
-from solutions.world.shapes import *
+"""Where pieces touch: one function for each two kinds of them (slides 9 and 17)."""
 
+from __future__ import annotations
 
-def ss(a, b, m):
-    d = a.position - b.position
-    L = np.linalg.norm(d, axis=-1)
-    n = d / L[:, None]
-    s = L - a.size[:, 0] - b.size[:, 0]
-    k = np.flatnonzero(s <= m)
-    return Found(k, (a.position - n * (a.size[:, :1] + s[:, None] / 2))[k], n[k], s[k], 0 * k)
+from collections.abc import Callable
 
+from solutions.world.capsule_hull import capsule_hull
+from solutions.world.hull_pairs import hull_half_space, hull_hull
+from solutions.world.round_pairs import (
+    capsule_capsule,
+    capsule_half_space,
+    sphere_box,
+    sphere_capsule,
+    sphere_half_space,
+    sphere_sphere,
+)
+from solutions.world.shapes import BOX, CAPSULE, HALF_SPACE, POLYHEDRON, SPHERE, Found, Placed
 
-def sh(a, b, m):
-    n = b.rotation[:, :, 2]
-    s = np.vecdot(a.position - b.position, n) - a.size[:, 0]
-    k = np.flatnonzero(s <= m)
-    return Found(k, (a.position - n * (a.size[:, :1] + s[:, None] / 2))[k], n[k], s[k], 0 * k)
+PAIRS: dict[tuple[int, int], Callable[[Placed, Placed, float], Found]] = {
+    (SPHERE, SPHERE): sphere_sphere,
+    (SPHERE, CAPSULE): sphere_capsule,
+    (SPHERE, BOX): sphere_box,
+    (SPHERE, POLYHEDRON): capsule_hull,
+    (SPHERE, HALF_SPACE): sphere_half_space,
+    (CAPSULE, CAPSULE): capsule_capsule,
+    (CAPSULE, BOX): capsule_hull,
+    (CAPSULE, POLYHEDRON): capsule_hull,
+    (CAPSULE, HALF_SPACE): capsule_half_space,
+    (BOX, BOX): hull_hull,
+    (BOX, POLYHEDRON): hull_hull,
+    (BOX, HALF_SPACE): hull_half_space,
+    (POLYHEDRON, POLYHEDRON): hull_hull,
+    (POLYHEDRON, HALF_SPACE): hull_half_space,
+}
+"""For each two kinds, in their order, a function of pieces A, pieces B and a margin.
 
-
-def hh(a, b, m):
-    n = b.rotation[:, :, 2]
-    s = np.vecdot(a.vertices - b.position[:, None], n[:, None])
-    k, v = np.nonzero(s <= m)
-    return Found(k, a.vertices[k, v] - n[k] * s[k, v][:, None] / 2, n[k], s[k, v], v)
-
-
-PAIRS = {(SPHERE, SPHERE): ss, (SPHERE, HALF_SPACE): sh, (BOX, HALF_SPACE): hh, (POLYHEDRON, HALF_SPACE): hh}
+Row i of A is paired with row i of B. The function returns all places at which the
+separation of the two is at most the margin: the pairs in ascending order, and the
+places of a pair in the order of their features. Two half-spaces, neither of which can
+move, have no function.
+"""

@@ -17,10 +17,6 @@ from solutions.world.sequential import Wanted, in_groups, solve_sequentially
 from solutions.world.vectors import tangents
 
 
-ROUNDING = 1e-12
-"""An overlap of less than this, m, is rounding."""
-
-
 class Rules(NamedTuple):
     """How a world responds to its contacts.
 
@@ -34,7 +30,9 @@ class Rules(NamedTuple):
     with_weight : whether the speed that is turned back includes the gain of this step
         Newton's law speaks of the speed of approach. At a step one may take it before
         the forces of the step act, or after; engines of both kinds exist.
-    recovery : share of an overlap that each step moves away, 0 to 1
+    slop : m
+        An overlap that is left alone, so that resting bodies are not moved about.
+    recovery : share of a deeper overlap that each step moves away, 0 to 1
     sweeps : how often all contacts take their turn in a step, at most
     tolerance : share of the largest impulse; smaller changes end the sweeps
     push_sweeps : how often they do so to move overlaps away
@@ -43,6 +41,7 @@ class Rules(NamedTuple):
     rest_speed: float = 0.1
     margin: float = 1e-3
     with_weight: bool = False
+    slop: float = 1e-4
     recovery: float = 0.2
     sweeps: int = 50
     tolerance: float = 1e-6
@@ -153,15 +152,14 @@ def _push_apart(
 ) -> Array:
     """How far each body is moved and turned (n, 6) out of the overlaps, m and rad.
 
-    It takes back a share of each, except of those that are rounding. It is a motion
-    beside the velocities, and so it adds no kinetic energy.
+    It takes back a share of each. It is a motion beside the velocities, and so it adds
+    no kinetic energy.
     """
-    ahead = contacts.separation + dt * speeds(rows, velocity, spin)[:, 0]
-    deep = ahead < -ROUNDING
+    ahead = contacts.separation + dt * speeds(rows, velocity, spin)[:, 0] + rules.slop
     nothing, none = np.zeros_like(velocity), np.zeros(len(ahead))
-    if not np.any(deep):
+    if not np.any(ahead < 0):
         return np.zeros((len(velocity), 6))
     # Where a gap is left, the push may close it, and no more.
-    wanted = Wanted(np.where(deep, -rules.recovery * ahead, -np.maximum(ahead, 0.0)), none, none, none, none > 0)
+    wanted = Wanted(np.where(ahead < 0, -rules.recovery * ahead, -ahead), none, none, none, none > 0)
     moved, turn, _ = solve_sequentially(rows, groups, nothing, nothing, wanted, 0.0, rules.push_sweeps, rules.tolerance)
     return np.concatenate([moved, turn], axis=-1)

@@ -1,4 +1,4 @@
-"""Wrong functions about impulses between rigid bodies."""
+"""Wrong functions about impulses between rigid bodies, and a program to mend."""
 
 from __future__ import annotations
 
@@ -40,6 +40,30 @@ def world_inverse_inertia(inertia: ArrayLike, orientation: ArrayLike) -> Array:
     return np.asarray(turn.T @ np.diag(inverse) @ turn)
 
 
+def _bounces(program: Callable[..., Any]) -> str:
+    """What is wrong with the momenta and velocities of a ball after each of three steps with a floor."""
+    for mass, velocity in ((2.0, -3.0), (0.5, -4.0), (2.0, 1.0)):
+        away, ball = abs(velocity), f"A ball of {mass:g} kg at {_signed(velocity)} m/s"
+        found = [(float(p), float(v)) for p, v in program(mass, velocity)]
+        if len(found) != 3:
+            return f"{ball}: the program returned P and v after each of three steps, and yours after {len(found)}."
+        for step, (p, v) in enumerate(found):
+            said = f"{ball}: after step {step}, P = {_signed(p)} kg m/s and v = {_signed(v)} m/s."
+            if abs(p - mass * v) > NEAR:
+                return f"{said} Such a P and such a v do not belong to one ball of {mass:g} kg."
+            if abs(v - away) > NEAR:
+                return f"{said} It should be on its way up at {_signed(away)} m/s."
+    return ""
+
+
+def _signed(value: float) -> str:
+    return f"{value + 0.0:+.4g}".replace("-", "−")
+
+
+NEAR = 1e-6
+"""A mended program may differ from the right numbers by so much."""
+MENDED: dict[str, Callable[[Callable[..., Any]], str]] = {"momenta": _bounces}
+"""Key → what is still wrong with a program that a student mends, in words; empty if nothing is."""
 SUSPECTS: dict[str, tuple[str, Callable[..., Any], tuple[int, ...]]] = {
     "crates": ("edge_edge_normal", edge_edge_normal, (3,)),
     "hammer": ("inverse_effective_mass", inverse_effective_mass, ()),

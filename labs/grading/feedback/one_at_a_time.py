@@ -14,6 +14,7 @@ _DONE = (
     " answers are right. That costs one part of the {topic} lab, this one, however many of its functions do it."
 )
 _HOW = "To turn a function of one case into one of many:"
+_WHERE = "It is written for one case. The check of {at} shows how to write for one or many."
 _FORMS = (
     ("for one case", "for one or many"),
     ("x = v[0]", "x = v[..., 0]"),
@@ -32,11 +33,18 @@ def in_short(sheet: Sheet, name: str, before: str = "  ") -> str:
 
 
 def explained(sheet: Sheet, name: str, advice: Advice) -> Iterator[str]:
-    """What the lab did about a function that is right for one case alone, and how to write it; told once."""
+    """What the lab did about a function that is right for one case alone, and how to write it.
+
+    The forms are shown once, at the function that loses a part of the lab; others refer to it.
+    """
     if name not in sheet.case_by_case.functions:
         return
     topic = lecture.function(name).topic
-    if sheet.case_by_case.paid.get(topic) == name:
+    loser = sheet.case_by_case.paid.get(topic, name)
+    if loser != name:
+        yield from folded(_WHERE.format(at=loser), 1)
+        return
+    if topic in sheet.case_by_case.paid:
         yield from folded(_DONE.format(topic=topic), 1)
     if advice.is_new(_HOW):
         yield from folded(_HOW, 1)

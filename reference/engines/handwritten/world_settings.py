@@ -20,6 +20,7 @@ LEAST_REACH = 1e-9
 ALLOWED: Mapping[str, Allowed] = {
     "rest_threshold_steps": NOT_NEGATIVE,
     "contact_gap_falls": NOT_NEGATIVE,
+    "overlap_slop": NOT_NEGATIVE,
     "overlap_recovery": SHARE,
     "sweeps": COUNT,
     "tolerance": SHARE,
@@ -39,6 +40,8 @@ def settings_of(scenario: Scenario) -> Settings:
         # The gap at which a contact counts, in falls of one step from rest, g dt²: a body at rest keeps its contacts.
         "contact_gap_falls": 1.0,
         "with_weight": False,
+        # What is left of an overlap, m: a stack whose overlaps are all taken back is shaken by it.
+        "overlap_slop": 1e-6,
         "overlap_recovery": 0.2,
         # So many, and so small a tolerance, that what is left to the sweeps is rounding in most scenarios.
         "sweeps": 200,
@@ -68,6 +71,7 @@ def rules(scenario: Scenario, settings: Settings) -> tuple[float, ...]:
         rest_speed(scenario, settings),
         reach(scenario, settings),
         bool(settings["with_weight"]),
+        settings.number("overlap_slop"),
         settings.number("overlap_recovery"),
         int(settings.number("sweeps")),
         settings.number("tolerance"),

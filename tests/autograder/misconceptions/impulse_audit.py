@@ -71,6 +71,11 @@ def without_spin_of(of_a, of_b):
     return made
 
 
+def without_spin_on_a_pivot(a, b, after):
+    """What has 1/M = 0 left out, spin and all."""
+    return account(*((*body[:4], col(col(np.asarray(body[3]) > 0)) * np.asarray(body[4])) for body in (a, b)), after)
+
+
 def angular_of_velocities(a, b, after):
     """I Δω − r × Δv of both bodies."""
     angular = 0
@@ -183,6 +188,9 @@ BANK = (
       "A's arm is used nowhere, as if A's centre flew straight through the point of contact.", PASSING),
     M("audit", "B's arm left out", ONE_BODY.arm_left_out(account, of_b=True),
       "B's arm is used nowhere, as if B's centre flew straight through the point of contact.", PASSING),
+    M("audit", "spin on a pivot left out", without_spin_on_a_pivot,
+      "A body whose centre cannot move is left out, spin and all. It may still turn about its centre.",
+      "A door hits a chair. Its hinges stay where they are; does it have energy before, and after?"),
     M("audit", "infinite mass", account_with(mass_of=lambda s: over(1, s, np.inf)),
       "The mass of an immovable body is infinite here, and inf · 0 is no number. Such a body counts nothing.",
       "What does the description say of a body with 1/M = 0?"),

@@ -284,9 +284,12 @@ def test_an_audit_finds_what_an_impact_must_not_change(submission, part):
         expect(submission.audit, (a, b, (v_a, w_a, WRONG_V, WRONG_W)), ([4, 8, -8], REST, 71.0))
         expect(submission.audit, (a, b, (v_a, w_a, WRONG_V, w_b)), ([4, 8, -8], [20, 0, 10], 101.0))
         expect(submission.audit, (a, b, (v_a, w_a, v_b, WRONG_W)), (REST, [-20, 0, -10], 45.0))
-    with part(1, "immovable bodies, and a thin rod that is struck at its end"):
+    with part(1, "the ground, a body on a pivot, and a thin rod that is struck at its end"):
         expect(submission.audit, (a, GROUND, (v_a, w_a, REST, REST)), ([2, 4, -4], REST, 6.0))
         expect(submission.audit, (GROUND, b, (REST, REST, v_b, w_b)), ([-2, -4, 4], REST, 69.0))
+        turned = ([0, -1, -1], REST, REST, [0, 2, 4])  # J = (0, 1, −1) N s on what cannot be moved, but turned
+        expect(submission.audit, (FALLING, PIVOTED, turned), ([0, -1, 1], [0, 1, 1], 2.0))
+        expect(submission.audit, (PIVOTED, FALLING, (*turned[2:], *turned[:2])), ([0, -1, 1], [0, 1, 1], 2.0))
         rod = (REST, [0, 0, 3], [0, 0, 0.5], 1.0, np.diag([12.0, 12.0, 0.0]))  # it also spins about itself
         expect(submission.audit, (rod, GROUND, ([1, 0, 0], [0, 6, 3], REST, REST)), ([1, 0, 0], REST, 2.0))
     with part(1, "two impacts in one call"):

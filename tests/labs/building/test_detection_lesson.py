@@ -21,7 +21,7 @@ def lesson():
 def defined_in_cell_of(lesson: lessons.Lesson, name: str) -> dict[str, Any]:
     """What a cell of the lesson defines that defines a function of this name."""
     (cell,) = (cell for cell in lesson.cells if cell.code and not cell.kind and f"def {name}(" in cell.text)
-    defined: dict[str, Any] = {"lab": SimpleNamespace(verdict=lambda key: None)}
+    defined: dict[str, Any] = {"lab": SimpleNamespace(show=lambda experiment, predicted: experiment())}
     exec(compile(cell.text, name, "exec"), defined)
     return defined
 

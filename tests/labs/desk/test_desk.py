@@ -82,6 +82,7 @@ def test_markup_of_a_table_is_escaped():
     markup = table._repr_mimebundle_()["text/html"]
     assert "<script>" not in markup
     assert "&lt;script&gt;" in markup
+    assert 'overflow-x:auto"><table' in markup  # a wide table scrolls where the page is narrow
     assert textwrap.dedent(str(table)).startswith("<b>")
 
 

@@ -32,10 +32,14 @@ def test_a_prediction_gets_a_verdict_with_its_reason(answer, choices, right, the
     assert predicted("key", "?", answer, "" if choices else "m", choices, right).verdict(theory) == verdict
 
 
-def test_a_prediction_is_judged_after_a_plain_cell_and_not_before(lab, capsys):
+def test_an_experiment_is_run_and_judged_once_it_was_predicted(lab, capsys):
     lab.predict("lost", "It counts …", answer=..., choices=("more", "170", "fewer"))
-    lab.verdict("lost")
-    assert "Folded until you have predicted 'lost'" in capsys.readouterr().out
+    lab.show(lambda: print("100 of 170"), predicted="lost")
+    assert "Folded until you have predicted 'lost'" in (said := capsys.readouterr().out)
+    assert "100" not in said
+    lab.show(lambda: print("100 of 170"), predicted="lost", unfold=True)
+    assert capsys.readouterr().out == "100 of 170\n"
     lab.predict("lost", "It counts …", answer="more", choices=("more", "170", "fewer"))
-    lab.verdict("lost")
-    assert "You predicted “more”, but “fewer” is right. Each impact is exact" in capsys.readouterr().out
+    lab.show(lambda: print("100 of 170"), predicted="lost")
+    said = capsys.readouterr().out
+    assert "100 of 170\nYou predicted “more”, but “fewer” is right. Each impact is exact" in said

@@ -2,14 +2,33 @@
 
 from __future__ import annotations
 
+import re
+
+import numpy as np
 import pytest
 
-from labs.guidance.hint_files import derivation
+from labs.building.lessons import lessons
+from labs.guidance.hint_files import derivation, hints
 from reference.errors import InvalidInput
 
 IMPULSE = derivation("j = -(1 + e) * u / k\nu: before, m/s, -5 to -1\ne: restitution, 0 to 1\nk: 1/kg, 0.2 to 4")
 SHARE = derivation("P = max(0, 1 - w / d)\nw: way, m, 0.01 to 0.06\nd: step, m, 0.02 to 0.1")
 TIME = derivation("T = 2 * s / (sqrt(u**2 - 2 * a * s) - u)\ns: m, 0 to 3\nu: m/s, -4 to -1\na: m/s², -10 to -1")
+
+ONE_SIGN = {
+    "it is a mass, a moment of inertia, or an inverse of them": """world_inverse_inertia.i inverse_effective_mass.M
+        inverse_effective_mass.I impulse_magnitude.k apply_impulse.M_A apply_impulse.M_B collide.M_A collide.M_B
+        audit.k""",
+    "it is a size": "overlap_interval.r overlap_interval.w missing_probability.w missing_probability.r",
+    "it is the length of a step": "side_of_plane.dt time_of_impact_interpolated.dt missing_probability.dt",
+    "it is a speed": "side_of_plane.v missing_probability.v edge_edge_normal.c",
+    "no body parts faster for a negative e": "side_of_plane.e edge_edge_normal.e impulse_magnitude.e collide.e",
+    "a step with an impact starts in front and ends behind": """time_of_impact_interpolated.s0
+        time_of_impact_interpolated.s1""",
+    "a separation below zero counts as zero": "time_of_impact_exact.s",
+    "what moves away and is pushed away never arrives": "time_of_impact_exact.u",
+}
+"""Quantities that can have one sign only: there a line may hold q or abs(q). Beside them, why."""
 
 
 def difference(derivation, line):
@@ -29,6 +48,32 @@ def difference(derivation, line):
 )
 def test_every_equivalent_form_is_right(asked, line):
     assert difference(asked, line) == ""
+
+
+@pytest.mark.parametrize("topic", lessons())
+def test_a_quantity_with_another_sign_is_refused(topic):
+    """Unless the right side does not depend on the sign, or the quantity can have one sign only."""
+    single = set()
+    for function, guide in hints(topic).guides.items():
+        for asked in guide.derivations:
+            for each in asked.quantities:
+                opposite = asked.right.at(asked.random | {each.name: -asked.random[each.name]})
+                is_even = np.allclose(opposite, asked.right.at(asked.random), rtol=1e-12)
+                for other in ("(-{})", "abs({})", "(-abs({}))"):
+                    line = re.sub(rf"\b{each.name}\b", other.format(each.name), asked.right.text)
+                    if "abs" in other and not is_even and each.low * each.high >= 0:
+                        single.add(f"{function}.{each.name}")
+                    else:
+                        assert (difference(asked, line) == "") == is_even, line
+    listed = " ".join(ONE_SIGN.values()).split()
+    assert single == {name for name in listed if name.partition(".")[0] in hints(topic).guides}
+
+
+def test_a_wrong_line_is_tried_first_at_the_sign_of_the_longer_side():
+    asked = derivation("y = 3 * x\nx: m, -5 to 4")
+    assert difference(asked, "x").startswith("At x = −1 your")
+    assert difference(asked, "3 * abs(x)").startswith("At x = −1 your")
+    assert difference(asked, "-3 * abs(x)").startswith("At x = 1 your")
 
 
 def test_a_wrong_line_is_told_the_roundest_numbers_and_not_the_formula():

@@ -157,6 +157,7 @@ def _audit() -> list[Probe]:
     b = _arrays(_body([0, 1, 0], [0, 0.5, 0.5], share=0.25))
     ground, rod = _arrays(_ground()), _arrays(_body(REST, [0, 0, 0.5], turning=np.diag([12.0, 12.0, 0.0])))
     beside = _arrays(_body([0, 0, -1], [0.5, 0, 0]))
+    pivot = _arrays(_body(REST, [0, 1, 0], share=0.0))
     by_hand = [
         usual(
             "two balls head on", _arrays(_body([0, 0, -1])), _arrays(_body([0, 0, 1])), _after([0, 0, 1], [0, 0, -1])
@@ -169,6 +170,8 @@ def _audit() -> list[Probe]:
         edge("nothing happens", a, b, _after(a[0], b[0], a[1])),
         edge("on the ground", beside, ground, _after([0, 0, 1], REST, [0, -0.5, 0])),
         edge("A is the ground", ground, b, _after(REST, [0, 1, 2], REST, [1, 0, 0])),
+        edge("B turns on a pivot", beside, pivot, _after([0, 0, 1], REST, [0, -0.5, 0], [2, 0, 0])),
+        edge("A turns on a pivot", pivot, b, _after(REST, [0, 1, 2], [0, 0, -1], [1, 0, 0])),
         edge("a thin rod, struck at its end", rod, b, _after([1, 0, 0], [-0.25, 1, 0], [0, 6, 3])),
         edge("two immovable bodies", ground, ground, _after(UP, REST, [1, 0, 0])),
         refused("a velocity that is no number", a, b, _after([0, 0, np.nan], REST)),

@@ -59,6 +59,15 @@ def test_a_function_that_calls_one_of_one_case_loses_nothing_for_it(tmp_path, gr
     assert "impulse_magnitude" in sheet.case_by_case.functions
 
 
+def test_the_forms_for_many_are_shown_at_one_function_of_a_lab(tmp_path, grader):
+    (tmp_path / "lab.py").write_text(ONE_CASE.replace("in (a, b)", "in (a, (*b[:2], 0 * b[2], *b[3:]))"))
+    name, paid = "inverse_effective_mass", {"impulse": "edge_edge_normal"}  # in a check before this one
+    sheet = pytest_run.run(tmp_path / "lab.py", ("impulse",), grader=grader, functions=(name,), paid=paid)
+    text = joined("\n".join(report.report(sheet, ("impulse",))))
+    assert "The check of edge_edge_normal shows how to write for one or many." in text
+    assert "np.where(s < 0, b, c)" not in text
+
+
 def test_a_part_with_a_wrong_number_is_lost_whatever_is_asked_alone(tmp_path, grader):
     wrong = ONE_CASE.replace("else -n", "else n")
     sheet = sheet_of(tmp_path, grader, wrong, "edge_edge_normal", "inverse_effective_mass")

@@ -1,0 +1,119 @@
+"""Where boxes and polyhedra touch half-spaces and each other.
+
+Two convex hulls are apart if and only if a plane that is parallel to a face of one of
+them, or to an edge of each, has them on different sides. The largest separation along
+the normals of all these planes is that of the contact. In overlap it belongs to the
+shortest way out.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from solutions.arrays import Array, Booleans, Integers
+from solutions.world.edge_contacts import Crossing, edge_contacts
+from solutions.world.face_contacts import face_contacts
+from solutions.world.hulls import hull_of
+from solutions.world.round_pairs import above_half_space
+from solutions.world.shapes import Found, Placed
+
+BIAS = 1e-3
+"""Share of the smaller hull's size by which an edge must be better than a face.
+
+Where a box rests on a face, rounding and the little overlap that holds it up must not
+decide from step to step whether it rests on a face or on an edge, and on which face.
+For the same reason a face of A must be better than one of B by this much.
+"""
+SAME_NORMAL = np.cos(0.03)
+"""Cosine of the angle up to which two edges' normal counts as that of a face."""
+FEATURES = 1 << 16
+"""Numbers that a feature may have."""
+
+
+def hull_half_space(a: Placed, b: Placed, margin: float) -> Found:
+    """Where boxes or polyhedra touch half-spaces: each vertex, with its number."""
+    return above_half_space(a.vertices, np.zeros(len(a.vertices)), b, margin)
+
+
+def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
+    """Where boxes or polyhedra touch each other.
+
+    They touch with a face of each, at up to as many places as both faces have corners,
+    or with an edge of each at one place. `feature_steps` says how the features are
+    numbered. If two solids have more than 65536 of them, the numbers begin again at 0.
+
+    Notes
+    -----
+    Hulls that are apart, but by no more than the margin, may be nearest at two
+    vertices, or at a vertex and an edge. No normal of a face or of two edges belongs to
+    such a place, so it is left out. In overlap the shortest way out is always one of
+    these.
+    """
+    one, other = hull_of(a), hull_of(b)
+    over_a, face_a = _best_face(one.normal, one.offset, other.vertices)
+    over_b, face_b = _best_face(other.normal, other.offset, one.vertices)
+    pair = np.flatnonzero(np.maximum(over_a, over_b) <= margin)
+    one, other = one.rows(pair), other.rows(pair)
+    over_a, over_b, face_a, face_b = over_a[pair], over_b[pair], face_a[pair], face_b[pair]
+    bias = BIAS * np.minimum(one.size, other.size)
+
+    # One is the reference face. The other hull's face looks most nearly against it.
+    on_b, row = over_b >= over_a - bias, np.arange(len(pair))
+    out = np.where(on_b[:, None], other.normal[row, face_b], one.normal[row, face_a])
+    face_a = np.where(on_b, np.argmin(np.matvec(one.normal, out), axis=1), face_a)
+    face_b = np.where(on_b, face_b, np.argmin(np.matvec(other.normal, out), axis=1))
+    places, edges = face_contacts(one, other, face_a, face_b, on_b), edge_contacts(one, other)
+
+    normal = np.where(on_b[:, None], out, -out)
+    by_edges = _prefers_edges(edges, normal, np.maximum(over_a, over_b), np.min(places.separation, axis=1), bias)
+
+    separation = np.concatenate(
+        [
+            np.where(by_edges[:, None], np.inf, places.separation),
+            np.where(by_edges & edges.touching, edges.separation, np.inf)[:, None],
+        ],
+        axis=1,
+    )
+    separation[edges.separation > margin] = np.inf
+    point = np.concatenate([places.point, edges.point[:, None]], axis=1)
+    feature = np.concatenate([places.feature, edges.feature[:, None]], axis=1) % FEATURES
+    normal = np.where(by_edges[:, None], edges.normal, normal)
+
+    row, slot = np.nonzero(separation <= margin)
+    order = np.argsort(row * FEATURES + feature[row, slot], kind="stable")
+    row, slot = row[order], slot[order]
+    return Found(pair[row], point[row, slot], normal[row], separation[row, slot], feature[row, slot])
+
+
+def _prefers_edges(edges: Crossing, normal: Array, by_face: Array, deepest: Array, bias: Array) -> Booleans:
+    """Which pairs touch with an edge of each rather than with a face.
+
+    Parameters
+    ----------
+    edges : that separate the hulls best
+    normal : (n, 3), of the contact if it is with a face, unit
+    by_face : (n,), how far the reference face separates the hulls, m
+    deepest : (n,), separation of the deepest place of the two faces, m
+    bias : (n,), m
+
+    Notes
+    -----
+    The hulls touch with the edges if these separate them better than the face does by
+    more than the bias. There are two exceptions:
+
+    - A box that hangs over the edge of another one and is hardly tilted has nearly the
+      same normal in both ways. The faces have more places, so they are preferred as
+      long as one of these is as deep as the edges are.
+    - A face that is as good as the edges may still miss the place where they cross.
+    """
+    as_deep = deepest <= np.maximum(by_face, edges.separation) + bias
+    better = edges.separation > by_face + bias
+    alike = np.vecdot(edges.normal, normal) > SAME_NORMAL
+    missed = edges.touching & (edges.separation > by_face - bias) & ~as_deep
+    return np.asarray((better & ~(alike & as_deep)) | missed)
+
+
+def _best_face(normal: Array, offset: Array, vertices: Array) -> tuple[Array, Integers]:
+    """How far a face separates a hull from vertices at best, and which face does so."""
+    heights = np.min(normal @ vertices.mT - offset[..., None], axis=2)
+    return np.max(heights, axis=1), np.argmax(heights, axis=1)
