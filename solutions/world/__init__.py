@@ -1,1 +1,1 @@
-"""Everything in one world: bodies that fall, collide, slide, roll, stack and rest (slides 3 to 29)."""
+"""Everything in one world: bodies fall, collide, slide, roll, stack and rest."""
