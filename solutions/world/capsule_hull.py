@@ -98,7 +98,7 @@ def _nearest_outside(hull: Hull, ends: Array, way: Array, heights: Array) -> Nea
     corners = hull.vertices[:, hull.faces]
     behind = behind_sides(ends[:, None], corners, hull.normal)
     over = np.all(behind >= 0, axis=3).mT & (heights > 0)
-    to_face = np.where(over, heights, np.inf).reshape(len(ends), -1)
+    to_face = np.where(over, heights, np.inf).reshape(len(ends), 2 * heights.shape[2])
     first, second = (hull.vertices[:, end] for end in hull.edges.ends.T)
     share, along = nearest_on_segments(ends[:, :1], way[:, None], first, second - first)
     place = ends[:, :1] + share[..., None] * way[:, None]
