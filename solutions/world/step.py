@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -13,33 +12,12 @@ from solutions.impulse import world_inverse_inertia
 from solutions.world.bodies import Bodies, State
 from solutions.world.contacts import Contacts, collect_contacts
 from solutions.world.pieces import tangents
+from solutions.world.responses import RESPONSES, Question
 from solutions.world.rotation import rotate_by_momentum, turned
 from solutions.world.rows import Rows, contact_rows, speeds
+from solutions.world.rules import Rules, known
 from solutions.world.sequential import Wanted, colours, solve_sequentially
-
-
-class Rules(NamedTuple):
-    """How a world responds to its contacts.
-
-    Attributes
-    ----------
-    rest_speed : m/s
-        A slower approach is answered without rebound. Two steps' gain of weight is a
-        good choice, 2 g Δt: what is slower has fallen for two steps at most.
-    margin : m
-        A gap up to which a contact is kept, so that resting bodies keep theirs.
-    recovery : share of an overlap that each step moves away, 0 to 1
-    sweeps : how often all contacts take their turn in a step, at most
-    tolerance : share of the largest impulse; smaller changes end the sweeps
-    push_sweeps : how often they do so to move overlaps away
-    """
-
-    rest_speed: float = 0.1
-    margin: float = 1e-3
-    recovery: float = 0.2
-    sweeps: int = 50
-    tolerance: float = 1e-6
-    push_sweeps: int = 10
+from solutions.world.time_order import step_in_time_order
 
 
 class Memory(NamedTuple):
@@ -83,27 +61,42 @@ def step_world(
     -------
     state, memory : for the next step
     contacts : those that this step has answered
+        Of a step in time order, those at its end.
+
+    Raises
+    ------
+    ValueError
+        If there is no such response, or it does not know the law.
     """
+    known(rules)
+
     # Forces
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
     pull = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
-    velocity = state.velocity + dt * (pull + bodies.inverse_mass[:, None] * force)
-    spin = state.angular_velocity + dt * np.matvec(inverse_inertia, np.broadcast_to(torque, velocity.shape))
+    gain = pull + bodies.inverse_mass[:, None] * np.asarray(force, dtype=float)
+    turn = np.matvec(inverse_inertia, np.broadcast_to(torque, gain.shape))
+    if rules.response == "in time order":
+        return _step_in_time_order(bodies, state, gain, turn, dt, rules)
+    velocity, spin = state.velocity + dt * gain, state.angular_velocity + dt * turn
 
     # Contacts
     contacts = collect_contacts(bodies, state, rules.margin)
-    rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia)
+    least_energy = rules.law == "dissipative" and rules.response != "penalty"
+    rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia, decoupled=least_energy)
     groups = colours(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
 
     # Velocities
-    wanted = _wanted(bodies, state, contacts, rows, dt, rules)
+    before = speeds(rows, state.velocity, state.angular_velocity)
+    wanted, restitution = _wanted(bodies, contacts, -before[:, 0], dt, rules)
     start = _remembered(contacts, rows, memory)
-    velocity, spin, impulse = solve_sequentially(
-        rows, groups, velocity, spin, wanted, start, rules.sweeps, rules.tolerance
+    velocity, spin, impulse = RESPONSES[rules.response](
+        Question(contacts, rows, groups, velocity, spin, before, wanted, restitution, start, dt, rules)
     )
 
     # Positions
-    push = _push_apart(rows, groups, contacts, velocity, spin, dt, rules)
+    push = np.zeros((len(velocity), 6))
+    if rules.response != "penalty":
+        push = _push_apart(rows, groups, contacts, velocity, spin, dt, rules)
     position = state.position + dt * velocity + push[:, :3]
     orientation, spin = rotate_by_momentum(state.orientation, spin, bodies.moments, dt)
     orientation = turned(orientation, push[:, 3:])
@@ -111,22 +104,37 @@ def step_world(
     return after, Memory(contacts.key, np.vecmat(impulse, rows.direction)), contacts
 
 
-def _wanted(bodies: Bodies, state: State, contacts: Contacts, rows: Rows, dt: float, rules: Rules) -> Wanted:
-    """What the impulses have to reach: a rebound, or to come no nearer than the gap.
+def _step_in_time_order(
+    bodies: Bodies, state: State, acceleration: Array, angular_acceleration: Array, dt: float, rules: Rules
+) -> tuple[State, Memory, Contacts]:
+    """One step with each impact at its instant; it leaves no impulses to begin with."""
+    after, _ = step_in_time_order(bodies, state, acceleration, angular_acceleration, dt, rules)
+    contacts = collect_contacts(bodies, after, rules.margin)
+    inverse_inertia = world_inverse_inertia(bodies.moments, after.orientation)
+    rows = contact_rows(contacts, after.position, bodies.inverse_mass, inverse_inertia)
+    groups = colours(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
+    push = _push_apart(rows, groups, contacts, after.velocity, after.angular_velocity, 0.0, rules)
+    position, orientation = after.position + push[:, :3], turned(after.orientation, push[:, 3:])
+    return after._replace(position=position, orientation=orientation), NOTHING, contacts
+
+
+def _wanted(bodies: Bodies, contacts: Contacts, approach: Array, dt: float, rules: Rules) -> tuple[Wanted, Array]:
+    """What the impulses have to reach, a rebound or no more than the gap; and e.
 
     Newton's law of restitution looks at the speed before the step. What gravity adds in
     the step is no part of the approach, and the contact carries it.
     """
     surfaces, of_a, of_b = bodies.surfaces, bodies.material[contacts.body_a], bodies.material[contacts.body_b]
-    approach = -speeds(rows, state.velocity, state.angular_velocity)[:, 0]
-    rebound = np.where(approach > rules.rest_speed, surfaces.restitution[of_a, of_b] * approach, 0.0)
-    return Wanted(
+    restitution = surfaces.restitution[of_a, of_b]
+    rebound = np.where(approach > rules.rest_speed, restitution * approach, 0.0)
+    wanted = Wanted(
         np.where(rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt),
         np.zeros(len(rebound)),
         surfaces.static_friction[of_a, of_b],
         surfaces.kinetic_friction[of_a, of_b],
         rebound > 0,
     )
+    return wanted, restitution
 
 
 def _remembered(contacts: Contacts, rows: Rows, memory: Memory) -> Array:
