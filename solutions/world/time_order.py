@@ -90,14 +90,15 @@ def step_in_time_order(
        no other touched. So a cradle passes the impulse on from ball to ball. The others
        have their turn in the next rounds, if they still approach.
     2. **Flight.** Otherwise the bodies fly until the next impact. Slide 21's resting
-       contacts, which are slower, lose their approach without rebound and are held to
-       the end of the step by constant forces, those of sequential impulses. All others
-       are watched. The gap of a contact is s + u t + a t²/2, as long as its normal
-       stays what it is, and the flight lasts to the first of all roots. For a ball over
-       a plane this is the instant of the impact. Two balls come no nearer than by this
-       formula, so that the flight ends before their impact, and the rounds close in on
-       it as Newton's method does. Where turning bodies overlap at the end of the
-       flight, it is halved until they do not: the world is backed up.
+       contacts are slower, and their gap is at most `margin`. They lose their approach
+       without rebound, and constant forces, those of sequential impulses, hold them to
+       the end of the step. All others are watched. The gap of a contact is
+       s + u t + a t²/2, as long as its normal stays what it is, and the flight lasts to
+       the first of all roots. For a ball over a plane this is the instant of the
+       impact. Two balls come no nearer than by this formula, so that the flight ends
+       before their impact, and the rounds close in on it as Newton's method does. Where
+       turning bodies overlap at the end of the flight, it is halved until they do not:
+       the world is backed up.
 
     The bodies fly on parabolas, without error. So the result depends on the timestep
     only through contacts that rest and through bodies that turn.
@@ -119,13 +120,14 @@ def step_in_time_order(
         apart = speeds(rows, state.velocity, state.angular_velocity)[:, 0]
         touching, of = near.separation <= TOUCH, clock[near.body_a]
         open_ended = look == rules.looks
-        resting = touching & ((np.abs(apart) <= rules.rest_speed) | open_ended)
+        slow = (near.separation <= rules.margin) & (np.abs(apart) <= rules.rest_speed)
+        resting = slow | touching & open_ended
         striking = np.flatnonzero(touching & (apart < -rules.rest_speed) & ~resting & (left[of] > 0))
         first = striking[np.unique(of[striking], return_index=True)[1]]
         impacts += len(first)
         time = np.where(np.isin(np.arange(len(left)), of[first]), 0.0, left)
         kept = np.flatnonzero(resting & (time[of] > 0))
-        flight = _held(bodies, state, rows, kept, acceleration, angular_acceleration, left[clock], rules)
+        flight = _held(bodies, state, near, rows, kept, acceleration, angular_acceleration, left[clock], rules)
         if not open_ended:
             watched = np.flatnonzero(~resting & (time[of] > 0))
             time = _until_next(near, rows, watched, flight, clock, time)
@@ -151,6 +153,7 @@ def _reach(bodies: Bodies, state: State, acceleration: Array, left: Array) -> fl
 def _held(
     bodies: Bodies,
     state: State,
+    near: Contacts,
     rows: Rows,
     kept: Integers,
     acceleration: Array,
@@ -158,18 +161,19 @@ def _held(
     left: Array,
     rules: Rules,
 ) -> Flight:
-    """How the bodies move if these contacts stop approaching, now and for the step."""
+    """How the bodies move if these contacts close no more than their gaps."""
     some = Rows._make(each[kept] for each in rows)
     groups = colours(some.body_a, some.body_b, bodies.inverse_mass > 0)
     of_a, of_b, none = bodies.material[some.body_a], bodies.material[some.body_b], np.zeros(len(kept))
     static, kinetic = bodies.surfaces.static_friction[of_a, of_b], bodies.surfaces.kinetic_friction[of_a, of_b]
-    wanted = Wanted(none, none, static, kinetic, none > 0)
+    seconds = np.where(left > 0, left, 1.0)[:, None]
+    closing = np.maximum(near.separation[kept], 0.0) / seconds[some.body_a, 0]
+    wanted = Wanted(-closing, none, static, kinetic, none > 0)
 
     def held(velocity: Array, spin: Array) -> tuple[Array, Array]:
         return solve_sequentially(some, groups, velocity, spin, wanted, 0.0, rules.sweeps, rules.tolerance)[:2]
 
     velocity, spin = held(state.velocity, state.angular_velocity)
-    seconds = np.where(left > 0, left, 1.0)[:, None]
     fast, turning = velocity + seconds * acceleration, spin + seconds * angular_acceleration
     fast_held, turning_held = held(fast, turning)
     # The difference is exactly 0 for a body that nothing touches.
