@@ -205,6 +205,22 @@ def test_a_dumbbell_has_the_parallel_axes_of_its_balls():
     assert centre == pytest.approx([0.1, 0, 0], abs=1e-16)
 
 
+def test_a_needle_has_no_negative_moment_however_it_is_turned():
+    rng = np.random.default_rng(2)
+    for orientation in rng.normal(size=(20, 4)):
+        needle = ("box", (1e-9, 1e-9, 1.0))
+        part = (needle, (0, 0, 0), orientation / np.linalg.norm(orientation))
+        _, moments, _ = mass_properties(("compound", (part,)), 3.0)
+        assert np.min(moments) >= 0  # 2e-18, which rounding makes -1e-16 half of the time
+        assert np.sort(moments)[1:] == pytest.approx([1.0, 1.0], rel=1e-14)
+
+
+def test_a_part_without_a_volume_has_no_mass():
+    box = (("box", (0.3, 0.1, 0.2)), (0, 0, 0), UPRIGHT)
+    plate = (("box", (5.0, 5.0, 0)), AWAY, UPRIGHT)
+    assert np.array_equal(mass_properties(("compound", (box, plate)), 2.0)[1], box_inertia(2.0, (0.6, 0.2, 0.4)))
+
+
 def test_an_immovable_body_has_infinite_moments_and_keeps_its_frame():
     for shape in (("half-space", (0, 0, 1)), L_SHAPE, box_of_faces((1, 2, 3), TURNED, AWAY)):
         found, moments, centre, orientation = in_principal_axes(shape, np.inf)
