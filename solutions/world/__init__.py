@@ -1,10 +1,13 @@
-"""Bodies fall, collide, slide, roll, stack and rest in one world (slides 3 to 29)."""
+"""Everything in one world: bodies fall, collide, slide, roll, stack and rest."""
 
 from solutions.world.bodies import Bodies, State, Surfaces, make_bodies, make_state
 from solutions.world.broad_phase import candidate_pairs
 from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.memory import Memory
 from solutions.world.rotation import rotate_by_momentum
-from solutions.world.step import Memory, Rules, step_world
+from solutions.world.rules import Rules
+from solutions.world.run import run_world
+from solutions.world.step import step_world
 
 __all__ = [
     "Bodies",
@@ -18,5 +21,6 @@ __all__ = [
     "make_bodies",
     "make_state",
     "rotate_by_momentum",
+    "run_world",
     "step_world",
 ]

@@ -7,11 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from solutions.arrays import Array, Integers
-from solutions.impulse import rotation_matrix
 from solutions.world.bodies import Bodies, State
 from solutions.world.broad_phase import candidate_pairs
 from solutions.world.narrow_phase import PAIRS
-from solutions.world.pieces import bounding_boxes, placed
+from solutions.world.pieces import bounding_boxes, place_pieces, placed
 from solutions.world.shapes import Found
 
 FEATURES = 1 << 16
@@ -64,16 +63,15 @@ def collect_contacts(bodies: Bodies, state: State, margin: float = 0.0) -> Conta
     pieces. It takes all pairs of those kinds at once, because a function of a batch
     costs little more than that of one pair.
     """
-    pieces, rotation = bodies.pieces, rotation_matrix(state.orientation)
-    lower, upper = bounding_boxes(pieces, state.position, rotation)
+    pieces = bodies.pieces
+    places = place_pieces(pieces, state.position, state.orientation)
+    lower, upper = bounding_boxes(pieces, *places)
     pairs = candidate_pairs(lower - margin / 2, upper + margin / 2, bodies.group[pieces.body])
     first, second = _can_collide(bodies, pairs)
     found = []
     for kinds, chosen in _alike(pieces.kind, pieces.hull, first, second):
         a, b = first[chosen], second[chosen]
-        touching = PAIRS[kinds](
-            placed(pieces, a, state.position, rotation), placed(pieces, b, state.position, rotation), margin
-        )
+        touching = PAIRS[kinds](placed(pieces, a, *places), placed(pieces, b, *places), margin)
         found.append(touching._replace(pair=chosen[touching.pair]))
     return _contacts(bodies, first, second, found)
 

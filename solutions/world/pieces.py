@@ -10,13 +10,11 @@ import numpy as np
 from solutions.arrays import Array, Integers
 from solutions.checks import finite, positive, unit, vector
 from solutions.impulse import rotation_matrix
+from solutions.world.boxes import BOX_FACES, BOX_VERTICES
 from solutions.world.shapes import BOX, CAPSULE, HALF_SPACE, POLYHEDRON, SPHERE, Placed, Shape
 from solutions.world.vectors import tangents
 
 NO_FACES = np.zeros((0, 3), dtype=np.int64)
-BOX_VERTICES = np.array([(x, y, z) for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
-BOX_FACES = np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
-"""Corners of a box of half extents 1; its faces, counterclockwise from outside."""
 
 
 class Pieces(NamedTuple):
@@ -124,49 +122,52 @@ def _axes_along(normal: Array) -> Array:
     return np.stack([first, second, normal], axis=-1)
 
 
-def placed(pieces: Pieces, chosen: Integers, position: Array, rotation: Array) -> Placed:
-    """Some pieces of one kind and one hull, where their bodies are.
+def place_pieces(pieces: Pieces, position: Array, orientation: Array) -> tuple[Array, Array]:
+    """Where the pieces are when their bodies are at these places.
 
     Parameters
     ----------
-    pieces : all pieces
-    chosen : (k,), numbers of pieces
-    position : (n, 3), of all bodies, m
-    rotation : (n, 3, 3), of all bodies
+    pieces : p pieces
+    position : (n, 3), of the bodies, m
+    orientation : (n, 4), of the bodies, unit quaternions
+
+    Returns
+    -------
+    position : (p, 3), of the origin of each piece, m
+    rotation : (p, 3, 3), from its own axes to the world's
     """
-    body, size, number = pieces.body[chosen], pieces.size[chosen], int(pieces.hull[chosen[0]])
-    of_body = rotation[body]
-    at = position[body] + np.matvec(of_body, pieces.position[chosen])
-    turned = of_body @ pieces.rotation[chosen]
-    if number < 0:
-        return Placed(at, turned, size, np.zeros((len(chosen), 0, 3)), NO_FACES)
-    corners, faces = pieces.hulls[number]
-    own = corners * size[:, None, :] if number == 0 else np.broadcast_to(corners, (len(chosen), *corners.shape))
-    return Placed(at, turned, size, at[:, None, :] + own @ np.swapaxes(turned, -1, -2), faces)
+    of_body = rotation_matrix(orientation)[pieces.body]
+    return position[pieces.body] + np.matvec(of_body, pieces.position), of_body @ pieces.rotation
+
+
+def placed(pieces: Pieces, chosen: Integers, position: Array, rotation: Array) -> Placed:
+    """Some pieces of one kind and one hull, (k,) numbers, where `place_pieces` says."""
+    at, turn, size, hull = position[chosen], rotation[chosen], pieces.size[chosen], pieces.hull[chosen[0]]
+    if hull < 0:
+        return Placed(at, turn, size, np.zeros((len(chosen), 0, 3)), NO_FACES)
+    corners, faces = pieces.hulls[hull]
+    own = corners * size[:, None, :] if hull == 0 else np.broadcast_to(corners, (len(chosen), *corners.shape))
+    return Placed(at, turn, size, at[:, None, :] + own @ turn.mT, faces)
 
 
 def bounding_boxes(pieces: Pieces, position: Array, rotation: Array) -> tuple[Array, Array]:
     """Lowest and highest corner, (p, 3) each, m, of a box around each piece."""
-    of_body = rotation[pieces.body]
-    at = position[pieces.body] + np.matvec(of_body, pieces.position)
-    reach = np.zeros_like(at)
+    middle, reach = position.copy(), np.zeros_like(position)
     for kind in np.unique(pieces.kind):
         chosen = np.flatnonzero(pieces.kind == kind)
-        turned, size = of_body[chosen] @ pieces.rotation[chosen], pieces.size[chosen]
+        turn, size = rotation[chosen], pieces.size[chosen]
         if kind == SPHERE:
             reach[chosen] = size[:, :1]
         elif kind == CAPSULE:
-            reach[chosen] = size[:, :1] + size[:, 1:2] * np.abs(turned[:, :, 2])
+            reach[chosen] = size[:, :1] + size[:, 1:2] * np.abs(turn[:, :, 2])
         elif kind == BOX:
-            reach[chosen] = np.matvec(np.abs(turned), size)
+            reach[chosen] = np.matvec(np.abs(turn), size)
         elif kind == HALF_SPACE:
             reach[chosen] = np.inf
         else:
-            for number in np.unique(pieces.hull[chosen]):
-                some = chosen[pieces.hull[chosen] == number]
-                corners = pieces.hulls[number][0] @ np.swapaxes(of_body[some] @ pieces.rotation[some], -1, -2)
-                # A hull need not lie evenly around its origin.
+            for hull in np.unique(pieces.hull[chosen]):
+                some = chosen[pieces.hull[chosen] == hull]
+                corners = placed(pieces, some, position, rotation).vertices
                 low, high = np.min(corners, axis=1), np.max(corners, axis=1)
-                at[some] += (low + high) / 2
-                reach[some] = (high - low) / 2
-    return at - reach, at + reach
+                middle[some], reach[some] = (low + high) / 2, (high - low) / 2
+    return middle - reach, middle + reach

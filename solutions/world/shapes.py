@@ -3,11 +3,11 @@
 A shape is a plain tuple: its kind, and then what that kind needs.
 
     ("sphere", radius)
-    ("capsule", radius, half_length)          about its own z axis, round ends beyond
-    ("box", half_extents)                     (3,), along its own axes
-    ("polyhedron", vertices, faces)           convex; faces counterclockwise from outside
-    ("half-space", normal)                    all that lies below the plane through its origin
-    ("compound", parts)                       each part: (shape, position, orientation)
+    ("capsule", radius, half_length)   about its own z axis; the round ends lie beyond
+    ("box", half_extents)              (3,), along its own axes
+    ("polyhedron", vertices, faces)    convex; faces counterclockwise from outside
+    ("half-space", normal)             all that lies below the plane through its origin
+    ("compound", parts)                each part: (shape, position, orientation)
 
 Lengths are in m. The origin of a body is its centre of mass.
 """
@@ -21,7 +21,7 @@ from solutions.arrays import Array, Integers
 Shape = tuple[Any, ...]
 
 SPHERE, CAPSULE, BOX, POLYHEDRON, HALF_SPACE = range(5)
-"""The kinds of convex pieces, in the order in which a pair of pieces is put: A has the lower kind."""
+"""The kinds of convex pieces. In a pair, A has the lower kind."""
 
 
 class Placed(NamedTuple):
