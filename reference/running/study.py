@@ -160,9 +160,7 @@ def run_job(job: Job) -> JobResult:
     series, shown, tracks = None, "", list[Track]()
     chosen = job.chosen(family)
     cases = _able(engine, job.profile, chosen) or chosen  # without any, the first one says what is wrong
-    told = {
-        case.name: engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes)) for case in cases
-    }
+    told = {case.name: engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes)) for case in cases}
     ran = _together(engine, cases, told)
     for case in cases:
         settings = told[case.name]
@@ -209,8 +207,7 @@ def _together(engine: Engine, cases: Sequence[Case], told: Mapping[str, Settings
 
 
 def _studies(asked: Question, family: Family, job: Job) -> tuple[Errors | None, Split | None]:
-    """Error against timestep; and the split of the error, for the unchanged settings of the profile that counts first.
-    """
+    """Error against timestep; and the split of the error, for the unchanged settings of the profile that counts first."""
     settings = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
     convergence = errors_against_timestep(asked, settings, family.convergence.factors)
     has = asked.engine.profiles(asked.case.scenarios[0])
