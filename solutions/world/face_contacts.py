@@ -22,7 +22,7 @@ from solutions.world.hulls import Hull
 STEEP = -1e-6
 """Cosine between both normals above which the incident face is seen from its side.
 
-No corner of the reference face is then inside it.
+It is then too narrow for a corner of the reference face to be inside it.
 """
 
 
@@ -138,7 +138,7 @@ def _clipped(reference: Faces, incident: Faces, on: Array) -> Places:
     within = behind_sides(reference.corners, incident.corners, -reference.normal)
     slope = np.vecdot(incident.normal, reference.normal)[:, None]
     covered = np.all((within > on[:, None, None]) | ~incident.real[:, None], axis=2)
-    corners = reference.real & covered & (slope < STEEP)
+    corners = reference.real & covered
     below = np.vecdot(incident.corners[:, :1] - reference.corners, incident.normal[:, None])
 
     on_incident = np.concatenate([begin, end], axis=1)

@@ -74,7 +74,6 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
         ],
         axis=1,
     )
-    separation[edges.separation > margin] = np.inf
     point = np.concatenate([places.point, edges.point[:, None]], axis=1)
     feature = np.concatenate([places.feature, edges.feature[:, None]], axis=1) % FEATURES
     normal = np.where(by_edges[:, None], edges.normal, normal)
@@ -99,18 +98,13 @@ def _prefers_edges(edges: Crossing, normal: Array, by_face: Array, deepest: Arra
     Notes
     -----
     The hulls touch with the edges if these separate them better than the face does by
-    more than the bias. There are two exceptions:
-
-    - A box that hangs over the edge of another one and is hardly tilted has nearly the
-      same normal in both ways. The faces have more places, so they are preferred as
-      long as one of these is as deep as the edges are.
-    - A face that is as good as the edges may still miss the place where they cross.
+    more than the bias. There is one exception. A box that hangs over the edge of
+    another one and is hardly tilted has nearly the same normal in both ways. The faces
+    have more places, so they are preferred if one of these is as deep as the edges are.
     """
-    as_deep = deepest <= np.maximum(by_face, edges.separation) + bias
     better = edges.separation > by_face + bias
     alike = np.vecdot(edges.normal, normal) > SAME_NORMAL
-    missed = edges.touching & (edges.separation > by_face - bias) & ~as_deep
-    return np.asarray((better & ~(alike & as_deep)) | missed)
+    return np.asarray(better & ~(alike & (deepest <= edges.separation + bias)))
 
 
 def _best_face(normal: Array, offset: Array, vertices: Array) -> tuple[Array, Integers]:
