@@ -401,6 +401,12 @@ def test_a_box_exactly_on_its_like_touches_at_its_four_corners(noise):
     np.testing.assert_allclose(found.separation, -0.01, atol=1e-15 + 6 * noise)
     # that of B itself, although that of A is as good
     np.testing.assert_array_equal(found.normal, np.tile([0.0, 0, 1], (120, 1)))
+    # where no edge is along an axis of the world, rounding is everywhere
+    lean = random_turns(rng, 30)
+    leaning = place(BOX, np.matvec(lean, a.position), lean @ turn, (1, 1, 1))
+    found = touch((BOX, BOX), leaning, place(BOX, np.zeros((30, 3)), lean, (1, 1, 1)), 0.01)
+    np.testing.assert_array_equal(found.feature, np.tile(np.flatnonzero(BOX_VERTICES[:, 2] < 0), 30))
+    np.testing.assert_allclose(found.separation, -0.01, atol=1e-14 + 6 * noise)
 
 
 def test_a_box_shifted_by_a_tenth_of_a_millimetre_loses_that_much():
@@ -413,7 +419,7 @@ def test_a_box_shifted_by_a_tenth_of_a_millimetre_loses_that_much():
 def test_a_corner_on_a_side_is_one_place(degrees):
     shapely = oracle("shapely")
     turn = about([0, 0, 1.0], degrees)
-    corner = turn @ [0.8, -0.6, 0]  # at x = 1, on the side, and then that far from the centre
+    corner = turn @ [0.8, 0.6, 0]  # it is put at x = 1, on the side, and the next one is farther out
     a, b = boxes_on((1 - corner[0], 0.3), turn, (0.8, 0.6, 1))
     points = touch((BOX, BOX), a, b, 0.01).point[:, :2]
     between = np.linalg.norm(points[:, None] - points, axis=-1) + np.eye(len(points))
@@ -422,6 +428,16 @@ def test_a_corner_on_a_side_is_one_place(degrees):
         *(shapely.MultiPoint(base_of(v, z)).convex_hull for v, z in ((a.vertices[0], -1), (b.vertices[0], 1)))
     )
     assert shapely.MultiPoint(points).convex_hull.area == pytest.approx(shared.area, abs=1e-5)  # 3.5e-6 m on a side
+
+
+def test_a_side_that_grazes_a_corner_adds_nothing_beyond_it():
+    # It is turned by 0.05°, and passes a corner of the lower box one micrometre farther out.
+    turn = about([0, 0, 1.0], 0.05)
+    middle = np.array([1, 1, 0]) - turn @ [0.5, 2 - 1e-6, 0]
+    points = touch((BOX, BOX), *boxes_on(middle[:2], turn, (3, 2, 1)), 0.01).point[:, :2]
+    # up to some millionths of the size, which is 3.5 m
+    assert np.abs(points).max() <= 1 + 2e-5
+    assert [len(points[np.all(points * corner > 0.99, axis=1)]) for corner in BOX_VERTICES[::2, :2]] == [1, 1, 1, 1]
 
 
 def test_triangles_touch_boxes_at_three_corners_or_at_four():
@@ -433,6 +449,9 @@ def test_triangles_touch_boxes_at_three_corners_or_at_four():
     np.testing.assert_array_equal(small.feature, np.flatnonzero(BOX_VERTICES[:, 2] < 0))
     large = touch((BOX, POLYHEDRON), place(BOX, [0, 0, 0.99], UPRIGHT, (2, 2, 1)), pyramid)
     np.testing.assert_array_equal(large.feature, [8, 9, 10])
+    cube = place(POLYHEDRON, [0, 0, 0.09], UPRIGHT, None, BOX_VERTICES / 10, BOX_FACES)
+    under = touch((POLYHEDRON, POLYHEDRON), pyramid, cube)
+    np.testing.assert_array_equal(under.feature, 4 + np.flatnonzero(BOX_VERTICES[:, 2] < 0))
     upside_down = place(POLYHEDRON, [0, 0, 0], about([1.0, 0, 0], 180), None, corners, faces)
     flipped = touch((BOX, POLYHEDRON), place(BOX, [0, 0, -0.09], UPRIGHT, (0.2, 0.15, 0.1)), upside_down)
     np.testing.assert_array_equal(flipped.feature, np.flatnonzero(BOX_VERTICES[:, 2] > 0))
@@ -446,7 +465,7 @@ def test_features_of_solids_with_many_edges_stay_within_16_bits():
     sides = [[i, (i + 1) % 90, (i + 1) % 90 + 90, *[i + 90] * 87] for i in range(90)]
     faces = np.array([[*range(89, -1, -1)], [*range(90, 180)], *sides])
     a, b = (
-        place(POLYHEDRON, [0, 0, z], about([0, 0, 1.0], turn), None, corners, faces) for z, turn in ((0.99, 2), (0, 0))
+        place(POLYHEDRON, [0, 0, z], about([0, 0, 1.0], turn), None, corners, faces) for z, turn in ((0, 0), (0.99, 2))
     )
     found = touch((POLYHEDRON, POLYHEDRON), a, b)
     assert len(found.feature) == 180
