@@ -415,11 +415,15 @@ def test_a_box_shifted_by_a_tenth_of_a_millimetre_loses_that_much():
     np.testing.assert_allclose(corners_found(found), [[x, y], [x, 1], [1, y], [1, 1]], atol=1e-9)
 
 
-@pytest.mark.parametrize("degrees", [0.01, 1, 20, 44])
+@pytest.mark.parametrize("degrees", [0.01, 1, 20, 44, -0.01, -1, -20, -44])
 def test_a_corner_on_a_side_is_one_place(degrees):
     shapely = oracle("shapely")
     turn = about([0, 0, 1.0], degrees)
-    corner = turn @ [0.8, 0.6, 0]  # it is put at x = 1, on the side, and the next one is farther out
+    corner = turn @ [
+        0.8,
+        np.copysign(0.6, degrees),
+        0,
+    ]  # it is put at x = 1, on the side, and the next one is farther out
     a, b = boxes_on((1 - corner[0], 0.3), turn, (0.8, 0.6, 1))
     points = touch((BOX, BOX), a, b, 0.01).point[:, :2]
     between = np.linalg.norm(points[:, None] - points, axis=-1) + np.eye(len(points))
@@ -430,9 +434,10 @@ def test_a_corner_on_a_side_is_one_place(degrees):
     assert shapely.MultiPoint(points).convex_hull.area == pytest.approx(shared.area, abs=1e-5)  # 3.5e-6 m on a side
 
 
-def test_a_side_that_grazes_a_corner_adds_nothing_beyond_it():
-    # It is turned by 0.05°, and passes a corner of the lower box one micrometre farther out.
-    turn = about([0, 0, 1.0], 0.05)
+@pytest.mark.parametrize("degrees", [0.05, -0.05])
+def test_a_side_that_grazes_a_corner_adds_nothing_beyond_it(degrees):
+    # It is nearly parallel to a side of the lower box, and passes a corner one micrometre farther out.
+    turn = about([0, 0, 1.0], degrees)
     middle = np.array([1, 1, 0]) - turn @ [0.5, 2 - 1e-6, 0]
     points = touch((BOX, BOX), *boxes_on(middle[:2], turn, (3, 2, 1)), 0.01).point[:, :2]
     # up to some millionths of the size, which is 3.5 m
@@ -553,9 +558,9 @@ def edge_with(vertices, sign):
 
 
 def test_edges_that_would_only_cross_if_they_were_longer_do_not_touch():
-    # The same, 0.04 apart. The upper edge ends 0.02 before the lower one, and then 0.02 behind it.
+    # The same, 0.04 apart. The upper edge ends 5 mm before the lower one, and then 5 mm behind it.
     height = np.sqrt(2) * 0.5 * 2 + 0.04
-    a = place(BOX, [[2.02, 0.2, height], [1.98, 0.2, height]], about([1.0, 0, 0], 45), (2, 0.5, 0.5))
+    a = place(BOX, [[2.005, 0.2, height], [1.995, 0.2, height]], about([1.0, 0, 0], 45), (2, 0.5, 0.5))
     b = place(BOX, [[0, 0, 0]] * 2, about([0, 1.0, 0], 45), (0.5, 2, 0.5))
     found = touch((BOX, BOX), a, b, 0.05)
     np.testing.assert_array_equal(found.pair, [1])
