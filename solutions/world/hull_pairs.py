@@ -49,9 +49,9 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     Notes
     -----
     Hulls that are apart, but by no more than the margin, may be nearest at two
-    vertices, or at a vertex and an edge. No normal of a face or of two edges belongs to
-    such a place, so it is left out. In overlap the shortest way out is always one of
-    these.
+    vertices, or at a vertex and an edge. The way between these is along no normal of a
+    face or of two edges, so that such a place is left out. In overlap the shortest way
+    out is always along one of these normals.
     """
     one, other = hull_of(a), hull_of(b)
     over_a, face_a = _best_face(one.normal, one.offset, other.vertices)

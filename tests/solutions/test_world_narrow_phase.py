@@ -552,6 +552,28 @@ def test_crossing_edges_touch_at_one_place():
     np.testing.assert_array_equal(found.feature, 16 + 12 * lowest + highest)
 
 
+def test_edges_touch_only_where_no_face_is_nearly_as_good():
+    a, b = scene((BOX, BOX), 600, 13, 1.2)
+    found = touch((BOX, BOX), a, b)
+    alone = np.bincount(found.pair, minlength=600)[found.pair] == 1
+    chosen = np.flatnonzero(alone & (found.feature >= 16))
+    for i, separation in zip(found.pair[chosen], found.separation[chosen], strict=True):
+        both = [heights_above(b.vertices[i], a, i), heights_above(a.vertices[i], b, i)]
+        by_face = max(float(np.max(np.min(heights, axis=0))) for heights in both)
+        along_face = np.max(
+            np.abs(np.concatenate([a.rotation[i].T, b.rotation[i].T]) @ found.normal[found.pair == i][0])
+        )
+        # some are on a face whose other places are too high
+        assert along_face > 1 - 1e-9 or separation > by_face + BIAS * 2 * np.linalg.norm(SIZES[BOX])
+    assert len(chosen) >= 30
+
+
+def heights_above(points, piece, i):
+    """How far points are above the planes of a box's faces, (p, 6)."""
+    seen = (points - piece.position[i]) @ piece.rotation[i]
+    return np.concatenate([seen, -seen], axis=1) - np.tile(piece.size[i], 2)
+
+
 def edge_with(vertices, sign):
     """The number of the edge that is lowest or highest."""
     return np.argmax(sign * np.sum(vertices[edges_of(BOX_FACES).ends][:, :, 2], axis=1))
