@@ -127,9 +127,8 @@ class _Corners:
             k = k + SOFTNESS / len(ends) * np.diag(np.diagonal(self._k(state, ends[0])))
             wanted = rate + (1 + SOFTNESS) * (wanted - rate)
         contact = SpatialContact(k, before, self.pair.kinetic_friction)
-        law = (
-            NEWTON if self.method.rule == WORLD and wanted <= 0 else self.method.law
-        )  # without rebound it is Coulomb's
+        without_rebound = self.method.rule == WORLD and wanted <= 0  # then friction opposes the slip
+        law = NEWTON if without_rebound else self.method.law
         return self._given(state, arm, spatial_impact(contact, -wanted / rate, law)), lift
 
     def _k(self, state: State, arm: Array) -> Array:

@@ -207,7 +207,7 @@ def _together(engine: Engine, cases: Sequence[Case], told: Mapping[str, Settings
 
 
 def _studies(asked: Question, family: Family, job: Job) -> tuple[Errors | None, Split | None]:
-    """Error against timestep; and the split of the error, for the unchanged settings of the profile that counts first."""
+    """Error against timestep; and the split of the error, for unchanged settings of the profile that counts first."""
     settings = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
     convergence = errors_against_timestep(asked, settings, family.convergence.factors)
     has = asked.engine.profiles(asked.case.scenarios[0])

@@ -44,10 +44,10 @@ def settings_of(scenario: Scenario) -> Settings:
         # What is left of an overlap, m: a stack whose overlaps are all taken back is shaken by it.
         "overlap_slop": 1e-6,
         "overlap_recovery": 0.2,
-        # In most scenarios what these sweeps leave is rounding. A stack would need thousands of them in a step; but they
-        # begin with what the last step has found, so that it is still in the end.
+        # What these sweeps leave in most scenarios is rounding. A stack would need thousands of them in one step. But
+        # the sweeps of a step begin with what the last step has found, and in the end a stack is still.
         "sweeps": 200 if stack else 2000,
-        "tolerance": 1e-6 if stack else 1e-12,
+        "tolerance": 1e-6 if stack else 1e-10,
         "push_sweeps": 20 if stack else 200,
     }
     return Settings(timestep, steps_per_sample(timestep), options=options)
