@@ -125,9 +125,7 @@ def solve_sequentially(
     """
     if np.any(wanted.static_friction > wanted.kinetic_friction):
         at_rest = wanted._replace(kinetic_friction=wanted.static_friction)
-        *_, start = found = solve_sequentially(
-            rows, groups, velocity, angular_velocity, at_rest, start, sweeps, tolerance
-        )
+        found = solve_sequentially(rows, groups, velocity, angular_velocity, at_rest, start, sweeps, tolerance)
         friction = np.where(_slip(rows, *found), wanted.kinetic_friction, wanted.static_friction)
         wanted = wanted._replace(static_friction=friction, kinetic_friction=friction)
     velocities = np.concatenate([velocity, angular_velocity], axis=-1)

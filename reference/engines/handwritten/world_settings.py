@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from reference.engines.base import AT_STEP, WORLD, Method
-from reference.engines.handwritten.scenario_kind import Kind, kind
+from reference.engines.handwritten.scenario_kind import kind
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, SHARE, Allowed
 from reference.impact_truth import DISSIPATIVE
 from reference.scene import geometry
@@ -33,9 +33,8 @@ ALLOWED: Mapping[str, Allowed] = {
 def settings_of(scenario: Scenario) -> Settings:
     """Derive the settings of the profile `world`."""
     movable = [body for body in scenario.bodies if not body.immovable]
-    stacked = len(movable) > 1 and all(isinstance(body.shape, Box) for body in movable)
-    stack = stacked and geometry.starts_in_contact(scenario)
-    slides = kind(scenario) is Kind.SLIDE
+    boxes = all(isinstance(body.shape, Box) for body in movable) and geometry.starts_in_contact(scenario)
+    stack, may_tip = boxes and len(movable) > 1, boxes and kind(scenario) is None
     timestep = TIMESTEP_OF_STACKS if stack else TIMESTEP
     options = {
         # A rebound that takes fewer steps of gravity than this to come about is taken for rest.
@@ -49,9 +48,9 @@ def settings_of(scenario: Scenario) -> Settings:
         # One contact has its answer in one turn. A box on four corners that slides, or just holds, needs up to 2000
         # sweeps in its first step and hardly any later, because a step begins with what the last one has found. Edges
         # that tip, and stacks, would need hundreds in every step; what fewer leave has no effect that one can see.
-        "sweeps": 2000 if slides else 200 if stack else 100,
-        "tolerance": 1e-10 if slides else 1e-6 if stack else 1e-8,
-        "push_sweeps": 20 if stack else 100,
+        "sweeps": 200 if stack else 100 if may_tip else 2000,
+        "tolerance": 1e-6 if stack else 1e-8 if may_tip else 1e-10,
+        "push_sweeps": 20 if stack else 100 if may_tip else 200,
     }
     return Settings(timestep, steps_per_sample(timestep), options=options)
 
