@@ -21,7 +21,7 @@ from reference.comparison.verdicts import ALL_CASES, Row, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
-from reference.engines.profiles import counterpart, counts
+from reference.engines.profiles import WORLD, counterpart, counts
 from reference.errors import CollisionsError, InvalidInput, UnknownName, as_failed_run, one_line
 from reference.recording import reading
 from reference.recording.reading import track_of
@@ -207,11 +207,17 @@ def _together(engine: Engine, cases: Sequence[Case], told: Mapping[str, Settings
 
 
 def _studies(asked: Question, family: Family, job: Job) -> tuple[Errors | None, Split | None]:
-    """Error against timestep; and the split of the error, for unchanged settings of the profile that counts first."""
+    """Error against timestep; and the split of the error, for unchanged settings of the profile that counts first.
+
+    The world is studied where it is the only method, and where a recurrence says how its error depends on the timestep.
+    """
+    has = asked.engine.profiles(asked.case.scenarios[0])
+    first = next(filter(counts, has))
+    if job.profile == WORLD and (first != WORLD or family.predict is None):
+        return None, None
     settings = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
     convergence = errors_against_timestep(asked, settings, family.convergence.factors)
-    has = asked.engine.profiles(asked.case.scenarios[0])
-    if job.profile != next(filter(counts, has)) or job.changes:
+    if job.profile != first or job.changes:
         return convergence, None
     return convergence, split(asked, convergence.order if convergence else None)
 
