@@ -323,7 +323,7 @@ def test_a_run_that_needs_a_missing_function_is_not_split(tmp_path):
     path = tmp_path / "nothing.py"
     path.write_text("")
     asked = Question.of(catalogue()["stack"], load_engine("handwritten", Implementation(str(path))))
-    assert split(asked) is None
+    assert error_split.split(asked) is None
 
 
 def test_the_slabs_error_at_the_step_is_that_of_its_policy():
