@@ -10,12 +10,12 @@ import re
 from labs.demonstrations.demonstration import Demonstration, Profiles
 from labs.demonstrations.lesson import Error, IfKnown, Line, Listed, Magnitude, Measured, Predicted, Theory
 from reference.catalogue.scenarios import bouncing_ball, friction, stacks, tipping_box, tunnelling
-from reference.engines.profiles import EXACT, SLIDE, STEP, STOCK, TUNED
+from reference.engines.profiles import EXACT, SLIDE, STEP, STOCK, TUNED, WORLD
 from reference.errors import UnknownName
 
 ENGINES: Profiles = dict.fromkeys(("pybullet", "mujoco", "dart"), (TUNED, STOCK))
 STEPPED: Profiles = {"handwritten": (EXACT, STEP), **ENGINES}
-WORLD: Profiles = {"handwritten": (EXACT,), **ENGINES}
+IN_THE_WORLD: Profiles = {"handwritten": (WORLD,), **ENGINES}
 _KEPT = 0.8
 """Restitution of the ball that bounces."""
 _SPEED = 20.0
@@ -143,7 +143,7 @@ STACK = Demonstration(
     ),
     family="stack",
     cases={"ten": "boxes=10"},
-    profiles=WORLD,
+    profiles=ENGINES,
     quantity="height",
     heading="top moves",
     beside={"drift": "drift aside"},
@@ -203,7 +203,7 @@ ROLL = Demonstration(
     ),
     family="sliding-ball",
     cases={"μ = 0.1, 2 m/s": "μ=0.1,v=2"},
-    profiles=WORLD,
+    profiles=IN_THE_WORLD,
     quantity="rolling_speed",
     heading="final speed",
 )
@@ -239,7 +239,7 @@ TIP = Demonstration(
         "20°, μ = 0.3": f"h={_HALF_HEIGHT:g},μ=0.3,θ=20°",
         "32°, μ = 0.7": f"h={_HALF_HEIGHT:g},μ=0.7,θ=32°",
     },
-    profiles=WORLD,
+    profiles=IN_THE_WORLD,
     quantity="outcome",
     heading="what it does",
     words={friction.HOLDS: "holds", friction.SLIDES: "slides", tipping_box.TIPS: "tips"},

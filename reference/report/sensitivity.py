@@ -11,7 +11,7 @@ from rich.text import Text
 from reference.catalogue.scenarios import catalogue
 from reference.comparison.faults import FAULTS, Fault
 from reference.comparison.sensitivity import Finding, Outcome, Sensitivity
-from reference.engines.profiles import counts
+from reference.engines.profiles import WORLD, counts
 from reference.recording import sensitivity as kept
 from reference.report import numbers
 
@@ -42,7 +42,7 @@ def sentence(found: Sequence[Sensitivity]) -> str:
 
 def _sizes(found: Sequence[Sensitivity], fault: Fault) -> str:
     """The smallest size of a fault in the most and in the least sensitive implementation; "" where none has any."""
-    sizes = {each.title: finding.size for each in found if (finding := each.finding(fault.name)) and finding.size}
+    sizes = {_named(each): finding.size for each in found if (finding := each.finding(fault.name)) and finding.size}
     if not sizes:
         return ""
     best, worst = min(sizes, key=sizes.__getitem__), max(sizes, key=sizes.__getitem__)
@@ -51,9 +51,14 @@ def _sizes(found: Sequence[Sensitivity], fault: Fault) -> str:
     return f"{fault.title} {size_text(fault, sizes[best])} ({best}) to {size_text(fault, sizes[worst])} ({worst})"
 
 
+def _named(found: Sensitivity) -> str:
+    """The implementation in a sentence; by hand two methods count."""
+    return f"{found.title}, {found.profile}" if found.profile == WORLD else found.title
+
+
 def _missed(found: Sequence[Sensitivity], fault: Fault) -> str:
     """A fault that has an effect and is not noticed, with the implementations; "" where that is so in none."""
-    titles = [each.title for each in found if _outcome(each, fault) is Outcome.NOT_NOTICED]
+    titles = [_named(each) for each in found if _outcome(each, fault) is Outcome.NOT_NOTICED]
     up_to = f" up to {size_text(fault, fault.most)}" if fault.most else ""
     return f"{fault.title}{up_to} ({', '.join(titles)})" if titles else ""
 

@@ -21,7 +21,7 @@ from reference.comparison.verdicts import ALL_CASES, Row, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
-from reference.engines.profiles import WORLD, counterpart, counts
+from reference.engines.profiles import EXACT, WORLD, counterpart, counts
 from reference.errors import CollisionsError, InvalidInput, UnknownName, as_failed_run, one_line
 from reference.recording import reading
 from reference.recording.reading import track_of
@@ -61,6 +61,7 @@ def plan(
     families, changes = list(families), dict(changes or {})
     loaded = {name: load_engine(name, Implementation(implementation)) for name in engines}
     known = [profile for engine in loaded.values() for family in families for profile in family.profiles(engine)]
+    known += [EXACT] * (WORLD in known)  # the world stands in for it
     for profile in profiles if known else ():
         if profile not in known:
             raise UnknownName("profile", profile, dict.fromkeys(known), counterpart(profile))

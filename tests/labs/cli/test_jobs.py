@@ -78,13 +78,13 @@ def test_settings_of_the_command_line_reach_the_run():
         ),
         (
             [*QUICK, "--profile", "exat"],
-            "unknown profile 'exat'. Did you mean 'exact'? Choices: exact, slide, step.",
+            "unknown profile 'exat'. Did you mean 'exact'? Choices: exact, world, slide, step.",
         ),
         (
             [*QUICK, "--profile", "tuned"],
-            "unknown profile 'tuned'. Did you mean 'exact'? Choices: exact, slide, step.",
+            "unknown profile 'tuned'. Did you mean 'exact'? Choices: exact, world, slide, step.",
         ),
-        ([*QUICK, "--profile", "spring"], "unknown profile 'spring'. Choices: exact, slide, step."),
+        ([*QUICK, "--profile", "spring"], "unknown profile 'spring'. Choices: exact, world, slide, step."),
         ([*QUICK, "--timestep", "-1"], "timestep is -1.0; it must be above zero"),
         ([*QUICK, "--timestep", "0"], "timestep is 0.0; it must be above zero"),
         ([*QUICK, "--timestep", "nan"], "timestep is nan; it must be a finite number"),

@@ -76,7 +76,7 @@ def test_a_demonstration_shows_recorded_engines_or_names_the_missing(tmp_path, m
     assert len(re.findall(r"^(PyBullet|MuJoCo|DART) +tuned +– +stock +–$", lines, re.MULTILINE)) == 3
     assert "PyBullet, tuned; PyBullet, stock: not available: PyBullet is not installed here" in said.text
     assert re.search(r"by hand +● exact +0\.50968 m", said.output)
-    assert collisions("show", "roll").code == 3
+    assert collisions("show", "stack").code == 3
 
 
 def test_a_demonstration_without_hand_written_code_is_shown_as_recorded():
