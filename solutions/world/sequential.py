@@ -132,6 +132,7 @@ def solve_sequentially(
             taken = np.vecdot(rows.coupling[group], had[:, 1:])
             new[:, 0] = np.maximum(wanted.least[group] + taken, had[:, 0] + missing / rows.softness[group, 0, 0])
             new[:, 1:] = friction.impulse(group, had[:, 1:], speed[:, 1:], new[:, 0])
+            new[:, 0] = np.maximum(new[:, 0], wanted.least[group] + np.vecdot(rows.coupling[group], new[:, 1:]))
             velocities[bodies[group]] = of_both + np.vecmat(new - had, rows.answer[group]).reshape(-1, 2, 6)
         if np.max(np.abs(impulse - before), initial=0.0) <= tolerance * np.max(np.abs(impulse), initial=0.0):
             break
@@ -168,7 +169,8 @@ class _Friction:
         sliding = had - self.least_mass[group] * slip
         length, along = _split(sliding)
         steepness = 1 + kinetic * np.vecdot(coupling, along)
-        edge = np.where(steepness > 0, kinetic * normal / np.where(steepness > 0, steepness, 1.0), length)
+        reach = kinetic * np.maximum(normal, 0.0)  # no edge below zero
+        edge = np.where(steepness > 0, reach / np.where(steepness > 0, steepness, 1.0), length)
         return np.where(holds[:, None], sticking, np.minimum(edge, length)[:, None] * along)
 
     def _towards_least_energy(self, group: slice, had: Array, slip: Array) -> Array:
