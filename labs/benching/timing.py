@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import importlib.util
+import math
 import statistics
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from labs.benching.programs import Environment, Run
 from labs.project_folders import BENCHES
@@ -21,11 +23,23 @@ REPEATS = 7
 
 
 @dataclass(frozen=True)
+class Watched:
+    """A number that is shown beside the time, because a fast answer may be a poor one.
+
+    heading: what it is, with its unit. of: takes it from what a call returns, untimed; the largest is shown.
+    """
+
+    heading: str
+    of: Callable[[Any], float]
+
+
+@dataclass(frozen=True)
 class Bench:
     """One question of speed.
 
     what: the task in words. ours, rivals: who does it. goal: the s that ours should stay below. beyond: the rival whose
     time the goal leaves out. who: the title of ours. environments: for rivals that are not installed beside the lab.
+    repeats: calls of each, unless the user says how many. watched: what is shown beside the times.
     """
 
     name: str
@@ -36,6 +50,8 @@ class Bench:
     beyond: str = ""
     who: str = "hand-written"
     environments: tuple[Environment, ...] = ()
+    repeats: int = REPEATS
+    watched: Watched | None = None
 
 
 @dataclass(frozen=True)
@@ -43,6 +59,7 @@ class Timing:
     """Median and fastest of several calls, s; None if a rival is not installed, and then `note` says so.
 
     memory: the most bytes that a call took; None unless the calls are programs of their own whose memory is known.
+    watched: the largest number of those that the bench takes from the results; None if it takes none.
     """
 
     who: str
@@ -50,6 +67,7 @@ class Timing:
     fastest: float | None
     note: str = ""
     memory: int | None = None
+    watched: float | None = None
 
 
 def benches(folder: Path | None = None) -> dict[str, Bench]:
@@ -72,12 +90,16 @@ def find(name: str) -> Bench:
     return known[name]
 
 
-def measure(bench: Bench, repeats: int = REPEATS) -> list[Timing]:
-    """Time our own function and its rivals in turn, round by round, so that a busy moment affects all of them."""
+def measure(bench: Bench, repeats: int | None = None) -> list[Timing]:
+    """Time our own function and its rivals in turn, round by round, so that a busy moment affects all of them.
+
+    repeats: calls of each; by default as many as the bench wants.
+    """
     timings: list[Timing] = []
     calls: dict[str, Callable[[], object]] = {}
     samples: dict[str, list[float]] = {}
     memory: dict[str, int] = {}
+    watched: dict[str, float] = {}
     for who, prepare in {bench.who: bench.ours, **bench.rivals}.items():
         try:
             calls[who] = prepare()
@@ -86,15 +108,18 @@ def measure(bench: Bench, repeats: int = REPEATS) -> list[Timing]:
             continue
         calls[who]()  # the first call pays for what is loaded late
         samples[who] = []
-    for _ in range(repeats):
+    for _ in range(repeats or bench.repeats):
         for who, call in calls.items():
             start = time.perf_counter()
             result = call()
             samples[who].append(time.perf_counter() - start)
             if isinstance(result, Run) and result.memory:
                 memory[who] = max(result.memory, memory.get(who, 0))
+            if bench.watched:
+                watched[who] = max(bench.watched.of(result), watched.get(who, -math.inf))
     return [
-        Timing(who, statistics.median(found), min(found), memory=memory.get(who)) for who, found in samples.items()
+        Timing(who, statistics.median(found), min(found), memory=memory.get(who), watched=watched.get(who))
+        for who, found in samples.items()
     ] + timings
 
 

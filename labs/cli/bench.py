@@ -17,7 +17,9 @@ from reference.errors import CollisionsError, InvalidInput
 
 def bench(
     name: Annotated[list[str] | None, typer.Argument(help="Which ones; all if you name none.")] = None,
-    repeats: Annotated[int, typer.Option(min=1, help="Calls of each; the median is shown.")] = timing.REPEATS,
+    repeats: Annotated[
+        int | None, typer.Option(min=1, help="Calls of each; the median is shown. By default each bench has its own.")
+    ] = None,
 ) -> None:
     """Time hand-written functions beside other libraries on the same input, in one run.
 
@@ -54,7 +56,8 @@ def _print(timed: timing.Bench, timings: list[timing.Timing]) -> None:
     table = Table(box=None, header_style="bold", padding=(0, 1), pad_edge=False)
     table.add_column("")
     counted = any(each.memory for each in timings)
-    for heading in ("median, s", "fastest, s", "÷ ours", *(["MB"] if counted else [])):
+    seen = [timed.watched.heading] if timed.watched else []
+    for heading in ("median, s", "fastest, s", "÷ ours", *(["MB"] if counted else []), *seen):
         table.add_column(heading, justify="right")
     own = next(each.median for each in timings if each.median is not None)
     for each in timings:
@@ -63,7 +66,9 @@ def _print(timed: timing.Bench, timings: list[timing.Timing]) -> None:
         else:
             memory = f"{each.memory / 1e6:.0f}" if each.memory else ""
             ratio = f"{each.median / own:.2f}"
-            table.add_row(each.who, f"{each.median:.3g}", f"{each.fastest:.3g}", ratio, *[memory] * counted)
+            number = f"{each.watched:.3g}" if each.watched is not None else ""
+            columns = [*[memory] * counted, *[number] * len(seen)]
+            table.add_row(each.who, f"{each.median:.3g}", f"{each.fastest:.3g}", ratio, *columns)
     output.print(table)
     less = next((each.median for each in timings if each.who == timed.beyond), None)
     if less is not None:

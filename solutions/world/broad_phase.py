@@ -1,4 +1,4 @@
-"""Which boxes along the axes overlap: the pairs of bodies that deserve a closer look."""
+"""Which boxes along the axes overlap: the pairs of bodies that need a closer look."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from solutions.arrays import Array, Booleans, Integers
 FEW = 32
 """A group of so many boxes needs no grid: finding the columns takes longer."""
 SMALLEST = -3.0
-"""Boxes whose width is below 2⁻³ of the usual are not told apart by size any further."""
+"""Boxes narrower than 2⁻³ of the usual width all count as being of this size."""
 FARTHEST = 2**18
 """Columns are counted so far from the middle; all beyond count as the last one."""
 ACROSS = 2 * FARTHEST + 3
@@ -63,10 +63,10 @@ def candidate_pairs(lower: ArrayLike, upper: ArrayLike, group: ArrayLike | None 
     once, by the box that begins lower.
 
     One grid does not serve boxes of very different sizes: in columns as wide as the
-    largest, a small box would look at too many others. So there is a grid for each size:
-    the usual width, twice as much, four times as much and so on. In the grid of its own
-    size, a box is compared with the boxes of that size and with all smaller ones. The
-    grid for boxes without end is a single column.
+    largest, a small box would look at too many others. So there is a grid for each
+    size: the usual width, twice as much, four times as much and so on. In the grid of
+    its own size, a box is compared with the boxes of that size and with all smaller
+    ones. The grid for boxes without end is a single column.
 
     Sorting n boxes and searching among them takes a time that grows like n log n. The
     rest grows like the number of boxes that are looked at. That is proportional to n,
@@ -127,7 +127,7 @@ def _size(width: Array) -> Array:
     ordinary = width[(width > 0) & (width < np.inf)]
     usual = np.median(ordinary) if ordinary.size else 1.0
     with np.errstate(divide="ignore"):
-        return np.maximum(np.round(np.log2(width) - np.log2(usual)), SMALLEST)
+        return np.asarray(np.maximum(np.round(np.log2(width) - np.log2(usual)), SMALLEST))
 
 
 def _columns(corner: Array, scene: Integers, widest: float) -> tuple[Integers, Integers]:
@@ -156,17 +156,17 @@ def _columns(corner: Array, scene: Integers, widest: float) -> tuple[Integers, I
 
 
 def _beginning_within(one: Integers, around: Integers, other: Integers, column: Integers, end: Integers) -> Integers:
-    """Pairs (2, p) of boxes of which the other begins after one begins and before it ends.
+    """Pairs (2, p) of one box and another that begins between its bottom and its top.
 
     around: (k, ones), the columns into which each one looks. column: that of each
-    other; the others are sorted by column, and by height in each. end: of every box, the
-    number of the first box that begins above its top.
+    other; the others are sorted by column, and by height in each. end: of every box,
+    the number of the first box that begins above its top.
     """
     count = len(end)
     queue = column * count + other
     start = np.searchsorted(queue, around * count + one, "right").ravel()
     stop = np.searchsorted(queue, around * count + end[one]).ravel()
-    length = np.maximum(stop - start, 0)
+    length = stop - start
     looking = np.repeat(np.tile(one, len(around)), length)
     place = np.arange(len(looking)) + np.repeat(start - (np.cumsum(length) - length), length)
     return np.stack([looking, other[place]])
@@ -175,4 +175,4 @@ def _beginning_within(one: Integers, around: Integers, other: Integers, column: 
 def _ascending(one: Integers, other: Integers, count: int) -> Integers:
     """Pairs (p, 2), in each the smaller number first, sorted."""
     pairs = np.sort(np.minimum(one, other) * count + np.maximum(one, other))
-    return np.stack(np.divmod(pairs, max(count, 1)), axis=1)
+    return np.stack(np.divmod(pairs, count), axis=1)

@@ -98,17 +98,18 @@ def _nearest_outside(hull: Hull, ends: Array, way: Array, heights: Array) -> Nea
     corners = hull.vertices[:, hull.faces]
     behind = behind_sides(ends[:, None], corners, hull.normal)
     over = np.all(behind >= 0, axis=3).mT & (heights > 0)
-    to_face = np.where(over, heights, np.inf).reshape(len(ends), -1)
+    low, high = np.moveaxis(np.where(over, heights, np.inf), 1, 0)
     first, second = (hull.vertices[:, end] for end in hull.edges.ends.T)
     share, along = nearest_on_segments(ends[:, :1], way[:, None], first, second - first)
     place = ends[:, :1] + share[..., None] * way[:, None]
     away = place - first - along[..., None] * (second - first)
     to_edge = np.sqrt(np.vecdot(away, away))
-    distances = np.concatenate([to_face, to_edge], axis=1)
+    distances = np.concatenate([low, high, to_edge], axis=1)
     best, row = np.argmin(distances, axis=1), np.arange(len(ends))
-    on_face, distance = best < to_face.shape[1], distances[row, best]
-    end, face = np.divmod(np.where(on_face, best, 0), hull.normal.shape[1])
-    edge = np.where(on_face, 0, best - to_face.shape[1])
+    faces = hull.normal.shape[1]
+    on_face, distance = best < 2 * faces, distances[row, best]
+    end, face = np.divmod(np.where(on_face, best, 0), faces)
+    edge = np.where(on_face, 0, best - 2 * faces)
     direction = away[row, edge] / np.where(on_face | (distance == 0), 1.0, distance)[:, None]
     return _where(
         on_face,
@@ -126,8 +127,8 @@ def _way_out(hull: Hull, ends: Array, way: Array) -> Nearest:
     edges = stops - starts
     along = way[:, None] @ hull.normal.mT
     left, right = (along[:, 0, side] for side in hull.edges.beside.T)
-    # Of the planes that touch the hull along an edge, one is parallel to the core if the
-    # core rises from one of the two faces and sinks into the other.
+    # Of the planes that touch the hull along an edge, one is parallel to the core if
+    # the core rises from one of the two faces and sinks into the other.
     normal = np.where(left > 0, -1.0, 1.0)[..., None] * cross(np.broadcast_to(way[:, None], edges.shape), edges)
     length = np.sqrt(np.vecdot(normal, normal))
     sizes = np.sqrt(np.vecdot(way, way)[:, None] * np.vecdot(edges, edges))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
-from solutions.checks import finite, in_space, not_negative, unit, vector
+from solutions.checks import finite, in_space, matrix, not_negative, unit, vector
 from solutions.impulse import rotation_matrix
 
 LOOKS = 3
@@ -77,6 +77,43 @@ def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
     up over many steps.
     """
     return _product(_quaternion("second", second), _quaternion("first", first))
+
+
+def orientation_of(rotation: ArrayLike) -> Array:
+    """Quaternion of a rotation matrix: the inverse of `rotation_matrix`.
+
+    Parameters
+    ----------
+    rotation : (..., 3, 3), R, whose columns are the body's axes as seen in the world
+        They are perpendicular, of unit length and right-handed.
+
+    Returns
+    -------
+    (..., 4), unit quaternion w, x, y, z, or its opposite, which means the same
+
+    Raises
+    ------
+    ValueError
+        If a matrix is not finite or not of the shape (..., 3, 3).
+
+    Notes
+    -----
+    The diagonal of R = 1 + 2 w [q×] + 2 [q×]² and the sums and differences of the other
+    numbers across it give the products of any two components of the quaternion. For
+    example, R₃₂ − R₂₃ = 4 w x, R₂₁ + R₁₂ = 4 x y and 1 + R₁₁ + R₂₂ + R₃₃ = 4 w². All
+    sixteen products together are a matrix each row of which is a multiple of the
+    quaternion. The function takes the row with the largest square, because this row has
+    lost the fewest digits.
+    """
+    r = matrix("rotation", rotation)
+    transposed, trace = np.swapaxes(r, -1, -2), np.trace(r, axis1=-2, axis2=-1)[..., None, None]
+    products = np.empty((*r.shape[:-2], 4, 4))
+    products[..., 0, 0] = 1 + trace[..., 0, 0]
+    products[..., 0, 1:] = products[..., 1:, 0] = (r - transposed)[..., [2, 0, 1], [1, 2, 0]]
+    products[..., 1:, 1:] = r + transposed + (1 - trace) * np.eye(3)
+    largest = np.argmax(np.diagonal(products, axis1=-2, axis2=-1), axis=-1)
+    row = np.take_along_axis(products, largest[..., None, None], axis=-2)[..., 0, :]
+    return np.asarray(row / np.linalg.norm(row, axis=-1, keepdims=True))
 
 
 def rotate_by_momentum(

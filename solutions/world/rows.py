@@ -36,7 +36,9 @@ class Rows(NamedTuple):
     coupling: Array
 
 
-def contact_rows(contacts: Contacts, position: Array, inverse_mass: Array, inverse_inertia: Array) -> Rows:
+def contact_rows(
+    contacts: Contacts, position: Array, inverse_mass: Array, inverse_inertia: Array, decoupled: bool = True
+) -> Rows:
     """The rows of all contacts.
 
     Parameters
@@ -45,6 +47,8 @@ def contact_rows(contacts: Contacts, position: Array, inverse_mass: Array, inver
     position : (n, 3), of the bodies' centres, m
     inverse_mass : (n,), 1/kg
     inverse_inertia : (n, 3, 3), in the world frame, 1/(kg m²)
+    decoupled : whether friction leaves the normal speed alone
+        If not, it acts along the tangents themselves, and the coupling a is 0.
 
     Returns
     -------
@@ -63,7 +67,8 @@ def contact_rows(contacts: Contacts, position: Array, inverse_mass: Array, inver
     of restitution leaves the normal speed no choice. So friction here acts along
     t − a n with a = K_nt/K_nn: the impulse that moves the points along the surface and
     leaves their normal speed alone. Then the two do not disturb each other, and a
-    contact has its answer in one turn.
+    contact has its answer in one turn. A law that does not hold the normal speed fixed
+    needs the tangents themselves.
     """
     a, b = contacts.body_a, contacts.body_b
     direction = np.stack([contacts.normal, *tangents(contacts.normal)], axis=1)
@@ -80,7 +85,7 @@ def contact_rows(contacts: Contacts, position: Array, inverse_mass: Array, inver
         axis=-1,
     )
     normal_softness = np.vecdot(speed[:, 0], answer[:, 0])[:, None]
-    coupling = np.matvec(speed[:, 1:], answer[:, 0]) / normal_softness
+    coupling = np.matvec(speed[:, 1:], answer[:, 0]) / normal_softness * decoupled
     for rows in (direction, speed, answer):
         rows[:, 1:] -= coupling[:, :, None] * rows[:, :1]
     softness = speed @ np.swapaxes(answer, -1, -2)
@@ -92,3 +97,12 @@ def speeds(rows: Rows, velocity: Array, angular_velocity: Array) -> Array:
     a, b = rows.body_a, rows.body_b
     of_both = np.concatenate([velocity[a], angular_velocity[a], velocity[b], angular_velocity[b]], axis=-1)
     return np.asarray(np.matvec(rows.speed, of_both))
+
+
+def after_impulses(rows: Rows, velocity: Array, angular_velocity: Array, impulse: Array) -> tuple[Array, Array]:
+    """Velocities and spins, (n, 3) each, after impulses (m, 3) along the rows."""
+    velocities = np.concatenate([velocity, angular_velocity], axis=-1)
+    given = np.vecmat(impulse, rows.answer)
+    np.add.at(velocities, rows.body_a, given[:, :6])
+    np.add.at(velocities, rows.body_b, given[:, 6:])
+    return velocities[:, :3], velocities[:, 3:]

@@ -9,7 +9,9 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
 from solutions.world.bodies import Bodies, State
-from solutions.world.step import NOTHING, Rules, step_world
+from solutions.world.memory import NOTHING
+from solutions.world.rules import Rules
+from solutions.world.step import step_world
 
 Forces = Callable[[State], tuple[Array, Array]]
 """Forces and torques on all bodies in a state, (n, 3) each, N and N m."""

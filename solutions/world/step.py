@@ -2,66 +2,20 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solutions.arrays import Array, Integers
+from solutions.arrays import Array
 from solutions.impulse import world_inverse_inertia
 from solutions.world.bodies import Bodies, State
 from solutions.world.contacts import Contacts, collect_contacts
-from solutions.world.rotation import rotate_by_momentum, turned
-from solutions.world.rows import Rows, contact_rows, speeds
-from solutions.world.sequential import Wanted, in_groups, solve_sequentially
-from solutions.world.vectors import tangents
-
-
-class Rules(NamedTuple):
-    """How a world responds to its contacts.
-
-    Attributes
-    ----------
-    rest_speed : m/s
-        A slower approach is answered without rebound. Two steps' gain of weight is a
-        good choice, 2 g Δt: what is slower has fallen for two steps at most.
-    margin : m
-        A gap up to which a contact is kept, so that resting bodies keep theirs.
-    with_weight : whether the speed that is turned back includes the gain of this step
-        Newton's law speaks of the speed of approach. At a step one may take it before
-        the forces of the step act, or after; engines of both kinds exist.
-    slop : m
-        An overlap that is left alone, so that resting bodies are not moved about.
-    recovery : share of a deeper overlap that each step moves away, 0 to 1
-    sweeps : how often all contacts take their turn in a step, at most
-    tolerance : share of the largest impulse; smaller changes end the sweeps
-    push_sweeps : how often they do so to move overlaps away
-    """
-
-    rest_speed: float = 0.1
-    margin: float = 1e-3
-    with_weight: bool = False
-    slop: float = 1e-4
-    recovery: float = 0.2
-    sweeps: int = 50
-    tolerance: float = 1e-6
-    push_sweeps: int = 10
-
-
-class Memory(NamedTuple):
-    """What a step leaves to the next one: the impulse of each contact, to begin with.
-
-    Attributes
-    ----------
-    key : (m,), of the contacts, ascending
-    impulse : (m, 3), on A, in the world frame, N s
-    """
-
-    key: Integers
-    impulse: Array
-
-
-NOTHING = Memory(np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
+from solutions.world.memory import NOTHING, Memory, remembered
+from solutions.world.moving import moved, pushed_apart
+from solutions.world.responses import RESPONSES, Question
+from solutions.world.rows import contact_rows, speeds
+from solutions.world.rules import Rules, known
+from solutions.world.sequential import Wanted, in_groups
+from solutions.world.time_order import step_in_time_order
 
 
 def step_world(
@@ -89,75 +43,72 @@ def step_world(
     -------
     state, memory : for the next step
     contacts : those that this step has answered
+        Of a step in time order, those at its end.
+
+    Raises
+    ------
+    ValueError
+        If there is no such response, or it does not know the law.
     """
+    known(rules)
+
     # Forces
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
-    pull = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
-    velocity = state.velocity + dt * (pull + bodies.inverse_mass[:, None] * np.asarray(force))
-    spin = state.angular_velocity + dt * np.matvec(inverse_inertia, np.broadcast_to(torque, velocity.shape))
+    gain = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
+    gain = gain + bodies.inverse_mass[:, None] * np.asarray(force, dtype=float)
+    turn = np.matvec(inverse_inertia, np.broadcast_to(torque, gain.shape))
+    if rules.response == "in time order":
+        return _step_in_time_order(bodies, state, gain, turn, dt, rules)
+    velocity, spin = state.velocity + dt * gain, state.angular_velocity + dt * turn
 
     # Contacts
     contacts = collect_contacts(bodies, state, rules.margin)
     order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
     contacts = contacts.in_order(order)
-    rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia)
+    least_energy = rules.law == "dissipative" and rules.response != "penalty"
+    rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia, decoupled=least_energy)
 
     # Velocities
-    approaching = (velocity, spin) if rules.with_weight else (state.velocity, state.angular_velocity)
-    wanted = _wanted(bodies, contacts, -speeds(rows, *approaching)[:, 0], dt, rules)
-    start = _remembered(contacts, rows, memory)
-    velocity, spin, impulse = solve_sequentially(
-        rows, groups, velocity, spin, wanted, start, rules.sweeps, rules.tolerance
+    before = speeds(rows, state.velocity, state.angular_velocity)
+    approach = -(speeds(rows, velocity, spin) if rules.with_weight else before)[:, 0]
+    wanted, restitution = _wanted(bodies, contacts, approach, dt, rules)
+    start = remembered(memory, contacts, rows)
+    velocity, spin, impulse = RESPONSES[rules.response](
+        Question(contacts, rows, groups, velocity, spin, before, wanted, restitution, start, dt, rules)
     )
 
     # Positions
-    push = _push_apart(rows, groups, contacts, velocity, spin, dt, rules)
-    position = state.position + dt * velocity + push[:, :3]
-    orientation, spin = rotate_by_momentum(state.orientation, spin, bodies.moments, dt)
-    orientation = turned(orientation, push[:, 3:])
-    after = State(position, orientation, velocity, spin)
+    push = np.zeros((len(velocity), 6))
+    if rules.response != "penalty":
+        push = pushed_apart(rows, groups, contacts.separation, velocity, spin, dt, rules)
+    after = moved(bodies, state, velocity, spin, push, dt)
     return after, Memory(contacts.key, np.vecmat(impulse, rows.direction)), contacts
 
 
-def _wanted(bodies: Bodies, contacts: Contacts, approach: Array, dt: float, rules: Rules) -> Wanted:
-    """What the impulses have to reach: a rebound, or to come no nearer than the gap."""
+def _wanted(bodies: Bodies, contacts: Contacts, approach: Array, dt: float, rules: Rules) -> tuple[Wanted, Array]:
+    """What the impulses have to reach, a rebound or no more than the gap; and e."""
     surfaces, of_a, of_b = bodies.surfaces, bodies.material[contacts.body_a], bodies.material[contacts.body_b]
-    rebound = np.where(approach > rules.rest_speed, surfaces.restitution[of_a, of_b] * approach, 0.0)
-    return Wanted(
+    restitution = surfaces.restitution[of_a, of_b]
+    rebound = np.where(approach > rules.rest_speed, restitution * approach, 0.0)
+    wanted = Wanted(
         np.where(rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt),
         np.zeros(len(rebound)),
         surfaces.static_friction[of_a, of_b],
         surfaces.kinetic_friction[of_a, of_b],
         rebound > 0,
     )
+    return wanted, restitution
 
 
-def _remembered(contacts: Contacts, rows: Rows, memory: Memory) -> Array:
-    """Impulses (m, 3) to begin with, N s: of the last step, where features stay."""
-    if not len(memory.key):
-        return np.zeros((len(contacts.key), 3))
-    order = np.argsort(memory.key, kind="stable")
-    place = order[np.minimum(np.searchsorted(memory.key, contacts.key, sorter=order), len(order) - 1)]
-    had = np.where((memory.key[place] == contacts.key)[:, None], memory.impulse[place], 0.0)
-    # Along t − a n friction takes a·λ_t from the normal impulse; λ_n is that much more.
-    friction = np.stack([np.vecdot(had, tangent) for tangent in tangents(contacts.normal)], axis=-1)
-    normal = np.vecdot(had, contacts.normal) + np.vecdot(rows.coupling, friction)
-    return np.concatenate([normal[:, None], friction], axis=-1)
-
-
-def _push_apart(
-    rows: Rows, groups: list[slice], contacts: Contacts, velocity: Array, spin: Array, dt: float, rules: Rules
-) -> Array:
-    """How far each body is moved and turned (n, 6) out of the overlaps, m and rad.
-
-    It takes back a share of each. It is a motion beside the velocities, and so it adds
-    no kinetic energy.
-    """
-    ahead = contacts.separation + dt * speeds(rows, velocity, spin)[:, 0] + rules.slop
-    nothing, none = np.zeros_like(velocity), np.zeros(len(ahead))
-    if not np.any(ahead < 0):
-        return np.zeros((len(velocity), 6))
-    # Where a gap is left, the push may close it, and no more.
-    wanted = Wanted(np.where(ahead < 0, -rules.recovery * ahead, -ahead), none, none, none, none > 0)
-    moved, turn, _ = solve_sequentially(rows, groups, nothing, nothing, wanted, 0.0, rules.push_sweeps, rules.tolerance)
-    return np.concatenate([moved, turn], axis=-1)
+def _step_in_time_order(
+    bodies: Bodies, state: State, acceleration: Array, angular_acceleration: Array, dt: float, rules: Rules
+) -> tuple[State, Memory, Contacts]:
+    """One step with each impact at its instant; it leaves no impulses to begin with."""
+    after, _ = step_in_time_order(bodies, state, acceleration, angular_acceleration, dt, rules)
+    contacts = collect_contacts(bodies, after, rules.margin)
+    order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
+    contacts = contacts.in_order(order)
+    inverse_inertia = world_inverse_inertia(bodies.moments, after.orientation)
+    rows = contact_rows(contacts, after.position, bodies.inverse_mass, inverse_inertia)
+    push = pushed_apart(rows, groups, contacts.separation, after.velocity, after.angular_velocity, 0.0, rules)
+    return moved(bodies, after, after.velocity, after.angular_velocity, push, 0.0), NOTHING, contacts

@@ -72,6 +72,17 @@ def test_boxes_that_touch_overlap_and_by_a_last_digit_less_they_do_not():
     assert not len(candidate_pairs(lower, np.nextafter(upper, -INFINITE)))
 
 
+def test_boxes_that_touch_across_a_rounded_column_are_found():
+    """A box begins just below 0 and ends where the next begins; by rounding, they begin two of its widths apart."""
+    width, least = 0.3, np.nextafter(0.0, -1.0)
+    lower, upper = np.zeros((FEW + 3, 3)), np.full((FEW + 3, 3), width / 2)
+    lower[2:, 2] = 1 + np.arange(FEW + 1)  # so many others, one above the other, that there are columns
+    upper[2:, 2] = lower[2:, 2] + 0.5
+    lower[:2, 0], upper[:2, 0] = (least, width), (width, 1.5 * width)
+    assert math.floor(width / width) - math.floor(least / width) == 2
+    assert candidate_pairs(lower, upper).tolist() == [[0, 1]]
+
+
 @pytest.mark.parametrize("far", [1e3, 1e7, 1e17, 1e300])
 def test_one_box_far_away_neither_hides_pairs_nor_makes_others(far):
     rng = np.random.default_rng(2)
@@ -124,13 +135,14 @@ def test_no_box_and_a_single_box_have_no_pairs():
 
 
 def test_a_crowd_is_searched_without_a_look_at_all_pairs():
-    """So many boxes that all their pairs would not fit in memory; a column of cubes that touch shows what is found."""
+    """All pairs would not fit in memory: cubes in a row, each touching two, far from the origin and from one more."""
     count = 200_000
-    lower = np.zeros((count, 3))
-    lower[:, 1] = np.random.default_rng(5).permutation(count)
+    lower = np.full((count, 3), 1e9)
+    lower[1:, 1] += np.random.default_rng(5).permutation(count - 1)
+    lower[0] = 1e15
     pairs = candidate_pairs(lower, lower + 1)
     assert np.all(np.abs(np.diff(lower[pairs, 1], axis=1)) == 1)
-    assert len(pairs) == count - 1
+    assert len(pairs) == count - 2
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import sys
 from pathlib import Path
@@ -12,7 +13,7 @@ from typer.testing import CliRunner
 
 from labs.benching import programs, timing
 from labs.benching.programs import Environment, run
-from labs.benching.timing import Bench, benches, measure
+from labs.benching.timing import Bench, Watched, benches, measure
 from labs.cli import app
 from reference.errors import CollisionsError, RunFailed
 
@@ -65,6 +66,25 @@ def test_the_command_prints_a_table_of_the_requested_benches(made_up):
     assert "quick: nothing. Goal: 0.5 s." in said.stdout
     for who in ("hand-written", "theirs", "gone", "not installed: no_such_package_anywhere"):
         assert who in said.stdout
+
+
+def test_a_bench_has_its_own_number_of_calls_and_shows_the_largest_number_it_watches():
+    results = iter([99.0, 3.0, 5.0, 4.0])  # the first call is not counted
+    watched = Watched("depth, mm", lambda meters: 1000 * meters)
+    bench = Bench("deep", "nothing", lambda: lambda: next(results), repeats=3, watched=watched)
+    (ours,) = measure(bench)
+    assert ours.watched == 5000
+    assert not list(results)
+
+
+def test_the_command_shows_what_is_watched_beside_the_times(made_up):
+    path = made_up / "bench_made_up.py"
+    watching = MADE_UP.replace("0.5)", '0.5, watched=Watched("depth, mm", lambda made: 12.5))')
+    path.write_text(watching.replace("import Bench", "import Bench, Watched"), encoding="utf-8")
+    said = CliRunner().invoke(app, ["bench", "quick"]).stdout
+    heading, ours, theirs = said.splitlines()[1:4]
+    assert heading.split()[-2:] == ["depth,", "mm"]
+    assert [line.split()[-1] for line in (ours, theirs)] == ["12.5", "12.5"]
 
 
 def test_an_unknown_bench_is_refused_with_the_known_ones(made_up):
@@ -157,3 +177,55 @@ def test_an_environment_that_cannot_be_installed_says_why(tmp_path, monkeypatch)
     assert not environment.ready
     with pytest.raises(ImportError, match="no-such-package-anywhere"):
         environment.program("anything")
+
+
+@pytest.fixture
+def world():
+    return timing._load(Path(timing.BENCHES) / "bench_world.py")
+
+
+def test_the_overlap_of_a_pile_is_the_deepest_of_balls_and_walls(world):
+    """Balls of radius 0.1 between walls at 1.25; the tolerance is the rounding of these numbers."""
+    apart = [[0.3, -0.2, 0.1], [0.3, -0.2, 0.32], [1.1, 0.5, 0.7]]
+    assert world.deepest_overlap(np.array(apart)) == 0
+    pair = [[0.5, 0.6, 0.5], [0.5 + 0.09, 0.6 + 0.12, 0.5 + 0.08]]  # 0.17 from one another
+    for deepest, ball in [
+        (0.03, apart[1]),
+        (0.04, [0, 0, 0.06]),
+        (0.05, [1.2, 0, 0.3]),
+        (0.06, [-1.21, 0, 0.3]),
+        (0.07, [0, 1.22, 0.3]),
+        (0.08, [0, -1.23, 0.3]),
+    ]:
+        assert world.deepest_overlap(np.array([*pair, ball])) == pytest.approx(deepest, abs=1e-15)
+
+
+def test_the_balls_of_the_pile_start_apart_and_in_the_box(world):
+    assert world.above_the_box().position.shape == (666, 3)
+    assert world.deepest_overlap(world.above_the_box().position) == 0
+
+
+@pytest.mark.slow
+def test_the_engines_of_the_pile_read_one_state_and_give_it_alike(world, installed):
+    """Balls that touch nothing fly and turn freely for a step, each about an axis of its own.
+
+    The positions agree to rounding. The orientations agree to 1e-9 because Bullet turns by a series in (ω dt)².
+    """
+    installed("pybullet"), installed("mujoco")
+    rng = np.random.default_rng(7)
+    start = world.above_the_box()
+    turned = rng.normal(size=(len(start.position), 4))
+    turned /= np.linalg.norm(turned, axis=1, keepdims=True)
+    spins = rng.normal(size=(len(start.position), 3))
+    start = start._replace(orientation=turned, velocity=0.1 * spins[::-1], angular_velocity=spins)
+    found = []
+    for world_of in (functools.partial(world.bullet, 10), functools.partial(world.mujoco_cg, "elliptic")):
+        made = world_of(start)
+        found.append(made.pile(made.step(made.state)))
+    ours = start.position + world.DT * (start.velocity - [0, 0, 9.81 * world.DT])
+    for pile in found:
+        np.testing.assert_allclose(pile.position, ours, rtol=0, atol=1e-14)
+        np.testing.assert_allclose(pile.angular_velocity, spins, rtol=0, atol=1e-14)
+    same = np.abs(np.vecdot(found[0].orientation, found[1].orientation))
+    np.testing.assert_allclose(same, 1, rtol=0, atol=1e-9)
+    assert np.abs(np.vecdot(found[0].orientation, turned)).min() < 1 - 1e-6

@@ -1,0 +1,46 @@
+"""What a step leaves to the next one: the impulses of its contacts (slide 22)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from solutions.arrays import Array, Integers
+from solutions.world.contacts import Contacts
+from solutions.world.rows import Rows
+from solutions.world.vectors import tangents
+
+
+class Memory(NamedTuple):
+    """Impulses to begin with.
+
+    Attributes
+    ----------
+    key : (m,), of the contacts
+    impulse : (m, 3), on A, in the world frame, N s
+    """
+
+    key: Integers
+    impulse: Array
+
+
+NOTHING = Memory(np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
+"""What the first step finds."""
+
+
+def remembered(memory: Memory, contacts: Contacts, rows: Rows) -> Array:
+    """Impulses (m, 3) to begin with, N s: of the last step, where features stay.
+
+    They are kept in the world frame, because the directions of friction turn with the
+    normal from step to step.
+    """
+    if not len(memory.key):
+        return np.zeros((len(contacts.key), 3))
+    order = np.argsort(memory.key, kind="stable")
+    place = order[np.minimum(np.searchsorted(memory.key, contacts.key, sorter=order), len(order) - 1)]
+    had = np.where((memory.key[place] == contacts.key)[:, None], memory.impulse[place], 0.0)
+    # Along t − a n friction takes a·λ_t from the normal impulse; λ_n is that much more.
+    friction = np.stack([np.vecdot(had, tangent) for tangent in tangents(contacts.normal)], axis=-1)
+    normal = np.vecdot(had, contacts.normal) + np.vecdot(rows.coupling, friction)
+    return np.concatenate([normal[:, None], friction], axis=-1)

@@ -1,0 +1,100 @@
+"""The responses of a step, each under its name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from solutions.arrays import Array
+from solutions.world.contacts import Contacts
+from solutions.world.penalty import solve_with_springs
+from solutions.world.rows import Rows
+from solutions.world.rules import Rules
+from solutions.world.sequential import Wanted, solve_sequentially
+from solutions.world.simultaneous import solve_simultaneously
+from solutions.world.two_phases import Answer, solve_in_two_phases
+
+
+class Question(NamedTuple):
+    """What a response has to answer.
+
+    Attributes
+    ----------
+    contacts, rows : m contacts
+    groups : contacts that may take their turn together
+    velocity, angular_velocity : (n, 3), with what all other forces add in this step
+    before : (m, 3), speeds of the contacts before the step, m/s
+    wanted : what Newton's law wants
+    restitution : (m,), e
+    start : (m, 3), what the last step left, N s
+    dt : s
+    rules : how to respond
+    """
+
+    contacts: Contacts
+    rows: Rows
+    groups: list[slice]
+    velocity: Array
+    angular_velocity: Array
+    before: Array
+    wanted: Wanted
+    restitution: Array
+    start: Array
+    dt: float
+    rules: Rules
+
+
+def sequential(asked: Question) -> Answer:
+    """Contact after contact, again and again; see `solve_sequentially`."""
+
+    def solve(wanted: Wanted, start: Array) -> Answer:
+        return solve_sequentially(
+            asked.rows,
+            asked.groups,
+            asked.velocity,
+            asked.angular_velocity,
+            wanted,
+            start,
+            asked.rules.sweeps,
+            asked.rules.tolerance,
+        )
+
+    return _by_law(solve, asked)
+
+
+def simultaneous(asked: Question) -> Answer:
+    """All contacts at once; see `solve_simultaneously`."""
+
+    def solve(wanted: Wanted, start: Array) -> Answer:
+        return solve_simultaneously(asked.rows, asked.velocity, asked.angular_velocity, wanted, asked.rules.directions)
+
+    return _by_law(solve, asked)
+
+
+def penalty(asked: Question) -> Answer:
+    """Springs and dampers; see `solve_with_springs`."""
+    return solve_with_springs(
+        asked.rows,
+        asked.velocity,
+        asked.angular_velocity,
+        asked.contacts.separation,
+        asked.before,
+        asked.restitution,
+        asked.wanted.kinetic_friction,
+        asked.start,
+        asked.rules.stiffness,
+        asked.dt,
+    )
+
+
+RESPONSES: dict[str, Callable[[Question], Answer]] = {
+    "sequential": sequential,
+    "simultaneous": simultaneous,
+    "penalty": penalty,
+}
+
+
+def _by_law(solve: Callable[[Wanted, Array], Answer], asked: Question) -> Answer:
+    if asked.rules.law == "poisson":
+        return solve_in_two_phases(solve, asked.wanted, asked.restitution, asked.start)
+    return solve(asked.wanted, asked.start)

@@ -1,0 +1,71 @@
+"""How a world responds to its contacts: its response and its law of restitution."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+LAWS = {
+    "sequential": ("dissipative", "newton", "poisson"),
+    "simultaneous": ("dissipative", "newton", "poisson"),
+    "penalty": ("dissipative",),
+    "in time order": ("dissipative", "newton", "poisson", "stronge"),
+}
+"""The responses, and the laws of restitution that each of them knows.
+
+A penalty contact has no law besides its spring and its damper, which add no energy.
+"""
+
+
+class Rules(NamedTuple):
+    """How a world responds to its contacts.
+
+    Attributes
+    ----------
+    rest_speed : m/s
+        A slower approach is answered without rebound. Two steps' gain of weight is a
+        good choice, 2 g Δt: what is slower has fallen for two steps at most.
+    margin : m
+        A gap up to which a contact is kept, so that resting bodies keep theirs.
+    with_weight : whether the speed that is turned back includes the gain of this step
+        Newton's law speaks of the speed of approach. At a step one may take it before
+        the forces of the step act, or after; engines of both kinds exist.
+    slop : m
+        An overlap that is left alone, so that resting bodies are not moved about.
+    recovery : share of a deeper overlap that each step moves away, 0 to 1
+    sweeps : how often all contacts take their turn in a step, at most
+    tolerance : share of the largest impulse; smaller changes end the sweeps
+    push_sweeps : how often they do so to move overlaps away
+    response : 'sequential', 'simultaneous', 'penalty' or 'in time order'
+    law : of restitution: 'dissipative', 'newton', 'poisson' or 'stronge'
+        `LAWS` lists the laws that each response knows. 'dissipative' is Newton's law
+        with the friction in Coulomb's cone that takes the most energy, 'newton' the
+        same law with friction that opposes the slip after the impact.
+    directions : of friction, in the polygon of the simultaneous response
+    stiffness : k of a penalty contact, N/m
+    looks : how often a step in time order may back up the world
+        The rest of such a step is answered without rebound and without another look.
+    """
+
+    rest_speed: float = 0.1
+    margin: float = 1e-3
+    with_weight: bool = False
+    slop: float = 1e-4
+    recovery: float = 0.2
+    sweeps: int = 50
+    tolerance: float = 1e-6
+    push_sweeps: int = 10
+    response: str = "sequential"
+    law: str = "dissipative"
+    directions: int = 8
+    stiffness: float = 1e4
+    looks: int = 1000
+
+
+def known(rules: Rules) -> Rules:
+    """Return the rules; refuse a response or a law that does not exist."""
+    if rules.response not in LAWS:
+        raise ValueError(f"response must be one of {', '.join(LAWS)}, not {rules.response!r}")
+    if rules.law not in LAWS[rules.response]:
+        laws = ", ".join(LAWS[rules.response])
+        raise ValueError(f"law of the response {rules.response!r} must be one of {laws}, not {rules.law!r}")
+    return rules

@@ -1,0 +1,92 @@
+"""Volumes of shapes."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from solutions.arrays import Array
+from solutions.checks import finite, not_negative, positive
+from solutions.polyhedra.surface import checked_mesh
+from solutions.world.shapes import Shape
+
+
+def volume(shape: Shape) -> float:
+    """Volume of a shape, m³.
+
+    Parameters
+    ----------
+    shape : see `solutions.world.shapes`
+
+    Returns
+    -------
+    float, m³
+        That of a compound is the sum over its parts, even where they overlap. That of a
+        half-space is infinite.
+
+    Raises
+    ------
+    ValueError
+        If a length is negative or not finite, the faces of a polyhedron look inwards,
+        or there is no such kind of shape.
+    """
+    kind, *rest = shape
+    if kind == "sphere":
+        return 4 / 3 * np.pi * length("radius", rest[0]) ** 3
+    if kind == "capsule":
+        radius, half_length = length("radius", rest[0]), length("half_length", rest[1])
+        return volume(("sphere", radius)) + np.pi * radius**2 * 2 * half_length
+    if kind == "box":
+        return float(8 * np.prod(finite("half_extents", not_negative("half_extents", rest[0]))))
+    if kind == "polyhedron":
+        return float(np.sum(tetrahedra(*rest)[0]))
+    if kind == "half-space":
+        return np.inf
+    if kind == "compound":
+        return sum(volume(part) for part, _, _ in rest[0])
+    kinds = "sphere, capsule, box, polyhedron, half-space or compound"
+    raise ValueError(f"the kind of a shape must be {kinds}, not {kind!r}")
+
+
+def tetrahedra(vertices: ArrayLike, faces: Sequence[Sequence[int]]) -> tuple[Array, Array, Array]:
+    """A polyhedron cut into tetrahedra, all with a tip at the middle of its vertices.
+
+    Parameters
+    ----------
+    vertices : (v, 3), m
+    faces : f lists of vertices each, counterclockwise from outside
+        They may have different lengths. A vertex that is repeated makes no difference.
+
+    Returns
+    -------
+    volumes : (t,), m³
+        Their sum is the volume of the polyhedron.
+    corners : (t, 3, 3), the other three corners as seen from the tip, m
+    tip : (3,), m
+
+    Raises
+    ------
+    ValueError
+        If vertices are not finite or do not fit the faces, or the faces look inwards.
+
+    Notes
+    -----
+    A face with the corners 0, 1, 2, 3 is cut into the triangles 0 1 2 and 0 2 3. Each
+    triangle a, b, c makes a tetrahedron with the tip, whose volume is a·(b × c)/6.
+    """
+    triangles = [(face[0], *side) for face in faces for side in itertools.pairwise(face[1:])]
+    v, f = checked_mesh(vertices, triangles)
+    middle = v.mean(axis=0)
+    corners = (v - middle)[f]
+    a, b, c = np.moveaxis(corners, 1, 0)
+    volumes = np.vecdot(a, np.cross(b, c)) / 6
+    positive("volume inside the faces", volumes.sum())
+    return volumes, corners, middle
+
+
+def length(name: str, value: float) -> float:
+    """Return a length, if it is finite and not negative; raise ValueError otherwise."""
+    return float(finite(name, not_negative(name, value)))
