@@ -73,9 +73,10 @@ def edge_contacts(a: Hull, b: Hull) -> Crossing:
     normal = cross(first, second)
     sine = np.sqrt(np.vecdot(normal, normal) / (np.vecdot(first, first) * np.vecdot(second, second)))
     length = np.where(left_a[pair, edge_a, edge_b] > 0, -1.0, 1.0) * np.sqrt(np.vecdot(normal, normal))
-    normal /= length[:, None]
+    parallel = sine < PARALLEL
+    normal /= np.where(parallel, 1.0, length)[:, None]
     separation = np.vecdot(normal, starts_a[pair, edge_a] - starts_b[pair, edge_b])
-    separation[sine < PARALLEL] = -np.inf
+    separation[parallel] = -np.inf
     return _best(a, b, (pair, edge_a, edge_b), separation, normal)
 
 

@@ -112,6 +112,9 @@ def solve_sequentially(
     direction d the edge of the cone lies at R = μ (λ_n − a·d R), so that
     R = μ λ_n/(1 + μ a·d).
 
+    Where λ_n is negative, nothing at this edge is in the cone. Then friction gives way,
+    and the normal impulse is clamped again, because friction now takes another share.
+
     With a rebound, friction leaves the least energy if it opposes not the slip w but
     w + c μ a, where c is how strongly the edge holds; `dissipative_impulse` derives it.
     Without a rebound, u_n = 0, friction opposes the slip, as Coulomb says.
@@ -132,7 +135,8 @@ def solve_sequentially(
             taken = np.vecdot(rows.coupling[group], had[:, 1:])
             new[:, 0] = np.maximum(wanted.least[group] + taken, had[:, 0] + missing / rows.softness[group, 0, 0])
             new[:, 1:] = friction.impulse(group, had[:, 1:], speed[:, 1:], new[:, 0])
-            new[:, 0] = np.maximum(new[:, 0], wanted.least[group] + np.vecdot(rows.coupling[group], new[:, 1:]))
+            taken = np.vecdot(rows.coupling[group], new[:, 1:])
+            new[:, 0] = np.maximum(wanted.least[group] + taken, new[:, 0])
             velocities[bodies[group]] = of_both + np.vecmat(new - had, rows.answer[group]).reshape(-1, 2, 6)
         if np.max(np.abs(impulse - before), initial=0.0) <= tolerance * np.max(np.abs(impulse), initial=0.0):
             break
