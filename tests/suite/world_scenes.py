@@ -69,7 +69,10 @@ def scene(things: Sequence[Thing], **coefficients: Any) -> tuple[Bodies, State]:
     )
     orientation = [each.orientation for each in things]
     start = make_state(
-        [each.position for each in things], orientation, [each.velocity for each in things], [each.spin for each in things]
+        [each.position for each in things],
+        orientation,
+        [each.velocity for each in things],
+        [each.spin for each in things],
     )
     return bodies, start
 
