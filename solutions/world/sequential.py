@@ -173,8 +173,8 @@ class _Friction:
         sliding = had - self.least_mass[group] * slip
         length, along = _split(sliding)
         steepness = 1 + kinetic * np.vecdot(coupling, along)
-        reach = kinetic * np.maximum(normal, 0.0)  # no edge below zero
-        edge = np.where(steepness > 0, reach / np.where(steepness > 0, steepness, 1.0), length)
+        edge = np.where(steepness > 0, kinetic * normal / np.where(steepness > 0, steepness, 1.0), length)
+        edge = np.where(normal > 0, edge, 0.0)
         return np.where(holds[:, None], sticking, np.minimum(edge, length)[:, None] * along)
 
     def _towards_least_energy(self, group: slice, had: Array, slip: Array) -> Array:
