@@ -93,7 +93,7 @@ def clip(start: Array, end: Array, on: Array) -> Part:
     entry, leaving = _at(entries, entry_side), _at(leavings, leaving_side)
     cut_in, cut_out, inside = entry > 0, leaving < 1, entry <= leaving
     entry = np.where(cut_in, np.minimum(_at(true, entry_side), leaving), 0.0)
-    leaving = np.where(cut_out, np.maximum(_at(true, leaving_side), entry), 1.0)
+    leaving = np.where(cut_out, _at(true, leaving_side), 1.0)
     return Part(inside, entry, leaving, cut_in, cut_out, entry_side, leaving_side)
 
 

@@ -70,13 +70,14 @@ def edge_contacts(a: Hull, b: Hull) -> Crossing:
     crossing = (left_b * right_b < 0) & (left_a * right_a < 0) & (left_b * right_a < 0)
     pair, edge_a, edge_b = np.nonzero(crossing)
     first, second = way_a[pair, edge_a], way_b[pair, edge_b]
-    normal = cross(first, second)
-    sine = np.sqrt(np.vecdot(normal, normal) / (np.vecdot(first, first) * np.vecdot(second, second)))
-    length = np.where(left_a[pair, edge_a, edge_b] > 0, -1.0, 1.0) * np.sqrt(np.vecdot(normal, normal))
-    parallel = sine < PARALLEL
-    normal /= np.where(parallel, 1.0, length)[:, None]
+    out = cross(first, second)
+    length = np.sqrt(np.vecdot(out, out))
+    sizes = np.sqrt(np.vecdot(first, first) * np.vecdot(second, second))
+    real = np.flatnonzero(length > PARALLEL * sizes)
+    pair, edge_a, edge_b = pair[real], edge_a[real], edge_b[real]
+    towards_a = np.where(left_a[pair, edge_a, edge_b] > 0, -1.0, 1.0)
+    normal = out[real] * (towards_a / length[real])[:, None]
     separation = np.vecdot(normal, starts_a[pair, edge_a] - starts_b[pair, edge_b])
-    separation[parallel] = -np.inf
     return _best(a, b, (pair, edge_a, edge_b), separation, normal)
 
 
@@ -85,7 +86,6 @@ def _best(a: Hull, b: Hull, edges: tuple[Integers, Integers, Integers], separati
     count, (pair, edge_a, edge_b) = len(a.vertices), edges
     order = np.lexsort((-separation, pair))
     best = order[np.flatnonzero(np.diff(pair[order], prepend=-1))]
-    best = best[np.isfinite(separation[best])]
     pair, edge_a, edge_b = pair[best], edge_a[best], edge_b[best]
     start_a, end_a = (a.vertices[pair, end] for end in a.edges.ends[edge_a].T)
     start_b, end_b = (b.vertices[pair, end] for end in b.edges.ends[edge_b].T)

@@ -19,12 +19,6 @@ from solutions.arrays import Array, Booleans, Integers
 from solutions.world.clipping import ON_SIDE, behind_sides, clip
 from solutions.world.hulls import Hull
 
-STEEP = -1e-6
-"""Cosine between both normals above which the incident face is seen from its side.
-
-No corner of the reference face is then inside it.
-"""
-
 
 class Faces(NamedTuple):
     """One face of each of n hulls.
@@ -138,13 +132,13 @@ def _clipped(reference: Faces, incident: Faces, on: Array) -> Places:
     within = behind_sides(reference.corners, incident.corners, -reference.normal)
     slope = np.vecdot(incident.normal, reference.normal)[:, None]
     covered = np.all((within > on[:, None, None]) | ~incident.real[:, None], axis=2)
-    corners = reference.real & covered & (slope < STEEP)
+    corners = reference.real & covered
     below = np.vecdot(incident.corners[:, :1] - reference.corners, incident.normal[:, None])
 
     on_incident = np.concatenate([begin, end], axis=1)
     height = np.vecdot(on_incident - reference.corners[:, :1], normal)
     on_reference = np.concatenate([on_incident - height[..., None] * normal, reference.corners], axis=1)
-    separation = np.concatenate([height, below / np.minimum(slope, STEEP)], axis=1)
+    separation = np.concatenate([height, below / slope], axis=1)
     real = np.concatenate([begins, ends, corners], axis=1)
     first = np.where(part.cut_in, incident.edge + cut_by, incident.vertex)
     return Places(

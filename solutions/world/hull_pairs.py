@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from solutions.arrays import Array, Booleans, Integers
-from solutions.world.edge_contacts import Crossing, edge_contacts
+from solutions.arrays import Array, Integers
+from solutions.world.edge_contacts import edge_contacts
 from solutions.world.face_contacts import face_contacts
 from solutions.world.hulls import hull_of
 from solutions.world.round_pairs import above_half_space
@@ -25,7 +25,11 @@ decide from step to step whether it rests on a face or on an edge, and on which 
 For the same reason a face of A must be better than one of B by this much.
 """
 SAME_NORMAL = np.cos(0.03)
-"""Cosine of the angle up to which two edges' normal counts as that of a face."""
+"""Cosine of the angle up to which a face is preferred to edges with nearly its normal.
+
+Where a hardly tilted box hangs over another one, two edges cross. The faces have nearly
+the same normal there, and more places that hold the box up.
+"""
 FEATURES = 1 << 16
 """Numbers that a feature may have."""
 
@@ -45,9 +49,9 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     Notes
     -----
     Hulls that are apart, but by no more than the margin, may be nearest at two
-    vertices, or at a vertex and an edge. No normal of a face or of two edges belongs to
-    such a place, so it is left out. In overlap the shortest way out is always one of
-    these.
+    vertices, or at a vertex and an edge. The way between these is along no normal of a
+    face or of two edges, so that such a place is left out. In overlap the shortest way
+    out is always along one of these normals.
     """
     one, other = hull_of(a), hull_of(b)
     over_a, face_a = _best_face(one.normal, one.offset, other.vertices)
@@ -65,8 +69,8 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     places, edges = face_contacts(one, other, face_a, face_b, on_b), edge_contacts(one, other)
 
     normal = np.where(on_b[:, None], out, -out)
-    by_edges = _prefers_edges(edges, normal, np.maximum(over_a, over_b), np.min(places.separation, axis=1), bias)
-
+    by_edges = edges.separation > np.maximum(over_a, over_b) + bias
+    by_edges &= np.vecdot(edges.normal, normal) < SAME_NORMAL
     separation = np.concatenate(
         [
             np.where(by_edges[:, None], np.inf, places.separation),
@@ -74,7 +78,6 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
         ],
         axis=1,
     )
-    separation[edges.separation > margin] = np.inf
     point = np.concatenate([places.point, edges.point[:, None]], axis=1)
     feature = np.concatenate([places.feature, edges.feature[:, None]], axis=1) % FEATURES
     normal = np.where(by_edges[:, None], edges.normal, normal)
@@ -83,34 +86,6 @@ def hull_hull(a: Placed, b: Placed, margin: float) -> Found:
     order = np.argsort(row * FEATURES + feature[row, slot], kind="stable")
     row, slot = row[order], slot[order]
     return Found(pair[row], point[row, slot], normal[row], separation[row, slot], feature[row, slot])
-
-
-def _prefers_edges(edges: Crossing, normal: Array, by_face: Array, deepest: Array, bias: Array) -> Booleans:
-    """Which pairs touch with an edge of each rather than with a face.
-
-    Parameters
-    ----------
-    edges : that separate the hulls best
-    normal : (n, 3), of the contact if it is with a face, unit
-    by_face : (n,), how far the reference face separates the hulls, m
-    deepest : (n,), separation of the deepest place of the two faces, m
-    bias : (n,), m
-
-    Notes
-    -----
-    The hulls touch with the edges if these separate them better than the face does by
-    more than the bias. There are two exceptions:
-
-    - A box that hangs over the edge of another one and is hardly tilted has nearly the
-      same normal in both ways. The faces have more places, so they are preferred as
-      long as one of these is as deep as the edges are.
-    - A face that is as good as the edges may still miss the place where they cross.
-    """
-    as_deep = deepest <= np.maximum(by_face, edges.separation) + bias
-    better = edges.separation > by_face + bias
-    alike = np.vecdot(edges.normal, normal) > SAME_NORMAL
-    missed = edges.touching & (edges.separation > by_face - bias) & ~as_deep
-    return np.asarray((better & ~(alike & as_deep)) | missed)
 
 
 def _best_face(normal: Array, offset: Array, vertices: Array) -> tuple[Array, Integers]:

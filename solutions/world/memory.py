@@ -1,4 +1,4 @@
-"""What a step leaves to the next one: the impulses of its contacts (slide 22)."""
+"""What a step leaves to the next one, the impulses of its contacts first (slide 22)."""
 
 from __future__ import annotations
 
@@ -19,10 +19,12 @@ class Memory(NamedTuple):
     ----------
     key : (m,), of the contacts
     impulse : (m, 3), on A, in the world frame, N s
+    still : (n,), for how long each body has been slow, s; 0 if nothing sleeps
     """
 
     key: Integers
     impulse: Array
+    still: Array | float = 0.0
 
 
 NOTHING = Memory(np.zeros(0, dtype=np.int64), np.zeros((0, 3)))

@@ -42,6 +42,10 @@ class Rules(NamedTuple):
         same law with friction that opposes the slip after the impact.
     directions : of friction, in the polygon of the simultaneous response
     stiffness : k of a penalty contact, N/m
+    sleep_speed : m/s; bodies that stay slower for `sleep_after` s are left out
+        0, and nothing sleeps.
+    sleep_after : s
+    sleep_size : m; a spin counts as a speed that far from the centre
     looks : how often a step in time order may back up the world
         The rest of such a step is answered without rebound and without another look.
     """
@@ -58,6 +62,9 @@ class Rules(NamedTuple):
     law: str = "dissipative"
     directions: int = 8
     stiffness: float = 1e4
+    sleep_speed: float = 0.0
+    sleep_after: float = 0.5
+    sleep_size: float = 0.1
     looks: int = 1000
 
 

@@ -7,9 +7,6 @@ import numpy as np
 from solutions.arrays import Array
 from solutions.world.shapes import Placed
 
-ROUNDING = 1e-14
-"""Squared sine of the angle of two segments below which rounding decides about it."""
-
 
 def ends_of(capsule: Placed) -> Array:
     """The ends (n, 2, 3) of the cores of capsules, that at −z first, m.
@@ -47,8 +44,7 @@ def nearest_on_segments(start_a: Array, way_a: Array, start_b: Array, way_b: Arr
     between = start_a - start_b
     aa, bb, ab = np.vecdot(way_a, way_a), np.vecdot(way_b, way_b), np.vecdot(way_a, way_b)
     ar, br = np.vecdot(way_a, between), np.vecdot(way_b, between)
-    squared_sine = aa * bb - ab * ab
-    first = _share(ab * br - bb * ar, np.where(squared_sine > ROUNDING * aa * bb, squared_sine, 0.0))
+    first = _share(ab * br - bb * ar, aa * bb - ab * ab)
     share_b = _share(br + first * ab, bb)
     return _share(share_b * ab - ar, aa), share_b
 

@@ -15,6 +15,7 @@ from solutions.world.responses import RESPONSES, Question
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules, known
 from solutions.world.sequential import Wanted, in_groups
+from solutions.world.sleeping import is_fast, with_neighbours, with_sleepers
 from solutions.world.time_order import step_in_time_order
 
 
@@ -51,6 +52,8 @@ def step_world(
         If there is no such response, or it does not know the law.
     """
     known(rules)
+    if rules.sleep_speed > 0:
+        return _step_with_sleepers(bodies, state, acceleration, dt, rules, memory, force, torque)
 
     # Forces
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
@@ -112,3 +115,32 @@ def _step_in_time_order(
     rows = contact_rows(contacts, after.position, bodies.inverse_mass, inverse_inertia)
     push = pushed_apart(rows, groups, contacts.separation, after.velocity, after.angular_velocity, 0.0, rules)
     return moved(bodies, after, after.velocity, after.angular_velocity, push, 0.0), NOTHING, contacts
+
+
+def _step_with_sleepers(
+    bodies: Bodies,
+    state: State,
+    acceleration: ArrayLike,
+    dt: float,
+    rules: Rules,
+    memory: Memory,
+    force: ArrayLike,
+    torque: ArrayLike,
+) -> tuple[State, Memory, Contacts]:
+    """One step without the bodies that sleep, unless one of them is struck.
+
+    A struck sleeper wakes with all that lie against it, and the step is taken again:
+    what it receives, it has to pass on.
+    """
+    awake_rules, fast = rules._replace(sleep_speed=0.0), is_fast(bodies, state, rules)
+    still = np.where(fast, 0.0, np.broadcast_to(memory.still, fast.shape))
+    while True:
+        asleep = still >= rules.sleep_after
+        lying = with_sleepers(bodies, state, asleep)
+        after, left, contacts = step_world(*lying, acceleration, dt, awake_rules, memory, force, torque)
+        woken = with_neighbours(fast, contacts) & asleep
+        if not np.any(woken):
+            break
+        fast, still = fast | woken, np.where(woken, 0.0, still)
+    restless = with_neighbours(is_fast(bodies, after, rules), contacts)
+    return after, left._replace(still=np.where(restless, 0.0, still + dt)), contacts

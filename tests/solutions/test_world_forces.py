@@ -146,7 +146,7 @@ def test_a_body_hung_from_a_spring_is_a_double_pendulum():
 def test_a_damped_pair_keeps_its_momenta_and_loses_what_its_damper_wastes():
     mass, moments = np.array([1.0, 3.0]), np.array([[0.02, 0.05, 0.04], [0.3, 0.1, 0.2]])
     tie = {"body_a": [0], "point_a": [(0.2, 0.1, 0)], "body_b": [1], "point_b": [(0, -0.3, 0.4)]}
-    stiffness, rest, damping, dt, count = 40.0, 0.8, 3.0, 2e-3, 100
+    stiffness, rest, damping, dt, count = 40.0, 0.8, 3.0, 1e-3, 150
     position, orientation, velocity, spin = random_state(8, bodies=2)
 
     def account():
@@ -175,7 +175,7 @@ def test_a_damped_pair_keeps_its_momenta_and_loses_what_its_damper_wastes():
     momenta_after, energy_after = account()
     assert momenta_after == pytest.approx(momenta, abs=1e-12)
     assert wasted > 0.1 * energy
-    assert energy - energy_after == pytest.approx(wasted, rel=2e-3)  # of second order in dt
+    assert energy - energy_after == pytest.approx(wasted, rel=2e-3)  # of first order in dt; 1.5e-3 measured
 
 
 def catenary():
@@ -247,6 +247,8 @@ def test_mesh_dampers_resist_bodies_as_dampers_between_their_centres_do():
     assert torque == pytest.approx(expected[1], abs=1e-14)
     with pytest.raises(ValueError, match="twice"):
         mesh_body_forces(state, mesh, [3, 0, 3])
+    with pytest.raises(ValueError, match="from 0 to 3"):
+        mesh_body_forces(state, mesh, [3, 0, WORLD])
 
 
 def test_a_ball_sinks_through_a_thick_fluid_at_its_terminal_velocity():
@@ -292,7 +294,17 @@ def test_scenes_side_by_side_feel_what_each_feels_alone():
             assert whole[scene] == pytest.approx(part, abs=1e-13)
 
 
-def test_a_force_at_a_point_turns_about_the_centre_and_the_world_takes_none():
+def test_one_force_acts_on_scenes_side_by_side():
+    position, *motion = random_state(5, 2)
+    force, torque = forces_at_points(
+        (position, *motion), [1, 1], position[:, [1, 1]] + (0, 0, 1), [(1.0, 0, 0), (3.0, 2.0, 0)]
+    )
+    assert np.array_equal(force[:, 1], [(4.0, 2.0, 0)] * 2)
+    assert torque[:, 1] == pytest.approx(np.array([(-2.0, 4.0, 0)] * 2), abs=1e-14)
+    assert np.array_equal(force[:, [0, 2]], np.zeros((2, 2, 3)))
+
+
+def test_a_force_at_a_point_turns_a_body_and_the_world_takes_none():
     state = at_rest([(1.0, 2.0, 3.0), (0, 0, 0)])
     force, torque = forces_at_points(state, [0, WORLD], [(1.0, 2.5, 3.0), (5.0, 5.0, 5.0)], [(2.0, 0, 0), (7.0, 0, 0)])
     assert np.array_equal(force, [(2.0, 0, 0), (0, 0, 0)])

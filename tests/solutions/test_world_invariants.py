@@ -20,6 +20,7 @@ from solutions.world.step import step_world
 
 NO_WEIGHT = (0.0, 0.0, 0.0)
 
+
 def some_shape(rng, kind):
     """A ball, a capsule or a box."""
     size = rng.uniform(0.1, 0.3, 3)

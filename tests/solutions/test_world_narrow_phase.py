@@ -134,9 +134,11 @@ def test_two_balls_touch_halfway_between_their_surfaces():
 
 
 def test_balls_at_the_same_place_are_pushed_apart_upwards():
-    found = touch((SPHERE, SPHERE), place(SPHERE, [1, 2, 3]), place(SPHERE, [1, 2, 3.0]))
-    np.testing.assert_array_equal(found.normal, [[0, 0, 1]])
-    assert found.separation == pytest.approx(-0.6, rel=1e-15)
+    at = [[1, 2, 3], [1, 2, 3.0]]
+    found = touch((SPHERE, SPHERE), place(SPHERE, at), place(SPHERE, at - np.array([[0, 0, 0], [1e-6, 0, 0]])))
+    # a millionth of a metre has ten digits here, and is a direction
+    np.testing.assert_allclose(found.normal, [[0, 0, 1], [1, 0, 0]], atol=1e-9)
+    np.testing.assert_allclose(found.separation, [-0.6, 1e-6 - 0.6], rtol=1e-15)
 
 
 def test_a_ball_on_the_core_of_a_capsule_leaves_across_the_core():
@@ -156,6 +158,44 @@ def test_a_ball_in_a_box_leaves_through_the_nearest_face():
     np.testing.assert_allclose(turn.T @ found.point[0], [0.1, -0.2, 0.3 - 0.35 / 2], atol=1e-15)
 
 
+def test_a_ball_in_the_middle_of_a_box_has_a_way_out():
+    found = touch((SPHERE, BOX), place(SPHERE, [0, 0, 0]), place(BOX, [0, 0, 0]))
+    np.testing.assert_array_equal(np.abs(found.normal), [[0, 0, 1]])  # through the nearer faces
+    assert found.separation == pytest.approx(-0.6, rel=1e-15)
+
+
+def test_a_ball_on_a_face_touches_it_once():
+    found = touch((SPHERE, POLYHEDRON), place(SPHERE, [0.1, 0.1, -0.59]), place(POLYHEDRON, [0, 0, 0]))
+    np.testing.assert_allclose(found.point, [[0.1, 0.1, -0.295]], atol=1e-15)
+
+
+def test_an_upright_capsule_just_beyond_an_edge_touches_the_edge():
+    away = np.array([0.003, 0, 0.19])
+    at = np.array([0.5, 0.1, 0.3]) + away + [0, 0, 0.5]
+    found = touch((CAPSULE, BOX), place(CAPSULE, at), place(BOX, [0, 0, 0]))
+    distance = np.linalg.norm(away)
+    # some roundings of numbers of order one, divided by a distance of 0.2
+    np.testing.assert_allclose(found.normal, [away / distance], atol=1e-14)
+    assert found.separation == pytest.approx(distance - 0.2, abs=1e-15)
+
+
+def test_a_capsule_deep_in_a_box_along_its_edges_leaves_through_a_face():
+    turn = random_turns(np.random.default_rng(2), 20)
+    boxes = place(BOX, np.zeros((20, 3)), turn, (0.9, 0.8, 0.7))
+    found = touch((CAPSULE, BOX), place(CAPSULE, turn @ [0.1, -0.7, 0.05], turn, (0.2, 0.5, 0)), boxes)
+    # its core is 0.1 deep; rounding of some numbers of order one
+    np.testing.assert_allclose(found.separation, -0.3, atol=1e-14)
+    np.testing.assert_array_equal(found.feature, [0, 1] * 20)
+    np.testing.assert_allclose(found.normal, -turn[found.pair][:, :, 1], atol=1e-14)
+
+
+def test_capsules_whose_cores_cross_are_pushed_apart_across_both():
+    a, b = place(CAPSULE, [0, 0, 0], about([0, 1.0, 0], 90)), place(CAPSULE, [0, 0, 0], about([1.0, 0, 0], 60))
+    found = touch((CAPSULE, CAPSULE), a, b)
+    out = np.cross([1, 0, 0], b.rotation[0, :, 2])
+    assert abs(found.normal[0] @ out) == pytest.approx(1.0, rel=1e-14)
+
+
 def test_crossing_capsules_touch_where_their_cores_are_nearest():
     a = place(CAPSULE, [0.1, 0.2, 0.35], about([0, 1.0, 0], 90))
     b = place(CAPSULE, [0.3, 0.1, 0], about([1.0, 0, 0], 90))
@@ -168,12 +208,14 @@ def test_crossing_capsules_touch_where_their_cores_are_nearest():
 
 def test_capsules_side_by_side_touch_at_both_ends_of_what_they_share():
     lying = about([0.0, 1, 0], 90)  # its z axis along x
-    a = place(CAPSULE, [0.4, 0, 0.39], lying)
-    b = place(CAPSULE, [0, 0, 0], lying, size=[0.2, 0.7, 0])
+    a = place(CAPSULE, [[0.4, 0, 0.39]] * 2, lying)
+    b = place(CAPSULE, np.zeros((2, 3)), np.stack([lying, about([0, 0, 1.0], 0.1) @ lying]), size=[0.2, 0.7, 0])
     found = touch((CAPSULE, CAPSULE), a, b)
-    np.testing.assert_array_equal(found.feature, [1, 2])
+    np.testing.assert_array_equal(found.feature, [1, 2, 1, 2])
     # the core of A reaches from −0.1 to 0.9, that of B to 0.7
-    np.testing.assert_allclose(found.point, [[-0.1, 0, 0.195], [0.7, 0, 0.195]], atol=1e-15)
+    np.testing.assert_allclose(found.point[:2], [[-0.1, 0, 0.195], [0.7, 0, 0.195]], atol=1e-15)
+    # 0.1° at 0.7 m is 1.2 mm to the side
+    np.testing.assert_allclose(found.point[2:], found.point[:2], atol=1.3e-3)
 
 
 def test_capsules_end_to_end_touch_at_one_place():
@@ -349,11 +391,90 @@ def test_a_tilted_tent_rests_on_the_corners_that_reach_the_ground():
 
 @pytest.mark.parametrize("noise", [0.0, 1e-16, 1e-12, 1e-8])
 def test_a_box_exactly_on_its_like_touches_at_its_four_corners(noise):
-    a, b = boxes_on((0, 0), about([3 * noise, noise, 1], np.degrees(noise)), (1, 1, 1))
-    found = touch((BOX, BOX), a, b, 0.01)
-    np.testing.assert_array_equal(corners_found(found, digits=6), [[-1, -1], [-1, 1], [1, -1], [1, 1]])
-    np.testing.assert_allclose(found.separation, -0.01, atol=5e-8)
-    np.testing.assert_allclose(found.normal, [[0, 0, 1]] * 4, atol=1e-7)
+    rng = np.random.default_rng(12)
+    turn = np.stack([about(axis, np.degrees(noise)) for axis in rng.normal(size=(30, 3))])
+    a = place(BOX, np.array([0, 0, 1.99]) + noise * rng.normal(size=(30, 3)), turn, (1, 1, 1))
+    found = touch((BOX, BOX), a, place(BOX, np.zeros((30, 3)), UPRIGHT, (1, 1, 1)), 0.01)
+    np.testing.assert_array_equal(found.feature, np.tile(np.flatnonzero(BOX_VERTICES[:, 2] < 0), 30))
+    # a corner is 1.7 m from the centre, and no draw is larger than 4
+    np.testing.assert_allclose(found.point[:, :2], np.tile(BOX_VERTICES[::2, :2], (30, 1)), atol=1e-15 + 6 * noise)
+    np.testing.assert_allclose(found.separation, -0.01, atol=1e-15 + 6 * noise)
+    # that of B itself, although that of A is as good
+    np.testing.assert_array_equal(found.normal, np.tile([0.0, 0, 1], (120, 1)))
+    # where no edge is along an axis of the world, rounding is everywhere
+    lean = random_turns(rng, 30)
+    leaning = place(BOX, np.matvec(lean, a.position), lean @ turn, (1, 1, 1))
+    found = touch((BOX, BOX), leaning, place(BOX, np.zeros((30, 3)), lean, (1, 1, 1)), 0.01)
+    np.testing.assert_array_equal(found.feature, np.tile(np.flatnonzero(BOX_VERTICES[:, 2] < 0), 30))
+    np.testing.assert_allclose(found.separation, -0.01, atol=1e-14 + 6 * noise)
+
+
+def test_a_box_shifted_by_a_tenth_of_a_millimetre_loses_that_much():
+    found = touch((BOX, BOX), *boxes_on((1e-4, 2e-4), UPRIGHT, (1, 1, 1)), 0.01)
+    x, y = -1 + 1e-4, -1 + 2e-4
+    np.testing.assert_allclose(corners_found(found), [[x, y], [x, 1], [1, y], [1, 1]], atol=1e-9)
+
+
+@pytest.mark.parametrize("degrees", [0.01, 1, 20, 44, -0.01, -1, -20, -44])
+def test_a_corner_on_a_side_is_one_place(degrees):
+    shapely = oracle("shapely")
+    turn = about([0, 0, 1.0], degrees)
+    corner = turn @ [
+        0.8,
+        np.copysign(0.6, degrees),
+        0,
+    ]  # it is put at x = 1, on the side, and the next one is farther out
+    a, b = boxes_on((1 - corner[0], 0.3), turn, (0.8, 0.6, 1))
+    points = touch((BOX, BOX), a, b, 0.01).point[:, :2]
+    between = np.linalg.norm(points[:, None] - points, axis=-1) + np.eye(len(points))
+    assert between.min() > 1e-4
+    shared = shapely.intersection(
+        *(shapely.MultiPoint(base_of(v, z)).convex_hull for v, z in ((a.vertices[0], -1), (b.vertices[0], 1)))
+    )
+    assert shapely.MultiPoint(points).convex_hull.area == pytest.approx(shared.area, abs=1e-5)  # 3.5e-6 m on a side
+
+
+@pytest.mark.parametrize("degrees", [0.05, -0.05])
+def test_a_side_that_grazes_a_corner_adds_nothing_beyond_it(degrees):
+    # It is nearly parallel to a side of the lower box, and passes a corner one micrometre farther out.
+    turn = about([0, 0, 1.0], degrees)
+    middle = np.array([1, 1, 0]) - turn @ [0.5, 2 - 1e-6, 0]
+    points = touch((BOX, BOX), *boxes_on(middle[:2], turn, (3, 2, 1)), 0.01).point[:, :2]
+    # up to some millionths of the size, which is 3.5 m
+    assert np.abs(points).max() <= 1 + 2e-5
+    assert [len(points[np.all(points * corner > 0.99, axis=1)]) for corner in BOX_VERTICES[::2, :2]] == [1, 1, 1, 1]
+
+
+def test_triangles_touch_boxes_at_three_corners_or_at_four():
+    # A pyramid on three corners, whose faces repeat their last one, between two boxes.
+    corners = np.array([[1.0, 0, 0], [-0.5, 0.8, 0], [-0.5, -0.9, 0], [0.1, 0.1, -1]])
+    faces = np.array([[0, 1, 2, 2], [0, 3, 1, 1], [1, 3, 2, 2], [2, 3, 0, 0]])
+    pyramid = place(POLYHEDRON, [0, 0, 0], UPRIGHT, None, corners, faces)
+    small = touch((BOX, POLYHEDRON), place(BOX, [0, 0, 0.09], UPRIGHT, (0.2, 0.15, 0.1)), pyramid)
+    np.testing.assert_array_equal(small.feature, np.flatnonzero(BOX_VERTICES[:, 2] < 0))
+    large = touch((BOX, POLYHEDRON), place(BOX, [0, 0, 0.99], UPRIGHT, (2, 2, 1)), pyramid)
+    np.testing.assert_array_equal(large.feature, [8, 9, 10])
+    cube = place(POLYHEDRON, [0, 0, 0.09], UPRIGHT, None, BOX_VERTICES / 10, BOX_FACES)
+    under = touch((POLYHEDRON, POLYHEDRON), pyramid, cube)
+    np.testing.assert_array_equal(under.feature, 4 + np.flatnonzero(BOX_VERTICES[:, 2] < 0))
+    upside_down = place(POLYHEDRON, [0, 0, 0], about([1.0, 0, 0], 180), None, corners, faces)
+    flipped = touch((BOX, POLYHEDRON), place(BOX, [0, 0, -0.09], UPRIGHT, (0.2, 0.15, 0.1)), upside_down)
+    np.testing.assert_array_equal(flipped.feature, np.flatnonzero(BOX_VERTICES[:, 2] > 0))
+
+
+def test_features_of_solids_with_many_edges_stay_within_16_bits():
+    # Two prisms with 90 sides have 270 edges each, and so 72,900 pairs of edges.
+    angle = np.arange(90) * np.pi / 45
+    ring = np.column_stack([np.cos(angle), np.sin(angle)])
+    corners = np.vstack([np.column_stack([ring, np.full(90, z)]) for z in (-0.5, 0.5)])
+    sides = [[i, (i + 1) % 90, (i + 1) % 90 + 90, *[i + 90] * 87] for i in range(90)]
+    faces = np.array([[*range(89, -1, -1)], [*range(90, 180)], *sides])
+    a, b = (
+        place(POLYHEDRON, [0, 0, z], about([0, 0, 1.0], turn), None, corners, faces) for z, turn in ((0, 0), (0.99, 2))
+    )
+    found = touch((POLYHEDRON, POLYHEDRON), a, b)
+    assert len(found.feature) == 180
+    assert np.all((found.feature >= 0) & (found.feature < 65536))
 
 
 def test_a_box_turned_by_45_degrees_on_its_like_touches_at_eight_corners():
@@ -427,14 +548,58 @@ def test_crossing_edges_touch_at_one_place():
     np.testing.assert_allclose(found.point, [[0.3, 0.2, reach - 0.01]], atol=1e-14)
     np.testing.assert_allclose(found.normal, [[0, 0, 1]], atol=1e-14)
     assert found.separation == pytest.approx(-0.02, rel=1e-12)
+    lowest, highest = edge_with(a.vertices[0], -1), edge_with(b.vertices[0], 1)
+    np.testing.assert_array_equal(found.feature, 16 + 12 * lowest + highest)
+
+
+def test_edges_touch_only_where_no_face_is_nearly_as_good():
+    a, b = scene((BOX, BOX), 600, 13, 1.2)
+    found = touch((BOX, BOX), a, b)
+    alone = np.bincount(found.pair, minlength=600)[found.pair] == 1
+    chosen = np.flatnonzero(alone & (found.feature >= 16))
+    for i, separation in zip(found.pair[chosen], found.separation[chosen], strict=True):
+        both = [heights_above(b.vertices[i], a, i), heights_above(a.vertices[i], b, i)]
+        by_face = max(float(np.max(np.min(heights, axis=0))) for heights in both)
+        along_face = np.max(
+            np.abs(np.concatenate([a.rotation[i].T, b.rotation[i].T]) @ found.normal[found.pair == i][0])
+        )
+        # some are on a face whose other places are too high
+        assert along_face > 1 - 1e-9 or separation > by_face + BIAS * 2 * np.linalg.norm(SIZES[BOX])
+    assert len(chosen) >= 30
+
+
+def heights_above(points, piece, i):
+    """How far points are above the planes of a box's faces, (p, 6)."""
+    seen = (points - piece.position[i]) @ piece.rotation[i]
+    return np.concatenate([seen, -seen], axis=1) - np.tile(piece.size[i], 2)
+
+
+def edge_with(vertices, sign):
+    """The number of the edge that is lowest or highest."""
+    return np.argmax(sign * np.sum(vertices[edges_of(BOX_FACES).ends][:, :, 2], axis=1))
+
+
+def test_edges_that_would_only_cross_if_they_were_longer_do_not_touch():
+    # The same, 0.04 apart. The upper edge ends 5 mm before the lower one, and then 5 mm behind it.
+    height = np.sqrt(2) * 0.5 * 2 + 0.04
+    a = place(BOX, [[2.005, 0.2, height], [1.995, 0.2, height]], about([1.0, 0, 0], 45), (2, 0.5, 0.5))
+    b = place(BOX, [[0, 0, 0]] * 2, about([0, 1.0, 0], 45), (0.5, 2, 0.5))
+    found = touch((BOX, BOX), a, b, 0.05)
+    np.testing.assert_array_equal(found.pair, [1])
+    assert found.separation == pytest.approx(0.04, rel=1e-12)
 
 
 def test_a_box_hardly_tilted_over_the_edge_of_another_keeps_several_places():
-    # It hangs over half its length and dips by 0.1°, and its sides are not parallel to the other's.
-    tilt = about([0, 1.0, 0], 0.1) @ about([0, 0, 1.0], 5) @ about([1.0, 0, 0], 0.05)
-    found = touch((BOX, BOX), *boxes_on((0.9, 0.1), tilt, (1, 0.8, 0.5)), 0.01)
-    assert len(found.pair) >= 3
-    np.testing.assert_allclose(found.normal[:, 2], 1.0, atol=1e-5)
+    # It hangs over a good part of its length, dips by some 0.5°, and its sides are not parallel to the other's.
+    rng = np.random.default_rng(0)
+    axes, yaws = rng.normal(size=(200, 3)) * [1, 1, 0.1], rng.uniform(-3, 3, 200)
+    tilts = np.stack([about(axis, 0.5) @ about([0, 0, 1.0], yaw) for axis, yaw in zip(axes, yaws, strict=True)])
+    at = np.column_stack([rng.uniform(0.6, 0.9, 200), rng.uniform(-0.3, 0.3, 200), np.full(200, 1.49)])
+    found = touch(
+        (BOX, BOX), place(BOX, at, tilts, (1, 0.8, 0.5)), place(BOX, np.zeros((200, 3)), UPRIGHT, (1, 1, 1)), 0.01
+    )
+    assert np.all(np.bincount(found.pair) >= 2)
+    np.testing.assert_allclose(found.normal[:, 2], 1.0, atol=1e-4)  # the cosine of 0.5° is 4e-5 below 1
 
 
 @pytest.mark.parametrize("shift", [1e-12, 1e-8, 1e-4])
@@ -448,7 +613,7 @@ def test_features_stay_the_same_while_a_box_creeps(shift):
 
     def features(move):
         tilt = about([1.0, 0.3, 0], np.degrees(move))
-        at = np.column_stack([spots + [move, -move], np.full(30, 1.699 + move)])
+        at = np.column_stack([spots + np.array([move, -move]), np.full(30, 1.699 + move)])
         found = touch((BOX, BOX), place(BOX, at, tilt @ yaws, (0.8, 0.9, 0.7)), lower, 0.01)
         return np.column_stack([found.pair, found.feature])
 
@@ -469,6 +634,8 @@ def test_faces_that_do_not_close_a_solid_are_refused():
         edges_of(BOX_FACES[:5])
     with pytest.raises(ValueError, match="faces must bound a solid"):
         edges_of(np.vstack([BOX_FACES[:5], BOX_FACES[5:, ::-1]]))
+    with pytest.raises(ValueError, match="faces must bound a solid"):
+        edges_of(np.vstack([BOX_FACES, BOX_FACES[:1]]))
 
 
 # Against an engine

@@ -74,9 +74,7 @@ def pushed_plate(dt):
     size, radius, gravity = np.array(P2.numbers("box_size")), P2.value("ball_radius"), P2.value("gravity")
     places = np.linspace(-4, 4, 5)  # they roll 3.3 m towards the rear edge
     plate = Thing(("box", size / 2), P2.value("box_mass"), (0, 0, size[2] / 2))
-    balls = [
-        Thing(("sphere", radius), P2.value("ball_mass"), (x, y, size[2] + radius)) for x in places for y in places
-    ]
+    balls = [Thing(("sphere", radius), P2.value("ball_mass"), (x, y, size[2] + radius)) for x in places for y in places]
     friction = np.zeros((3, 3))
     friction[0, 1] = friction[1, 0] = P2.value("ground_friction")
     friction[1, 2] = friction[2, 1] = P2.value("ball_friction")

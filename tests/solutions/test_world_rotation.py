@@ -169,7 +169,7 @@ def test_the_energy_of_a_top_is_kept_over_a_long_time(dt, until, bound):
     assert np.max(np.abs(energy_errors((3, 5, 7), dt, round(until / dt)))) < bound  # (ω dt)²/80; a drift grows beyond
 
 
-def test_keeping_the_spin_instead_breaks_the_angular_momentum_by_63_percent():
+def test_keeping_the_spin_instead_breaks_angular_momentum_by_63_percent():
     spin, dt, count = np.array([1.0, 1.0, 0.0]), 0.01, 240  # half a turn at √2 rad/s takes 2.2 s
     upright = np.array([1.0, 0, 0, 0])
     kept = turned(upright, spin * dt * np.arange(count)[:, None])

@@ -1,0 +1,48 @@
+"""Sleeping: bodies that have been still for a while are left out of a step (slide 22).
+
+It saves time, and it is not physics: a body that creeps slowly enough stops creeping.
+So it is off unless `Rules.sleep_speed` is above 0.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from solutions.arrays import Booleans
+from solutions.world.bodies import Bodies, State
+from solutions.world.contacts import Contacts
+from solutions.world.rules import Rules
+
+
+def with_sleepers(bodies: Bodies, state: State, asleep: Booleans) -> tuple[Bodies, State]:
+    """The world of a step in which sleeping bodies (n,) do not move.
+
+    They are immovable, so that awake bodies find them where they lie, and two sleepers
+    make no contact.
+    """
+    if not np.any(asleep):
+        return bodies, state
+    rigid = bodies._replace(
+        inverse_mass=np.where(asleep, 0.0, bodies.inverse_mass),
+        moments=np.where(asleep[:, None], np.inf, bodies.moments),
+    )
+    velocity, spin = (np.where(asleep[:, None], 0.0, each) for each in (state.velocity, state.angular_velocity))
+    return rigid, state._replace(velocity=velocity, angular_velocity=spin)
+
+
+def is_fast(bodies: Bodies, state: State, rules: Rules) -> Booleans:
+    """Whether each body (n,) moves too fast to sleep.
+
+    Its speed is that of its centre, or of its surface at `sleep_size`.
+    """
+    spin = rules.sleep_size * np.linalg.norm(state.angular_velocity, axis=-1)
+    speed = np.maximum(np.linalg.norm(state.velocity, axis=-1), spin)
+    return np.asarray((speed >= rules.sleep_speed) & (bodies.inverse_mass > 0))
+
+
+def with_neighbours(chosen: Booleans, contacts: Contacts) -> Booleans:
+    """The chosen bodies (n,), and all that touch one of them."""
+    reached = chosen.copy()
+    reached[contacts.body_a[chosen[contacts.body_b]]] = True
+    reached[contacts.body_b[chosen[contacts.body_a]]] = True
+    return reached
