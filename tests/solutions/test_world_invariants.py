@@ -34,7 +34,7 @@ def crowd(seed, groups, count):
         for kind in rng.integers(0, 3, count):
             pose = rng.normal(size=4)
             velocity, spin = rng.normal(size=(2, 3))
-            place = rng.normal(scale=0.22, size=3) + (1.0, -2.0, 0.5)
+            place = np.array([1.0, -2.0, 0.5]) + rng.normal(scale=0.22, size=3)
             mass = rng.uniform(0.2, 5)
             things.append(
                 Thing(some_shape(rng, kind), mass, place, pose / np.linalg.norm(pose), velocity, 2 * spin, group)
@@ -104,7 +104,7 @@ def heap(seed=3):
 
 def test_a_run_repeats_bit_for_bit():
     bodies, start = scene(heap(), friction=0.5, restitution=0.3)
-    first, second = (run_world(bodies, start, DOWN, 1 / 60, 40) for _ in range(2))
+    first, second = (run_world(bodies, start, DOWN, 1 / 60, 30) for _ in range(2))
     assert all(np.array_equal(one, other) for one, other in zip(first, second, strict=True))
     assert len(collect_contacts(bodies, State(*(each[-1] for each in first))).key) > 3
 
@@ -126,15 +126,15 @@ def moved_scene(things, pose, shift):
 
 @pytest.mark.parametrize(
     ("angle", "shift"),
-    [(np.pi / 2, (0, 0, 0)), (0.0, (3.0, -7.0, 0)), pytest.param(1.1, (-2, 1, 0), marks=pytest.mark.slow)],
+    [(np.pi / 2, (3.0, -7.0, 0.0)), pytest.param(1.1, (-2.0, 1.0, 0.0), marks=pytest.mark.slow)],
 )
 def test_a_scene_seen_from_elsewhere_gives_the_same_run(angle, shift):
     """Contacts get other tangents and may take their turns in another order; enough sweeps make that no difference."""
     pose, rules = turn((0, 0, 1), angle), Rules(sweeps=2000, tolerance=1e-13)
     runs = []
-    for things in (heap(), moved_scene(heap(), pose, np.array(shift, dtype=float))):
+    for things in (heap(), moved_scene(heap(), pose, np.array(shift))):
         bodies, start = scene(things, friction=0.5, restitution=0.3)
-        runs.append(run_world(bodies, start, DOWN, 1 / 60, 40))
+        runs.append(run_world(bodies, start, DOWN, 1 / 60, 30, rules))
     here, there = runs
     to_there = rotation_matrix(pose)
     assert np.max(np.abs(here.angular_velocity[-1])) > 1  # they have met the ground and one another
@@ -145,7 +145,7 @@ def test_a_scene_seen_from_elsewhere_gives_the_same_run(angle, shift):
 
 @given(st.integers(0, 10_000), st.integers(1, 12), st.floats(0, 3))
 def test_impulses_lie_within_the_cone_after_any_number_of_sweeps(seed, sweeps, friction):
-    """Also from impulses that no longer fit, as a step leaves them to the next, and where friction adds to the pressure."""
+    """Also from impulses of the last step that no longer fit, and where friction adds to the pressure."""
     rng = np.random.default_rng(seed)
     count, number = 9, 4
     a, b = rng.integers(1, number, count), np.zeros(count, dtype=int)

@@ -10,7 +10,6 @@ from reference.published.theirs import published
 from solutions.impulse import rotation_matrix
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
-from solutions.world.step import step_world
 
 P1, P2 = published("P1"), published("P2")
 
