@@ -106,7 +106,7 @@ def test_a_run_repeats_bit_for_bit():
     bodies, start = scene(heap(), friction=0.5, restitution=0.3)
     first, second = (run_world(bodies, start, DOWN, 1 / 60, 30) for _ in range(2))
     assert all(np.array_equal(one, other) for one, other in zip(first, second, strict=True))
-    assert len(collect_contacts(bodies, State(*(each[-1] for each in first))).key) > 3
+    assert np.max(np.abs(first.angular_velocity[-1] - start.angular_velocity)) > 1  # they have met
 
 
 def moved_scene(things, pose, shift):
@@ -137,7 +137,7 @@ def test_a_scene_seen_from_elsewhere_gives_the_same_run(angle, shift):
         runs.append(run_world(bodies, start, DOWN, 1 / 60, 30, rules))
     here, there = runs
     to_there = rotation_matrix(pose)
-    assert np.max(np.abs(here.angular_velocity[-1])) > 1  # they have met the ground and one another
+    assert np.max(np.abs(here.angular_velocity[-1] - here.angular_velocity[0])) > 1  # they have met
     # Roundings grow from contact to contact, and 2000 sweeps leave 1e-13 of an impulse; measured 1e-13.
     np.testing.assert_allclose(there.position, here.position @ to_there.T + shift, atol=1e-10)
     np.testing.assert_allclose(there.velocity, here.velocity @ to_there.T, atol=1e-9)
