@@ -77,7 +77,7 @@ def test_box_and_ball_come_to_rest_at_the_foot_of_a_slope_as_in_pymunk():
     ball = Thing(("sphere", radius), 0.6, tuple(-1.5 * down + 0.3 * out), velocity=(0.5, 0, 0))
     ground = [Thing(("half-space", tuple(out))), Thing(("half-space", tuple(-down)))]
     bodies, start = scene([*ground, box, ball], friction=friction)
-    end = run_world(bodies, start, DOWN, 1 / 120, 300, every=300).position[-1, 2:]
+    end = run_world(bodies, start, DOWN, 1 / 60, 150, every=150).position[-1, 2:]
     space = pymunk_space(pymunk, GRAVITY)
     theirs = [in_pymunk(pymunk, space, each, friction, angle=angle) for each, angle in ((box, -slope), (ball, 0.0))]
     standing_in_pymunk(pymunk, space, tuple(-5 * down[[0, 2]]), tuple(5 * down[[0, 2]]), 1.0)
@@ -97,7 +97,7 @@ def test_a_smooth_ladder_falls_as_its_integral_and_leaves_the_wall_at_two_thirds
     Energy gives θ′² = 2 g (sin θ₀ − sin θ)/(l + I/(m l)). The wall pushes while the centre gains speed away from it,
     with l sin θ |θ′|. That is greatest where sin θ = 2/3 sin θ₀. From there on the centre keeps this speed.
     """
-    shape, mass, heading, begin, dt = ("capsule", 0.02, 0.5), 1.6, 0.4, np.radians(75), 1 / 1000
+    shape, mass, heading, begin, dt = ("capsule", 0.02, 0.5), 1.6, 0.4, np.radians(75), 1 / 500
     half = shape[2]
     away = np.array([np.cos(heading), np.sin(heading), 0.0])
     up = np.array([0.0, 0.0, 1.0])
@@ -119,16 +119,16 @@ def test_a_smooth_ladder_falls_as_its_integral_and_leaves_the_wall_at_two_thirds
     exact = solve_ivp(fall, (0, 3), [begin, 0.0], events=left, rtol=1e-10, atol=1e-12, dense_output=True)
     duration = exact.t[-1]
     steps = int(duration / dt)
-    run = run_world(bodies, start, DOWN, dt, steps + 60, Rules(sweeps=200, tolerance=1e-10))
+    run = run_world(bodies, start, DOWN, dt, steps + 30, Rules(sweeps=200, tolerance=1e-10))
     lean = np.arcsin(-rotation_matrix(run.orientation[:, 2])[:, 2, 2])
     times = dt * np.arange(steps + 1)
-    # Semi-implicit steps run ahead by half a step, in which the ladder turns by 1.5 mrad at the end.
-    np.testing.assert_allclose(lean[: steps + 1], exact.sol(times)[0], atol=2e-3)
+    # Semi-implicit steps run ahead by half a step, in which the ladder turns by 3 mrad at the end.
+    np.testing.assert_allclose(lean[: steps + 1], exact.sol(times)[0], atol=4e-3)
     speed = run.velocity[:, 2] @ away
     expected = half * np.sin(leaves) * np.sqrt(faster * (np.sin(begin) - np.sin(leaves)))
     assert speed[-1] == pytest.approx(expected, rel=4 * dt / duration)  # a step's head start, twice
     np.testing.assert_allclose(speed[steps + 10 :], speed[-1], rtol=1e-9)  # it has left the wall
-    assert speed[steps - 60] < 0.99 * speed[-1]  # and had not long before
+    assert speed[steps - 30] < 0.99 * speed[-1]  # and had not long before
     np.testing.assert_allclose(run.velocity[:, 2] @ np.cross(up, away), 0, atol=1e-9)
 
 

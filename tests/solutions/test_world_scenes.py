@@ -28,9 +28,9 @@ def tower(masses, seed):
     return boxes
 
 
-def test_three_unequal_boxes_stand_for_three_seconds():
+def test_three_unequal_boxes_stand_for_two_seconds():
     bodies, start = scene([FLOOR, *tower((3, 1, 2), 0)], friction=0.5)
-    end = run_world(bodies, start, DOWN, 1 / 60, 180)
+    end = run_world(bodies, start, DOWN, 1 / 60, 120)
     moved = np.abs(end.position - start.position)
     # Each contact may sink by the slop. Sideways, a contact whose impulses are found to 1e-6 creeps by micrometres.
     assert np.max(moved[..., 2]) < 3 * SLOP
@@ -58,7 +58,7 @@ BALANCE = np.arctan2(HALF[0], HALF[2])
 
 
 def test_a_box_dropped_on_an_edge_or_corner_falls_to_its_centres_side():
-    leans = [BALANCE - 0.3, BALANCE - 0.05, BALANCE + 0.05, BALANCE + 0.3]
+    leans = [BALANCE - 0.3, BALANCE - 0.1, BALANCE + 0.1, BALANCE + 0.3]
     things = []
     for group, (lean, roll) in enumerate((lean, roll) for lean in leans for roll in (0.0, 0.25)):
         pose = quaternion_product(turn((1, 0, 0), roll), turn((0, 1, 0), lean))
@@ -66,7 +66,7 @@ def test_a_box_dropped_on_an_edge_or_corner_falls_to_its_centres_side():
         lowest = np.abs(rotation_matrix(pose)[2]) @ HALF
         things += [FLOOR._replace(group=group), Thing(("box", HALF), 1.7, (group, 2, lowest + 0.02), pose, group=group)]
     bodies, start = scene(things, friction=0.6, restitution=0.2)
-    end = run_world(bodies, start, DOWN, 1 / 60, 150, every=150)
+    end = run_world(bodies, start, DOWN, 1 / 50, 110, every=110)
     position, velocity, spin = (each[-1, 1::2] for each in (end.position, end.velocity, end.angular_velocity))
     upward = rotation_matrix(end.orientation[-1, 1::2])[:, 2]
     on_its_end = np.repeat(np.array(leans) > BALANCE, 2)
@@ -104,7 +104,7 @@ def test_a_box_tips_beyond_the_textbook_ratio_if_friction_holds_it():
         things, normals = things + pair, [*normals, normal]
     friction = np.array([[0, 0.3, 0.7], [0.3, 0, 0], [0.7, 0, 0]])  # 0.3 < b/h = 0.5 < 0.52 = tan θ < 0.7
     bodies, start = scene(things, friction=friction, material=np.ravel([(0, rough) for _, rough in cases]))
-    end = run_world(bodies, start, DOWN, 1 / 60, 150, every=75)
+    end = run_world(bodies, start, DOWN, 1 / 40, 100, every=50)
     leant = np.arccos(np.clip(np.vecdot(rotation_matrix(end.orientation[:, 1::2])[..., 2], normals), -1, 1))
     way = np.linalg.norm(end.position[-1, 1::2] - start.position[1::2], axis=-1)
     slides, holds, slides_beyond, tips = range(4)
@@ -114,7 +114,7 @@ def test_a_box_tips_beyond_the_textbook_ratio_if_friction_holds_it():
     assert way[holds] < 1e-6
     slope = np.arctan([cases[slides][0] * ratio, cases[slides_beyond][0] * ratio])
     # Semi-implicit steps add half a step to the time: a t (t + dt)/2.
-    expected = GRAVITY * (np.sin(slope) - 0.3 * np.cos(slope)) * 2.5 * (2.5 + 1 / 60) / 2
+    expected = GRAVITY * (np.sin(slope) - 0.3 * np.cos(slope)) * 2.5 * (2.5 + 1 / 40) / 2
     np.testing.assert_allclose(way[[slides, slides_beyond]], expected, rtol=1e-6)
 
 
