@@ -29,7 +29,7 @@ from solutions.world.time_order import step_in_time_order
 G = 9.81
 FLOOR = ("half-space", (0.0, 0.0, 1.0))
 IMPULSES = ["sequential", "simultaneous", "in time order"]
-EXACT = {"sweeps": 5000, "tolerance": 0.0, "rest_speed": 1e-9}
+EXACT = {"sweeps": 500, "tolerance": 1e-14, "rest_speed": 1e-9}
 """Sequential impulses until nothing changes, and every approach an impact."""
 
 
@@ -166,8 +166,8 @@ def test_together_balls_that_all_approach_never_gain_energy(seed):
 def test_drop_in_time_order_follows_its_parabolas_at_any_timestep():
     height, e, dt = 1.0, 0.5, 0.01
     fall = np.sqrt(2 * height / G)
-    states = run(*drops([height], e), dt, 100, Rules(response="in time order", rest_speed=0.01))
-    for step in (44, 46, 60, 67, 89):  # before, after, at and beyond the first apex
+    states = run(*drops([height], e), dt, 70, Rules(response="in time order", rest_speed=0.01))
+    for step in (45, 46, 60, 68):  # before and after the impact, and on both sides of the apex
         since = step * dt - fall
         speed = e * np.sqrt(2 * G * height)
         z = speed * since - G * since**2 / 2 if since > 0 else height - G * (step * dt) ** 2 / 2
@@ -244,7 +244,7 @@ def test_ball_rolls_down_a_slope_with_five_sevenths(response):
     down, normal = slope(20)
     bodies, state = drops([0.0], 0.0, floor=("half-space", normal), friction=0.6)
     state = state._replace(position=np.array([0.1 * normal, (0, 0, 0)]))
-    dt, steps = (2e-3, 250) if response == "penalty" else (0.02, 25)
+    dt, steps = (5e-3, 100) if response == "penalty" else (0.05, 10)
     states = run(bodies, state, dt, steps, Rules(response=response))
     a = 5 / 7 * G * np.sin(np.radians(20))
     # a penalty ball first sinks in, and its friction spring swings for some ms
@@ -264,12 +264,12 @@ def test_penalty_friction_holds_a_box_without_creep():
     bodies = make_bodies([("box", (0.3, 0.2, 0.1)), ("half-space", normal)], [2.0, np.inf], moments, 0.0, 0.5)
     orientation = [(np.cos(half), 0, np.sin(half), 0), (1, 0, 0, 0)]
     state = make_state([0.1 * normal, (0, 0, 0)], orientation)
-    states = run(bodies, state, 2e-3, 150, Rules(response="penalty", stiffness=2e4))
+    states = run(bodies, state, 2e-3, 90, Rules(response="penalty", stiffness=2e4))
     along = np.array([each.position[0] @ down for each in states])
     # Its four springs, 2/7 to 1 of those along the normal, carry m g sin 20° at some 0.1 mm
     assert 2e-5 < along[-1] < 5e-4
-    # A slip in proportion to the force, regularised over 1 mm/s, would creep by 0.1 mm in these 0.1 s
-    assert along[-1] == pytest.approx(along[-51], abs=1e-8)
+    # Friction in proportion to the slip, all of it at 1 mm/s, would let it creep by 30 µm in these 40 ms
+    assert along[-1] == pytest.approx(along[-21], abs=1e-8)
 
 
 # The laws
@@ -366,7 +366,7 @@ def random_heap(seed, count=4, friction=True):
 
 
 def test_simultaneous_impulses_solve_the_problem_of_resting_contacts():
-    bodies, state = random_heap(3, friction=False)
+    bodies, state = random_heap(4, count=6, friction=False)
     contacts = collect_contacts(bodies, state, 1e-9)
     arms = [contacts.point - state.position[each] for each in (contacts.body_a, contacts.body_b)]
     count = len(bodies.inverse_mass)
@@ -375,13 +375,21 @@ def test_simultaneous_impulses_solve_the_problem_of_resting_contacts():
     velocities = np.concatenate([state.velocity, state.angular_velocity], axis=-1).ravel()
     matrix, apart = resting_problem(jacobian, shares, np.linalg.solve(shares, velocities))
     e = bodies.surfaces.restitution[0, 0]
-    impulse = solve_by_sweeps(matrix, apart + e * np.minimum(apart, 0), 4000)
+    impulse = solve_by_sweeps(matrix, apart + e * np.minimum(apart, 0), 400)
     expected = velocities + shares @ jacobian.T @ impulse
     rules = Rules(response="simultaneous", rest_speed=0.0, margin=1e-9)
     velocity, spin = once(bodies, state, rules)
-    assert np.count_nonzero(impulse) >= 2
+    assert np.count_nonzero(impulse) == 5  # of nine contacts
     # gaps of 1e-16 that rounding leaves may be closed in a step of 1e-9
     assert np.concatenate([velocity, spin], axis=-1).ravel() == pytest.approx(expected, abs=1e-6)
+
+
+def test_walls_that_both_close_on_a_ball_leave_no_impulses():
+    walls = [("half-space", (1.0, 0.0, 0.0)), ("half-space", (-1.0, 0.0, 0.0))]
+    bodies = make_bodies([("sphere", 0.1), *walls], [1.0, np.inf, np.inf], [[0.004] * 3, *[[np.inf] * 3] * 2], 0.5)
+    place, velocity = [(0, 0, 0), (-0.1, 0, 0), (0.1, 0, 0)], [(0, 0, 0), (1, 0, 0), (-1, 0, 0)]
+    with pytest.raises(ValueError, match="no forces solve"):
+        once(bodies, make_state(place, velocity=velocity), Rules(response="simultaneous"))
 
 
 @pytest.mark.parametrize(("response", "share"), [("sequential", 1.0), ("simultaneous", np.cos(np.pi / 8))])
@@ -439,10 +447,19 @@ def test_free_balls_keep_momentum_and_angular_momentum(response, seed):
     bodies, state = random_heap(seed)
     after, _, _ = step_world(bodies, state, (0, 0, 0), 1e-3, Rules(response=response, recovery=0.0))
     before = momenta(bodies, state, state.position)
-    # Nothing is pushed apart. The impulses of a step act where the bodies are before it; in time order each acts at its instant
+    # Nothing is pushed apart. The impulses of a step act where the bodies are before it, in time order at their instants
     place = after.position if response == "in time order" else state.position
     scale = np.sum(np.abs(state.velocity)) + np.sum(np.abs(state.angular_velocity))
     assert momenta(bodies, after, place) == pytest.approx(before, abs=1e-13 * scale)
+
+
+@given(st.integers(0, 10_000))
+@settings(max_examples=10)
+def test_two_phases_without_friction_keep_energy_from_rising(seed):
+    # One e for all contacts; Newton's law gains energy in one of fifty such heaps, as with seed 79
+    bodies, state = random_heap(seed, count=5, friction=False)
+    velocity, _ = once(bodies, state, Rules(response="simultaneous", law="poisson", rest_speed=0.0, margin=1e-9))
+    assert energy(bodies, state._replace(velocity=velocity)) <= energy(bodies, state) * (1 + 1e-12)
 
 
 @given(st.integers(0, 10_000))
@@ -458,7 +475,7 @@ def test_energy_never_rises_in_time_order(law, seed):
 
 
 @given(st.integers(0, 10_000))
-@settings(max_examples=6)
+@settings(max_examples=3)
 @pytest.mark.parametrize("response", IMPULSES)
 def test_one_contact_never_gains_energy_but_by_newtons_law(response, seed):
     rng = np.random.default_rng(seed)
@@ -466,7 +483,7 @@ def test_one_contact_never_gains_energy_but_by_newtons_law(response, seed):
     bodies, state = rod(u, rng.uniform(), rng.uniform(0, 1.5), spin)
     for law in LAWS[response]:
         if law != "newton":
-            velocity, w = once(bodies, state, Rules(response=response, law=law, **EXACT | {"sweeps": 300}))
+            velocity, w = once(bodies, state, Rules(response=response, law=law, **EXACT))
             after = energy(bodies, state._replace(velocity=velocity, angular_velocity=w))
             assert after <= energy(bodies, state) * (1 + 1e-9)
 
@@ -516,7 +533,7 @@ def test_groups_of_a_batch_have_clocks_of_their_own():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("rest_speed", "stalls"), [(0.0, True), (0.1, False)])
-def test_discs_come_to_rest_only_if_resting_contacts_are_held(rest_speed, stalls):
+def test_impacts_of_falling_discs_stall_unless_slow_contacts_are_held(rest_speed, stalls):
     # Twenty-five discs of 0.1 m fall in a box 1.3 m wide; without a threshold their bounces have no end
     rng = np.random.default_rng(0)
     i, j = np.divmod(np.arange(25), 5)
@@ -528,12 +545,12 @@ def test_discs_come_to_rest_only_if_resting_contacts_are_held(rest_speed, stalls
     gravity = np.where(bodies.inverse_mass[:, None] > 0, (0, 0, -G), 0.0)
     rules, most = Rules(response="in time order", rest_speed=rest_speed), 0
     step = 0
-    while step < 240 and most <= 400:
+    while step < 108 and most <= 300:
         state, impacts = step_in_time_order(bodies, state, gravity, 0 * gravity, 1 / 240, rules)
         step, most = step + 1, max(most, impacts)
-    if stalls:
-        assert step / 240 == pytest.approx(0.31, abs=0.04)
+    if stalls:  # soon after the lowest discs have met the floor, at √(2 · 0.08 m/g) = 0.13 s
+        assert most > 300
+        assert 0.2 < step / 240 < 0.35
     else:
         assert most < 100
-        assert np.max(np.abs(state.velocity)) < 0.01
         assert np.min(collect_contacts(bodies, state).separation) > -1e-4
