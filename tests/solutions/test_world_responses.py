@@ -234,6 +234,20 @@ def test_penalty_ball_sinks_until_its_spring_carries_it():
     assert 0.1 - states[-1].position[0, 2] == pytest.approx(float(penalty_rest_depth(1.0, G, k)), rel=1e-5)
 
 
+def test_penalty_friction_swings_as_fast_as_the_contact_itself():
+    # The slip of a ball that sticks: a spring with ω = √(k/m) and ζ = ½ is fastest, and the slip 0, at ω_d t = π/3
+    k, v = 1e4, 1e-4
+    bodies, state = drops([-G / k], 0.5, friction=5.0)
+    state = state._replace(velocity=np.array([(v, 0, 0), (0, 0, 0)]))
+    dt = 5e-4
+    states = run(bodies, state, dt, 30, Rules(response="penalty"))
+    slip = [each.velocity[0, 0] - 0.1 * each.angular_velocity[0, 1] for each in states]
+    out = int(np.argmax(np.array(slip) < 0))
+    crossing = dt * (out + slip[out - 1] / (slip[out - 1] - slip[out]))
+    # first order in ω Δt = 5 %
+    assert crossing == pytest.approx(np.pi / 3 / (np.sqrt(0.75) * np.sqrt(k)), rel=0.05)
+
+
 def slope(degrees):
     angle = np.radians(degrees)
     return np.array([np.cos(angle), 0.0, -np.sin(angle)]), np.array([np.sin(angle), 0.0, np.cos(angle)])
@@ -418,6 +432,27 @@ def test_slip_uses_kinetic_friction_and_rest_the_static_one(response):
         assert after.velocity[0] @ down - start == pytest.approx(gained, abs=2e-3 * G * dt)
 
 
+def test_impact_in_time_order_slips_with_kinetic_friction():
+    shapes = [("sphere", 0.1), FLOOR]
+    bodies = make_bodies(shapes, [1.0, np.inf], [[0.004] * 3, [np.inf] * 3], 0.5, 0.1, static_friction=0.9)
+    state = make_state([(0, 0, 0.1), (0, 0, 0)], velocity=[(4.0, 3.0, -2.0), (0, 0, 0)])
+    velocity, _ = once(bodies, state, Rules(response="in time order"))
+    # it takes 0.1 · (1 + e) · 2 m/s from a slip of 5 m/s; to end it would take 2/7 of 5 m/s
+    assert velocity[0] == pytest.approx(np.array([4.0 * 0.94, 3.0 * 0.94, 1.0]), abs=1e-13)
+
+
+@pytest.mark.parametrize("response", ["sequential", "simultaneous"])
+def test_friction_without_rebound_opposes_the_slip_that_is_left(response):
+    u = np.array([2.0, 1.5, -1.0])
+    velocity, spin = once(*rod(u, 0.0, 0.3), Rules(response=response, directions=64, **EXACT))
+    left = velocity[0] + np.cross(spin[0], (-0.4, 0, -0.3))
+    push = (velocity[0] - u)[:2]
+    assert left[2] == pytest.approx(0.0, abs=1e-12)
+    # the nearest of 64 directions lies within π/64 = 0.049
+    off = 0.05 if response == "simultaneous" else 1e-9
+    assert push @ left[:2] / np.linalg.norm(push) / np.linalg.norm(left[:2]) <= -np.cos(off) + 1e-12
+
+
 @pytest.mark.parametrize("response", ["sequential", "simultaneous"])
 def test_ball_in_a_groove_presses_on_both_sides_with_the_same_force(response):
     # Sides at 30° and 50°: by Lami's theorem m g sin 50°/sin 80° and m g sin 30°/sin 80°
@@ -447,7 +482,7 @@ def test_free_balls_keep_momentum_and_angular_momentum(response, seed):
     bodies, state = random_heap(seed)
     after, _, _ = step_world(bodies, state, (0, 0, 0), 1e-3, Rules(response=response, recovery=0.0))
     before = momenta(bodies, state, state.position)
-    # Nothing is pushed apart. The impulses of a step act where the bodies are before it, in time order at their instants
+    # Nothing is pushed apart. Impulses act where the bodies are before the step, in time order where they are then
     place = after.position if response == "in time order" else state.position
     scale = np.sum(np.abs(state.velocity)) + np.sum(np.abs(state.angular_velocity))
     assert momenta(bodies, after, place) == pytest.approx(before, abs=1e-13 * scale)
@@ -509,6 +544,36 @@ def test_elastic_tumbling_cube_keeps_its_energy_over_many_impacts():
     assert total >= 5
     assert deepest > -1e-9
     assert energy(bodies, state, G) == pytest.approx(start, rel=1e-8)
+
+
+def test_spike_that_turns_over_the_top_is_met_when_it_comes_down():
+    # In one step it turns by 6 rad and would be clear of the floor before and after
+    corners = np.array([(-0.5, 0, 0), (0.05, 0.05, 0), (0.05, -0.05, 0.05), (0.05, -0.05, -0.05)])
+    faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    bodies = make_bodies([("polyhedron", corners, faces), FLOOR], [1.0, np.inf], [[0.1] * 3, [np.inf] * 3], 1.0)
+    state = make_state([(0, 0, 0.3), (0, 0, 0)], angular_velocity=[(0, 10.0, 0), (0, 0, 0)])
+    after, _, _ = step_world(bodies, state, (0, 0, 0), 0.6, Rules(response="in time order"))
+    time = (np.pi + np.arcsin(0.6)) / 10  # 0.3 m down on the other side, at x = 0.4 m
+    j = 2 * 10 * 0.4 / (1 + 0.4**2 / 0.1)
+    assert after.velocity[0, 2] == pytest.approx(j, abs=1e-7)  # a touch of 1e-10 m moves the point by as much
+    assert after.angular_velocity[0, 1] == pytest.approx(10 - 0.4 * j / 0.1, abs=1e-6)
+    assert after.position[0, 2] == pytest.approx(0.3 + j * (0.6 - time), abs=1e-8)
+
+
+def test_arm_that_swings_into_a_ball_is_backed_up_to_the_contact():
+    # The end of the arm curves towards the ball and meets it earlier than its velocity before says
+    ends = [(("sphere", 0.05), (along, 0, 0), (1.0, 0, 0, 0)) for along in (1.0, -1.0)]
+    place = 0.7 * np.array([np.cos(1.5), np.sin(1.5), 0])
+    bodies = make_bodies([("compound", ends), ("sphere", 0.3)], [2.0, np.inf], [[2.0] * 3, [np.inf] * 3], 0.5)
+    state = make_state([(0, 0, 0), place], angular_velocity=[(0, 0, 10.0), (0, 0, 0)])
+    after, _, _ = step_world(bodies, state, (0, 0, 0), 0.15, Rules(response="in time order"))
+    angle = 1.5 - np.arccos((1 + 0.7**2 - 0.35**2) / (2 * 0.7))
+    end = np.array([np.cos(angle), np.sin(angle), 0])
+    normal = (end - place) / 0.35
+    lever = np.cross(end - 0.05 * normal, normal)[2]
+    j = -1.5 * 10 * lever / (1 / 2 + lever**2 / 2)
+    assert after.position[0] == pytest.approx(j / 2 * normal * (0.15 - angle / 10), abs=1e-8)
+    assert after.angular_velocity[0, 2] == pytest.approx(10 + lever * j / 2, abs=1e-7)
 
 
 def test_fast_ball_does_not_pass_through_a_small_one_in_a_step():
