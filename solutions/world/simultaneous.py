@@ -71,11 +71,13 @@ def solve_simultaneously(
     of 700 random heaps of five balls 14 gain energy, 9 % at most.
     """
     apart = speeds(rows, velocity, angular_velocity)
+    impulse = np.zeros_like(apart)
+    if not len(apart):
+        return velocity, angular_velocity, impulse
     softness = _softness_of_all(rows, len(velocity))
     # Impulses over a mass are speeds, and the matrix is then one of mere shares.
-    mass = 1 / np.max(softness[:, 0, :, 0], initial=1e-300)
+    mass = 1 / np.max(softness[:, 0, :, 0])
     scaled = softness * mass
-    impulse = np.zeros_like(apart)
     if not np.any(wanted.static_friction):
         missing = apart[:, 0] - wanted.speed + scaled[:, 0, :, 0] @ wanted.least / mass
         impulse[:, 0] = wanted.least + mass * solve_by_pivots(scaled[:, 0, :, 0], missing)

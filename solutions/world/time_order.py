@@ -94,26 +94,31 @@ def step_in_time_order(
     for look in range(rules.looks + 1):
         if not np.any(left > 0):
             break
+        last = look == rules.looks
+
+        # What is near, and what of it touches, rests or strikes
         near = collect_contacts(bodies, state, reach(bodies, state, acceleration, left[clock]))
         rows = contact_rows(near, state.position, bodies.inverse_mass, _inverse_inertia(bodies, state))
-        apart = speeds(rows, state.velocity, state.angular_velocity)[:, 0]
-        touching, of = near.separation <= TOUCH, clock[near.body_a]
-        open_ended = look == rules.looks
+        apart, of = speeds(rows, state.velocity, state.angular_velocity)[:, 0], clock[near.body_a]
+        touching = near.separation <= TOUCH
         slow = (near.separation <= rules.margin) & (np.abs(apart) <= rules.rest_speed)
-        resting = slow | touching & open_ended
+        resting = slow | touching & last
         striking = np.flatnonzero(touching & (apart < -rules.rest_speed) & ~resting & (left[of] > 0))
+
+        # Impacts, one in each group
         first = striking[np.unique(of[striking], return_index=True)[1]]
-        impacts += len(first)
-        time = np.where(np.isin(np.arange(len(left)), of[first]), 0.0, left)
-        kept = np.flatnonzero(resting & (time[of] > 0))
+        state, impacts = _struck(bodies, state, near, first, rules.law), impacts + len(first)
+
+        # Flights of all other groups
+        time = left.copy()
+        time[of[first]] = 0.0
+        flies = time[of] > 0
+        kept, watched = np.flatnonzero(resting & flies), np.flatnonzero(~resting & flies)
         flight = held(bodies, state, near, rows, kept, acceleration, angular_acceleration, left[clock], rules)
-        if not open_ended:
-            watched = np.flatnonzero(~resting & (time[of] > 0))
+        if not last:
             time = until_next(near, rows, watched, flight, clock, time)
             time = backed_up(bodies, state, near, resting, flight, clock, time)
-        state = flown(bodies, state, flight, time[clock])
-        state = _struck(bodies, state, near, first, rules.law)
-        left = left - time
+        state, left = flown(bodies, state, flight, time[clock]), left - time
     return state, impacts
 
 
