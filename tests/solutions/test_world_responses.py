@@ -22,7 +22,9 @@ from solutions.friction import (
 from solutions.response import penalty_contact_time, penalty_rest_depth
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.contacts import collect_contacts
+from solutions.world.rows import contact_rows
 from solutions.world.rules import LAWS, Rules
+from solutions.world.simultaneous import islands
 from solutions.world.step import NOTHING, step_world
 from solutions.world.time_order import step_in_time_order
 
@@ -396,6 +398,20 @@ def test_simultaneous_impulses_solve_the_problem_of_resting_contacts():
     assert np.count_nonzero(impulse) == 5  # of nine contacts
     # gaps of 1e-16 that rounding leaves may be closed in a step of 1e-9
     assert np.concatenate([velocity, spin], axis=-1).ravel() == pytest.approx(expected, abs=1e-6)
+
+
+def test_contacts_of_islands_share_no_body_that_moves():
+    # Two rows of balls on one floor, and a ball alone; in each row the contacts of the balls join those with the floor
+    place = [(0, 0, 0.1), (0.2, 0, 0.1), (0.4, 0, 0.1), (5, 0, 0.1), (9, 0, 0.1), (9.2, 0, 0.1), (0, 0, 0)]
+    bodies = make_bodies([*[("sphere", 0.1)] * 6, FLOOR], [1.0] * 6 + [np.inf], [[0.004] * 3] * 6 + [[np.inf] * 3])
+    state = make_state(place)
+    contacts = collect_contacts(bodies, state, 1e-6)
+    inertia = np.where(np.isinf(bodies.moments), 0, 1 / bodies.moments)[:, :, None] * np.eye(3)
+    found = islands(contact_rows(contacts, state.position, bodies.inverse_mass, inertia), 7)
+    pairs = np.stack([contacts.body_a, contacts.body_b])
+    members = sorted(np.unique(pairs[:, each]).tolist() for each in found)
+    assert members == [[0, 1, 2, 6], [3, 6], [4, 5, 6]]
+    assert sorted(np.concatenate(found)) == list(range(len(contacts.key)))
 
 
 def test_walls_that_both_close_on_a_ball_leave_no_impulses():
