@@ -346,6 +346,15 @@ def test_two_phases_are_rouths_while_the_slip_does_not_turn(response, velocity, 
     assert after[0] - velocity == pytest.approx(expected, abs=1e-9)  # Routh's way is followed in steps of 1e-10
 
 
+@pytest.mark.parametrize("response", ["sequential", "simultaneous"])
+def test_weight_of_the_step_rebounds_by_poissons_law_alone(response):
+    bodies, state = drops([0.0], 0.5)
+    state = state._replace(velocity=np.array([(0, 0, -2.0), (0, 0, 0)]))
+    for law, speed in (("dissipative", 0.5 * 2.0), ("newton", 0.5 * 2.0), ("poisson", 0.5 * (2.0 + 0.01 * G))):
+        after, _, _ = step_world(bodies, state, (0, 0, -G), 0.01, Rules(response=response, law=law))
+        assert after.velocity[0, 2] == pytest.approx(speed, abs=1e-14)
+
+
 def test_two_phases_differ_from_routh_where_the_slip_turns():
     velocity = (0.5, 0.3, -1.0)
     expected = poisson_impulse(velocity, (0, 0, 1.0), ROD_SOFTNESS, 0.6, 0.3)
