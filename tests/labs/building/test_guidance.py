@@ -94,6 +94,15 @@ def test_a_derivation_that_the_lesson_never_asks_for_is_named(write):
     assert gaps("detection") == ["the lesson never calls lab.derive('signed_distance')"]
 
 
+def test_a_derivation_without_a_list_of_its_quantities_is_named(write):
+    asked = '\n```python guess="1"\n{}lab.derive("signed_distance", w=...)\n```\n'
+    write(HEAD + WRITES + CALLS + asked.format("# Write w with s0, s1.\n"))
+    assert gaps("detection") == []
+    write(HEAD + WRITES + CALLS + asked.format("# Write w with s0.\n"))
+    line = "# Write w with s0, s1."
+    assert gaps("detection") == [f"the lesson asks for w of signed_distance without a line {line}"]
+
+
 def test_a_stub_that_holds_a_line_to_be_derived_is_refused(write, monkeypatch):
     monkeypatch.setattr(notebooks, "answers_of", lambda topic, name: [compact("n·p + d")] * (name == "signed_distance"))
     with pytest.raises(InvalidInput, match="the stub of signed_distance holds a line that is to be derived"):
@@ -121,6 +130,9 @@ def test_a_draft_is_a_stub_then_a_model_and_its_function_is_written_again(write,
 def test_the_first_of_two_drafts_is_solved_by_the_first_model(write):
     write(HEAD + DRAFT + DRAFT.replace("point[..., 2]", "-point[..., 2]") + WRITES + CALLS)
     solved = sources(notebooks.solved("detection"))
+    student = "".join(sources(notebooks.student("detection")))
+    first, second = (student.index(f"a {each} version of signed_distance is yours") for each in ("first", "second"))
+    assert first < second
     assert [source.split("return ")[1] for source in solved if source.count("\n") == 1 and "def signed" in source] == [
         "point[..., 2]",
         "-point[..., 2]",
