@@ -56,11 +56,10 @@ def _calls(lesson: Lesson, found: Hints) -> Iterator[str]:
     asked = [argument for cell in lesson.cells for argument, _ in _arguments(cell, "derive")]
     for cell in lesson.cells:
         for name, call in _arguments(cell, "derive"):
-            for left in (each.arg for each in call.keywords):
-                listed = [f"# Write {left} with {', '.join(each.names)}." for each in found.of(name).derivations
-                          if each.left == left]  # fmt: skip
-                if not listed or listed[0] not in cell.text:
-                    yield f"the lesson asks for {left} of {name} without a line {''.join(listed)}"
+            lefts = [each.arg for each in call.keywords]
+            for each in (each for each in found.of(name).derivations if each.left in lefts):
+                if (listed := f"# Write {each.left} with {', '.join(each.names)}.") not in cell.text:
+                    yield f"the lesson asks for {each.left} of {name} without a line {listed}"
     for name in dict.fromkeys(asked):
         if not found.of(name).derivations:
             yield f"the lesson calls lab.derive({name!r}), and hints/{lesson.topic}.md has no derivation of it"

@@ -229,13 +229,9 @@ def _notes(runs: CaseRuns, quantities: Sequence[str]) -> Iterator[str]:
 
 def _what_a_check_says(runs: CaseRuns) -> str:
     """What a check adds to a wrong run. Of a function with several versions it tests the last one alone."""
-    called = [lecture.function(name) for name in runs.results[0].functions]
-    own = [entry for entry in called if entry.role == "written" and entry.topic == runs.family.topic]
-    drafted = [entry.name for entry in own if entry.begun]
-    others = [entry.name for entry in own if not entry.begun]
-    said = [f"says more about your {'other ' * bool(drafted)}functions"] if others or not drafted else []
-    said += [f"is for the last version of {listed(drafted)} alone"] if drafted else []
-    return f"lab.check() {', and '.join(said)}."
+    drafted = [name for name in runs.results[0].functions if lecture.function(name).begun]
+    alone = f", of {listed(drafted)} about the last version alone" if drafted else ""
+    return f"lab.check() says more about your functions{alone}."
 
 
 def _is_wrong(line: Line) -> bool:
