@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 
 import pytest
@@ -166,3 +167,14 @@ def test_a_draft_of_nothing_or_without_a_model_is_refused(write, old, new, said)
 def test_every_lab_has_its_hints_figures_and_verdicts(topic):
     missing = gaps(topic)
     assert not missing, "\n".join(missing)
+
+
+@pytest.mark.parametrize("topic", lessons.lessons())
+def test_lines_of_the_solved_notebook_are_right(topic):
+    calls = [node for cell in lessons.read(topic).cells if cell.code and "lab.derive(" in cell.text
+             for node in ast.walk(ast.parse(cell.guessed)) if isinstance(node, ast.Call)]  # fmt: skip
+    assert calls
+    for call in calls:
+        for line in call.keywords:
+            asked = hint_files.hints(topic).of(ast.literal_eval(call.args[0])).derivation(str(line.arg))
+            assert asked.difference(asked.read(ast.literal_eval(line.value))) == ""
