@@ -60,13 +60,21 @@ def planar_impact(contact: Contact, restitution: float, law: str) -> tuple[float
         pressed = wanted / k.k_nn
         most = k.friction * pressed
         return min(max(-(k.slip + k.k_tn * pressed) / k.k_tt, -most), most), pressed
-    if law == DISSIPATIVE:
-        tilt = k.k_tn / k.k_nn
-        along = -(k.slip - tilt * k.normal) / (k.k_tt - tilt * k.k_tn)
-        low, high = (-k.friction * _edge(k, wanted, -1.0), k.friction * _edge(k, wanted, 1.0))
-        along = min(max(along, low), high)
-        return along, (wanted - k.k_tn * along) / k.k_nn
-    return held(contact, wanted)
+    return dissipated(contact, wanted) if law == DISSIPATIVE else held(contact, wanted)
+
+
+def dissipated(contact: Contact, wanted: float, static_friction: float | None = None) -> tuple[float, float]:
+    """The impulse that changes the normal velocity by `wanted`, with the friction that leaves the least energy, N s.
+
+    static_friction: μ_s, within which friction holds; μ if it is not given.
+    """
+    k, static = contact, contact.friction if static_friction is None else static_friction
+    tilt = k.k_tn / k.k_nn
+    along = -(k.slip - tilt * k.normal) / (k.k_tt - tilt * k.k_tn)
+    if abs(along) > static * (wanted - k.k_tn * along) / k.k_nn:
+        sign = math.copysign(1.0, along)
+        along = sign * k.friction * _edge(k, wanted, sign)
+    return along, (wanted - k.k_tn * along) / k.k_nn
 
 
 def held(contact: Contact, wanted: float) -> tuple[float, float]:

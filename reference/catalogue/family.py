@@ -9,6 +9,7 @@ from reference.arrays import Array
 from reference.catalogue.case import Case
 from reference.catalogue.grid import Grid
 from reference.engines.base import EXACT, Engine, Method
+from reference.engines.profiles import WORLD
 from reference.errors import InvalidInput, UnknownName
 from reference.prediction.predicted import Prediction
 from reference.scene.scenario import Scenario
@@ -123,8 +124,23 @@ class Family:
     predict: Callable[[Scenario, Settings, Method], Prediction | None] | None = None
 
     def profiles(self, engine: Engine) -> Mapping[str, str]:
-        """The profiles that an engine has for this family, the one that counts first, with a line on each."""
-        return engine.profiles(self.cases[0].scenarios[0])
+        """The profiles that an engine has for a case of this family, one that counts first, with a line on each."""
+        found: dict[str, str] = {}
+        for case in self.cases:
+            found |= engine.profiles(case.scenarios[0])
+        return found
+
+    def cases_in(self, engine: Engine, profile: str) -> tuple[Case, ...]:
+        """The cases that an engine runs in a profile if none is named: all that it can, except in the world.
+
+        There it runs those that none of its other profiles can, or else the plotted one: what the general simulator
+        costs in accuracy shows there.
+        """
+        able = {case.name: engine.profiles(case.scenarios[0]) for case in self.cases}
+        own = [name for name, has in able.items() if profile in has]
+        if profile == WORLD:
+            own = [name for name in own if len(able[name]) == 1] or [self.curve.case]
+        return tuple(case for case in self.cases if case.name in own)
 
     def case(self, name: str) -> Case:
         """Return the case of that name."""

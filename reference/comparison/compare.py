@@ -28,16 +28,21 @@ from reference.scene.trajectory import Trajectory
 
 
 def compare_case(
-    family: Family, case: Case, engine: Engine, profile: str, settings: Settings
+    family: Family,
+    case: Case,
+    engine: Engine,
+    profile: str,
+    settings: Settings,
+    ran: Sequence[Trajectory] | None = None,
 ) -> tuple[list[Row], list[Trajectory]]:
     """Run one case in one engine; return its rows, and the trajectories for plots and replays.
 
-    Every error that an engine or hand-written code raises becomes a row, except `InvalidInput`: that is the caller's
-    mistake.
+    ran: its trajectories, if it has been run together with other cases. Every error that an engine or hand-written code
+    raises becomes a row, except `InvalidInput`: that is the caller's mistake.
     """
     try:
         with as_failed_run():
-            trajectories = engine.run_many(case.scenarios, settings)
+            trajectories = list(ran) if ran else engine.run_many(case.scenarios, settings)
             method = engine.method(case.scenarios[0], settings)
     except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
         blank = Row(family.name, case.name, engine.name, profile, "", "", verdict_of(error))

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from reference.comparison.errors_by_settings import Question
 from reference.engines.base import Engine
-from reference.engines.profiles import counts, is_plain
+from reference.engines.profiles import PLAIN_OF, counts
 from reference.errors import InvalidInput, RunFailed
 from reference.scene.settings import Move, Option, Settings
 
@@ -59,12 +59,13 @@ def split(asked: Question, order: float | None = None) -> Split | None:
     and for first order otherwise.
     """
     engine, scenario = asked.engine, asked.case.scenarios[0]
-    tuned = engine.settings(scenario, next(filter(counts, engine.profiles(scenario))))
+    profile = next(filter(counts, engine.profiles(scenario)))
+    tuned = engine.settings(scenario, profile)
     error = asked.mean_error(tuned)
     if error is None:
         return None
     power = 2 if order is not None and abs(order - 2) < ORDER_TOLERANCE else 1
-    shares = _from_stock(asked, tuned)
+    shares = _from_stock(asked, tuned, PLAIN_OF[profile]) if profile in PLAIN_OF else []
     for move in (Move(DISCRETISATION, "timestep", tuned.timestep / 2), *engine.moves(scenario, tuned)):
         after = asked.mean_error(_moved(engine, tuned, move))
         if after is not None:
@@ -86,13 +87,12 @@ def _moved(engine: Engine, tuned: Settings, move: Move) -> Settings:
         raise RunFailed(f"{engine.title} names a move that its settings do not allow: {error}") from None
 
 
-def _from_stock(asked: Question, tuned: Settings) -> list[Share]:
-    """From the stock settings to the tuned ones, one option after another and the timestep last.
+def _from_stock(asked: Question, tuned: Settings, plain: str) -> list[Share]:
+    """From the plain settings to the tuned ones, one option after another and the timestep last.
 
     A share covers several options where only all of them together give a number.
     """
     scenario = asked.case.scenarios[0]
-    plain = next(filter(is_plain, asked.engine.profiles(scenario)))
     settings = asked.engine.settings(scenario, plain)
     before, waiting, shares = asked.mean_error(settings), [], []
     names = (*tuned.options, *(name for name in settings.options if name not in tuned.options), "timestep")

@@ -22,10 +22,11 @@ from reference.scene.settings import Move, Settings
 from reference.scene.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
-RULES = RESPOND_THEN_STEP, TURN_BACK, CHORD, BULLET, BULLET_SPRING, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
+RULES = RESPOND_THEN_STEP, TURN_BACK, CHORD, WORLD, BULLET, BULLET_SPRING, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
     "respond, then step",
     "turn back, then step",
     "chord",
+    "the world's",
     "Bullet's",
     "Bullet's spring",
     "MuJoCo's in one step",
@@ -125,7 +126,11 @@ class Engine(ABC):
         """Run several scenarios with the same settings; an engine that can run them together overrides this."""
         return [self.run(scenario, settings) for scenario in scenarios]
 
-    def lets_forces_act(self, scenario: Scenario) -> bool:
+    def runs_together(self, settings: Settings) -> bool:
+        """Whether `run_many` runs the scenarios of several cases together, more quickly; no engine does by default."""
+        return False
+
+    def lets_forces_act(self, scenario: Scenario, settings: Settings) -> bool:
         """Whether it lets this scenario's `forces` act; an engine that does in some scenarios alone overrides this."""
         return self.applies_forces
 
@@ -166,7 +171,7 @@ class Engine(ABC):
             If forces act that this engine does not apply.
         """
         check_options(self.allowed, settings.options)
-        if scenario.forces and not self.lets_forces_act(scenario):
+        if scenario.forces and not self.lets_forces_act(scenario, settings):
             raise self.cannot(scenario, "it knows no forces but weight and those of contacts")
         if settings.timestep * settings.sample_every > scenario.duration:
             raise InvalidInput(

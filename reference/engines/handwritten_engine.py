@@ -8,7 +8,16 @@ from typing import ClassVar
 import numpy as np
 
 from reference.engines import profiles
-from reference.engines.base import AT_STEP, CHORD, EXACT, INTERPOLATED, RESPOND_THEN_STEP, TURN_BACK, Engine, Method
+from reference.engines.base import (
+    AT_STEP,
+    CHORD,
+    EXACT,
+    INTERPOLATED,
+    RESPOND_THEN_STEP,
+    TURN_BACK,
+    Engine,
+    Method,
+)
 from reference.engines.handwritten import (
     ball_over_plane,
     ball_rows,
@@ -18,11 +27,12 @@ from reference.engines.handwritten import (
     slabs,
     thin_wall,
     two_bodies,
+    world,
+    world_settings,
 )
-from reference.engines.handwritten.impact_response import NEEDS_A_WORLD
 from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part
 from reference.engines.ranges import NOT_NEGATIVE, Allowed
-from reference.errors import InvalidInput, NeedsFunction
+from reference.errors import InvalidInput, RunFailed
 from reference.impact_truth import DISSIPATIVE, NEWTON, POISSON, STRONGE
 from reference.scene.query import Query
 from reference.scene.scenario import Scenario
@@ -50,6 +60,7 @@ LAWS = {
 }
 """The profiles for the laws of an impact with friction that are not Newton's, where the laws can part."""
 
+IN_THE_WORLD = "rigid-body world"
 DRIVERS = {
     Kind.BOUNCE: ball_over_plane.bounce,
     Kind.WALLS: balls_between_planes.fly,
@@ -68,6 +79,9 @@ class Handwritten(Engine):
     The option `policy` says when a collision is resolved: at the exact root of the parabola, at the slide's T, or at
     the step that begins behind the plane. A sliding body stops exactly, or (`at_step`) as semi-implicit Euler makes it.
     Where a body can be struck off its centre with friction, the option `impact_law` names the law of restitution.
+
+    The profile `world` has no policy: one step loop runs all that there is, and its options say how contacts are
+    resolved.
     """
 
     name = "handwritten"
@@ -77,20 +91,28 @@ class Handwritten(Engine):
         "policy": POLICIES,
         "impact_law": (NEWTON, *LAWS),
         "shortest_flight": NOT_NEGATIVE,
+        **world_settings.ALLOWED,
     }
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
-        """The exact root counts; the plainest method is the step. The slide's T is for what falls on a plane."""
+        """The exact root counts; the plainest method is the step. The slide's T is for what falls on a plane.
+
+        The world counts too. It runs every scenario, and alone those that no other method can run.
+        """
+        if kind(scenario) is None:
+            return {profiles.WORLD: IN_THE_WORLD}
         found = {profiles.EXACT: "exact root"}
         if kind(scenario) in BOUNCES:
             found[profiles.SLIDE] = "the slide's T"
         if laws_may_part(scenario):
             found |= LAWS
-        return found | {profiles.STEP: "respond at the step"}
+        return found | {profiles.STEP: "respond at the step", profiles.WORLD: IN_THE_WORLD}
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Timestep 1 ms. A ball rests if its next flight would be over within `shortest_flight` steps."""
         self.check_profile(scenario, profile)
+        if profile == profiles.WORLD:
+            return world_settings.settings_of(scenario)
         policy = {profiles.SLIDE: "interpolated", profiles.STEP: "at_step"}.get(profile, "exact_root")
         options: dict[str, float | str] = {"policy": policy}
         if laws_may_part(scenario):
@@ -102,7 +124,9 @@ class Handwritten(Engine):
         return Settings(1e-3, options=options)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
-        """As the policy says."""
+        """As the policy says, or as the world's options do."""
+        if _in_the_world(settings):
+            return world_settings.method_of(scenario, settings)
         steps = settings.number("shortest_flight") if "shortest_flight" in settings.options else 0.0
         gravity = float(np.linalg.norm(scenario.gravity))
         law = str(settings.options.get("impact_law", NEWTON))
@@ -115,15 +139,15 @@ class Handwritten(Engine):
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
         """Refuse also a `shortest_flight` below the one step that the slide's T can see."""
-        if settings["policy"] == "interpolated" and kind(scenario) in BOUNCES:
+        if not _in_the_world(settings) and settings["policy"] == "interpolated" and kind(scenario) in BOUNCES:
             shortest = settings.number("shortest_flight")
             if shortest < 1:
                 raise InvalidInput(f"shortest_flight is {shortest:g}; with the policy interpolated it is at least 1")
         return super().check_settings(scenario, settings)
 
-    def lets_forces_act(self, scenario: Scenario) -> bool:
-        """A constant force pushes what slides; no other loop knows any."""
-        return kind(scenario) is Kind.SLIDE
+    def lets_forces_act(self, scenario: Scenario, settings: Settings) -> bool:
+        """A constant force pushes what slides, and all in the world; no other loop knows any."""
+        return _in_the_world(settings) or kind(scenario) is Kind.SLIDE
 
     def query(self, query: Query) -> float:
         """Answer with the functions of swept volumes."""
@@ -133,14 +157,24 @@ class Handwritten(Engine):
         """Run one scenario as a batch of one."""
         return self.run_many([scenario], settings)[0]
 
+    def runs_together(self, settings: Settings) -> bool:
+        """The world steps any scenarios side by side."""
+        return _in_the_world(settings)
+
     def run_many(self, scenarios: Sequence[Scenario], settings: Settings) -> list[Trajectory]:
-        """Run a batch of scenarios of one kind side by side, in arrays."""
+        """Run a batch of scenarios side by side, in arrays: of one kind, or in the world any of them."""
         steps = [self.check_settings(scenario, settings) for scenario in scenarios]
+        if _in_the_world(settings):
+            return world.run(self.name, scenarios, settings, steps, self.implementation)
         kinds = {kind(scenario) for scenario in scenarios}
         for each, driver in DRIVERS.items():
             if kinds == {each}:
                 return driver(self.name, scenarios, settings, steps, self.implementation)
-        raise NeedsFunction(NEEDS_A_WORLD)
+        raise RunFailed(f"{scenarios[0].name} has no policy that could run it; the profile {profiles.WORLD} can")
+
+
+def _in_the_world(settings: Settings) -> bool:
+    return "policy" not in settings.options
 
 
 ENGINE = Handwritten

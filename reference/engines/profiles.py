@@ -1,6 +1,7 @@
 """The names of profiles: methods of the hand-written code, settings of an engine, and which of them count.
 
 Each implementation has one profile whose verdicts count and one plain one; it may have others, which come between them.
+By hand a second one counts: the world, which runs every scenario, also those that no other method can run.
 """
 
 from __future__ import annotations
@@ -11,18 +12,20 @@ SLIDE = "slide"
 """By hand: the instant is the slide's T."""
 STEP = "step"
 """By hand: an impact is resolved at the end of the step that it falls in."""
+WORLD = "world"
+"""By hand: a world of rigid bodies, which knows of no scenario what will happen in it."""
 TUNED = "tuned"
 """The engine is told what the scenario means."""
 STOCK = "stock"
 """What a user gets who sets nothing in the engine."""
 PLAIN_OF = {EXACT: STEP, TUNED: STOCK}
-"""The profiles that count, by hand and of an engine, each with the plain one beside it."""
+"""The profiles that count and have a plain one beside them, by hand and of an engine."""
 _ALIKE = {EXACT: TUNED, TUNED: EXACT, STEP: STOCK, STOCK: STEP}
 
 
 def counts(profile: str) -> bool:
     """Whether a verdict in this profile counts for or against a comparison; any other one is only shown."""
-    return profile in PLAIN_OF
+    return profile in PLAIN_OF or profile == WORLD
 
 
 def is_plain(profile: str) -> bool:

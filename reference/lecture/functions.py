@@ -239,6 +239,13 @@ _FUNCTIONS = (
     Function("orca_half_plane", "avoidance", 18, 1, "read"),
     Function("permitted_velocity", "avoidance", 19, 1, "read"),
     Function("crowd_step", "avoidance", 20, 1, "read"),
+    Function("rotate_by_momentum", "world", 1, 18, "read"),
+    Function("mass_properties", "world", 2, 18, "read"),
+    Function("candidate_pairs", "world", 3, 2, "read"),
+    Function("collect_contacts", "world", 4, 17, "read"),
+    Function("make_bodies", "world", 5, 11, "read"),
+    Function("make_state", "world", 6, 11, "read"),
+    Function("step_world", "world", 7, 3, "read"),
 )
 
 FUNCTIONS: dict[str, Function] = {entry.name: entry for entry in _FUNCTIONS}

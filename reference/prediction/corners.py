@@ -12,9 +12,9 @@ import math
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.base import BULLET, DART, RESPOND_THEN_STEP, Method
+from reference.engines.base import BULLET, DART, RESPOND_THEN_STEP, WORLD, Method
 from reference.engines.dart_engine import SOFTNESS
-from reference.impact_truth import POISSON, STRONGE
+from reference.impact_truth import NEWTON, POISSON, STRONGE
 from reference.prediction.axes import bullets_axes, darts_axes
 from reference.prediction.bodies import Bodies, State
 from reference.prediction.laws import BULLETS_PUSHED_TURN, Law, law_of
@@ -65,7 +65,7 @@ def _has_a_cone(settings: Settings, method: Method, pair: Pair) -> bool:
         return options.get("detector") == "ode" and options.get("solver", "dantzig") != "dantzig"
     if method.rule == BULLET:
         return options["coordinates"] == "multibody" or pair.kinetic_friction == 0
-    return method.rule == RESPOND_THEN_STEP
+    return method.rule in (RESPOND_THEN_STEP, WORLD)
 
 
 class _Corners:
@@ -97,9 +97,11 @@ class _Corners:
         """The state after a step; None where the corners in the plane do not strike as one."""
         arms = geometry.rotate(state.orientation[self.place], self.corners)
         gaps = (state.position[self.place] + arms - self.foot) @ self.axes[2]
-        inside = gaps <= 0
+        inside = gaps <= self.law.reach
         if not inside.any():
             return self._moved(state)
+        if self.method.rule == WORLD:  # whose contacts lie halfway between the two surfaces
+            arms = arms - gaps[:, None] / 2 * self.axes[2]
         struck, lift = self._struck(state, arms[inside], float(np.mean(gaps[inside])))
         if np.sum(inside) > 2 or np.ptp(gaps[inside]) > ALIKE:
             return None
@@ -107,7 +109,10 @@ class _Corners:
             return None
         self.along_an_edge |= bool(np.sum(inside) == 2)
         after = self._moved(struck)
-        return after if lift == 0 else self._lifted(after, np.mean(arms[inside], axis=0), lift)
+        if lift == 0:
+            return after
+        found_in = state if self.method.rule == WORLD else after
+        return self._lifted(after, found_in, np.mean(arms[inside], axis=0), lift)
 
     def _struck(self, state: State, ends: Array, gap: float) -> tuple[State, float]:
         """The state with the velocities after an impact at the middle of the corners, and a lift without speed, m."""
@@ -122,7 +127,9 @@ class _Corners:
             k = k + SOFTNESS / len(ends) * np.diag(np.diagonal(self._k(state, ends[0])))
             wanted = rate + (1 + SOFTNESS) * (wanted - rate)
         contact = SpatialContact(k, before, self.pair.kinetic_friction)
-        return self._given(state, arm, spatial_impact(contact, -wanted / rate, self.method.law)), lift
+        without_rebound = self.method.rule == WORLD and wanted <= 0  # then friction opposes the slip
+        law = NEWTON if without_rebound else self.method.law
+        return self._given(state, arm, spatial_impact(contact, -wanted / rate, law)), lift
 
     def _k(self, state: State, arm: Array) -> Array:
         """What a unit impulse at the end of an arm changes of the velocity there, along the axes, (3, 3), 1/kg."""
@@ -153,10 +160,13 @@ class _Corners:
         orientation = geometry.turned(state.orientation, turn)
         return state._replace(position=state.position + state.velocity * self.law.dt, orientation=orientation)
 
-    def _lifted(self, state: State, arm: Array, lift: float) -> State:
-        """The state after an impulse that moves the end of an arm along the normal, and leaves no speed."""
-        still = state._replace(velocity=np.zeros_like(state.velocity), spin=np.zeros_like(state.spin))
-        pushed = self._given(still, arm, np.array([0.0, 0.0, lift / self._k(state, arm)[2, 2]]))
+    def _lifted(self, state: State, found_in: State, arm: Array, lift: float) -> State:
+        """The state after an impulse that moves the end of an arm along the normal, and leaves no speed.
+
+        found_in: the state whose inertia the impulse meets.
+        """
+        still = found_in._replace(velocity=np.zeros_like(state.velocity), spin=np.zeros_like(state.spin))
+        pushed = self._given(still, arm, np.array([0.0, 0.0, lift / self._k(found_in, arm)[2, 2]]))
         share = BULLETS_PUSHED_TURN if self.method.rule == BULLET else 1.0
         orientation = geometry.turned(state.orientation, share * pushed.spin)
         return state._replace(position=state.position + pushed.velocity, orientation=orientation)

@@ -14,20 +14,21 @@ from reference.arrays import Array
 
 
 def by_limits(
-    speed: float, pull: float, limits: Array, ease: float = 1.0, softness: float = 0.0
+    speed: float, pull: float, limits: Array, ease: float = 1.0, softness: float = 0.0, static: float = 1.0
 ) -> tuple[Array, Array]:
     """Speed of a body and slip of its contact after each step, (steps + 1,), m/s; at the start both are `speed`.
 
     limits: (steps,), μ times the normal impulse of each step. ease: how many times as much an impulse changes the slip
     as it changes the speed; 1 for a body that does not turn. An impulse of (slip + pull)/ease would end the slip.
-    Friction is 1/(1 + softness) of that impulse, which leaves some slip, or the limit where that is less.
+    Friction is 1/(1 + softness) of that impulse, which leaves some slip, or the limit where that is less. static: how
+    many times as much as the limit friction may be where it ends the slip.
     """
     steps, done = len(limits), 0
     speeds, slips = np.full(steps + 1, speed), np.full(steps + 1, speed)
     while done < steps:
         count: Array = np.arange(1.0, steps - done + 1)
         slip, most = float(slips[done]), limits[done:]
-        ended = ease * (1 + softness) * most  # the largest slip that friction can end
+        ended = static * ease * (1 + softness) * most  # the largest slip that friction can end
         way = math.copysign(1.0, slip + pull)
         slipping = abs(slip + pull) > ended[0]
         if slipping:

@@ -18,8 +18,8 @@ from reference.engines.base import (
     Method,
 )
 from reference.engines.dart_engine import SOFTNESS
-from reference.impact_truth import NEWTON, Contact, held, planar_impact, stuck
-from reference.prediction.laws import Bullet, BulletSpring, Dart, MuJoCoOneStep, law_of
+from reference.impact_truth import NEWTON, Contact, dissipated, held, planar_impact, stuck
+from reference.prediction.laws import Bullet, BulletSpring, Dart, MuJoCoOneStep, World, law_of
 from reference.scene.scenario import Pair
 from reference.scene.settings import Settings
 
@@ -112,6 +112,24 @@ class ByVelocity:
 
 
 @dataclass(frozen=True)
+class InTheWorld:
+    """The hand-written world: the law along the normal says the rate after the step; friction takes the most energy."""
+
+    law: World
+    static_friction: float
+
+    def given(self, met: Met) -> Given:
+        """The impulse of the step."""
+        along, across = met.added
+        after, push = self.law.contact(met.gap, met.contact.normal, met.weight[1], met.others[1])
+        change = after - met.contact.normal - across
+        if change <= 0:
+            return Given(push=push)
+        contact = replace(met.contact, slip=met.contact.slip + along, normal=met.contact.normal + across)
+        return Given(*dissipated(contact, change, self.static_friction), push)
+
+
+@dataclass(frozen=True)
 class MuJoCos:
     """MuJoCo: the force f in the cone with the least f·(A + R) f/2 + f·(a₀ − a_ref), "Computation", the dual problem.
 
@@ -165,6 +183,8 @@ def rule_of(settings: Settings, method: Method, pair: Pair) -> Rule | None:
     law = law_of(settings, method, pair.restitution)
     if method.rule == RESPOND_THEN_STEP:
         return ByHand(pair.restitution)
+    if isinstance(law, World):
+        return InTheWorld(law, float(pair.static_friction))  # type: ignore[arg-type]
     if method.rule == BULLET and isinstance(law, Bullet):
         return ByVelocity(law)
     if method.rule == BULLET_SPRING and isinstance(law, BulletSpring):

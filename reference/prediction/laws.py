@@ -19,6 +19,7 @@ from reference.engines.base import (
     MUJOCO_ONE_STEP,
     MUJOCO_SPRING,
     RESPOND_THEN_STEP,
+    WORLD,
     Method,
 )
 from reference.engines.dart_engine import REST_SPEED, SOFTNESS
@@ -92,6 +93,39 @@ class ByContact(ABC):
         """Gap and rate at the end of a step."""
         after, push = self.contact(gap, rate, fall)
         return gap + after * self.dt + push, after
+
+
+@dataclass(frozen=True)
+class World(ByContact):
+    """The hand-written world: the rate before the step is turned back, and a share of the overlap ahead moved away.
+
+    `solutions.world.step`: the impulse is what the rate needs to be e times that of the approach, if that is faster
+    than `rest_speed`; or else to come no nearer in this step than the gap, 0 in overlap. It never pulls. with_weight:
+    whether the approach includes what the forces of this step add to it. `recovery` is the share of the overlap at the
+    end of the step, beyond `slop`, that the step moves away.
+    """
+
+    dt: float
+    restitution: float
+    rest_speed: float
+    recovery: float
+    slop: float
+    reach: float
+    with_weight: bool
+    in_parabolas: ClassVar[bool] = False
+
+    def rebound(self, rate: float, fall: float) -> float:
+        """Rate of parting after an impact, m/s; 0 where there is no rebound."""
+        approach = -(rate + fall) if self.with_weight else -rate
+        return self.restitution * approach if approach > self.rest_speed else 0.0
+
+    def contact(self, gap: float, rate: float, fall: float, others: float = 0.0) -> tuple[float, float]:
+        """Rate after a step, and how far the step moves the surfaces apart besides, m."""
+        after = rate + fall + others
+        if gap > self.reach:
+            return after, 0.0
+        after = max(after, self.rebound(rate, fall) or -max(gap, 0.0) / self.dt)
+        return after, self.recovery * max(-(gap + after * self.dt + self.slop), 0.0)
 
 
 @dataclass(frozen=True)
@@ -234,6 +268,9 @@ def law_of(settings: Settings, method: Method, restitution: float, ease: float =
     dt = settings.timestep
     if method.rule == RESPOND_THEN_STEP:
         return RespondThenStep(dt, restitution, method.rest_speed)
+    if method.rule == WORLD:
+        slop, weighed = settings.number("overlap_slop"), bool(settings["with_weight"])
+        return World(dt, restitution, method.rest_speed, method.recovery, slop, method.reach, weighed)
     if method.rule == BULLET:
         return Bullet(dt, restitution, method.rest_speed, method.recovery, method.reach)
     if method.rule == BULLET_SPRING:

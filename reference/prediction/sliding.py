@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.base import BULLET, DART, MUJOCO_ONE_STEP, RESPOND_THEN_STEP, Method
+from reference.engines.base import BULLET, DART, MUJOCO_ONE_STEP, RESPOND_THEN_STEP, WORLD, Method
 from reference.engines.dart_engine import SOFTNESS
 from reference.prediction import friction
 from reference.prediction.axes import bullets_axes
@@ -62,7 +62,9 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
             return None
         gaps, rates, _ = by_steps(_overlap(settings, method), 0.0, fall, law, steps)
         limits = kinetic * np.maximum(np.diff(rates) - fall, 0.0)  # the normal impulse is all of the rate but the fall
-        speeds, slips = friction.by_limits(speed, pull, limits, *_turning(body, normal, ahead, method, holds))
+        more = static / kinetic if method.rule == WORLD and kinetic > 0 else 1.0  # the engines have one coefficient
+        turning = _turning(body, normal, ahead, method, holds)
+        speeds, slips = friction.by_limits(speed, pull, limits, *turning, static=more)
     way = np.concatenate([[0.0], np.cumsum(speeds[1:])]) * dt
     position = np.array(body.position) + way[:, None] * ahead + (gaps - gaps[0])[:, None] * normal
     velocity = speeds[:, None] * ahead + rates[:, None] * normal

@@ -14,6 +14,7 @@ from reference.engines.base import (
     MUJOCO_ONE_STEP,
     MUJOCO_SPRING,
     RESPOND_THEN_STEP,
+    WORLD,
     Method,
 )
 from reference.prediction.bodies import Bodies, State
@@ -112,6 +113,7 @@ class Striking:
         self.points = points_of(settings, method)
         self.in_a_pyramid = method.rule == DART and settings.options.get("solver", "dantzig") == "dantzig"
         self.margin = settings.number("margin") if "margin" in settings.options else 0.0
+        self.reach = method.reach if method.rule == WORLD else 0.0
         self.to_rounding = method.rule in (MUJOCO_ONE_STEP, MUJOCO_SPRING) and not self.margin
         self.pushed_turn = BULLETS_PUSHED_TURN if method.rule == BULLET else 1.0
 
@@ -156,9 +158,9 @@ class Striking:
         return np.array([not (way.any() or self.bodies.weight.any() or state.spin.any()) for way in ways])
 
     def _gaps(self, states: State) -> Array:
-        """The gaps of all pairs at some instants, (pairs, n), m."""
+        """The gaps of all pairs at some instants, beyond the reach of a contact, (pairs, n), m."""
         found = [gaps(self.bodies, states.position, states.orientation, each) for each in self.meetings]
-        return np.asarray(np.array(found) - self.margin)
+        return np.asarray(np.array(found) - self.margin - self.reach)
 
     def step_with_contact(self, state: State) -> State:
         """The state after one step that begins with an overlap."""
@@ -188,7 +190,7 @@ class Striking:
         for meeting, rule in zip(self.meetings, self.rules, strict=True):
             touched = touch(self.bodies, state, meeting)
             touched = replace(touched, gap=touched.gap - self.margin)
-            if touched.gap <= 0:
+            if touched.gap <= self.reach:
                 both = Both(self.bodies, state, meeting, touched, self.points)
                 if self.in_a_pyramid and meeting.pair.kinetic_friction > 0 and not along_its_base(both):
                     raise NoRule

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import itertools
 import logging
 import time
 from collections.abc import Iterable, Mapping, Sequence
@@ -19,12 +21,13 @@ from reference.comparison.verdicts import ALL_CASES, Row, verdict_of
 from reference.engines import load_engine
 from reference.engines.base import Engine
 from reference.engines.implementation import Implementation
-from reference.engines.profiles import counterpart, counts
-from reference.errors import CollisionsError, InvalidInput, UnknownName, one_line
+from reference.engines.profiles import WORLD, counterpart, counts
+from reference.errors import CollisionsError, InvalidInput, UnknownName, as_failed_run, one_line
 from reference.recording import reading
 from reference.recording.reading import track_of
 from reference.running.jobs import Work
-from reference.scene.settings import Option
+from reference.scene.settings import Option, Settings
+from reference.scene.trajectory import Trajectory
 from reference.viewer.tracks import Track
 
 _log = logging.getLogger(__name__)
@@ -42,9 +45,10 @@ def plan(
 ) -> list[Job]:
     """List the jobs that compare these families in these engines, each job once.
 
-    Where no profiles are named, an engine runs in all that it has. An engine that has none of the named ones for a
-    family runs in the one that counts. Where no cases are named, a family runs all of its own, or one case `at` the
-    given parameters.
+    Where no profiles are named, an engine runs in all that it has. An engine that has none of the named ones for these
+    cases runs in the one that counts, the first of them if there are two. Where no cases are named, a family runs one
+    case `at` the given parameters, or all of its own that the profile has; see `Family.cases_in`. If profiles are named
+    as well, the world is no exception there.
 
     Raises
     ------
@@ -66,13 +70,26 @@ def plan(
         place = tuple(_place(family, at, wanted).items()) if at else ()
         chosen = [family.case(case) for case in wanted] or Job(family.name, "", "", at=place).chosen(family)
         for name, engine in loaded.items():
-            has = family.profiles(engine)
+            has = list(dict.fromkeys(profile for case in chosen for profile in engine.profiles(case.scenarios[0])))
             own = [profile for profile in profiles or has if profile in has]
-            for profile in own or filter(counts, has):
-                _check(engine, profile, chosen, changes)
+            for profile in own or list(filter(counts, has))[:1]:
+                named = wanted
+                if not (wanted or place or profile in profiles):
+                    named = _only(family.cases_in(engine, profile), _able(engine, profile, chosen))
+                _check(engine, profile, _able(engine, profile, chosen), changes)
                 fixed = tuple(sorted(changes.items()))
-                jobs.append(Job(family.name, name, profile, wanted, implementation, fixed, with_studies, place))
+                jobs.append(Job(family.name, name, profile, named, implementation, fixed, with_studies, place))
     return list(dict.fromkeys(jobs))
+
+
+def _able(engine: Engine, profile: str, cases: Iterable[Case]) -> list[Case]:
+    """The cases for which an engine has a profile."""
+    return [case for case in cases if profile in engine.profiles(case.scenarios[0])]
+
+
+def _only(usual: Sequence[Case], able: Sequence[Case]) -> tuple[str, ...]:
+    """The names of the usual cases; none, which stands for all that can be run, if that is what they are."""
+    return () if len(usual) == len(able) else tuple(case.name for case in usual)
 
 
 def _place(family: Family, at: Mapping[str, float], cases: Sequence[str]) -> dict[str, float]:
@@ -114,8 +131,10 @@ def _steps(job: Job) -> float:
     """Steps that a job takes times the bodies that move, roughly proportional to its duration."""
     engine, family = load_engine(job.engine), catalogue()[job.family]
     scenarios = [each for case in job.chosen(family) for each in case.scenarios]
-    moving = sum(each.duration * sum(not body.immovable for body in each.bodies) for each in scenarios)
     try:
+        if engine.runs_together(engine.settings(scenarios[0], job.profile)):
+            scenarios = [max(scenarios, key=lambda each: each.duration)]
+        moving = sum(each.duration * sum(not body.immovable for body in each.bodies) for each in scenarios)
         return moving / engine.settings(scenarios[0], job.profile).change(**dict(job.changes)).timestep
     except Exception:
         return 0.0  # its own run will say what is wrong
@@ -139,9 +158,13 @@ def run_job(job: Job) -> JobResult:
     engine.module()  # raises where it cannot be imported, before any case is tried
     asked, rows = Question.of(family, engine), list[Row]()
     series, shown, tracks = None, "", list[Track]()
-    for case in job.chosen(family):
-        settings = engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes))
-        found, trajectories = compare_case(family, case, engine, job.profile, settings)
+    chosen = job.chosen(family)
+    cases = _able(engine, job.profile, chosen) or chosen  # without any, the first one says what is wrong
+    told = {case.name: engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes)) for case in cases}
+    ran = _together(engine, cases, told)
+    for case in cases:
+        settings = told[case.name]
+        found, trajectories = compare_case(family, case, engine, job.profile, settings, ran.get(case.name))
         rows += found
         if case.name == family.curve.case or not shown:
             shown = settings.describe()
@@ -168,11 +191,33 @@ def run_job(job: Job) -> JobResult:
     )
 
 
+def _together(engine: Engine, cases: Sequence[Case], told: Mapping[str, Settings]) -> dict[str, list[Trajectory]]:
+    """The trajectories of cases that an engine runs together, by case.
+
+    Where one of them fails, each case is left to run by itself, so that only the one that fails has no numbers.
+    """
+    found: dict[str, list[Trajectory]] = {}
+    for settings in dict.fromkeys(told.values()):
+        alike = [case for case in cases if told[case.name] == settings]
+        if len(alike) > 1 and engine.runs_together(settings):
+            with contextlib.suppress(CollisionsError), as_failed_run():
+                ran = iter(engine.run_many([each for case in alike for each in case.scenarios], settings))
+                found |= {case.name: list(itertools.islice(ran, len(case.scenarios))) for case in alike}
+    return found
+
+
 def _studies(asked: Question, family: Family, job: Job) -> tuple[Errors | None, Split | None]:
-    """Error against timestep; and the split of the error, which exists for the unchanged settings that count alone."""
+    """Error against timestep; and the split of the error, for unchanged settings of the profile that counts first.
+
+    The world is studied where it is the only method, and where a recurrence says how its error depends on the timestep.
+    """
+    has = asked.engine.profiles(asked.case.scenarios[0])
+    first = next(filter(counts, has))
+    if job.profile == WORLD and (first != WORLD or family.predict is None):
+        return None, None
     settings = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
     convergence = errors_against_timestep(asked, settings, family.convergence.factors)
-    if not counts(job.profile) or job.changes:
+    if job.profile != first or job.changes:
         return convergence, None
     return convergence, split(asked, convergence.order if convergence else None)
 

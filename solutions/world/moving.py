@@ -11,6 +11,9 @@ from solutions.world.rows import Rows, speeds
 from solutions.world.rules import Rules
 from solutions.world.sequential import Wanted, solve_sequentially
 
+ROUNDING = 1e-12
+"""An overlap that is deeper than the slop by less than this, m, is no deeper."""
+
 
 def moved(bodies: Bodies, state: State, velocity: Array, angular_velocity: Array, push: Array, dt: float) -> State:
     """The state after a step with these velocities, and a push (n, 6) beside them.
@@ -39,7 +42,7 @@ def pushed_apart(
     """
     ahead = separation + dt * speeds(rows, velocity, angular_velocity)[:, 0] + rules.slop
     nothing, none = np.zeros_like(velocity), np.zeros(len(ahead))
-    if not np.any(ahead < 0):
+    if not np.any(ahead < -ROUNDING):
         return np.zeros((len(velocity), 6))
     # Where a gap is left, the push may close it, and no more.
     wanted = Wanted(np.where(ahead < 0, -rules.recovery * ahead, -ahead), none, none, none, none > 0)

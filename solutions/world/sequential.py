@@ -9,7 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.world.rows import Rows
+from solutions.world.rows import Rows, speeds
+
+SLIPS = 1e-6
+"""Share by which friction must fall short of ending a slip that counts as one."""
 
 
 class Wanted(NamedTuple):
@@ -103,9 +106,13 @@ def solve_sequentially(
     In its turn a contact sees the velocities as all others have left them. Along the
     normal it gets what makes its speed the wanted one; what it has had in all is
     clamped, not what is added now, so that a later turn may take back what an earlier
-    one gave too much. Friction gets what ends the slip. If that is more than μ_s times
-    the normal impulse, the points slip: friction opposes the slip with μ_k times the
+    one gave too much. Friction gets what ends the slip. If that is more than μ times
+    the normal impulse, the points slip, and friction opposes the slip with μ times the
     normal impulse.
+
+    Of two coefficients, μ_s is tried first at all contacts: a body that stands on four
+    points begins to slip if they cannot hold it together. Those that slip then, slip
+    with μ_k.
 
     The clamp is a circle (Coulomb's cone), not a square for each direction. Friction
     along t − a n takes a·λ_t from the normal impulse, which is then λ_n − a·λ_t. In the
@@ -119,6 +126,11 @@ def solve_sequentially(
     w + c μ a, where c is how strongly the edge holds; `dissipative_impulse` derives it.
     Without a rebound, u_n = 0, friction opposes the slip, as Coulomb says.
     """
+    if np.any(wanted.static_friction > wanted.kinetic_friction):
+        at_rest = wanted._replace(kinetic_friction=wanted.static_friction)
+        found = solve_sequentially(rows, groups, velocity, angular_velocity, at_rest, start, sweeps, tolerance)
+        friction = np.where(_slip(rows, *found), wanted.kinetic_friction, wanted.static_friction)
+        wanted = wanted._replace(static_friction=friction, kinetic_friction=friction)
     velocities = np.concatenate([velocity, angular_velocity], axis=-1)
     bodies = np.stack([rows.body_a, rows.body_b], axis=-1)
     impulse = np.array(np.broadcast_to(start, (len(bodies), 3)), dtype=float)
@@ -141,6 +153,12 @@ def solve_sequentially(
         if np.max(np.abs(impulse - before), initial=0.0) <= tolerance * np.max(np.abs(impulse), initial=0.0):
             break
     return velocities[:, :3], velocities[:, 3:], impulse
+
+
+def _slip(rows: Rows, velocity: Array, angular_velocity: Array, impulse: Array) -> Booleans:
+    """Whether the points of each contact slip (m,): more than rounding would."""
+    missing = np.linalg.solve(rows.softness[:, 1:, 1:], speeds(rows, velocity, angular_velocity)[:, 1:, None])[..., 0]
+    return np.asarray(np.linalg.norm(missing, axis=-1) > SLIPS * np.linalg.norm(impulse[:, 1:], axis=-1))
 
 
 class _Friction:

@@ -24,7 +24,7 @@ def step_world(
     state: State,
     acceleration: ArrayLike,
     dt: float,
-    rules: Rules = Rules(),  # noqa: B008  (an immutable tuple)
+    rules: Rules | tuple[float | str, ...] = Rules(),  # noqa: B008  (an immutable tuple)
     memory: Memory = NOTHING,
     force: ArrayLike = 0.0,
     torque: ArrayLike = 0.0,
@@ -36,7 +36,8 @@ def step_world(
     bodies, state : the world
     acceleration : (3,) or (n, 3), g, of all bodies that can be moved, m/s²
     dt : s
-    rules : how it responds
+    rules : how it responds; a plain tuple, with defaults for what it does not reach,
+        will do
     memory : what the last step left
     force, torque : (n, 3), all others on each body, N and N m
 
@@ -51,7 +52,7 @@ def step_world(
     ValueError
         If there is no such response, or it does not know the law.
     """
-    known(rules)
+    rules = known(Rules(*rules))
     if rules.sleep_speed > 0:
         return _step_with_sleepers(bodies, state, acceleration, dt, rules, memory, force, torque)
 

@@ -30,7 +30,7 @@ class RigidBodies:
         self.velocity = np.array([body.velocity for body in bodies])
         self.spin = np.array([body.angular_velocity for body in bodies])
         self.inverse_mass = np.array([body.inverse_mass for body in bodies])
-        self.moments = np.array([_moments_of_inertia(body, implementation) for body in bodies])
+        self.moments = np.array([moments_of_inertia(body, implementation) for body in bodies])
         falls = self.inverse_mass[:, None] > 0
         self.acceleration = np.where(falls, [scenario.gravity for scenario in scenarios], 0.0)
         self._world_inverse_inertia = implementation.function("world_inverse_inertia")
@@ -68,7 +68,7 @@ class RigidBodies:
         return np.concatenate([self.position, self.orientation, self.velocity, self.spin], axis=-1)
 
 
-def _moments_of_inertia(body: Body, implementation: Implementation) -> Array:
+def moments_of_inertia(body: Body, implementation: Implementation) -> Array:
     """Moments of inertia about the body's own axes, (3,), kg m²; infinite for a plane, which nothing turns."""
     if body.inertia:
         return np.array(body.inertia)

@@ -1,0 +1,135 @@
+"""The step loop of the hand-written world: bodies of many scenarios side by side, each scenario by itself.
+
+All physics comes from the implementation's functions. Here is how a scenario is told to them, and how its part of the
+states becomes a trajectory.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import accumulate
+from typing import Any
+
+import numpy as np
+
+from reference.arrays import Array
+from reference.engines.handwritten.rigid_bodies import moments_of_inertia
+from reference.engines.handwritten.world_settings import rules
+from reference.engines.implementation import Implementation
+from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Trajectory
+
+
+def run(
+    engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
+) -> list[Trajectory]:
+    """Step scenarios in which contacts follow the same rules as one world; return the trajectories of all."""
+    told = [rules(scenario, settings) for scenario in scenarios]
+    found: dict[int, Trajectory] = {}
+    for alike in dict.fromkeys(told):
+        places = [place for place, each in enumerate(told) if each == alike]
+        own = [scenarios[place] for place in places], [steps[place] for place in places]
+        found |= zip(places, _run_together(engine, *own, settings, alike, implementation), strict=True)
+    return [found[place] for place in range(len(scenarios))]
+
+
+def _run_together(
+    engine: str,
+    scenarios: Sequence[Scenario],
+    steps: Sequence[int],
+    settings: Settings,
+    told: tuple[float, ...],
+    implementation: Implementation,
+) -> list[Trajectory]:
+    """Step all scenarios as one world; return each one's own trajectory, cut after its own number of steps."""
+    step_world = implementation.function("step_world")
+    bodies = _bodies(scenarios, implementation)
+    state = implementation.function("make_state")(*(_of_all(scenarios, part) for part in range(4)))
+    acceleration = np.concatenate([np.tile(each.gravity, (len(each.bodies), 1)) for each in scenarios])
+    force, memory = _forces(scenarios), list[Any]()
+    every, samples = settings.sample_every, [np.concatenate(state, axis=-1)]
+    for number in range(1, max(steps) + 1):
+        state, *memory, _ = step_world(bodies, state, acceleration, settings.timestep, told, *memory, force=force)
+        if number % every == 0:
+            samples.append(np.concatenate(state, axis=-1))
+    times: Array = np.arange(len(samples), dtype=np.float64) * every * settings.timestep
+    ends = [0, *accumulate(len(each.bodies) for each in scenarios)]
+    states = np.array(samples)  # (samples, bodies, 13)
+    return [
+        _trajectory(engine, scenario, settings, times[:count], states[:count, first:end])
+        for scenario, taken, first, end in zip(scenarios, steps, ends, ends[1:], strict=False)
+        for count in [1 + taken // every]
+    ]
+
+
+def _of_all(scenarios: Sequence[Scenario], part: int) -> Array:
+    """Position, orientation, velocity or angular velocity of all bodies at the start."""
+    states = np.array([body.state() for scenario in scenarios for body in scenario.bodies])
+    return np.split(states, (3, 7, 10), axis=-1)[part]
+
+
+def _bodies(scenarios: Sequence[Scenario], implementation: Implementation) -> Any:
+    """What `make_bodies` makes of all bodies.
+
+    Coefficients belong to pairs. So each body of a scenario has a material of its own, which it shares with the bodies
+    in its place of the scenarios with the same pairs, and no two materials collide whose bodies are not listed.
+    """
+    every = [body for scenario in scenarios for body in scenario.bodies]
+    group = [number for number, scenario in enumerate(scenarios) for _ in scenario.bodies]
+    material, coefficients = _surfaces(scenarios)
+    moments = [moments_of_inertia(body, implementation) for body in every]
+    return implementation.function("make_bodies")(
+        [_shape(body) for body in every], [body.mass for body in every], moments, **coefficients,
+        material=material, group=group,
+    )  # fmt: skip
+
+
+def _surfaces(scenarios: Sequence[Scenario]) -> tuple[list[int], dict[str, Array]]:
+    """The material of each body, and the coefficients of each two materials."""
+    kinds: dict[tuple[tuple[float, ...], ...], int] = {}
+    material, tables, count = list[int](), list[tuple[int, tuple[tuple[float, ...], ...]]](), 0
+    for scenario in scenarios:
+        told = tuple(_told(scenario, pair) for pair in scenario.pairs)
+        if told not in kinds:
+            kinds[told] = count
+            tables.append((count, told))
+            count += len(scenario.bodies)
+        material += [kinds[told] + place for place in range(len(scenario.bodies))]
+    names = "restitution", "friction", "static_friction", "collide"
+    found = {name: np.zeros((count, count), dtype=bool if name == "collide" else np.float64) for name in names}
+    for first, told in tables:
+        for a, b, *numbers in told:
+            for name, number in zip(names, (*numbers, True), strict=True):
+                found[name][first + int(a), first + int(b)] = found[name][first + int(b), first + int(a)] = number
+    return material, found
+
+
+def _told(scenario: Scenario, pair: Pair) -> tuple[float, ...]:
+    """The places of the two bodies, and restitution, kinetic and static friction."""
+    places = scenario.index(pair.body_a), scenario.index(pair.body_b)
+    return *places, pair.restitution, pair.kinetic_friction, pair.static_friction or 0.0
+
+
+def _shape(body: Body) -> tuple[Any, ...]:
+    """The shape as a plain tuple: its kind, and then what that kind needs."""
+    if isinstance(body.shape, Sphere):
+        return "sphere", body.shape.radius
+    if isinstance(body.shape, Box):
+        return "box", body.shape.half_extents
+    return "half-space", body.shape.normal
+
+
+def _forces(scenarios: Sequence[Scenario]) -> Array:
+    """The constant force on each body besides weight and contacts, N."""
+    found = []
+    for scenario in scenarios:
+        own = np.zeros((len(scenario.bodies), 3))
+        for each in scenario.forces:
+            own[scenario.index(each.body)] += each.force
+        found.append(own)
+    return np.concatenate(found)
+
+
+def _trajectory(engine: str, scenario: Scenario, settings: Settings, times: Array, states: Array) -> Trajectory:
+    return Trajectory(scenario, settings, engine, times, *np.split(states, (3, 7, 10), axis=-1))
