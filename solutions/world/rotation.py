@@ -9,6 +9,7 @@ from solutions.arrays import Array, Booleans
 from solutions.checks import finite, in_space, matrix, not_negative, unit, vector
 from solutions.impulse import rotation_matrix
 
+
 def turned(orientation: ArrayLike, rotation: ArrayLike) -> Array:
     """Orientation of a body that is turned further, about an axis in the world.
 
@@ -156,8 +157,8 @@ def rotate_by_momentum(
     ω = I⁻¹(q) L must change too. A program that keeps ω instead breaks L, and in such a
     program nothing ever tumbles.
 
-    How the body turns can be written down for a part of its energy at a time. Let M be L
-    along the body's own axes, i, j and k, and a = 1/I. The energy is
+    How the body turns can be written down for a part of its energy at a time. Let M be
+    L along the body's own axes, i, j and k, and a = 1/I. The energy is
 
         (a_i M_i² + a_j M_j² + a_k M_k²)/2
             = a_j ‖L‖²/2 + (a_k − a_j) M_k²/2 + (a_i − a_j) M_i²/2
@@ -168,15 +169,20 @@ def rotate_by_momentum(
     takes half of the third part, then the first and the second one, and then the other
     half of the third.
 
-    For each body i and j are the two axes whose a differ least. In a body with two equal
-    moments, such as a rod or a coin, the third part is zero, and the other two do not
-    disturb each other: the step is exact, however long it is. In other bodies the error
-    of the orientation is proportional to dt². The step only ever turns the body, so that
-    L stays. It reads the same from both ends. If it gained energy on the way forwards,
-    it would lose as much on the way back, which is a free rotation like any other. So
-    the energy oscillates by a share of the order (ω dt)², and does not drift. It cannot
-    grow without bound in any case: it stays between ‖L‖²/2 over the largest moment and
-    ‖L‖²/2 over the smallest.
+    The axes i and j are the two whose a differ least. In a body with two equal moments,
+    such as a rod or a coin, the third part is zero, and the other two do not disturb
+    each other: the step is exact, however long it is. In other bodies the error of the
+    orientation is proportional to dt².
+
+    The step only ever turns the body, so that L stays. It reads the same from both
+    ends. If it gained energy on the way forwards, it would lose as much on the way
+    back, which is a free rotation like any other. So the energy oscillates by a share
+    of the order (ω dt)², and does not drift. It cannot grow without bound in any case:
+    it stays between ‖L‖²/2 over the largest moment and ‖L‖²/2 over the smallest.
+
+    A rule that turns the body by the spin in the middle of the step needs to find this
+    spin. In a slender body a slight error of the orientation is a large spin about the
+    long axis. There such a rule gains energy, and at coarse steps it finds nothing.
     """
     q, w = _quaternion("orientation", orientation), in_space("angular_velocity", angular_velocity)
     moments, dt = not_negative("moments", vector("moments", moments)), finite("dt", dt)[..., None]
@@ -220,7 +226,7 @@ def _tumbled(q: Array, w: Array, moments: Array, dt: Array) -> tuple[Array, Arra
     return q_after, w_after
 
 
-def _axes(per_moment: Array, has_moment: Array) -> tuple[Booleans, Booleans, Booleans]:
+def _axes(per_moment: Array, has_moment: Booleans) -> tuple[Booleans, Booleans, Booleans]:
     """Which of its axes are i, j and k of each body, (n, 3) each."""
     a = np.where(has_moment, per_moment, np.finfo(float).max)  # an axis without a moment is far from all others
     apart = np.abs(np.roll(a, -1, axis=-1) - np.roll(a, -2, axis=-1))  # of the other two axes

@@ -129,8 +129,8 @@ def solve_sequentially(
     if np.any(wanted.static_friction > wanted.kinetic_friction):
         at_rest = wanted._replace(kinetic_friction=wanted.static_friction)
         found = solve_sequentially(rows, groups, velocity, angular_velocity, at_rest, start, sweeps, tolerance)
-        friction = np.where(_slip(rows, *found), wanted.kinetic_friction, wanted.static_friction)
-        wanted = wanted._replace(static_friction=friction, kinetic_friction=friction)
+        edge = np.where(_slip(rows, *found), wanted.kinetic_friction, wanted.static_friction)
+        wanted = wanted._replace(static_friction=edge, kinetic_friction=edge)
     velocities = np.concatenate([velocity, angular_velocity], axis=-1)
     bodies = np.stack([rows.body_a, rows.body_b], axis=-1)
     impulse = np.array(np.broadcast_to(start, (len(bodies), 3)), dtype=float)
