@@ -11,7 +11,7 @@ from solutions.impulse import rotation_matrix
 from solutions.world.rules import Rules
 from solutions.world.run import run_world
 
-P1, P2 = published("P1"), published("P2")
+P1, P2, P14 = (published(name) for name in ("P1", "P2", "P14"))
 
 AT_THE_STEP = {"ode": False, "bullet": True}
 """Which engine answers with the speed that includes the step's gain of weight."""
@@ -107,16 +107,19 @@ def test_a_free_tumbling_box_errs_by_half_a_step_of_weight(dt):
     Semi-implicit Euler falls by g T (T + dt)/2, which is g dt T/2 = 0.049 m too far at 1 ms. Free of torque, the box
     keeps its angular momentum, and its spin is a constant energy.
     """
-    duration, gravity = 10.0, 9.8
-    box = Thing(("box", (0.2, 0.1, 0.05)), 1.4, (3.0, -1.0, 2.0), velocity=(-2, 2, 8), spin=(0.1, 5, 0.1))
+    duration, gravity = P14.value("duration"), -P14.numbers("gravity")[2]
+    velocity, spin = P14.numbers("velocity"), (0.1, 5.0, 0.1)
+    box = Thing(("box", (0.2, 0.1, 0.05)), 1.4, (3.0, -1.0, 2.0), velocity=velocity, spin=spin)
     bodies, state = scene([box])
     run = run_world(bodies, state, (0, 0, -gravity), dt, round(duration / dt), every=round(duration / dt) // 10)
     exact = np.array([3.0 - 2 * duration, -1.0 + 2 * duration, 2 + 8 * duration - gravity * duration**2 / 2])
+    if dt == P14.value("timestep"):
+        assert gravity * dt * duration / 2 == pytest.approx(P14.expected["position_error"])
     np.testing.assert_allclose(run.position[-1, 0] - exact, (0, 0, -gravity * dt * duration / 2), atol=1e-9)
     about_centre = momentum(bodies, run._replace(position=np.zeros_like(run.position)))[1]
     np.testing.assert_allclose(about_centre, np.tile(about_centre[0], (11, 1)), atol=1e-11)  # 10⁴ roundings
     own = np.vecmat(run.angular_velocity[:, 0], rotation_matrix(run.orientation[:, 0]))
     spinning = np.vecdot(bodies.moments[0] * own, own) / 2
-    # The midpoint rule: an error of the order (ω dt)², without a drift.
+    # An error of the order (ω dt)², without a drift.
     np.testing.assert_allclose(spinning, spinning[0], rtol=(5 * dt) ** 2)
     assert np.ptp(own[:, 0]) > 0.05  # it tumbles: the spin wanders in the body

@@ -146,6 +146,13 @@ def test_a_box_carries_one_a_thousand_times_heavier_in_more_sweeps():
     assert np.min(too_few.position[:, 2, 2] - start.position[2, 2]) < -50 * MM
 
 
+@pytest.mark.slow
+def test_all_at_once_a_thousandfold_load_does_not_sink():
+    bodies, start = scene(loaded(1000.0), friction=0.4)
+    end = run_world(bodies, start, DOWN, 1 / 60, 30, Rules(response="simultaneous"))
+    np.testing.assert_allclose(end.position[-1], start.position, atol=1e-7)  # weight alone moves it by 2.7 mm in a step
+
+
 def pile(count, seed):
     """Balls, boxes and capsules, one over another, between four walls that stand askew."""
     rng, things = np.random.default_rng(seed), [FLOOR]
