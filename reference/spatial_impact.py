@@ -91,7 +91,7 @@ def spatial_impact(contact: SpatialContact, restitution: float, law: str) -> Arr
         slip = weights * contact.after(_on_the_edge(contact, restitution, angle))[:2]
         return np.array([slip @ (-math.sin(angle), math.cos(angle)), -slip @ (math.cos(angle), math.sin(angle))])
 
-    return _on_the_edge(contact, restitution, _root(opposed))
+    return _on_the_edge(contact, restitution, root_angle(opposed))
 
 
 def _on_the_edge(contact: SpatialContact, restitution: float, angle: float) -> Array:
@@ -101,7 +101,7 @@ def _on_the_edge(contact: SpatialContact, restitution: float, angle: float) -> A
     return np.asarray(-(1 + restitution) * contact.before[2] / gain * push if gain > 0 else np.full(3, np.inf))
 
 
-def _root(sides: Callable[[float], Array]) -> float:
+def root_angle(sides: Callable[[float], Array]) -> float:
     """The angle at which the first of two numbers crosses zero while the second is positive."""
     angles = np.linspace(0, 2 * np.pi, DIRECTIONS + 1)
     with np.errstate(invalid="ignore"):
@@ -211,7 +211,7 @@ def _straight(contact: SpatialContact, state: Array, beyond: Callable[[Array], f
             growth = k[:2, 2] - mu * k[:2, :2] @ s
             return np.array([growth @ (-s[1], s[0]), growth @ s])
 
-        angle = _root(grown)
+        angle = root_angle(grown)
         rubbed = -mu * np.array([math.cos(angle), math.sin(angle)])
     push = np.array([*rubbed, 1.0])
     speed, gain = contact.after(state[:3])[2], k[2] @ push

@@ -101,12 +101,12 @@ class Handwritten(Engine):
         """
         if kind(scenario) is None:
             return {profiles.WORLD: IN_THE_WORLD}
-        found = {profiles.EXACT: "exact root"}
+        found = {profiles.EXACT: "exact root", profiles.WORLD: IN_THE_WORLD}
         if kind(scenario) in BOUNCES:
             found[profiles.SLIDE] = "the slide's T"
         if laws_may_part(scenario):
             found |= LAWS
-        return found | {profiles.STEP: "respond at the step", profiles.WORLD: IN_THE_WORLD}
+        return found | {profiles.STEP: "respond at the step"}
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Timestep 1 ms. A ball rests if its next flight would be over within `shortest_flight` steps."""

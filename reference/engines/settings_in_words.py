@@ -90,6 +90,16 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "impact law poisson": "Restitution follows Poisson's law (`impact_law` = poisson).",
         "impact law stronge": "Restitution follows Stronge's law (`impact_law` = stronge).",
         "shortest flight 1": "A ball rests if its next flight ends within one timestep (`shortest_flight` = 1).",
+        "rest threshold steps": "An approach slower than {} g dt is answered without rebound (`rest_threshold_steps`).",
+        "contact gap falls": "A contact counts from a gap of {} g dt² on, or of a nanometre (`contact_gap_falls`).",
+        "with weight False": "The rebound is e times the speed before the step (`with_weight` = False).",
+        "with weight True": "The rebound is e times the speed with what weight adds to it in the step"
+        " (`with_weight` = True).",
+        "overlap slop": "An overlap of {m} is left alone (`overlap_slop`).",
+        "overlap recovery": "Of a deeper overlap, each step takes back the share {} (`overlap_recovery`).",
+        "sweeps": "All contacts take their turn at most {} times a step (`sweeps`).",
+        "tolerance": "They stop when no impulse changes by more than the share {} of the largest (`tolerance`).",
+        "push sweeps": "To take back overlaps, they take their turn at most {} times a step (`push_sweeps`).",
         "shortest flight": "A ball rests if its next flight ends within {} timesteps (`shortest_flight`).",
     },
 }

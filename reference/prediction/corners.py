@@ -22,7 +22,7 @@ from reference.prediction.predicted import Path, Prediction, trajectory_of
 from reference.scene import geometry
 from reference.scene.scenario import Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
-from reference.spatial_impact import SpatialContact, spatial_impact
+from reference.spatial_impact import SpatialContact, root_angle, spatial_impact
 
 ALIKE = 1e-9
 """Two corners strike together if their gaps (m) and their velocities (m/s) differ by no more than this."""
@@ -127,9 +127,37 @@ class _Corners:
             k = k + SOFTNESS / len(ends) * np.diag(np.diagonal(self._k(state, ends[0])))
             wanted = rate + (1 + SOFTNESS) * (wanted - rate)
         contact = SpatialContact(k, before, self.pair.kinetic_friction)
+        if self.method.rule == WORLD and len(ends) == 2 and wanted > 0 and contact.friction > 0:
+            return self._given(state, arm, self._of_two(contact, self._k(state, ends[0]), ends, wanted)), lift
         without_rebound = self.method.rule == WORLD and wanted <= 0  # then friction opposes the slip
         law = NEWTON if without_rebound else self.method.law
         return self._given(state, arm, spatial_impact(contact, -wanted / rate, law)), lift
+
+    def _of_two(self, contact: SpatialContact, own: Array, ends: Array, wanted: float) -> Array:
+        """The impulse of the world at both ends of an edge together, (3,), along the axes, with a rebound.
+
+        Each end takes the friction that leaves the least energy of its own impact: as if it could give the velocity a
+        u_n along the surface, with a = K_nt/K_nn of this end alone, own. Along the edge the two pull against each other
+        and move nothing, and so both slip, on the edges of their cones. There friction opposes w + c μ a, where w is
+        the slip less a u_n, and c how strongly the cone holds; `solutions.world.sequential` says why.
+        """
+        along = self.axes @ (ends[0] - ends[1])
+        along /= np.linalg.norm(along)
+        ahead, a = np.cross(along, [0.0, 0.0, 1.0]), own[:, 2] / own[2, 2]
+
+        def given(angle: float) -> Array:
+            push = np.array([0.0, 0.0, 1.0]) + contact.friction * math.cos(angle) * ahead
+            return np.asarray((wanted - contact.before[2]) / (contact.k[2] @ push) * push)
+
+        def opposed(angle: float) -> Array:
+            """What friction in this direction has to oppose: across friction, and against it."""
+            way = math.cos(angle) * ahead + math.sin(angle) * along
+            rest = contact.after(given(angle)) - a * wanted
+            held = max(-float(rest @ way), 0.0) / (1 + contact.friction * float(a @ way))
+            rest = rest + held * contact.friction * a
+            return np.array([rest @ (math.cos(angle) * along - math.sin(angle) * ahead), -rest @ way])
+
+        return given(root_angle(opposed))
 
     def _k(self, state: State, arm: Array) -> Array:
         """What a unit impulse at the end of an arm changes of the velocity there, along the axes, (3, 3), 1/kg."""

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from reference.engines.profiles import EXACT, STEP, STOCK, TUNED, counts
+from reference.engines.profiles import EXACT, STEP, STOCK, TUNED, WORLD, counts
 from reference.report import numbers
 from reference.report.sections import Line, Section
 
@@ -32,6 +32,7 @@ _MARKER_DISTANCE, _STAGGER = 0.4, 0.05
 _DASHES: dict[str, Any] = {
     EXACT: "-",
     TUNED: "-",
+    WORLD: (0, (9, 1.5)),
     STEP: (0, (1, 1.6)),
     STOCK: (0, (1, 1.6)),
     "poisson": (0, (7, 2, 1.5, 2)),

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines.dart_engine import REST_SPEED
 from reference.engines.handwritten_engine import Handwritten
+from reference.engines.profiles import EXACT
 from reference.engines.pybullet_settings import STOCK_REST_SPEED
 from reference.report import numbers
 from reference.report.marks import MARKS
@@ -204,12 +205,10 @@ def _is_said_as(row: Row) -> Verdict:
 
 def _figure(pick: _Pick, line: Line, row: Row) -> Figure:
     said = pick.said(row) or line.family.quantity(pick.quantity).absent
-    by_hand = line.result.job.engine == Handwritten.name
-    if by_hand:
-        who = "by hand, exact" if line.counts else "by hand, at the step"
-    else:
-        who = line.result.title if line.counts else f"{line.result.title} as installed"
-    return Figure(who, said, "" if by_hand and line.counts else timestep_of(row))
+    who = line.result.title if line.counts else f"{line.result.title} as installed"
+    if line.result.job.engine == Handwritten.name:
+        who = line.by_hand
+    return Figure(who, said, "" if line.result.job.profile == EXACT else timestep_of(row))
 
 
 def _stack(section: Section | None) -> str:

@@ -34,7 +34,8 @@ def _failed(line: Line, case: Case) -> bool:
 def case_clip(case: Case, lines: Iterable[Line], title: str, all_shown: bool = False) -> Clip | None:
     """One case in these implementations, the first of them drawn solid.
 
-    all_shown: whether profiles that do not count are to be seen at first as well.
+    all_shown: whether profiles that do not count are to be seen at first as well. Of two that count, as by hand, the
+    second is not.
     """
     found: dict[str, Poses] = {}
     hidden = set()
@@ -42,10 +43,11 @@ def case_clip(case: Case, lines: Iterable[Line], title: str, all_shown: bool = F
         track = _track(line.result, case)
         if track is not None:
             engine, profile = line.result.job.engine, line.result.job.profile
-            name = engine if line.counts else f"{engine} {profile}"
-            called = line.result.title if line.counts else line.title
+            first = line.counts and engine not in found
+            name = engine if first else f"{engine} {profile}"
+            called = line.result.title if first else line.title
             found[name] = unpack(track, called, line.result.recording)
-            hidden |= set() if line.counts or all_shown else {name}
+            hidden |= set() if first or (all_shown and not line.counts) else {name}
     return clip(case.scenarios[0], found, title, hidden) if found else None
 
 

@@ -115,6 +115,10 @@ class Cell:
         return f"left {left_of(max(known, key=_badness))}" if known else ""
 
 
+_METHODS = {profiles.EXACT: "exact", profiles.WORLD: "in the world", profiles.STEP: "at the step"}
+"""Methods of hand-written code, as a sentence has them."""
+
+
 @dataclass(frozen=True)
 class Line:
     """One engine and profile in a family's tables."""
@@ -131,6 +135,11 @@ class Line:
     def name(self) -> str:
         """The implementation in a sentence: `PyBullet` or `hand-written code`."""
         return self.result.title.replace("hand-written", "hand-written code", 1)
+
+    @property
+    def by_hand(self) -> str:
+        """How hand-written code does it, in words: `by hand, exact`."""
+        return f"by hand, {_METHODS.get(self.result.job.profile, self.result.job.profile)}"
 
     @property
     def counts(self) -> bool:

@@ -136,7 +136,8 @@ def _apart(one: Line, other: Line) -> float:
 def _name(own: Sequence[Line], every: Sequence[Line]) -> str:
     """The implementations of a bundle in few words: `by hand, all tuned engines, DART as installed: one curve`."""
     by_hand = [line for line in own if line.result.job.engine == Handwritten.name]
-    parts = ["by hand"] if len(by_hand) > 1 else [f"by hand, {_how(line)}" for line in by_hand]
+    methods = [line for line in every if line.result.job.engine == Handwritten.name]
+    parts = ["by hand"] if len(by_hand) == len(methods) > 1 else [line.by_hand for line in by_hand]
     tuned, installed = (_engines(own, counting) for counting in (True, False))
     if len(tuned) > 1 and len(tuned) == len(_engines(every, True)):
         parts.append("all tuned engines")
@@ -145,10 +146,6 @@ def _name(own: Sequence[Line], every: Sequence[Line]) -> str:
     if installed:
         parts.append(f"{' and '.join(installed)} as installed")
     return ", ".join(parts) + (": one curve" if len(own) > 1 else "")
-
-
-def _how(line: Line) -> str:
-    return "exact" if line.counts else "at the step"
 
 
 def _engines(lines: Sequence[Line], counting: bool) -> list[str]:

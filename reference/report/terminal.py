@@ -25,6 +25,8 @@ from reference.report.worst_first import nearest_to_fail
 
 WORST = 5
 """How many rows the list of the worst has."""
+_WITH_BLANKS = 12
+"""Implementations up to which a mark and its number have a blank between them: more columns would be too wide."""
 _COLUMN = 14
 """Width at which the headings of the quantities are broken: five columns fit in a terminal of 80 characters."""
 _ANY_WIDTH = 1000
@@ -73,11 +75,13 @@ def _print_agreement(console: Console, matrix: Matrix) -> None:
     console.print()
     table = Table(box=None, header_style="bold", padding=(0, 1, 0, 0), pad_edge=False)
     table.add_column("who agrees with whom", no_wrap=True)
+    blank = " " if len(matrix.titles) <= _WITH_BLANKS else ""
     for number in range(1, len(matrix.titles)):
         table.add_column(str(number), no_wrap=True)
     for number, (title, entries) in enumerate(zip(matrix.titles, matrix.rows, strict=True), 1):
-        cells = [Text(entry.text, style=_RELATIONS[entry.relation]) if entry else Text("") for entry in entries]
-        table.add_row(Text(f"{number} {short_title(title)}"), *cells)
+        texts = [entry.text.replace(" ", blank) if entry else "" for entry in entries]
+        styles = [_RELATIONS[entry.relation] if entry else "" for entry in entries]
+        table.add_row(Text(f"{number} {short_title(title)}"), *map(Text, texts, styles))
     console.print(table)
     for why, titles in matrix.whys:
         whose = f"{' and '.join(map(short_title, titles))}: " if titles else ""

@@ -14,8 +14,8 @@ import pytest
 from reference.catalogue.family import Family
 from reference.catalogue.scenarios import catalogue
 from reference.engines import Engine, engine_names, load_engine
-from reference.engines.profiles import counts
-from reference.errors import CannotExpress, NeedsFunction
+from reference.engines.profiles import WORLD, counts
+from reference.errors import CannotExpress
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
@@ -102,7 +102,6 @@ ONE_COEFFICIENT = {
 }
 SAYS_NO = {
     **dict.fromkeys(REPORT_CONTACTS, ONE_COEFFICIENT),
-    "handwritten": dict.fromkeys(NEEDS_A_WORLD, (NeedsFunction, r"^needs a rigid-body world \(world\)$")),
     "mujoco": ONE_COEFFICIENT
     | dict.fromkeys(
         ("struck-cube", "off-centre-impact"),
@@ -163,8 +162,14 @@ def fast_and_slow(cells: list[Cell], fast: Callable[[Cell], bool]):
     return pytest.mark.parametrize("cell", marked, ids=str)
 
 
+IN_THE_WORLD = ("twirled-box", "dropped-ball", "two-balls", "struck-rod", "lying-box")
+"""What the fast run does in the hand-written world: free flight, and each pair of shapes that takes little time."""
+
+
 def is_often(cell: Cell) -> bool:
     """Whether the fast run has this cell."""
+    if cell.profile == WORLD:
+        return cell.scenario in IN_THE_WORLD
     return cell.scenario == "dropped-ball" or (counts(cell.profile) and cell.scenario in ONE_OF_EACH)
 
 

@@ -16,6 +16,7 @@ from reference.arrays import Array
 from reference.engines.handwritten.rigid_bodies import moments_of_inertia
 from reference.engines.handwritten.world_settings import rules
 from reference.engines.implementation import Implementation
+from reference.scene import geometry
 from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
@@ -117,7 +118,8 @@ def _shape(body: Body) -> tuple[Any, ...]:
         return "sphere", body.shape.radius
     if isinstance(body.shape, Box):
         return "box", body.shape.half_extents
-    return "half-space", body.shape.normal
+    # A scenario has this normal in the world's axes, and a shape in the body's own.
+    return "half-space", geometry.rotate(geometry.opposite(np.array(body.orientation)), np.array(body.shape.normal))
 
 
 def _forces(scenarios: Sequence[Scenario]) -> Array:

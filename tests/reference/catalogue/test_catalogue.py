@@ -202,7 +202,7 @@ def test_all_scenarios_of_a_case_have_the_same_settings(family):
     for case, name in itertools.product(family.cases, engine_names()):
         engine, first, last = load_engine(name), case.scenarios[0], case.scenarios[-1]
         assert list(engine.profiles(first)) == list(engine.profiles(last))
-        assert list(engine.profiles(first)) == list(engine.profiles(family.cases[0].scenarios[0]))
+        assert set(engine.profiles(first)) <= set(family.profiles(engine))
         for profile in engine.profiles(first):
             assert engine.settings(first, profile) == engine.settings(last, profile)
 

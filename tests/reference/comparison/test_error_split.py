@@ -18,6 +18,7 @@ from reference.comparison.errors_by_settings import Question
 from reference.comparison.results import Job
 from reference.engines import load_engine
 from reference.engines.base import AT_STEP, Engine, Method
+from reference.engines.implementation import Implementation
 from reference.errors import CannotExpress, NeedsFunction, RunFailed
 from reference.running.study import run_job
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
@@ -318,8 +319,11 @@ def test_only_the_unchanged_profile_that_counts_is_split():
     assert run_job(Job("parting-ball", "handwritten", "exact", (case,))).split is None, "no studies were asked for"
 
 
-def test_a_run_that_needs_a_missing_function_is_not_split():
-    assert split_of("stack", "handwritten") is None
+def test_a_run_that_needs_a_missing_function_is_not_split(tmp_path):
+    path = tmp_path / "nothing.py"
+    path.write_text("")
+    asked = Question.of(catalogue()["stack"], load_engine("handwritten", Implementation(str(path))))
+    assert error_split.split(asked) is None
 
 
 def test_the_slabs_error_at_the_step_is_that_of_its_policy():

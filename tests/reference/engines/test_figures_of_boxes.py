@@ -1,4 +1,4 @@
-"""What PyBullet and MuJoCo make of walls, and of boxes that fall, tip and stand; what waits for a world by hand."""
+"""What PyBullet and MuJoCo make of walls, and of boxes that fall, tip and stand; what only the world runs by hand."""
 
 from __future__ import annotations
 
@@ -151,11 +151,11 @@ def test_a_stack_in_pybullet_stands_for_a_second(installed):
     assert family.quantity("drift").measure(trajectory) < 1e-4
 
 
-# What waits for a rigid-body world
+# What runs in the world alone
 
 
-def test_thirty_seven_cases_by_hand_need_a_rigid_body_world():
-    engine, waiting = load_engine("handwritten"), {}
+def test_by_hand_thirty_seven_cases_run_in_the_world_alone_and_no_case_waits():
+    engine, alone = load_engine("handwritten"), []
     for family in catalogue().values():
         for case in family.cases:
             moment = replace(
@@ -164,13 +164,11 @@ def test_thirty_seven_cases_by_hand_need_a_rigid_body_world():
             scenario = moment.scenarios[0]
             for profile in engine.profiles(scenario):
                 rows, _ = compare_case(family, moment, engine, profile, engine.settings(scenario, profile))
-                if Verdict.NEEDS in {entry.verdict for entry in rows}:
-                    assert [entry.note for entry in rows] == ["needs a rigid-body world (world)"]
-                    waiting.setdefault((family.name, case.name), []).append(profile)
-                else:
-                    assert len(rows) == len(family.quantities)
-                    assert not {Verdict.CRASHED, Verdict.CANNOT_EXPRESS} & {entry.verdict for entry in rows}
-    assert {name: sum(family == name for family, _ in waiting) for name in catalogue()} == {
+                assert len(rows) == len(family.quantities)
+                assert not {Verdict.NEEDS, Verdict.CRASHED, Verdict.CANNOT_EXPRESS} & {entry.verdict for entry in rows}
+            if list(engine.profiles(scenario)) == ["world"]:
+                alone.append(family.name)
+    assert {name: alone.count(name) for name in catalogue()} == {
         **dict.fromkeys(catalogue(), 0),
         "sliding-ball": 9,
         "rolling-ball": 15,
@@ -179,4 +177,3 @@ def test_thirty_seven_cases_by_hand_need_a_rigid_body_world():
         "tipping-box": 5,
         "stack": 2,
     }
-    assert all(profiles == ["exact", "step"] for profiles in waiting.values())

@@ -7,7 +7,7 @@ import pytest
 
 from reference.catalogue import measure
 from reference.engines import load_engine
-from reference.errors import InvalidInput, NeedsFunction
+from reference.errors import InvalidInput, NeedsFunction, RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 
@@ -142,13 +142,15 @@ def test_an_unknown_policy_is_refused_with_the_known_ones():
 
 ON_ITS_SIDE = {"turn": (math.sqrt(0.5), math.sqrt(0.5), 0.0, 0.0), "height": 0.3}  # 0.3 up, 0.4 and 0.1 across
 ON_ITS_END = {"turn": (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0), "height": 0.4}  # 0.4 up, 0.3 and 0.1 across
-NEEDS_A_WORLD = {
+NEEDS_A_WORLD_IN_THE_END = {
     "a rough ball thrown along the floor": ball(friction=0.2, velocity=(1.0, 0.0, 0.0)),
     "a rough ball dropped on a slope": ball(TILTED, friction=0.2),
+    "a spinning ball": ball(angular_velocity=(0.0, 1.0, 0.0)),
+}
+NEEDS_A_WORLD = {
     "a ball that would stick to a slope": Scenario(
         "ball", ball(TILTED).bodies, (Pair("ball", "plane", static_friction=0.2),), 1.0
     ),
-    "a spinning ball": ball(angular_velocity=(0.0, 1.0, 0.0)),
     "a slab above the floor": slab(height=0.2),
     "a slab that leaves the floor": slab(velocity=(1.0, 0.0, 0.5)),
     "a slab that turns": slab(angular_velocity=(0.0, 0.0, 1.0)),
@@ -168,10 +170,15 @@ NEEDS_A_WORLD = {
 }
 
 
-@pytest.mark.parametrize("what", NEEDS_A_WORLD)
-def test_a_body_that_turns_or_leaves_its_line_needs_a_world(what):
+@pytest.mark.parametrize("what", NEEDS_A_WORLD_IN_THE_END)
+def test_a_ball_that_would_roll_when_it_has_come_to_rest_needs_a_world(what):
     with pytest.raises(NeedsFunction, match="needs a rigid-body world"):
-        run(NEEDS_A_WORLD[what], timestep=0.01)
+        run(NEEDS_A_WORLD_IN_THE_END[what], timestep=0.01)
+
+
+@pytest.mark.parametrize("what", NEEDS_A_WORLD)
+def test_a_body_that_turns_or_leaves_its_line_runs_in_the_world_alone(what):
+    assert list(HANDWRITTEN.profiles(NEEDS_A_WORLD[what])) == ["world"]
 
 
 ALONE = {
@@ -196,9 +203,9 @@ def test_a_body_that_moves_as_a_point_needs_no_world(what):
     assert np.array_equal(made.orientations[-1], made.orientations[0])
 
 
-def test_a_batch_of_balls_and_slabs_needs_a_world():
+def test_a_batch_of_balls_and_slabs_runs_in_the_world_alone():
     scenario = ball()
-    with pytest.raises(NeedsFunction, match="needs a rigid-body world"):
+    with pytest.raises(RunFailed, match="ball has no policy that could run it; the profile world can"):
         HANDWRITTEN.run_many([scenario, slab()], HANDWRITTEN.settings(scenario, "exact"))
 
 

@@ -16,7 +16,6 @@ import pytest
 from reference import truth
 from reference.engines import load_engine
 from reference.engines.handwritten.scenario_kind import kind
-from reference.errors import NeedsFunction
 from reference.scene import geometry
 from reference.scene.query import Distance, Ray
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
@@ -280,8 +279,7 @@ NEEDS_A_WORLD = {
 
 
 @pytest.mark.parametrize("what", NEEDS_A_WORLD)
-def test_a_scene_that_needs_a_world_needs_one_at_any_place(what):
+def test_a_scene_that_only_the_world_runs_is_one_at_any_place(what):
     for scenario in (NEEDS_A_WORLD[what], moved(NEEDS_A_WORLD[what])):
         assert kind(scenario) is None
-        with pytest.raises(NeedsFunction, match="needs a rigid-body world"):
-            HANDWRITTEN.run(scenario, HANDWRITTEN.settings(scenario, "exact"))
+        assert list(HANDWRITTEN.profiles(scenario)) == ["world"]

@@ -101,6 +101,9 @@ NEEDS_A_WORLD = {
 @pytest.mark.parametrize("profile", ["exact", "step"])
 def test_by_hand_what_one_impact_cannot_tell_needs_a_world(what, profile):
     engine, scenario = by_hand(), NEEDS_A_WORLD[what]
+    if profile not in engine.profiles(scenario):
+        assert list(engine.profiles(scenario)) == ["world"]
+        return
     with pytest.raises(NeedsFunction, match=r"needs a rigid-body world \(world\)"):
         engine.run(scenario, engine.settings(scenario, profile))
 

@@ -14,7 +14,7 @@ from engine_grid import FLOOR, TURNED, thrown
 from reference.catalogue import measure
 from reference.catalogue.scenarios import catalogue
 from reference.engines import load_engine
-from reference.errors import CannotExpress, NeedsFunction
+from reference.errors import CannotExpress
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
 from reference.scene.trajectory import Trajectory
@@ -167,13 +167,11 @@ def two_balls_and_a_floor() -> list[Scenario]:
 
 
 @pytest.mark.parametrize("scenario", two_balls_and_a_floor(), ids=lambda scenario: scenario.name)
-def test_by_hand_a_ball_with_unequal_moments_needs_a_world(scenario):
+def test_by_hand_a_ball_with_unequal_moments_runs_in_the_world_alone(scenario):
     engine = load_engine("handwritten")
-    equal = [replace(body, inertia=()) for body in scenario.bodies]
-    settings = engine.settings(scenario, "exact")
-    engine.run(replace(scenario, bodies=equal), settings)
-    with pytest.raises(NeedsFunction, match="rigid-body world"):
-        engine.run(scenario, settings)
+    equal = replace(scenario, bodies=[replace(body, inertia=()) for body in scenario.bodies])
+    assert next(iter(engine.profiles(equal))) == "exact"
+    assert list(engine.profiles(scenario)) == ["world"]
 
 
 def flying_cube(inertia, spin):
@@ -181,10 +179,8 @@ def flying_cube(inertia, spin):
     return Scenario("a cube that flies", (FLOOR, cube), (Pair("cube", "floor", 0.5, 0.3),), 0.1, (0, 0, 0))
 
 
-def test_by_hand_a_cube_with_unequal_moments_of_its_own_needs_a_world():
-    engine, scenario = load_engine("handwritten"), flying_cube(tuple(MOMENTS), SPIN)
-    with pytest.raises(NeedsFunction, match="rigid-body world"):
-        engine.run(scenario, engine.settings(scenario, "exact"))
+def test_by_hand_a_cube_with_unequal_moments_of_its_own_runs_in_the_world_alone():
+    assert list(load_engine("handwritten").profiles(flying_cube(tuple(MOMENTS), SPIN))) == ["world"]
 
 
 def test_by_hand_a_box_whose_own_moments_are_equal_keeps_its_spin():

@@ -9,7 +9,7 @@ import pytest
 
 from reference.engines import load_engine
 from reference.engines.handwritten import balls_between_planes
-from reference.errors import NeedsFunction, RunFailed
+from reference.errors import RunFailed
 from reference.scene import geometry
 from reference.scene.scenario import Body, HalfSpace, Pair, Scenario, Sphere
 
@@ -137,6 +137,5 @@ NEEDS_A_WORLD = {
 
 
 @pytest.mark.parametrize("what", NEEDS_A_WORLD)
-def test_a_ball_with_more_than_walls_around_it_needs_a_world(what):
-    with pytest.raises(NeedsFunction, match="needs a rigid-body world"):
-        run(NEEDS_A_WORLD[what])
+def test_a_ball_with_more_than_walls_around_it_runs_in_the_world_alone(what):
+    assert list(HANDWRITTEN.profiles(NEEDS_A_WORLD[what])) == ["world"]

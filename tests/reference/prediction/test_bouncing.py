@@ -30,6 +30,7 @@ SLAB = Scenario(
 METHODS = [
     ("handwritten", "slide"),
     ("handwritten", "step"),
+    ("handwritten", "world"),
     ("pybullet", "tuned"),
     ("pybullet", "spring"),
     ("mujoco", "tuned"),
@@ -60,7 +61,7 @@ def test_a_ball_bounces_step_by_step_as_the_recurrence_says(engine, profile, ins
     assert difference(found, BALL, settings.change(timestep=0.83 * settings.timestep)) < OFF
 
 
-@pytest.mark.parametrize(("engine", "profile"), [METHODS[2], *METHODS[4:6]])
+@pytest.mark.parametrize(("engine", "profile"), [METHODS[2], METHODS[3], *METHODS[5:7]])
 def test_four_corners_share_an_impact_as_the_recurrence_says(engine, profile, installed):
     found = installed(engine)
     assert difference(found, SLAB, found.settings(SLAB, profile)) < OFF

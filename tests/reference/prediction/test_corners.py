@@ -17,7 +17,7 @@ TURN = np.array([0.4, -0.2, 0.8, 0.4])  # a unit quaternion: 0.16 + 0.04 + 0.64 
 FOOT = np.array([0.3, -0.2, 0.1])
 FAMILY = catalogue()["off-centre-impact"]
 CASES = "corner,e=1,μ=0.2", "spinning,e=0.5,μ=0.2", "rod ahead,e=0.5,μ=0.2", "edge,e=0.5,μ=0.2"
-ENGINES = ("handwritten", "step"), ("pybullet", "tuned"), ("dart", "tuned")
+ENGINES = ("handwritten", "step"), ("handwritten", "world"), ("pybullet", "tuned"), ("dart", "tuned")
 ONE_CORNER = {"pybullet": CASES[:3], "dart": CASES[:2]}
 EVERY = [(case, *each) for case in CASES for each in ENGINES if case in ONE_CORNER.get(each[0], CASES)]
 """Bullet's friction and DART's softness have axes of their own. Where these are aside of the plane of an impact, an

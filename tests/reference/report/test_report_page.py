@@ -72,7 +72,7 @@ def test_tables_have_a_heading_for_every_column(tree):
 
 def test_the_page_opens_with_the_implementations_and_the_checks_that_count(tree):
     assert "in hand-written code, an engine 1.2.3." in tree.all("header")[0].text
-    counting = ("exact", "tuned")
+    counting = ("exact", "world", "tuned")
     checks = sum(row.profile in counting and row.verdict is Verdict.PASS for it in everything() for row in it.rows)
     (said,) = tree.all("p", "verdict")
     assert said.text == (
@@ -98,8 +98,8 @@ def test_the_overview_has_a_cell_for_each_run_and_shows_what_counts(tree):
     assert all(it in with_id(tree, "overview").all("details")[place].walk() for place, it in enumerate(folded))
     headings = [[it.text for it in table.all("thead")[0].all("th")][1:] for table in (first, *folded)]
     assert headings[0].pop() == "each with each"
-    assert [len(titles) for titles in headings] == [4, 4, 6]
-    assert {title.rpartition(", ")[2] for title in headings[0]} == {"exact", "tuned"}
+    assert [len(titles) for titles in headings] == [5, 4, 6]
+    assert {title.rpartition(", ")[2] for title in headings[0]} == {"exact", "world", "tuned"}
     assert {title.rpartition(", ")[2] for title in headings[1]} == {"step", "stock"}
     shown = {}
     for titles, table in zip(headings, (first, *folded), strict=True):
@@ -165,7 +165,7 @@ def test_every_profile_has_a_line_and_is_told_its_settings(family, tree):
     for line, given in zip(came_out(section).all("tbody")[0].all("tr"), ran, strict=True):
         title = f"{given.title}, {given.job.profile}"
         assert line.all("th")[0].text == title
-        assert ("counts" in line.classes) == (given.job.profile in ("exact", "tuned"))
+        assert ("counts" in line.classes) == (given.job.profile in ("exact", "world", "tuned"))
         assert len(line.all("td")) == len(family.quantities)
         told = told_of(tree, "told", title) + told_of(tree, f"told-{family.name}", title)
         assert given.description in told or told_of(tree, "told", title) == ""

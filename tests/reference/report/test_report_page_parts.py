@@ -166,17 +166,21 @@ def test_a_known_deviation_shows_its_remainder_and_its_reason():
 # What waits for a rigid-body world
 
 
-def test_the_page_shows_which_scenarios_need_a_world():
+def test_the_page_shows_which_scenarios_wait_for_the_world_of_an_implementation(tmp_path):
+    mine = tmp_path / "mine.py"
+    mine.write_text("from solutions.forces import uniform_gravity\nfrom solutions.friction import *\n")
+    methods = ("tipping-box", "exact"), ("tipping-box", "world"), ("stack", "world")
     both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
-    jobs = [Job("tipping-box", "handwritten", "exact", both), Job("stack", "handwritten", "exact")]
+    cases = {"exact": both, "world": both[1:]}
+    jobs = [
+        Job(family, "handwritten", how, cases[how] if family != "stack" else (), str(mine)) for family, how in methods
+    ]
     tree = read(written([run_job(job) for job in jobs]))
     overview = [[cell.text for cell in line.inside] for line in tree.all("table", "overview")[0].all("tr")]
-    assert ["Stack of boxes", "… needs"] in overview
-    assert ["Box on a slope: holds, slides or tips", "… 2/3 needs: 1 of 2 cases"] in overview
+    assert ["Stack of boxes", "", "… needs"] in overview
+    assert ["Box on a slope: holds, slides or tips", "✓ 2/2 way in 1 s 0 m", "… needs"] in overview
     for name, times in (("tipping-box", ""), ("stack", " 2×")):
         notes = [note.text for note in with_id(tree, name).all("p", "note")]
-        assert f"Hand-written code (exact{times}) needs a rigid-body world (world)." in notes
-    (whole,) = (cell for cell in came_out(with_id(tree, "stack")).all("td", "needs"))
-    assert whole.text == "… needs a rigid-body world (world)"
-    halves = [cell.text for cell in came_out(with_id(tree, "tipping-box")).all("td", "needs")]
-    assert [text.split(" ")[:2] for text in halves] == [["…", "1/2"], ["…", "1/2"]]
+        assert f"Hand-written code (world{times}) needs step_world (world, step 7)." in notes
+        whole, *_ = (cell.text for cell in came_out(with_id(tree, name)).all("td", "needs"))
+        assert whole == "… needs step_world (world, step 7)"

@@ -247,11 +247,11 @@ def test_a_narrow_screen_has_what_counts_in_a_table_of_its_own():
     lines = of_catalogue(Verdict.PASS).splitlines()
     starts = [place for place, text in enumerate(lines) if text.startswith("at a glance")]
     counted, *others = (words(lines[start]).split()[3:] for start in starts)
-    assert counted == ["exact", *["tuned"] * (len(engine_names()) - 1)]
+    assert counted == ["exact", "world", *["tuned"] * (len(engine_names()) - 1)]
     assert len(others) == 2  # other methods by hand, and the engines' other settings
     for names in others:
         assert names
-        assert not {"exact", "tuned"} & set(names)
+        assert not {"exact", "world", "tuned"} & set(names)
     for start in starts:
         assert not any("…" in line for line in lines[start - 1 : start + 1 + len(catalogue())])  # nothing is cut
         assert max(map(len, lines[start - 1 : start + 1 + len(catalogue())])) <= WIDTH
@@ -276,15 +276,19 @@ def test_tuned_rows_nearest_to_their_limits_are_listed_worst_first():
 # What waits for a rigid-body world
 
 
-def test_the_terminal_shows_which_scenarios_need_a_world():
+def test_the_terminal_shows_which_scenarios_wait_for_the_world_of_an_implementation(tmp_path):
+    mine = tmp_path / "mine.py"
+    mine.write_text("from solutions.forces import uniform_gravity\nfrom solutions.friction import *\n")
     both = ("h=0.1,μ=0.5,θ=20°", "h=0.1,μ=1.5,θ=50°")  # a cube that holds, as a point would, and one that tips
-    jobs = [Job("tipping-box", "handwritten", "exact", both), Job("stack", "handwritten", "exact")]
+    jobs = [
+        Job("tipping-box", "handwritten", "exact", both, str(mine)),
+        Job("tipping-box", "handwritten", "world", both[1:], str(mine)),
+        Job("stack", "handwritten", "world", (), str(mine)),
+    ]
     text = printed([run_job(job) for job in jobs])
     lines = [words(line) for line in text.splitlines()]
-    assert "hand-written, exact … 1/2 … 1/2" in lines  # one of two cases answered, in both quantities
-    assert "hand-written, exact needs" in lines  # the whole stack
-    assert "Hand-written code (exact) needs a rigid-body world (world)." in lines
-    assert "Hand-written code (exact 2×) needs a rigid-body world (world)." in lines
+    assert "hand-written, world needs" in lines
+    assert "Hand-written code (world) needs step_world (world, step 7)." in lines
+    assert "Hand-written code (world 2×) needs step_world (world, step 7)." in lines
     assert "stack … needs" in lines
-    assert "tipping-box … 2/3" in lines  # outcome and way, and one case without either
     assert "3 cases wait for hand-written code" in words(text)

@@ -20,6 +20,7 @@ def planned(jobs: list[Job]) -> list[tuple[str, str, str]]:
 def test_without_named_profiles_an_engine_runs_all_of_them():
     assert planned(plan([DROPPED], engine_names())) == [
         ("dropped-ball", "handwritten", "exact"),
+        ("dropped-ball", "handwritten", "world"),
         ("dropped-ball", "handwritten", "slide"),
         ("dropped-ball", "handwritten", "step"),
         ("dropped-ball", "pybullet", "tuned"),
@@ -31,6 +32,32 @@ def test_without_named_profiles_an_engine_runs_all_of_them():
         ("dropped-ball", "dart", "tuned"),
         ("dropped-ball", "dart", "stock"),
     ]
+
+
+def test_the_world_runs_what_no_other_method_can_or_else_the_plotted_case():
+    tipping, stack = catalogue()["tipping-box"], catalogue()["stack"]
+    planned_cases = {(job.family, job.profile): job.cases for job in plan([tipping, stack, SLIDING], ["handwritten"])}
+    assert planned_cases == {
+        ("tipping-box", "exact"): (),
+        ("tipping-box", "world"): (
+            *("h=0.1,μ=1.5,θ=50°", "h=0.2,μ=0.7,θ=20°", "h=0.2,μ=0.7,θ=32°"),
+            *("h=0.3,μ=0.5,θ=12°", "h=0.3,μ=0.5,θ=24°"),
+        ),
+        ("tipping-box", "step"): (),
+        ("stack", "world"): (),
+        ("sliding-slab", "exact"): (),
+        ("sliding-slab", "world"): (SLIDING.curve.case,),
+        ("sliding-slab", "step"): (),
+    }
+
+
+def test_the_world_runs_all_cases_or_those_that_are_named():
+    (whole,) = plan([SLIDING], ["handwritten"], ["world"])
+    assert whole.cases == ()
+    (exact, world, step) = plan([SLIDING], ["handwritten"], cases={"sliding-slab": ("μ=0.1,v=1",)})
+    assert exact.cases == world.cases == step.cases == ("μ=0.1,v=1",)
+    (tips,) = plan([catalogue()["tipping-box"]], ["handwritten"], ["exact"], {"tipping-box": ("h=0.2,μ=0.7,θ=32°",)})
+    assert tips.profile == "world"
 
 
 def test_a_plan_of_everything_has_every_family_engine_and_profile():
@@ -115,7 +142,7 @@ def test_no_profiles_or_cases_mean_all_and_no_engines_mean_none():
     assert plan([DROPPED], ["handwritten"], []) == everything
     assert plan([DROPPED], ["handwritten"], (), {}) == everything
     assert plan([DROPPED], ["handwritten"], (), {"dropped-ball": ()}) == everything
-    assert [job.cases for job in everything] == [()] * 3
+    assert [job.cases for job in everything] == [(), ("e=0.5",), (), ()]  # of the world the plotted case
     assert plan([DROPPED], []) == plan([], ["handwritten"]) == []
 
 
