@@ -54,6 +54,12 @@ def _figures(lesson: Lesson, found: Hints) -> Iterator[str]:
 def _calls(lesson: Lesson, found: Hints) -> Iterator[str]:
     """Derivations that the lesson asks for and the hints do not have, and the other way round."""
     asked = [argument for cell in lesson.cells for argument, _ in _arguments(cell, "derive")]
+    for cell in lesson.cells:
+        for name, call in _arguments(cell, "derive"):
+            lefts = [each.arg for each in call.keywords]
+            for each in (each for each in found.of(name).derivations if each.left in lefts):
+                if (listed := f"# Write {each.left} with {', '.join(each.names)}.") not in cell.text:
+                    yield f"the lesson asks for {each.left} of {name} without a line {listed}"
     for name in dict.fromkeys(asked):
         if not found.of(name).derivations:
             yield f"the lesson calls lab.derive({name!r}), and hints/{lesson.topic}.md has no derivation of it"

@@ -9,22 +9,24 @@ from __future__ import annotations
 import ast
 import json
 import textwrap
-from collections.abc import Iterable, Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from labs.building.excerpts import Excerpt, TopicExcerpts, imports_of, text_of, without_notes
-from labs.building.lessons import Cell, Lesson, read
+from labs.building.lessons import Cell, Lesson, lessons, read
 from labs.building.points import points_of
 from labs.building.revealed_answers import answers_of, compact
 from labs.grading.submission.reading import DRAFT
-from labs.grading.submission.stubs import AGAIN, FIRST
+from labs.grading.submission.stubs import AGAIN, VERSION
 from reference import lecture
 from reference.errors import InvalidInput
 
 WIDTH = 79
 """Characters of a line of code that a notebook shows whole where it is 800 pixels wide."""
 YOURS = "is yours to write"
+_ORDINALS = ("first", "second", "third")
 _LEAST = 24
 """A line of a solution with at least so many characters gives something away; shorter ones occur in any text."""
 _SETUP = """\
@@ -35,32 +37,38 @@ import sys
 from pathlib import Path
 
 here = Path.cwd()
-course = here / "collisions-lab"
+
+
+def find_lab():
+    places = [here, *here.parents, *here.glob("*/")]
+    return [x for x in places if (x / "labs" / "notebook.py").is_file()]
+
 
 if "google.colab" in sys.modules:
     # Colab asks for the course's files, once for every machine that it lends.
     import io, zipfile
     from google.colab import files
 
-    if not course.exists():
-        print("Choose collisions-lab.zip,")
-        print("and with it your notebooks of earlier labs, if you have any.")
-        for content in files.upload().values():
+    if not find_lab():
+        print("Choose the archive that you were given, a .zip file.")
+{earlier}        for content in files.upload().values():
             if zipfile.is_zipfile(io.BytesIO(content)):
                 zipfile.ZipFile(io.BytesIO(content)).extractall()
-    if not course.exists():
-        raise FileNotFoundError("not collisions-lab.zip: run this cell again")
+    if not find_lab():
+        raise FileNotFoundError("no archive of the lab: run this cell again")
     !pip install --quiet mujoco hypothesis "pytest>=8.4"
 
-for folder in [course, here, *here.parents]:
-    if (folder / "labs" / "notebook.py").is_file():
-        sys.path.insert(0, str(folder))
-        break
+for folder in find_lab()[:1]:
+    sys.path.insert(0, str(folder))
 
 # If there is no module labs, put this notebook back where it came from.
 from labs import lab
 
 lab.begin("{topic}")"""
+_EARLIER = """\
+        print("With it you may choose {notebooks},")
+        print("so that runs take your own functions from there.")
+"""
 _SETUP_ABOVE = """\
 **Run the folded cell below first**, and again after every restart. It finds the lab and says which engines run here."""
 _ANSWER = "*Your answer:* "
@@ -106,12 +114,14 @@ def student(topic: str) -> dict[str, Any]:
     """
     lesson = read(topic)
     draft = _Draft(lesson, TopicExcerpts.of(topic))
+    versions = Counter[Sequence[str]]()
     for cell in lesson.cells:
         if cell.kind == "write":
             for name in cell.names:
                 _function(draft, name, stub(draft.excerpts, name, again=name in lesson.drafts))
         elif cell.kind == "draft":
-            _first_version(draft, cell, first_stub(lesson.topic, cell))
+            _first_version(draft, cell, draft_stub(lesson.topic, cell, versions[cell.names]))
+            versions[cell.names] += 1
         elif cell.kind not in ("model", "instructor"):
             _common(draft, cell)
             if cell.kind == "answer":
@@ -168,11 +178,14 @@ def stub(excerpts: TopicExcerpts, name: str, again: bool = False) -> str:
     return "\n".join([contract, *_unwritten(f"{entry.topic}, step {entry.step}: {name} {AGAIN if again else YOURS}")])
 
 
-def first_stub(topic: str, cell: Cell) -> str:
-    """A first version of a function as a student finds it: what the lesson says of it, and an error."""
+def draft_stub(topic: str, cell: Cell, before: int) -> str:
+    """A version of a function as a student finds it: what the lesson says of it, and an error.
+
+    before: how many versions for still simpler cases come before it.
+    """
     (name,) = cell.names
     _refuse_answers(topic, name, cell.text)
-    return "\n".join([cell.text, *_unwritten(f"{topic}: {FIRST} {name} {YOURS}")])
+    return "\n".join([cell.text, *_unwritten(f"{topic}: a {_ORDINALS[before]}{VERSION}{name} {YOURS}")])
 
 
 def _refuse_answers(topic: str, name: str, contract: str) -> None:
@@ -200,11 +213,20 @@ def _common(draft: _Draft, cell: Cell) -> None:
     if cell.kind == "lab":
         draft.add("markdown", _SETUP_ABOVE)
         folded = {"jupyter": {"source_hidden": True}, "cellView": "form"}  # in Jupyter, and on Colab
-        draft.add("code", _SETUP.replace("{topic}", draft.lesson.topic), tags=["setup"], **folded)
+        draft.add("code", _setup(draft.lesson), tags=["setup"], **folded)
     elif cell.kind == "given":
         draft.add("code", _given(draft, cell), tags=["given"], jupyter={"source_hidden": True})
     else:
         draft.add("code" if cell.code else "markdown", cell.text)
+
+
+def _setup(lesson: Lesson) -> str:
+    """The first cell. It asks for notebooks of earlier labs if the runs call functions that students wrote there."""
+    topics = [topic.name for topic in lecture.TOPICS]
+    lent = {entry.topic for entry in map(lecture.function, lesson.lent) if entry.role == "written"}
+    earlier = [name for name in topics[: topics.index(lesson.topic)] if name in lent and name in lessons()]
+    asked = _EARLIER.replace("{notebooks}", ", ".join(f"{name}.ipynb" for name in earlier)) if earlier else ""
+    return _SETUP.replace("{earlier}", asked).replace("{topic}", lesson.topic)
 
 
 def _given(draft: _Draft, cell: Cell) -> str:

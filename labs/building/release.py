@@ -72,7 +72,7 @@ def release(out: Path, through: str | None = None, only: str | None = None) -> l
     if out.suffix == ".zip":
         check_file(_CONTENT, out, _OPTION)
         with tempfile.TemporaryDirectory() as folder:
-            _write(Path(folder, NAME), open_labs, closed)
+            _write(Path(folder, NAME), open_labs, closed, out.name)
             _pack(Path(folder), out)
     else:
         with folder_for(_CONTENT, out, _OPTION):
@@ -119,7 +119,7 @@ def _number(topic: str) -> int:
     return [each.name for each in lecture.TOPICS].index(topic)
 
 
-def _write(out: Path, open_labs: Sequence[str], closed: Collection[str]) -> None:
+def _write(out: Path, open_labs: Sequence[str], closed: Collection[str], archive: str = "") -> None:
     out.mkdir(parents=True, exist_ok=True)
     for name in _FOLDERS:
         shutil.copytree(ROOT / name, out / name, ignore=_ignored, dirs_exist_ok=True)
@@ -138,7 +138,7 @@ def _write(out: Path, open_labs: Sequence[str], closed: Collection[str]) -> None
     (folder / "__init__.py").write_text('"""Functions that are given: answers of labs that are closed."""\n')
     for topic, text in given(open_labs, closed).items():
         (folder / f"{topic}.py").write_text(text, encoding="utf-8")
-    (out / "README.md").write_text(readme(NAME, open_labs), encoding="utf-8")
+    (out / "README.md").write_text(readme(NAME, open_labs, archive), encoding="utf-8")
 
 
 def _remove_other_labs(out: Path, open_labs: Collection[str]) -> None:

@@ -2,15 +2,34 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Sequence
 
 from reference import lecture
 
 
-def readme(folder: str, labs: Sequence[str]) -> str:
-    """The text for a release with these labs, which unpacks to that folder."""
+def readme(folder: str, labs: Sequence[str], archive: str = "") -> str:
+    """The text for a release with these labs. archive: the file's name; it unpacks to that folder.
+
+    Without an archive the release is a folder of any name.
+    """
     titles = "\n".join(f"- `labs/notebooks/{name}.ipynb`: *{lecture.topic(name).title}*" for name in labs)
-    return _README.format(folder=folder, titles=titles, first=labs[0])
+    unpack = _UNPACK.format(folder=folder, archive=archive, command=shlex.quote(archive)) if archive else _GO
+    chosen = f"`{archive}`, the archive that you were given," if archive else "the archive that you were given"
+    return _README.format(unpack=unpack, chosen=chosen, titles=titles, first=labs[0])
+
+
+_UNPACK = """\
+1. Unpack `{archive}`, the archive that you were given, and go into its folder:
+
+   ```sh
+   unzip {command}
+   cd {folder}
+   ```
+"""
+_GO = """\
+1. If you were given an archive, unpack it. Go into the folder that holds this file (`cd` with the folder's name).
+"""
 
 
 _README = """\
@@ -26,13 +45,7 @@ says is quoted with its number; where a slide is wrong, the lab shows a countere
 
 You need Python 3.11 or later (`python --version` says which you have). All commands go into a terminal.
 
-1. Unpack the archive and go into its folder:
-
-   ```sh
-   unzip {folder}.zip
-   cd {folder}
-   ```
-
+{unpack}
 2. Make an environment and install the lab into it, once. It takes a minute or two.
 
    On Linux and macOS:
@@ -66,7 +79,7 @@ an engine that is not installed is shown from recordings.
 
 ## On Colab
 
-Open a notebook from `labs/notebooks` there, run its first cell, and choose `{folder}.zip` when it asks for a file.
+Open a notebook from `labs/notebooks` there, run its first cell, and choose {chosen} when it asks for a file.
 
 ## Without opening the notebook
 

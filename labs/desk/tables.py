@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from labs.desk.case_runs import HANDWRITTEN
 from labs.desk.predictions import Prediction
+from labs.grading.diagnosis.words import listed
+from reference import lecture
 from reference.catalogue.family import Quantity
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines.handwritten.impact_response import MEETS_AGAIN
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 _MEANINGS = {
     Verdict.PASS: "within the tolerance of theory",
     Verdict.KNOWN_DEVIATION: "differs by the amount that the method predicts",
-    Verdict.DISAGREES: "as far from theory as the quantity is large",
+    Verdict.DISAGREES: "as its method predicts, and wrong by as much as the number itself",
     Verdict.FAIL: "farther off than it should be",
     Verdict.SHOWN: "theory has no number",
 }
@@ -215,7 +217,7 @@ def _notes(runs: CaseRuns, quantities: Sequence[str]) -> Iterator[str]:
             yield absent(line)
     rows = [(line, row) for line in runs.lines for row in line.result.rows if row.quantity in quantities]
     if any(line.result.job.engine == HANDWRITTEN and _is_wrong(line) for line in runs.lines):
-        yield "lab.check() says more about your functions."
+        yield _what_a_check_says(runs)
     verdicts = dict.fromkeys(_verdict(row) for _, row in rows if _verdict(row) in _MEANINGS)
     if verdicts:
         yield f"({'; '.join(f'{MARKS[verdict]} {_MEANINGS[verdict]}' for verdict in verdicts)})"
@@ -223,6 +225,13 @@ def _notes(runs: CaseRuns, quantities: Sequence[str]) -> Iterator[str]:
         names = dict.fromkeys(who(line) for line, row in rows if row.note == note)
         yield f"{' and '.join(names)}: {note}"
     yield from (line.result.recording for line in runs.lines if line.result.recording)
+
+
+def _what_a_check_says(runs: CaseRuns) -> str:
+    """What a check adds to a wrong run. Of a function with several versions it tests the last one alone."""
+    drafted = [name for name in runs.results[0].functions if lecture.function(name).begun]
+    alone = f", of {listed(drafted)} about the last version alone" if drafted else ""
+    return f"lab.check() says more about your functions{alone}."
 
 
 def _is_wrong(line: Line) -> bool:

@@ -33,12 +33,16 @@ _SIMPLE = (1.0, 2.0, 0.5, 3.0, 4.0, 5.0, 10.0, 0.2, 0.25, 0.1, 6.0, 8.0, 0.0)
 
 @dataclass(frozen=True)
 class Quantity:
-    """A quantity of a line. meaning: what it is, with its unit. low, high: the values at which lines are tried."""
+    """A quantity of a line. meaning: what it is, with its unit. low, high: the values at which lines are tried.
+
+    follows: its value from quantities that come before it, if it is not free; a range has no meaning then.
+    """
 
     name: str
     meaning: str
-    low: float
-    high: float
+    low: float = 0.0
+    high: float = 0.0
+    follows: Expression | None = None
 
 
 @dataclass(frozen=True)
@@ -54,6 +58,11 @@ class Derivation:
     def names(self) -> list[str]:
         """The names that a line may use."""
         return [each.name for each in self.quantities]
+
+    @property
+    def free(self) -> list[Quantity]:
+        """The quantities that do not follow from others."""
+        return [each for each in self.quantities if each.follows is None]
 
     def read(self, line: str) -> Expression:
         """A student's line, with or without its left side; raises `InvalidInput` if it cannot be understood."""
@@ -82,16 +91,26 @@ class Derivation:
     def random(self) -> dict[str, Values]:
         """The random values of each quantity, the same every time."""
         draw = np.random.default_rng(_SEED)
-        return {each.name: draw.uniform(each.low, each.high, POINTS) for each in self.quantities}
+        return self.complete({each.name: draw.uniform(each.low, each.high, POINTS) for each in self.free})
+
+    def complete(self, values: dict[str, Values]) -> dict[str, Values]:
+        """Values of the free quantities, and with them those of all others."""
+        found = dict(values)
+        for each in self.quantities:
+            if each.follows is not None:
+                found[each.name] = each.follows.at(found)
+        return found
 
     @cached_property
     def round(self) -> dict[str, Values]:
         """The round values of each quantity in all combinations, the simplest first."""
-        most = max(2, int(_MOST_ROUND ** (1 / len(self.quantities))))
-        each = [list(enumerate(_round_values(quantity)[:most])) for quantity in self.quantities]
+        most = max(2, int(_MOST_ROUND ** (1 / len(self.free))))
+        each = [list(enumerate(_round_values(quantity)[:most])) for quantity in self.free]
         every = sorted(itertools.product(*each), key=_complexity)
         columns = zip(*([value for _, value in point] for point in every), strict=True)
-        return {name: np.array(column) for name, column in zip(self.names, columns, strict=True)}
+        return self.complete(
+            {quantity.name: np.array(column) for quantity, column in zip(self.free, columns, strict=True)}
+        )
 
 
 def _round_values(quantity: Quantity) -> list[float]:

@@ -1,8 +1,8 @@
 """Expressions such as `-(1 + e) * u / k`: read from text, and evaluated at numbers without running any code.
 
 An expression may hold numbers, the named quantities, + - * / **, brackets, and the functions below. Everything else is
-refused in words. Values are NumPy floats, so that a large power gives infinity instead of taking for ever, and the root
-of a negative number gives NaN.
+refused in words. Underscores in a name make no difference: s_0 is s0. Values are NumPy floats, so that a large power
+gives infinity instead of taking for ever, and the root of a negative number gives NaN.
 """
 
 from __future__ import annotations
@@ -71,10 +71,19 @@ def expression(text: str, quantities: Collection[str]) -> Expression:
         ) from None
     except (RecursionError, MemoryError):
         raise InvalidInput("the line is nested too deeply") from None
+    _spell_as(quantities, tree)
     try:
         return Expression(text, frozenset(_names(tree, quantities)), tree)
     except RecursionError:
         raise InvalidInput("the line is nested too deeply") from None
+
+
+def _spell_as(quantities: Collection[str], tree: ast.expr) -> None:
+    """Write the names of a tree as the quantities are written that differ from them in underscores alone."""
+    spelled = {name.replace("_", ""): name for name in quantities}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and node.id not in quantities:
+            node.id = spelled.get(node.id.replace("_", ""), node.id)
 
 
 def _names(node: ast.expr, quantities: Collection[str]) -> list[str]:

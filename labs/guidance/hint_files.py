@@ -20,7 +20,8 @@
     - passed: 0.4 ± 0.05 — of an engine theory says nothing, so the number is given here
     - rebound — theory has the number: only the reason
 
-A line of a derivation that describes its left side has no range; it may be left out.
+A line of a derivation that describes its left side has no range; it may be left out. A quantity that follows from
+those above it has its value in place of a range, as in `s: sine of the angle, = sqrt(1 - c**2)`.
 """
 
 from __future__ import annotations
@@ -44,6 +45,7 @@ PREDICTIONS = "Predictions"
 _BLOCK = re.compile(r"^```derive\n(.*?)^```\n?", re.MULTILINE | re.DOTALL)
 _LINE = re.compile(r"^(\w+)\s*=\s*([^=].*)$")
 _RANGE = re.compile(r"^(.*),\s*(\S+) to (\S+)$")
+_FOLLOWS = re.compile(r"^(.*),\s*=\s*(\S.*)$")
 _ANSWER = re.compile(r"^-\s+`?([\w-]+)`?(?::\s*(.*?))?(?:\s+—\s+|$)(.*)$", re.DOTALL)
 _NUMBER = re.compile(r"^([-−+]?[\d.]+(?:e[-+]?\d+)?)(?:\s*±\s*([\d.]+(?:e[-+]?\d+)?))?$")
 
@@ -157,14 +159,18 @@ def derivation(block: str) -> Derivation:
     for line in others:
         name, colon, meaning = (part.strip() for part in line.partition(":"))
         name = unicodedata.normalize("NFKC", name)  # as Python reads a name; a unit such as m² stays as it is
-        found = _RANGE.match(meaning)
+        found, follows = _RANGE.match(meaning), _FOLLOWS.match(meaning)
+        if follows and name.isidentifier():
+            before = [each.name for each in quantities]
+            quantities.append(Quantity(name, follows[1], follows=expression(follows[2], before)))
+            continue
         if colon and name == left and found is None:
             asked = meaning
             continue
         if not colon or not name.isidentifier() or found is None:
             raise InvalidInput(f"“{line}” is no quantity such as e: coefficient of restitution, 0 to 1")
         quantities.append(Quantity(name, found[1], *_range(line, found[2], found[3])))
-    if not quantities:
+    if all(each.follows for each in quantities):
         raise InvalidInput(f"“{first}” names no quantities")
     made = Derivation(left, expression(right, [each.name for each in quantities]), tuple(quantities), asked)
     check_range(made)

@@ -32,7 +32,7 @@ class Verdict(StrEnum):
 
     Two questions are kept apart: does the implementation do what its method must do, and how far is that from theory?
     A number passes if it is as predicted and near theory; it is a known deviation if it is as predicted and away from
-    theory, and it disagrees if it is as predicted but as far from theory as the quantity is large. Anything else fails.
+    theory, and it disagrees if it is as predicted but wrong by as much as the number itself. Anything else fails.
     """
 
     PASS = "pass"

@@ -23,7 +23,7 @@ MARKS = {
 LEGEND = {
     Verdict.PASS: "as the method must, and near theory where it has a figure",
     Verdict.KNOWN_DEVIATION: "as the method must, and away from theory; “left” is what the method does not explain",
-    Verdict.DISAGREES: "as the method must, and as far from theory as the quantity is large",
+    Verdict.DISAGREES: "as its method predicts, and wrong by as much as the number itself",
     Verdict.FAIL: "not as the method must; counted where it is exact by hand or a tuned engine, else only shown",
     Verdict.CANNOT_EXPRESS: "the engine cannot express it",
     Verdict.NO_WORDS: "the lab cannot express it yet, no matter what the engine can do",

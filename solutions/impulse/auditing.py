@@ -26,9 +26,10 @@ def audit(
 
     Count what can move and what can turn, each by itself. A centre that
     cannot move, 1/M = 0, adds nothing, but its body may still turn about it,
-    as a door does on its hinges: then its spin counts. A spin about an axis
-    without an inverse inertia adds nothing (see `mass_and_inertia`), and the
-    ground, which has neither inverse, adds nothing at all. Beside the ground,
+    as a door does on its hinges: then its spin counts. About an axis where its
+    inverse inertia is 0 a body cannot be turned, and a spin about that axis
+    adds nothing (see `mass_and_inertia`). The ground, whose inverses are all
+    0, adds nothing at all. Beside the ground,
     ΔP is therefore what the ground has given; beside a body on a pivot, ΔP
     and ΔL are what the pivot has given.
 

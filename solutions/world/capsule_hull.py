@@ -10,9 +10,10 @@ from solutions.arrays import Array, Booleans
 from solutions.world.clipping import ON_SIDE, behind_sides, clip
 from solutions.world.edge_contacts import PARALLEL
 from solutions.world.hull_pairs import BIAS
-from solutions.world.hulls import Hull, cross, hull_of
+from solutions.world.hulls import Hull, hull_of
 from solutions.world.segments import ends_of, nearest_on_segments
 from solutions.world.shapes import Found, Placed
+from solutions.world.vectors import cross
 
 COINCIDENT = 1e-9
 """Share of a hull's size up to which a core is on its surface.

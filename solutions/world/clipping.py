@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.world.hulls import cross
+from solutions.world.vectors import cross
 
 ON_SIDE = 1e-6
 """Share of the size of a hull up to which a point counts as on a side of a face.

@@ -8,8 +8,9 @@ import numpy as np
 
 from solutions.arrays import Array, Booleans, Integers
 from solutions.world.face_contacts import feature_steps
-from solutions.world.hulls import Hull, cross
+from solutions.world.hulls import Hull
 from solutions.world.segments import nearest_on_segments
+from solutions.world.vectors import cross
 
 PARALLEL = 1e-6
 """Sine of the angle below which two edges count as parallel.

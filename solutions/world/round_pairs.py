@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 
 from solutions.arrays import Array, Booleans
-from solutions.world.hulls import cross
 from solutions.world.segments import ends_of, nearest_on_segments
 from solutions.world.shapes import Found, Placed
+from solutions.world.vectors import cross
 
 COINCIDENT = 1e-12
 """Share of the sizes up to which a distance is rounding and gives no direction."""

@@ -119,6 +119,9 @@ def solve_sequentially(
     direction d the edge of the cone lies at R = μ (λ_n − a·d R), so that
     R = μ λ_n/(1 + μ a·d).
 
+    Where λ_n is negative, nothing at this edge is in the cone. Then friction gives way,
+    and the normal impulse is clamped again, because friction now takes another share.
+
     With a rebound, friction leaves the least energy if it opposes not the slip w but
     w + c μ a, where c is how strongly the edge holds; `dissipative_impulse` derives it.
     Without a rebound, u_n = 0, friction opposes the slip, as Coulomb says.
@@ -126,8 +129,8 @@ def solve_sequentially(
     if np.any(wanted.static_friction > wanted.kinetic_friction):
         at_rest = wanted._replace(kinetic_friction=wanted.static_friction)
         found = solve_sequentially(rows, groups, velocity, angular_velocity, at_rest, start, sweeps, tolerance)
-        friction = np.where(_slip(rows, *found), wanted.kinetic_friction, wanted.static_friction)
-        wanted = wanted._replace(static_friction=friction, kinetic_friction=friction)
+        edge = np.where(_slip(rows, *found), wanted.kinetic_friction, wanted.static_friction)
+        wanted = wanted._replace(static_friction=edge, kinetic_friction=edge)
     velocities = np.concatenate([velocity, angular_velocity], axis=-1)
     bodies = np.stack([rows.body_a, rows.body_b], axis=-1)
     impulse = np.array(np.broadcast_to(start, (len(bodies), 3)), dtype=float)
@@ -144,6 +147,8 @@ def solve_sequentially(
             taken = np.vecdot(rows.coupling[group], had[:, 1:])
             new[:, 0] = np.maximum(wanted.least[group] + taken, had[:, 0] + missing / rows.softness[group, 0, 0])
             new[:, 1:] = friction.impulse(group, had[:, 1:], speed[:, 1:], new[:, 0])
+            taken = np.vecdot(rows.coupling[group], new[:, 1:])
+            new[:, 0] = np.maximum(wanted.least[group] + taken, new[:, 0])
             velocities[bodies[group]] = of_both + np.vecmat(new - had, rows.answer[group]).reshape(-1, 2, 6)
         if np.max(np.abs(impulse - before), initial=0.0) <= tolerance * np.max(np.abs(impulse), initial=0.0):
             break
@@ -187,6 +192,7 @@ class _Friction:
         length, along = _split(sliding)
         steepness = 1 + kinetic * np.vecdot(coupling, along)
         edge = np.where(steepness > 0, kinetic * normal / np.where(steepness > 0, steepness, 1.0), length)
+        edge = np.where(normal > 0, edge, 0.0)
         return np.where(holds[:, None], sticking, np.minimum(edge, length)[:, None] * along)
 
     def _towards_least_energy(self, group: slice, had: Array, slip: Array) -> Array:

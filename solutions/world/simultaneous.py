@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from solutions.arrays import Array
+from solutions.arrays import Array, Integers
 from solutions.friction import solve_by_pivots
 from solutions.world.rows import Rows, after_impulses, speeds
 from solutions.world.sequential import Wanted
@@ -67,25 +67,51 @@ def solve_simultaneously(
     u⁺ = −e u, so that a contact that approaches, u ≤ 0, takes (1 − e) p |u|/2. This
     holds for unequal e as well. So the energy cannot rise if every contact approaches
     or rests. It can if one parts, u > 0, and the others drive it together again: its
-    rule is u⁺ ≥ 0, and it gains p u/2. `simultaneous_impacts` has such a row of balls.
+    rule is u⁺ ≥ 0, and it gains p u/2. `simultaneous_impacts` has such a row of balls;
+    of 700 random heaps of five balls 14 gain energy, 9 % at most.
     """
     apart = speeds(rows, velocity, angular_velocity)
-    softness = _softness_of_all(rows, len(velocity))
-    # Impulses over a mass are speeds, and the matrix is then one of mere shares.
-    mass = 1 / np.max(softness[:, 0, :, 0], initial=1e-300)
-    scaled = softness * mass
     impulse = np.zeros_like(apart)
+    for island in islands(rows, len(velocity)):
+        some, targets = Rows._make(each[island] for each in rows), Wanted._make(each[island] for each in wanted)
+        impulse[island] = _impulses(some, apart[island], targets, len(velocity), directions)
+    return *after_impulses(rows, velocity, angular_velocity, impulse), impulse
+
+
+def islands(rows: Rows, bodies: int) -> list[Integers]:
+    """Numbers (k,) of the contacts of each island.
+
+    Contacts of two islands have no body in common that an impulse moves. So the problem
+    of all contacts falls into one for each island.
+    """
+    moves_a, moves_b = (np.any(rows.answer[:, 0, part], axis=-1) for part in (slice(0, 6), slice(6, 12)))
+    both = moves_a & moves_b
+    a, b, label = rows.body_a[both], rows.body_b[both], np.arange(bodies)
+    while np.any(label[a] != label[b]):
+        least = np.minimum(label[a], label[b])
+        np.minimum.at(label, a, least)
+        np.minimum.at(label, b, least)
+    of = label[np.where(moves_a, rows.body_a, rows.body_b)]
+    return [np.flatnonzero(of == each) for each in np.unique(of)]
+
+
+def _impulses(rows: Rows, apart: Array, wanted: Wanted, bodies: int, directions: int) -> Array:
+    """Impulses (m, 3) of one island, N s."""
+    softness = _softness_of_all(rows, bodies)
+    # Impulses over a mass are speeds, and the matrix is then one of mere shares.
+    mass = 1 / np.max(softness[:, 0, :, 0])
+    scaled = softness * mass
     if not np.any(wanted.static_friction):
-        missing = apart[:, 0] - wanted.speed + scaled[:, 0, :, 0] @ wanted.least / mass
-        impulse[:, 0] = wanted.least + mass * solve_by_pivots(scaled[:, 0, :, 0], missing)
-        return *after_impulses(rows, velocity, angular_velocity, impulse), impulse
+        missing = apart[:, 0] - wanted.speed + softness[:, 0, :, 0] @ wanted.least
+        normal = wanted.least + mass * solve_by_pivots(scaled[:, 0, :, 0], missing)
+        return np.stack([normal, 0 * normal, 0 * normal], axis=-1)
     friction = wanted.static_friction
     solved, slip = _with_friction(rows, scaled, apart, wanted, wanted.least / mass, friction, directions)
-    weaker = (slip > STILL * np.max(np.abs(apart), initial=0.0)) & (wanted.kinetic_friction < friction)
+    weaker = (slip > STILL * np.max(np.abs(apart))) & (wanted.kinetic_friction < friction)
     if np.any(weaker):
         friction = np.where(weaker, wanted.kinetic_friction, friction)
-        solved, slip = _with_friction(rows, scaled, apart, wanted, wanted.least / mass, friction, directions)
-    return *after_impulses(rows, velocity, angular_velocity, mass * solved), mass * solved
+        solved, _ = _with_friction(rows, scaled, apart, wanted, wanted.least / mass, friction, directions)
+    return mass * solved
 
 
 def _softness_of_all(rows: Rows, bodies: int) -> Array:

@@ -47,6 +47,11 @@ def solve_in_two_phases(
     opposes the slip at the end of each phase. The two differ where the slip turns
     round, or changes its direction, within a phase.
 
+    **Energy.** Without friction and with one e for all contacts the energy cannot rise.
+    Compression takes pᵀA p/2, because p·u = 0 after it. The impulses e p give back e²
+    times that, and what else the second phase needs takes energy as compression does.
+    Newton's law has no such property: see `solve_simultaneously`.
+
     The velocities hold what the forces add in this step, and compression ends all of
     it. So a drop leaves the floor at e (v + g Δt), where Newton's law gives e v.
     """

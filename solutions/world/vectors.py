@@ -13,9 +13,10 @@ def cross(a: Array, b: Array) -> Array:
     `numpy.cross` gives the same. It prepares for vectors of two components and for any
     axis, which takes four times as long as the product of a few vectors itself.
     """
-    x, y, z = a[..., 0], a[..., 1], a[..., 2]
-    u, v, w = b[..., 0], b[..., 1], b[..., 2]
-    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
+    product = np.empty(np.broadcast_shapes(a.shape, b.shape))
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        np.subtract(a[..., j] * b[..., k], a[..., k] * b[..., j], out=product[..., i])
+    return product
 
 
 def tangents(normal: Array) -> tuple[Array, Array]:

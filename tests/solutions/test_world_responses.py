@@ -22,14 +22,16 @@ from solutions.friction import (
 from solutions.response import penalty_contact_time, penalty_rest_depth
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.contacts import collect_contacts
+from solutions.world.rows import contact_rows
 from solutions.world.rules import LAWS, Rules
+from solutions.world.simultaneous import islands
 from solutions.world.step import NOTHING, step_world
 from solutions.world.time_order import step_in_time_order
 
 G = 9.81
 FLOOR = ("half-space", (0.0, 0.0, 1.0))
 IMPULSES = ["sequential", "simultaneous", "in time order"]
-EXACT = {"sweeps": 5000, "tolerance": 0.0, "rest_speed": 1e-9}
+EXACT = {"sweeps": 500, "tolerance": 1e-14, "rest_speed": 1e-9}
 """Sequential impulses until nothing changes, and every approach an impact."""
 
 
@@ -166,8 +168,8 @@ def test_together_balls_that_all_approach_never_gain_energy(seed):
 def test_drop_in_time_order_follows_its_parabolas_at_any_timestep():
     height, e, dt = 1.0, 0.5, 0.01
     fall = np.sqrt(2 * height / G)
-    states = run(*drops([height], e), dt, 100, Rules(response="in time order", rest_speed=0.01))
-    for step in (44, 46, 60, 67, 89):  # before, after, at and beyond the first apex
+    states = run(*drops([height], e), dt, 70, Rules(response="in time order", rest_speed=0.01))
+    for step in (45, 46, 60, 68):  # before and after the impact, and on both sides of the apex
         since = step * dt - fall
         speed = e * np.sqrt(2 * G * height)
         z = speed * since - G * since**2 / 2 if since > 0 else height - G * (step * dt) ** 2 / 2
@@ -234,6 +236,20 @@ def test_penalty_ball_sinks_until_its_spring_carries_it():
     assert 0.1 - states[-1].position[0, 2] == pytest.approx(float(penalty_rest_depth(1.0, G, k)), rel=1e-5)
 
 
+def test_penalty_friction_swings_as_fast_as_the_contact_itself():
+    # The slip of a ball that sticks: a spring with ω = √(k/m) and ζ = ½ is fastest, and the slip 0, at ω_d t = π/3
+    k, v = 1e4, 1e-4
+    bodies, state = drops([-G / k], 0.5, friction=5.0)
+    state = state._replace(velocity=np.array([(v, 0, 0), (0, 0, 0)]))
+    dt = 5e-4
+    states = run(bodies, state, dt, 30, Rules(response="penalty"))
+    slip = [each.velocity[0, 0] - 0.1 * each.angular_velocity[0, 1] for each in states]
+    out = int(np.argmax(np.array(slip) < 0))
+    crossing = dt * (out + slip[out - 1] / (slip[out - 1] - slip[out]))
+    # first order in ω Δt = 5 %
+    assert crossing == pytest.approx(np.pi / 3 / (np.sqrt(0.75) * np.sqrt(k)), rel=0.05)
+
+
 def slope(degrees):
     angle = np.radians(degrees)
     return np.array([np.cos(angle), 0.0, -np.sin(angle)]), np.array([np.sin(angle), 0.0, np.cos(angle)])
@@ -244,7 +260,7 @@ def test_ball_rolls_down_a_slope_with_five_sevenths(response):
     down, normal = slope(20)
     bodies, state = drops([0.0], 0.0, floor=("half-space", normal), friction=0.6)
     state = state._replace(position=np.array([0.1 * normal, (0, 0, 0)]))
-    dt, steps = (2e-3, 250) if response == "penalty" else (0.02, 25)
+    dt, steps = (5e-3, 100) if response == "penalty" else (0.05, 10)
     states = run(bodies, state, dt, steps, Rules(response=response))
     a = 5 / 7 * G * np.sin(np.radians(20))
     # a penalty ball first sinks in, and its friction spring swings for some ms
@@ -264,12 +280,12 @@ def test_penalty_friction_holds_a_box_without_creep():
     bodies = make_bodies([("box", (0.3, 0.2, 0.1)), ("half-space", normal)], [2.0, np.inf], moments, 0.0, 0.5)
     orientation = [(np.cos(half), 0, np.sin(half), 0), (1, 0, 0, 0)]
     state = make_state([0.1 * normal, (0, 0, 0)], orientation)
-    states = run(bodies, state, 2e-3, 150, Rules(response="penalty", stiffness=2e4))
+    states = run(bodies, state, 2e-3, 90, Rules(response="penalty", stiffness=2e4))
     along = np.array([each.position[0] @ down for each in states])
     # Its four springs, 2/7 to 1 of those along the normal, carry m g sin 20° at some 0.1 mm
     assert 2e-5 < along[-1] < 5e-4
-    # A slip in proportion to the force, regularised over 1 mm/s, would creep by 0.1 mm in these 0.1 s
-    assert along[-1] == pytest.approx(along[-51], abs=1e-8)
+    # Friction in proportion to the slip, all of it at 1 mm/s, would let it creep by 30 µm in these 40 ms
+    assert along[-1] == pytest.approx(along[-21], abs=1e-8)
 
 
 # The laws
@@ -330,6 +346,15 @@ def test_two_phases_are_rouths_while_the_slip_does_not_turn(response, velocity, 
     assert after[0] - velocity == pytest.approx(expected, abs=1e-9)  # Routh's way is followed in steps of 1e-10
 
 
+@pytest.mark.parametrize("response", ["sequential", "simultaneous"])
+def test_weight_of_the_step_rebounds_by_poissons_law_alone(response):
+    bodies, state = drops([0.0], 0.5)
+    state = state._replace(velocity=np.array([(0, 0, -2.0), (0, 0, 0)]))
+    for law, speed in (("dissipative", 0.5 * 2.0), ("newton", 0.5 * 2.0), ("poisson", 0.5 * (2.0 + 0.01 * G))):
+        after, _, _ = step_world(bodies, state, (0, 0, -G), 0.01, Rules(response=response, law=law))
+        assert after.velocity[0, 2] == pytest.approx(speed, abs=1e-14)
+
+
 def test_two_phases_differ_from_routh_where_the_slip_turns():
     velocity = (0.5, 0.3, -1.0)
     expected = poisson_impulse(velocity, (0, 0, 1.0), ROD_SOFTNESS, 0.6, 0.3)
@@ -366,7 +391,7 @@ def random_heap(seed, count=4, friction=True):
 
 
 def test_simultaneous_impulses_solve_the_problem_of_resting_contacts():
-    bodies, state = random_heap(3, friction=False)
+    bodies, state = random_heap(4, count=6, friction=False)
     contacts = collect_contacts(bodies, state, 1e-9)
     arms = [contacts.point - state.position[each] for each in (contacts.body_a, contacts.body_b)]
     count = len(bodies.inverse_mass)
@@ -375,13 +400,35 @@ def test_simultaneous_impulses_solve_the_problem_of_resting_contacts():
     velocities = np.concatenate([state.velocity, state.angular_velocity], axis=-1).ravel()
     matrix, apart = resting_problem(jacobian, shares, np.linalg.solve(shares, velocities))
     e = bodies.surfaces.restitution[0, 0]
-    impulse = solve_by_sweeps(matrix, apart + e * np.minimum(apart, 0), 4000)
+    impulse = solve_by_sweeps(matrix, apart + e * np.minimum(apart, 0), 400)
     expected = velocities + shares @ jacobian.T @ impulse
     rules = Rules(response="simultaneous", rest_speed=0.0, margin=1e-9)
     velocity, spin = once(bodies, state, rules)
-    assert np.count_nonzero(impulse) >= 2
+    assert np.count_nonzero(impulse) == 5  # of nine contacts
     # gaps of 1e-16 that rounding leaves may be closed in a step of 1e-9
     assert np.concatenate([velocity, spin], axis=-1).ravel() == pytest.approx(expected, abs=1e-6)
+
+
+def test_contacts_of_islands_share_no_body_that_moves():
+    # Two rows of balls on one floor, and a ball alone; in each row the contacts of the balls join those with the floor
+    place = [(0, 0, 0.1), (0.2, 0, 0.1), (0.4, 0, 0.1), (5, 0, 0.1), (9, 0, 0.1), (9.2, 0, 0.1), (0, 0, 0)]
+    bodies = make_bodies([*[("sphere", 0.1)] * 6, FLOOR], [1.0] * 6 + [np.inf], [[0.004] * 3] * 6 + [[np.inf] * 3])
+    state = make_state(place)
+    contacts = collect_contacts(bodies, state, 1e-6)
+    inertia = np.where(np.isinf(bodies.moments), 0, 1 / bodies.moments)[:, :, None] * np.eye(3)
+    found = islands(contact_rows(contacts, state.position, bodies.inverse_mass, inertia), 7)
+    pairs = np.stack([contacts.body_a, contacts.body_b])
+    members = sorted(np.unique(pairs[:, each]).tolist() for each in found)
+    assert members == [[0, 1, 2, 6], [3, 6], [4, 5, 6]]
+    assert sorted(np.concatenate(found)) == list(range(len(contacts.key)))
+
+
+def test_walls_that_both_close_on_a_ball_leave_no_impulses():
+    walls = [("half-space", (1.0, 0.0, 0.0)), ("half-space", (-1.0, 0.0, 0.0))]
+    bodies = make_bodies([("sphere", 0.1), *walls], [1.0, np.inf, np.inf], [[0.004] * 3, *[[np.inf] * 3] * 2], 0.5)
+    place, velocity = [(0, 0, 0), (-0.1, 0, 0), (0.1, 0, 0)], [(0, 0, 0), (1, 0, 0), (-1, 0, 0)]
+    with pytest.raises(ValueError, match="no forces solve"):
+        once(bodies, make_state(place, velocity=velocity), Rules(response="simultaneous"))
 
 
 @pytest.mark.parametrize(("response", "share"), [("sequential", 1.0), ("simultaneous", np.cos(np.pi / 8))])
@@ -408,6 +455,27 @@ def test_slip_uses_kinetic_friction_and_rest_the_static_one(response):
         after, _, _ = step_world(bodies, state, (0, 0, -G), dt, Rules(response=response, directions=64))
         # of 64 directions one lies near enough: 0.12 %
         assert after.velocity[0] @ down - start == pytest.approx(gained, abs=2e-3 * G * dt)
+
+
+def test_impact_in_time_order_slips_with_kinetic_friction():
+    shapes = [("sphere", 0.1), FLOOR]
+    bodies = make_bodies(shapes, [1.0, np.inf], [[0.004] * 3, [np.inf] * 3], 0.5, 0.1, static_friction=0.9)
+    state = make_state([(0, 0, 0.1), (0, 0, 0)], velocity=[(4.0, 3.0, -2.0), (0, 0, 0)])
+    velocity, _ = once(bodies, state, Rules(response="in time order"))
+    # it takes 0.1 · (1 + e) · 2 m/s from a slip of 5 m/s; to end it would take 2/7 of 5 m/s
+    assert velocity[0] == pytest.approx(np.array([4.0 * 0.94, 3.0 * 0.94, 1.0]), abs=1e-13)
+
+
+@pytest.mark.parametrize("response", ["sequential", "simultaneous"])
+def test_friction_without_rebound_opposes_the_slip_that_is_left(response):
+    u = np.array([2.0, 1.5, -1.0])
+    velocity, spin = once(*rod(u, 0.0, 0.3), Rules(response=response, directions=64, **EXACT))
+    left = velocity[0] + np.cross(spin[0], (-0.4, 0, -0.3))
+    push = (velocity[0] - u)[:2]
+    assert left[2] == pytest.approx(0.0, abs=1e-12)
+    # the nearest of 64 directions lies within π/64 = 0.049
+    off = 0.05 if response == "simultaneous" else 1e-9
+    assert push @ left[:2] / np.linalg.norm(push) / np.linalg.norm(left[:2]) <= -np.cos(off) + 1e-12
 
 
 @pytest.mark.parametrize("response", ["sequential", "simultaneous"])
@@ -439,10 +507,19 @@ def test_free_balls_keep_momentum_and_angular_momentum(response, seed):
     bodies, state = random_heap(seed)
     after, _, _ = step_world(bodies, state, (0, 0, 0), 1e-3, Rules(response=response, recovery=0.0))
     before = momenta(bodies, state, state.position)
-    # Nothing is pushed apart. The impulses of a step act where the bodies are before it; in time order each acts at its instant
+    # Nothing is pushed apart. Impulses act where the bodies are before the step, in time order where they are then
     place = after.position if response == "in time order" else state.position
     scale = np.sum(np.abs(state.velocity)) + np.sum(np.abs(state.angular_velocity))
     assert momenta(bodies, after, place) == pytest.approx(before, abs=1e-13 * scale)
+
+
+@given(st.integers(0, 10_000))
+@settings(max_examples=10)
+def test_two_phases_without_friction_keep_energy_from_rising(seed):
+    # One e for all contacts; Newton's law gains energy in one of fifty such heaps, as with seed 79
+    bodies, state = random_heap(seed, count=5, friction=False)
+    velocity, _ = once(bodies, state, Rules(response="simultaneous", law="poisson", rest_speed=0.0, margin=1e-9))
+    assert energy(bodies, state._replace(velocity=velocity)) <= energy(bodies, state) * (1 + 1e-12)
 
 
 @given(st.integers(0, 10_000))
@@ -458,7 +535,7 @@ def test_energy_never_rises_in_time_order(law, seed):
 
 
 @given(st.integers(0, 10_000))
-@settings(max_examples=6)
+@settings(max_examples=3)
 @pytest.mark.parametrize("response", IMPULSES)
 def test_one_contact_never_gains_energy_but_by_newtons_law(response, seed):
     rng = np.random.default_rng(seed)
@@ -466,7 +543,7 @@ def test_one_contact_never_gains_energy_but_by_newtons_law(response, seed):
     bodies, state = rod(u, rng.uniform(), rng.uniform(0, 1.5), spin)
     for law in LAWS[response]:
         if law != "newton":
-            velocity, w = once(bodies, state, Rules(response=response, law=law, **EXACT | {"sweeps": 300}))
+            velocity, w = once(bodies, state, Rules(response=response, law=law, **EXACT))
             after = energy(bodies, state._replace(velocity=velocity, angular_velocity=w))
             assert after <= energy(bodies, state) * (1 + 1e-9)
 
@@ -494,6 +571,37 @@ def test_elastic_tumbling_cube_keeps_its_energy_over_many_impacts():
     assert energy(bodies, state, G) == pytest.approx(start, rel=1e-8)
 
 
+def test_spike_that_turns_over_the_top_is_met_when_it_comes_down():
+    # In one step it turns by 6 rad and would be clear of the floor before and after
+    corners = np.array([(-0.5, 0, 0), (0.02, 0.02, 0), (0.02, -0.02, 0.02), (0.02, -0.02, -0.02)])
+    faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    bodies = make_bodies([("polyhedron", corners, faces), FLOOR], [1.0, np.inf], [[0.1] * 3, [np.inf] * 3], 1.0)
+    state = make_state([(0, 0, 0.3), (0, 0, 0)], angular_velocity=[(0, 10.0, 0), (0, 0, 0)])
+    after, _, _ = step_world(bodies, state, (0, 0, 0), 0.6, Rules(response="in time order"))
+    time = (np.pi + np.arcsin(0.6)) / 10  # 0.3 m down on the other side, at x = 0.4 m
+    j = 2 * 10 * 0.4 / (1 + 0.4**2 / 0.1)
+    assert after.velocity[0, 2] == pytest.approx(j, abs=1e-7)  # a touch of 1e-10 m moves the point by as much
+    assert after.angular_velocity[0, 1] == pytest.approx(10 - 0.4 * j / 0.1, abs=1e-6)
+    assert after.position[0, 2] == pytest.approx(0.3 + j * (0.6 - time), abs=1e-8)
+
+
+def test_arm_that_swings_into_a_ball_is_backed_up_to_the_contact():
+    # The end of the arm curves towards the ball and meets it earlier than its velocity before says
+    ends = [(("sphere", 0.05), (along, 0, 0), (1.0, 0, 0, 0)) for along in (1.0, -1.0)]
+    place = np.array([np.cos(1.5), np.sin(1.5), 0])
+    bodies = make_bodies([("compound", ends), ("sphere", 1.15)], [2.0, np.inf], [[2.0] * 3, [np.inf] * 3], 0.5)
+    state = make_state([(0, 0, 0), place], angular_velocity=[(0, 0, 10.0), (0, 0, 0)])
+    after, _, _ = step_world(bodies, state, (0, 0, 0), 0.05, Rules(response="in time order"))
+    angle = 1.5 - np.arccos(1 - 1.2**2 / 2)  # 0.213; the velocity at the start says 0.223
+    end = np.array([np.cos(angle), np.sin(angle), 0])
+    normal = (end - place) / 1.2
+    lever = np.cross(end - 0.05 * normal, normal)[2]
+    j = -1.5 * 10 * lever / (1 / 2 + lever**2 / 2)
+    # a touch of 1e-10 m, and a speed of 7 m/s
+    assert after.position[0] == pytest.approx(j / 2 * normal * (0.05 - angle / 10), abs=1e-9)
+    assert after.angular_velocity[0, 2] == pytest.approx(10 + lever * j / 2, abs=1e-8)
+
+
 def test_fast_ball_does_not_pass_through_a_small_one_in_a_step():
     # 100 m/s in a step of 0.1 s; the small ball is struck off its centre, and the two part at a right angle
     bodies, state = spheres([(0, 0, 0), (6.0, 0.03, 0)], [(100.0, 0, 0), (0, 0, 0)], radius=0.05)
@@ -516,7 +624,7 @@ def test_groups_of_a_batch_have_clocks_of_their_own():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("rest_speed", "stalls"), [(0.0, True), (0.1, False)])
-def test_discs_come_to_rest_only_if_resting_contacts_are_held(rest_speed, stalls):
+def test_impacts_of_falling_discs_stall_unless_slow_contacts_are_held(rest_speed, stalls):
     # Twenty-five discs of 0.1 m fall in a box 1.3 m wide; without a threshold their bounces have no end
     rng = np.random.default_rng(0)
     i, j = np.divmod(np.arange(25), 5)
@@ -528,12 +636,12 @@ def test_discs_come_to_rest_only_if_resting_contacts_are_held(rest_speed, stalls
     gravity = np.where(bodies.inverse_mass[:, None] > 0, (0, 0, -G), 0.0)
     rules, most = Rules(response="in time order", rest_speed=rest_speed), 0
     step = 0
-    while step < 240 and most <= 400:
+    while step < 108 and most <= 300:
         state, impacts = step_in_time_order(bodies, state, gravity, 0 * gravity, 1 / 240, rules)
         step, most = step + 1, max(most, impacts)
-    if stalls:
-        assert step / 240 == pytest.approx(0.31, abs=0.04)
+    if stalls:  # soon after the lowest discs have met the floor, at √(2 · 0.08 m/g) = 0.13 s
+        assert most > 300
+        assert 0.2 < step / 240 < 0.35
     else:
         assert most < 100
-        assert np.max(np.abs(state.velocity)) < 0.01
         assert np.min(collect_contacts(bodies, state).separation) > -1e-4

@@ -117,13 +117,11 @@ def test_a_symmetric_top_turns_about_its_axis_and_about_l_at_steady_rates(moment
     turn[own] = (1 - moments[own] / across) * start[own]
     vector = oracle("scipy.spatial.transform").Rotation.from_rotvec
     expected = vector(precession * until) * rotation(TURNED) * vector(turn * until)
-    error = []
-    for count in (25, 50):
+    for count in (1, 50):
         orientation, after = run(TURNED, spin, moments, until / count, count)
-        error.append(np.linalg.norm((rotation(orientation[-1]) * expected.inv()).as_rotvec()))
-    assert error[1] < 1e-3  # (ω dt)² = 3e-3, and a share of it that depends on the moments
-    assert error[0] == pytest.approx(4 * error[1], rel=0.05, abs=1e-12)
-    assert to_body(orientation[-1], after[-1])[own] == pytest.approx(start[own], rel=1e-7)  # what three looks leave
+        error = np.linalg.norm((rotation(orientation[-1]) * expected.inv()).as_rotvec())
+        assert error < 1e-13  # each step is exact, and some 50 of them leave roundings
+        assert to_body(orientation[-1], after[-1])[own] == pytest.approx(start[own], rel=1e-12)
 
 
 def test_a_top_spun_about_its_middle_axis_flips_at_jacobis_half_period():
@@ -158,15 +156,26 @@ def energy_errors(start, dt, count):
 
 
 def test_the_energy_of_a_fast_top_does_not_drift():
-    # One look at the middle gives a drift of 0.8 % in these 2 s, two looks one of -0.6 %. Three looks leave an
-    # oscillation of the order of (ω dt)²/60 = 5.5e-4 alone.
+    # (ω dt)² = 3.3e-2; a fiftieth of it comes and goes
     assert np.max(np.abs(energy_errors((6, 10, 14), 0.01, 200))) < 6e-4
 
 
+@pytest.mark.parametrize("moments", [(0.01, 1.0, 1.005), (1.0, 0.004, 1.001), (1.3, 1.3, 1e-4)])
+def test_a_slender_body_that_spins_keeps_its_energy_at_coarse_steps(moments):
+    # At 60 steps a second it turns by a third of a radian about its own long axis in each. The midpoint rule
+    # gains 15 % of energy here, or 137 times the energy, because a slight error of the orientation is a large spin
+    # about this axis. Here the two large moments alone disturb each other, as far as they differ.
+    moments = np.array(moments)
+    start = np.where(moments < 0.1, 20.0, (3.0, 8.0, 5.0))
+    orientation, spin = run(TURNED, to_world(TURNED, start), moments, 1 / 60, 120)
+    energy = np.sum(moments * to_body(orientation, spin) ** 2, axis=-1) / 2
+    assert energy == pytest.approx(energy[0], rel=1e-3)
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize(("dt", "until", "bound"), [(0.01, 100, 1.1e-4), (0.001, 10, 1.1e-6)])
+@pytest.mark.parametrize(("dt", "until", "bound"), [(0.01, 100, 1.25e-4), (0.001, 10, 1.25e-6)])
 def test_the_energy_of_a_top_is_kept_over_a_long_time(dt, until, bound):
-    assert np.max(np.abs(energy_errors((3, 5, 7), dt, round(until / dt)))) < bound  # (ω dt)²/80; a drift grows beyond
+    assert np.max(np.abs(energy_errors((3, 5, 7), dt, round(until / dt)))) < bound  # (ω dt)²/66; a drift grows beyond
 
 
 def test_keeping_the_spin_instead_breaks_angular_momentum_by_63_percent():

@@ -28,10 +28,10 @@ def boxes(heights, velocity):
 
 
 def test_a_stack_falls_asleep_and_a_blow_wakes_all_of_it():
-    bodies, state = boxes([0.1, 0.3, 2.0], [[0, 0, 0], [0, 0, 0], [0, 0, 0]])
+    bodies, state = boxes([0.1, 0.3, 1.0], [[0, 0, 0], [0, 0, 0], [0, 0, 0]])
     memory, slept, woken = NOTHING, False, {}
-    for count in range(800):
-        state, memory, contacts = step_world(bodies, state, G, 1e-3, SLEEPY, memory)
+    for count in range(110):
+        state, memory, contacts = step_world(bodies, state, G, 4e-3, SLEEPY, memory)
         asleep = memory.still >= SLEEPY.sleep_after
         if slept and not woken and asleep[2]:
             assert not len(contacts.key)  # two sleepers make no contact
@@ -42,8 +42,8 @@ def test_a_stack_falls_asleep_and_a_blow_wakes_all_of_it():
                 woken.setdefault(body, count)
     assert slept
     assert woken[1] == woken[2]  # a blow goes through all that lie against one another
-    # The box falls 1.5 m less the margin: √(2 h/g) takes 553 steps; Euler's lead, a few
-    assert woken[2] == pytest.approx(553, abs=3)
+    # The box falls 0.5 m: √(2 h/g) takes 80 steps; Euler's lead, the margin and counting from 0, one or two
+    assert woken[2] == pytest.approx(80, abs=2)
 
 
 def test_nothing_sleeps_unless_it_is_asked_to():
@@ -52,7 +52,7 @@ def test_nothing_sleeps_unless_it_is_asked_to():
         surfaces=bodies.surfaces._replace(static_friction=np.zeros((1, 1)), kinetic_friction=np.zeros((1, 1)))
     )
     memory = NOTHING
-    for _ in range(300):
+    for _ in range(120):
         state, memory, _ = step_world(frictionless, state, G, 1e-3, Rules(), memory)
     assert state.velocity[1, 0] == pytest.approx(1e-4, rel=1e-9)  # creeps on
 

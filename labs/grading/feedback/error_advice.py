@@ -96,13 +96,20 @@ _ADVICE = (
     (r"values to unpack", "Numbers of many cases are taken out along the last axis: x = a[..., 0]."),
     (r"cannot reshape array", "Leave the leading axes as they are: there is one entry for each case."),
     (r"float division by zero", "What should come out where the divisor is zero?"),
-    (
-        r"^ *gives +(?=[^\n]*\b(nan|inf)\b)(?![^\n]* instead of )[^\n]*\n *physics (?![^\n]*\binf\b)",
-        "inf comes from a division by zero, unless it is in your code; nan comes from 0/0, inf · 0 or the root of a"
-        " negative number. What should come out here?",
-    ),
 )
 """Patterns that a message is searched for, each with its advice."""
+MAY_BE_INFINITE = (
+    "time_of_impact_interpolated", "time_of_impact_exact", "overlap_interval", "time_until_rest", "sliding_motion",
+    "break_away_time", "segment_plane", "segment_triangle", "ray_sphere", "sweep_sphere_sphere", "sweep_sphere_plane",
+    "ray_box", "sweep_boxes", "ray_capsule", "sweep_sphere_triangle", "sweep_oriented_boxes", "timestep_bound",
+)  # fmt: skip
+"""Functions that students write and that return infinity on purpose in some cases: no division by zero gave it."""
+_NOT_FINITE = re.compile(
+    r"^ *gives +(?=[^\n]*\b(nan|inf)\b)(?![^\n]* instead of )([^\n]*)\n *physics (?![^\n]*\binf\b)", re.MULTILINE
+)
+_CALLED = re.compile(r"^ *(\w+)\(", re.MULTILINE)
+_INF = "inf comes from a division by zero, unless it is in your code; "
+_NAN = "nan comes from 0/0, inf · 0 or the root of a negative number. What should come out here?"
 _UNKNOWN_NAME = re.compile(r"NameError: name '(\w+)' is not defined")
 
 
@@ -113,6 +120,11 @@ def advice(message: str, given: Collection[str] = ()) -> str:
     for pattern, words in _ADVICE:
         if found := re.search(pattern, message, re.MULTILINE):
             return found.expand(words)
+    if found := _NOT_FINITE.search(message):
+        called = _CALLED.search(message)
+        if called is None or called[1] not in MAY_BE_INFINITE:
+            return _INF + _NAN
+        return _NAN if "nan" in found[2] else ""
     return ""
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import inspect
 import itertools
 import math
+import tempfile
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -106,6 +107,7 @@ class Examples:
     def _smallest(self, maker: Maker, holds: Check) -> tuple[Any, ...] | None:
         """The smallest arguments that hypothesis finds for which it does not hold; None if it finds none."""
         import hypothesis  # noqa: PLC0415 - takes as long to load as NumPy, and a right submission never needs it
+        from hypothesis import configuration  # noqa: PLC0415
         from hypothesis import strategies as st  # noqa: PLC0415
 
         failing: list[tuple[Any, ...]] = []
@@ -134,12 +136,15 @@ class Examples:
                 failing.append(arguments)
                 raise AssertionError from None
 
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
+        with tempfile.TemporaryDirectory() as notes, warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            configuration.set_hypothesis_home_dir(notes)  # and not the folder of the notebook that is checked
+            try:
                 search()
-        except Exception:  # hypothesis reports it in several ways; the last example that failed is the smallest
-            return failing[-1] if failing else None
+            except Exception:  # hypothesis reports it in several ways; the last example that failed is the smallest
+                return failing[-1] if failing else None
+            finally:
+                configuration.set_hypothesis_home_dir(None)
         return None
 
 

@@ -32,7 +32,7 @@ from labs.grading.submission.complaints import (
     with_its_cost,
 )
 from labs.grading.submission.magics import without_magics
-from labs.grading.submission.slicing import Group, defined_as, groups, needed, used_by
+from labs.grading.submission.slicing import Group, called_in, defined_as, groups, needed, used_by
 from labs.grading.submission.stubs import is_open_version, is_stub
 
 __all__ = ["Complaint", "Submission", "read"]
@@ -86,14 +86,16 @@ class Submission:
     def borrows(self, name: str) -> dict[str, str]:
         """Variables in lower case that a function of a notebook takes from other cells, with the cell that set each.
 
-        An example is `step`, left behind by a plot, where an argument was meant.
+        An example is `step`, left behind by a plot, where an argument was meant. What the function calls is a helper,
+        and so is a name that a later cell gives to a function.
         """
         own = [group for group in self._groups if name in group.defines]
         used, here = {each for group in own for each in group.uses}, {self._cell(group) for group in own}
+        called = {each for group in own for each in called_in(group)}
+        last = {each: group for group in self._groups for each in sorted(group.defines & used - called)}
         return {
             variable: self._cell(group)
-            for group in self._groups
-            for variable in sorted(group.defines & used)
+            for variable, group in last.items()
             if variable.islower() and defined_as(group, variable) == "value" and self._cell(group) not in here
         }
 

@@ -130,6 +130,11 @@ def defined_as(group: Group, name: str) -> str | None:
     return group.kinds.get(name)
 
 
+def called_in(group: Group) -> set[str]:
+    """The names that a group's statements call, also within their functions."""
+    return {name for each in group.statements for node in ast.walk(each) for name in _called(node)}
+
+
 def _group(statements: list[ast.stmt], scopes: Mapping[int, list[symtable.SymbolTable]]) -> Group:
     first, last = _first(statements[0]), statements[-1].end_lineno or statements[-1].lineno
     nodes = [list(_outside_scopes(statement)) for statement in statements]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 
 UNWRITTEN = "NotImplementedError"
-FIRST, AGAIN = "a first version of", "is yours to write again"
+VERSION, AGAIN = " version of ", "is yours to write again"
 """Parts of what the stubs say of a function that is written several times: first for simpler cases, then in full."""
 
 
@@ -25,4 +25,4 @@ def is_open_version(statement: ast.stmt) -> bool:
         return False
     said = ast.dump(statement.body[-1])
     returns = any(isinstance(node, ast.Return) for node in ast.walk(statement))
-    return UNWRITTEN in said and (FIRST in said or AGAIN in said) and not returns
+    return UNWRITTEN in said and (VERSION in said or AGAIN in said) and not returns

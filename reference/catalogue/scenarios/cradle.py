@@ -162,7 +162,10 @@ CRADLE = Family(
     ),
     quantities=(FIRST, LAST, OFF, MOMENTUM, ENERGY),
     curve=Curve(
-        "5 touching", "Last of five that touch", "velocity, m/s", lambda trajectory: trajectory.velocities[:, -1, 0]
+        "5 touching",
+        "Last of five that touch",
+        "velocity of the last ball, m/s",
+        lambda trajectory: trajectory.velocities[:, -1, 0],
     ),
     convergence=Convergence("5, 1 mm apart", "last"),
     grid=Grid(
@@ -199,8 +202,8 @@ PARTING_BALL = Family(
     quantities=(FIRST, LAST, OFF, MOMENTUM, replace(ENERGY, expect=None)),
     curve=Curve(
         "v=0.1",
-        "The middle ball, parting at 0.1 m/s",
-        "velocity, m/s",
+        "The middle ball, the last one parting at 0.1 m/s",
+        "velocity of the middle ball, m/s",
         lambda trajectory: trajectory.velocities[:, 1, 0],
     ),
     convergence=Convergence("v=0.1", "off"),

@@ -67,8 +67,8 @@ def _shift(case: Case, settings: Settings, method: Method) -> float:
 
 def _why_through(method: Method) -> str:
     if method.rule == TURN_BACK:
-        return "1 − (d + 2 r)/(v dt): no step ends where the ball overlaps the wall"
-    return "1 − (w/2 + r)/(v dt): no step ends where the ball overlaps the wall on its own side of the middle"
+        return "1 − (w + 2 r)/(v Δt): no step ends where the ball overlaps the wall"
+    return "1 − (w/2 + r)/(v Δt): no step ends where the ball overlaps the wall on its own side of the middle"
 
 
 def _passed(trajectory: Trajectory) -> float:
@@ -113,13 +113,13 @@ THIN_WALL = Family(
     expected="A solid wall stops every ball: none passes, and each comes back with `−e v`. A continuous test of the"
     " swept volume sees this; a test at the end of each step may not.",
     why=(
-        "A step moves the ball by `v dt`, and its centre is pushed back only if a step ends while the ball overlaps"
-        " the wall and is still before its middle, on a way of `w/2 + r`. So the share `1 − (w/2 + r)/(v dt)`"
+        "A step moves the ball by `v Δt`, and its centre is pushed back only if a step ends while the ball overlaps"
+        " the wall and is still before its middle, on a way of `w/2 + r`. So the share `1 − (w/2 + r)/(v Δt)`"
         f" passes: at 20 m/s none up to a timestep of {1000 * CAUGHT / 20:g} ms, and 70 % at PyBullet's stock 1/240"
         " s. Only a smaller timestep or a continuous test helps.",
         "Hand-written code asks `overlap_interval`. Over the whole step, it finds the first instant at which the ball"
         " overlaps the wall, and no ball passes. At the ends of steps alone, it turns a ball back wherever it overlaps"
-        " the wall, also behind the middle: on a way of `d + 2 r`, twice as long as an engine's.",
+        " the wall, also behind the middle: on a way of `w + 2 r`, twice as long as an engine's.",
         "PyBullet, stock, also slows the ball in flight, because its damping grows with the speed squared. MuJoCo,"
         " stock, notices the ball in time, but its contact is so soft that a fast ball sinks past the middle and is"
         " pushed out behind the wall; only a stiffer contact helps there.",

@@ -266,7 +266,8 @@ def test_balls_and_a_rod_part_as_theory_says(submission, part):
 
 @asks(
     "audit", 4, "Each body adds M Δv to the momentum, and its spin and its flight to the angular momentum.",
-    "Slide 21 has P and L of each body. Where is the centre of a body, as seen from the point of contact?",
+    "Which of ΔP, ΔL and ΔE is off? For L: where is the centre of a body, as seen from the point of contact? For E: how"
+    " much work does it take to bring a body to its speed and its spin?",
 )  # fmt: skip
 def test_an_audit_finds_what_an_impact_must_not_change(submission, part):
     a, b = TUMBLING_A, TUMBLING_B

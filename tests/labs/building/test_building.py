@@ -218,6 +218,7 @@ def test_a_release_holds_no_solution_hidden_test_or_model_answer(lesson, tmp_pat
     others = [name for name in names if re.search(r"(labs|autograder)/.*(friction|impulse)", name)]
     assert others == [], "what belongs to a later lab does not ship"
     assert checksums.changed(tmp_path / "out" / FOLDER.relative_to(ROOT)) == {}, "recordings arrive as they were made"
+    assert ".zip" not in (tmp_path / "out" / "README.md").read_text(encoding="utf-8")
     secret = "np.vecdot(normal, point)"  # of signed_distance
     for path in (tmp_path / "out").rglob("*"):
         if path.suffix in (".py", ".ipynb", ".md"):
@@ -245,13 +246,17 @@ def test_a_lab_alone_has_of_an_earlier_one_what_its_runs_need(tmp_path, monkeypa
 
 
 def test_two_archives_are_the_same_and_a_full_folder_is_left_alone(lesson, tmp_path):
-    release(tmp_path / "a.zip", "detection")
-    release(tmp_path / "b.zip", "detection")
-    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
-    assert "collisions-lab/README.md" in zipfile.ZipFile(tmp_path / "a.zip").namelist()
+    first, second = tmp_path / "1" / "my lab.zip", tmp_path / "2" / "my lab.zip"
+    for out in (first, second):
+        out.parent.mkdir()
+        release(out, "detection")
+    assert first.read_bytes() == second.read_bytes()
+    readme = zipfile.ZipFile(first).read("collisions-lab/README.md").decode("utf-8")
+    assert "unzip 'my lab.zip'\n   cd collisions-lab\n" in readme
+    assert "choose `my lab.zip`, the archive" in readme
     with pytest.raises(InvalidInput, match="not empty"):
         release(tmp_path, "detection")
-    for out in (tmp_path / "a.zip" / "folder", tmp_path / "missing" / "c.zip"):
+    for out in (first / "folder", tmp_path / "missing" / "c.zip"):
         with pytest.raises(InvalidInput, match=r"cannot write the release to .*; choose another --out"):
             release(out, "detection")
     with pytest.raises(InvalidInput, match="no lesson yet"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 
 import pytest
@@ -94,6 +95,15 @@ def test_a_derivation_that_the_lesson_never_asks_for_is_named(write):
     assert gaps("detection") == ["the lesson never calls lab.derive('signed_distance')"]
 
 
+def test_a_derivation_without_a_list_of_its_quantities_is_named(write):
+    asked = '\n```python guess="1"\n{}lab.derive("signed_distance", w=...)\n```\n'
+    write(HEAD + WRITES + CALLS + asked.format("# Write w with s0, s1.\n"))
+    assert gaps("detection") == []
+    write(HEAD + WRITES + CALLS + asked.format("# Write w with s0.\n"))
+    line = "# Write w with s0, s1."
+    assert gaps("detection") == [f"the lesson asks for w of signed_distance without a line {line}"]
+
+
 def test_a_stub_that_holds_a_line_to_be_derived_is_refused(write, monkeypatch):
     monkeypatch.setattr(notebooks, "answers_of", lambda topic, name: [compact("n·p + d")] * (name == "signed_distance"))
     with pytest.raises(InvalidInput, match="the stub of signed_distance holds a line that is to be derived"):
@@ -121,6 +131,9 @@ def test_a_draft_is_a_stub_then_a_model_and_its_function_is_written_again(write,
 def test_the_first_of_two_drafts_is_solved_by_the_first_model(write):
     write(HEAD + DRAFT + DRAFT.replace("point[..., 2]", "-point[..., 2]") + WRITES + CALLS)
     solved = sources(notebooks.solved("detection"))
+    student = "".join(sources(notebooks.student("detection")))
+    first, second = (student.index(f"a {each} version of signed_distance is yours") for each in ("first", "second"))
+    assert first < second
     assert [source.split("return ")[1] for source in solved if source.count("\n") == 1 and "def signed" in source] == [
         "point[..., 2]",
         "-point[..., 2]",
@@ -154,3 +167,14 @@ def test_a_draft_of_nothing_or_without_a_model_is_refused(write, old, new, said)
 def test_every_lab_has_its_hints_figures_and_verdicts(topic):
     missing = gaps(topic)
     assert not missing, "\n".join(missing)
+
+
+@pytest.mark.parametrize("topic", lessons.lessons())
+def test_lines_of_the_solved_notebook_are_right(topic):
+    calls = [node for cell in lessons.read(topic).cells if cell.code and "lab.derive(" in cell.text
+             for node in ast.walk(ast.parse(cell.guessed)) if isinstance(node, ast.Call)]  # fmt: skip
+    assert calls
+    for call in calls:
+        for line in call.keywords:
+            asked = hint_files.hints(topic).of(ast.literal_eval(call.args[0])).derivation(str(line.arg))
+            assert asked.difference(asked.read(ast.literal_eval(line.value))) == ""

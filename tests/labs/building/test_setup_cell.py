@@ -13,7 +13,7 @@ import pytest
 from labs import notebook
 from labs.building import notebooks
 
-ASKED = "Choose collisions-lab.zip"
+ASKED = "Choose the archive that you were given"
 
 
 @pytest.fixture(scope="module")
@@ -69,10 +69,10 @@ def tree(folder: Path) -> Path:
     return folder
 
 
-def archive(top: str = "collisions-lab") -> bytes:
+def archive(top: str = "collisions-lab", file: str = "labs/notebook.py") -> bytes:
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w") as packed:
-        packed.writestr(f"{top}/labs/notebook.py", "")
+        packed.writestr(f"{top}/{file}", "")
     return content.getvalue()
 
 
@@ -100,13 +100,24 @@ def test_outside_colab_nothing_is_requested_or_installed(run, tmp_path, capsys):
     assert run.commands == []
 
 
-@pytest.mark.parametrize("name", ["collisions-lab.zip", "collisions-lab (1).zip", "lab.ZIP"])
+@pytest.mark.parametrize("name", ["collisions-lab.zip", "detection (1).zip", "lab.ZIP"])
 def test_on_colab_the_archive_is_requested_under_any_name(name, run, colab, tmp_path, capsys):
     colab[name] = archive()
     assert run(tmp_path) == str(tmp_path / "collisions-lab")
     assert ASKED in capsys.readouterr().out
     (command,) = run.commands
     assert command.startswith("pip install")
+
+
+def test_on_colab_the_archive_may_hold_a_folder_of_any_name(run, colab, tmp_path):
+    colab["detection.zip"] = archive("week 3")
+    assert run(tmp_path) == str(tmp_path / "week 3")
+
+
+def test_notebooks_of_earlier_labs_are_requested_only_where_runs_take_functions_from_them():
+    first = {topic: "".join(notebooks.student(topic)["cells"][2]["source"]) for topic in ("detection", "impulse")}
+    assert "With it you may choose" not in first["detection"]
+    assert "With it you may choose detection.ipynb," in first["impulse"]
 
 
 def test_on_colab_the_archive_is_requested_once(run, colab, tmp_path, capsys):
@@ -119,11 +130,11 @@ def test_on_colab_the_archive_is_requested_once(run, colab, tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    "wrong", [{}, {"essay.pdf": b"%PDF"}, {"collisions-lab.zip": b"half of an arch"}, {"holiday.zip": archive("beach")}]
+    "wrong", [{}, {"essay.pdf": b"%PDF"}, {"lab.zip": b"half of an arch"}, {"sea.zip": archive(file="beach.jpg")}]
 )
 def test_on_colab_a_wrong_file_is_refused_and_requested_again(wrong, run, colab, tmp_path):
     colab.update(wrong)
-    with pytest.raises(FileNotFoundError, match=r"not collisions-lab\.zip: run this cell again"):
+    with pytest.raises(FileNotFoundError, match="no archive of the lab: run this cell again"):
         run(tmp_path)
     colab.clear()
     colab["collisions-lab.zip"] = archive()

@@ -228,6 +228,15 @@ def test_a_run_names_a_function_that_returns_nothing(lab, cells):
     assert "value" not in str(lab.shown[-1])  # of a table without rows
 
 
+def test_a_wrong_run_says_that_first_versions_have_no_check(lab, cells):
+    """Only the last version of a function is checked."""
+    lab.topic = "impulse"
+    head = "def collide(body_a, body_b, normal, restitution, threshold=0.0):\n"
+    cells += [f"{head}    return body_a[0], body_a[1], body_b[0], body_b[1]"]
+    lab.run("two-balls/e=0.5,m=1,b=0", quantity="target", engines=())
+    assert "says more about your functions, of collide about the last version alone." in str(lab.shown[-1])
+
+
 def test_a_time_of_impact_in_the_past_is_reported_at_once(lab, cells):
     cells += [
         *right_cells(),

@@ -33,13 +33,13 @@ def test_a_prediction_gets_a_verdict_with_its_reason(answer, choices, right, the
 
 
 def test_an_experiment_is_run_and_judged_once_it_was_predicted(lab, capsys):
-    lab.predict("lost", "It counts …", answer=..., choices=("more", "170", "fewer"))
-    lab.show(lambda: print("100 of 170"), predicted="lost")
-    assert "Folded until you have predicted 'lost'" in (said := capsys.readouterr().out)
+    lab.predict("counted", "It counts …", answer=..., choices=("more", "170", "fewer"))
+    lab.show(lambda: print("100 of 170"), predicted="counted")
+    assert "Folded until you have predicted 'counted'" in (said := capsys.readouterr().out)
     assert "100" not in said
-    lab.show(lambda: print("100 of 170"), predicted="lost", unfold=True)
+    lab.show(lambda: print("100 of 170"), predicted="counted", unfold=True)
     assert capsys.readouterr().out == "100 of 170\n"
-    lab.predict("lost", "It counts …", answer="more", choices=("more", "170", "fewer"))
-    lab.show(lambda: print("100 of 170"), predicted="lost")
+    lab.predict("counted", "It counts …", answer="more", choices=("more", "170", "fewer"))
+    lab.show(lambda: print("100 of 170"), predicted="counted")
     said = capsys.readouterr().out
-    assert "100 of 170\nYou predicted “more”, but “fewer” is right. Each impact is exact" in said
+    assert "100 of 170\nYou predicted “more”, but “fewer” is right. Only 100 of the 170" in said

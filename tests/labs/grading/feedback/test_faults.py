@@ -237,12 +237,6 @@ def test_results_in_another_order_are_labelled_and_called_so(tmp_path, grader):
     assert "plus for both" not in found
 
 
-def test_infinity_gets_no_advice_where_it_is_right():
-    assert "division by zero" in advice("f(1)\ngives   (1, inf)\nphysics (1, 2)")
-    assert advice("f(1)\ngives   inf\nphysics 2, inf") == ""
-    assert advice("f(1)\ngives   2\nphysics 3") == ""
-
-
 def test_advice_is_given_once():
     words = Advice()
     assert words.new("gave no answer within 5 s") != ""

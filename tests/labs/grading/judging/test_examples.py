@@ -6,6 +6,8 @@ import re
 
 import numpy as np
 import pytest
+from hypothesis import configuration
+from hypothesis.internal.conjecture import providers
 from stand_ins import Function
 
 from labs.grading.diagnosis.probes.probe import Draw
@@ -103,6 +105,27 @@ def test_the_search_for_the_smallest_example_is_limited(monkeypatch):
         Examples(1).every(lambda draw: tuple(draw.number(0, 100) for _ in range(20)), small)
     # Left alone, hypothesis goes on for some 740 calls. One call finds it, and one tells it.
     assert most < len(tried) <= most + 3
+
+
+def test_the_search_for_the_smallest_example_leaves_no_files(monkeypatch, tmp_path):
+    """Hypothesis keeps notes on our modules in files; here it only says where."""
+    configuration.set_hypothesis_home_dir(None)
+    monkeypatch.setenv("HYPOTHESIS_STORAGE_DIRECTORY", str(tmp_path))
+    folders = []
+
+    def noted():
+        folders.append(configuration.storage_directory("constants").path)
+        return providers.Constants()
+
+    monkeypatch.setattr(providers, "_get_local_constants", noted)
+
+    def small(*numbers):
+        assert sum(numbers) < 900
+
+    with pytest.raises(AssertionError):
+        Examples(1).every(lambda draw: tuple(draw.number(0, 100) for _ in range(20)), small)
+    assert folders
+    assert not any(folder.is_relative_to(tmp_path) or folder.parent.exists() for folder in folders)
 
 
 def test_an_answer_that_is_wrong_only_once_still_fails():

@@ -185,3 +185,19 @@ def test_a_cell_that_was_copied_with_its_margin_is_read_as_the_kernel_reads_it(f
     submission = handed_in(tmp_path, notebook("".join([first + lines[0], *(rest + line for line in lines[1:])])))
     assert defined(submission)["rebound_velocity"](-2.0, 0.5) == 1.0
     assert submission.where(6) == "code cell 1, line 6"
+
+
+CALLER = "def rebound_velocity(v, e):\n    return v + halved(e) * spin"
+
+
+@pytest.mark.parametrize(
+    ("cells", "borrowed"),
+    [
+        (("halved = 3\nspin = 2", "def halved(e): return e / 2", CALLER), {"spin"}),
+        (("halved = lambda e: e / 2\nspin = 2", CALLER), {"spin"}),
+        (("halved = spin = 2", "def halved(e): return e / 2\ndef spin(): pass", CALLER), set()),
+    ],
+    ids=["a helper of that name comes later", "a helper is a value", "all are functions in the end"],
+)
+def test_no_helper_counts_as_a_variable_of_another_cell(cells, borrowed, tmp_path):
+    assert set(handed_in(tmp_path, notebook(*cells)).borrows("rebound_velocity")) == borrowed

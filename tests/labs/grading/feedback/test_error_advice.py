@@ -1,0 +1,31 @@
+"""Advice on answers that are no numbers: infinity is right of some functions, and of others a division by zero."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import re
+
+from labs.grading.feedback.error_advice import MAY_BE_INFINITE, advice
+from reference import lecture
+
+
+def test_infinity_gets_no_advice_where_it_is_right():
+    assert "division by zero" in advice("f(1)\ngives   (1, inf)\nphysics (1, 2)")
+    assert advice("f(1)\ngives   inf\nphysics 2, inf") == ""
+    assert advice("f(1)\ngives   2\nphysics 3") == ""
+
+
+def test_infinity_is_blamed_on_no_division_where_a_function_may_return_it():
+    assert advice("time_of_impact_exact(1)\ngives   inf\nphysics 2") == ""
+    assert advice("time_of_impact_exact(1)\ngives   (inf, nan)\nphysics (1, 2)").startswith("nan comes from 0/0")
+
+
+def test_functions_that_may_return_infinity_are_those_that_promise_it():
+    promised = set()
+    for entry in lecture.FUNCTIONS.values():
+        text = inspect.getdoc(getattr(importlib.import_module(f"solutions.{entry.topic}"), entry.name)) or ""
+        returns = text.partition("Returns\n")[2].partition("Raises\n")[0].partition("Notes\n")[0]
+        if entry.role == "written" and re.search("infinity", returns, re.IGNORECASE):
+            promised.add(entry.name)
+    assert set(MAY_BE_INFINITE) == promised
