@@ -3,6 +3,7 @@
 from solutions.world.bodies import Bodies, State, Surfaces, make_bodies, make_state
 from solutions.world.broad_phase import candidate_pairs
 from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.mass import mass_properties
 from solutions.world.memory import Memory
 from solutions.world.rotation import rotate_by_momentum
 from solutions.world.rules import Rules
@@ -20,6 +21,7 @@ __all__ = [
     "collect_contacts",
     "make_bodies",
     "make_state",
+    "mass_properties",
     "rotate_by_momentum",
     "run_world",
     "step_world",
