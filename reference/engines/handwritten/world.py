@@ -134,4 +134,5 @@ def _forces(scenarios: Sequence[Scenario]) -> Array:
 
 
 def _trajectory(engine: str, scenario: Scenario, settings: Settings, times: Array, states: Array) -> Trajectory:
-    return Trajectory(scenario, settings, engine, times, *np.split(states, (3, 7, 10), axis=-1))
+    position, orientation, velocity, spin = np.split(states, (3, 7, 10), axis=-1)
+    return Trajectory(scenario, settings, engine, times, position, orientation, velocity, spin)
