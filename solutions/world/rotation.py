@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans
 from solutions.checks import finite, in_space, matrix, not_negative, unit, vector
-from solutions.impulse import rotation_matrix
+from solutions.world.vectors import cross
 
 
 def turned(orientation: ArrayLike, rotation: ArrayLike) -> Array:
@@ -40,10 +40,7 @@ def turned(orientation: ArrayLike, rotation: ArrayLike) -> Array:
     is exact for an angle of any size. The turn that comes later is the left factor of
     the `quaternion_product`.
     """
-    w = in_space("rotation", rotation)
-    angle = np.sqrt(np.vecdot(w, w))[..., None]
-    turn = np.concatenate([np.cos(angle / 2), w * np.sinc(angle / (2 * np.pi)) / 2], axis=-1)
-    return _product(turn, _quaternion("orientation", orientation))
+    return _product(_turn(in_space("rotation", rotation)), _quaternion("orientation", orientation))
 
 
 def quaternion_product(second: ArrayLike, first: ArrayLike) -> Array:
@@ -197,32 +194,24 @@ def rotate_by_momentum(
 
 def _tumbled(q: Array, w: Array, moments: Array, dt: Array) -> tuple[Array, Array]:
     """The same for n bodies with finite moments, not all equal; dt is (n, 1)."""
-    to_world, has_moment = rotation_matrix(q), moments > 0
-    own = _times(np.swapaxes(to_world, -1, -2), w)  # Rᵀ ω, in the body's axes
-    momentum = _times(to_world, moments * own)
+    has_moment, own = moments > 0, _in_its_axes(q, w)
+    momentum = _in_the_world(q, moments * own)
     per_moment = np.where(has_moment, 1 / np.where(has_moment, moments, 1.0), 0.0)
-
-    def own_momentum(orientation: Array) -> tuple[Array, Array]:
-        """R, and M = Rᵀ L."""
-        to_world = rotation_matrix(orientation)
-        return to_world, _times(np.swapaxes(to_world, -1, -2), momentum)
 
     def turned_about_own(orientation: Array, share: Array, time: Array) -> Array:
         """Orientation after a part of the energy, (a − a_j) M²/2, has acted alone."""
-        to_world, along = own_momentum(orientation)
-        return turned(orientation, time * _times(to_world, share * along))
+        return _product(orientation, _turn(time * share * _in_its_axes(orientation, momentum)))
 
     axis_i, axis_j, axis_k = _axes(per_moment, has_moment)
     as_a_ball = np.sum(np.where(axis_j, per_moment, 0.0), axis=-1, keepdims=True)
     second, third = (np.where(axis, per_moment - as_a_ball, 0.0) for axis in (axis_k, axis_i))
     q_after = turned_about_own(q, third, dt / 2)
-    q_after = turned(turned_about_own(q_after, second, dt), as_a_ball * momentum * dt)
+    q_after = _product(_turn(as_a_ball * momentum * dt), turned_about_own(q_after, second, dt))
     q_after = turned_about_own(q_after, third, dt / 2)
-    to_world, along = own_momentum(q_after)
-    w_after = _times(to_world, per_moment * along)
+    w_after = _in_the_world(q_after, per_moment * _in_its_axes(q_after, momentum))
     if not np.all(has_moment):
-        unknown_to_momentum = _times(to_world, np.where(has_moment, 0.0, own))
-        q_after, w_after = turned(q_after, unknown_to_momentum * dt), w_after + unknown_to_momentum
+        unknown_to_momentum = _in_the_world(q_after, np.where(has_moment, 0.0, own))
+        q_after, w_after = _product(_turn(unknown_to_momentum * dt), q_after), w_after + unknown_to_momentum
     return q_after, w_after
 
 
@@ -234,15 +223,28 @@ def _axes(per_moment: Array, has_moment: Booleans) -> tuple[Booleans, Booleans, 
     return np.roll(axis_k, 1, axis=-1), np.roll(axis_k, 2, axis=-1), axis_k
 
 
-def _times(matrix: Array, vectors: Array) -> Array:
-    return np.asarray((matrix @ vectors[..., None])[..., 0])
+def _in_the_world(q: Array, v: Array) -> Array:
+    """R v: vectors along a body's own axes, as seen in the world."""
+    twice = 2 * cross(q[..., 1:], v)
+    return np.asarray(v + q[..., :1] * twice + cross(q[..., 1:], twice))
+
+
+def _in_its_axes(q: Array, v: Array) -> Array:
+    """Rᵀ v: vectors of the world along a body's own axes."""
+    return _in_the_world(q * (1.0, -1.0, -1.0, -1.0), v)
+
+
+def _turn(w: Array) -> Array:
+    """The quaternion of a rotation vector."""
+    angle = np.sqrt(np.vecdot(w, w))[..., None]
+    return np.concatenate([np.cos(angle / 2), w * np.sinc(angle / (2 * np.pi)) / 2], axis=-1)
 
 
 def _product(second: Array, first: Array) -> Array:
     a, p, b, q = second[..., :1], second[..., 1:], first[..., :1], first[..., 1:]
     scalar = a * b - np.vecdot(p, q)[..., None]
-    product = np.concatenate([scalar, a * q + b * p + np.cross(p, q)], axis=-1)
-    return np.asarray(product / np.linalg.norm(product, axis=-1, keepdims=True))
+    product = np.concatenate([scalar, a * q + b * p + cross(p, q)], axis=-1)
+    return np.asarray(product / np.sqrt(np.vecdot(product, product))[..., None])
 
 
 def _quaternion(name: str, quaternion: ArrayLike) -> Array:
