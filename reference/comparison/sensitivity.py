@@ -90,7 +90,7 @@ def sensitivity(family: Family, engine: Engine, profile: str) -> tuple[Sensitivi
     names = [case.name for case in chosen(family) if case.name in known]
     others = [name for name in known if name not in names]
     run = functools.cache(lambda name: Subject.of(family, known[name], engine, profile))
-    subjects = list(_possible(names, run)) or list(_possible(others, run))[:1] or [run(names[0])]
+    subjects = list(_possible(names, run)) or list(_possible(others, run))[:1] or [run([*names, *others][0])]
     found = []
     for fault in FAULTS:
         finding = _with_effect(each.finding(fault) for each in subjects if each.names(fault))
