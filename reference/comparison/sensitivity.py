@@ -85,10 +85,12 @@ def sensitivity(family: Family, engine: Engine, profile: str) -> tuple[Sensitivi
     family's other cases too. Cases that the implementation cannot run are left out; errors as those of the first case
     where it can run none.
     """
-    known = {case.name: case for case in (*chosen(family), *family.cases)}
-    names, others = list(known)[: len(chosen(family))], list(known)[len(chosen(family)) :]
+    able = [case for case in (*chosen(family), *family.cases) if profile in engine.profiles(case.scenarios[0])]
+    known = {case.name: case for case in able}
+    names = [case.name for case in chosen(family) if case.name in known]
+    others = [name for name in known if name not in names]
     run = functools.cache(lambda name: Subject.of(family, known[name], engine, profile))
-    subjects = list(_possible(names, run)) or list(_possible(others, run))[:1] or [run(names[0])]
+    subjects = list(_possible(names, run)) or list(_possible(others, run))[:1] or [run([*names, *others][0])]
     found = []
     for fault in FAULTS:
         finding = _with_effect(each.finding(fault) for each in subjects if each.names(fault))
