@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Booleans, Integers
 from solutions.world.rows import Rows, speeds
 
-GOLDEN = (5**0.5 - 1) / 2
-"""Its multiples, without their whole parts, lie far from one another: they shuffle."""
 SLIPS = 1e-6
 """Share by which friction must fall short of ending a slip that counts as one."""
 
@@ -58,7 +56,7 @@ def in_groups(body_a: Integers, body_b: Integers, movable: Booleans) -> tuple[In
     Contacts of one group do not notice each other. So an array of them may take its
     turn together, and the result is the same as one after another.
     """
-    left, groups = np.argsort(np.arange(len(body_a)) * GOLDEN % 1), []
+    left, groups = np.random.default_rng(0).permutation(len(body_a)), []
     while len(left):
         places = np.arange(len(left))
         picked = np.ones(len(left), dtype=bool)
