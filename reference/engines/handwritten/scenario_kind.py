@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import Enum
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -34,6 +35,7 @@ class Kind(Enum):
     ROW = "row"
 
 
+@lru_cache(maxsize=4096)
 def kind(scenario: Scenario) -> Kind | None:
     """Return the kind of a scenario, or None if it needs a rigid-body world."""
     if not scenario.pairs:

@@ -85,6 +85,7 @@ def test_a_demonstration_without_hand_written_code_is_shown_as_recorded():
     assert "1.4286 m/s" in said.output
 
 
+@pytest.mark.slow  # runs six seconds of hand-written code
 def test_names_with_a_star_leave_room_for_every_column(monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     said = collisions("show", "tip", "--no-plot")

@@ -154,6 +154,7 @@ def test_a_stack_in_pybullet_stands_for_a_second(installed):
 # What runs in the world alone
 
 
+@pytest.mark.slow
 def test_by_hand_thirty_seven_cases_run_in_the_world_alone_and_no_case_waits():
     engine, alone = load_engine("handwritten"), []
     for family in catalogue().values():

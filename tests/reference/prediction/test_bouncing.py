@@ -75,7 +75,14 @@ def test_bullet_meets_a_ball_ahead_of_the_touch_and_a_box_at_an_overlap(installe
         assert difference(found, body, settings) < OFF
 
 
-@pytest.mark.parametrize(("engine", "profile"), [m for m in METHODS if m[1] != "spring"])
+STEPPED = [
+    pytest.param(*method, marks=pytest.mark.slow) if method[1] == "world" else method
+    for method in METHODS
+    if method[1] != "spring"
+]
+
+
+@pytest.mark.parametrize(("engine", "profile"), STEPPED)
 def test_a_ball_comes_to_rest_in_the_step_that_is_predicted(engine, profile, installed):
     found, family = installed(engine), catalogue()["ball-to-rest"]
     case = family.case("e=0.5")
