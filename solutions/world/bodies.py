@@ -88,6 +88,7 @@ def make_bodies(
     mass : (n,), kg; infinity for an immovable body
     moments : (n, 3), principal moments about the body's own axes, kg m²
         `mass_properties` gives those of a solid body; others may be given as well.
+        Those of an immovable body are taken as infinite, whatever they are.
     restitution, friction : (k, k) or one number, e and μ of each two materials
         The friction is kinetic.
     static_friction : (k, k) or one number; the same as friction if it is not given
@@ -108,6 +109,7 @@ def make_bodies(
     count = len(shapes)
     masses = np.broadcast_to(positive("mass", mass), count)
     about = np.broadcast_to(not_negative("moments", vector("moments", moments)), (count, 3))
+    about = np.where(np.isinf(masses)[:, None], np.inf, about)
     kinds = np.zeros(count, dtype=np.int64) if material is None else np.array(np.broadcast_to(material, count))
     most = 1 + int(np.max(kinds, initial=0))
     kinetic = not_negative("friction", friction)
@@ -123,7 +125,7 @@ def make_bodies(
     )
     inverse = np.where(np.isinf(masses), 0.0, 1 / masses)
     groups = np.array(np.broadcast_to(np.asarray(group, dtype=np.int64), count))
-    return Bodies(inverse, np.array(about), kinds, groups, surfaces, pieces_of(shapes))
+    return Bodies(inverse, about, kinds, groups, surfaces, pieces_of(shapes))
 
 
 def make_state(

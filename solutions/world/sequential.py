@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array, Booleans, Integers
-from solutions.world.rows import Rows, speeds
+from solutions.world.rows import Rows, after_impulses, speeds
 
 SLIPS = 1e-6
 """Share by which friction must fall short of ending a slip that counts as one."""
@@ -131,11 +131,9 @@ def solve_sequentially(
         found = solve_sequentially(rows, groups, velocity, angular_velocity, at_rest, start, sweeps, tolerance)
         edge = np.where(_slip(rows, *found), wanted.kinetic_friction, wanted.static_friction)
         wanted = wanted._replace(static_friction=edge, kinetic_friction=edge)
-    velocities = np.concatenate([velocity, angular_velocity], axis=-1)
     bodies = np.stack([rows.body_a, rows.body_b], axis=-1)
     impulse = np.array(np.broadcast_to(start, (len(bodies), 3)), dtype=float)
-    if np.any(impulse):
-        np.add.at(velocities, bodies, np.vecmat(impulse, rows.answer).reshape(-1, 2, 6))
+    velocities = np.concatenate(after_impulses(rows, velocity, angular_velocity, impulse), axis=-1)
     friction = _Friction(rows, wanted)
     for _ in range(sweeps):
         before = impulse.copy()

@@ -66,9 +66,7 @@ def step_world(
     velocity, spin = state.velocity + dt * gain, state.angular_velocity + dt * turn
 
     # Contacts
-    contacts = collect_contacts(bodies, state, rules.margin)
-    order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
-    contacts = contacts.in_order(order)
+    contacts, groups = _grouped_contacts(bodies, state, rules)
     least_energy = rules.law == "dissipative" and rules.response != "penalty"
     rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia, decoupled=least_energy)
 
@@ -87,6 +85,13 @@ def step_world(
         push = pushed_apart(rows, groups, contacts.separation, velocity, spin, dt, rules)
     after = moved(bodies, state, velocity, spin, push, dt)
     return after, Memory(contacts.key, np.vecmat(impulse, rows.direction)), contacts
+
+
+def _grouped_contacts(bodies: Bodies, state: State, rules: Rules) -> tuple[Contacts, list[slice]]:
+    """The contacts of a state, in the order of groups that take their turn together."""
+    contacts = collect_contacts(bodies, state, rules.margin)
+    order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
+    return contacts.in_order(order), groups
 
 
 def _wanted(bodies: Bodies, contacts: Contacts, approach: Array, dt: float, rules: Rules) -> tuple[Wanted, Array]:
@@ -109,9 +114,7 @@ def _step_in_time_order(
 ) -> tuple[State, Memory, Contacts]:
     """One step with each impact at its instant; it leaves no impulses to begin with."""
     after, _ = step_in_time_order(bodies, state, acceleration, angular_acceleration, dt, rules)
-    contacts = collect_contacts(bodies, after, rules.margin)
-    order, groups = in_groups(contacts.body_a, contacts.body_b, bodies.inverse_mass > 0)
-    contacts = contacts.in_order(order)
+    contacts, groups = _grouped_contacts(bodies, after, rules)
     inverse_inertia = world_inverse_inertia(bodies.moments, after.orientation)
     rows = contact_rows(contacts, after.position, bodies.inverse_mass, inverse_inertia)
     push = pushed_apart(rows, groups, contacts.separation, after.velocity, after.angular_velocity, 0.0, rules)

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from solutions.friction import dissipative_impulse, solve_by_pivots
+from solutions.world.bodies import make_bodies
 from solutions.world.contacts import Contacts
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.sequential import Wanted, in_groups, solve_sequentially
@@ -134,3 +135,8 @@ def test_the_lowest_of_ten_balls_carries_all_of_them():
         carried.append(start[np.argmin(order), 0] / (0.01 * masses.sum()))
     assert carried[0] < 0.7  # ten sweeps alone leave the rest to the steps that follow
     assert carried[-1] == pytest.approx(1, abs=1e-3)
+
+
+def test_what_is_immovable_is_not_turned_either():
+    bodies = make_bodies([("half-space", UP), ("box", (1, 1, 1))], [np.inf, np.inf], [[1, 2, 3], [1, 1, 1]])
+    assert np.all(np.isinf(bodies.moments))  # or two contacts of a group would turn the same body
