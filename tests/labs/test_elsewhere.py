@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -69,7 +70,8 @@ def test_an_installed_wheel_compares_and_says_that_it_has_no_tests(place, tmp_pa
 
     compared = python(installed, place, "-m", "labs", "compare", "dropped-ball", "--engine", "handwritten", "--fresh")
     assert compared.returncode == 0, compared.stderr
-    assert "Of 12 checks that count, 12 came out as predicted and near theory" in compared.stdout
+    said = " ".join(compared.stdout.split())
+    assert re.search(r"Of (\d+) checks that count, \1 came out as predicted and near theory and none failed", said)
     called = python(installed, place, "-c", CALL)
     assert called.stdout.split() == [str(installed / "labs" / "__init__.py"), "right", "True"], called.stderr
     checked = python(installed, place, "-m", "labs", "check", "lab.py")
