@@ -185,6 +185,16 @@ def _own_ids(text: str, name: str) -> str:
     """The SVG element alone, its ids prefixed, its numbers short; none for texts and ticks, to which nothing refers."""
     svg = re.sub(r"(\.\d\d)\d+", r"\1", text[text.index("<svg") :])  # a hundredth of a point is not seen
     svg = re.sub(r'<g id="(?:text|patch|[xy]tick|matplotlib)[^"]*">', "<g>", svg)
+    for number, long in enumerate(re.findall(r'\bid="([mp][0-9a-f]{8,})"', svg)):  # of markers and clips
+        svg = svg.replace(long, f"m{number}")
+    svg = _without_second_styles(svg)
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{name}-\1"', svg)
     return re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", svg)
+
+
+def _without_second_styles(svg: str) -> str:
+    """The figure without the style of each use of a marker that repeats the marker's own."""
+    own = dict(re.findall(r'<path id="([^"]+)"[^>]*?( style="[^"]*")', svg))
+    use = re.compile(r'(<use xlink:href="#([^"]+)"[^>]*?)( style="[^"]*")')
+    return use.sub(lambda it: it[1] if own.get(it[2]) == it[3] else it[0], svg)
