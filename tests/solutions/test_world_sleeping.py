@@ -70,3 +70,23 @@ def test_sleepers_that_are_struck_lose_no_momentum():
     assert state.velocity[2, 0] > 0.1  # the blow has reached the last one
     # 1e-12: to rounding; no ball was so slow after the blow that it fell asleep
     np.testing.assert_allclose(state.velocity.sum(axis=0), [1.5, 0, 0], atol=1e-12)
+
+
+@pytest.mark.parametrize("speed", [0.5, 0.01])
+def test_a_driven_wall_does_not_fall_asleep_and_moves_sleepers(speed):
+    # A wall that moves faster, or slower, than what may fall asleep, and a ball that lies in its way
+    shapes, moments = [("sphere", 0.1), ("box", (0.1, 0.3, 0.3))], [[0.004] * 3, [np.inf] * 3]
+    bodies = make_bodies(shapes, [1.0, np.inf], moments)
+    place = [(0, 0, 0), (-0.2 - 0.01 * speed * 20.5, 0.1, 0)]
+    state = make_state(place, velocity=[(0, 0, 0), (speed, 0, 0)])
+    memory, asleep = NOTHING, []
+    for _ in range(60):
+        state, memory, _ = step_world(bodies, state, (0, 0, 0), 0.01, SLEEPY, memory)
+        asleep.append(bool(memory.still[0] >= SLEEPY.sleep_after))
+    assert any(asleep[:20])
+    assert not any(asleep[22:])
+    # 20.5 steps to the ball, and then with it; what it goes in meanwhile is taken back, except for the slop of 0.1 mm
+    way = 0.01 * speed * (60 - 20.5)
+    assert state.position[0, 0] == pytest.approx(way, abs=1.1e-4)
+    assert state.position[1, 0] == pytest.approx(way - 0.2, abs=1e-14)
+    np.testing.assert_allclose(state.velocity[:, 0], speed, rtol=1e-9)
