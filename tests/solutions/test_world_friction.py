@@ -1,4 +1,4 @@
-"""Friction of bodies that touch at several places: what holds, what slips, and with which coefficient."""
+"""Bodies that touch at several places: which contacts belong together, what holds, and what slips."""
 
 from __future__ import annotations
 
@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 from solutions.world.bodies import make_bodies, make_state
+from solutions.world.contacts import Contacts
+from solutions.world.rows import contact_rows
 from solutions.world.rules import Rules
+from solutions.world.simultaneous import islands
 from solutions.world.step import step_world
 
 G = 9.81
@@ -35,3 +38,41 @@ def test_four_places_hold_a_box_together_up_to_static_friction(response):
         # Between two of twelve directions 1 − cos(π/12), 3.4 % of friction is lost
         limit = 1e-8 if response == "sequential" else 0.034 * 0.1 * dt * G
         assert after.velocity[0] @ down == pytest.approx(gained, abs=limit)
+
+
+@pytest.mark.parametrize("response", ["sequential", "simultaneous"])
+def test_a_rough_floor_brakes_what_slides_along_a_smooth_wall(response):
+    # A ball that cannot turn lies on a floor with μ = 0.4 and leans on a wall without friction, by 2 m/s² of weight
+    shapes = [("sphere", 0.1), ("half-space", (0.0, 0.0, 1.0)), ("half-space", (1.0, 0.0, 0.0))]
+    friction = np.array([[0, 0.4, 0], [0.4, 0, 0], [0, 0, 0]])
+    bodies = make_bodies(shapes, [1.0, np.inf, np.inf], np.full(3, np.inf), 0.0, friction, material=[0, 1, 2])
+    state = make_state([(0.1, 0, 0.1), (0, 0, 0), (0, 0, 0)], velocity=[(0, 3, 0), (0, 0, 0), (0, 0, 0)])
+    after, _, _ = step_world(bodies, state, (-2.0, 0, -G), 0.01, Rules(response=response))
+    # one of the eight directions is along y; sweeps end at changes of 1e-6
+    assert after.velocity[0] == pytest.approx(np.array([0, 3 - 0.4 * G * 0.01, 0]), abs=2e-6)
+
+
+def test_islands_are_what_the_contacts_of_movable_bodies_join():
+    rng, count = np.random.default_rng(3), 14
+    joined = 0
+    for _ in range(20):
+        inverse_mass = np.where(rng.uniform(size=count) < 0.7, 1.0, 0.0)
+        a, b = rng.integers(0, count, (2, 12))
+        kept = (a != b) & (inverse_mass[a] + inverse_mass[b] > 0)
+        a, b, m = a[kept], b[kept], np.count_nonzero(kept)
+        normal = np.tile([0.6, 0, 0.8], (m, 1))
+        contacts = Contacts(a, b, rng.normal(size=(m, 3)), normal, np.zeros(m), np.arange(m))
+        rows = contact_rows(
+            contacts, rng.normal(size=(count, 3)), inverse_mass, inverse_mass[:, None, None] * np.eye(3)
+        )
+        moved = [{body for body in pair if inverse_mass[body]} for pair in zip(a.tolist(), b.tolist(), strict=True)]
+        expected: list[tuple[set, set]] = []  # of bodies, and of contacts
+        for contact, bodies in enumerate(moved):
+            those = [each for each in expected if each[0] & bodies]
+            expected = [each for each in expected if not each[0] & bodies]
+            members = {contact}.union(*(each[1] for each in those))
+            expected.append((bodies.union(*(each[0] for each in those)), members))
+        found = islands(rows, count)
+        assert sorted(each.tolist() for each in found) == sorted(sorted(members) for _, members in expected)
+        joined += max((len(each) for each in found), default=0) > 3
+    assert joined > 5

@@ -7,9 +7,7 @@ import pytest
 
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.contacts import Contacts, collect_contacts
-from solutions.world.rows import contact_rows
 from solutions.world.rules import Rules
-from solutions.world.simultaneous import islands
 from solutions.world.sleeping import with_neighbours
 from solutions.world.step import step_world
 
@@ -65,16 +63,6 @@ def test_a_penalty_ball_slides_with_kinetic_friction():
     # In its balance the spring carries the weight; the force along the surface has no time to change
     lost = 5 - np.linalg.norm(after.velocity[1, :2])
     assert lost == pytest.approx(0.2 * G * 1e-3, rel=1e-9)
-
-
-def test_contacts_of_what_is_immovable_join_no_islands():
-    # Ball 0 is fixed, and so it is A of its contacts; 1 and 2 lie on it, apart, and 3 lies on 2
-    bodies = make_bodies([BALL] * 4, [np.inf, 1, 1, 1], 0.004 * np.ones(3))
-    state = make_state([(0, 0, 0), (-0.2, 0, 0), (0.2, 0, 0), (0.4, 0, 0)])
-    contacts = collect_contacts(bodies, state, 1e-9)
-    inverse_inertia = np.where(bodies.inverse_mass > 0, 250.0, 0.0)[:, None, None] * np.eye(3)
-    found = islands(contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia), 4)
-    assert sorted(contacts.body_b[each].tolist() for each in found) == [[1], [2, 3]]
 
 
 def test_a_spin_counts_as_the_speed_of_the_surface_when_bodies_fall_asleep():
