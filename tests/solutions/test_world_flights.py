@@ -8,7 +8,7 @@ import pytest
 from solutions.impulse import rotation_matrix
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.contacts import Contacts
-from solutions.world.flights import TOUCH, TURN, Flight, flown, reach, until_next
+from solutions.world.flights import TOUCH, TURN, Flight, backed_up, flown, reach, until_next
 from solutions.world.rows import contact_rows
 from solutions.world.rules import Rules
 from solutions.world.step import step_world
@@ -139,3 +139,22 @@ def test_a_box_on_a_rough_slope_is_held_in_time_order():
     # Without friction it would slide by 5 mm; the sweeps leave 1e-12 of the weight
     np.testing.assert_allclose(state.position, start.position, atol=1e-9)
     np.testing.assert_allclose(state.velocity, 0, atol=1e-9)
+
+
+def test_a_flight_that_ends_in_an_overlap_is_backed_up_to_its_start():
+    # Arms that turn into fixed balls, each in a group of its own: early, late, and not at all in the flight
+    spin, first, share = 0.2, 2 * np.arcsin(0.1), np.array([0.3, 0.7, 1.2])
+    arm = ("compound", [(("sphere", 0.1), (1.0, 0, 0), (1.0, 0, 0, 0))])
+    bodies = make_bodies([arm, ("sphere", 0.1)] * 3, [1.0, np.inf] * 3, np.ones(3), group=np.repeat(np.arange(3), 2))
+    angle = first + spin * share  # from the arm to the fixed ball
+    place = np.zeros((6, 3))
+    place[1::2] = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
+    state, none = make_state(place), np.zeros((6, 3))
+    turning = none.copy()
+    turning[::2, 2] = spin
+    flight = Flight(none, turning, none, none)
+    nothing = Contacts(*np.zeros((2, 0), dtype=int), *np.zeros((2, 0, 3)), np.zeros(0), np.zeros(0, dtype=int))
+    clock = bodies.group
+    found = backed_up(bodies, state, nothing, np.zeros(0, dtype=bool), flight, clock, np.ones(3))
+    # An overlap of 1e-10 m counts as touch, at 0.2 m/s
+    np.testing.assert_allclose(found, [0.3, 0.7, 1.0], atol=1e-9)

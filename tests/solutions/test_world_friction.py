@@ -52,6 +52,19 @@ def test_a_rough_floor_brakes_what_slides_along_a_smooth_wall(response):
     assert after.velocity[0] == pytest.approx(np.array([0, 3 - 0.4 * G * 0.01, 0]), abs=2e-6)
 
 
+@pytest.mark.parametrize("response", ["sequential", "simultaneous"])
+def test_what_lies_on_a_braking_plate_is_held_by_static_friction(response):
+    # The plate slides on the floor with μ = 0.3. To brake with it, the ball on it needs more than μ_k
+    shapes = [("half-space", (0.0, 0.0, 1.0)), ("box", (1.0, 1.0, 0.1)), ("sphere", 0.1)]
+    kinetic = np.array([[0, 0.3, 0], [0.3, 0, 0.1], [0, 0.1, 0]])
+    static = np.array([[0, 0.4, 0], [0.4, 0, 0.5], [0, 0.5, 0]])
+    bodies = make_bodies(shapes, [np.inf, 2.0, 1.0], np.full(3, np.inf), 0.0, kinetic, static, material=[0, 1, 2])
+    state = make_state([(0, 0, 0), (0, 0, 0.1), (0.2, -0.1, 0.3)], velocity=[(0, 0, 0), (0, 1, 0), (0, 1, 0)])
+    after, _, _ = step_world(bodies, state, (0, 0, -G), 0.01, Rules(response=response, sweeps=500, tolerance=1e-12))
+    # one of the eight directions is along y
+    np.testing.assert_allclose(after.velocity[1:], [(0, 1 - 0.3 * G * 0.01, 0)] * 2, atol=1e-9)
+
+
 def test_islands_are_what_the_contacts_of_movable_bodies_join():
     rng, count = np.random.default_rng(3), 14
     joined = 0

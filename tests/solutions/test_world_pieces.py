@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from solutions.impulse import rotation_matrix
-from solutions.world.boxes import BOX_FACES, BOX_VERTICES
+from solutions.world.boxes import BOX_VERTICES
 from solutions.world.hulls import edges_of, hull_of
 from solutions.world.narrow_phase import PAIRS
 from solutions.world.pieces import bounding_boxes, pieces_of, place_pieces, placed
@@ -30,6 +30,7 @@ def test_the_box_around_a_piece_reaches_as_far_as_its_outermost_points():
     at, turn = rng.normal(size=(5, 3)), rng.normal(size=(5, 4))
     turn /= np.linalg.norm(turn, axis=-1, keepdims=True)
     pieces = pieces_of(shapes)
+    np.testing.assert_array_equal(pieces.size, [(0.3, 0, 0), (0.1, 0.4, 0), (0.2, 0.3, 0.5), (0, 0, 0), (0, 0, 0)])
     lower, upper = bounding_boxes(pieces, *place_pieces(pieces, at, turn))
     # Corners of what lies within the radius, all in the piece's own axes
     cores = [np.zeros((1, 3)), np.array([(0, 0, -0.4), (0, 0, 0.4)]), BOX_VERTICES * (0.2, 0.3, 0.5), np.array(WEDGE)]
@@ -123,12 +124,12 @@ def test_a_hulls_size_is_at_least_half_its_widest_and_at_most_all_of_it():
         assert widest / 2 <= hull_of(piece).size[0] <= widest * (1 + 1e-15)
 
 
-def boxes_touch(half_a, at_a, turn_a, half_b):
-    """Where a box touches one at the origin, each a piece of its own."""
-    pieces = pieces_of([("box", half_a), ("box", half_b)])
-    places = place_pieces(pieces, np.array([at_a, (0, 0, 0)]), np.array([turn_a, (1.0, 0, 0, 0)]))
+def touch_one_upon_another(upper, at, turn, lower):
+    """Where a box, or a polyhedron, touches one at the origin, each a piece of its own."""
+    pieces = pieces_of([upper, lower])
+    places = place_pieces(pieces, np.array([at, (0, 0, 0)]), np.array([turn, (1.0, 0, 0, 0)]))
     a, b = (placed(pieces, np.array([i]), *places) for i in (0, 1))
-    return a, b, PAIRS[BOX, BOX](a, b, 0.0)
+    return a, b, PAIRS[pieces.kind[0], pieces.kind[1]](a, b, 0.0)
 
 
 EIGHTH = (np.cos(np.pi / 8), 0.0, 0.0, np.sin(np.pi / 8))
@@ -140,23 +141,32 @@ def test_a_corner_that_is_cut_off_leaves_two_places_at_any_size(size):
     # The upper box's side crosses the lower one's corner (1, 1), at 0.01 from it along both edges
     middle = (1.99 / 2 - 3 / np.sqrt(2)) * np.array([1, 1])
     at = size * np.array([*middle, 0.999])
-    *_, found = boxes_touch(size * np.array([3, 3, 0.5]), at, EIGHTH, size * np.array([1, 1, 0.5]))
+    boxes = [("box", size * np.array(half)) for half in ((3, 3, 0.5), (1, 1, 0.5))]
+    *_, found = touch_one_upon_another(boxes[0], at, EIGHTH, boxes[1])
     expected = [(-1, -1), (-1, 1), (0.99, 1), (1, -1), (1, 0.99)]
     # digits that a millimetre keeps beside sizes of 3 mm
     np.testing.assert_allclose(sorted(np.round(found.point[:, :2] / size, 9).tolist()), expected, atol=2e-9)
 
 
-def test_a_place_where_two_edges_cross_is_named_after_both():
-    a, b, found = boxes_touch((1, 1, 0.5), (0, 0, 0.99), EIGHTH, (1, 1, 0.5))
-    ends = edges_of(BOX_FACES).ends
-    assert len(found.feature) == 8
+@pytest.mark.parametrize("corners", [4, 6])
+def test_a_place_where_two_edges_cross_is_named_after_both(corners):
+    # A box that is turned by 45° lies on one, or on a hexagonal prism, which has more edges
+    angle = np.arange(corners) * 2 * np.pi / corners + np.pi / 4
+    lower = ("polyhedron", *prism(np.sqrt(2) * np.column_stack([np.cos(angle), np.sin(angle)])))
+    a, b, found = touch_one_upon_another(("box", (1, 1.1, 0.5)), (0, 0, 1.49), EIGHTH, lower)
+    edges = [edges_of(piece.faces) for piece in (a, b)]
+    beyond = len(a.vertices[0]) + len(b.vertices[0])  # the vertices' own names come first
+    crossings = 0
     for point, feature in zip(found.point, found.feature, strict=True):
         nearest = []
-        for piece in (a, b):
-            start, stop = (piece.vertices[0][end] for end in ends.T)
+        for piece, its in zip((a, b), edges, strict=True):
+            start, stop = (piece.vertices[0][end] for end in its.ends.T)
             way = (stop - start) / np.linalg.norm(stop - start, axis=-1)[:, None]
             nearest.append(int(np.argmin(np.linalg.norm(np.cross(point - start, way), axis=-1))))
-        assert feature == 8 + 8 + 12 * nearest[0] + nearest[1]  # after the vertices of both
+        crossings += feature >= beyond
+        assert feature < beyond or feature == beyond + len(edges[1].ends) * nearest[0] + nearest[1]
+    assert crossings >= 6
+    assert len(np.unique(found.feature)) == len(found.feature)
 
 
 def test_capsules_hardly_askew_touch_where_their_cores_end():
