@@ -100,7 +100,7 @@ def test_faces_with_more_and_with_fewer_corners_touch_at_all_they_share():
     for small, low, count in ((hexagon, 1.0, 6), (tetrahedron, 0.05, 3)):
         for turned, way in ((upright, 1), (over, -1)):
             pieces = pieces_of([table, small])
-            at = np.array([[0.1, -0.2, 0], [0, 0, way * (0.5 + low - 0.01)]])
+            at = np.array([[0.02, -0.01, 0], [0, 0, way * (0.5 + low - 0.01)]])
             places = place_pieces(pieces, at, np.array([upright, turned]))
             a, b = (placed(pieces, np.array([i]), *places) for i in (0, 1))
             found = PAIRS[BOX, POLYHEDRON](a, b, 0.0)
@@ -190,6 +190,41 @@ def test_capsules_hardly_askew_touch_where_their_cores_end():
     assert np.all(np.abs(along) <= 0.5 + 1e-14)
     nearest = np.stack([0 * along, 0 * along, np.clip(on_core[:, 2], -0.4, 0.4)], axis=-1)
     np.testing.assert_allclose(found.separation, np.linalg.norm(on_core - nearest, axis=-1) - 0.4, atol=1e-14)
+
+
+def test_a_short_capsule_lies_with_both_ends_on_a_long_one():
+    # Its core is 1 cm long, that of the other 20 m
+    pieces = pieces_of([("capsule", 0.02, 0.005), ("capsule", 0.02, 10.0)])
+    places = place_pieces(pieces, np.array([(0.039, 0, 3), (0, 0, 0)]), np.tile([1.0, 0, 0, 0], (2, 1)))
+    found = PAIRS[CAPSULE, CAPSULE](*(placed(pieces, np.array([i]), *places) for i in (0, 1)), 0.0)
+    np.testing.assert_array_equal(found.feature, [1, 2])
+    np.testing.assert_allclose(found.point, [(0.0195, 0, 2.995), (0.0195, 0, 3.005)], atol=1e-14)
+
+
+def capsule_on_box(size, half_extents, at, turn):
+    """Where a capsule touches a box at the origin."""
+    pieces = pieces_of([("capsule", *size), ("box", half_extents)])
+    places = place_pieces(pieces, np.array([at, (0, 0, 0)]), np.array([turn, (1.0, 0, 0, 0)]))
+    return PAIRS[CAPSULE, BOX](*(placed(pieces, np.array([i]), *places) for i in (0, 1)), 0.0)
+
+
+def test_a_small_capsule_touches_the_edge_of_a_large_box_where_it_is_nearest():
+    # Its axis leans by 60° over an edge of 10 m; what counts as equally near is a share of the capsule's own size
+    out, lean = np.array([0.5, 0, np.sqrt(0.75)]), np.pi / 3
+    axis = np.array([np.sqrt(0.75), 0, -0.5])
+    at = np.array([5, 0.1, 3]) + 0.0038 * out - 0.002 * axis
+    found = capsule_on_box((0.004, 0.01), (5, 7, 3), at, (np.cos(lean), 0, np.sin(lean), 0))
+    np.testing.assert_array_equal(found.feature, [2])
+    # rounding of 5 m, divided by a distance of 4 mm
+    np.testing.assert_allclose(found.normal, [out], atol=1e-11)
+    np.testing.assert_allclose(found.separation, [-0.0002], atol=1e-14)
+
+
+def test_a_capsule_that_just_reaches_over_a_face_touches_it_once():
+    # Its core ends a tenth of a micrometre within the face
+    found = capsule_on_box((0.2, 0.5), (0.5, 0.7, 0.3), (1 - 1e-7, 0.1, 0.49), (np.sqrt(0.5), 0, np.sqrt(0.5), 0))
+    assert len(found.pair) == 1
+    np.testing.assert_allclose(found.point, [(0.5, 0.1, 0.295)], atol=2e-6)  # up to a millionth of the size
 
 
 def test_normal_and_tangents_are_a_right_handed_frame():
