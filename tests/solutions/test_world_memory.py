@@ -7,6 +7,8 @@ import pytest
 
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.contacts import Contacts, collect_contacts
+from solutions.world.memory import Memory, remembered
+from solutions.world.rows import contact_rows
 from solutions.world.rules import Rules
 from solutions.world.sleeping import with_neighbours
 from solutions.world.step import step_world
@@ -37,6 +39,25 @@ def test_no_two_contacts_of_a_heap_have_the_same_name():
     )
     assert len(contacts.key) > 50
     assert len(np.unique(contacts.key)) == len(contacts.key)
+
+
+@pytest.mark.parametrize("decoupled", [True, False])
+def test_a_remembered_impulse_is_the_same_vector_and_a_new_contact_has_none(decoupled):
+    # The contacts have turned since, and come in another order; some are new, and some of the last step are gone
+    rng, count = np.random.default_rng(6), 12
+    kept, gone = rng.normal(size=(8, 3)), rng.normal(size=(3, 3))
+    key = rng.permutation(1000)[: count + 3]
+    memory = Memory(np.concatenate([key[:8], key[count:]]), np.concatenate([kept, gone]))
+    order = rng.permutation(count)
+    normal = rng.normal(size=(count, 3))
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    a, b, point = np.arange(count), np.arange(count) + count, rng.normal(size=(count, 3))
+    contacts = Contacts(a, b, point, normal, np.zeros(count), key[:count][order])
+    inverse_inertia = np.tile(np.diag([1.0, 2.0, 5.0]), (2 * count, 1, 1))
+    rows = contact_rows(contacts, rng.normal(size=(2 * count, 3)), np.ones(2 * count), inverse_inertia, decoupled)
+    expected = np.concatenate([kept, np.zeros((4, 3))])[order]
+    start = remembered(memory, contacts, rows)
+    np.testing.assert_allclose(np.vecmat(start, rows.direction), expected, atol=1e-14)  # some roundings
 
 
 def test_a_state_does_not_change_with_what_it_was_made_of():

@@ -90,3 +90,21 @@ def test_a_driven_wall_does_not_fall_asleep_and_moves_sleepers(speed):
     assert state.position[0, 0] == pytest.approx(way, abs=1.1e-4)
     assert state.position[1, 0] == pytest.approx(way - 0.2, abs=1e-14)
     np.testing.assert_allclose(state.velocity[:, 0], speed, rtol=1e-9)
+
+
+def test_an_awake_ball_rolls_while_another_body_sleeps():
+    bodies, state = boxes([0.1], [[0, 0, 0]])
+    both = make_bodies(
+        [("half-space", (0, 0, 1)), ("box", (0.1, 0.1, 0.1)), ("sphere", 0.1)],
+        [np.inf, 1.0, 2.0],
+        [*bodies.moments, [0.008] * 3],
+        friction=0.1,
+    )
+    start = make_state([*state.position, (3, 2, 0.1)], velocity=[(0, 0, 0), (0, 0, 0), (0.7, -0.2, 0)])
+    state, memory = start, NOTHING
+    for _ in range(30):
+        state, memory, _ = step_world(both, state, G, 0.01, SLEEPY, memory)
+    assert memory.still[1] >= SLEEPY.sleep_after
+    # Until 0.21 s sliding friction leaves 5/7 of its speed, and then it rolls; the box sleeps from 0.1 s. The sweeps end at changes of 1e-6
+    np.testing.assert_allclose(state.velocity[2], 5 / 7 * start.velocity[2], atol=1e-5)
+    np.testing.assert_allclose(state.angular_velocity[2], np.array([0.2, 0.7, 0]) * 5 / 7 / 0.1, atol=1e-4)
