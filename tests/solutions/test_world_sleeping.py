@@ -105,6 +105,7 @@ def test_an_awake_ball_rolls_while_another_body_sleeps():
     for _ in range(30):
         state, memory, _ = step_world(both, state, G, 0.01, SLEEPY, memory)
     assert memory.still[1] >= SLEEPY.sleep_after
-    # Until 0.21 s sliding friction leaves 5/7 of its speed, and then it rolls; the box sleeps from 0.1 s. The sweeps end at changes of 1e-6
+    # The box sleeps from 0.1 s on. Until 0.21 s the ball slides and keeps 5/7 of its speed, and then it rolls.
+    # The sweeps end at changes of 1e-6.
     np.testing.assert_allclose(state.velocity[2], 5 / 7 * start.velocity[2], atol=1e-5)
     np.testing.assert_allclose(state.angular_velocity[2], np.array([0.2, 0.7, 0]) * 5 / 7 / 0.1, atol=1e-4)
