@@ -79,23 +79,27 @@ def test_a_flight_ends_when_its_fastest_body_has_turned_far():
 
 
 def test_coefficients_in_time_order_are_those_of_the_two_materials():
-    # Balls of two materials on a floor of a third: each takes its own pair's e and μ, and slides on
-    e = np.array([[0.1, 0.2, 0.6], [0.2, 0.3, 0.4], [0.6, 0.4, 0.9]])
-    mu = np.array([[0.9, 0.8, 0.05], [0.8, 0.7, 0.1], [0.05, 0.1, 0.6]])
+    # Balls of three materials, each over a floor of a fourth in a group of its own, are struck at once and slide on
+    e, mu = np.full((2, 4, 4), 0.9)
+    e[3, :3] = e[:3, 3] = 0.6, 0.4, 0.5
+    mu[3, :3] = mu[:3, 3] = 0.05, 0.1, 0.0
+    count, floor = 3, ("half-space", UP)
     bodies = make_bodies(
-        [("half-space", UP), ("sphere", 0.1), ("sphere", 0.1)],
-        [np.inf, 1, 1],
-        [[0.004] * 3] * 3,
+        [floor, ("sphere", 0.1)] * count,
+        [np.inf, 1] * count,
+        0.004 * np.ones(3),
         e,
         mu,
-        material=[2, 0, 1],
+        material=[3, 0, 3, 1, 3, 2],
+        group=[0, 0, 1, 1, 2, 2],
     )
-    state = make_state([(0, 0, 0), (1, 0, 0.1), (2, 0, 0.1)], velocity=[(0, 0, 0), (4, 3, -1), (4, 3, -1)])
+    state = make_state([(0, 0, 0), (0, 0, 0.1)] * count, velocity=[(0, 0, 0), (4, 3, -1)] * count)
     after, _, _ = step_world(bodies, state, (0, 0, 0), 1e-9, Rules(response="in time order"))
-    for body, material in ((1, 0), (2, 1)):
-        kept = 1 - mu[material, 2] * (1 + e[material, 2]) / 5  # of a slip of 5 m/s
+    for material in range(count):
+        kept = 1 - mu[material, 3] * (1 + e[material, 3]) / 5  # of a slip of 5 m/s
         # a few roundings
-        assert after.velocity[body] == pytest.approx(np.array([4 * kept, 3 * kept, e[material, 2]]), abs=1e-14)
+        expected = np.array([4 * kept, 3 * kept, e[material, 3]])
+        assert after.velocity[2 * material + 1] == pytest.approx(expected, abs=1e-14)
 
 
 def test_what_does_not_touch_flies_on_when_no_look_is_left():

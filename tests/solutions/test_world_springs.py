@@ -23,11 +23,11 @@ def ball(velocity, depth=0.0, restitution=0.0, friction=0.0):
 
 def test_a_penalty_contact_without_rebound_leaves_e_to_the_minus_two():
     """A critically damped contact that cannot pull ends at ω t = 2, with the speed v exp(−2)."""
-    (bodies, state), memory, dt = ball((0, 0, -1.0)), NOTHING, 4e-4
-    for _ in range(75):
+    (bodies, state), memory, dt = ball((0, 0, -1.0)), NOTHING, 1e-3
+    for _ in range(30):
         state, memory, _ = step_world(bodies, state, (0, 0, 0), dt, RULES, memory)
-    # first order in ω Δt = 3.3 %
-    assert state.velocity[0, 2] == pytest.approx(np.exp(-2), rel=0.06)
+    # first order in ω Δt = 8 %
+    assert state.velocity[0, 2] == pytest.approx(np.exp(-2), rel=0.12)
 
 
 def test_the_spring_of_penalty_friction_is_weaker_as_the_contact_is_lighter():
