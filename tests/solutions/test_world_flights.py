@@ -128,6 +128,14 @@ def test_a_torque_rolls_a_ball_with_what_its_contact_point_feels(response):
     np.testing.assert_allclose(after.velocity[0], np.cross(spin, 0.1 * UP), atol=tolerance * 0.1 * np.linalg.norm(spin))
 
 
+def test_a_slow_ball_that_is_held_comes_nearer_but_not_too_near():
+    # Free, it would fall by 2 mm. Held by a constant force it gains gap/Δt, and so it goes half of its gap of 0.5 mm
+    bodies = make_bodies([("sphere", 0.1), ("half-space", UP)], [2.0, np.inf], 0.008 * np.ones(3), 0.5)
+    state, rules = make_state([(0, 0, 0.1005), (0, 0, 0)]), Rules(response="in time order")
+    after, *_ = step_world(bodies, state, -9.81 * UP, 0.02, rules)
+    assert after.position[0, 2] - 0.1 == pytest.approx(0.00025, abs=1e-12)
+
+
 def test_balls_one_upon_another_are_held_in_time_order():
     # Each takes what the next one above it leaves; no two contacts of one ball take their turn at once
     shapes, heights = [("half-space", UP), *[("sphere", 0.1)] * 3], np.array([0, 0.1, 0.3, 0.5])
@@ -146,9 +154,9 @@ def test_a_box_on_a_rough_slope_is_held_in_time_order():
     angle, half = 0.3, np.array([0.3, 0.2, 0.1])
     lean = (np.cos(angle / 2), 0, np.sin(angle / 2), 0)
     normal = np.array([np.sin(angle), 0, np.cos(angle)])
-    bodies = make_bodies(
-        [("box", half), ("half-space", normal)], [2.0, np.inf], np.array([0.033, 0.067, 0.087]), 0.5, 0.5
-    )
+    friction = np.array([[0, 0.5], [0.5, 0]])  # between the two materials, and none between two of a kind
+    shapes, moments = [("box", half), ("half-space", normal)], np.array([0.033, 0.067, 0.087])
+    bodies = make_bodies(shapes, [2.0, np.inf], moments, 0.5, friction, material=[0, 1])
     start = make_state([0.1 * normal, (0, 0, 0)], [lean, (1, 0, 0, 0)])
     state, rules = start, Rules(response="in time order", sweeps=500, tolerance=1e-12)
     for _ in range(3):
@@ -172,6 +180,9 @@ def test_a_flight_that_ends_in_an_overlap_is_backed_up_to_its_start():
     flight = Flight(none, turning, none, none)
     nothing = Contacts(*np.zeros((2, 0), dtype=int), *np.zeros((2, 0, 3)), np.zeros(0), np.zeros(0, dtype=int))
     clock = bodies.group
-    found = backed_up(bodies, state, nothing, np.zeros(0, dtype=bool), flight, clock, np.ones(3))
-    # An overlap of 1e-10 m counts as touch, at 0.2 m/s
-    np.testing.assert_allclose(found, [0.3, 0.7, 1.0], atol=1e-9)
+    # What was near before is nothing, or another contact, of a lower name
+    one = Contacts(np.array([4]), np.array([5]), np.zeros((1, 3)), UP[None], np.ones(1), np.zeros(1, dtype=int))
+    for near in (nothing, one):
+        found = backed_up(bodies, state, near, np.zeros(len(near.key), dtype=bool), flight, clock, np.ones(3))
+        # An overlap of 1e-10 m counts as touch, at 0.2 m/s
+        np.testing.assert_allclose(found, [0.3, 0.7, 1.0], atol=1e-9)

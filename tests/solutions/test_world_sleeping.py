@@ -109,3 +109,15 @@ def test_an_awake_ball_rolls_while_another_body_sleeps():
     # The sweeps end at changes of 1e-6.
     np.testing.assert_allclose(state.velocity[2], 5 / 7 * start.velocity[2], atol=1e-5)
     np.testing.assert_allclose(state.angular_velocity[2], np.array([0.2, 0.7, 0]) * 5 / 7 / 0.1, atol=1e-4)
+
+
+def test_a_blow_wakes_no_sleeper_that_it_does_not_reach():
+    bodies = make_bodies([("sphere", 0.1)] * 3, 1.0, [[0.004] * 3] * 3)
+    state, memory = (
+        make_state([(0, 0, 0), (0, 3, 0), (-0.5, 0, 0)], velocity=[(0, 0, 0), (0, 0, 0), (1.5, 0, 0)]),
+        NOTHING,
+    )
+    for _ in range(40):  # it strikes after 20 steps
+        state, memory, _ = step_world(bodies, state, (0, 0, 0), 0.01, SLEEPY, memory)
+    assert state.velocity[0, 0] == pytest.approx(0.75)
+    np.testing.assert_allclose(memory.still[:2], [0, 0.4], atol=1e-12)
