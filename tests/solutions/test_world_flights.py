@@ -206,3 +206,17 @@ def test_a_flight_that_ends_in_an_overlap_is_backed_up_to_its_start():
         found = backed_up(bodies, state, near, np.zeros(len(near.key), dtype=bool), flight, clock, np.ones(3))
         # An overlap of 1e-10 m counts as touch, at 0.2 m/s
         np.testing.assert_allclose(found, [0.3, 0.7, 1.0], atol=1e-9)
+
+
+def test_a_spike_that_grazes_the_floor_once_in_a_turn_is_met():
+    # At 0.8 rad/s its tip is below the floor for no more than 0.4 rad of the 6 rad of one step
+    corners = np.array([(-0.5, 0, 0), (0.02, 0.02, 0), (0.02, -0.02, 0.02), (0.02, -0.02, -0.02)])
+    faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    bodies = make_bodies([("polyhedron", corners, faces), ("half-space", UP)], [1.0, np.inf], np.full(3, 0.1), 1.0)
+    state = make_state([(0, 0, 0.49), (0, 0, 0)], angular_velocity=[(0, 0.8, 0), (0, 0, 0)])
+    after, *_ = step_world(bodies, state, (0, 0, 0), 7.5, Rules(response="in time order"))
+    arm = np.sqrt(0.5**2 - 0.49**2)
+    impulse = 2 * 0.8 * arm / (1 + arm**2 / 0.1)
+    # a touch of 1e-10 m, which moves the place of the tip by five times as much
+    assert after.velocity[0, 2] == pytest.approx(impulse, abs=1e-8)
+    assert after.angular_velocity[0, 1] == pytest.approx(0.8 - arm * impulse / 0.1, abs=1e-8)
