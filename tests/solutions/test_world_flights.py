@@ -214,7 +214,7 @@ def test_a_spike_that_grazes_the_floor_once_in_a_turn_is_met():
     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
     bodies = make_bodies([("polyhedron", corners, faces), ("half-space", UP)], [1.0, np.inf], np.full(3, 0.1), 1.0)
     state = make_state([(0, 0, 0.49), (0, 0, 0)], angular_velocity=[(0, 0.8, 0), (0, 0, 0)])
-    after, *_ = step_world(bodies, state, (0, 0, 0), 7.5, Rules(response="in time order"))
+    after, *_ = step_world(bodies, state, (0, 0, 0), 7.5, Rules(response="in time order", rest_speed=1e-3))
     arm = np.sqrt(0.5**2 - 0.49**2)
     impulse = 2 * 0.8 * arm / (1 + arm**2 / 0.1)
     # a touch of 1e-10 m, which moves the place of the tip by five times as much
