@@ -7,7 +7,7 @@ import pytest
 
 from solutions.impulse import rotation_matrix
 from solutions.world.bodies import make_bodies, make_state
-from solutions.world.contacts import Contacts
+from solutions.world.contacts import Contacts, collect_contacts
 from solutions.world.flights import TOUCH, TURN, Flight, backed_up, flown, reach, until_next
 from solutions.world.rows import contact_rows
 from solutions.world.rules import Rules
@@ -27,7 +27,7 @@ def test_two_bodies_close_no_more_than_the_reach_and_not_far_less(velocity, acce
     left = 0.2
     rod = ("compound", [(("capsule", 0.05, 1.5), (0, 0, 1.0), (1, 0, 0, 0))])
     bodies = make_bodies([rod] * 2, 1.0, [[0.4, 0.4, 0.01]] * 2)
-    lying = (np.sqrt(0.5), 0, np.sqrt(0.5), 0)
+    lying = (np.sqrt(0.5), 0, -np.sqrt(0.5), 0)
     both = np.array([[1.0], [-1.0]])
     state = make_state([(3, 1, 2), (3, 8, 2)], lying, both * velocity, both * spin)
     far = reach(bodies, state, both * acceleration, np.full(2, left))
@@ -37,7 +37,7 @@ def test_two_bodies_close_no_more_than_the_reach_and_not_far_less(velocity, acce
     ends = [rotation_matrix(each.orientation) @ (0, 0, 2.5) for each in (state, after)]
     moved = after.position - state.position + ends[1] - ends[0]
     farthest = 2 * np.max(np.linalg.norm(moved, axis=-1))
-    assert farthest <= far <= 1.5 * farthest + TOUCH
+    assert farthest <= far <= 2 * farthest + TOUCH
 
 
 def test_a_gap_closes_at_the_first_root_of_its_parabola():
@@ -187,25 +187,27 @@ def test_a_corner_that_slides_in_time_order_is_braked_against_its_slip():
 
 
 def test_a_flight_that_ends_in_an_overlap_is_backed_up_to_its_start():
-    # Arms that turn into fixed balls, each in a group of its own: early, late, and not at all in the flight
-    spin, first, share = 0.2, 2 * np.arcsin(0.1), np.array([0.3, 0.7, 1.2])
-    arm = ("compound", [(("sphere", 0.1), (1.0, 0, 0), (1.0, 0, 0, 0))])
-    bodies = make_bodies([arm, ("sphere", 0.1)] * 3, [1.0, np.inf] * 3, np.ones(3), group=np.repeat(np.arange(3), 2))
+    # Arms that turn into fixed balls, each in a group of its own: early, late and not at all; the last one rests on its
+    # ball, a little too deep, which is no reason to back up
+    spin, first, share = 0.2, 2 * np.arcsin(0.1), np.array([0.3, 0.7, 1.2, -1e-5])
+    arm, count = ("compound", [(("sphere", 0.1), (1.0, 0, 0), (1.0, 0, 0, 0))]), 4
+    group = np.repeat(np.arange(count), 2)
+    bodies = make_bodies([arm, ("sphere", 0.1)] * count, [1.0, np.inf] * count, np.ones(3), group=group)
     angle = first + spin * share  # from the arm to the fixed ball
-    place = np.zeros((6, 3))
+    place = np.zeros((2 * count, 3))
     place[1::2] = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
-    state, none = make_state(place), np.zeros((6, 3))
+    state, none = make_state(place), np.zeros((2 * count, 3))
     turning = none.copy()
-    turning[::2, 2] = spin
-    flight = Flight(none, turning, none, none)
-    nothing = Contacts(*np.zeros((2, 0), dtype=int), *np.zeros((2, 0, 3)), np.zeros(0), np.zeros(0, dtype=int))
-    clock = bodies.group
-    # What was near before is nothing, or another contact, of a lower name
-    one = Contacts(np.array([4]), np.array([5]), np.zeros((1, 3)), UP[None], np.ones(1), np.zeros(1, dtype=int))
-    for near in (nothing, one):
-        found = backed_up(bodies, state, near, np.zeros(len(near.key), dtype=bool), flight, clock, np.ones(3))
+    turning[:6:2, 2] = spin
+    flight, touching = Flight(none, turning, none, none), collect_contacts(bodies, state)
+    assert touching.body_b.tolist() == [7]
+    # What was near before is this contact, alone or after one that is gone; or only that one, and the overlap is new
+    gone = Contacts(np.array([4]), np.array([5]), np.zeros((1, 3)), UP[None], np.ones(1), np.zeros(1, dtype=int))
+    both = Contacts(*(np.concatenate(parts) for parts in zip(gone, touching, strict=True)))
+    for near, last in ((touching, 1.0), (both, 1.0), (gone, 0.0)):
+        found = backed_up(bodies, state, near, np.ones(len(near.key), dtype=bool), flight, group, np.ones(count))
         # An overlap of 1e-10 m counts as touch, at 0.2 m/s
-        np.testing.assert_allclose(found, [0.3, 0.7, 1.0], atol=1e-9)
+        np.testing.assert_allclose(found, [0.3, 0.7, 1.0, last], atol=1e-9)
 
 
 def test_a_spike_that_grazes_the_floor_once_in_a_turn_is_met():
