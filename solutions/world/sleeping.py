@@ -38,7 +38,7 @@ def is_fast(bodies: Bodies, state: State, rules: Rules) -> Booleans:
     """
     spin = rules.sleep_size * np.linalg.norm(state.angular_velocity, axis=-1)
     speed = np.maximum(np.linalg.norm(state.velocity, axis=-1), spin)
-    return np.where(bodies.inverse_mass > 0, speed >= rules.sleep_speed, speed > 0)
+    return np.asarray(np.where(bodies.inverse_mass > 0, speed >= rules.sleep_speed, speed > 0))
 
 
 def is_awake(bodies: Bodies, state: State, rules: Rules) -> Booleans:
