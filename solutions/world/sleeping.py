@@ -10,7 +10,7 @@ import numpy as np
 
 from solutions.arrays import Booleans
 from solutions.world.bodies import Bodies, State
-from solutions.world.contacts import Contacts
+from solutions.world.contacts import Contacts, collect_contacts
 from solutions.world.rules import Rules
 
 
@@ -33,11 +33,25 @@ def with_sleepers(bodies: Bodies, state: State, asleep: Booleans) -> tuple[Bodie
 def is_fast(bodies: Bodies, state: State, rules: Rules) -> Booleans:
     """Whether each body (n,) moves too fast to sleep.
 
-    Its speed is that of its centre, or of its surface at `sleep_size`.
+    Its speed is that of its centre, or of its surface at `sleep_size`. An immovable
+    body that moves is driven, such as a lift. It never sleeps, however slow it is.
     """
     spin = rules.sleep_size * np.linalg.norm(state.angular_velocity, axis=-1)
     speed = np.maximum(np.linalg.norm(state.velocity, axis=-1), spin)
-    return np.asarray((speed >= rules.sleep_speed) & (bodies.inverse_mass > 0))
+    return np.asarray(np.where(bodies.inverse_mass > 0, speed >= rules.sleep_speed, speed > 0))
+
+
+def is_awake(bodies: Bodies, state: State, rules: Rules) -> Booleans:
+    """Whether each body (n,) moves too fast to sleep, or touches one that is driven.
+
+    A sleeper is immovable for a step, and two immovable bodies make no contact. So a
+    sleeper would not notice what is driven into it.
+    """
+    fast = is_fast(bodies, state, rules)
+    driven = fast & (bodies.inverse_mass == 0)
+    if not np.any(driven):
+        return fast
+    return fast | with_neighbours(driven, collect_contacts(bodies, state, rules.margin))
 
 
 def with_neighbours(chosen: Booleans, contacts: Contacts) -> Booleans:

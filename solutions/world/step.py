@@ -15,7 +15,7 @@ from solutions.world.responses import RESPONSES, Question
 from solutions.world.rows import contact_rows, speeds
 from solutions.world.rules import Rules, known
 from solutions.world.sequential import Wanted, in_groups
-from solutions.world.sleeping import is_fast, with_neighbours, with_sleepers
+from solutions.world.sleeping import is_awake, is_fast, with_neighbours, with_sleepers
 from solutions.world.time_order import step_in_time_order
 
 
@@ -136,7 +136,7 @@ def _step_with_sleepers(
     A struck sleeper wakes with all that lie against it, and the step is taken again:
     what it receives, it has to pass on.
     """
-    awake_rules, fast = rules._replace(sleep_speed=0.0), is_fast(bodies, state, rules)
+    awake_rules, fast = rules._replace(sleep_speed=0.0), is_awake(bodies, state, rules)
     still = np.where(fast, 0.0, np.broadcast_to(memory.still, fast.shape))
     while True:
         asleep = still >= rules.sleep_after

@@ -311,6 +311,14 @@ def test_a_force_at_a_point_turns_a_body_and_the_world_takes_none():
     assert np.array_equal(torque, [(0, 0, -1.0), (0, 0, 0)])
 
 
+def test_a_spring_of_no_rest_length_pulls_in_proportion_to_its_length():
+    # Neither a rest length nor a damping is given
+    state = random_state(9)
+    force, torque = spring_forces(state, [0], [(0, 0, 0)], [WORLD], [(1.0, 2.0, -1.0)], 30.0)
+    np.testing.assert_allclose(force[0], 30 * (np.array([1.0, 2.0, -1.0]) - state[0][0]), rtol=1e-14)
+    assert not torque.any()
+
+
 @pytest.mark.parametrize(
     ("change", "match"),
     [

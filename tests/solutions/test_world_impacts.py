@@ -216,3 +216,16 @@ def test_the_world_parts_from_the_laws_of_topics_where_a_rods_slip_turns():
     assert left[DISSIPATIVE] - left[NEWTON] > 0.1
     assert abs(left[STRONGE] - left[DISSIPATIVE]) < 0.02  # the world's own law is the nearer to what was followed
     assert left["world, " + POISSON] == pytest.approx(left[NEWTON])  # two phases, and within each one impulse
+
+
+@pytest.mark.parametrize("response", ["sequential", "simultaneous", "in time order"])
+def test_an_approach_rebounds_only_above_the_rest_speed(response):
+    ball, floor = ("sphere", 0.1), ("half-space", FLOOR_NORMAL)
+    speeds = (0.099, 0.101, -0.05)  # the last one parts
+    things = []
+    for group, speed in enumerate(speeds):
+        things += [Thing(floor, group=group), Thing(ball, 2.0, (0.3, 0, 0.1), velocity=(0, 0, -speed), group=group)]
+    bodies, start = scene(things, restitution=0.6)
+    after, _, _ = step_world(bodies, start, FREE, 1e-6, Rules(response=response, rest_speed=0.1))
+    # rounding; a gap of 1e-17 m counts with 1/Δt
+    np.testing.assert_allclose(after.velocity[1::2, 2], [0.0, 0.6 * 0.101, 0.05], atol=1e-10)

@@ -139,7 +139,16 @@ def test_a_box_cut_into_unequal_parts_of_all_kinds_is_the_box():
     assert volume(whole) == pytest.approx(6.0, rel=1e-14)
 
 
-@pytest.mark.parametrize("make", [lambda: L_SHAPE, hull], ids=["compound", "convex solid"])
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: L_SHAPE,
+        hull,
+        lambda: box_of_faces((0.3, 0.1, 0.2), UPRIGHT, AWAY),
+        lambda: box_of_faces((0.3, 0.1, 0.2), TURNED),
+    ],
+    ids=["compound", "convex solid", "only shifted", "only turned"],
+)
 def test_a_shape_that_is_moved_and_turned_takes_its_mass_along(make):
     shape = make()
     moved = ("compound", ((shape, AWAY, TURNED),))
@@ -161,7 +170,16 @@ def corners_of(shape, position, orientation):
     return np.concatenate(parts)
 
 
-@pytest.mark.parametrize("make", [lambda: L_SHAPE, hull], ids=["compound", "convex solid"])
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: L_SHAPE,
+        hull,
+        lambda: box_of_faces((0.3, 0.1, 0.2), UPRIGHT, AWAY),
+        lambda: box_of_faces((0.3, 0.1, 0.2), TURNED),
+    ],
+    ids=["compound", "convex solid", "only shifted", "only turned"],
+)
 def test_a_shape_in_its_principal_axes_is_where_it_was(make):
     shape = make()
     own, moments, centre, orientation = in_principal_axes(shape, 2.0)
