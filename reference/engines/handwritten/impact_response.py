@@ -19,7 +19,7 @@ IMPULSE_BY = {
     STRONGE: "stronge_impulse",
 }
 """The function that gives the impulse of an impact with friction, by its law."""
-NEEDS_A_WORLD = "needs a rigid-body world (world)"
+NEEDS_A_WORLD = "needs a rigid-body world, which the profile world has"
 MEETS_AGAIN = f"{NEEDS_A_WORLD}: the two meet again after their impact, unless the result of the impact is wrong"
 
 
