@@ -10,7 +10,7 @@ import numpy as np
 
 from solutions.arrays import Booleans
 from solutions.world.bodies import Bodies, State
-from solutions.world.contacts import Contacts
+from solutions.world.contacts import Contacts, collect_contacts
 from solutions.world.rules import Rules
 
 
@@ -33,11 +33,18 @@ def with_sleepers(bodies: Bodies, state: State, asleep: Booleans) -> tuple[Bodie
 def is_fast(bodies: Bodies, state: State, rules: Rules) -> Booleans:
     """Whether each body (n,) moves too fast to sleep.
 
-    Its speed is that of its centre, or of its surface at `sleep_size`.
+    Its speed is that of its centre, or of its surface at `sleep_size`. An immovable
+    body that moves, such as a lift, is driven from outside: however slow it is, neither
+    it nor what touches it sleeps.
     """
     spin = rules.sleep_size * np.linalg.norm(state.angular_velocity, axis=-1)
     speed = np.maximum(np.linalg.norm(state.velocity, axis=-1), spin)
-    return np.asarray((speed >= rules.sleep_speed) & (bodies.inverse_mass > 0))
+    driven = (speed > 0) & (bodies.inverse_mass == 0)
+    fast = (speed >= rules.sleep_speed) & (bodies.inverse_mass > 0)
+    if np.any(driven):
+        # A driven body and a sleeper, both immovable in this step, would not meet in it.
+        fast |= with_neighbours(driven, collect_contacts(bodies, state, rules.margin))
+    return np.asarray(fast)
 
 
 def with_neighbours(chosen: Booleans, contacts: Contacts) -> Booleans:

@@ -8,6 +8,7 @@ import pytest
 from solutions.world.bodies import make_bodies, make_state
 from solutions.world.memory import NOTHING
 from solutions.world.rules import Rules
+from solutions.world.run import run_world
 from solutions.world.step import step_world
 
 G = (0.0, 0.0, -9.81)
@@ -70,3 +71,16 @@ def test_sleepers_that_are_struck_lose_no_momentum():
     assert state.velocity[2, 0] > 0.1  # the blow has reached the last one
     # 1e-12: to rounding; no ball was so slow after the blow that it fell asleep
     np.testing.assert_allclose(state.velocity.sum(axis=0), [1.5, 0, 0], atol=1e-12)
+
+
+def test_a_driven_body_never_sleeps_and_wakes_what_it_meets():
+    # A slider that is driven at 1 m/s meets a sleeping box of 1 kg after 0.5 s.
+    shapes = [("box", (0.2, 0.3, 0.1)), ("box", (0.1, 0.2, 0.1)), ("half-space", (0.0, 0.0, 1.0))]
+    moments = [[np.inf] * 3, [0.05 / 3, 0.02 / 3, 0.05 / 3], [np.inf] * 3]
+    bodies = make_bodies(shapes, [np.inf, 1.0, np.inf], moments, friction=0.4)
+    velocity = [(1.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)]
+    state = make_state([(0.0, 0.0, 0.101), (0.8, 0.05, 0.1), (0.0, 0.0, 0.0)], velocity=velocity)
+    states = run_world(bodies, state, G, 1 / 60, 45, SLEEPY)
+    assert not states.velocity[25, 1].any()  # it sleeps: not even rounding moves it
+    assert states.position[-1, 0] == pytest.approx((0.75, 0, 0.101), abs=1e-12)  # driven for 0.75 s
+    assert states.position[-1, 1, 0] >= 0.75 + 0.3 - 1e-3  # m; pushed ahead, but for some slop
