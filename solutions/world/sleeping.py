@@ -42,7 +42,7 @@ def is_fast(bodies: Bodies, state: State, rules: Rules) -> Booleans:
     driven = (speed > 0) & (bodies.inverse_mass == 0)
     fast = (speed >= rules.sleep_speed) & (bodies.inverse_mass > 0)
     if np.any(driven):
-        # A driven body and a sleeper, both immovable in this step, would not meet in it.
+        # A sleeper is as immovable as a driven body, and so the step finds no contact.
         fast |= with_neighbours(driven, collect_contacts(bodies, state, rules.margin))
     return np.asarray(fast)
 
