@@ -89,6 +89,15 @@ def unit(name: str, vector: ArrayLike) -> Array:
     return array
 
 
+def of_shape(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
+    """Return an array of this shape of its own, into which the value is spread."""
+    array = np.asarray(value, dtype=float)
+    try:
+        return np.array(np.broadcast_to(array, shape))
+    except ValueError:
+        raise ValueError(f"{name} must have the shape {shape}, or one that fits it, not {array.shape}") from None
+
+
 def _only(name: str, array: Array, right: Booleans, words: str) -> Array:
     if not np.all(right):
         wrong = array[~right][0]

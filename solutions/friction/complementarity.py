@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solutions.arrays import Array
+from solutions.arrays import Array, Booleans, Integers
 from solutions.checks import finite, not_negative
 
 ROUNDING = 1e-10
@@ -16,6 +16,12 @@ ROUNDING = 1e-10
 
 Rounding grows in the exchanges.
 """
+PULLED = 1e-7
+"""Share of the largest number by which rounding may leave A f + b below zero."""
+LEAST_PIVOT = 1e-8
+"""The smallest pivot of a careful attempt. A smaller one multiplies rounding."""
+EXCHANGES = 20
+"""How many exchanges for each row an attempt may take. It usually takes about one."""
 
 
 def complementarity_residual(
@@ -126,7 +132,8 @@ def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
         If the shapes do not fit, a number is not finite, or an A_ii is negative. If
         there are no such forces, as for contacts that are forced into one another.
         Rounding hides the forces as well where one body is some 1e9 times as heavy as
-        another, because the method divides A by its largest number.
+        another, because the method divides A by its largest number. Where bodies press
+        on each other, 1e6 times is too much.
 
     Notes
     -----
@@ -135,31 +142,60 @@ def solve_by_pivots(matrix: ArrayLike, offset: ArrayLike) -> Array:
     basis, its partner enters next, until z itself leaves; this takes finitely many
     exchanges. Ties are broken by the columns of w in their order (lexicographically),
     so that redundant contacts do not make the method go round in circles.
+
+    Rounding gathers in the table. Where two contacts are nearly the same, an exchange
+    may then divide by what is rounding alone, and the result is no solution. So the
+    result is checked. If it fails, a second attempt calculates the table from the first
+    one after every exchange, and breaks ties by the largest pivot.
     """
     a, b = _checked(matrix, offset)
     return np.asarray(np.vectorize(_lemke, otypes=[float], signature="(m,m),(m)->(m)")(a, b))
 
 
 def _lemke(a: Array, b: Array) -> Array:
-    """Solve one problem. The table's columns are w, f, z and the right-hand side."""
-    count, scale = len(b), np.max(np.abs(a), initial=0.0) or 1.0
-    size = np.max(np.abs(b), initial=0.0) or 1.0
+    """Solve one problem; with more care if rounding has spoiled the first attempt."""
     if np.all(b >= 0):
-        return np.zeros(count)
-    start = np.hstack([np.eye(count), -a / scale, -np.ones((count, 1)), b[:, None] / size])
+        return np.zeros(len(b))
+    scale, size = np.max(np.abs(a), initial=0.0) or 1.0, np.max(np.abs(b))
+    try:
+        forces = _exchanged(a / scale, b / size, careful=False)
+        solved = _solves(forces, a / scale, b / size)
+    except ValueError:
+        solved = False
+    if not solved:
+        forces = _exchanged(a / scale, b / size, careful=True)
+        if not _solves(forces, a / scale, b / size):
+            raise ValueError("matrix: rounding hides the forces, because its numbers differ too much in size")
+    return np.asarray(forces * size / scale)
+
+
+def _solves(forces: Array, a: Array, b: Array) -> bool:
+    """Whether A f + b ≥ 0, as it should be; f ≥ 0 holds, and one of each pair is 0."""
+    return bool(np.all(a @ forces + b >= -PULLED * np.max(forces, initial=1.0)))
+
+
+def _exchanged(a: Array, b: Array, careful: bool) -> Array:
+    """Forces from exchanges in a table of the columns w, f, z and the right-hand side.
+
+    A careful attempt takes longer; see `solve_by_pivots`.
+    """
+    count = len(b)
+    start = np.hstack([np.eye(count), -a, -np.ones((count, 1)), b[:, None]])
     table, basis = start.copy(), np.arange(count)
     row, entering = int(np.argmin(b)), 2 * count
-    for _ in range(2 ** min(count + 4, 16)):
+    for _ in range(EXCHANGES * (count + 1)):
         _exchange(table, row, entering)
         leaving, basis[row] = basis[row], entering
+        if careful:
+            table = np.linalg.solve(start[:, basis], start)
         # Either z has left the basis, or it stays there at zero.
         if not np.any(table[basis == 2 * count, -1] > ROUNDING):
             forces = np.zeros(2 * count + 1)
             # Solved again from the start, because the table has gathered rounding.
             forces[basis] = np.linalg.solve(start[:, basis], start[:, -1])
-            return np.maximum(0.0, forces[count:-1]) * size / scale
+            return np.maximum(0.0, forces[count:-1])
         entering = leaving + count if leaving < count else leaving - count
-        row = _leaving_row(table, entering)
+        row = _largest_pivot(table, entering, basis == 2 * count) if careful else _leaving_row(table, entering)
     raise ValueError("matrix: Lemke's method found no end; are its eigenvalues negative?")
 
 
@@ -175,13 +211,30 @@ def _leaving_row(table: Array, entering: int) -> int:
 
     Of several such rows it is the first in the order of the columns of w.
     """
-    rows = np.flatnonzero(table[:, entering] > ROUNDING)
-    if len(rows) == 0:
-        raise ValueError("offset: no forces solve this problem")
+    rows = _falling_rows(table, entering, ROUNDING)
     for column in (-1, *range(len(table))):
         ratios = table[rows, column] / table[rows, entering]
         rows = rows[ratios <= np.min(ratios) + ROUNDING]
     return int(rows[0])
+
+
+def _largest_pivot(table: Array, entering: int, is_z: Booleans) -> int:
+    """Of the rows that reach zero first, to rounding, that with the largest pivot.
+
+    The row of z goes before all others, because it ends the search (Harris 1973).
+    """
+    rows = _falling_rows(table, entering, LEAST_PIVOT)
+    pivots, left = table[rows, entering], np.maximum(table[rows, -1], 0.0)
+    first = left / pivots <= np.min((left + ROUNDING) / pivots)
+    return int(rows[np.argmax(np.where(first, np.where(is_z[rows], np.inf, pivots), 0.0))])
+
+
+def _falling_rows(table: Array, entering: int, least: float) -> Integers:
+    """The rows that fall towards zero, faster than `least`, as a column enters."""
+    rows = np.flatnonzero(table[:, entering] > least)
+    if len(rows) == 0:
+        raise ValueError("offset: no forces solve this problem")
+    return rows
 
 
 def _checked(matrix: ArrayLike, offset: ArrayLike) -> tuple[Array, Array]:

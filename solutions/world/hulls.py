@@ -11,6 +11,11 @@ from solutions.arrays import Array, Booleans, Integers
 from solutions.world.shapes import Placed
 from solutions.world.vectors import cross
 
+EVEN = 1e-6
+"""Share of a solid's size by which a vertex may lie in front of a face, by rounding."""
+FLAT = 1e-9
+"""Share of its size by which some vertex has to lie behind each face."""
+
 
 class Edges(NamedTuple):
     """The edges of all hulls with the same faces.
@@ -83,6 +88,30 @@ def hull_of(piece: Placed) -> Hull:
     across = vertices - vertices[:, :1]
     size = np.sqrt(np.max(np.vecdot(across, across), axis=1))
     return Hull(vertices, faces, normal, np.vecdot(normal, first), size, edges_of(faces))
+
+
+def checked_solid(vertices: Array, faces: Integers) -> tuple[Array, Integers]:
+    """Return the vertices (v, 3) and faces (f, s) of a polyhedron; refuse all else.
+
+    Raises
+    ------
+    ValueError
+        If the faces do not bound a convex solid, counterclockwise from outside.
+    """
+    if vertices.ndim != 2 or faces.ndim != 2 or faces.dtype.kind not in "iu":
+        raise ValueError(f"faces must be lists of whole numbers, not {faces.dtype} of {faces.shape}")
+    wrong = (faces < 0) | (faces >= len(vertices))
+    if np.any(wrong):
+        raise ValueError(f"faces must name vertices 0 to {len(vertices) - 1}, not {faces[wrong][0]}")
+    faces = faces.astype(np.int64)
+    with np.errstate(invalid="ignore"):
+        hull = hull_of(Placed(np.zeros((1, 3)), np.eye(3)[None], np.zeros((1, 3)), vertices[None], faces))
+    heights = (vertices @ hull.normal[0].T - hull.offset[0]).T
+    convex = (np.max(heights, axis=1) <= EVEN * hull.size) & (np.min(heights, axis=1) < -FLAT * hull.size)
+    if not np.all(convex):  # also for a face without an area, whose heights are NaN
+        face = faces[~convex][0].tolist()
+        raise ValueError(f"faces must bound a convex solid, counterclockwise from outside, not {face}")
+    return vertices, faces
 
 
 def edges_of(faces: Integers) -> Edges:

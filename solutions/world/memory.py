@@ -19,6 +19,8 @@ class Memory(NamedTuple):
     ----------
     key : (m,), of the contacts
     impulse : (m, 3), on A, in the world frame, N s
+        Of a penalty contact, not what it has given, but Δt times the force of its
+        spring along the surface, from which the next step knows the stretch.
     still : (n,), for how long each body has been slow, s; 0 if nothing sleeps
     """
 

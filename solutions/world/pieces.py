@@ -8,12 +8,22 @@ from typing import NamedTuple
 import numpy as np
 
 from solutions.arrays import Array, Integers
-from solutions.checks import finite, positive, unit, vector
+from solutions.checks import finite, in_space, positive, unit, vector
 from solutions.impulse import rotation_matrix
 from solutions.world.boxes import BOX_FACES, BOX_VERTICES
+from solutions.world.hulls import checked_solid
 from solutions.world.shapes import BOX, CAPSULE, HALF_SPACE, POLYHEDRON, SPHERE, Placed, Shape
 from solutions.world.vectors import tangents
 
+NEEDS = {
+    "sphere": ("radius",),
+    "capsule": ("radius", "half_length"),
+    "box": ("half_extents",),
+    "polyhedron": ("vertices", "faces"),
+    "half-space": ("normal",),
+    "compound": ("parts",),
+}
+"""What the tuple of each kind of shape contains after its name."""
 NO_FACES = np.zeros((0, 3), dtype=np.int64)
 
 
@@ -47,7 +57,8 @@ def pieces_of(shapes: Sequence[Shape]) -> Pieces:
     Raises
     ------
     ValueError
-        If there is no such kind of shape, or a size is not positive and finite.
+        If there is no such kind of shape, it has another number of parts, a size is not
+        positive and finite, or a polyhedron is none.
     """
     body, kind, size, position, rotation, hull = [], [], [], [], [], []
     hulls: list[tuple[Array, Integers]] = [(BOX_VERTICES, BOX_FACES)]
@@ -90,15 +101,20 @@ def pieces_of(shapes: Sequence[Shape]) -> Pieces:
 
 def _convex(shape: Shape, position: Array, rotation: Array) -> Iterator[tuple[Shape, Array, Array]]:
     """A shape's convex pieces, each with its place in the body."""
-    if shape[0] == "compound":
-        for part, place, orientation in shape[1]:
-            turn = rotation_matrix(orientation)
-            yield from _convex(part, position + rotation @ vector("position", place), rotation @ turn)
-    elif shape[0] in ("sphere", "capsule", "box", "polyhedron", "half-space"):
+    kind = shape[0] if isinstance(shape, tuple | list) and shape else None
+    if kind not in NEEDS:
+        raise ValueError(f"shape must be a tuple that begins with {', '.join(NEEDS)}, not {kind or shape!r}")
+    if len(shape) != 1 + len(NEEDS[kind]):
+        raise ValueError(f"a {kind} needs {', '.join(NEEDS[kind])}, not {len(shape) - 1} numbers or arrays")
+    if kind != "compound":
         yield shape, position, rotation
-    else:
-        known = "sphere, capsule, box, polyhedron, half-space or compound"
-        raise ValueError(f"shape must be a {known}, not {shape[0]!r}")
+        return
+    if not len(shape[1]):
+        raise ValueError("a compound must have parts, not none")
+    for part, place, orientation in shape[1]:
+        yield from _convex(
+            part, position + rotation @ in_space("position", place), rotation @ rotation_matrix(orientation)
+        )
 
 
 def _length(value: float) -> float:
@@ -107,12 +123,12 @@ def _length(value: float) -> float:
 
 def _place_of(hulls: list[tuple[Array, Integers]], vertices: Array, faces: Sequence[Sequence[int]]) -> int:
     """Where a hull stands in the list; one that is not there yet is added."""
-    longest = max(len(face) for face in faces)
-    padded = np.array([[*face, *[face[-1]] * (longest - len(face))] for face in faces], dtype=np.int64)
+    longest = max((len(face) for face in faces), default=0)
+    padded = np.array([[*face, *[face[-1]] * (longest - len(face))] for face in faces])
     for place, (others, their_faces) in enumerate(hulls):
         if place and np.array_equal(others, vertices) and np.array_equal(their_faces, padded):
             return place
-    hulls.append((vertices, padded))
+    hulls.append(checked_solid(vertices, padded))
     return len(hulls) - 1
 
 

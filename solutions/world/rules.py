@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
+
+from solutions.checks import between, finite, not_negative, positive, whole
 
 LAWS = {
     "sequential": ("dissipative", "newton", "poisson"),
@@ -12,7 +15,8 @@ LAWS = {
 }
 """The responses, and the laws of restitution that each of them knows.
 
-A penalty contact has no law besides its spring and its damper, which add no energy.
+A penalty contact has no law besides its spring and its damper. They add no energy if
+the steps are short enough; see `stiffness`.
 """
 
 
@@ -41,10 +45,15 @@ class Rules(NamedTuple):
         with the friction in Coulomb's cone that takes the most energy, 'newton' the
         same law with friction that opposes the slip after the impact.
     directions : of friction, in the polygon of the simultaneous response
+        An even number.
     stiffness : k of a penalty contact, N/m
+        A step that is longer than `penalty_step_limit` makes a contact gain energy
+        without end, with this k, the effective mass and the damping of the contact. The
+        world does not refuse it.
     sleep_speed : m/s; bodies that stay slower for `sleep_after` s are left out
-        0, and nothing sleeps.
-    sleep_after : s
+        0, and nothing sleeps. Only a contact with a faster body wakes a sleeper. It
+        does not notice a change of the forces on it.
+    sleep_after : s, above 0
     sleep_size : m; a spin counts as a speed that far from the centre
     looks : how often a step in time order may back up the world
         The rest of such a step is answered without rebound and without another look.
@@ -68,11 +77,22 @@ class Rules(NamedTuple):
     looks: int = 1000
 
 
+@lru_cache(maxsize=64)
 def known(rules: Rules) -> Rules:
-    """Return the rules; refuse a response or a law that does not exist."""
+    """Return the rules; refuse a choice that does not exist, and a wrong number."""
     if rules.response not in LAWS:
         raise ValueError(f"response must be one of {', '.join(LAWS)}, not {rules.response!r}")
     if rules.law not in LAWS[rules.response]:
         laws = ", ".join(LAWS[rules.response])
         raise ValueError(f"law of the response {rules.response!r} must be one of {laws}, not {rules.law!r}")
+    for name in ("rest_speed", "margin", "slop", "tolerance", "sleep_speed", "sleep_size"):
+        not_negative(name, getattr(rules, name))
+    for name in ("sweeps", "push_sweeps", "looks", "directions"):
+        finite(name, whole(name, not_negative(name, getattr(rules, name))))
+    if rules.directions % 2 or rules.directions < 4:
+        raise ValueError(f"directions must be an even number from 4, not {rules.directions}")
+    finite("margin", rules.margin)
+    between("recovery", rules.recovery, 0, 1)
+    finite("stiffness", positive("stiffness", rules.stiffness))
+    positive("sleep_after", rules.sleep_after)
     return rules

@@ -43,7 +43,15 @@ def run_world(
     -------
     State, whose arrays have one more axis in front: one entry for each state kept
         The first is the start.
+
+    Raises
+    ------
+    ValueError
+        If a number of steps is not whole or too small, or as `step_world`.
     """
+    for name, count, least in (("steps", steps, 0), ("every", every, 1)):
+        if count < least or count != int(count):
+            raise ValueError(f"{name} must be a whole number from {least}, not {count}")
     kept, memory = [state], NOTHING
     for count in range(1, steps + 1):
         acting = [force(state) for force in forces]

@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solutions.arrays import Array
+from solutions.checks import finite, positive
 from solutions.impulse import world_inverse_inertia
-from solutions.world.bodies import Bodies, State
+from solutions.world.bodies import Bodies, State, checked
 from solutions.world.contacts import Contacts, collect_contacts
 from solutions.world.memory import NOTHING, Memory, remembered
 from solutions.world.moving import moved, pushed_apart
@@ -26,8 +27,8 @@ def step_world(
     dt: float,
     rules: Rules | tuple[float | str, ...] = Rules(),  # noqa: B008  (an immutable tuple)
     memory: Memory = NOTHING,
-    force: ArrayLike = 0.0,
-    torque: ArrayLike = 0.0,
+    force: ArrayLike = (0.0, 0.0, 0.0),
+    torque: ArrayLike = (0.0, 0.0, 0.0),
 ) -> tuple[State, Memory, Contacts]:
     """One step of length dt: forces, contacts, velocities, positions.
 
@@ -35,11 +36,11 @@ def step_world(
     ----------
     bodies, state : the world
     acceleration : (3,) or (n, 3), g, of all bodies that can be moved, m/s²
-    dt : s
+    dt : s, positive
     rules : how it responds; a plain tuple, with defaults for what it does not reach,
         will do
     memory : what the last step left
-    force, torque : (n, 3), all others on each body, N and N m
+    force, torque : (n, 3) or (3,), all others on each body, N and N m
 
     Returns
     -------
@@ -50,17 +51,19 @@ def step_world(
     Raises
     ------
     ValueError
-        If there is no such response, or it does not know the law.
+        If there is no such response, it does not know the law, a number of the rules is
+        out of its range, dt is not positive, or an array is not finite or does not fit.
     """
-    rules = known(Rules(*rules))
+    rules, dt = known(Rules(*rules)), float(finite("dt", positive("dt", dt)))
+    state, acceleration, force, torque = checked(bodies, state, acceleration, force, torque)
     if rules.sleep_speed > 0:
         return _step_with_sleepers(bodies, state, acceleration, dt, rules, memory, force, torque)
 
     # Forces
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
     gain = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
-    gain = gain + bodies.inverse_mass[:, None] * np.asarray(force, dtype=float)
-    turn = np.matvec(inverse_inertia, np.broadcast_to(torque, gain.shape))
+    gain = gain + bodies.inverse_mass[:, None] * force
+    turn = np.matvec(inverse_inertia, torque)
     if rules.response == "in time order":
         return _step_in_time_order(bodies, state, gain, turn, dt, rules)
     velocity, spin = state.velocity + dt * gain, state.angular_velocity + dt * turn
