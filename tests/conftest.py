@@ -68,7 +68,7 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 @pytest.fixture(scope="session")
 def cache_folders(tmp_path_factory) -> Iterator[Path]:
-    """Names of folders that are not there yet: few tests keep anything, and pytest reads its own at each new folder."""
+    """Names of folders that are not there yet: few of thousands of tests keep anything."""
     return map(tmp_path_factory.mktemp("caches").joinpath, map(str, itertools.count()))
 
 
