@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import gc
+import itertools
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -42,6 +45,20 @@ def draw_without_constants_of_modules() -> None:
         providers._get_local_constants = providers.Constants  # which has none
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, Any, Any]:
+    """Have Python search for garbage among what the tests make, not among what was collected.
+
+    Collecting makes millions of objects that stay until the end, and all of them were searched again and again.
+    """
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
+
+
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Tests of a submission are none of the lab's: without one they are left out, unless they are asked for by name."""
     if collection_path != AUTOGRADER or config.getoption("--submission"):
@@ -49,10 +66,16 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
     return True if not any(AUTOGRADER.name in argument for argument in config.args) else None
 
 
+@pytest.fixture(scope="session")
+def cache_folders(tmp_path_factory) -> Iterator[Path]:
+    """Names of folders that are not there yet: few of thousands of tests keep anything."""
+    return map(tmp_path_factory.mktemp("caches").joinpath, map(str, itertools.count()))
+
+
 @pytest.fixture(autouse=True)
-def cache_folder(tmp_path_factory, monkeypatch) -> Path:
+def cache_folder(cache_folders, monkeypatch) -> Path:
     """A cache of the test's own: it neither finds what others kept nor fills the user's."""
-    folder = tmp_path_factory.mktemp("cache")
+    folder = next(cache_folders)
     monkeypatch.setenv("COLLISIONS_CACHE", str(folder))
     return folder
 

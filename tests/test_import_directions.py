@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import sys
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
@@ -47,13 +48,14 @@ class Import:
         return self.module.partition(".")[0]
 
 
-def imports(text: str, package: str) -> Iterator[Import]:
+@functools.cache  # three tests read the same modules
+def imports(text: str, package: str) -> tuple[Import, ...]:
     """All imports of a module that lies in `package` (dotted), the dynamic ones with a literal name included.
 
     After `import reference`, what is said of it (`reference.engines.base`) counts as an import too.
     """
     tree = ast.parse(text)
-    whole = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
+    whole = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names} & OURS
     loaders = {"import_module", "__import__", "run_module"}
     for node in (node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)):
         loaders |= {alias.asname for alias in node.names if alias.name in loaders and alias.asname}
@@ -70,14 +72,14 @@ def imports(text: str, package: str) -> Iterator[Import]:
             said = [value.value for value in given if isinstance(value, ast.Constant) and isinstance(value.value, str)]
             if said:
                 yield Import(_absolute(said[0], said[1] if len(said) > 1 else package), node.lineno, outside)
-        elif isinstance(node, ast.Attribute) and (dotted := ast.unparse(node)).partition(".")[0] in whole & OURS:
+        elif whole and isinstance(node, ast.Attribute) and (dotted := ast.unparse(node)).partition(".")[0] in whole:
             yield Import(dotted, node.lineno, outside)
             return
         inside = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) or _for_types_only(node)
         for child in ast.iter_child_nodes(node):
             yield from visit(child, outside and not inside)
 
-    return visit(tree, True)
+    return tuple(visit(tree, True))
 
 
 def _absolute(name: str, package: str) -> str:

@@ -141,7 +141,8 @@ def _advance(course: Course, on: Integers, end: End, target: Array) -> Booleans:
     s[settled] /= np.linalg.norm(s[settled], axis=-1, keepdims=True)
     slowing[settled] = _turn(course, on[settled], s[settled])[2]
     push = np.concatenate([-course.mu[on][:, None] * s, np.ones((len(on), 1))], axis=-1)
-    push[still] = _push_without_slip(course.k[on][still], course.mu[on][still])
+    if np.any(still):
+        push[still] = _push_without_slip(course.k[on][still], course.mu[on][still])
     change = np.matvec(course.k[on], push)
     straight = still | settled | (np.abs(turning) <= STRAIGHT * course.rate[on])
     straight |= slip * np.abs(turning) <= course.smallest[on] * slowing
@@ -177,7 +178,8 @@ def _push_without_slip(k: Array, mu: Array) -> Array:
     """Impulse per normal impulse at a contact that does not slip, (n, 3)."""
     hold = -_solve(k[:, :2, :2], k[:, :2, 2])
     lost = np.linalg.norm(hold, axis=-1) > mu
-    hold[lost] = -mu[lost, None] * direction_of_renewed_slip(k[lost], mu[lost])
+    if np.any(lost):
+        hold[lost] = -mu[lost, None] * direction_of_renewed_slip(k[lost], mu[lost])
     return np.concatenate([hold, np.ones((len(mu), 1))], axis=-1)
 
 

@@ -59,21 +59,23 @@ def step_world(
     if rules.sleep_speed > 0:
         return _step_with_sleepers(bodies, state, acceleration, dt, rules, memory, force, torque)
 
-    # Forces
+    # Forces: they change velocities at once. A free body's spin changes even without a
+    # torque; `moved` sees to that.
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
-    gain = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0)
-    gain = gain + bodies.inverse_mass[:, None] * force
-    turn = np.matvec(inverse_inertia, torque)
+    linear = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0) + bodies.inverse_mass[:, None] * force
+    angular = np.matvec(inverse_inertia, torque)
     if rules.response == "in time order":
-        return _step_in_time_order(bodies, state, gain, turn, dt, rules)
-    velocity, spin = state.velocity + dt * gain, state.angular_velocity + dt * turn
+        return _step_to_each_impact(bodies, state, linear, angular, dt, rules)
+    velocity, spin = state.velocity + dt * linear, state.angular_velocity + dt * angular
 
-    # Contacts
+    # Contacts: each has a row for its normal and two for friction. Friction takes the
+    # most energy in rows that are decoupled: there it leaves the normal speed alone.
     contacts, groups = _grouped_contacts(bodies, state, rules)
     least_energy = rules.law == "dissipative" and rules.response != "penalty"
     rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia, decoupled=least_energy)
 
-    # Velocities
+    # Velocities: impulses change them, and begin with those of the last step. Where
+    # points approach, their normal speed is negative.
     before = speeds(rows, state.velocity, state.angular_velocity)
     approach = -(speeds(rows, velocity, spin) if rules.with_weight else before)[:, 0]
     wanted, restitution = _wanted(bodies, contacts, approach, dt, rules)
@@ -82,7 +84,7 @@ def step_world(
         Question(contacts, rows, groups, velocity, spin, before, wanted, restitution, start, dt, rules)
     )
 
-    # Positions
+    # Positions: bodies move with the new velocities, and beside them out of overlaps.
     push = np.zeros((len(velocity), 6))
     if rules.response != "penalty":
         push = pushed_apart(rows, groups, contacts.separation, velocity, spin, dt, rules)
@@ -103,16 +105,16 @@ def _wanted(bodies: Bodies, contacts: Contacts, approach: Array, dt: float, rule
     restitution = surfaces.restitution[of_a, of_b]
     rebound = np.where(approach > rules.rest_speed, restitution * approach, 0.0)
     wanted = Wanted(
-        np.where(rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt),
-        np.zeros(len(rebound)),
-        surfaces.static_friction[of_a, of_b],
-        surfaces.kinetic_friction[of_a, of_b],
-        rebound > 0,
+        speed=np.where(rebound > 0, rebound, -np.maximum(contacts.separation, 0.0) / dt),
+        least=np.zeros(len(rebound)),
+        static_friction=surfaces.static_friction[of_a, of_b],
+        kinetic_friction=surfaces.kinetic_friction[of_a, of_b],
+        rebounds=rebound > 0,
     )
     return wanted, restitution
 
 
-def _step_in_time_order(
+def _step_to_each_impact(
     bodies: Bodies, state: State, acceleration: Array, angular_acceleration: Array, dt: float, rules: Rules
 ) -> tuple[State, Memory, Contacts]:
     """One step with each impact at its instant; it leaves no impulses to begin with."""

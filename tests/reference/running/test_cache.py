@@ -220,6 +220,7 @@ def test_remains_of_an_interrupted_write_are_removed_once_old(kept, result, cach
 
 
 def test_other_files_in_the_cache_folder_are_not_touched(result, cache_folder):
+    cache_folder.mkdir()
     stranger = cache_folder / "thesis.tex"
     stranger.write_text("precious", encoding="utf-8")
     os.utime(stranger, (0, 0))

@@ -40,6 +40,43 @@ def test_a_change_of_anything_that_a_file_imports_is_seen(name, folder):
     assert digest(str(folder / "mine.py")) != before
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "import {}",
+        "import\t{}.part",
+        "import numpy, {} as shorter, json",
+        "from {}.part import g",
+        "def f():\n\tfrom {}.part import (\n\t\tg,\n\t)",
+        "import {}\r\nimport json\r\n",
+        "import {}  # a word about it",
+        "X = 1; import {}",
+        "if True: import {}",
+        "from json import load; import {}",
+        "from {} \\\n    import part",
+        "from {} \\\r\n    import part",
+        "import json, \\\n    {}",
+        "import \\\n    {}",
+    ],
+)
+def test_an_import_is_found_however_it_is_written(text, folder):
+    (folder / "mine.py").write_bytes(text.format("kit_of_mine").encode())
+    compile((folder / "mine.py").read_bytes(), "mine.py", "exec")
+    before = digest(str(folder / "mine.py"))
+    (folder / "kit_of_mine" / "part.py").write_text("def g(): return 2\n", encoding="utf-8")
+    assert digest(str(folder / "mine.py")) != before
+
+
+@pytest.mark.parametrize(
+    "text", ["from .kit_of_mine import g", "X = 'import kit_of_mine'", "import json  # kit_of_mine"]
+)
+def test_what_only_looks_like_an_import_is_not_seen(text, folder):
+    (folder / "mine.py").write_text(text, encoding="utf-8")
+    before = digest(str(folder / "mine.py"))
+    (folder / "kit_of_mine" / "part.py").write_text("def g(): return 2\n", encoding="utf-8")
+    assert digest(str(folder / "mine.py")) == before
+
+
 def test_a_new_file_in_a_package_is_seen(folder):
     before = digest("kit_of_mine")
     (folder / "kit_of_mine" / "more.py").write_text("", encoding="utf-8")
