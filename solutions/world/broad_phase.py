@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from solutions.arrays import Array, Booleans, Integers
 
 FEW = 32
-"""A group of so many boxes needs no grid: finding the columns takes longer."""
+"""So few boxes need no grid: finding the columns takes longer than comparing all."""
 SMALLEST = -3.0
 """Boxes narrower than 2⁻³ of the usual width all count as being of this size."""
 FARTHEST = 2**18
@@ -73,6 +73,8 @@ def candidate_pairs(lower: ArrayLike, upper: ArrayLike, group: ArrayLike | None 
     as long as no place becomes more crowded.
     """
     low, high = _corners(lower, upper)
+    if len(low) <= FEW:
+        return _each_with_each(low, high, _named(group, len(low)))
     scene, is_small = _scenes(group, len(low))
     # From here on the boxes are sorted and numbered by the height at which they begin.
     order = np.argsort(low[:, 2])
@@ -107,12 +109,22 @@ def _corners(lower: ArrayLike, upper: ArrayLike) -> tuple[Array, Array]:
     return low, high
 
 
-def _scenes(group: ArrayLike | None, count: int) -> tuple[Integers, Booleans]:
-    """Number of each box's group, from 0, and whether that group has few boxes."""
+def _named(group: ArrayLike | None, count: int) -> Integers:
     named = np.zeros(count, dtype=np.int64) if group is None else np.asarray(group)
     if named.shape != (count,):
         raise ValueError(f"group must have the shape ({count},), not {named.shape}")
-    _, scene, members = np.unique(named, return_inverse=True, return_counts=True)
+    return named
+
+
+def _each_with_each(low: Array, high: Array, group: Integers) -> Integers:
+    """All pairs that overlap: every box is compared with every other."""
+    overlap = np.all(low[:, None] <= high, axis=-1) & (group[:, None] == group)
+    return np.argwhere(np.triu(overlap & overlap.T, 1))
+
+
+def _scenes(group: ArrayLike | None, count: int) -> tuple[Integers, Booleans]:
+    """Number of each box's group, from 0, and whether that group has few boxes."""
+    _, scene, members = np.unique(_named(group, count), return_inverse=True, return_counts=True)
     return scene, members[scene] <= FEW
 
 
