@@ -48,8 +48,8 @@ def settings_of(scenario: Scenario) -> Settings:
         # One contact has its answer in one turn. A box on four corners that slides, or just holds, needs up to 2000
         # sweeps in its first step and hardly any later, because a step begins with what the last one has found. Edges
         # that tip, and stacks, would need hundreds in every step; what fewer leave has no effect that one can see.
-        "sweeps": 200 if stack else 100 if may_tip else 2000,
-        "tolerance": 1e-6 if stack else 1e-8 if may_tip else 1e-10,
+        "sweeps": 200 if stack else 50 if may_tip else 2000,
+        "tolerance": 1e-6 if stack else 1e-7 if may_tip else 1e-10,
         "push_sweeps": 20 if stack else 100 if may_tip else 200,
     }
     return Settings(timestep, steps_per_sample(timestep), options=options)
