@@ -38,13 +38,15 @@ def pushed_apart(
     """How far each body is moved and turned (n, 6) out of the overlaps, m and rad.
 
     It takes back a share of what will be deeper than the slop at the end of the step.
-    It is a motion beside the velocities, and so it adds no kinetic energy.
+    It is a motion beside the velocities, and so it adds no kinetic energy. What it
+    lifts has more potential energy afterwards.
     """
     ahead = separation + dt * speeds(rows, velocity, angular_velocity)[:, 0] + rules.slop
     nothing, none = np.zeros_like(velocity), np.zeros(len(ahead))
     if not np.any(ahead < -ROUNDING):
         return np.zeros((len(velocity), 6))
-    # Where a gap is left, the push may close it, and no more.
+    # Here a speed is a way, m. Where less than the slop is left of an overlap, or a
+    # gap, other pushes may use up what is missing, and no more.
     wanted = Wanted(np.where(ahead < 0, -rules.recovery * ahead, -ahead), none, none, none, none > 0)
     along, about, _ = solve_sequentially(
         rows, groups, nothing, nothing, wanted, 0.0, rules.push_sweeps, rules.tolerance

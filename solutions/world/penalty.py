@@ -30,6 +30,7 @@ def solve_with_springs(
         With what all other forces add in this step.
     separation : (m,), m; negative in overlap
     approach : (m, 3), speeds along the normal and the tangents before the step, m/s
+        The first is negative where the points approach.
     restitution, friction : (m,), e and the kinetic μ
     start : (m, 3), what the last step returned as its springs' impulses, N s
     stiffness : k along the normal, N/m

@@ -119,7 +119,7 @@ def rotate_by_momentum(
     """Turn bodies on which no torque acts, over a time dt (slide 18).
 
     The angular momentum of each body stays as it is, to rounding. The spin follows from
-    it, because the inertia turns with the body.
+    it, because the inertia turns with the body: this is the gyroscopic term.
 
     Parameters
     ----------

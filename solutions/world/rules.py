@@ -51,8 +51,9 @@ class Rules(NamedTuple):
         without end, with this k, the effective mass and the damping of the contact. The
         world does not refuse it.
     sleep_speed : m/s; bodies that stay slower for `sleep_after` s are left out
-        0, and nothing sleeps. Only a contact with a faster body wakes a sleeper. It
-        does not notice a change of the forces on it.
+        0, and nothing sleeps; it must be 0 with the response 'in time order'. Only a
+        contact with a faster body wakes a sleeper. It does not notice a change of the
+        forces on it.
     sleep_after : s, above 0
     sleep_size : m; a spin counts as a speed that far from the centre
     looks : how often a step in time order may back up the world
@@ -95,4 +96,9 @@ def known(rules: Rules) -> Rules:
     between("recovery", rules.recovery, 0, 1)
     finite("stiffness", positive("stiffness", rules.stiffness))
     positive("sleep_after", rules.sleep_after)
+    if rules.sleep_speed and rules.response == "in time order":
+        raise ValueError(
+            "sleep_speed must be 0 with the response 'in time order', not"
+            f" {rules.sleep_speed:g}: an impact within a step would not wake a sleeper"
+        )
     return rules

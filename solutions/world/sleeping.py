@@ -18,7 +18,7 @@ def with_sleepers(bodies: Bodies, state: State, asleep: Booleans) -> tuple[Bodie
     """The world of a step in which sleeping bodies (n,) do not move.
 
     They are immovable, so that awake bodies find them where they lie, and two sleepers
-    make no contact.
+    make no contact. What held them is forgotten, and found anew when they wake.
     """
     if not np.any(asleep):
         return bodies, state

@@ -59,8 +59,8 @@ def step_world(
     if rules.sleep_speed > 0:
         return _step_with_sleepers(bodies, state, acceleration, dt, rules, memory, force, torque)
 
-    # Forces: they change velocities at once. A free body's spin changes even without a
-    # torque; `moved` sees to that.
+    # Forces: they change velocities at once. The gyroscopic term, by which a free body
+    # changes its spin without a torque, acts at the end, in `moved`.
     inverse_inertia = world_inverse_inertia(bodies.moments, state.orientation)
     linear = np.where(bodies.inverse_mass[:, None] > 0, acceleration, 0.0) + bodies.inverse_mass[:, None] * force
     angular = np.matvec(inverse_inertia, torque)
@@ -68,14 +68,15 @@ def step_world(
         return _step_to_each_impact(bodies, state, linear, angular, dt, rules)
     velocity, spin = state.velocity + dt * linear, state.angular_velocity + dt * angular
 
-    # Contacts: each has a row for its normal and two for friction. Friction takes the
-    # most energy in rows that are decoupled: there it leaves the normal speed alone.
+    # Contacts: each has a row for its normal and two for friction. In rows that are
+    # decoupled, friction leaves the normal speed alone, and so it can leave the least
+    # energy that an impact may leave.
     contacts, groups = _grouped_contacts(bodies, state, rules)
     least_energy = rules.law == "dissipative" and rules.response != "penalty"
     rows = contact_rows(contacts, state.position, bodies.inverse_mass, inverse_inertia, decoupled=least_energy)
 
-    # Velocities: impulses change them, and begin with those of the last step. Where
-    # points approach, their normal speed is negative.
+    # Velocities: impulses change them. Sequential impulses begin with those of the last
+    # step. Where points approach, their normal speed is negative, `approach` positive.
     before = speeds(rows, state.velocity, state.angular_velocity)
     approach = -(speeds(rows, velocity, spin) if rules.with_weight else before)[:, 0]
     wanted, restitution = _wanted(bodies, contacts, approach, dt, rules)

@@ -103,6 +103,7 @@ def test_a_state_that_is_not_that_of_n_bodies_is_refused(state, says):
         ({"rules": Rules(directions=7)}, "directions must be an even number from 4, not 7"),
         ({"rules": Rules(stiffness=-1.0)}, "stiffness must be positive, not -1"),
         ({"rules": Rules(sleep_speed=0.1, sleep_after=0.0)}, "sleep_after must be positive, not 0"),
+        ({"rules": Rules(sleep_speed=0.1, response="in time order")}, "sleep_speed must be 0 with the response"),
     ],
 )
 def test_a_step_that_no_world_can_take_is_refused(given, says):
