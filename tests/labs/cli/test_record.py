@@ -47,7 +47,8 @@ def test_a_refused_recording_leaves_no_folder(tmp_path, installed, monkeypatch):
     assert (said.code, said.error, list(tmp_path.iterdir())) == (2, "Error: no run today", [])
 
 
-def test_a_folder_that_cannot_be_made_is_refused_before_anything_runs(tmp_path):
+def test_a_folder_that_cannot_be_made_is_refused_before_anything_runs(tmp_path, installed):
+    installed("mujoco")  # without any engine there is nothing to record
     (tmp_path / "file").touch()
     refused = collisions("record", "parting-ball", "--out", tmp_path / "file" / "folder")
     assert (refused.code, "Not a directory; choose another --out" in refused.error) == (2, True)
