@@ -40,6 +40,7 @@ lint: $(READY)   ## style and types
 
 docs: $(READY)   ## draw the figures of the pages and write the pages that come from code
 	$(BIN)/python docs/figures/draw.py
+	$(BIN)/python docs/statement_engines.py
 	$(BIN)/python docs/statement_table.py
 	$(BIN)/python docs/symbol_table.py
 

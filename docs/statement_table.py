@@ -1,7 +1,8 @@
-"""Writes docs/statements.md: each statement of the lecture with its code, its tests, its oracles and its figures.
+"""Writes docs/statements.md: each statement of the lecture with its code, tests, oracles, scenarios and figures.
 
 `python docs/statement_table.py` writes the page; `--check` only says whether it is up to date. Functions come from
-`reference.lecture`, tests from the marks `statement` and `erratum` in `tests/`, figures from `docs/figures/`.
+`reference.lecture`, tests from the marks `statement` and `erratum` in `tests/`, figures from `docs/figures/`, what the
+implementations made of the scenarios from `docs/statement_engines.py`.
 """
 
 from __future__ import annotations
@@ -23,8 +24,14 @@ PAGE = ROOT / "docs" / "statements.md"
 HEAD = """# The statements of the lecture
 
 Each statement of Rick Parent's *Collisions* (CIS 682): what the slide says, what is right, the function that puts it
-into code, the tests that fail when its formula is broken and what they are judged by, and a figure. Written by
-`python docs/statement_table.py` from `reference/lecture/functions.py`, the marks in `tests/` and `docs/figures/`.
+into code, the tests that fail when its formula is broken and what they are judged by, the scenarios that put it to the
+test in hand-written code and three engines, and a figure. Written by `python docs/statement_table.py` from
+`reference/lecture/functions.py`, the marks in `tests/`, `docs/statement_engines.py` and `docs/figures/`.
+
+Four columns count *scenarios*, each by the worst of its numbers; further down are the numbers of each. By hand that is
+the method `exact`, or `world` where no other method can run the scenario; of an engine it is `tuned`.
+
+{legend}
 
 """
 
@@ -64,12 +71,23 @@ def _tests_in(path: Path) -> Iterator[Test]:
 @functools.cache
 def drawing() -> ModuleType:
     """The program that draws the figures."""
-    spec = importlib.util.spec_from_file_location("draw", ROOT / "docs" / "figures" / "draw.py")
+    return _program("figures/draw.py")
+
+
+@functools.cache
+def statement_engines() -> ModuleType:
+    """The program that collects what the implementations made of the scenarios."""
+    return _program("statement_engines.py")
+
+
+def _program(place: str) -> ModuleType:
+    path = ROOT / "docs" / place
+    spec = importlib.util.spec_from_file_location(path.stem, path)
     assert spec is not None
     assert spec.loader is not None
-    draw = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(draw)
-    return draw
+    program = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(program)
+    return program
 
 
 @functools.cache
@@ -84,7 +102,8 @@ def figures() -> list[tuple[int, str, str]]:
 def page() -> str:
     """The whole page."""
     tests, drawn = marked_tests(), figures()
-    return HEAD + _overview(tests, drawn) + "".join(_section(entry, tests, drawn) for entry in STATEMENTS)
+    head = HEAD.format(legend="\n".join(f"- {line}" for line in statement_engines().legend()))
+    return head + _overview(tests, drawn) + "".join(_section(entry, tests, drawn) for entry in STATEMENTS)
 
 
 def _functions(number: int) -> list[tuple[str, str]]:
@@ -99,9 +118,11 @@ def _file_of(topic: str, name: str) -> str:
 
 
 def _overview(tests: list[Test], drawn: list[tuple[int, str, str]]) -> str:
+    engines = statement_engines()
+    names = [engines.title(name) for name in engines.IMPLEMENTATIONS]
     lines = [
-        "| # | statement | topic | functions | tests | oracles | errata shown | figures |",
-        "|---|---|---|---|---|---|---|---|",
+        "| # | statement | topic | functions | tests | oracles | errata shown | " + " | ".join(names) + " | figures |",
+        "|---|---|---|---|---|---|---|" + "---|" * len(names) + "---|",
     ]
     for entry in STATEMENTS:
         own = [test for test in tests if test.statement == entry.number]
@@ -112,6 +133,7 @@ def _overview(tests: list[Test], drawn: list[tuple[int, str, str]]) -> str:
             len(judged),
             len({test.oracle for test in judged}),
             shown,
+            *(engines.cell(entry.number, name) for name in engines.IMPLEMENTATIONS),
             sum(number == entry.number for number, _, _ in drawn),
         )
         link = f"[{entry.title}](#{entry.number}-{_anchor(entry.title)})"
@@ -138,10 +160,27 @@ def _section(entry: Statement, tests: list[Test], drawn: list[tuple[int, str, st
     ]
     if rows:
         lines += ["| what is tested | judged by | where |", "|---|---|---|", *rows, ""]
+    lines += _scenarios(entry.number)
     for number, name, caption in drawn:
         if number == entry.number:
             lines += [f"![{caption}](images/statements/{name})", "", f"*{caption}*", ""]
     return "\n".join(lines)
+
+
+def _scenarios(number: int) -> list[str]:
+    """A table of the scenarios that put a statement to the test."""
+    engines = statement_engines()
+    families = engines.families(number)
+    if not families:
+        return []
+    lines = [
+        "| scenario | " + " | ".join(engines.title(name) for name in engines.IMPLEMENTATIONS) + " |",
+        "|---" * (1 + len(engines.IMPLEMENTATIONS)) + "|",
+    ]
+    for family in families:
+        found = " | ".join(engines.numbers(family, name) for name in engines.IMPLEMENTATIONS)
+        lines.append(f"| `{family}` | {found} |")
+    return [*lines, ""]
 
 
 def main() -> int:

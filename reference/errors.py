@@ -70,6 +70,10 @@ class NotAsTold(RunFailed):
     """The engine says something else of its world than it was told: a fault of the lab, found before the first step."""
 
 
+class Undecided(RunFailed):
+    """Rounding decides what a number is, so that a recurrence cannot have it."""
+
+
 class Unforeseen(RunFailed):
     """An exception that the lab did not foresee, from an engine, hand-written code or a measurement."""
 

@@ -10,6 +10,7 @@ from types import ModuleType
 
 import pytest
 
+from reference.catalogue.scenarios import catalogue
 from reference.lecture import STATEMENTS, Statement
 
 ROOT = Path(__file__).parents[1]
@@ -43,6 +44,10 @@ def test_statement_has_a_function_a_failing_test_and_a_figure(entry, table):
     judged = [test for test in table.marked_tests() if test.statement == entry.number and test.oracle]
     assert judged
     assert [name for number, name, _ in table.figures() if number == entry.number]
+
+
+def test_every_family_of_the_catalogue_is_in_the_columns_of_the_engines(table):
+    assert set(table.statement_engines().kept()) == set(catalogue()), "run make docs"
 
 
 @each_done

@@ -21,6 +21,7 @@ _CREEPS = "MuJoCo, as installed, creeps: its friction is a soft constraint, and 
 _ONE_POINT = "DART, as installed, finds one contact point of a box on its half-space, so the box rocks without end."
 
 REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
+    "solid-edges": {("", ""): "A ray along an edge touches the solid at best: rounding decides whether it is a hit."},
     "thin-wall": {
         ("pybullet", STOCK): (
             "At 1/240 s PyBullet moves a fast ball past the wall in one step. It gives overlap back as speed, and"
@@ -31,7 +32,42 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
             " out behind it."
         ),
     },
+    "pellets": {
+        ("pybullet", STOCK): (
+            "At 1/240 s PyBullet moves a pellet past the wall in one step. It cuts speeds at 100 m/s, damps the flight,"
+            " and gives overlap back as speed."
+        ),
+        ("mujoco", STOCK): (
+            "MuJoCo's contact, as installed, is so soft that the pellet sinks past the middle of the wall and is pushed"
+            " out behind it."
+        ),
+    },
+    "passing-balls": {
+        ("pybullet", STOCK): (
+            "PyBullet, as installed, slows fast balls in flight, so that they come to each other later and at other"
+            " phases of a step. Those that it notices it pushes apart by their overlap, faster than they came."
+        ),
+        ("mujoco", STOCK): (
+            "MuJoCo's contact, as installed, is so soft that fast balls have passed each other before it has pushed"
+            " them much."
+        ),
+    },
+    "spinning-rod": {
+        ("pybullet", STOCK): (
+            "At 1/240 s the rod passes almost every ball in PyBullet. The few that it strikes get a wrong momentum:"
+            " damping slows the rod, and overlap comes back as speed."
+        ),
+        ("mujoco", STOCK): "MuJoCo's contact, as installed, is so soft that the rod is past the ball before it pushes.",
+    },
     "dropped-ball": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
+    "one-drop": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
+    "hanging-chain": {("pybullet", STOCK): _DRAG},
+    "hanging-cloth": {("pybullet", STOCK): _DRAG},
+    "jelly": {("pybullet", STOCK): _DRAG},
+    "step-limit": {
+        ("pybullet", STOCK): "PyBullet, as installed, steps 4.2 ms, four times the longest stable step.",
+        ("mujoco", STOCK): "MuJoCo, as installed, steps 2 ms, twice the longest stable step.",
+    },
     "ball-to-rest": {
         ("pybullet", STOCK): (
             "PyBullet, as installed, makes contacts while there is still a gap, which takes height off every bounce;"
@@ -61,6 +97,14 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
         ("pybullet", STOCK): f"{_DRAG} That slows every slide by up to a quarter.",
         ("mujoco", STOCK): _CREEPS,
         ("dart", STOCK): f"{_ONE_POINT} Some slabs that should hold walk off that way.",
+    },
+    "break-away": {
+        ("pybullet", STOCK): f"{_DRAG} That holds back what slides; before it does, the slab creeps.",
+        ("mujoco", STOCK): (
+            "MuJoCo's friction cone, as installed, is a pyramid, weaker between its axes, and it yields a little to any"
+            " pull. The slab creeps, breaks away early, and off the direction of the push."
+        ),
+        ("dart", STOCK): f"{_ONE_POINT} It breaks away late, and turns as it slides.",
     },
     "critical-incline": {
         ("pybullet", STOCK): (
@@ -144,6 +188,24 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
             "MuJoCo, as installed, has no restitution: friction acts for as long as the ball sinks in and is pushed"
             " out."
         ),
+    },
+    "crossed-edges": {
+        ("pybullet", STOCK): "PyBullet, as installed, gives overlap back as speed, and damps the flight.",
+        ("mujoco", STOCK): _NO_RESTITUTION,
+        ("mujoco", SPRING): "In the 3 ms that MuJoCo's spring lasts, the boxes turn, and the normal with them.",
+    },
+    "mass-ratios": {
+        ("pybullet", STOCK): (
+            "PyBullet, as installed, makes 50 turns over the contacts of a step, too few for so light a ball, and damps"
+            " the flight."
+        ),
+        ("mujoco", STOCK): "MuJoCo's contact, as installed, is soft: the balls sink in and are still pushed apart.",
+        ("dart", STOCK): "DART, as installed, gives overlap back as speed: a hundredth of it in each step.",
+    },
+    "superball": {
+        ("pybullet", STOCK): _EARLY,
+        ("mujoco", STOCK): _NO_RESTITUTION,
+        ("dart", STOCK): "DART's friction cone, as installed, is a pyramid, and responds up to a millisecond late.",
     },
     "box-on-edge": {("dart", STOCK): "DART, as installed, leaves the box 1.5 to 3.1 mm deep in the floor."},
     "tipping-box": {

@@ -12,6 +12,7 @@ from reference.engines.base import EXACT, Engine, Method
 from reference.engines.profiles import WORLD
 from reference.errors import InvalidInput, UnknownName
 from reference.prediction.predicted import Prediction
+from reference.scene.query import Query
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
@@ -48,7 +49,9 @@ class Quantity:
     no figure, in this case or in any; then the number is only shown. scale: what a deviation is judged against when it
     is printed in percent, None to print it as it is. slack: how much of it a method's solver leaves to chance, in its
     unit, where that is more than the band of a prediction; None where nothing is. absent: what a run does that has no
-    such number. share_of: what a number without a unit is a share of, where its title does not say so.
+    such number. share_of: what a number without a unit is a share of, where its title does not say so. asked: the same
+    number by the implementation's own answers to questions of geometry, where it is to be that; a prediction, which
+    answers none, is measured.
     """
 
     name: str
@@ -60,6 +63,7 @@ class Quantity:
     slack: Callable[[Settings, Method], float] | None = None
     absent: str = "has no such number"
     share_of: str = ""
+    asked: Callable[[Trajectory, Callable[[Query], float]], float] | None = None
 
     def theory(self, case: Case) -> float | None:
         """What theory says, which depends on no engine and no timestep; None where it has no figure."""
@@ -122,6 +126,11 @@ class Family:
     convergence: Convergence
     grid: Grid | None = None
     predict: Callable[[Scenario, Settings, Method], Prediction | None] | None = None
+
+    @property
+    def steered(self) -> bool:
+        """Whether hand-written rules steer bodies of it, in every engine."""
+        return any(scenario.steering for case in self.cases for scenario in case.scenarios)
 
     def profiles(self, engine: Engine) -> Mapping[str, str]:
         """The profiles that an engine has for a case of this family, one that counts first, with a line on each."""

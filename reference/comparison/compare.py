@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -19,12 +20,16 @@ from reference.errors import (
     EngineNotInstalled,
     NeedsFunction,
     RunFailed,
+    Undecided,
     Unforeseen,
     as_failed_run,
 )
 from reference.prediction.predicted import Prediction
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
+
+_OUT_OF_RANGE = functools.partial(np.errstate, over="ignore", invalid="ignore")
+"""A run that explodes leaves the range of numbers; its trajectory is refused for that, and needs no warning."""
 
 
 def compare_case(
@@ -41,23 +46,27 @@ def compare_case(
     raises becomes a row, except `InvalidInput`: that is the caller's mistake.
     """
     try:
-        with as_failed_run():
+        with as_failed_run(), _OUT_OF_RANGE():
             trajectories = list(ran) if ran else engine.run_many(case.scenarios, settings)
             method = engine.method(case.scenarios[0], settings)
+        numbers = {quantity.name: measured(quantity, trajectories, engine) for quantity in family.quantities}
     except (NeedsFunction, CannotExpress, EngineNotInstalled, RunFailed) as error:
         blank = Row(family.name, case.name, engine.name, profile, "", "", verdict_of(error))
         return [replace(blank, note=str(error), settings=settings.describe())], []
-    numbers = {quantity.name: measured(quantity, trajectories) for quantity in family.quantities}
     return judged(family, case, engine.name, profile, settings, method, numbers), trajectories
 
 
 @dataclass(frozen=True)
 class Number:
-    """What was measured of one quantity: one value for each scenario of a case, or a note why there is none."""
+    """What was measured of one quantity: one value for each scenario of a case, or a note why there is none.
+
+    undecided: whether rounding decides what the number is, so that a prediction has none.
+    """
 
     values: tuple[float, ...] = ()
     note: str = ""
     crashed: bool = False
+    undecided: bool = False
 
     @property
     def mean(self) -> float | None:
@@ -70,16 +79,30 @@ class Number:
         return _finite(np.std, self.values) if len(self.values) > 1 else None
 
 
-def measured(quantity: Quantity, trajectories: Sequence[Trajectory]) -> Number:
-    """Measure a quantity of each trajectory."""
+def measured(quantity: Quantity, trajectories: Sequence[Trajectory], engine: Engine | None = None) -> Number:
+    """Measure a quantity of each trajectory. engine: which answers the quantity's questions, if it has any.
+
+    Raises
+    ------
+    CannotExpress, NeedsFunction
+        If the engine cannot answer them, or lacks a function for it.
+    """
     try:
         with as_failed_run():
-            values = tuple(float(quantity.measure(trajectory)) for trajectory in trajectories)
+            values = tuple(_value(quantity, trajectory, engine) for trajectory in trajectories)
     except Unforeseen as error:
         return Number(note=str(error), crashed=True)
+    except Undecided as error:
+        return Number(note=str(error), undecided=True)
     except RunFailed as error:  # the run has no such number: a body that still moves has no stopping distance
         return Number(note=str(error))
     return Number(values) if _finite(np.mean, values) is not None else Number(note=NOTHING_FINITE)
+
+
+def _value(quantity: Quantity, trajectory: Trajectory, engine: Engine | None) -> float:
+    if engine is not None and quantity.asked is not None:
+        return float(quantity.asked(trajectory, engine.query))
+    return float(quantity.measure(trajectory))
 
 
 def judged(
@@ -117,10 +140,17 @@ def judged(
 
 
 def predicted(family: Family, case: Case, settings: Settings, method: Method) -> list[Prediction]:
-    """What the method's recurrence gives in each scenario of a case; none where it has none for all of them."""
+    """What the method's recurrence gives in each scenario of a case; none where it has none for all of them.
+
+    One that leaves the range of numbers predicts nothing, and costs no other case its rows.
+    """
     if family.predict is None:
         return []
-    found = [family.predict(scenario, settings, method) for scenario in case.scenarios]
+    try:
+        with _OUT_OF_RANGE():
+            found = [family.predict(scenario, settings, method) for scenario in case.scenarios]
+    except RunFailed:
+        return []
     return [each for each in found if each is not None] if all(found) else []
 
 
@@ -133,10 +163,15 @@ class _Against:
 
     @classmethod
     def of(cls, quantity: Quantity, predictions: Sequence[Prediction], size: float, slack: float) -> _Against | None:
-        """None without a prediction. size: as in `Expectation`. slack: as `Quantity.slack` says."""
+        """None without a prediction, and where rounding decides what the number is.
+
+        size: as in `Expectation`. slack: as `Quantity.slack` says.
+        """
         if not predictions:
             return None
         number = measured(quantity, [each.trajectory for each in predictions])
+        if number.undecided:
+            return None
         bands = (each.band(value, size) for each, value in zip(predictions, number.values, strict=False))
         return cls(number, tuple(max(band, slack) for band in bands))
 

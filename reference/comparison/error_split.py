@@ -65,7 +65,8 @@ def split(asked: Question, order: float | None = None) -> Split | None:
     if error is None:
         return None
     power = 2 if order is not None and abs(order - 2) < ORDER_TOLERANCE else 1
-    shares = _from_stock(asked, tuned, PLAIN_OF[profile]) if profile in PLAIN_OF else []
+    plain = PLAIN_OF.get(profile, "")
+    shares = _from_stock(asked, tuned, plain) if plain in engine.profiles(scenario) else []
     for move in (Move(DISCRETISATION, "timestep", tuned.timestep / 2), *engine.moves(scenario, tuned)):
         after = asked.mean_error(_moved(engine, tuned, move))
         if after is not None:

@@ -14,6 +14,8 @@ import numpy as np
 
 from reference.engines.base import EXACT, Engine, Method
 from reference.scene import geometry
+from reference.scene.forces import OscillatingForce
+from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Contacts, Event, Trajectory
@@ -96,6 +98,10 @@ def _movable(scenario: Scenario) -> list[Body]:
     return [body for body in scenario.bodies if not body.immovable]
 
 
+def _something_moves(scenario: Scenario, _: Method) -> bool:
+    return bool(_movable(scenario))
+
+
 def _with_bodies(scenario: Scenario, settings: Settings, changed: dict[str, Body]) -> World:
     return replace(scenario, bodies=tuple(changed.get(body.name, body) for body in scenario.bodies)), settings
 
@@ -116,6 +122,22 @@ def _other_inertia(scenario: Scenario, settings: Settings, size: float) -> World
     return _with_bodies(scenario, settings, changed)
 
 
+def _solid(scenario: Scenario) -> Body | None:
+    """The first polyhedron."""
+    return next((body for body in scenario.bodies if isinstance(body.shape, Polyhedron)), None)
+
+
+def _moved_vertex(scenario: Scenario, settings: Settings, size: float) -> World:
+    """The first vertex of a solid is farther from the middle of all by a share of its distance."""
+    body = _solid(scenario)
+    assert body is not None
+    assert isinstance(body.shape, Polyhedron)
+    points = body.shape.points
+    points[0] += size * (points[0] - points.mean(axis=0))
+    other = replace(body, shape=replace(body.shape, vertices=tuple(map(tuple, points.tolist()))))
+    return _with_bodies(scenario, settings, {body.name: other})
+
+
 def _other_gravity(scenario: Scenario, settings: Settings, size: float) -> World:
     x, y, z = ((1 + size) * each for each in scenario.gravity)
     return replace(scenario, gravity=(x, y, z)), settings
@@ -126,15 +148,54 @@ def _other_timestep(scenario: Scenario, settings: Settings, size: float) -> Worl
     return scenario, replace(settings, timestep=settings.timestep * (1 + size))
 
 
+# Forces besides weight
+
+
+def _with_springs(name: str) -> Callable[[Scenario, Settings, float], World]:
+    def world(scenario: Scenario, settings: Settings, size: float) -> World:
+        springs = tuple(replace(each, **{name: getattr(each, name) * (1 + size)}) for each in scenario.springs)
+        return replace(scenario, springs=springs), settings
+
+    return world
+
+
+def _with_fluid(name: str) -> Callable[[Scenario, Settings, float], World]:
+    def world(scenario: Scenario, settings: Settings, size: float) -> World:
+        fluid = scenario.fluid
+        assert fluid
+        return replace(scenario, fluid=replace(fluid, **{name: getattr(fluid, name) * (1 + size)})), settings
+
+    return world
+
+
+def _other_attraction(scenario: Scenario, settings: Settings, size: float) -> World:
+    pulls = tuple(replace(each, constant=each.constant * (1 + size)) for each in scenario.attractions)
+    return replace(scenario, attractions=pulls), settings
+
+
+def _oscillating(scenario: Scenario) -> bool:
+    return any(isinstance(each, OscillatingForce) for each in scenario.forces)
+
+
+def _other_amplitude(scenario: Scenario, settings: Settings, size: float) -> World:
+    pushes = []
+    for each in scenario.forces:
+        if isinstance(each, OscillatingForce):
+            x, y, z = ((1 + size) * part for part in each.amplitude)
+            each = replace(each, amplitude=(x, y, z))
+        pushes.append(each)
+    return replace(scenario, forces=tuple(pushes)), settings
+
+
 # Directions
 
 
 def _turnable(scenario: Scenario) -> Body | None:
-    """The first half-space; without any, a box in a pair, one that cannot move before one that can."""
+    """The first half-space; without any, a box in a pair, one that cannot move before one that can; or a solid."""
     met = {name for pair in scenario.pairs for name in (pair.body_a, pair.body_b)}
     planes = [body for body in scenario.bodies if isinstance(body.shape, HalfSpace)]
     boxes = [body for body in scenario.bodies if isinstance(body.shape, Box) and body.name in met]
-    return next(iter([*planes, *sorted(boxes, key=lambda body: not body.immovable)]), None)
+    return next(iter([*planes, *sorted(boxes, key=lambda body: not body.immovable)]), _solid(scenario))
 
 
 def _turned_normal(scenario: Scenario, settings: Settings, degrees: float) -> World:
@@ -170,6 +231,7 @@ def _one_sample_early(trajectory: Trajectory) -> Trajectory:
         velocities=trajectory.velocities[1:],
         angular_velocities=trajectory.angular_velocities[1:],
         contacts=replace(kept, sample=kept.sample - 1),
+        watched=trajectory.watched[1:],
         events=tuple(Event(max(0.0, each.time - earlier), each.kind, each.body) for each in trajectory.events),
     )
 
@@ -198,8 +260,13 @@ FAULTS = (
         lambda scenario, _: any(scenario.gravity),
         _other_gravity, unit="%", first=_FIRST, most=_MOST,
     ),
-    Fault("mass", "mass", lambda *_: True, _other_mass, unit="%", first=_FIRST, most=_MOST),
-    Fault("inertia", "inertia", lambda *_: True, _other_inertia, unit="%", first=_FIRST, most=_MOST),
+    Fault("mass", "mass", _something_moves, _other_mass, unit="%", first=_FIRST, most=_MOST),
+    Fault("inertia", "inertia", _something_moves, _other_inertia, unit="%", first=_FIRST, most=_MOST),
+    Fault(
+        "vertex", "a vertex of a solid",
+        lambda scenario, _: _solid(scenario) is not None,
+        _moved_vertex, unit="%", first=_FIRST, most=_MOST,
+    ),
     Fault(
         "timestep", "timestep",
         lambda _, method: method.kind != EXACT,
@@ -211,5 +278,35 @@ FAULTS = (
         "normal", "direction of a normal",
         lambda scenario, _: _turnable(scenario) is not None,
         _turned_normal, unit="°", first=0.01, most=10.0,
+    ),
+    Fault(
+        "stiffness", "stiffness of the springs",
+        lambda scenario, _: any(each.stiffness for each in scenario.springs),
+        _with_springs("stiffness"), unit="%", first=_FIRST, most=_MOST,
+    ),
+    Fault(
+        "damping", "damping of the springs",
+        lambda scenario, _: any(each.damping for each in scenario.springs),
+        _with_springs("damping"), unit="%", first=_FIRST, most=_MOST,
+    ),
+    Fault(
+        "drive", "amplitude of an oscillating force",
+        lambda scenario, _: _oscillating(scenario),
+        _other_amplitude, unit="%", first=_FIRST, most=_MOST,
+    ),
+    Fault(
+        "viscosity", "viscosity of the fluid",
+        lambda scenario, _: bool(scenario.fluid and scenario.fluid.viscosity),
+        _with_fluid("viscosity"), unit="%", first=_FIRST, most=_MOST,
+    ),
+    Fault(
+        "density", "density of the fluid",
+        lambda scenario, _: bool(scenario.fluid and scenario.fluid.density),
+        _with_fluid("density"), unit="%", first=_FIRST, most=_MOST,
+    ),
+    Fault(
+        "attraction", "constant of attraction",
+        lambda scenario, _: bool(scenario.attractions),
+        _other_attraction, unit="%", first=_FIRST, most=_MOST,
     ),
 )  # fmt: skip

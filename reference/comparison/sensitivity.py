@@ -153,7 +153,7 @@ class Subject:
         if predicted(family, case, settings, method):
             case = replace(case, scenarios=case.scenarios[:FIRST_OF_AN_ENSEMBLE])
         with as_failed_run():
-            numbers = _measured(family, engine.run_many(case.scenarios, settings))
+            numbers = _measured(family, engine.run_many(case.scenarios, settings), engine)
         judging = _remembering(family)
         rows = judged(judging, case, engine.name, profile, settings, method, numbers)
         return cls(family, judging, case, engine, profile, settings, method, numbers, tuple(rows))
@@ -221,7 +221,7 @@ class Subject:
             return {name: self._mirrored(name, number) for name, number in self.numbers.items()}
         with as_failed_run():
             trajectories = run_with_fault(self.engine, fault, size, self.case.scenarios, self.settings)
-        return _measured(self.family, trajectories)
+        return _measured(self.family, trajectories, self.engine)
 
     def red(self, numbers: Numbers) -> list[str]:
         """The quantities whose verdict fails with these numbers, and did not without the fault."""
@@ -268,8 +268,8 @@ def _differ(before: Number, number: Number) -> bool:
     return then.shape != now.shape or bool(np.any(np.abs(now - then) > NOTHING * np.maximum(1.0, np.abs(then))))
 
 
-def _measured(family: Family, trajectories: Sequence[Trajectory]) -> dict[str, Number]:
-    return {quantity.name: measured(quantity, trajectories) for quantity in family.quantities}
+def _measured(family: Family, trajectories: Sequence[Trajectory], engine: Engine) -> dict[str, Number]:
+    return {quantity.name: measured(quantity, trajectories, engine) for quantity in family.quantities}
 
 
 def _remembering(family: Family) -> Family:

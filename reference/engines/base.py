@@ -7,33 +7,65 @@ import importlib.metadata
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import ClassVar
 
 from reference.engines import profiles
 from reference.engines.implementation import Implementation
 from reference.engines.ranges import Allowed, check_options
-from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, UnknownName
+from reference.engines.steering import ROUNDING, steers_of
+from reference.errors import CannotExpress, EngineNotInstalled, InvalidInput, NoWords, UnknownName
 from reference.impact_truth import NEWTON
+from reference.scene.loads import Steers
+from reference.scene.polyhedron import Polyhedron
 from reference.scene.query import Query
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Move, Settings
+from reference.scene.survey import Survey
 from reference.scene.trajectory import Trajectory
 
 EXACT, INTERPOLATED, AT_STEP, COMPLIANT = "exact", "interpolated", "at step", "compliant"
-RULES = RESPOND_THEN_STEP, TURN_BACK, CHORD, WORLD, BULLET, BULLET_SPRING, MUJOCO_ONE_STEP, MUJOCO_SPRING, DART = (
+RULES = (
+    RESPOND_THEN_STEP,
+    TURN_BACK,
+    CHORD,
+    PENALTY,
+    EXPLICIT,
+    VERLET,
+    RUNGE_KUTTA,
+    WORLD,
+    BULLET,
+    BULLET_DAMPED,
+    BULLET_SPRING,
+    MUJOCO_ONE_STEP,
+    MUJOCO_SPRING,
+    DART,
+    ANSWERS_EXACT,
+    ANSWERS_OF_BULLET,
+    ANSWERS_IN_SINGLE,
+) = (
     "respond, then step",
     "turn back, then step",
     "chord",
+    "penalty",
+    "explicit Euler",
+    "velocity Verlet",
+    "Runge–Kutta",
     "the world's",
     "Bullet's",
+    "Bullet's, damped",
     "Bullet's spring",
     "MuJoCo's in one step",
     "MuJoCo's spring",
     "DART's",
+    "exact answers",
+    "Bullet's answers",
+    "answers of vertices in single precision",
 )
-"""The recurrences that `reference.prediction` has, step by step."""
+"""The recurrences that `reference.prediction` has, step by step; the last three are of surveys, which have no steps."""
+CONES = CIRCLE, DIAMOND, SQUARE = "circle", "diamond", "square"
+"""What friction on a level plane may be: within a circle (Coulomb's law), |x| + |y| ≤ μN, or |x| ≤ μN and |y| ≤ μN."""
 MOST_STEPS = 10**8
 """No engine takes more steps than this within the time limit of a job."""
 
@@ -53,7 +85,11 @@ class Method:
     weighed: share of the speed that gravity adds in the step of an impact, which the impact turns back as well.
     law: of restitution in an impact with friction, one of `reference.impact_truth` or `reference.spatial_impact`.
     reach: gap up to which it makes a contact, m.
+    cone: which friction forces it lets a plane make, one of those above; the corners of a diamond and the sides of a
+    square lie along its axes.
+    drag: of a ball in a fluid, as a share of Stokes' drag.
     rule: the recurrence that a run follows step by step, one of those above; "" if none has been written down.
+    steered_by: the hand-written code that steers bodies; None where nothing is steered.
     """
 
     kind: str
@@ -67,8 +103,13 @@ class Method:
     law: str = NEWTON
     reach: float = 0.0
     rule: str = ""
+    drag: float = 1.0
+    cone: str = CIRCLE
+    steered_by: Implementation | None = None
 
     def __post_init__(self) -> None:
+        if self.cone not in CONES:
+            raise InvalidInput(f"the cone of a method is {self.cone!r}; it is one of {', '.join(CONES)}")
         if self.rule and self.rule not in RULES:
             raise InvalidInput(f"the rule of a method is {self.rule!r}; it is one of {', '.join(RULES)}, or none, ''")
 
@@ -78,9 +119,9 @@ class Engine(ABC):
 
     name: as typed on the command line. title: as printed. order: place in tables. package: the distribution that it
     needs, None for ours. extra: the extra of this project that installs it. wheels: where its package can be installed
-    without a compiler. applies_forces: whether it lets a scenario's `forces` act, whatever the scenario.
+    without a compiler. applies_forces: whether it lets forces, springs and the like act, whatever the scenario.
     allowed: what each option may be; one that is not in it may be anything of its kind. implementation: which
-    hand-written code runs; only the hand-written engine reads it.
+    hand-written code runs. All of it is the hand-written engine's; the others ask it where bodies are steered.
     """
 
     name: ClassVar[str]
@@ -131,7 +172,7 @@ class Engine(ABC):
         return False
 
     def lets_forces_act(self, scenario: Scenario, settings: Settings) -> bool:
-        """Whether it lets this scenario's `forces` act; an engine that does in some scenarios alone overrides this."""
+        """Whether it lets this scenario's forces act; an engine that does in some scenarios alone overrides this."""
         return self.applies_forces
 
     def version(self) -> str:
@@ -153,6 +194,14 @@ class Engine(ABC):
         where = f" (ready-made for {self.wheels})" if self.wheels else ""
         return EngineNotInstalled(f"{self.title} is not installed here ({why}); to get it: {how}{where}")
 
+    def steers(self, scenario: Scenario) -> Steers | None:
+        """What the scenario's steering rules ask for in one run, in the implementation's words; None without any."""
+        return steers_of(scenario, self.implementation)
+
+    def steered(self, scenario: Scenario, method: Method) -> Method:
+        """The method with the code that steers, where anything is steered."""
+        return replace(method, steered_by=self.implementation) if scenario.steering else method
+
     def check_profile(self, scenario: Scenario, profile: str) -> None:
         """Refuse a profile that this engine does not have for this scenario, naming those it has."""
         if profile not in self.profiles(scenario):
@@ -165,19 +214,29 @@ class Engine(ABC):
         Raises
         ------
         InvalidInput
-            If an option is out of its range, or if the timestep is longer than the scenario, or so short that there are
-            too many.
+            If an option is out of its range, or if the timestep is longer than the scenario or than the interval of a
+            steering rule, or so short that there are too many.
         CannotExpress
             If forces act that this engine does not apply.
+        NoWords
+            If a body is a polyhedron and the scenario is no survey.
         """
         check_options(self.allowed, settings.options)
-        if scenario.forces and not self.lets_forces_act(scenario, settings):
+        if not isinstance(scenario, Survey) and any(isinstance(body.shape, Polyhedron) for body in scenario.bodies):
+            raise NoWords(f"in {scenario.name} a polyhedron is in the way of bodies; so far a survey alone knows them")
+        if (scenario.forces or scenario.pushes_change) and not self.lets_forces_act(scenario, settings):
             raise self.cannot(scenario, "it knows no forces but weight and those of contacts")
         if settings.timestep * settings.sample_every > scenario.duration:
             raise InvalidInput(
                 f"timestep {settings.timestep:g} s × {settings.sample_every} steps a sample is longer than"
                 f" {scenario.name}, which lasts {scenario.duration:g} s"
             )
+        for steering in scenario.steering:
+            if settings.timestep > steering.interval * (1 + ROUNDING):
+                raise InvalidInput(
+                    f"timestep {settings.timestep:g} s is longer than the {steering.interval:g} s after which"
+                    f" {steering.rule} is asked again"
+                )
         steps = settings.steps_for(scenario.duration)
         if steps > MOST_STEPS:
             made = f"timestep {settings.timestep:g} s makes {steps:.1e} steps of {scenario.name}"

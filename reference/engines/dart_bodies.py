@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from reference.engines.ground_box import ground_box, raised
-from reference.scene.scenario import Body, Box, HalfSpace, Sphere
+from reference.scene.scenario import Body, Box, HalfSpace, Shape, Sphere
 from reference.scene.settings import Settings
 
 
@@ -43,10 +43,10 @@ def set_restitution_and_friction(shape_node: Any, restitution: float, friction: 
     surface.setFrictionCoeff(friction)
 
 
-def stand(dart: Any, body: Body) -> tuple[Any, Any]:
-    """A body that nothing moves, in no world: its skeleton, and its shape where it stands."""
+def stand(dart: Any, body: Body, shape: Any = None) -> tuple[Any, Any]:
+    """A body that nothing moves, in no world: its skeleton, and its shape, if not the given one, where it stands."""
     skeleton, placed = dart.dynamics.Skeleton(body.name), _placed(body, Settings(1.0))
-    shape_node = _standing(dart, skeleton, placed).createShapeNode(_shape(dart, placed.shape))
+    shape_node = _standing(dart, skeleton, placed).createShapeNode(shape or _shape(dart, placed.shape))
     shape_node.createCollisionAspect()
     return skeleton, shape_node
 
@@ -75,9 +75,10 @@ def _transform(dart: Any, body: Body) -> Any:
     return transform
 
 
-def _shape(dart: Any, shape: Sphere | Box | HalfSpace) -> Any:
+def _shape(dart: Any, shape: Shape) -> Any:
     if isinstance(shape, Sphere):
         return dart.dynamics.SphereShape(shape.radius)
     if isinstance(shape, Box):
         return dart.dynamics.BoxShape([2 * extent for extent in shape.half_extents])
+    assert isinstance(shape, HalfSpace), "a survey asks about a polyhedron"
     return dart.dynamics.PlaneShape(shape.normal, 0.0)

@@ -7,14 +7,20 @@ from typing import ClassVar
 
 import numpy as np
 
-from reference.engines import profiles
+from reference.engines import profiles, surveying
 from reference.engines.base import (
+    ANSWERS_EXACT,
     AT_STEP,
     CHORD,
+    COMPLIANT,
     EXACT,
+    EXPLICIT,
     INTERPOLATED,
+    PENALTY,
     RESPOND_THEN_STEP,
+    RUNGE_KUTTA,
     TURN_BACK,
+    VERLET,
     Engine,
     Method,
 )
@@ -23,20 +29,28 @@ from reference.engines.handwritten import (
     ball_rows,
     balls_between_planes,
     corner_impact,
+    flight,
+    pushed_slabs,
     queries,
+    rubbing_slabs,
     slabs,
+    spinning_boxes,
+    spring_meshes,
+    surveyor,
     thin_wall,
     two_bodies,
     world,
     world_settings,
 )
-from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part
-from reference.engines.ranges import NOT_NEGATIVE, Allowed
+from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part, planes_met
+from reference.engines.ranges import NOT_NEGATIVE, POSITIVE, Allowed
 from reference.errors import InvalidInput, RunFailed
 from reference.impact_truth import DISSIPATIVE, NEWTON, POISSON, STRONGE
+from reference.scene import geometry
 from reference.scene.query import Query
 from reference.scene.scenario import Scenario
-from reference.scene.settings import Settings
+from reference.scene.settings import Option, Settings, steps_per_sample
+from reference.scene.survey import Survey
 from reference.scene.trajectory import Trajectory
 from reference.spatial_impact import ALONG_GRIP
 
@@ -47,11 +61,24 @@ POLICIES = {
     "exact_root": EXACT,
     "interpolated": INTERPOLATED,
     "at_step": AT_STEP,
+    "penalty": COMPLIANT,
+    "closed_form": EXACT,
+    **dict.fromkeys(flight.INTEGRATORS, AT_STEP),
 }
-RULES = {INTERPOLATED: CHORD, AT_STEP: RESPOND_THEN_STEP}
+POLICIES_IN_FLIGHT = {
+    profiles.EXACT: "closed_form",
+    "runge-kutta": "runge_kutta",
+    "verlet": "verlet",
+    "explicit": "explicit",
+    profiles.STEP: "semi_implicit",
+}
+"""Of what meets nothing: there is no instant to look for."""
+RULES = {INTERPOLATED: CHORD, AT_STEP: RESPOND_THEN_STEP, COMPLIANT: PENALTY}
 """The recurrences of the policies that have one; the exact root gives what theory says."""
 RULES_AT_A_WALL = {AT_STEP: TURN_BACK}
 """The same for a ball that flies at a thin wall, of which `overlap_interval` sees both faces."""
+RULES_OF_INTEGRATORS = {"explicit": EXPLICIT, "verlet": VERLET, "runge_kutta": RUNGE_KUTTA}
+"""The recurrences of the policies that are integrators; semi-implicit Euler is every other step method's."""
 
 LAWS = {
     DISSIPATIVE: "exact root, maximal dissipation",
@@ -60,17 +87,35 @@ LAWS = {
 }
 """The profiles for the laws of an impact with friction that are not Newton's, where the laws can part."""
 
+SPRING_STIFFNESS = 1e6
+"""Stiffness per unit mass of the profile `spring`, 1/s², that of the engines: a contact lasts about π ms."""
+SPRING_TIMESTEP = 5e-5
+"""Timestep of the profile `spring`, s: √stiffness · timestep = 0.05 gives some sixty steps a contact."""
+LONGEST_SPRING = 0.4
+"""s. A spring takes 20,000 steps a second. Scenarios that last longer have no such profile: they would take seconds."""
+
 IN_THE_WORLD = "rigid-body world"
 DRIVERS = {
     Kind.BOUNCE: ball_over_plane.bounce,
     Kind.WALLS: balls_between_planes.fly,
     Kind.SLIDE: slabs.slide,
+    Kind.PUSHED: pushed_slabs.break_away,
+    Kind.SWINGING: rubbing_slabs.swing,
     Kind.THIN_WALL: thin_wall.shoot,
     Kind.BALLS: two_bodies.strike_ball,
     Kind.FACE: two_bodies.strike_face,
     Kind.CORNER: corner_impact.strike_corner,
+    Kind.SPINNING: spinning_boxes.strike_in_turning,
     Kind.ROW: ball_rows.cradle,
+    Kind.FLIGHT: flight.fly,
+    Kind.ORBIT: flight.fly,
+    Kind.MESH: spring_meshes.settle,
+    Kind.VIBRATION: spring_meshes.vibrate,
 }
+
+
+LETS_FORCES_ACT = Kind.SLIDE, Kind.PUSHED, Kind.SWINGING, Kind.FLIGHT, Kind.ORBIT, Kind.MESH, Kind.VIBRATION
+"""The kinds whose loops know forces besides weight and contact."""
 
 
 class Handwritten(Engine):
@@ -89,8 +134,10 @@ class Handwritten(Engine):
     order = 0
     allowed: ClassVar[Mapping[str, Allowed]] = {
         "policy": POLICIES,
+        "signs": ("exact",),
         "impact_law": (NEWTON, *LAWS),
         "shortest_flight": NOT_NEGATIVE,
+        "stiffness": POSITIVE,
         **world_settings.ALLOWED,
     }
 
@@ -99,11 +146,21 @@ class Handwritten(Engine):
 
         The world counts too. It runs every scenario, and alone those that no other method can run.
         """
+        if isinstance(scenario, Survey):
+            return {profiles.EXACT: "exact root"}
         if kind(scenario) is None:
             return {profiles.WORLD: IN_THE_WORLD}
+        if kind(scenario) is Kind.FLIGHT:
+            closed = {profiles.EXACT: "closed form", profiles.WORLD: IN_THE_WORLD}
+            return closed | {profiles.STEP: "semi-implicit Euler"}
+        if kind(scenario) is Kind.ORBIT:  # the lecture has no closed form of it, and four ways to step it
+            others = {"runge-kutta": "Runge–Kutta", "verlet": "velocity Verlet", "explicit": "explicit Euler"}
+            return {profiles.WORLD: IN_THE_WORLD} | others | {profiles.STEP: "semi-implicit Euler"}
         found = {profiles.EXACT: "exact root", profiles.WORLD: IN_THE_WORLD}
         if kind(scenario) in BOUNCES:
             found[profiles.SLIDE] = "the slide's T"
+        if _may_yield(scenario):
+            found[profiles.SPRING] = "penalty spring"
         if laws_may_part(scenario):
             found |= LAWS
         return found | {profiles.STEP: "respond at the step"}
@@ -113,6 +170,13 @@ class Handwritten(Engine):
         self.check_profile(scenario, profile)
         if profile == profiles.WORLD:
             return world_settings.settings_of(scenario)
+        if isinstance(scenario, Survey):
+            return surveying.settings_of(signs="exact")
+        if profile == profiles.SPRING:
+            told: dict[str, Option] = {"policy": "penalty", "stiffness": SPRING_STIFFNESS}
+            return Settings(SPRING_TIMESTEP, steps_per_sample(SPRING_TIMESTEP), told)
+        if kind(scenario) in (Kind.FLIGHT, Kind.ORBIT):
+            return Settings(1e-3, options={"policy": POLICIES_IN_FLIGHT[profile]})
         policy = {profiles.SLIDE: "interpolated", profiles.STEP: "at_step"}.get(profile, "exact_root")
         options: dict[str, float | str] = {"policy": policy}
         if laws_may_part(scenario):
@@ -125,32 +189,38 @@ class Handwritten(Engine):
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
         """As the policy says, or as the world's options do."""
+        if isinstance(scenario, Survey):
+            return Method(EXACT, rule=ANSWERS_EXACT)
         if _in_the_world(settings):
-            return world_settings.method_of(scenario, settings)
+            return self.steered(scenario, world_settings.method_of(scenario, settings))
         steps = settings.number("shortest_flight") if "shortest_flight" in settings.options else 0.0
-        gravity = float(np.linalg.norm(scenario.gravity))
         law = str(settings.options.get("impact_law", NEWTON))
         if law == NEWTON and kind(scenario) is Kind.CORNER:
             law = ALONG_GRIP  # in a plane, where all other impacts of the drivers are, the two are one
-        rest_speed = steps * settings.timestep * gravity / 2
+        rest_speed = steps * settings.timestep * _towards_the_plane(scenario) / 2
         policy = POLICIES[str(settings["policy"])]
+        if policy == COMPLIANT:
+            return Method(COMPLIANT, stiffness=settings.number("stiffness"), rule=PENALTY)
         rules = RULES_AT_A_WALL if kind(scenario) is Kind.THIN_WALL else RULES
-        return Method(policy, rest_speed=rest_speed, law=law, rule=rules.get(policy, ""))
+        rule = RULES_OF_INTEGRATORS.get(str(settings["policy"])) or rules.get(policy, "")
+        return Method(policy, rest_speed=rest_speed, law=law, rule=rule)
 
     def check_settings(self, scenario: Scenario, settings: Settings) -> int:
         """Refuse also a `shortest_flight` below the one step that the slide's T can see."""
-        if not _in_the_world(settings) and settings["policy"] == "interpolated" and kind(scenario) in BOUNCES:
+        if settings.options.get("policy") == "interpolated" and kind(scenario) in BOUNCES:
             shortest = settings.number("shortest_flight")
             if shortest < 1:
                 raise InvalidInput(f"shortest_flight is {shortest:g}; with the policy interpolated it is at least 1")
         return super().check_settings(scenario, settings)
 
     def lets_forces_act(self, scenario: Scenario, settings: Settings) -> bool:
-        """A constant force pushes what slides, and all in the world; no other loop knows any."""
-        return _in_the_world(settings) or kind(scenario) is Kind.SLIDE
+        """All forces act in the world, in meshes and on what flies, pushes on what slides, and none elsewhere."""
+        return _in_the_world(settings) or kind(scenario) in LETS_FORCES_ACT
 
     def query(self, query: Query) -> float:
-        """Answer with the functions of swept volumes."""
+        """Answer with the functions of swept volumes, or of polyhedra."""
+        if surveying.is_of_solids(query):
+            return surveying.ask(self, query)
         return queries.answer(query, self.implementation)
 
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
@@ -164,6 +234,9 @@ class Handwritten(Engine):
     def run_many(self, scenarios: Sequence[Scenario], settings: Settings) -> list[Trajectory]:
         """Run a batch of scenarios side by side, in arrays: of one kind, or in the world any of them."""
         steps = [self.check_settings(scenario, settings) for scenario in scenarios]
+        if all(isinstance(scenario, Survey) for scenario in scenarios):
+            asked = surveyor.Surveyor(self.implementation)
+            return [surveying.run(self, asked, each, settings) for each in scenarios if isinstance(each, Survey)]
         if _in_the_world(settings):
             return world.run(self.name, scenarios, settings, steps, self.implementation)
         kinds = {kind(scenario) for scenario in scenarios}
@@ -173,8 +246,23 @@ class Handwritten(Engine):
         raise RunFailed(f"{scenarios[0].name} has no policy that could run it; the profile {profiles.WORLD} can")
 
 
+def _towards_the_plane(scenario: Scenario) -> float:
+    """Size of the weight per unit mass that brings a ball back to what it has left, m/s²."""
+    gravity = np.array(scenario.gravity)
+    if kind(scenario) is not Kind.BOUNCE:
+        return float(np.linalg.norm(gravity))
+    (plane,) = planes_met(scenario)
+    return float(-gravity @ np.array(plane.shape.normal))  # type: ignore[union-attr]
+
+
+def _may_yield(scenario: Scenario) -> bool:
+    """Whether a scenario has the profile `spring`: a short one, in which a ball falls on a plane."""
+    falls = kind(scenario) is Kind.BOUNCE and not geometry.starts_in_contact(scenario)
+    return falls and scenario.duration <= LONGEST_SPRING
+
+
 def _in_the_world(settings: Settings) -> bool:
-    return "policy" not in settings.options
+    return not {"policy", "signs"} & set(settings.options)
 
 
 ENGINE = Handwritten

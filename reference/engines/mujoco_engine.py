@@ -17,20 +17,31 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from reference import truth
-from reference.engines import mixing, mujoco_read_back
-from reference.engines.base import AT_STEP, COMPLIANT, MUJOCO_ONE_STEP, MUJOCO_SPRING, Engine, Method
+from reference.engines import (
+    mixing,
+    mujoco_bodies,
+    mujoco_own_forces,
+    mujoco_read_back,
+    mujoco_settings,
+    mujoco_surveyor,
+    surveying,
+)
+from reference.engines.base import (
+    Engine,
+    Method,
+)
+from reference.engines.mujoco_own_forces import FLUIDS, TENDONS
+from reference.engines.profiles import SWEPT
 from reference.engines.ranges import COUNT_OR_NONE, NOT_NEGATIVE, POSITIVE, SHARE, Allowed, Range
-from reference.impact_truth import APART, NEWTON
-from reference.scene import geometry
+from reference.scene import geometry, leaping
+from reference.scene.loads import Loads
 from reference.scene.off_centre import may_rub_off_centre, may_strike_off_centre
-from reference.scene.query import Query, Ray
-from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
-from reference.scene.settings import Move, Option, Settings, steps_per_sample
+from reference.scene.query import Distance, Query, Ray
+from reference.scene.scenario import Scenario
+from reference.scene.settings import Move, Settings
+from reference.scene.survey import Survey
 from reference.scene.trajectory import Recorder, Trajectory
 
-SPRING_STIFFNESS = 1e6
-"""Stiffness per unit mass of the `spring` profile, 1/s²: a contact lasts about π ms and a 1 m drop sinks in 4.4 mm."""
 FARTHEST = 1e6
 """Distance beyond which no two geoms lie, m: MuJoCo searches for closest points up to it."""
 
@@ -55,109 +66,66 @@ class MuJoCo(Engine):
         "impratio": POSITIVE,
         "noslip_iterations": COUNT_OR_NONE,
         "margin": NOT_NEGATIVE,
+        "margin_steps": NOT_NEGATIVE,
+        "springs": (TENDONS,),
+        "fluid": FLUIDS,
+        **mujoco_surveyor.ALLOWED,
     }
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
-        """`spring`, the resolved contact of the textbooks, joins where something falls."""
+        """`spring`, a resolved contact, joins where something falls; `swept` for fast shots, `tendons` for a spring."""
         found = {"tuned": "one-step contact"}
-        if not geometry.starts_in_contact(scenario):
+        if leaping.may_leap(scenario):  # a spring would give way farther than the wall is thick
+            found[SWEPT] = "contact a step ahead"
+        elif scenario.pairs and not geometry.starts_in_contact(scenario) and not scenario.steering:
             found["spring"] = "spring–dashpot contact"
+        if scenario.in_flight and len(scenario.springs) == 1:  # a mesh of many is told from outside alone
+            found[TENDONS] = "a tendon for the spring"
+        if scenario.in_flight and scenario.fluid and not scenario.springs and not scenario.attractions:
+            found |= {name: f"its fluid, {name}" for name in FLUIDS}
         return found | {"stock": "defaults, friction set"}
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile; every option is a number that MuJoCo gets, under its own name."""
         self.check_profile(scenario, profile)
-        if profile == "stock":
-            return Settings(2e-3, options={"contact": "default", "integrator": "Euler", "cone": "pyramidal"})
-        if profile == "spring":
-            # √stiffness · timestep = 0.2 gives some sixteen steps a contact. RK4: Euler is first order here.
-            return Settings(
-                2e-4,
-                steps_per_sample(2e-4),
-                {
-                    "contact": "spring",
-                    "integrator": "RK4",
-                    "cone": "elliptic",
-                    "impedance": 0.9999,
-                    "stiffness": SPRING_STIFFNESS,
-                },
-            )
-        restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
-        sliding = restitution == 0 and geometry.starts_in_contact(scenario)
-        options: dict[str, Option] = {
-            "contact": "one step",
-            "integrator": "Euler",
-            "cone": "elliptic",
-            "impedance": 0.9999,
-            # Share of the overlap that the spring takes back in a step. What an impact leaves, up to v dt, comes back
-            # as speed, so it must be small there and vanish with e → 1; a body that starts in contact needs it firm.
-            "overlap_recovery": 0.1 if sliding else min(1e-4, 0.01 * (1 - restitution) ** 2),
-            # MuJoCo's convex cone lifts a sliding contact. A tiny impratio takes friction out of the main solver, and
-            # the noslip passes put Coulomb's cone back, without the lift.
-            "impratio": 1e-10,
-            "noslip_iterations": 5,
-        }
-        if geometry.leaning(scenario):
-            # In a stack the normal forces depend on friction. Nothing slides, so the main solver may have it. At a
-            # gap of exactly zero rounding decides whether MuJoCo sees a contact; with the margin it sees all of them.
-            options |= {"impratio": 1.0, "noslip_iterations": 0, "margin": 1e-9}
-            return Settings(1e-3, options=options)
-        if sliding and any(isinstance(body.shape, Box) and not body.immovable for body in scenario.bodies):
-            # Friction turns a slab's nose down, which the normal forces of the main solver do not know of, and corners
-            # come off the ground in turn. Just above the critical slope, where the acceleration is a small difference,
-            # the way shows how well friction is solved: 0.18 % off with 5 passes, 0.08 % with 20.
-            options |= {"noslip_iterations": 20, "margin": 1e-8}
-        elif sliding:
-            options["margin"] = 1e-10  # a ball rises by as much, and its lever arm grows
-        return Settings(1e-4, steps_per_sample(1e-4), options)
+        return mujoco_settings.settings_of(scenario, profile)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
         """A resolved spring is compliant; the others respond at the step. Overlap returns as speed."""
-        if settings["contact"] == "spring":
-            rule = MUJOCO_SPRING if settings["integrator"] == "RK4" else ""
-            return Method(COMPLIANT, stiffness=settings.number("stiffness"), inset=0.5, rule=rule)
-        share = settings.number("overlap_recovery") if "overlap_recovery" in settings.options else 0.0
-        # The noslip passes change the friction and leave the normal impulse as it was without.
-        passes = settings.options.get("noslip_iterations", 0)
-        rule = MUJOCO_ONE_STEP if settings["contact"] == "one step" and settings["integrator"] == "Euler" else ""
-        return Method(AT_STEP, speed_recovery=share, inset=0.5, law=APART if passes else NEWTON, rule=rule)
+        return self.steered(scenario, mujoco_settings.method_of(scenario, settings))
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A firmer contact for what rests, a weaker one for what rebounds, or a stiffer spring; more noslip passes."""
-        if settings["contact"] == "spring":
-            return (Move("contact model", "stiffness", 4 * settings.number("stiffness")),)
-        if settings["contact"] == "default":
-            return ()
-        recovery, passes = settings.number("overlap_recovery"), int(settings.number("noslip_iterations"))
-        rests = all(pair.restitution == 0 for pair in scenario.pairs)
-        found = []
-        if recovery:
-            weaker = min(10 * recovery, 0.5) if rests else recovery / 10
-            found.append(Move("contact model", "overlap_recovery", weaker))
-        if passes:
-            found.append(Move("solver", "noslip_iterations", 2 * passes))
-        return tuple(found)
+        return mujoco_settings.moves_of(scenario, settings)
 
     def run(self, scenario: Scenario, settings: Settings) -> Trajectory:
         """Build the model, step it in C between samples and read positions and velocities at the samples."""
         mujoco: Any = self.module()
+        if isinstance(scenario, Survey):
+            return surveying.run(self, mujoco_surveyor.Surveyor(mujoco, settings), scenario, settings)
         self.check_friction(scenario)
         self.check_impacts(scenario)
         steps = self.check_settings(scenario, settings)
         mujoco.set_mju_user_warning(lambda message: None)  # a bad state is found in the samples; write no log file
         model = self._model(mujoco, scenario, settings)
         mujoco_read_back.check_world(mujoco, model, scenario, settings)
+        mujoco_own_forces.check(model, scenario, settings)
         state = mujoco.MjData(model)
         movable = [place for place, body in enumerate(scenario.bodies) if not body.immovable]
         for slot, place in enumerate(movable):
-            _set_velocity(state, slot, scenario.bodies[place])
-        for force in scenario.forces:
-            state.xfrc_applied[1 + scenario.index(force.body), :3] += force.force  # body 0 is the world
+            mujoco_bodies.set_velocity(state, slot, scenario.bodies[place])
+        loads = Loads(mujoco_own_forces.from_outside(scenario, settings), steers=self.steers(scenario))
         recorder = Recorder(self.name, scenario, settings)
         fixed = [list(body.state()) for body in scenario.bodies]
         recorder.sample(_state(state, movable, fixed))
-        for _ in range(steps // settings.sample_every):
-            mujoco.mj_step(model, state, nstep=settings.sample_every)
+        changes = loads.scenario.pushes_change
+        at_once = 1 if changes else settings.sample_every
+        for number in range(0, steps, at_once):
+            if changes or (number == 0 and scenario.forces):
+                _push(state, loads, movable, fixed, number * settings.timestep)
+            mujoco.mj_step(model, state, nstep=at_once)
+            if (number + at_once) % settings.sample_every:
+                continue
             recorder.sample(_state(state, movable, fixed))
             if state.ncon:
                 _keep_contacts(recorder, state.contact)
@@ -175,6 +143,9 @@ class MuJoCo(Engine):
 
     def query(self, query: Query) -> float:
         """Answer with MuJoCo's own rays and distances of geoms."""
+        if surveying.is_of_solids(query):
+            return surveying.ask(self, query)
+        assert isinstance(query, Ray | Distance)
         mujoco: Any = self.module()
         bodies = (query.body,) if isinstance(query, Ray) else (query.body_a, query.body_b)
         scenario = Scenario("query", bodies, (), 1.0, (0.0, 0.0, 0.0))
@@ -201,13 +172,15 @@ class MuJoCo(Engine):
         stock = settings["contact"] == "default"
         friction = self._stock_friction(scenario) if stock else [None] * len(scenario.bodies)
         for body, own_friction in zip(scenario.bodies, friction, strict=True):
-            self._add_body(mujoco, spec, body, own_friction)
+            mujoco_bodies.add_body(mujoco, spec, body, own_friction)
         if not stock:
             for pair in scenario.pairs:
-                set_restitution_and_friction(spec, pair, settings)
+                margin = mujoco_read_back.margin_of(scenario, settings)
+                mujoco_bodies.set_restitution_and_friction(spec, pair, settings, margin)
         else:
             for first, second in scenario.unlisted_pairs():
                 spec.add_exclude(bodyname1=first, bodyname2=second)
+        mujoco_own_forces.add(spec, scenario, settings)
         return spec.compile()
 
     def _stock_friction(self, scenario: Scenario) -> Sequence[float]:
@@ -217,65 +190,9 @@ class MuJoCo(Engine):
             raise self.cannot(scenario, "it takes the larger friction of two geoms, and no choice gives all pairs")
         return friction
 
-    def _add_body(self, mujoco: Any, spec: Any, body: Body, friction: float | None) -> None:
-        orientation: Any = body.orientation
-        if isinstance(body.shape, HalfSpace):
-            orientation = geometry.upright_on(np.array(body.shape.normal))
-        frame = spec.worldbody.add_body(name=body.name, pos=body.position, quat=orientation)
-        kind, size = _geom(mujoco, body.shape)
-        options: dict[str, Any] = {"contype": 0, "conaffinity": 0}  # only the pairs that are listed collide
-        if friction is not None:
-            options = {"friction": [friction, 0.005, 0.0001]}  # the two others are MuJoCo's defaults
-        if not body.immovable:
-            frame.add_freejoint()
-            options["mass"] = body.mass
-        if body.inertia:
-            frame.explicitinertial, frame.mass, frame.inertia = True, body.mass, body.inertia
-            frame.ipos, frame.iquat = (0, 0, 0), (1, 0, 0, 0)  # in the body; without it MuJoCo takes the body's pose
-        frame.add_geom(name=body.name, type=kind, size=size, **options)
-
-
-def set_restitution_and_friction(spec: Any, pair: Pair, settings: Settings) -> None:
-    """Add an explicit contact pair: its `solref` makes the restitution."""
-    dt, restitution, friction = settings.timestep, pair.restitution, pair.kinetic_friction
-    impedance = settings.number("impedance")
-    # An impedance that does not depend on depth; width, midpoint and power, which then do nothing, are the defaults
-    options: dict[str, Any] = {"solimp": [impedance, impedance, 0.001, 0.5, 2]}
-    if settings["contact"] == "one step":
-        options["solref"] = [-settings.number("overlap_recovery") / dt**2, -(1 + restitution) / dt]
-        options["solreffriction"] = [0, -1 / dt]  # takes away the whole slip in a step, as far as Coulomb allows
-    else:
-        stiffness = settings.number("stiffness")
-        ratio = min(truth.damping_ratio(restitution), mujoco_read_back.MOST_DAMPED)
-        options["solref"] = [-stiffness, -2 * ratio * math.sqrt(stiffness)]
-    if "margin" in settings.options:
-        options["margin"] = settings.number("margin")
-    spec.add_pair(
-        geomname1=pair.body_a,
-        geomname2=pair.body_b,
-        condim=mujoco_read_back.DIMENSIONS,
-        friction=[friction, friction, 0, 0, 0],
-        **options,
-    )
-
 
 def _choice(enumeration: Any, prefix: str, name: str) -> Any:
     return getattr(enumeration, prefix + name.upper())
-
-
-def _geom(mujoco: Any, shape: Sphere | Box | HalfSpace) -> tuple[Any, list[float]]:
-    if isinstance(shape, Sphere):
-        return mujoco.mjtGeom.mjGEOM_SPHERE, [shape.radius, 0, 0]
-    if isinstance(shape, Box):
-        return mujoco.mjtGeom.mjGEOM_BOX, list(shape.half_extents)
-    return mujoco.mjtGeom.mjGEOM_PLANE, [0, 0, 1]  # infinite
-
-
-def _set_velocity(state: Any, slot: int, body: Body) -> None:
-    """A free joint's velocity: linear in the world frame, angular in the body's own."""
-    conjugate = geometry.opposite(np.array(body.orientation))
-    state.qvel[6 * slot : 6 * slot + 3] = body.velocity
-    state.qvel[6 * slot + 3 : 6 * slot + 6] = geometry.rotate(conjugate, np.array(body.angular_velocity))
 
 
 def _state(state: Any, movable: list[int], fixed: list[list[float]]) -> list[float]:
@@ -285,6 +202,16 @@ def _state(state: Any, movable: list[int], fixed: list[list[float]]) -> list[flo
     for slot, place in enumerate(movable):
         numbers[place] = poses[7 * slot : 7 * slot + 7] + velocities[6 * slot : 6 * slot + 6]
     return [number for values in numbers for number in values]
+
+
+def _push(state: Any, loads: Loads, movable: list[int], fixed: list[list[float]], time: float) -> None:
+    """Tell MuJoCo the forces and torques that act until they are told anew; its body 0 is the world."""
+    if loads.kept(time) is not None:
+        return  # they are as they were told
+    numbers = np.array(_state(state, movable, fixed)).reshape(len(fixed), 13)
+    position, orientation, velocity, own_spin = np.split(numbers, (3, 7, 10), axis=-1)
+    force, torque = loads.on_bodies(time, position, orientation, velocity, geometry.rotate(orientation, own_spin))
+    state.xfrc_applied[1:] = np.concatenate([force, torque], axis=-1)
 
 
 def _keep_contacts(recorder: Recorder, contact: Any) -> None:

@@ -11,6 +11,7 @@ from typing import Any
 
 from reference import truth
 from reference.engines import read_back
+from reference.scene import leaping
 from reference.scene.scenario import Pair, Scenario
 from reference.scene.settings import Settings
 
@@ -19,6 +20,13 @@ DIMENSIONS = 3
 """Of a contact's force: along the normal and in two directions along the surface. With one there is no friction."""
 MOST_DAMPED = 5.0
 """Damping ratio of a spring that stands for e = 0, which has no finite one: it rebounds with 1 % of the speed."""
+
+
+def margin_of(scenario: Scenario, settings: Settings) -> float:
+    """The gap up to which MuJoCo makes a contact, m."""
+    if "margin_steps" in settings.options:
+        return settings.number("margin_steps") * leaping.way_of_a_step(scenario, settings.timestep)
+    return settings.number("margin") if "margin" in settings.options else 0.0
 
 
 def check_world(mujoco: Any, model: Any, scenario: Scenario, settings: Settings) -> None:
@@ -64,7 +72,7 @@ def _check_pairs(model: Any, scenario: Scenario, settings: Settings) -> None:
         for number in range(2):
             impedance = model.pair_solimp[place, number]
             read_back.check_pair(TITLE, "impedance", pair, settings.number("impedance"), impedance)
-        margin = settings.number("margin") if "margin" in settings.options else 0.0
+        margin = margin_of(scenario, settings)
         read_back.check_pair(TITLE, "margin", pair, margin, model.pair_margin[place])
         if settings["contact"] == "one step":
             _check_one_step(pair, model.pair_solref[place], model.pair_solreffriction[place], settings)

@@ -38,6 +38,9 @@ def add_body(
         bullet.changeDynamics(number, -1, mass=body.mass, localInertiaDiagonal=body.inertia, **here)
     if not body.immovable:
         _set_damping_and_contact_gap(bullet, number, settings, fall, here)
+        if "swept_inset" in settings.options and isinstance(body.shape, Sphere):
+            radius = max(0.0, body.shape.radius - settings.number("swept_inset"))  # without a radius nothing is swept
+            bullet.changeDynamics(number, -1, ccdSweptSphereRadius=radius, **here)
         bullet.resetBaseVelocity(number, body.velocity, body.angular_velocity, **here)
     return number
 
@@ -82,6 +85,7 @@ def _collision_shape(bullet: Any, body: Body, here: dict[str, int]) -> int:
     elif isinstance(shape, Box):
         number = bullet.createCollisionShape(bullet.GEOM_BOX, halfExtents=shape.half_extents, **here)
     else:
+        assert isinstance(shape, HalfSpace), "a survey asks about a polyhedron"
         own_frame = geometry.rotate(geometry.opposite(np.array(body.orientation)), np.array(shape.normal))
         number = bullet.createCollisionShape(bullet.GEOM_PLANE, planeNormal=own_frame.tolist(), **here)
     return number

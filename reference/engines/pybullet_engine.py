@@ -22,16 +22,28 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from reference.engines import mixing, pybullet_bodies, pybullet_read_back, pybullet_settings, pybullet_spring
+from reference.engines import (
+    mixing,
+    pybullet_bodies,
+    pybullet_read_back,
+    pybullet_settings,
+    pybullet_spring,
+    pybullet_surveyor,
+    surveying,
+)
 from reference.engines.base import Engine, Method
 from reference.engines.ground_box import from_raised
+from reference.engines.profiles import SWEPT, TUNED
 from reference.engines.pybullet_settings import gravity_of, rest_speed_of
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, POSITIVE, SHARE, Allowed
+from reference.engines.steering import sampled, unhurried
 from reference.errors import RunFailed
-from reference.scene import geometry
-from reference.scene.query import Query, Ray
-from reference.scene.scenario import Body, Force, Scenario
+from reference.scene import geometry, leaping
+from reference.scene.loads import Loads
+from reference.scene.query import Distance, Query, Ray
+from reference.scene.scenario import Body, Scenario
 from reference.scene.settings import Move, Settings
+from reference.scene.survey import Survey
 from reference.scene.trajectory import Recorder, Trajectory
 
 WORLD = {
@@ -39,6 +51,7 @@ WORLD = {
     "contact_erp": "contactERP",
     "solver_iterations": "numSolverIterations",
     "solver_residual": "solverResidualThreshold",
+    "sweep_from": "allowedCcdPenetration",
     "cone_friction": "enableConeFriction",  # without it friction is limited along two axes, each by itself
 }
 """Our options for the whole world, and what Bullet calls them."""
@@ -74,28 +87,38 @@ class PyBullet(Engine):
         "solver_residual": NOT_NEGATIVE,
         "stiffness": POSITIVE,
         "spring_of": ("world", "bodies"),
+        **pybullet_surveyor.ALLOWED,
+        "swept_inset": NOT_NEGATIVE,
+        "sweep_from": NOT_NEGATIVE,
     }
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
-        """`spring`, the resolved contact of the textbooks, joins where balls fall or strike."""
+        """`spring`, the resolved contact of the textbooks, joins where balls fall or strike; `swept` for fast shots."""
         found = dict(super().profiles(scenario))
+        if isinstance(scenario, Survey):
+            return found
         stock = found.pop("stock")
         expressible = pybullet_spring.spring_of(scenario, pybullet_settings.SPRING_STIFFNESS) is not None
-        if expressible and not geometry.starts_in_contact(scenario):
+        if leaping.may_leap(scenario):  # a spring would give way farther than the wall is thick
+            found[SWEPT] = "continuous detection"
+        elif expressible and not geometry.starts_in_contact(scenario) and not scenario.steering:
             found["spring"] = "spring–dashpot contact"
         return found | {"stock": stock}
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at Bullet's default."""
         self.check_profile(scenario, profile)
-        return pybullet_settings.settings_of(scenario, profile)
+        settings = pybullet_settings.settings_of(scenario, profile)
+        return unhurried(scenario, settings) if profile == TUNED else sampled(scenario, settings)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
         """A spring yields. Else Bullet resolves an impact at the step, and split impulses take overlap back."""
-        return pybullet_settings.method_of(scenario, settings)
+        return self.steered(scenario, pybullet_settings.method_of(scenario, settings))
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A lower threshold of rest or a stiffer spring, and twice the solver's iterations."""
+        if not scenario.pairs:
+            return ()
         found = []
         if "stiffness" in settings.options:
             found.append(Move("contact model", "stiffness", 4 * settings.number("stiffness")))
@@ -123,6 +146,8 @@ class PyBullet(Engine):
         self._check_inertia(scenario, settings)
         steps = self.check_settings(scenario, settings)
         bullet.resetSimulation(**here)
+        if isinstance(scenario, Survey):
+            return surveying.run(self, pybullet_surveyor.Surveyor(bullet, settings, here), scenario, settings)
         self._set_world(bullet, scenario, settings, here)
         fall = gravity_of(scenario) * settings.timestep**2
         both = self._restitution_and_friction(scenario, settings)
@@ -143,9 +168,10 @@ class PyBullet(Engine):
         margin = settings.number("margin") if "margin" in settings.options else 0.0
         recorder = Recorder(self.name, scenario, settings)
         recorder.sample(_state(bullet, numbers, scenario, here))
+        loads = Loads(scenario, steers=self.steers(scenario)) if scenario.forces or scenario.pushes_change else None
         for step in range(1, steps + 1):
-            for force in scenario.forces:
-                _push(bullet, numbers[scenario.index(force.body)], force, here)
+            if loads:
+                _push(bullet, numbers, loads, (step - 1) * settings.timestep, here)
             bullet.stepSimulation(**here)
             if step % settings.sample_every == 0:
                 recorder.sample(_state(bullet, numbers, scenario, here))
@@ -155,6 +181,9 @@ class PyBullet(Engine):
 
     def query(self, query: Query) -> float:
         """Answer with Bullet's own rays and closest points."""
+        if surveying.is_of_solids(query):
+            return surveying.ask(self, query)
+        assert isinstance(query, Ray | Distance)
         bullet: Any = self.module()
         client = bullet.connect(bullet.DIRECT)
         here = {"physicsClientId": client}
@@ -191,7 +220,7 @@ class PyBullet(Engine):
 
         In maximal coordinates the impulses of the first step turn it by its shape's; those of the next by its own.
         """
-        if settings["coordinates"] == "multibody":
+        if settings.options.get("coordinates") != "maximal":
             return
         for pair in scenario.pairs:
             a, b = scenario.body(pair.body_a), scenario.body(pair.body_b)
@@ -221,10 +250,24 @@ def _fixed(body: Body) -> Body:
     return replace(body, mass=math.inf, inertia=(), velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
 
 
-def _push(bullet: Any, number: int, force: Force, here: dict[str, int]) -> None:
-    """Let a force act in the next step, after which Bullet forgets it."""
-    centre, _ = bullet.getBasePositionAndOrientation(number, **here)
-    bullet.applyExternalForce(number, -1, force.force, centre, bullet.WORLD_FRAME, **here)
+def _push(bullet: Any, numbers: list[int], loads: Loads, time: float, here: dict[str, int]) -> None:
+    """Let forces and torques act in the next step, after which Bullet forgets them."""
+    scenario = loads.scenario
+    kept = loads.kept(time)
+    if kept is None:
+        state = np.array(_state(bullet, numbers, scenario, here)).reshape(len(numbers), 13)
+        kept = loads.on_bodies(time, *np.split(state, (3, 7, 10), axis=-1))
+    force, torque = kept
+    for place, (number, body) in enumerate(zip(numbers, scenario.bodies, strict=True)):
+        if body.immovable:
+            continue
+        if force[place].any():
+            # In a body's own frame its centre is the origin, but the force would have to be turned; in the world's the
+            # force is as it is, and the centre is asked for.
+            at, _ = bullet.getBasePositionAndOrientation(number, **here)
+            bullet.applyExternalForce(number, -1, force[place].tolist(), at, bullet.WORLD_FRAME, **here)
+        if torque[place].any():
+            bullet.applyExternalTorque(number, -1, torque[place].tolist(), bullet.WORLD_FRAME, **here)
 
 
 def _keep_contact(

@@ -6,16 +6,36 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from reference.engines.base import AT_STEP, BULLET, BULLET_SPRING, COMPLIANT, Method
+from reference.engines import pybullet_surveyor, surveying
+from reference.engines.base import (
+    ANSWERS_OF_BULLET,
+    AT_STEP,
+    BULLET,
+    BULLET_DAMPED,
+    BULLET_SPRING,
+    CIRCLE,
+    COMPLIANT,
+    EXACT,
+    SQUARE,
+    Method,
+)
+from reference.engines.profiles import SWEPT
 from reference.scene import geometry
 from reference.scene.off_centre import may_strike_off_centre
+from reference.scene.pressed import sweeps_needed
 from reference.scene.scenario import Box, Scenario
 from reference.scene.settings import Option, Settings, steps_per_sample
+from reference.scene.survey import Survey
 from reference.spatial_impact import BY_AXES
 
 STOCK_TIMESTEP = 1 / 240
 STOCK_REST_SPEED = 0.2
 """Bullet's default for the relative speed below which it lets a contact rest, m/s."""
+SWEEP_TOLERANCE = 1e-3
+"""A swept ball that starts no farther than this from a surface, m, touches it at once: btContinuousConvexCollision."""
+SWEPT_INSET = 1.1 * SWEEP_TOLERANCE
+"""By how much the ball that Bullet sweeps is smaller than the body, m. If it were less than the tolerance, a ball could
+stop in the air: what is swept touches at once, with an impact that has no restitution, and the body does not touch."""
 SPRING_STIFFNESS = 1e6
 """Stiffness per unit mass of the `spring` profile, 1/s²: a contact lasts about π ms and a 1 m drop sinks in 4.4 mm."""
 SPRING_TIMESTEP = 5e-5
@@ -25,6 +45,8 @@ SPRING_TIMESTEP = 5e-5
 def settings_of(scenario: Scenario, profile: str) -> Settings:
     """Derive the settings of a profile. An option that is absent is left at Bullet's default."""
     options: dict[str, Option]
+    if isinstance(scenario, Survey):
+        return surveying.settings_of(**pybullet_surveyor.SETTINGS[profile])
     if profile == "stock":
         return Settings(STOCK_TIMESTEP, options={"coordinates": "multibody"})
     restitution = max((pair.restitution for pair in scenario.pairs), default=0.0)
@@ -46,7 +68,8 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
         return Settings(SPRING_TIMESTEP, steps_per_sample(SPRING_TIMESTEP), options)
     # On a plane Bullet finds one more contact point of a box in each step; on a large box all four at once.
     ground: dict[str, Option] = {"ground": "box"} if boxes else {}
-    firm: dict[str, Option] = {"solver_iterations": 200 if len(movable) == 1 else 100, "solver_residual": 0.0}
+    sweeps = 200 if len(movable) == 1 else max(100, sweeps_needed(scenario))
+    firm: dict[str, Option] = {"solver_iterations": sweeps, "solver_residual": 0.0}
     if restitution == 0 and geometry.starts_in_contact(scenario):
         options = {"coordinates": "multibody", **undamped, **ground, **firm}
         if boxes and not geometry.leaning(scenario):
@@ -71,6 +94,9 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
         **ground,
         **(firm if boxes or len(movable) > 1 else {"solver_iterations": 50}),
     }
+    if profile == SWEPT:
+        # By default Bullet sweeps only where a step goes 40 mm along the normal.
+        options |= {"swept_inset": SWEPT_INSET, "sweep_from": 0.0}
     return Settings(1e-3, options=options)
 
 
@@ -92,17 +118,28 @@ def _settings_off_centre(common: Mapping[str, Option]) -> Settings:
 
 def method_of(scenario: Scenario, settings: Settings) -> Method:
     """A spring yields. Else Bullet resolves an impact at the step, and split impulses take overlap back."""
+    if isinstance(scenario, Survey):
+        return Method(EXACT, rule=ANSWERS_OF_BULLET)
     if "stiffness" in settings.options:
         return Method(COMPLIANT, stiffness=settings.number("stiffness"), rule=BULLET_SPRING)
+    free = scenario.in_flight or scenario.steering  # nobody means to touch anybody
+    if free and settings["coordinates"] == "multibody" and "linear_damping" not in settings.options:
+        return Method(AT_STEP, rule=BULLET_DAMPED)
     rest_speed = rest_speed_of(scenario, settings)
-    rule = BULLET if _is_known(scenario, settings) else ""
+    rule, cone = BULLET if _is_known(scenario, settings) else "", _cone_of(settings)
     if settings["coordinates"] == "multibody" and "rest_threshold_steps" in settings.options:
-        return Method(AT_STEP, rest_speed=rest_speed, weighed=1.0, law=BY_AXES, rule=rule)
+        return Method(AT_STEP, rest_speed=rest_speed, weighed=1.0, law=BY_AXES, rule=rule, cone=cone)
     split = settings.options.get("split_impulse") is True
     recovery = settings.number("contact_erp") if split else 0.0
     falls = settings.number("contact_gap_falls") if "contact_gap_falls" in settings.options else 0.0
     reach = falls * gravity_of(scenario) * settings.timestep**2
-    return Method(AT_STEP, recovery, rest_speed=rest_speed, reach=reach, rule=rule)
+    return Method(AT_STEP, recovery, rest_speed=rest_speed, reach=reach, rule=rule, cone=cone)
+
+
+def _cone_of(settings: Settings) -> str:
+    """A circle, but a square if Bullet is told so, or if bodies are in maximal coordinates: those know no other."""
+    told = bool(settings.options.get("cone_friction", 1))
+    return CIRCLE if told and settings["coordinates"] == "multibody" else SQUARE
 
 
 def _is_known(scenario: Scenario, settings: Settings) -> bool:

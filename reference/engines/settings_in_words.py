@@ -8,6 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+_INSIDE: Mapping[str, str] = {
+    "inside by rays": "A point is inside if a ray from it crosses the triangles an odd number of times.",
+    "inside by ball": "A point is inside if a ball of 1 µm there overlaps with the solid.",
+}
 _RAISED = "The ground is {m} higher, so that rounding cannot part a body from it."
 SENTENCES: Mapping[str, Mapping[str, str]] = {
     "pybullet": {
@@ -34,7 +38,18 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "ground box": "The ground is a large box, on which Bullet finds all corners of a body at once (`GEOM_BOX`).",
         "ground plane": "The ground is a plane (`GEOM_PLANE`).",
         "margin": _RAISED,
+        "rays of triangles": "A ray meets the triangles of a solid (`indices` of `createCollisionShape`).",
+        "rays of hull": "A ray meets the convex hull of a solid (`GEOM_MESH` with `vertices` alone).",
+        "distances of hull": "A gap is that to the convex hull of a solid (`GEOM_MESH` with `vertices` alone).",
+        "distances of pieces": "A gap is that to the nearest convex piece of a solid, each of them a hull"
+        " (`GEOM_MESH`).",
+        "mesh margin": "A hull is {m} thicker than its vertices say (`collisionMargin`).",
+        **_INSIDE,
         "stiffness": "A contact is a spring of {} N/m for each kilogram, with a dashpot that gives e.",
+        "swept inset": "A ball with a radius smaller by {m} is swept along each step, which ends where it touches"
+        " (`ccdSweptSphereRadius`).",
+        "sweep from 0": "A step is swept however short its way to the surface is (`allowedCcdPenetration` = 0).",
+        "sweep from": "A step is swept if it goes farther than {m} towards the surface (`allowedCcdPenetration`).",
         "spring of world": "All contacts share the spring (`contactERP` and `globalCFM`).",
         "spring of bodies": "Each body has a spring (`contactStiffness` and `contactDamping`).",
     },
@@ -44,6 +59,12 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         " friction may end the slip in one step (`solreffriction`).",
         "contact spring": "A contact is a spring with the damping that gives e, resolved over many steps (`solref`).",
         "contact default": "A contact keeps MuJoCo's default, which knows no e (`solref`).",
+        "fluid ellipsoid": "The fluid has the drag of an ellipsoid (`viscosity`, `wind`, `fluid_ellipsoid` = 1) and"
+        " lifts a body by a share of its weight (`gravcomp`).",
+        "fluid inertia box": "The fluid has the drag of a box with the body's inertia (`viscosity`, `wind`) and lifts"
+        " a body by a share of its weight (`gravcomp`).",
+        "springs tendons": "A spring is a spatial tendon between two sites (`tendon_stiffness`, `tendon_damping`,"
+        " `tendon_lengthspring`).",
         "integrator Euler": "Semi-implicit Euler moves the bodies (`integrator` = Euler).",
         "integrator RK4": "The fourth-order Runge–Kutta method moves the bodies (`integrator` = RK4).",
         "integrator": "The method that moves the bodies is {} (`integrator`).",
@@ -56,6 +77,12 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "noslip iterations 0": "Friction is settled by the main solver alone (`noslip_iterations` = 0).",
         "noslip iterations": "After the main solver, {} passes settle friction (`noslip_iterations`).",
         "margin": "A contact counts from a gap of {m} on (`margin`).",
+        "rays of triangles": "A ray meets the triangles of a mesh (`mj_ray`).",
+        "distances of hull": "A gap is that to the convex hull of a mesh (`mj_geomDistance`).",
+        "distances of pieces": "A gap is that to the nearest convex piece of a solid, each of them a mesh"
+        " (`mj_geomDistance`).",
+        **_INSIDE,
+        "margin steps": "A contact counts from a gap on that the fastest body goes in {} timesteps (`margin`).",
         "stiffness": "The spring has {} N/m for each kilogram (`solref`).",
     },
     "dart": {
@@ -67,6 +94,9 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "ground plane": "The ground is a plane (`PlaneShape`).",
         "ground box": "The ground is a large box, on which DART finds all corners of a body at once (`BoxShape`).",
         "margin": _RAISED,
+        "rays of triangles": "A ray meets the triangles of a mesh (`DARTCollisionDetector`).",
+        "distances of triangles": "A gap is that to the nearest triangle of a mesh (`FCLCollisionDetector`).",
+        **_INSIDE,
         "split impulse True": "Taking back an overlap adds no speed (`setSplitImpulseEnabled` = True).",
         "split impulse False": "Taking back an overlap adds speed (`setSplitImpulseEnabled` = False).",
         "sleep False": "What is at rest is never put to sleep (`DeactivationOptions.mEnabled` = False).",
@@ -83,6 +113,18 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "policy interpolated": "An impact is resolved at the slide's T, on the straight line between two steps"
         " (`policy` = interpolated).",
         "policy at_step": "An impact is resolved at the end of the step that finds it (`policy` = at_step).",
+        "policy penalty": "From the touch on a spring with a dashpot pushes in every step (`policy` = penalty).",
+        "stiffness": "A contact is a spring of {} N/m for each kilogram, with a dashpot that gives e.",
+        "policy closed_form": "The motion has a closed form, which gives the state at any time (`policy` ="
+        " closed_form).",
+        "policy explicit": "Explicit Euler moves the bodies, with the velocities of the start of each step (`policy` ="
+        " explicit).",
+        "policy verlet": "Velocity Verlet moves the bodies, by the mean of the forces at the start and the end of each"
+        " step (`policy` = verlet).",
+        "policy runge_kutta": "The fourth-order Runge–Kutta method moves the bodies (`policy` = runge_kutta).",
+        "policy semi_implicit": "Semi-implicit Euler moves the bodies, by the forces at the start of each step"
+        " (`policy` = semi_implicit).",
+        "signs exact": "All signs are exact: no tolerance decides on which side of a face a point is (`orient3d`).",
         "impact law": "Restitution follows the law of {} (`impact_law`).",
         "impact law dissipative": "Restitution follows Newton's law, and friction takes the most energy that it can"
         " (`impact_law` = dissipative).",
@@ -99,6 +141,8 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "overlap recovery": "Of a deeper overlap, each step takes back the share {} (`overlap_recovery`).",
         "sweeps": "All contacts take their turn at most {} times a step (`sweeps`).",
         "tolerance": "They stop when no impulse changes by more than the share {} of the largest (`tolerance`).",
+        "response simultaneous": "All contacts of a step are solved at once (`response` = simultaneous).",
+        "response": "The contacts of a step are solved in the way {} (`response`).",
         "push sweeps": "To take back overlaps, they take their turn at most {} times a step (`push_sweeps`).",
         "shortest flight": "A ball rests if its next flight ends within {} timesteps (`shortest_flight`).",
     },

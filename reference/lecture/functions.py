@@ -193,6 +193,8 @@ _FUNCTIONS = (
     Function("tube_wall_factor", "forces", 40, 26, "read"),
     Function("parallel_wall_factor", "forces", 41, 26, "read"),
     Function("perpendicular_wall_factor", "forces", 42, 26, "read"),
+    Function("steady_oscillation", "forces", 43, 29, "read"),
+    Function("driven_oscillator", "forces", 44, 29, "read"),
     Function("cloth", "meshes", 1, 28, "given"),
     Function("lattice", "meshes", 2, 28, "given"),
     Function("surface_edges", "meshes", 3, 28, "given"),

@@ -41,7 +41,9 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         if law is None:
             return None
         gaps, rates, rest = by_steps(gap, rate, fall, law, steps)
-    path = Path(np.array(body.position) + (gaps - gap)[:, None] * normal, rates[:, None] * normal)
+    along_velocity, along = _along_the_plane(scenario, settings, method, np.array(body.velocity), normal, steps)
+    position = np.array(body.position) + (gaps - gap)[:, None] * normal + along
+    path = Path(position, rates[:, None] * normal + along_velocity)
     near, why = ROUNDING, "the recurrence of the method, to rounding"
     if isinstance(body.shape, Box) and settings.options.get("solver") == "nsgs":
         near, why = SWEPT, "the recurrence, and what DART's sweeps over four corners leave"
@@ -49,6 +51,18 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         near, why = ASLEEP, "the recurrence, and a body that sleeps in what is left of its overlap"
     events = (Event(rest, "rest", body.name),) if rest < math.inf and settings.options.get("policy") else ()
     return Prediction(trajectory_of(scenario, settings, {body.name: path}, events), near, why)
+
+
+def _along_the_plane(
+    scenario: Scenario, settings: Settings, method: Method, velocity: Array, normal: Array, steps: int
+) -> tuple[Array, Array]:
+    """Velocity along the plane and way along it after each step, (steps + 1, 3): nothing but weight acts there."""
+    pull = np.array(scenario.gravity)
+    velocity, pull = (each - (each @ normal) * normal for each in (velocity, pull))
+    count, dt = np.arange(steps + 1)[:, None], settings.timestep
+    in_parabolas = method.rule in (CHORD, MUJOCO_SPRING)
+    fallen = count**2 / 2 if in_parabolas else count * (count + 1) / 2
+    return velocity + count * dt * pull, dt * (count * velocity + dt * fallen * pull)
 
 
 def predict_to_rest(scenario: Scenario, settings: Settings, method: Method) -> Prediction | None:

@@ -7,6 +7,7 @@ weight adds to the speed in a step, m/s. Impulses are per mass, in m/s.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -63,3 +64,45 @@ def by_hand(speed: float, pull: float, static: float, kinetic: float, steps: int
         speeds[done + 1 : done + taken + 1] = after[:taken]
         done, speed = done + taken + 1, 0.0
     return speeds
+
+
+def step_by_step(
+    pull: Callable[[int, float], float],
+    limits: Array,
+    dt: float,
+    speed: float = 0.0,
+    ease: float = 1.0,
+    softness: float = 0.0,
+    static: float = 1.0,
+) -> tuple[Array, Array]:
+    """As `by_limits`, where the pull changes: pull(number of the step, way so far in m) → m/s in that step."""
+    slip, way = speed, 0.0
+    speeds, slips = [speed], [slip]
+    for number, most in enumerate(limits.tolist()):
+        added = pull(number, way)
+        impulse = (slip + added) / (ease * (1 + softness))
+        if abs(impulse) > static * most:
+            impulse = math.copysign(most, impulse)
+        speed, slip = speed + added - impulse, slip + added - ease * impulse
+        way += speed * dt
+        speeds.append(speed)
+        slips.append(slip)
+    return np.array(speeds), np.array(slips)
+
+
+def step_by_step_by_hand(
+    pull: Callable[[int, float], float], static: float, kinetic: float, steps: int, dt: float, speed: float = 0.0
+) -> Array:
+    """As `by_hand`, where the pull changes in the same way."""
+    way, speeds = 0.0, [speed]
+    for number in range(steps):
+        added = pull(number, way)
+        if speed == 0 and abs(added) <= static:
+            after = 0.0
+        else:
+            after = speed + added - math.copysign(kinetic, speed or added)
+            after = 0.0 if after * speed < 0 else after  # friction stops a body and does not turn it back
+        speed = after
+        way += speed * dt
+        speeds.append(speed)
+    return np.array(speeds)

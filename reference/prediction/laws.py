@@ -18,6 +18,7 @@ from reference.engines.base import (
     DART,
     MUJOCO_ONE_STEP,
     MUJOCO_SPRING,
+    PENALTY,
     RESPOND_THEN_STEP,
     WORLD,
     Method,
@@ -74,6 +75,26 @@ class RespondThenStep:
             rate = (rebound if rebound > self.rest_speed else 0.0) + max(fall, 0.0)
         else:
             rate += fall
+        return gap + rate * self.dt, rate
+
+
+@dataclass(frozen=True)
+class Penalty:
+    """The lecture's penalty contact: in overlap the acceleration −k r − c u, k and c per unit mass, never a pull.
+
+    The gap r and the rate u are those before the step, which is then one of semi-implicit Euler.
+    """
+
+    dt: float
+    stiffness: float
+    damping: float
+    reach: ClassVar[float] = 0.0
+    in_parabolas: ClassVar[bool] = False
+
+    def step(self, gap: float, rate: float, fall: float) -> tuple[float, float]:
+        """Gap and rate at the end of a step."""
+        push = max(0.0, -self.stiffness * gap - self.damping * rate) if gap < 0 else 0.0
+        rate += fall + push * self.dt
         return gap + rate * self.dt, rate
 
 
@@ -268,6 +289,9 @@ def law_of(settings: Settings, method: Method, restitution: float, ease: float =
     dt = settings.timestep
     if method.rule == RESPOND_THEN_STEP:
         return RespondThenStep(dt, restitution, method.rest_speed)
+    if method.rule == PENALTY:
+        stiffness, ratio = settings.number("stiffness"), min(truth.damping_ratio(restitution), MOST_DAMPING_RATIO)
+        return Penalty(dt, stiffness, 2 * ratio * math.sqrt(stiffness))
     if method.rule == WORLD:
         slop, weighed = settings.number("overlap_slop"), bool(settings["with_weight"])
         return World(dt, restitution, method.rest_speed, method.recovery, slop, method.reach, weighed)

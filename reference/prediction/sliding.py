@@ -9,16 +9,26 @@ from __future__ import annotations
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.base import BULLET, DART, MUJOCO_ONE_STEP, RESPOND_THEN_STEP, WORLD, Method
+from reference.engines.base import (
+    BULLET,
+    CIRCLE,
+    DART,
+    MUJOCO_ONE_STEP,
+    RESPOND_THEN_STEP,
+    SQUARE,
+    WORLD,
+    Method,
+)
 from reference.engines.dart_engine import SOFTNESS
 from reference.prediction import friction
 from reference.prediction.axes import bullets_axes
 from reference.prediction.bouncing import CORNERS, by_steps
+from reference.prediction.drives import Drive, drive_of
 from reference.prediction.impulses import LEAST_FRICTION
 from reference.prediction.laws import law_of
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
 from reference.scene import geometry
-from reference.scene.scenario import Body, Box, Scenario, Sphere
+from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 
 STRAIGHT = 1e-9
@@ -39,23 +49,32 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     plane = next(body for body in scenario.bodies if body.immovable)
     normal = np.array(plane.shape.normal)  # type: ignore[union-attr]
     gravity, pair, dt = _acceleration(scenario, body), scenario.pairs[0], settings.timestep
-    ahead = _direction(body, gravity, normal)
-    if ahead is None or not _has_a_cone(body, settings, method) or _may_tip(scenario, body, normal, ahead):
+    drive = drive_of(scenario, body, normal, dt) if scenario.pushes_change else None
+    if scenario.pushes_change and drive is None:
         return None
-    speed, pull, fall = (
-        float(np.array(body.velocity) @ ahead),
-        float(gravity @ ahead) * dt,
-        float(gravity @ normal) * dt,
-    )
+    ahead = drive.ahead if drive else _direction(body, gravity, normal)
+    if ahead is None or not _is_known(body, settings, method) or _may_tip(scenario, body, normal, ahead):
+        return None
+    axes = _axes_of_friction(method, normal, ahead)
+    if not axes or (drive and len(axes) > 1):
+        return None
+    fall = float(gravity @ normal) * dt
+    speed, pull = float(np.array(body.velocity) @ ahead), float(gravity @ ahead) * dt
     steps, least = settings.steps_for(scenario.duration), LEAST_FRICTION if method.rule == MUJOCO_ONE_STEP else 0.0
     kinetic = max(pair.kinetic_friction, least)
     static = float(pair.static_friction)  # type: ignore[arg-type]
-    holds = speed == 0 and pull <= -static * fall
-    if method.rule == BULLET and not holds and not _on_bullets_axes(body, normal, ahead):
+    holds = speed == 0 and pull <= -static * fall and drive is None
+    if method.rule == BULLET and not holds and not all(_on_bullets_axes(body, normal, axis) for axis in axes):
         return None
+    courses: list[tuple[Array, Array]]  # speed of the body and slip, along each axis
     if method.rule == RESPOND_THEN_STEP:
-        speeds = slips = friction.by_hand(speed, pull, -static * fall, -kinetic * fall, steps)
-        gaps = rates = np.zeros(steps + 1)
+        limits_by_hand = -static * fall, -kinetic * fall
+        speeds = (
+            friction.step_by_step_by_hand(drive.pull, *limits_by_hand, steps, dt, speed)
+            if drive
+            else friction.by_hand(speed, pull, *limits_by_hand, steps)
+        )
+        courses, gaps, rates = [(speeds, speeds)], np.zeros(steps + 1), np.zeros(steps + 1)
     else:
         law = law_of(settings, method, pair.restitution, CORNERS if isinstance(body.shape, Box) else 1.0)
         if law is None:
@@ -64,23 +83,42 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
         limits = kinetic * np.maximum(np.diff(rates) - fall, 0.0)  # the normal impulse is all of the rate but the fall
         more = static / kinetic if method.rule == WORLD and kinetic > 0 else 1.0  # the engines have one coefficient
         turning = _turning(body, normal, ahead, method, holds)
-        speeds, slips = friction.by_limits(speed, pull, limits, *turning, static=more)
-    way = np.concatenate([[0.0], np.cumsum(speeds[1:])]) * dt
-    position = np.array(body.position) + way[:, None] * ahead + (gaps - gaps[0])[:, None] * normal
-    velocity = speeds[:, None] * ahead + rates[:, None] * normal
-    spin = None
-    if isinstance(body.shape, Sphere):
-        spin = (speeds - slips)[:, None] / body.shape.radius * np.cross(normal, ahead)
+        courses = [
+            friction.step_by_step(drive.pull, limits, dt, speed, *turning, static=more)
+            if drive
+            else friction.by_limits(speed * share, pull * share, limits, *turning, static=more)
+            for share in (float(axis @ ahead) for axis in axes)
+        ]
+    position = np.array(body.position) + (gaps - gaps[0])[:, None] * normal
+    velocity, spin = rates[:, None] * normal, np.zeros((steps + 1, 3))
+    for axis, (speeds, slips) in zip(axes, courses, strict=True):
+        position = position + dt * np.concatenate([[0.0], np.cumsum(speeds[1:])])[:, None] * axis
+        velocity = velocity + speeds[:, None] * axis
+        if isinstance(body.shape, Sphere):
+            spin += (speeds - slips)[:, None] / body.shape.radius * np.cross(normal, axis)
     trajectory = trajectory_of(scenario, settings, {body.name: Path(position, velocity, spin)})
-    critical = speed == 0 and abs(pull + kinetic * fall) < NEAR_CRITICAL * abs(pull)
+    # A push that changes passes the limit of friction, and is near it for a while.
+    critical = drive is not None or (speed == 0 and abs(pull + kinetic * fall) < NEAR_CRITICAL * abs(pull))
     rocking = ROCKING_NEAR_CRITICAL if critical else ROCKING * _height_over_width(body, normal, ahead)
-    near, why = _nearness(body, settings, method, float(np.max(np.abs(speeds))), fall, holds, rocking)
+    near, why = _nearness(body, settings, method, float(np.max(np.linalg.norm(velocity, axis=1))), fall, holds, rocking)
+    if drive and method.rule != RESPOND_THEN_STEP:
+        near, why = near + _late(drive, pair, fall), f"{why}; in the step of a break-away friction is not settled"
     return Prediction(trajectory, near, why)
+
+
+def _late(drive: Drive, pair: Pair, fall: float) -> float:
+    """What a step of delay at break-away makes of the speed, m/s, and in a second of the way, m.
+
+    Near the limit of friction sweeps over four corners converge slowly. A corner that lets go a step early or late
+    leaves the body with what the pull grows in a step, and with the difference of static and kinetic friction.
+    """
+    pulls = np.array([drive.pull(number, 0.0) for number in (0, 1)])
+    return abs(float(np.diff(pulls)[0])) + (float(pair.static_friction) - pair.kinetic_friction) * abs(fall)  # type: ignore[arg-type]
 
 
 def _acceleration(scenario: Scenario, body: Body) -> Array:
     """What weight and the forces on a body make of its velocity without a contact, (3,), m/s²."""
-    forces = [np.array(each.force) for each in scenario.forces if each.body == body.name]
+    forces = [np.array(each.at(0.0)) for each in scenario.forces if each.body == body.name]
     return np.asarray(np.array(scenario.gravity) + sum(forces, np.zeros(3)) / body.mass)
 
 
@@ -96,18 +134,30 @@ def _direction(body: Body, gravity: Array, normal: Array) -> Array | None:
     return ways[0] if float(np.linalg.norm(np.cross(ways[0], ways[-1]))) < STRAIGHT else None
 
 
-def _has_a_cone(body: Body, settings: Settings, method: Method) -> bool:
-    """Whether the engine has a cone for friction, and all corners of a box in every step."""
+def _is_known(body: Body, settings: Settings, method: Method) -> bool:
+    """Whether the engine's friction follows a rule, with all corners of a box in every step."""
     options = settings.options
     if method.rule == MUJOCO_ONE_STEP:
         separate = settings.number("noslip_iterations") > 0 and settings.number("impratio") <= WEAK_FRICTION
-        return separate and options["cone"] == "elliptic"
+        return separate and method.cone == CIRCLE
     corners = isinstance(body.shape, Sphere) or options.get("ground") == "box"
     if method.rule == BULLET:
         return corners and options["coordinates"] == "multibody"
-    if method.rule == DART:
-        return corners and (isinstance(body.shape, Sphere) or options.get("solver", "dantzig") != "dantzig")
-    return True
+    return corners or method.rule != DART
+
+
+def _axes_of_friction(method: Method, normal: Array, ahead: Array) -> list[Array]:
+    """The directions that friction is limited along, each by itself; none if they are not known.
+
+    A circle has the direction of the slip alone. A square has two, those of the ground, of which a slip along one
+    needs no other.
+    """
+    if method.cone == CIRCLE:
+        return [ahead]
+    axes = list(np.eye(3)[:2])
+    if abs(float(normal[2])) < 1 - STRAIGHT or method.cone != SQUARE:
+        return []
+    return [ahead] if max(abs(float(axis @ ahead)) for axis in axes) > 1 - STRAIGHT else axes
 
 
 def _on_bullets_axes(body: Body, normal: Array, ahead: Array) -> bool:
@@ -133,7 +183,7 @@ def _may_tip(scenario: Scenario, body: Body, normal: Array, ahead: Array) -> boo
         return False
     gravity, extents = _acceleration(scenario, body), np.array(body.shape.half_extents)
     share = scenario.pairs[0].kinetic_friction
-    if not any(body.velocity):
+    if not any(body.velocity) and not scenario.pushes_change:
         share = min(share, abs(float(gravity @ ahead) / float(gravity @ normal)))
     moved = share * _height(body, normal) * _in_own_axes(body, ahead)
     return bool(np.any(np.abs(moved) > extents))

@@ -22,6 +22,7 @@ from reference.prediction.both import Both, NoRule, along_its_base, points_of
 from reference.prediction.impulses import Rule, rule_of
 from reference.prediction.laws import BULLETS_PUSHED_TURN
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
+from reference.prediction.sweeps import swept
 from reference.prediction.touching import Meeting, gaps, meetings, touch
 from reference.scene import geometry
 from reference.scene.scenario import Box, Scenario
@@ -34,10 +35,10 @@ HEAVIER, SOLVED_WITH_A_HEAVY_BODY = 1e3, 1.5e-4
 UNRESOLVED = 1.0
 """√k dt from which Bullet's spring is not resolved: at 1 a step may end exactly at the surface, and rounding decides
 whether the contact continues. Up to 0.9 the rule was measured to hold."""
+SEEN_AHEAD = 0.0347
+"""Gap at which Bullet keeps a contact of a ball with a box, as a share of the radius: 0.02 √3, rounded up."""
 LONGEST_FLIGHT = 2000
 """So many steps of flight are looked at together."""
-MOST_SWEEPS = 100
-"""Several contacts of one step are gone through in turn until none changes; so often at most."""
 UNDECIDED = 1e-12
 """A gap of less than this, m: without a margin, rounding decides whether MuJoCo has a contact there."""
 MOST_PIVOTED = 2
@@ -79,17 +80,27 @@ def _in_a_row(bodies: Bodies, meetings: list[Meeting]) -> bool:
 
 
 def _leaps(bodies: Bodies, meetings: list[Meeting], dt: float) -> bool:
-    """Whether a step may carry a ball past the middle of a box.
+    """Whether a step may carry a ball past the middle of a box, with a contact that Bullet has kept.
 
-    Bullet keeps a contact that it has seen a fiftieth of the ball ahead, and may turn such a ball back behind the box.
+    Bullet keeps a contact that it has seen a little ahead, and may turn such a ball back behind the box. Without weight
+    the ball flies straight, and the steps in which Bullet sees it so are known.
     """
     for meeting in meetings:
         ball, box = bodies.scenario.bodies[meeting.ball], bodies.scenario.bodies[meeting.other]
         if isinstance(box.shape, Box):
             way = np.linalg.norm(np.subtract(ball.velocity, box.velocity)) * dt
-            if way > min(box.shape.half_extents) + ball.shape.radius:  # type: ignore[union-attr]
+            past = way > min(box.shape.half_extents) + ball.shape.radius  # type: ignore[union-attr]
+            if past and (bodies.weight.any() or _is_seen_ahead(bodies, meeting, dt)):
                 return True
     return False
+
+
+def _is_seen_ahead(bodies: Bodies, meeting: Meeting, dt: float) -> bool:
+    """Whether a step ends where Bullet already keeps a contact, and the ball does not overlap the box yet."""
+    flown = bodies.flight(bodies.start(), dt, False, round(bodies.scenario.duration / dt))
+    found = gaps(bodies, flown.position, flown.orientation, meeting)
+    ahead = found[: int(np.argmin(found)) + 1]
+    return bool(np.any((ahead > 0) & (ahead < SEEN_AHEAD * bodies.shapes[meeting.ball].radius)))  # type: ignore[union-attr]
 
 
 def _nearness(scenario: Scenario, method: Method) -> tuple[float, str]:
@@ -115,6 +126,7 @@ class Striking:
         self.margin = settings.number("margin") if "margin" in settings.options else 0.0
         self.reach = method.reach if method.rule == WORLD else 0.0
         self.to_rounding = method.rule in (MUJOCO_ONE_STEP, MUJOCO_SPRING) and not self.margin
+        self.keeps_contacts = method.rule in (BULLET, BULLET_SPRING)
         self.pushed_turn = BULLETS_PUSHED_TURN if method.rule == BULLET else 1.0
 
     def run(self, steps: int) -> State | None:
@@ -168,7 +180,18 @@ class Striking:
             return self._runge_kutta(state)
         change, push = self.changes(state)
         velocity, spin = state.velocity + change[:, 0], state.spin + change[:, 1]
-        return _moved(state, velocity * self.dt + push[:, 0], spin * self.dt + push[:, 1], velocity, spin)
+        after = _moved(state, velocity * self.dt + push[:, 0], spin * self.dt + push[:, 1], velocity, spin)
+        if self.keeps_contacts:
+            self._check_sides(state, after)
+        return after
+
+    def _check_sides(self, before: State, after: State) -> None:
+        """Refuse a step that carries a ball which has touched a box past its middle: Bullet keeps the first contact."""
+        for meeting in self.meetings:
+            if isinstance(self.bodies.shapes[meeting.other], Box):
+                touched, then = (touch(self.bodies, state, meeting) for state in (before, after))
+                if touched.gap <= 0 and touched.normal @ then.normal < 0:
+                    raise NoRule
 
     def _runge_kutta(self, state: State) -> State:
         dt, slopes, at = self.dt, [], state
@@ -203,7 +226,7 @@ class Striking:
             np.concatenate(each).reshape(2 * len(contacts), -1)
             for each in zip(*((both.rows(), both.effects()) for both, _ in contacts), strict=True)
         )
-        impulses, pushes = _swept(contacts, rows @ effects.T, rows @ change.ravel())
+        impulses, pushes = swept(contacts, rows @ effects.T, rows @ change.ravel())
         change += (impulses @ effects).reshape(change.shape)
         push = (pushes @ effects[1::2]).reshape(change.shape)
         push[:, 1] *= self.pushed_turn
@@ -213,25 +236,6 @@ class Striking:
 def _moved(state: State, way: Array, turn: Array, velocity: Array, spin: Array) -> State:
     orientation = geometry.turned(state.orientation, turn) if turn.any() else state.orientation
     return State(state.position + way, orientation, velocity, spin)
-
-
-def _swept(contacts: list[tuple[Both, Rule]], k: Array, weight: Array) -> tuple[Array, Array]:
-    """The impulses of the contacts of a step, along t and n of each, (2 n,), and those that only move, along n, (n,).
-
-    k: (2 n, 2 n), what a unit impulse changes of each velocity, 1/kg. weight: what it adds to them in the step.
-    """
-    impulses, pushes = np.zeros(len(k)), np.zeros(len(contacts))
-    for _ in range(MOST_SWEEPS):
-        before = impulses.copy()
-        for number, (both, rule) in enumerate(contacts):
-            own = slice(2 * number, 2 * number + 2)
-            others = k[own] @ impulses - k[own, own] @ impulses[own]
-            given = rule.given(both.met(weight[own], others))
-            impulses[own] = given.along, given.pressed
-            pushes[number] = given.push / both.inverse_masses[2]
-        if len(contacts) < 2 or np.all(np.abs(impulses - before) <= 1e-15 * np.max(np.abs(impulses))):
-            break
-    return impulses, pushes
 
 
 def _one(state: State) -> State:

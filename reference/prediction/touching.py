@@ -64,6 +64,7 @@ def touch(bodies: Bodies, state: State, meeting: Meeting) -> Touch:
         distance = float(between @ normal)
         nearest = centre - distance * normal
     else:
+        assert isinstance(shape, Box)
         axes, half = matrix(state.orientation[meeting.other]), np.array(shape.half_extents)
         own = between @ axes
         closest = np.clip(own, -half, half)

@@ -12,24 +12,26 @@ from reference.published.answers import Answers
 from reference.published.by_hand import (
     avoidance,
     bounces,
+    detection,
     forces,
     friction,
     impulse,
+    meshes,
     polyhedra,
     sliding,
     springs,
     sweeping,
+    world,
 )
 from reference.published.case import Published
-from reference.published.in_engines import bouncing, plate, questions, rolling, striking
+from reference.published.in_engines import bouncing, leaning, loaded, plate, questions, rolling, striking, touching
 from reference.published.in_engines import sliding as sliding_in_engines
 from reference.published.in_engines import springs as springs_in_engines
 
 HANDWRITTEN = "handwritten"
 """The engine that runs the functions of an implementation."""
 NOT_SET_UP = "the lab has not set it up there"
-NO_FLUID = "the lab has no words for a fluid in a scenario"
-NO_ANCHOR = "the lab has no words for a spring that ties a body to a place"
+NO_REST = "a cable of stiff springs swings for minutes, in steps of milliseconds, before its pulls are those at rest"
 NO_SPRINGS = {"dart": "its contacts have no spring and no dashpot that one could set"}
 
 
@@ -65,18 +67,32 @@ DRIVERS = {
     "P13": Drivers(friction.rolls_down, rolling.down_a_slope),
     "P14": Drivers(forces.free_flight, sliding_in_engines.free_flight),
     "P15": Drivers(bounces.impacts_and_rest, bouncing.impacts_and_rest),
-    "P16": Drivers(forces.dry_oscillator, lacking=NO_ANCHOR),
+    "P16": Drivers(forces.dry_oscillator, loaded.dry_oscillator),
     "P17": Drivers(friction.spinning_ball, rolling.spinning_ball),
     "P18": Drivers(springs.undamped_spring, springs_in_engines.undamped_spring, why_not_in=NO_SPRINGS),
     "P19": Drivers(sweeping.box2d, questions.rays_and_distance),
-    "P20": Drivers(forces.glycerol, lacking=NO_FLUID),
+    "P20": Drivers(forces.glycerol, loaded.glycerol),
     "P21": Drivers(impulse.textbook_bounce, striking.textbook_bounce),
     "P22": Drivers(impulse.elastic_bounce, striking.textbook_bounce),
     "P23": Drivers(avoidance.half_plane, why_not="no engine steers; it moves what is steered"),
     "P24": Drivers(polyhedra.neighbouring_points, why_not="no engine says on which side of a line a point lies"),
-    "P25": Drivers(forces.sand_grain, lacking=NO_FLUID),
+    "P25": Drivers(forces.sand_grain, loaded.sand_grain),
     "P26": Drivers(bounces.rebounds, bouncing.measured_rebounds),
     "P27": Drivers(impulse.colliding_pair, striking.colliding_pair),
+    "P28": Drivers(detection.hot_rock, bouncing.hot_rock),
+    "P29": Drivers(detection.box_below_plane, touching.box_below_plane),
+    "P30": Drivers(sweeping.ball_and_cube, touching.ball_and_cube),
+    "P31": Drivers(sweeping.primitives, touching.swept_ball),
+    "P32": Drivers(avoidance.lines_of_the_port, why_not="no engine steers; it moves what is steered"),
+    "P33": Drivers(avoidance.permitted, why_not="no engine steers; it moves what is steered"),
+    "P34": Drivers(polyhedra.star_polyhedra, why_not="no engine counts how often a surface winds round a point"),
+    "P35": Drivers(meshes.cable, lacking=NO_REST),
+    "P36": Drivers(meshes.shaky_frames, why_not="no engine counts the motions of a frame that cost no energy"),
+    "P37": Drivers(world.three_discs, striking.three_discs),
+    "P38": Drivers(world.handbook, why_not="no engine solves a complementarity problem that it is handed"),
+    "P39": Drivers(forces.three_bodies, loaded.three_bodies),
+    "P40": Drivers(forces.block_on_spring, loaded.block_on_spring),
+    "P41": Drivers(world.ladder, leaning.ladder),
 }
 
 

@@ -25,6 +25,7 @@ from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import Row, Verdict
 from reference.engines import load_engine
 from reference.engines.base import Engine
+from reference.engines.implementation import Implementation
 from reference.errors import CollisionsError, NotRecorded, listed
 from reference.recording.entries import Entry, case_of, name_of, names_of, timestep_of
 from reference.recording.files import MARK, Made, content_of, tracks_of, with_tuples
@@ -33,6 +34,9 @@ from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 from reference.viewer.poses import Poses, poses_of
 from reference.viewer.tracks import Track, pack, unpack
+
+OWN_STEERING = "it was recorded with the lab's own steering, and this code steers by itself; to see that, it has to run"
+"""Why a recording does not answer for a student's rules."""
 
 
 def track_of(job: Job, engine: Engine, case: Case, settings: Settings, trajectory: Trajectory) -> Track:
@@ -58,6 +62,8 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         return None
     family, engine = catalogue()[job.family], load_engine(job.engine)
     made = Made(**content["made"])
+    if family.steered and job.implementation != Implementation.source:
+        return _steered_by_others(job, family, taken["description"])
     rows = [row for case in job.chosen(family) for row in _rows(family, case, engine, job, taken)]
     rows = [
         row
@@ -80,6 +86,14 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
         recording=f"{MARK} {made}",
         poses=tuple(_poses(family, job, folder)) if job.with_poses else (),
     )
+
+
+def _steered_by_others(job: Job, family: Family, description: str) -> JobResult:
+    """No number: what was recorded is the motion that another implementation steered."""
+    engine = load_engine(job.engine)
+    blank = Row(job.family, "", engine.name, job.profile, "", "", Verdict.NOT_AVAILABLE, note=OWN_STEERING)
+    rows = tuple(replace(blank, case=case.name) for case in job.chosen(family))
+    return JobResult(job, f"{engine.title}{MARK}", description, rows)
 
 
 def _series(family: Family, job: Job, folder: Path | None) -> Series | None:
@@ -108,9 +122,11 @@ def replay(job: Job, case: str, folder: Path | None = None) -> Poses:
     Raises
     ------
     NotRecorded
-        If there are none, or they are of other scenarios or settings than today's.
+        If there are none, they are of other scenarios or settings than today's, or the job has other steering.
     """
     family, engine = catalogue()[job.family], load_engine(job.engine)
+    if family.steered and job.implementation != Implementation.source:
+        raise NotRecorded(f"{job}: {OWN_STEERING}")
     found = next((each for each in job.chosen(family) if each.name == case), None) or family.case(case)
     known, made = tracks_of(job.engine, job.family, folder)
     return unpack(_track(job, found, known), f"{engine.title}{MARK}", f"{MARK} {Made(**made)}")

@@ -11,8 +11,9 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from reference.engines.profiles import EXACT, STEP, STOCK, TUNED, WORLD, counts
+from reference.engines.profiles import EXACT, SPRING, STEP, STOCK, TUNED, WORLD, counts
 from reference.report import numbers
+from reference.report.compact_svg import compact
 from reference.report.sections import Line, Section
 
 if TYPE_CHECKING:
@@ -33,10 +34,14 @@ _DASHES: dict[str, Any] = {
     EXACT: "-",
     TUNED: "-",
     WORLD: (0, (9, 1.5)),
+    SPRING: (0, (6, 1.5, 1.2, 1.5)),
     STEP: (0, (1, 1.6)),
     STOCK: (0, (1, 1.6)),
     "poisson": (0, (7, 2, 1.5, 2)),
     "stronge": (0, (5, 1.5, 1.2, 1.5, 1.2, 1.5)),
+    "verlet": (0, (3, 1.2, 1, 1.2)),
+    "explicit": (0, (1.5, 1.2)),
+    "inertia box": (0, (3, 1.2)),
 }
 _OTHER_DASHES = (0, (5, 2))
 _LONG = 36
@@ -187,7 +192,7 @@ def _own_ids(text: str, name: str) -> str:
     svg = re.sub(r'<g id="(?:text|patch|[xy]tick|matplotlib)[^"]*">', "<g>", svg)
     for number, long in enumerate(re.findall(r'\bid="([mp][0-9a-f]{8,})"', svg)):  # of markers and clips
         svg = svg.replace(long, f"m{number}")
-    svg = _without_second_styles(svg)
+    svg = compact(_without_second_styles(svg))
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
     svg = re.sub(r'href="#([^"]+)"', rf'href="#{name}-\1"', svg)
     return re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", svg)

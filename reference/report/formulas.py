@@ -1,7 +1,7 @@
 """Formulas in prose, which stand between backticks: typeset as MathML for a page, or plain for a terminal.
 
 A formula is written as one would type it: `t₁ (1 + e)/(1 − e)`. A stroke divides all factors before it, up to the last
-sum or relation, by the one factor behind it; brackets that only hold a fraction together are not printed.
+sum or relation, by the one factor behind it; brackets that only hold a fraction or a power together are not printed.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from markupsafe import Markup, escape
 _FORMULA = re.compile(r"`([^`]+)`")
 _TOKEN = re.compile(
     r"(?P<raised>[⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]+)|(?P<lowered>[₀₁₂₃₄₅₆₇₈₉ₙ]+|_[^\W_]+)|\s*(?P<number>[0-9]+(\.[0-9]+)?)"
-    r"|\s*(?P<name>sin|cos|tan|dt|[^\W\d_])|\s*(?P<sign>[-+−=<>≤≥≈≠·×±√/(),])"
+    r"|\s*(?P<name>sin|cos|tan|dt|[^\W\d_])|\s*(?P<sign>[-+−=<>≤≥≈≠·×±√/(),^])"
 )
 _RAISED = str.maketrans("⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ", "−+0123456789n")
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₙ", "0123456789n")
@@ -110,8 +110,11 @@ def _factor(tokens: list[tuple[str, str]]) -> str:
         found = f"<mi>{escape(text)}</mi>" + ('<mspace width="0.17em"/>' if text in _FUNCTIONS else "")
     else:
         found = f"<mo>{escape(text)}</mo>"
-    while tokens and tokens[0][0] in ("raised", "lowered"):
+    while tokens and (tokens[0][0] in ("raised", "lowered") or tokens[0][1] == "^"):
         kind, text = tokens.pop(0)
+        if text == "^":
+            found = f"<msup>{found}{_unbracketed(_factor(tokens))}</msup>"
+            continue
         tag, small = ("msup", text.translate(_RAISED)) if kind == "raised" else ("msub", text.translate(_LOWERED))
         found = f"<{tag}>{found}<mtext>{escape(small.lstrip('_'))}</mtext></{tag}>"
     return found

@@ -9,7 +9,8 @@ from reference.comparison.verdicts import Row, Verdict
 from reference.engines.profiles import STOCK, counts
 from reference.report.sections import Line, Section
 
-COUNTED, PLAIN, OTHER = "what counts", "as installed, and by hand at the step", "for other methods"
+COUNTED, PLAIN = "what counts", "as installed, and by hand at the step"
+BY_HAND, IN_ENGINES = "for other methods by hand", "for other settings of the engines"
 """The parts of the table, in their order."""
 
 
@@ -36,17 +37,18 @@ class Overview:
             yield section, [(title, section.line(title)) for title in self.titles]
 
     def in_parts(self) -> list[Overview]:
-        """The implementations that count, the plain ones, and the other methods, by hand and in engines.
+        """The implementations that count, the plain ones, the other methods by hand, and other settings of engines.
 
         A part without columns is left out.
         """
         lines = [line for section in self.sections for line in section.lines]
         counting = {line.title for line in lines if line.counts}
         plain = {line.title for line in lines if line.plain} - counting
-        rest = set(self.titles) - counting - plain
+        by_hand = {line.title for line in lines if line.handwritten} - counting - plain
+        rest = set(self.titles) - counting - plain - by_hand
         parts = [
             (name, tuple(title for title in self.titles if title in part))
-            for name, part in ((COUNTED, counting), (PLAIN, plain), (OTHER, rest))
+            for name, part in ((COUNTED, counting), (PLAIN, plain), (BY_HAND, by_hand), (IN_ENGINES, rest))
         ]
         return [replace(self, titles=titles, part=name) for name, titles in parts if titles]
 

@@ -98,7 +98,7 @@ def _words_of(row: Row) -> tuple[str, str]:
         return "{who} {note}", row.note
     own = row.verdict in (Verdict.FAIL, Verdict.DISAGREES, Verdict.KNOWN_DEVIATION)  # in the lab's own words
     note = row.note.replace(": ", "; ") if own else why(row.verdict, row.note).removeprefix(f"{row.verdict}: ")
-    if (own or row.verdict is Verdict.NOT_AVAILABLE) and row.measured is None:
+    if (own or row.verdict in (Verdict.NOT_AVAILABLE, Verdict.SHOWN)) and row.measured is None:
         return "{who} have no number: {note}", note.removeprefix("no finite number; ")
     return f"{_SAID[row.verdict].removesuffix(' in every check')}: {{note}}", note
 

@@ -147,6 +147,11 @@ class Line:
         return profiles.counts(self.result.job.profile)
 
     @property
+    def handwritten(self) -> bool:
+        """Whether this is hand-written code of ours, and no engine."""
+        return self.result.job.engine == "handwritten"
+
+    @property
     def plain(self) -> bool:
         """Whether this is what one gets who sets nothing, or by hand the plainest method."""
         return profiles.is_plain(self.result.job.profile)

@@ -37,7 +37,8 @@ def everywhere(found: Sequence[Section]) -> list[Told]:
         if len(lines) > 1:
             shared = set.intersection(*(set(sentences(line)) for line in lines))
             own = tuple(sentence for sentence in sentences(lines[0]) if sentence in shared)
-            told.append(Told(title, lines[0].result.description, own))
+            methods = dict.fromkeys(line.result.description for line in lines)
+            told.append(Told(title, ", or ".join(methods), own))
     return told
 
 

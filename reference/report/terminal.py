@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from rich.console import Console
 from rich.table import Table
@@ -28,7 +30,7 @@ WORST = 5
 _WITH_BLANKS = 12
 """Implementations up to which a mark and its number have a blank between them: more columns would be too wide."""
 _COLUMN = 14
-"""Width at which the headings of the quantities are broken: five columns fit in a terminal of 80 characters."""
+"""Width at which the headings of the quantities are broken."""
 _ANY_WIDTH = 1000
 """Wider than any table, so that a table can be measured at the width it would like to have."""
 _STYLES = {
@@ -49,7 +51,7 @@ def print_comparison(console: Console, found: Iterable[Section], with_cases: boo
         console.print(Text(section.family.title, style="bold"))
         console.print(Text(_statements(section), style="dim"))
         console.print(Text(plain(section.family.expected)))
-        for table in _cases(section) if with_cases else [_implementations(section)]:
+        for table in _cases(section) if with_cases else _implementations(console, section):
             console.print(table)
         _print_remarks(console, section, with_cases)
         _print_agreement(console, Matrix.of(section))
@@ -96,12 +98,20 @@ def print_legend(console: Console, verdicts: Iterable[Verdict], legend: Mapping[
 
 def _print_overview(console: Console, overview: Overview) -> None:
     """Print all families in one screen; where that is too wide, in parts, what counts first."""
-    tables = [_overview(overview)]
-    if console.measure(tables[0], options=console.options.update(width=_ANY_WIDTH)).maximum > console.width:
-        tables = [_overview(part) for part in overview.in_parts()]
+    whole = _overview(overview)
+    tables = [whole] if _fits(console, whole) else [t for part in overview.in_parts() for t in _halved(console, part)]
     for table in tables:
         console.print()
         console.print(table)
+
+
+def _halved(console: Console, part: Overview) -> list[Table]:
+    """A table of some implementations, or of one half of them after the other where they do not fit."""
+    table, middle = _overview(part), math.ceil(len(part.titles) / 2)
+    if _fits(console, table) or len(part.titles) == 1:
+        return [table]
+    halves = replace(part, titles=part.titles[:middle]), replace(part, titles=part.titles[middle:])
+    return [half for each in halves for half in _halved(console, each)]
 
 
 def _overview(overview: Overview) -> Table:
@@ -131,7 +141,8 @@ def _print_worst_first(console: Console, found: Sequence[Section]) -> None:
         console.print(Text("exact and tuned, worst first: how much of its limit a number uses", style="bold"))
     for section, line, row, used in worst:
         what = f"{section.family.name}, {row.case}: {section.family.quantity(row.quantity).title}"
-        console.print(Text(f"  {numbers.percent(used).lstrip('+'):>7}  {line.result.title}, {what} {error_of(row)}"))
+        error = error_of(row) if row.error is not None else "where theory is silent"
+        console.print(Text(f"  {numbers.percent(used).lstrip('+'):>7}  {line.result.title}, {what} {error}"))
 
 
 def _short_count(line: Line) -> str:
@@ -145,13 +156,30 @@ def _statements(section: Section) -> str:
     return f"Lecture, statement{'s' if len(titles) > 1 else ''} {'; '.join(titles)}"
 
 
-def _implementations(section: Section) -> Table:
-    """A line for each implementation; in each cell how many cases agree, and the worst error."""
-    table = _table("implementation", *(quantity.title for quantity in section.family.quantities))
+def _implementations(console: Console, section: Section) -> list[Table]:
+    """A line for each implementation; in each cell how many cases agree, and the worst error.
+
+    Where the quantities do not fit beside one another there are more tables, as equal as can be.
+    """
+    quantities = len(section.family.quantities)
+    for parts in range(1, quantities + 1):
+        size = math.ceil(quantities / parts)
+        tables = [_quantities(section, first, first + size) for first in range(0, quantities, size)]
+        if all(_fits(console, table) for table in tables):
+            break
+    return tables
+
+
+def _quantities(section: Section, first: int, end: int) -> Table:
+    table = _table("implementation", *(quantity.title for quantity in section.family.quantities[first:end]))
     for line in section.lines:
-        cells = [Text(str(line.whole.verdict), style=style_of(line.whole.verdict))] if line.note else _texts(line.cells)
-        table.add_row(Text(line.title, style="bold" if line.counts else ""), *cells)
+        noted = [Text(str(line.whole.verdict), style=style_of(line.whole.verdict))] if line.note else []
+        table.add_row(Text(line.title, style="bold" if line.counts else ""), *(noted or _texts(line.cells[first:end])))
     return table
+
+
+def _fits(console: Console, table: Table) -> bool:
+    return console.measure(table, options=console.options.update(width=_ANY_WIDTH)).maximum <= console.width
 
 
 def _texts(cells: Sequence[Cell]) -> list[Text]:

@@ -9,6 +9,7 @@ at run time.
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import hashlib
 import importlib
@@ -22,6 +23,7 @@ from typing import Any
 
 import numpy as np
 
+from reference.catalogue.scenarios import catalogue
 from reference.comparison.verdicts import Verdict
 from reference.engines import load_engine
 from reference.engines.implementation import Implementation
@@ -106,7 +108,10 @@ def key_of_recorded(job: Job, texts: Texts | None = None) -> str | None:
     recorded = known.data(files.FOLDER / job.engine)
     if not recorded:
         return None
-    code, sums = sources.digest("reference", known), checksums.kept(files.FOLDER)
+    code, sums = [sources.digest("reference", known)], checksums.kept(files.FOLDER)
+    if _is_steered(job):  # the prediction by which the recording is judged runs the rule; a student's copy may lack it
+        with contextlib.suppress(CollisionsError, OSError):
+            code += [sources.digest(part, known) for part in Implementation(job.implementation).sources]
     return key([SCHEMA, "recorded", dataclasses.asdict(_identity(job)), recorded, sums, code])
 
 
@@ -126,8 +131,14 @@ def _surroundings() -> dict[str, str]:
 
 
 def _reads_hand_written(job: Job) -> bool:
-    """Whether hand-written code may take part: an engine of ours that wraps a package runs nothing else."""
-    return job.engine.endswith(".py") or load_engine(job.engine).package is None
+    """Whether hand-written code may take part: an engine of ours that wraps a package asks it for steering alone."""
+    return job.engine.endswith(".py") or load_engine(job.engine).package is None or _is_steered(job)
+
+
+def _is_steered(job: Job) -> bool:
+    """Whether hand-written rules steer bodies in the family of a job; a published case has no family."""
+    family = catalogue().get(getattr(job, "family", ""))
+    return family is not None and family.steered
 
 
 def _identity(job: Job) -> Any:

@@ -20,6 +20,7 @@ from reference.running.study import longest_first
 
 LONG_IN_THE_WORLD = (
     "ball-to-rest", "sliding-slab", "incline", "critical-incline", "two-frictions", "tipping-box",
+    "break-away", "slab-at-30-degrees", "creep", "friction-oscillator",
 )  # fmt: skip
 """Families whose faults are not tried in the hand-written world: it would take one to ten minutes each.
 

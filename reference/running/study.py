@@ -27,6 +27,7 @@ from reference.recording import reading
 from reference.recording.reading import track_of
 from reference.running.jobs import Work
 from reference.scene.settings import Option, Settings
+from reference.scene.survey import Survey
 from reference.scene.trajectory import Trajectory
 from reference.viewer.tracks import Track
 
@@ -208,16 +209,18 @@ def _together(engine: Engine, cases: Sequence[Case], told: Mapping[str, Settings
 
 
 def _studies(asked: Question, family: Family, job: Job) -> tuple[Errors | None, Split | None]:
-    """Error against timestep; and the split of the error, for unchanged settings of the profile that counts first.
+    """Error against timestep, where there are steps; and the split of the error.
 
-    The world is studied where it is the only method, and where a recurrence says how its error depends on the timestep.
+    It is split for unchanged settings of the profile that counts first. The world is studied where it is the
+    only method, and where a recurrence says how its error depends on the timestep.
     """
     has = asked.engine.profiles(asked.case.scenarios[0])
     first = next(filter(counts, has))
     if job.profile == WORLD and (first != WORLD or family.predict is None):
         return None, None
     settings = asked.engine.settings(asked.case.scenarios[0], job.profile).change(**dict(job.changes))
-    convergence = errors_against_timestep(asked, settings, family.convergence.factors)
+    asks = isinstance(asked.case.scenarios[0], Survey)
+    convergence = None if asks else errors_against_timestep(asked, settings, family.convergence.factors)
     if job.profile != first or job.changes:
         return convergence, None
     return convergence, split(asked, convergence.order if convergence else None)

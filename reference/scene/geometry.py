@@ -8,6 +8,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.errors import InvalidInput
+from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Shape, Sphere
 
 TOUCHING = 2e-6
@@ -84,8 +85,12 @@ def gap(body_a: Body, body_b: Body) -> float:
     """Gap between two bodies as they start, m; negative when they overlap.
 
     Exact where one is a half-space or a sphere. Two boxes: the largest gap along any face normal or cross product of
-    edges, which is exact where faces or edges meet or boxes overlap, and never too large.
+    edges, which is exact where faces or edges meet or boxes overlap, and never too large. The gap of a polyhedron is
+    not known here; a survey asks for it.
     """
+    for body in (body_a, body_b):
+        if isinstance(body.shape, Polyhedron):
+            raise InvalidInput(f"the gap between {body_a.name} and {body_b.name} is not defined: {body.name} is a mesh")
     order = (HalfSpace, Sphere, Box)
     if order.index(type(body_a.shape)) > order.index(type(body_b.shape)):
         return gap(body_b, body_a)

@@ -10,6 +10,7 @@ from reference.arrays import Array
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
 
+_TIMES = 0.0, 1.0  # s; a push that is zero along a direction at both never acts along it
 _ROUNDING = 1e-9  # a length (m) or a speed (m/s, rad/s) below this is zero
 
 
@@ -53,7 +54,9 @@ def _rubs_on_corners(scenario: Scenario, box: Body, other: Body) -> bool:
     ways = [np.subtract(other.velocity, box.velocity)]
     if other.immovable:
         ways.append(np.array(scenario.gravity))  # else both fall alike
-    ways += [np.array(force.force) for force in scenario.forces if force.body in (box.name, other.name)]
+    ways += [
+        np.array(push.at(time)) for push in scenario.forces if push.body in (box.name, other.name) for time in _TIMES
+    ]
     moves_along = any(np.linalg.norm(np.cross(way, normal)) > _ROUNDING for way in ways)
     return moves_along and len(_nearest_corners(box, normal)) > 1
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 from reference import checks
 from reference.checks import Vector
@@ -40,4 +41,42 @@ class Distance:
             raise InvalidInput(f"two bodies share the name {self.body_a.name!r}")
 
 
-Query = Ray | Distance
+@dataclass(frozen=True)
+class Inside:
+    """Whether a point, m, lies within a body: 1 or 0. On the surface it is not defined."""
+
+    body: Body
+    point: Vector
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "point", checks.vector("point", self.point))
+
+
+@dataclass(frozen=True)
+class Segment:
+    """What length, m, of the segment from `start` to `end`, both in m and outside of the body, lies within it."""
+
+    body: Body
+    start: Vector
+    end: Vector
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "start", checks.vector("start", self.start))
+        object.__setattr__(self, "end", checks.vector("end", self.end))
+        if self.start == self.end:
+            raise InvalidInput(f"the segment starts and ends at {self.start}; it needs a length")
+
+
+Query = Ray | Distance | Inside | Segment
+
+
+def bodies_of(query: Query) -> tuple[Body, ...]:
+    """The bodies that a question is about."""
+    return (query.body_a, query.body_b) if isinstance(query, Distance) else (query.body,)
+
+
+def asked_of(query: Query, bodies: Mapping[str, Body]) -> Query:
+    """The same question, about the bodies of the same names."""
+    if isinstance(query, Distance):
+        return replace(query, body_a=bodies[query.body_a.name], body_b=bodies[query.body_b.name])
+    return replace(query, body=bodies[query.body.name])

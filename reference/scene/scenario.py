@@ -13,6 +13,9 @@ from dataclasses import dataclass, field
 from reference import checks
 from reference.checks import Quaternion, Vector
 from reference.errors import InvalidInput, UnknownName
+from reference.scene.forces import Attraction, Fluid, Force, Push, Spring
+from reference.scene.polyhedron import Polyhedron
+from reference.scene.steering import Steering
 
 GRAVITY = 9.81
 """Acceleration of free fall in every scenario, m/s². The published cases that we compare with use this figure."""
@@ -63,7 +66,7 @@ class HalfSpace:
         object.__setattr__(self, "normal", checks.unit_vector("normal", self.normal))
 
 
-Shape = Sphere | Box | HalfSpace
+Shape = Sphere | Box | HalfSpace | Polyhedron
 
 
 @dataclass(frozen=True)
@@ -95,6 +98,8 @@ class Body:
             object.__setattr__(self, "mass", checks.positive(f"{label} mass", self.mass))
         if isinstance(self.shape, HalfSpace) and not self.immovable:
             raise InvalidInput(f"{label} a half-space has mass {self.mass}; only inf makes sense")
+        if isinstance(self.shape, Polyhedron) and not self.immovable:
+            raise InvalidInput(f"{label} a polyhedron has mass {self.mass}; so far only inf is known")
         for name in ("position", "velocity", "angular_velocity"):
             object.__setattr__(self, name, checks.vector(f"{label} {name}", getattr(self, name)))
         for name in ("velocity", "angular_velocity"):
@@ -131,7 +136,7 @@ class Body:
         """Principal moments of inertia about its own axes, kg m², its own or its shape's; infinite if immovable."""
         if self.inertia:
             return self.inertia
-        if self.immovable or isinstance(self.shape, HalfSpace):
+        if self.immovable or isinstance(self.shape, HalfSpace | Polyhedron):
             return math.inf, math.inf, math.inf
         x, y, z = self.shape.inertia_per_mass()
         return self.mass * x, self.mass * y, self.mass * z
@@ -169,21 +174,11 @@ class Pair:
 
 
 @dataclass(frozen=True)
-class Force:
-    """A constant force on a body, N, in the world frame. It acts at the centre of mass and turns nothing."""
-
-    body: str
-    force: Vector
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "force", checks.vector(f"force on {self.body}", self.force))
-
-
-@dataclass(frozen=True)
 class Scenario:
     """A complete set-up. duration: s. gravity: acceleration, m/s². Pairs that are not listed do not collide.
 
-    forces: those besides weight and contact, from start to end.
+    forces: pushes on bodies, besides weight and contact. springs, attractions: between bodies. fluid: what they move
+    in, () for none. steering: rules by which bodies move themselves. All of them act from start to end.
     """
 
     name: str
@@ -191,14 +186,17 @@ class Scenario:
     pairs: tuple[Pair, ...]
     duration: float
     gravity: Vector = field(default=(0.0, 0.0, -GRAVITY))
-    forces: tuple[Force, ...] = ()
+    forces: tuple[Push, ...] = ()
+    springs: tuple[Spring, ...] = ()
+    attractions: tuple[Attraction, ...] = ()
+    fluid: Fluid | tuple[()] = ()
+    steering: tuple[Steering, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "duration", checks.positive(f"{self.name}: duration", self.duration))
         object.__setattr__(self, "gravity", checks.vector(f"{self.name}: gravity", self.gravity))
-        object.__setattr__(self, "bodies", tuple(self.bodies))
-        object.__setattr__(self, "pairs", tuple(self.pairs))
-        object.__setattr__(self, "forces", tuple(self.forces))
+        for name in ("bodies", "pairs", "forces", "springs", "attractions", "steering"):
+            object.__setattr__(self, name, tuple(getattr(self, name)))
         names = [body.name for body in self.bodies]
         if len(set(names)) != len(names):
             raise InvalidInput(f"{self.name}: two bodies share a name in {names}")
@@ -210,9 +208,53 @@ class Scenario:
             if key in seen:
                 raise InvalidInput(f"{self.name}: the pair {sorted(key)} is given twice")
             seen.add(key)
+        self._check_forces()
+        self._check_steering()
+
+    def _check_forces(self) -> None:
         for force in self.forces:
             if self.body(force.body).immovable:
-                raise InvalidInput(f"{self.name}: a force of {force.force} N acts on {force.body}, which is immovable")
+                raise InvalidInput(
+                    f"{self.name}: a force of {force.at(0.0)} N acts on {force.body}, which is immovable"
+                )
+        for spring in self.springs:
+            ends = [self.body(name) for name in (spring.body_a, spring.body_b) if name]
+            if all(body.immovable for body in ends):
+                raise InvalidInput(
+                    f"{self.name}: the spring {spring.body_a}–{spring.body_b or 'world'} can move nothing"
+                )
+        for attraction in self.attractions:
+            for name in (attraction.body_a, attraction.body_b):
+                if self.body(name).immovable:
+                    raise InvalidInput(f"{self.name}: {name} attracts, and needs a finite mass for it")
+        if self.fluid:
+            for body in self.bodies:
+                if not body.immovable and not isinstance(body.shape, Sphere):
+                    raise InvalidInput(f"{self.name}: {body.name} is no ball, and Stokes' law is for balls in a fluid")
+
+    def _check_steering(self) -> None:
+        steered = [name for steering in self.steering for name in steering.bodies]
+        if len(set(steered)) != len(steered):
+            raise InvalidInput(f"{self.name}: two rules steer one body of {steered}")
+        for name in steered:
+            if self.body(name).immovable:
+                raise InvalidInput(f"{self.name}: {name} is steered, and is immovable")
+        for name in (name for steering in self.steering for name in steering.obstacles):
+            if not self.body(name).immovable:
+                raise InvalidInput(f"{self.name}: {name} is an obstacle of a steering rule, and is not immovable")
+
+    @property
+    def pushes_change(self) -> bool:
+        """Whether forces besides weight and contact change in time, or with what the bodies do."""
+        steady = all(isinstance(force, Force) for force in self.forces)
+        return not steady or bool(self.springs or self.attractions or self.fluid or self.steering)
+
+    @property
+    def in_flight(self) -> bool:
+        """Whether nothing touches anything or steers itself, and all that moves are balls: forces say what happens."""
+        return not (self.pairs or self.steering) and all(
+            body.immovable or isinstance(body.shape, Sphere) for body in self.bodies
+        )
 
     def body(self, name: str) -> Body:
         """Return the body of that name."""

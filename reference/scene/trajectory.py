@@ -62,8 +62,9 @@ class Trajectory:
 
     times: (n,), s, increasing. positions: (n, b, 3), centres of mass, m. orientations: (n, b, 4), w x y z.
     velocities: (n, b, 3), m/s. angular_velocities: (n, b, 3), rad/s, world frame. The bodies are in the scenario's
-    order. Arrays are read-only. What an engine hands over in another shape, or with times that do not increase, is a
-    failed run.
+    order. answers: (k,), to the k questions of a survey, and watched: (n, w), to the w that it asks at every sample;
+    empty for any other scenario. Arrays are read-only. What an engine hands over in another shape, or with times that
+    do not increase, is a failed run.
     """
 
     scenario: Scenario
@@ -76,8 +77,12 @@ class Trajectory:
     angular_velocities: Array
     contacts: Contacts = field(default_factory=Contacts)
     events: tuple[Event, ...] = ()
+    answers: Array = field(default_factory=lambda: np.zeros(0))
+    watched: Array = field(default_factory=lambda: np.zeros((0, 0)))
 
     def __post_init__(self) -> None:
+        for name in ("answers", "watched"):
+            object.__setattr__(self, name, _read_only(np.asarray(getattr(self, name), dtype=np.float64)))
         count, bodies = len(self.times), len(self.scenario.bodies)
         if count < 2:
             raise RunFailed(f"{self.engine}: a trajectory needs two or more samples; it has {count}")

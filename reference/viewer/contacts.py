@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from reference.arrays import Array
+from reference.scene.loads import Loads
 from reference.scene.scenario import Body, Scenario
 from reference.viewer.pair_gaps import Meeting, Places, meeting_of
 from reference.viewer.poses import Poses
@@ -52,7 +53,8 @@ def touches(scenario: Scenario, poses: Poses) -> list[Touch]:
     places = {name: (poses.positions[:, at], poses.orientations[:, at]) for at, name in enumerate(poses.bodies)}
     meetings = [meeting for pair in scenario.pairs if (meeting := meeting_of(scenario, pair, places)) is not None]
     found = [touch for meeting in meetings for touch in _contacts(meeting, places[meeting.body_a.name][0])]
-    found += _impacts(scenario, meetings, places, float(poses.times[1]))
+    if not scenario.steering:  # the poses do not say which momentum a body gave to itself
+        found += _impacts(scenario, meetings, places, float(poses.times[1]))
     return sorted(found, key=lambda touch: (touch.first, touch.body))[:MOST]
 
 
@@ -89,7 +91,8 @@ def _touch(first: int, last: int, body: Body, place: Array, normal: Array, impul
 
 def _impacts(scenario: Scenario, meetings: Sequence[Meeting], places: Places, dt: float) -> list[Touch]:
     """Impulses through the pairs, those of neighbouring samples together."""
-    gained = {name: _gained(scenario, scenario.body(name), places[name][0], dt) for name in places}
+    loads = _loads(scenario, places, dt)
+    gained = {name: _gained(scenario, scenario.body(name), places[name][0], loads[name], dt) for name in places}
     through = np.zeros((len(meetings), len(next(iter(gained.values()))), 3))
     least = _least(scenario, places, dt)
     changes = np.max([np.linalg.norm(gained[name], axis=-1) / scenario.body(name).mass for name in places], axis=0)
@@ -102,13 +105,28 @@ def _impacts(scenario: Scenario, meetings: Sequence[Meeting], places: Places, dt
     return [touch for meeting, impulses in pairs for touch in _gathered(meeting, impulses, least)]
 
 
-def _gained(scenario: Scenario, body: Body, positions: Array, dt: float) -> Array:
+def _loads(scenario: Scenario, places: Places, dt: float) -> dict[str, Array]:
+    """The force (n, 3), N, on each body about each sample, from all but weight and contact."""
+    samples = len(next(iter(places.values()))[0])
+    states = np.tile(np.array([body.state() for body in scenario.bodies]), (samples, 1, 1))
+    for name, (positions, orientations) in places.items():
+        own = states[:, scenario.index(name)]
+        own[:, :3], own[:, 3:7], own[:, 7:10] = positions, orientations, np.gradient(positions, dt, axis=0)
+    times = dt * np.arange(samples)
+    loads, parts = Loads(scenario), np.split(states, (3, 7, 10), axis=-1)
+    if scenario.pushes_change:
+        force = np.array([loads.on_bodies(time, *now)[0] for time, *now in zip(times, *parts, strict=True)])
+    else:
+        force, _ = loads.on_bodies(0.0, *parts)
+    return {name: force[:, scenario.index(name)] for name in places}
+
+
+def _gained(scenario: Scenario, body: Body, positions: Array, force: Array, dt: float) -> Array:
     """Momentum (n, 3), N s, that a body gets about each sample from nothing but contact."""
-    force = sum((np.array(each.force) for each in scenario.forces if each.body == body.name), np.zeros(3))
     free = np.array(scenario.gravity) + force / body.mass
-    before = positions[0] - dt * np.array(body.velocity) + free * dt**2 / 2
+    before = positions[0] - dt * np.array(body.velocity) + free[0] * dt**2 / 2
     velocity = np.diff(np.concatenate([before[None], positions]), axis=0) / dt
-    change = np.diff(velocity, axis=0, append=velocity[-1:] + free * dt)  # the last sample has nothing after it
+    change = np.diff(velocity, axis=0, append=velocity[-1:] + free[-1:] * dt)  # the last sample has nothing after it
     return np.asarray(body.mass * (change - free * dt))
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from reference.arrays import Array, Mask
 from reference.scene import geometry
+from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.viewer.shapes import vertices_of
 
@@ -67,6 +68,8 @@ def size_of(body: Body) -> float:
     """Smallest width of a body, m."""
     if isinstance(body.shape, HalfSpace):
         return np.inf
+    if isinstance(body.shape, Polyhedron):
+        return float(min(np.ptp(body.shape.points, axis=0)))
     return 2 * (body.shape.radius if isinstance(body.shape, Sphere) else min(body.shape.half_extents))
 
 

@@ -12,6 +12,7 @@ from reference import checks
 from reference.arrays import Array
 from reference.checks import Vector
 from reference.errors import InvalidInput
+from reference.scene.polyhedron import Polyhedron
 from reference.scene.scenario import Box, HalfSpace, Sphere
 
 
@@ -41,7 +42,7 @@ class Convex:
                 raise InvalidInput(f"face {face} is none of {len(self.vertices)} vertices, three or more")
 
 
-Shape = Sphere | Box | HalfSpace | Capsule | Convex
+Shape = Sphere | Box | HalfSpace | Capsule | Convex | Polyhedron
 BOX_FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
 """Of the vertices in `vertices_of`, anticlockwise from outside."""
 
@@ -55,7 +56,7 @@ def vertices_of(shape: Shape) -> tuple[Array, float]:
             return np.array([[0.0, 0.0, -shape.half_length], [0.0, 0.0, shape.half_length]]), shape.radius
         case Box():
             return np.array(list(itertools.product((-1.0, 1.0), repeat=3))) * shape.half_extents, 0.0
-        case Convex():
+        case Convex() | Polyhedron():
             return np.array(shape.vertices, dtype=np.float64), 0.0
     return np.zeros((0, 3)), 0.0
 
@@ -65,7 +66,7 @@ def faces_of(shape: Shape) -> tuple[tuple[int, ...], ...]:
     match shape:
         case Box():
             return BOX_FACES
-        case Convex():
+        case Convex() | Polyhedron():
             return shape.faces
     return ()
 

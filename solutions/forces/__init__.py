@@ -38,6 +38,7 @@ from solutions.forces.integrators import (
     velocity_verlet,
 )
 from solutions.forces.oscillators import damped_oscillator, damping_ratio, friction_oscillator, natural_frequency
+from solutions.forces.resonance import driven_oscillator, steady_oscillation
 from solutions.forces.reynolds import STOKES_LIMIT, StokesRegimeWarning, check_stokes_regime, reynolds_number
 from solutions.forces.shapes import sphere_shape_factor, spheroid_shape_factors
 from solutions.forces.springs import damper_force, spring_damper_force, spring_energy, spring_force
@@ -65,6 +66,7 @@ __all__ = [
     "damping_ratio",
     "drag_correction",
     "drag_motion",
+    "driven_oscillator",
     "evaluate_forces",
     "explicit_euler",
     "friction_oscillator",
@@ -86,6 +88,7 @@ __all__ = [
     "spring_energy",
     "spring_force",
     "stable_step",
+    "steady_oscillation",
     "stokes_drag",
     "surface_gravity",
     "terminal_velocity",

@@ -107,3 +107,13 @@ def test_with_baratis_correlation_the_grain_sinks_exactly_as_in_fluids():
 
     found = terminal_velocity_corrected(*arguments, correction=barati)
     assert -found[2] == pytest.approx(case.expected["speed"], abs=5e-8)  # half of the last digit printed
+
+
+@pytest.mark.statement(25, oracle="P39: the figure of eight of Chenciner, Montgomery and Simó")
+def test_three_bodies_are_in_each_others_places_after_a_third_of_their_period(as_published):
+    as_published("P39")
+
+
+@pytest.mark.statement(27, oracle="P40: a textbook's block on a spring")
+def test_a_block_on_a_spring_swings_as_fast_as_the_textbook_says(as_published):
+    as_published("P40")

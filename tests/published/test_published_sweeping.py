@@ -19,3 +19,14 @@ def test_the_slab_test_finds_the_time_of_box2d_for_a_segment_and_a_box():
     place, way = case.values("segment_place", "segment_way")
     slabs, _ = sweep_boxes([place, 0, 0], [way, 0, 0], [0, half[1], 0], still, still, [*half, 0], 1.0)
     assert slabs == case.expected["time_of_impact"]
+
+
+@pytest.mark.statement(10, oracle="P30: Parry's ball and cube")
+def test_a_ball_and_a_cube_that_both_move_meet_as_in_parry_or_pass(as_published):
+    found = as_published("P30")["meets_at"][0]
+    assert found <= published("P30").expected["meets_at"]  # conservative advancement is never late
+
+
+@pytest.mark.statement(10, oracle="P31: DART's own tests of continuous detection")
+def test_a_swept_ball_a_point_and_an_edge_meet_what_they_meet_in_dart(as_published):
+    as_published("P31")

@@ -99,7 +99,7 @@ def _sideways(trajectory: Trajectory) -> float:
     return float(np.hypot(across[0], across[1]))
 
 
-def _slack_of_the_stop(settings: Settings, method: Method) -> float:
+def slack_of_the_stop(settings: Settings, method: Method) -> float:
     """A sample and more, s: MuJoCo's friction makes the speed of a slab chatter, and so it drops below 1 mm/s late.
 
     At larger timesteps up to 7000 dt² was measured, 7 ms at a timestep of 1 ms.
@@ -117,7 +117,7 @@ def slack_of_creep(settings: Settings, method: Method) -> float:
     return 1.0 if method.rule == MUJOCO_ONE_STEP and 5 * settings.timestep > MILLIMETRE else 0.0
 
 
-def _slack_aside(settings: Settings, method: Method) -> float:
+def slack_aside(settings: Settings, method: Method) -> float:
     """Its corners, which come off the ground in turn, push a slab aside in MuJoCo: by 0.4 m for each second of dt."""
     return 1.5 * settings.timestep if method.rule == MUJOCO_ONE_STEP else 0.0
 
@@ -171,7 +171,7 @@ SLIDING_SLAB = Family(
             lambda trajectory: measure.rest_time(trajectory, "slab"),
             _expect_time,
             lambda case: truth.stopping_time(case.parameters["speed"], case.parameters["friction"], GRAVITY),
-            _slack_of_the_stop,
+            slack_of_the_stop,
             absent="never stops",
         ),
         Quantity(
@@ -180,7 +180,7 @@ SLIDING_SLAB = Family(
             "m",
             _sideways,
             within_a_millimetre,
-            slack=_slack_aside,
+            slack=slack_aside,
         ),
         Quantity(
             "creep",

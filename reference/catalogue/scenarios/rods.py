@@ -179,7 +179,7 @@ STRUCK_ROD = Family(
     name="struck-rod",
     title="Rod struck by a ball",
     topic="impulse",
-    statements=(11, 12, 14, 15, 18, 19, 20, 21),
+    statements=(11, 12, 13, 14, 15, 18, 19, 20, 21),
     about=f"A ball of 1 kg flies at {SPEED:g} m/s straight at a rod of 1 kg and {2 * HALF_LENGTH:g} m that floats"
     " at rest, and strikes it at its centre, half-way out, or a millimetre from its end.",
     expected="A unit impulse moves the point of the rod that it meets by `k = 1/M + x²/I`, an arm `x` from the"
@@ -211,7 +211,7 @@ ROD_ON_PEG = Family(
     name="rod-on-peg",
     title="Rod dropped on a peg",
     topic="impulse",
-    statements=(11, 12, 14, 15, 18, 19, 20, 21),
+    statements=(11, 12, 13, 14, 15, 18, 19, 20, 21),
     about=f"A level rod of 1 kg and {2 * HALF_LENGTH:g} m falls {DROP_HEIGHT:g} m onto a peg under its centre,"
     " half-way out, or a millimetre from its end.",
     expected="The peg stands for a body of infinite mass: `j = (1 + e) v/(1/M + x²/I)`. Under the centre that is `(1"

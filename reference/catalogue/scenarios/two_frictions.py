@@ -15,7 +15,8 @@ from reference.catalogue.family import Convergence, Curve, Expectation, Family, 
 from reference.catalogue.scenarios.friction import slab_on_plane, way_of
 from reference.engines.base import EXACT, Method
 from reference.prediction import sliding
-from reference.scene.scenario import GRAVITY, Force, Pair
+from reference.scene.forces import Force
+from reference.scene.scenario import GRAVITY, Pair
 from reference.scene.settings import Settings
 from reference.scene.trajectory import Trajectory
 

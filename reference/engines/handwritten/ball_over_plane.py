@@ -13,6 +13,7 @@ from reference.arrays import Array, Mask
 from reference.engines.handwritten.points import PointsAndPlanes
 from reference.engines.handwritten.stepping import checked_impact_times, policy_of, record
 from reference.engines.implementation import Implementation
+from reference.engines.pybullet_spring import MOST_DAMPING_RATIO
 from reference.errors import RunFailed
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
@@ -30,12 +31,13 @@ def bounce(
         "exact_root": balls.step_to_exact_roots,
         "interpolated": balls.step_to_slides_times,
         "at_step": balls.respond_then_step,
+        "penalty": balls.push_then_step,
     }
     return record(engine, scenarios, settings, steps, balls.states, policy_of(policies, settings), balls.events)
 
 
 class _Balls(PointsAndPlanes):
-    """N balls, each over a plane of its own: three ways to step them, and what the three share.
+    """N balls, each over a plane of its own: the ways to step them, and what these share.
 
     `respond_at_impact` and `respond_at_step` know one impact, and a ball comes to rest by infinitely many. So the loop
     itself takes the normal velocity from a ball that leaves its plane too slowly. From then on the plane carries it.
@@ -52,10 +54,20 @@ class _Balls(PointsAndPlanes):
         self.normal_acceleration = np.vecdot(self.acceleration, self.normal)
         self.along_plane = self.acceleration - self.normal_acceleration[:, None] * self.normal
         # A ball that leaves the plane at w is back after 2 w/g: below this w the flight is too short to be followed.
-        self.rest_speed = settings.number("shortest_flight") * self.dt * -self.normal_acceleration / 2
+        self.rest_speed = np.zeros(len(scenarios))
+        if "shortest_flight" in settings.options:
+            self.rest_speed = settings.number("shortest_flight") * self.dt * -self.normal_acceleration / 2
+        if "stiffness" in settings.options:
+            self.spring = self._spring(settings.number("stiffness"))
         self.resting = np.zeros(len(scenarios), dtype=bool)
 
-    # The three policies
+    def _spring(self, stiffness: float) -> tuple[Array, Array]:
+        """Stiffness, N/m, and damping, N s/m, of each contact, (N,), from a stiffness per unit mass, 1/s²."""
+        each = stiffness * self.mass
+        damping = self.function("penalty_damping")(self.restitution, self.mass, each)
+        return each, np.minimum(damping, 2 * MOST_DAMPING_RATIO * np.sqrt(each * self.mass))
+
+    # The policies
 
     def step_to_exact_roots(self, time: float) -> None:
         """Let each ball respond at the first root of its parabola."""
@@ -82,6 +94,15 @@ class _Balls(PointsAndPlanes):
             start = before[0], before[1] - into[:, None] * self.normal
             carried = self.function("semi_implicit_euler")(*start, self.along_plane, self.whole_step)
             self.position, self.velocity = self.chosen(self.resting, carried, (self.position, self.velocity))
+
+    def push_then_step(self, time: float) -> None:
+        """Let the penalty springs push, and take a semi-implicit step."""
+        stiffness, damping = self.spring
+        gap, rate = self.separation(self.position), self.normal_velocity()
+        force = self.function("penalty_force")(gap, rate, self.normal, stiffness, damping)
+        moved = self.function("semi_implicit_euler")
+        pull = self.acceleration + force / self.mass[:, None]
+        self.position, self.velocity = map(np.asarray, moved(self.position, self.velocity, pull, self.whole_step))
 
     # The instants of impact
 

@@ -17,6 +17,7 @@ from reference.scene.scenario import Body, Box, HalfSpace, Sphere
 
 def answer(query: Query, implementation: Implementation) -> float:
     """Answer with the implementation's functions."""
+    assert isinstance(query, Ray | Distance), "a survey answers the others"
     return _ray(query, implementation) if isinstance(query, Ray) else _distance(query, implementation)
 
 
@@ -30,6 +31,7 @@ def _ray(query: Ray, implementation: Implementation) -> float:
         own = [geometry.rotate(back, vector) for vector in (start, way)]
         share, _ = implementation.function("ray_box")(*own, np.array(body.shape.half_extents))
     else:
+        assert isinstance(body.shape, HalfSpace)
         normal = np.array(body.shape.normal)
         gap = implementation.function("signed_distance")(start, normal, 0.0)
         share = implementation.function("time_of_impact_exact")(gap, way @ normal, 0.0)

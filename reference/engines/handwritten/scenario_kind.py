@@ -9,37 +9,64 @@ from itertools import pairwise
 import numpy as np
 
 from reference.arrays import Array
+from reference.engines.handwritten.closed_forms import form_of
+from reference.engines.handwritten.mesh_kinds import settles, vibrates
 from reference.scene import geometry
+from reference.scene.forces import GrowingForce
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
+from reference.scene.survey import Survey
 
 _ROUNDING = 1e-9  # a length (m), speed (m/s) or sine below this is zero
 
 
 class Kind(Enum):
-    """The kinds of scenario, one for each driver.
-
-    BOUNCE: a ball over a plane that nothing makes spin. WALLS: one without weight between several planes. THIN_WALL: a
-    ball that flies straight at a face of a fixed box, without weight, spin and friction. SLIDE: a box that slides as a
-    point does. BALLS: two balls that strike each other. FACE: a ball that strikes a plane, or straight on a face of a
-    box. CORNER: a box without weight that flies at a plane. These three may spin and rub. ROW: balls in a line, without
-    weight.
-    """
+    """The kinds of scenario, one for each driver."""
 
     BOUNCE = "bounce"
+    """A ball over a plane that nothing makes spin."""
     WALLS = "walls"
+    """A ball without weight between several planes."""
     THIN_WALL = "thin wall"
+    """A ball that flies straight at a face of a fixed box, without weight, spin and friction."""
     SLIDE = "slide"
+    """A box that slides as a point does."""
+    PUSHED = "pushed"
+    """A box at rest, until pushes that grow along the plane break it away."""
+    SWINGING = "swinging"
+    """A box that swings on a spring along the plane, until friction holds it."""
     BALLS = "balls"
+    """Two balls that strike each other; they may spin and rub."""
     FACE = "face"
+    """A ball that strikes a plane, or straight on a face of a box; it may spin and rub."""
     CORNER = "corner"
+    """A box without weight that flies at a plane; it may spin and rub."""
+    SPINNING = "spinning"
+    """A box without weight that turns steadily and strikes a smooth ball."""
     ROW = "row"
+    """Balls in a line, without weight."""
+    FLIGHT = "flight"
+    """Balls that meet nothing, and whose motion has a closed form."""
+    ORBIT = "orbit"
+    """Two balls that attract each other."""
+    MESH = "mesh"
+    """Point masses on springs that a fluid brings to rest."""
+    VIBRATION = "vibration"
+    """Point masses on springs that vibrate."""
 
 
 @lru_cache(maxsize=4096)
 def kind(scenario: Scenario) -> Kind | None:
     """Return the kind of a scenario, or None if it needs a rigid-body world."""
-    if not scenario.pairs:
+    if isinstance(scenario, Survey):
         return None
+    if form_of(scenario):
+        return Kind.FLIGHT
+    if _is_orbit(scenario):
+        return Kind.ORBIT
+    if not scenario.pairs:
+        return Kind.MESH if settles(scenario) else Kind.VIBRATION if vibrates(scenario) else None
+    if scenario.pushes_change:
+        return _driven(scenario)
     if _is_row(scenario):
         return Kind.ROW
     if len(scenario.bodies) > 2:
@@ -77,6 +104,42 @@ def _over_a_plane(scenario: Scenario) -> Kind | None:
     return Kind.SLIDE if flat and _slides_straight(scenario, body, normal) else None
 
 
+def _driven(scenario: Scenario) -> Kind | None:
+    """A box that lies on a level plane, as one that slides does, under pushes that grow, or on one spring."""
+    if len(scenario.bodies) != 2 or scenario.attractions or scenario.fluid:
+        return None
+    if _over_a_plane(scenario) is not Kind.SLIDE:
+        return None
+    normal = np.array(planes_met(scenario)[0].shape.normal)  # type: ignore[union-attr]
+    if float(np.linalg.norm(np.cross(scenario.gravity, normal))) > _ROUNDING:
+        return None
+    if scenario.springs:
+        return Kind.SWINGING if not scenario.forces and _swings(scenario, normal) else None
+    growing = all(isinstance(push, GrowingForce) for push in scenario.forces)
+    along = all(abs(np.dot(push.at(1.0), normal)) < _ROUNDING for push in scenario.forces)
+    return Kind.PUSHED if growing and along and not any(_movable(scenario).velocity) else None
+
+
+def _swings(scenario: Scenario, normal: Array) -> bool:
+    """Whether one spring without a damper swings the box to and fro along one line, on one side of its anchor."""
+    body, spring, pair = _movable(scenario), scenario.springs[0], scenario.pairs[0]
+    at_centre = spring.body_a == body.name and not spring.body_b and not any(spring.point_a)
+    if len(scenario.springs) > 1 or not at_centre or spring.damping or pair.static_friction != pair.kinetic_friction:
+        return False
+    line, velocity = np.subtract(body.position, spring.point_b), np.array(body.velocity)
+    length, speed = float(np.linalg.norm(line)), float(np.linalg.norm(velocity))
+    aside = max(abs(float(line @ normal)), float(np.linalg.norm(np.cross(velocity, line))))
+    if spring.stiffness == 0 or aside > _ROUNDING:
+        return False
+    return bool(
+        np.hypot(length - spring.rest_length, speed * np.sqrt(body.mass / spring.stiffness)) < spring.rest_length
+    )
+
+
+def _movable(scenario: Scenario) -> Body:
+    return next(body for body in scenario.bodies if not body.immovable)
+
+
 def planes_met(scenario: Scenario) -> list[Body]:
     """The bodies that the single movable one collides with, in the order of the pairs."""
     (movable,) = (body.name for body in scenario.bodies if not body.immovable)
@@ -94,6 +157,13 @@ def _is_between_planes(scenario: Scenario) -> bool:
     only_planes = all(isinstance(body.shape, HalfSpace) for body in fixed)
     meets_all = listed == {frozenset((movable[0].name, body.name)) for body in fixed}
     return only_planes and meets_all and smooth and not any(scenario.gravity)
+
+
+def _is_orbit(scenario: Scenario) -> bool:
+    """Whether two balls attract each other and nothing else acts."""
+    others = scenario.forces or scenario.springs or scenario.fluid or any(scenario.gravity)
+    alone = scenario.in_flight and len(scenario.bodies) == 2 and len(scenario.attractions) == 1
+    return alone and not others
 
 
 def _is_row(scenario: Scenario) -> bool:
@@ -126,10 +196,20 @@ def _strikes(scenario: Scenario) -> Kind | None:
             return None
         one_falls = any(scenario.gravity) and ball.immovable != other.immovable
         return None if one_falls else Kind.BALLS  # seen from either ball, the other flies straight
+    if _turns_at_a_ball(scenario, ball, other):
+        return Kind.SPINNING
     straight = isinstance(other.shape, HalfSpace) or _straight_at_a_face(scenario, ball, other)
     if not straight:
         return None
     return Kind.THIN_WALL if _is_shot(scenario, ball, other) else Kind.FACE
+
+
+def _turns_at_a_ball(scenario: Scenario, ball: Body, other: Body) -> bool:
+    """Whether a box that turns steadily and a ball that does not, neither with weight or friction, may meet."""
+    if not isinstance(other.shape, Box) or other.immovable or ball.immovable or not any(other.angular_velocity):
+        return False
+    smooth = _friction(scenario) == 0 and not any(ball.angular_velocity) and not any(scenario.gravity)
+    return smooth and turns_steadily(other, np.array(other.orientation), np.array(other.angular_velocity))
 
 
 def _is_shot(scenario: Scenario, ball: Body, other: Body) -> bool:
@@ -226,7 +306,7 @@ def _slides_straight(scenario: Scenario, body: Body, normal: Array) -> bool:
 
     The forces act at the centre, as weight does, and so cannot tip the body either.
     """
-    velocity, pushes = np.array(body.velocity), [force.force for force in scenario.forces]
+    velocity, pushes = np.array(body.velocity), [push.at(0.0) for push in scenario.forces]
     acceleration = np.array(scenario.gravity) + np.sum([*pushes, (0.0, 0.0, 0.0)], axis=0) / body.mass
     pull = acceleration - (acceleration @ normal) * normal
     leaves = abs(velocity @ normal) > _ROUNDING or acceleration @ normal > 0

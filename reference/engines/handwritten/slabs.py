@@ -21,12 +21,12 @@ def slide(
     engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
 ) -> list[Trajectory]:
     """Boxes flat on a plane that slide in a straight line and stop, or hold."""
-    slabs = _Slabs(scenarios, settings, implementation)
+    slabs = Slabs(scenarios, settings, implementation)
     policies = {"exact_root": slabs.step_exactly, "at_step": slabs.step_semi_implicitly}
     return record(engine, scenarios, settings, steps, slabs.states, policy_of(policies, settings), slabs.events)
 
 
-class _Slabs(PointsAndPlanes):
+class Slabs(PointsAndPlanes):
     """Boxes that lie flat on planes: two ways to step them."""
 
     def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
@@ -34,7 +34,7 @@ class _Slabs(PointsAndPlanes):
         weight = self.function("uniform_gravity")
         self._friction_force, self._sliding_motion = self.function("friction_force"), self.function("sliding_motion")
         others = [
-            np.sum([(0.0, 0.0, 0.0), *(each.force for each in scenario.forces)], axis=0) for scenario in scenarios
+            np.sum([(0.0, 0.0, 0.0), *(each.at(0.0) for each in scenario.forces)], axis=0) for scenario in scenarios
         ]
         pull, normal = weight(self.mass, self.gravity) + np.array(others), self.normals[:, 0]
         self.normal_force = -np.sum(pull * normal, axis=1)

@@ -48,11 +48,12 @@ def record(
     states: Callable[[], Array],
     step: Step,
     events: Sequence[Sequence[Event]],
+    steady: bool = True,
 ) -> list[Trajectory]:
     """Step all scenarios together, and return each one's own trajectory, cut after its own number of steps.
 
     states: returns position, orientation, velocity and angular velocity of every body, (N, bodies, 13). events: one
-    list for each scenario, to which the step adds.
+    list for each scenario, to which the step adds. steady: whether forces depend on the state alone.
     """
     every, now = settings.sample_every, states()
     samples = [now]
@@ -62,8 +63,8 @@ def record(
         now = states()
         if (number + 1) % every == 0:
             samples.append(now)
-        if np.array_equal(now, before) and sum(map(len, events)) == known:
-            break  # forces depend on the state alone: where one step changes nothing, no later one will
+        if steady and np.array_equal(now, before) and sum(map(len, events)) == known:
+            break  # where one step changes nothing, no later one will
     samples += [now] * (1 + max(steps) // every - len(samples))
     times: Array = np.arange(len(samples), dtype=np.float64) * every * settings.timestep
     all_states = np.array(samples, dtype=np.float64)  # (samples, N, bodies, 13)

@@ -53,12 +53,12 @@ def strike_face(
     return made
 
 
-def _run(engine: str, pairs: _Pairs, settings: Settings, steps: list[int]) -> list[Trajectory]:
+def _run(engine: str, pairs: Pairs, settings: Settings, steps: list[int]) -> list[Trajectory]:
     policies = {"exact_root": pairs.step_through_impacts, "at_step": pairs.respond_then_step}
     return record(engine, pairs.scenarios, settings, steps, pairs.states, policy_of(policies, settings), pairs.events)
 
 
-class _Pairs(ABC):
+class Pairs(ABC):
     """A ball A and what it strikes, B, in each of N scenarios: two ways to step them, and what the two share."""
 
     def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
@@ -155,7 +155,7 @@ class _Pairs(ABC):
         return states
 
 
-class _TwoBalls(_Pairs):
+class _TwoBalls(Pairs):
     """Two balls."""
 
     def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:
@@ -181,7 +181,7 @@ class _TwoBalls(_Pairs):
         return np.zeros(len(self.scenarios), dtype=bool)
 
 
-class _BallAndFace(_Pairs):
+class _BallAndFace(Pairs):
     """A ball over a plane, or over a face of a box, which it can strike only once: after that the box turns."""
 
     def __init__(self, scenarios: Sequence[Scenario], settings: Settings, implementation: Implementation) -> None:

@@ -7,19 +7,21 @@ states becomes a trajectory.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import fields
 from itertools import accumulate
 from typing import Any
 
 import numpy as np
 
 from reference.arrays import Array
+from reference.engines.handwritten.loads import LoadsByHand
 from reference.engines.handwritten.rigid_bodies import moments_of_inertia
 from reference.engines.handwritten.world_settings import rules
 from reference.engines.implementation import Implementation
 from reference.scene import geometry
-from reference.scene.scenario import Body, Box, Pair, Scenario, Sphere
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
-from reference.scene.trajectory import Trajectory
+from reference.scene.trajectory import Contacts, Trajectory
 
 
 def run(
@@ -40,7 +42,7 @@ def _run_together(
     scenarios: Sequence[Scenario],
     steps: Sequence[int],
     settings: Settings,
-    told: tuple[float, ...],
+    told: tuple[float | str, ...],
     implementation: Implementation,
 ) -> list[Trajectory]:
     """Step all scenarios as one world; return each one's own trajectory, cut after its own number of steps."""
@@ -48,17 +50,23 @@ def _run_together(
     bodies = _bodies(scenarios, implementation)
     state = implementation.function("make_state")(*(_of_all(scenarios, part) for part in range(4)))
     acceleration = np.concatenate([np.tile(each.gravity, (len(each.bodies), 1)) for each in scenarios])
-    force, memory = _forces(scenarios), list[Any]()
-    every, samples = settings.sample_every, [np.concatenate(state, axis=-1)]
+    loads, memory = LoadsByHand(scenarios, implementation), list[Any]()
+    every, samples, met = settings.sample_every, [np.concatenate(state, axis=-1)], list[tuple[int, Any]]()
     for number in range(1, max(steps) + 1):
-        state, *memory, _ = step_world(bodies, state, acceleration, settings.timestep, told, *memory, force=force)
+        force, torque = loads.on_bodies((number - 1) * settings.timestep, state)
+        state, *memory, contacts = step_world(
+            bodies, state, acceleration, settings.timestep, told, *memory, force=force, torque=torque
+        )
         if number % every == 0:
             samples.append(np.concatenate(state, axis=-1))
+            met.append((number // every, contacts))
     times: Array = np.arange(len(samples), dtype=np.float64) * every * settings.timestep
     ends = [0, *accumulate(len(each.bodies) for each in scenarios)]
     states = np.array(samples)  # (samples, bodies, 13)
     return [
-        _trajectory(engine, scenario, settings, times[:count], states[:count, first:end])
+        _trajectory(
+            engine, scenario, settings, times[:count], states[:count, first:end], _contacts(met, count, first, end)
+        )
         for scenario, taken, first, end in zip(scenarios, steps, ends, ends[1:], strict=False)
         for count in [1 + taken // every]
     ]
@@ -118,21 +126,25 @@ def _shape(body: Body) -> tuple[Any, ...]:
         return "sphere", body.shape.radius
     if isinstance(body.shape, Box):
         return "box", body.shape.half_extents
+    assert isinstance(body.shape, HalfSpace), "a survey asks about a polyhedron"
     # A scenario has this normal in the world's axes, and a shape in the body's own.
     return "half-space", geometry.rotate(geometry.opposite(np.array(body.orientation)), np.array(body.shape.normal))
 
 
-def _forces(scenarios: Sequence[Scenario]) -> Array:
-    """The constant force on each body besides weight and contacts, N."""
-    found = []
-    for scenario in scenarios:
-        own = np.zeros((len(scenario.bodies), 3))
-        for each in scenario.forces:
-            own[scenario.index(each.body)] += each.force
-        found.append(own)
-    return np.concatenate(found)
+def _contacts(met: Sequence[tuple[int, Any]], count: int, first: int, end: int) -> Contacts:
+    """The contacts of one scenario's bodies, those from `first` to `end`, in its first samples."""
+    found = [Contacts()]
+    for sample, (body_a, body_b, point, normal, separation, *_) in met[: count - 1]:
+        own = np.flatnonzero((body_a >= first) & (body_a < end))
+        if len(own):
+            bodies = body_a[own] - first, body_b[own] - first
+            found.append(Contacts(np.full(len(own), sample), *bodies, point[own], normal[own], separation[own]))
+    columns = ([getattr(each, entry.name) for each in found] for entry in fields(Contacts))
+    return Contacts(*(np.concatenate(column) for column in columns))
 
 
-def _trajectory(engine: str, scenario: Scenario, settings: Settings, times: Array, states: Array) -> Trajectory:
+def _trajectory(
+    engine: str, scenario: Scenario, settings: Settings, times: Array, states: Array, contacts: Contacts
+) -> Trajectory:
     position, orientation, velocity, spin = np.split(states, (3, 7, 10), axis=-1)
-    return Trajectory(scenario, settings, engine, times, position, orientation, velocity, spin)
+    return Trajectory(scenario, settings, engine, times, position, orientation, velocity, spin, contacts)

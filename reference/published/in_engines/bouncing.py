@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
 import numpy as np
 
 from reference import truth
@@ -12,6 +15,7 @@ from reference.published.answers import Answer, Answers, answer_within
 from reference.published.case import Published
 from reference.published.in_engines.at_step import Bounce, apexes_off, end_off, stepped, times_off, why_late
 from reference.published.in_engines.scenes import AFTER_APEX, FINE, ball_over_floor, gravity_of, tuned
+from reference.published.landing import at_impact
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Option, Settings
 
@@ -25,6 +29,8 @@ MULTIBODY: dict[str, Option] = {
     "contact_erp": 0.0,
 }
 """Bullet's multibodies with nothing but the impact: no damping, no contact ahead of the touch, no push out."""
+COARSE = 1e-3
+"""Timestep of a flight of four seconds, s, whose figures have three digits."""
 SMALL = 0.02
 """Radius of the ball where the case gives none, m."""
 AFTER_REST = 0.2
@@ -176,3 +182,19 @@ def impacts_and_rest(case: Published, engine: Engine) -> Answers:
             "what is too slow for the engine counts as rest; from there on the bounces would last for so long",
         ),
     }
+
+
+def hot_rock(case: Published, engine: Engine) -> Answers:
+    """P28: a ball as the rock, which starts as far above a floor as the rock strikes below."""
+    angle, gravity = math.radians(case.value("angle")), gravity_of(case)
+    thrown = (case.value("speed") * math.cos(angle), 0.0, case.value("speed") * math.sin(angle))
+    highest = case.value("below") + thrown[2] ** 2 / (2 * gravity)
+    duration = thrown[2] / gravity + truth.fall_time(highest, gravity) + AFTER_APEX
+    dropped = ball_over_floor(case, case.value("below"), duration, 0.0)
+    floor, ball = dropped.bodies
+    scenario = replace(dropped, bodies=(floor, replace(ball, velocity=thrown)))
+    trajectory = engine.run(scenario, tuned(engine, scenario, COARSE))
+    flight = measure.flights(trajectory, "ball", "floor")[0]
+    flying = int(np.searchsorted(trajectory.times, flight.landing_time)) - 1
+    along = float(trajectory.velocity("ball")[flying, 0])
+    return at_impact(flight.landing_time, np.array([along, 0.0, -flight.landing_speed]))

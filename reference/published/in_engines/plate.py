@@ -13,7 +13,8 @@ from reference.engines.base import Engine
 from reference.published.answers import Answer, Answers, answer_within
 from reference.published.case import Published
 from reference.published.in_engines.scenes import gravity_of
-from reference.scene.scenario import Body, Box, Force, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.forces import Force
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Option, Settings
 
 APART = 3.0

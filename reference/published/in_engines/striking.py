@@ -25,6 +25,8 @@ OVERLAP = 1.6e-3
 """By how much that overlap shortens the lever arm, as a share of it."""
 APPROACH = 100
 """Steps before an oblique impact."""
+TOGETHER = 1e-5
+"""Timestep of an impact on two balls at once, s: at 1 m/s, balls of 5 cm overlap by up to a ten-thousandth of that."""
 FLIGHT = 0.05
 """How long two balls fly before and after their impact, s."""
 
@@ -98,3 +100,31 @@ def _oblique(case: Published, angle: float) -> Scenario:
     ball = Body("ball", Sphere(radius), 1e-3, (0.0, 0.0, radius - APPROACH * SHORT * velocity[2]), velocity=velocity)
     pair = Pair("ball", "floor", case.value("restitution"), case.value("friction"))
     return Scenario(case.name, (FLOOR, ball), (pair,), 3 * APPROACH * SHORT, (0.0, 0.0, 0.0))
+
+
+def three_discs(case: Published, engine: Engine) -> Answers:
+    """P37: three balls instead of discs, with their centres in one plane."""
+    found, off = [], []
+    for spread in case.numbers("spread"):
+        scenario = _three_balls(case, spread)
+        settings = engine.settings(scenario, "tuned").change(timestep=TOGETHER, sample_every=APPROACH)
+        trajectory, method = engine.run(scenario, settings), engine.method(scenario, settings)
+        found.append(float(trajectory.velocity("first")[-1, 0]))
+        # the velocity changes with the spread by 8 η/(6 − η²)², and an overlap d makes η larger by up to η d/(2 r)
+        overlap = case.value("speed") * TOGETHER / (2 * case.value("radius"))
+        off.append(case.value("speed") * (8 * spread**2 / (6 - spread**2) ** 2 * overlap + 2 * method.softness))
+    reason = "the balls overlap by up to v dt, and lean more to the side then; and what a softness takes"
+    return {"velocity": answer_within(case, "velocity", tuple(found), tuple(off), reason)}
+
+
+def _three_balls(case: Published, spread: float) -> Scenario:
+    """A ball on its way to two others, whose centres are `spread` diameters apart."""
+    radius, mass, speed = case.values("radius", "mass", "speed")
+    ahead = 2 * radius * math.sqrt(1 - spread**2 / 4) + (APPROACH - 0.5) * TOGETHER * speed
+    first = Body("first", Sphere(radius), mass, velocity=(speed, 0.0, 0.0))
+    others = tuple(
+        Body(name, Sphere(radius), mass, (ahead, side * spread * radius, 0.0))
+        for name, side in (("left", 1.0), ("right", -1.0))
+    )
+    pairs = tuple(Pair("first", other.name, 1.0) for other in others)
+    return Scenario(case.name, (first, *others), pairs, 2 * APPROACH * TOGETHER, (0.0, 0.0, 0.0))

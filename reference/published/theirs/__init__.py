@@ -12,16 +12,32 @@ from reference.published.case import Published
 from reference.published.theirs import (
     avoidance,
     bounces,
+    detection,
     forces,
     friction,
     impulse,
+    meshes,
     polyhedra,
     sliding,
     springs,
     sweeping,
+    world,
 )
 
-_TOPICS = (avoidance, bounces, forces, friction, impulse, polyhedra, sliding, springs, sweeping)
+_TOPICS = (
+    avoidance,
+    bounces,
+    detection,
+    forces,
+    friction,
+    impulse,
+    meshes,
+    polyhedra,
+    sliding,
+    springs,
+    sweeping,
+    world,
+)
 
 
 @functools.cache

@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from reference.published.case import Published
 
+_FASTEST = (-0.93240737, -0.86473146)
+"""Velocity of the body in the middle of P39, and half of it the other way round, that of the two others."""
+_HALF_BACK = (0.93240737 / 2, 0.86473146 / 2)
+_EIGHT = (0.97000436, -0.24308753, -0.97000436, 0.24308753, 0.0, 0.0)
+"""Places of the three bodies of P39, x and y of one after another."""
+
 CASES = (
     Published(
         number=14,
@@ -74,5 +80,36 @@ CASES = (
         "package's choice) has 3.1 % more drag than Stokes and that of Clift, Grace and Weber 4.6 %: 1.4 % apart.",
         note="Theory, 1 + 3/16 Re + 9/160 Re² ln(Re/2), has 4.4 % more, so that Clift, Grace and Weber are nearer.",
         units={"speed": "m/s", "speed_by_stokes": "m/s"},
+    ),
+    Published(
+        number=39,
+        title="Three bodies chase each other round a figure of eight",
+        statement=25,
+        kind="verification",
+        source="A. Chenciner, R. Montgomery, A remarkable periodic solution of the three-body problem in the case of "
+        "equal masses, Annals of Mathematics 152 (2000) 881-901, initial conditions and period by C. Simó",
+        setup={"places": _EIGHT, "velocities": (*_HALF_BACK, *_HALF_BACK, *_FASTEST), "period": 6.32591398},
+        expected={"after_a_third": (0.0, 0.0, *_EIGHT[:4]), "after_a_period": _EIGHT},
+        tolerance={"after_a_third": 5e-7, "after_a_period": 5e-7},
+        reason="eight decimals were printed of places, velocities and the period: 5e-9, and a hundred times that for "
+        "what a period and the passages of the bodies make of it",
+        note="Equal masses with G m = 1, in units of the source. All three are on the same curve: after a third of the "
+        "period each is where another was.",
+        units={"after_a_third": "m", "after_a_period": "m"},
+        labels=dict.fromkeys(
+            ("after_a_third", "after_a_period"), tuple(f"body {body}, {axis}" for body in (1, 2, 3) for axis in "xy")
+        ),
+    ),
+    Published(
+        number=40,
+        title="A block on a spring swings",
+        statement=27,
+        kind="verification",
+        source="OpenStax University Physics, volume 1, section 15.1, example 15.2",
+        setup={"mass": 2.0, "stiffness": 32.0, "displacement": 0.02},
+        expected={"angular_frequency": 4.0, "period": 1.57, "fastest": 0.08, "acceleration": 0.32},
+        tolerance={"angular_frequency": 5e-3, "period": 5e-3, "fastest": 5e-4, "acceleration": 5e-3},
+        reason="half of the last digit printed; the largest speed, printed as 0.08, is 0.02 m times 4.00/s",
+        units={"angular_frequency": "rad/s", "period": "s", "fastest": "m/s", "acceleration": "m/s²"},
     ),
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from reference.published.case import Published
 
 CASES = (
@@ -19,5 +21,33 @@ CASES = (
         note="The points are p = first + (i, j) unit, neighbouring doubles, and the plain test is the sign of "
         "(q - p)×(r - p) in doubles. In exact arithmetic it is the sign of j - i. Written with q or r in place of p as "
         "the corner that is subtracted, the same test has another count of wrong signs.",
+    ),
+    Published(
+        number=34,
+        title="How often the regular star polyhedra wind round their centre",
+        statement=9,
+        kind="verification",
+        source="H. S. M. Coxeter, Regular Polytopes (1948), section 6.4 and table I: densities of the Kepler-Poinsot "
+        "polyhedra {5, 5/2}, {5/2, 5}, {3, 5/2} and {5/2, 3}, after A. Cayley (1859)",
+        setup={"golden_ratio": (1 + math.sqrt(5)) / 2, "point": (0.013, 0.02, 0.007)},
+        expected={
+            "great_dodecahedron": 3.0,
+            "small_stellated_dodecahedron": 3.0,
+            "great_icosahedron": 7.0,
+            "great_stellated_dodecahedron": 7.0,
+        },
+        tolerance=dict.fromkeys(
+            (
+                "great_dodecahedron",
+                "small_stellated_dodecahedron",
+                "great_icosahedron",
+                "great_stellated_dodecahedron",
+            ),
+            1e-12,
+        ),
+        reason="whole numbers, from a sum of angles",
+        note="Their faces pass through each other. At the centre every density is odd, so that parity agrees that it "
+        "is inside; in a tip of a star the number is smaller. The point is a little off the centre, where no ray "
+        "meets an edge.",
     ),
 )

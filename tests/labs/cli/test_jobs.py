@@ -133,7 +133,7 @@ def test_a_run_that_cannot_be_made_is_refused_with_the_choices(arguments, said):
     [
         (
             ("--at", "restitution=0.4"),
-            "--at 'restitution=0.4' needs the scenario that it belongs to. Name one of: thin-wall, dropped-ball,",
+            "--at 'restitution=0.4' needs the scenario that it belongs to. Name one of: thin-wall,",
         ),
         (
             ("dropped-ball", "--at", "restitution=0.4", "--at", "restitution=0.7"),

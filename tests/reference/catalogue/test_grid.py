@@ -34,8 +34,9 @@ def test_a_case_and_a_grid_point_with_the_same_name_are_the_same():
 
 def test_values_and_timesteps_of_a_grid_increase():
     for family in FAMILIES:
-        rows = [parameter.values for parameter in family.grid.parameters] + [family.grid.timesteps]
-        assert all(row == tuple(sorted(set(row))) and len(row) > 1 for row in rows), family.name
+        values, timesteps = [parameter.values for parameter in family.grid.parameters], family.grid.timesteps
+        assert all(row == tuple(sorted(set(row))) for row in (*values, timesteps)), family.name
+        assert all(len(row) > 1 for row in values), family.name  # a timestep may be the only one, as of who is steered
 
 
 def test_every_value_in_range_makes_a_case():

@@ -11,6 +11,7 @@ from reference.catalogue.scenarios import find
 from reference.comparison.faults import FAULTS, run_with_fault
 from reference.engines import load_engine
 from reference.engines.base import EXACT, Method
+from reference.scene.forces import Attraction, Fluid, Force, OscillatingForce, Spring
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 from reference.scene.settings import Settings
 
@@ -56,7 +57,33 @@ def test_a_normal_or_else_the_box_that_is_struck_is_turned_by_the_angle():
 def test_faults_are_named_where_a_scenario_has_the_quantity():
     bare = replace(SCENE, pairs=(Pair("ball", "floor"),), gravity=(0.0, 0.0, 0.0))
     named = {fault.name for fault in FAULTS if fault.named(bare, Method(EXACT))}
-    assert {name for name in FAULT if name not in named} == {"restitution", "friction", "static", "gravity", "timestep"}
+    of_pairs_and_time = {"restitution", "friction", "static", "gravity", "timestep"}
+    of_forces = {"stiffness", "damping", "drive", "viscosity", "density", "attraction"}
+    assert {name for name in FAULT if name not in named} == of_pairs_and_time | of_forces | {"vertex"}
+
+
+def test_faults_of_forces_change_their_own_number_alone():
+    moon = Body("moon", Sphere(0.1), mass=1.0, position=(3.0, 0.0, 0.0))
+    scene = Scenario(
+        "forces",
+        (BALL, moon),
+        (),
+        1.0,
+        forces=(Force("ball", (1.0, 2.0, 3.0)), OscillatingForce("moon", (1.0, 0.0, 2.0), 5.0)),
+        springs=(Spring("ball", "moon", 10.0, 1.0, 2.0),),
+        attractions=(Attraction("ball", "moon", 4.0),),
+        fluid=Fluid(3.0, 5.0),
+    )
+    (spring,) = scene.springs
+    changed = {name: spoiled(name, 0.1, scene)[0] for name in FAULT if FAULT[name].named(scene, Method("at step"))}
+    assert changed["stiffness"] == replace(scene, springs=(replace(spring, stiffness=11.0),))
+    assert changed["damping"] == replace(scene, springs=(replace(spring, damping=2.2),))
+    assert changed["viscosity"].fluid == Fluid(3.0, 5.5)
+    assert changed["density"].fluid == Fluid(3.3000000000000003, 5.0)
+    assert changed["attraction"].attractions == (Attraction("ball", "moon", 4.4),)
+    steady, swinging = changed["drive"].forces
+    assert steady == scene.forces[0]
+    assert swinging.amplitude == pytest.approx((1.1, 0.0, 2.2))
 
 
 def test_a_faulted_run_passes_for_one_of_the_true_world():

@@ -40,11 +40,21 @@ EXCEPTIONS = {
     ("critical-incline", "gravity"): "mujoco",
     ("critical-incline", "sample"): "mujoco",
     ("critical-incline", "sign"): "mujoco",
+    ("slab-at-30-degrees", "timestep"): "mujoco dart",
+    ("slab-at-30-degrees", "sign"): "mujoco",
+    # Half a step of 0.1 ms at a break-away is less than what the rocking leaves. DART's heading has no sign: 10⁻⁵ °.
+    ("break-away", "sign"): "mujoco dart",
     # The way in exactly 1 s depends on the number of steps alone, of which there are 1000: one more or less is 0.1 %.
     ("tipping-box", "timestep"): "handwritten pybullet mujoco dart",
+    # The Runge–Kutta method by hand is of fourth order: what longer steps change is less than what rounding may.
+    ("orbit", "timestep"): "handwritten",
     # The box tips over its edge and comes to rest without sliding: what moves is how still the solver holds it.
     ("box-on-edge", "friction"): "mujoco",
     ("box-on-edge", "timestep"): "mujoco",
+    ("friction-oscillator", "timestep"): "mujoco",
+    ("friction-oscillator", "sign"): "mujoco",
+    # A slab that friction holds stands, whatever these are; MuJoCo's creeps a little more or less.
+    **dict.fromkeys([("creep", fault) for fault in ("friction", "gravity", "timestep", "sign")], "mujoco"),
     # A stack stands, whatever its weight, its friction and the timestep are.
     ("stack", "gravity"): "pybullet dart",
     ("stack", "friction"): "pybullet dart",

@@ -32,6 +32,7 @@ from reference.engines.profiles import WORLD, counts, is_plain
 from reference.errors import InvalidInput, UnknownName
 from reference.scene.scenario import GRAVITY
 from reference.scene.settings import Settings
+from reference.scene.survey import Survey
 
 # What a trajectory is
 
@@ -40,8 +41,10 @@ from reference.scene.settings import Settings
 def test_a_trajectory_starts_at_time_zero_in_the_scenarios_state(cell, trajectory):
     bodies = SCENARIOS[cell.scenario].bodies
     assert trajectory.times[0] == 0
-    assert np.array_equal(trajectory.positions[0], [body.position for body in bodies])
-    assert np.array_equal(trajectory.velocities[0], [body.velocity for body in bodies])
+    # A closed form gives the start to rounding; all others begin with the very numbers.
+    near = ROUNDING if cell.profile == "exact" else 0.0
+    np.testing.assert_allclose(trajectory.positions[0], [body.position for body in bodies], rtol=0, atol=near)
+    np.testing.assert_allclose(trajectory.velocities[0], [body.velocity for body in bodies], rtol=0, atol=near)
     np.testing.assert_allclose(trajectory.orientations[0], [body.orientation for body in bodies], atol=ROUNDING)
     np.testing.assert_allclose(
         trajectory.angular_velocities[0], [body.angular_velocity for body in bodies], atol=ROUNDING
@@ -88,7 +91,15 @@ def test_an_immovable_body_does_not_move(cell, trajectory):
     assert not trajectory.angular_velocities[:, fixed].any()
 
 
-@fast_and_slow([cell for cell in CELLS if cell.scenario == "thrown-ball"], is_often)
+@fast_and_slow(
+    [
+        cell
+        for cell in CELLS
+        if cell.scenario == "thrown-ball"
+        and cell.profile in load_engine(cell.engine).profiles(SCENARIOS["dropped-ball"])
+    ],
+    is_often,
+)
 def test_scenarios_run_together_give_what_each_gives_alone(cell, installed):
     engine = installed(cell.engine)
     first = SCENARIOS["dropped-ball"]
@@ -135,10 +146,12 @@ def test_one_profile_counts_and_is_first_and_the_plain_one_is_last(name):
     for scenario in SCENARIOS.values():
         found = load_engine(name).profiles(scenario)
         if name == "handwritten" and kind(scenario) is None:
-            assert list(found) == [WORLD]  # the world counts as well, and runs what no other method can
+            # The world counts as well, and runs what no other method can; questions have one method, which is exact.
+            assert list(found) == (["exact"] if isinstance(scenario, Survey) else [WORLD])
             continue
         first, *between, last = found
-        assert [first, last] == (["exact", "step"] if name == "handwritten" else ["tuned", "stock"]), scenario.name
+        by_hand = ["exact" if "exact" in found else WORLD, "step"]  # no closed form says where an orbit leads
+        assert [first, last] == (by_hand if name == "handwritten" else ["tuned", "stock"]), scenario.name
         assert not any((counts(each) and each != WORLD) or is_plain(each) for each in between), scenario.name
         assert all(line.strip() for line in found.values()), scenario.name
 

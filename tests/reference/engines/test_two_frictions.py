@@ -12,9 +12,10 @@ from reference.catalogue import measure
 from reference.catalogue.scenarios import catalogue
 from reference.catalogue.scenarios.friction import slab_on_plane
 from reference.comparison.verdicts import Verdict, judge
-from reference.engines import load_engine, mujoco_engine, mujoco_read_back, pybullet_bodies, pybullet_read_back
+from reference.engines import load_engine, mujoco_bodies, mujoco_read_back, pybullet_bodies, pybullet_read_back
 from reference.engines.implementation import Implementation
-from reference.scene.scenario import GRAVITY, Force
+from reference.scene.forces import Force
+from reference.scene.scenario import GRAVITY
 
 FAMILY = catalogue()["two-frictions"]
 BETWEEN = ("θ=18°", "θ=22°", "θ=26°", "F=3", "F=4", "F=4.8")
@@ -72,14 +73,14 @@ def anchored(bullet: Any, number: int, restitution: float, friction: float, here
     )
 
 
-def in_all_five_directions(spec: Any, pair: Any, settings: Any) -> None:
+def in_all_five_directions(spec: Any, *_: Any) -> None:
     """0.3 along both tangents, and 0.5 against twisting and rolling."""
     spec.pairs[-1].friction, spec.pairs[-1].condim = [0.3, 0.3, 0.5, 0.5, 0.5], 6
 
 
 TRIED: dict[str, Tried] = {
     "a friction anchor in PyBullet": ("pybullet", pybullet_bodies, anchored),
-    "five coefficients in MuJoCo": ("mujoco", mujoco_engine, in_all_five_directions),
+    "five coefficients in MuJoCo": ("mujoco", mujoco_bodies, in_all_five_directions),
 }
 
 

@@ -15,7 +15,8 @@ from reference.engines import load_engine
 from reference.engines.implementation import Implementation
 from reference.errors import InvalidInput, NeedsFunction
 from reference.running.study import run_job
-from reference.scene.scenario import Body, Box, Force, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.forces import Force
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 
 ENGINE = load_engine("handwritten")
 FLOOR = Body("floor", HalfSpace())

@@ -19,6 +19,7 @@ CASES = (
     ("rolling-ball", "μ=0.1,θ=30°"),
     ("tipping-box", "h=0.1,μ=0.5,θ=35°"),
     ("tipping-box", "h=0.2,μ=0.3,θ=20°"),
+    ("friction-oscillator", "μ=0.5,k=300,x=0.15"),
 )
 SHARE = 1.001
 

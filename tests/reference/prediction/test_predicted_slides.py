@@ -10,7 +10,8 @@ import pytest
 
 from reference.catalogue.scenarios.friction import HALF_EXTENTS, slab_on_plane
 from reference.catalogue.scenarios.rolling import ball_on_plane
-from reference.engines.base import AT_STEP, BULLET, EXACT, Method
+from reference.engines import load_engine
+from reference.engines.base import AT_STEP, BULLET, DIAMOND, EXACT, SQUARE, Method
 from reference.prediction import sliding
 from reference.prediction.impulses import LEAST_FRICTION
 from reference.scene import geometry
@@ -215,3 +216,30 @@ def test_a_ball_that_spins_has_no_recurrence():
     plane, ball = SCENES["a ball begins to roll"].bodies
     spinning = replace(SCENES["a ball begins to roll"], bodies=(plane, replace(ball, angular_velocity=(0.0, 1.0, 0.0))))
     assert sliding.predict(spinning, BULLET_SETTINGS, BULLETS) is None
+
+
+@pytest.mark.parametrize("degrees", [30.0, 62.0])
+@pytest.mark.parametrize("name", ["pybullet", "dart"])
+def test_a_square_cone_brakes_each_axis_by_itself(name, degrees, installed):
+    engine = installed(name)
+    level = slab_on_plane("off the axes", 0.35, 0.0, 0.9, 0.4, heading=math.radians(degrees))
+    tuned = engine.settings(level, "tuned")
+    square = {"cone_friction": False} if name == "pybullet" else {"solver": "dantzig"}
+    settings = replace(tuned, options={**tuned.options, **square})
+    method = engine.method(level, settings)
+    assert method.cone == SQUARE
+    found = sliding.predict(level, settings, method)
+    run = engine.run(level, settings)
+    assert np.max(np.linalg.norm(positions(found.trajectory) - positions(run), axis=1)) < found.near
+    x, y = positions(run)[-1, :2]
+    assert y / x == pytest.approx(
+        math.tan(math.radians(degrees)) ** 2, rel=8e-3
+    )  # both parts end v dt/2 early, 0.2 mm of 30
+
+
+def test_a_diamond_has_no_recurrence():
+    level = slab_on_plane("off the axes", 0.35, 0.0, 0.9, 0.4, heading=0.5)
+    engine = load_engine("mujoco")
+    settings = engine.settings(level, "tuned").change(cone="pyramidal")
+    assert engine.method(level, settings).cone == DIAMOND
+    assert sliding.predict(level, settings, engine.method(level, settings)) is None

@@ -45,7 +45,7 @@ def edited(folder, change) -> None:
 
 
 def test_a_plan_has_every_published_case_in_every_engine_once():
-    assert len(plan((), ("handwritten", "mujoco"))) == 2 * 27
+    assert len(plan((), ("handwritten", "mujoco"))) == 2 * 41
     assert plan(("p15", "P15"), ("dart",)) == [PublishedJob("P15", "dart")]
     with pytest.raises(UnknownName, match="unknown published case 'P99'"):
         plan(("P99",), ("dart",))

@@ -246,6 +246,20 @@ def test_a_fingerprint_changes_with_everything_a_number_depends_on():
     assert fingerprint(replace(case, name="other"), settings) == prints[0]
 
 
+def test_a_recording_answers_for_the_labs_own_steering_and_for_no_other():
+    job = Job("antipodal-circle", "mujoco", "tuned")
+    assert {row.verdict for row in recall(job).rows} == {Verdict.PASS, Verdict.SHOWN}
+    other = replace(job, implementation="mine.py | solutions")
+    rows = recall(other).rows
+    assert [(row.case, row.verdict, row.note) for row in rows] == [
+        (case.name, Verdict.NOT_AVAILABLE, reading.OWN_STEERING) for case in catalogue()["antipodal-circle"].cases
+    ]
+    with pytest.raises(NotRecorded, match="the lab's own steering"):
+        replay(other, "τ=1")
+    without_steering = Job("two-balls", "mujoco", "tuned", implementation="mine.py | solutions")
+    assert all(row.measured is not None for row in recall(without_steering).rows)
+
+
 def test_a_missing_engine_answers_from_its_recording_and_is_not_cached(folder, monkeypatch, tmp_path):
     def missing(*_):
         raise EngineNotInstalled("it is not here")

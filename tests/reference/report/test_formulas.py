@@ -21,6 +21,7 @@ from reference.report.formulas import mathml, plain, typeset
         ("v/(4 r)", "<mfrac><mi>v</mi><mrow><mn>4</mn><mi>r</mi></mrow></mfrac>"),
         ("√(2 h)", "<msqrt><mrow><mn>2</mn><mi>h</mi></mrow></msqrt>"),
         ("dt²", "<msup><mrow><mi>d</mi><mi>t</mi></mrow><mtext>2</mtext></msup>"),
+        ("e^(−β t)", "<msup><mi>e</mi><mrow><mo>−</mo><mi>β</mi><mi>t</mi></mrow></msup>"),
         ("a ≤ b", "<mi>a</mi><mo>≤</mo><mi>b</mi>"),
         ("a < b", "<mi>a</mi><mo>&lt;</mo><mi>b</mi>"),
     ],

@@ -37,9 +37,12 @@ MEASURED = {
     Verdict.FAIL: WILD,
     Verdict.SHOWN: WILD,
 }
-WORDIEST = ("cradle", "tipping-box")
-"""The longest name of a case, and the longest title of a quantity."""
 ALL = tuple(catalogue())
+WORDIEST = (
+    max(ALL, key=lambda name: max(len(case.name) for case in catalogue()[name].cases)),
+    max(ALL, key=lambda name: max(len(quantity.title) for quantity in catalogue()[name].quantities)),
+)
+"""The longest name of a case, and the longest title of a quantity."""
 slow = pytest.mark.slow
 with_and_without_cases = pytest.mark.parametrize("with_cases", [False, True])
 
@@ -129,13 +132,6 @@ def test_every_name_of_the_catalogue_is_printed_in_full(families, with_cases):
             assert word in text
     for name in engine_names():
         assert f"{load_engine(name).title}, {counted(name)}" in text
-
-
-def test_the_wordiest_families_have_the_longest_names():
-    families = catalogue().values()
-    named = max(families, key=lambda family: max(len(case.name) for case in family.cases))
-    titled = max(families, key=lambda family: max(len(quantity.title) for quantity in family.quantities))
-    assert (named.name, titled.name) == WORDIEST
 
 
 @with_and_without_cases
@@ -248,7 +244,7 @@ def test_a_narrow_screen_has_what_counts_in_a_table_of_its_own():
     starts = [place for place, text in enumerate(lines) if text.startswith("at a glance")]
     counted, *others = (words(lines[start]).split()[3:] for start in starts)
     assert counted == ["exact", "world", *["tuned"] * (len(engine_names()) - 1)]
-    assert len(others) == 2  # other methods by hand, and the engines' other settings
+    assert len(others) >= 2  # what is plain, and other methods by hand and settings of engines, as many as fit in each
     for names in others:
         assert names
         assert not {"exact", "world", "tuned"} & set(names)

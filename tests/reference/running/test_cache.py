@@ -128,6 +128,20 @@ def test_a_students_code_changes_the_keys_of_hand_written_jobs_alone(tmp_path, i
         assert len({key_of(job) for job in jobs}) == keys
 
 
+def test_a_students_rule_that_steers_changes_the_keys_of_every_engine(tmp_path, installed):
+    installed("mujoco")
+    paths = [tmp_path / name for name in ("mine.py", "other.py")]
+    for number, path in enumerate(paths):
+        path.write_text(f"{OWN_CODE}\nNUMBER = {number}\n", encoding="utf-8")
+    found = set()
+    for source in ("solutions", *map(str, paths)):
+        job = Job("antipodal-circle", "mujoco", "tuned", ("τ=1",), source)
+        found |= {key_of(job), key_of_recorded(job)}
+        assert key_of(job) == key_of(job, once=True)
+    assert len(found) == 6
+    assert cache._identity(job).implementation == source  # so a kept result is only found for the same code
+
+
 def test_a_shared_result_of_an_engine_names_the_job_that_asked(result, installed):
     installed("pybullet")
     first, second = (

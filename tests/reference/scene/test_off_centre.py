@@ -8,8 +8,9 @@ from dataclasses import replace
 import pytest
 
 from reference.catalogue.scenarios import catalogue
+from reference.scene.forces import Force
 from reference.scene.off_centre import may_rub_off_centre, may_strike_off_centre
-from reference.scene.scenario import Body, Box, Force, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 
 TILTED = (math.cos(math.pi / 12), 0.0, math.sin(math.pi / 12), 0.0)
 ON_ITS_EDGE = (math.cos(math.pi / 8), 0.0, math.sin(math.pi / 8), 0.0)

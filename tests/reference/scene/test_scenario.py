@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from reference.errors import CollisionsError, InvalidInput, UnknownName
-from reference.scene.scenario import Body, Box, Force, HalfSpace, Pair, Scenario, Sphere
+from reference.scene.forces import Force
+from reference.scene.scenario import Body, Box, HalfSpace, Pair, Scenario, Sphere
 
 FLOOR = Body("floor", HalfSpace())
 BALL = Body("ball", Sphere(0.1), mass=1.0, position=(0.0, 0.0, 1.0))

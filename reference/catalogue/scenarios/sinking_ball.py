@@ -1,0 +1,182 @@
+"""Balls that sink, rise and are carried along in a thick fluid (slide 26)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from reference import forces_truth
+from reference.arrays import Array
+from reference.catalogue import swings
+from reference.catalogue.case import Case
+from reference.catalogue.family import Convergence, Curve, Expectation, Family, Quantity
+from reference.catalogue.grid import Grid, Parameter
+from reference.engines.base import BULLET_DAMPED, EXACT, Method
+from reference.prediction import loaded
+from reference.scene.forces import NOWHERE, Fluid
+from reference.scene.scenario import GRAVITY, Body, Scenario, Sphere
+from reference.scene.settings import Settings
+from reference.scene.trajectory import Trajectory
+
+RADIUS, HEAVY, LIGHT = 0.08, 4.3, 2.0
+"""Of the balls, m, and masses of one that sinks and of one that rises, kg."""
+DENSITY, VISCOSITY = 1400.0, 200.0
+"""Of the fluid, kg/m³ and Pa s: syrup's density, and as thick as peanut butter. Re is 0.08 at most, as Stokes asks."""
+STREAM = (0.06, -0.03, 0.02)
+"""Velocity of the fluid where it streams, m/s."""
+TIME, DURATION = 0.1, 0.16
+"""When the ways are read, and the end, s: some 7 and 11 times as long as a heavy ball takes to gather speed."""
+SHARE, CURVE = 1e-3, 1e-6
+"""Accepted share of a number, 0.1 %, and of an exact one: a curve through six samples leaves some (dt/τ)⁶/200."""
+LIFTED = DENSITY * 4 / 3 * math.pi * RADIUS**3
+"""Mass of the fluid that a ball displaces, kg."""
+
+
+def _sinking(mass: float, viscosity: float = VISCOSITY, streams: bool = False) -> Case:
+    name = f"m={mass:g},η={viscosity:g}" + (",stream" if streams else "")
+    fluid = Fluid(DENSITY, viscosity, STREAM if streams else NOWHERE)
+    ball = Body("ball", Sphere(RADIUS), mass, (0.3, -0.2, 1.0))
+    scenario = Scenario(f"sinking-ball/{name}", (ball,), (), DURATION, fluid=fluid)
+    return Case(name, (scenario,), {"mass": mass, "viscosity": viscosity, "streams": float(streams)})
+
+
+def _relaxation(case: Case) -> float:
+    return forces_truth.relaxation(case.parameters["mass"], RADIUS, case.parameters["viscosity"])
+
+
+def _terminal(case: Case) -> Array:
+    """The velocity that the ball tends to, seen from the ground, (3,), m/s."""
+    falls = forces_truth.stokes_fall(case.parameters["mass"], LIFTED, RADIUS, case.parameters["viscosity"], GRAVITY)
+    return np.array([0.0, 0.0, -falls]) + case.parameters["streams"] * np.array(STREAM)
+
+
+Read = Callable[[Trajectory], float]
+Theory = Callable[[Case], float]
+
+
+def _gathering(trajectory: Trajectory) -> float:
+    """When the ball has all but 1/e of its last velocity, s."""
+    velocity = trajectory.velocity("ball")
+    left = 1 - velocity @ velocity[-1] / (velocity[-1] @ velocity[-1])
+    return swings.last_beyond(trajectory.times, left, math.exp(-1))
+
+
+def _gathering_in_theory(case: Case) -> float:
+    """1 − e^(−t/τ) is 1 − 1/e of its value at the end, which is not quite 1."""
+    tau = _relaxation(case)
+    return -tau * math.log(1 - (1 - math.exp(-1)) * (1 - math.exp(-_end(case) / tau)))
+
+
+def _end(case: Case) -> float:
+    return case.scenarios[0].duration
+
+
+def _way(axis: int) -> tuple[Read, Theory]:
+    def read(trajectory: Trajectory) -> float:
+        way = trajectory.position("ball")[:, axis] - trajectory.position("ball")[0, axis]
+        return swings.at(trajectory.times, way, TIME)
+
+    def theory(case: Case) -> float:
+        tau = _relaxation(case)
+        return float(_terminal(case)[axis]) * (TIME - tau * (1 - math.exp(-TIME / tau)))
+
+    return read, theory
+
+
+def _speed(trajectory: Trajectory) -> float:
+    """Down, at the time at which the ways are read."""
+    return -swings.at(trajectory.times, trajectory.velocity("ball")[:, 2], TIME)
+
+
+def _speed_in_theory(case: Case) -> float:
+    return -float(_terminal(case)[2]) * (1 - math.exp(-TIME / _relaxation(case)))
+
+
+def _quantity(name: str, title: str, unit: str, both: tuple[Read, Theory], size: Theory) -> Quantity:
+    """size: what 0.1 % is taken of."""
+    read, theory = both
+
+    def expect(case: Case, settings: Settings, method: Method) -> Expectation:
+        exact, large = theory(case), size(case)
+        if method.kind == EXACT:
+            return Expectation(exact, CURVE * large, "what a curve through six samples leaves", size=large)
+        why = _LATE
+        if method.rule == BULLET_DAMPED:
+            why = _DAMPED
+        elif method.drag != 1:
+            why = _BOX
+        return Expectation(exact, SHARE * large, "0.1 %", shift_reason=why, size=large)
+
+    return Quantity(name, title, unit, read, expect, size)
+
+
+_LATE = "semi-implicit Euler takes the drag of the start of a step, and moves with the velocity of its end"
+_DAMPED = "Bullet's damping takes d (1 + v) v per second, which is no linear drag"
+_BOX = "the box with the ball's inertia has √(3/5) of its drag"
+
+
+def _size_of_way(case: Case) -> float:
+    """How far the ball comes, m."""
+    return float(np.linalg.norm([_way(axis)[1](case) for axis in range(3)]))
+
+
+def _size_of_speed(case: Case) -> float:
+    return abs(_speed_in_theory(case))
+
+
+SINKING_BALL = Family(
+    name="sinking-ball",
+    title="Ball that sinks or rises in a thick fluid",
+    topic="forces",
+    statements=(23, 26, 30),
+    about=f"A ball of {100 * RADIUS:g} cm is let go in a fluid of {DENSITY:g} kg/m³ and {VISCOSITY:g} Pa s, thick"
+    f" enough for Stokes' law. One ball, of {HEAVY:g} kg, sinks; one of {LIGHT:g} kg rises. In a third case the fluid"
+    " streams and carries the ball along.",
+    expected="The velocity tends to `u + 2 (ρ_s − ρ_f) g r²/(9 η)`, with `u` for the velocity of the fluid. What is"
+    " missing of it falls by the factor e in each `τ = m/(6π η r)`. The slide's formula leaves out the fluid's"
+    " density, and so has the light ball sink.",
+    why=(
+        "The step of semi-implicit Euler keeps the share `1 − dt/τ` of what is missing, instead of `e^(−dt/τ)`. So the"
+        " ball gathers speed too early, by some dt/2, and comes too far, by some dt of its last speed. The last speed"
+        " itself is right, because nothing is missing any more.",
+        "From `dt = 2 τ` on the share is below −1, and the speed explodes. A drag that is handed over from outside"
+        " therefore has a largest timestep, 13 ms for the light ball here.",
+        "MuJoCo knows fluids. In the profile `ellipsoid` its newer model has exactly Stokes' drag, told of the"
+        " viscosity alone (`viscosity`, `wind`, `fluid_ellipsoid`), and `gravcomp` lifts the ball. It gives the same"
+        " numbers as the drag from outside. Its older model, the profile `inertia box`, replaces a body by the box of"
+        " the same inertia. A ball becomes a cube of 1.55 r, whose drag is `√(3/5)` of the right one: it sinks 29 %"
+        " too fast through the fluid.",
+        "The inertia box depends on how the mass is spread inside. A ball with other moments of inertia sinks at"
+        " another speed, although nothing about its surface has changed.",
+        "PyBullet's own `linearDamping` takes d (1 + v) v per second, and DART knows no fluid. Neither knows buoyancy."
+        " Both are told of the fluid from outside.",
+    ),
+    cases=(_sinking(HEAVY), _sinking(LIGHT), _sinking(HEAVY, streams=True)),
+    quantities=(
+        _quantity("speed", "speed of sinking", "m/s", (_speed, _speed_in_theory), _size_of_speed),
+        _quantity("gathering", "gathered in", "s", (_gathering, _gathering_in_theory), _gathering_in_theory),
+        _quantity("height", "height", "m", _way(2), _size_of_way),
+        _quantity("along", "along x", "m", _way(0), _size_of_way),
+        _quantity("aside", "along y", "m", _way(1), _size_of_way),
+    ),
+    curve=Curve(
+        f"m={HEAVY:g},η={VISCOSITY:g}",
+        "A ball of 4.3 kg sinks",
+        "speed, m/s",
+        lambda trajectory: -trajectory.velocity("ball")[:, 2],
+    ),
+    convergence=Convergence(f"m={HEAVY:g},η={VISCOSITY:g}", "height", every_step=True),
+    grid=Grid(
+        (
+            Parameter("mass", "kg", (2.0, 3.5, 4.3), 4.3),
+            Parameter("viscosity", "Pa s", (200.0, 300.0, 400.0), 200.0),
+        ),
+        (1e-3, 5e-3),
+        _sinking,
+    ),
+    predict=loaded.predict,
+)
+
+FAMILIES = (SINKING_BALL,)

@@ -1,0 +1,125 @@
+"""Springs and fluids in MuJoCo's own words.
+
+A spring is a spatial tendon between two sites, with its stiffness and its damping. MuJoCo computes the force of a
+tendon at the start of a step, as the lab does from outside. Its integrator `Euler` treats the damping of joints
+implicitly, and that of tendons not.
+
+A fluid is a viscosity and a wind, and a share of each body's weight that is taken off for its buoyancy. MuJoCo gets no
+density: with one its models add forces beyond Stokes' law, which grow with the square of the velocity. `ellipsoid`,
+the model of a geom, has Stokes' drag of a ball, and `inertia box`, the model of a body, that of a cube of the same
+inertia.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+from reference.engines import read_back
+from reference.scene.scenario import Body, Scenario, Sphere
+from reference.scene.settings import Settings
+
+TITLE = "MuJoCo"
+TENDONS = "tendons"
+ELLIPSOID, INERTIA_BOX = FLUIDS = "ellipsoid", "inertia box"
+"""Profiles, and values of the options `springs` and `fluid`."""
+DRAG_OF_THE_BOX = math.sqrt(3 / 5)
+"""Drag of the inertia box over that of the ball: the cube with 2/5 m r² has the edge r √(12/5), and MuJoCo takes its
+edge for the diameter of a ball."""
+
+
+def add(spec: Any, scenario: Scenario, settings: Settings) -> None:
+    """Add to a model what the settings tell MuJoCo in its own words."""
+    if has_tendons(settings):
+        add_tendons(spec, scenario)
+    if of_fluid(settings):
+        fill_with_fluid(spec, scenario, settings)
+
+
+def check(model: Any, scenario: Scenario, settings: Settings) -> None:
+    """Refuse a model that is not what it was told in its own words."""
+    if has_tendons(settings):
+        check_tendons(model, scenario)
+    if of_fluid(settings):
+        check_fluid(model, scenario, settings)
+
+
+def has_tendons(settings: Settings) -> bool:
+    """Whether MuJoCo is told of springs in its own words."""
+    return settings.options.get("springs") == TENDONS
+
+
+def add_tendons(spec: Any, scenario: Scenario) -> None:
+    """Add a tendon for each spring."""
+    for number, spring in enumerate(scenario.springs):
+        tendon = spec.add_tendon(name=_name(number))
+        tendon.stiffness, tendon.damping = [spring.stiffness, 0, 0], [spring.damping, 0, 0]  # linear: no higher powers
+        tendon.springlength = [spring.rest_length, spring.rest_length]  # from … to: it is slack nowhere
+        for end, (body, point) in enumerate(((spring.body_a, spring.point_a), (spring.body_b, spring.point_b))):
+            frame = spec.body(body) if body else spec.worldbody
+            frame.add_site(name=f"{_name(number)} {end}", pos=point)
+            tendon.wrap_site(f"{_name(number)} {end}")
+
+
+def check_tendons(model: Any, scenario: Scenario) -> None:
+    """Refuse a model whose tendons are not the springs."""
+    read_back.check(TITLE, "number of tendons", len(scenario.springs), model.ntendon)
+    for number, spring in enumerate(scenario.springs):
+        read_back.check(TITLE, f"stiffness of {_name(number)}", spring.stiffness, model.tendon_stiffness[number])
+        read_back.check(TITLE, f"damping of {_name(number)}", spring.damping, model.tendon_damping[number])
+        rest = (spring.rest_length, spring.rest_length)
+        read_back.check(TITLE, f"rest length of {_name(number)}", rest, model.tendon_lengthspring[number])
+
+
+def of_fluid(settings: Settings) -> bool:
+    """Whether MuJoCo is told of the fluid in its own words."""
+    return settings.options.get("fluid") in FLUIDS
+
+
+def drag(settings: Settings) -> float:
+    """Of a ball in a fluid, as a share of Stokes' drag."""
+    return DRAG_OF_THE_BOX if settings.options.get("fluid") == INERTIA_BOX else 1.0
+
+
+def fill_with_fluid(spec: Any, scenario: Scenario, settings: Settings) -> None:
+    """Set viscosity and wind, the model of each geom, and the lift of each ball; bodies and geoms are there already."""
+    fluid = scenario.fluid
+    assert fluid
+    spec.option.viscosity, spec.option.wind = fluid.viscosity, fluid.velocity
+    for body in scenario.bodies:
+        if not body.immovable:
+            spec.body(body.name).gravcomp = _lifted(scenario, body)
+            spec.geom(body.name).fluid_ellipsoid = float(settings["fluid"] == ELLIPSOID)
+
+
+def check_fluid(model: Any, scenario: Scenario, settings: Settings) -> None:
+    """Refuse a model with another fluid."""
+    fluid = scenario.fluid
+    assert fluid
+    read_back.check(TITLE, "viscosity of the fluid", fluid.viscosity, model.opt.viscosity, "Pa s")
+    read_back.check(TITLE, "density of the fluid", 0.0, model.opt.density, "kg/m³")
+    read_back.check(TITLE, "wind", fluid.velocity, model.opt.wind, "m/s")
+    for place, body in enumerate(scenario.bodies):
+        if not body.immovable:
+            read_back.check(TITLE, f"lift of {body.name}", _lifted(scenario, body), model.body_gravcomp[place + 1])
+            ellipsoid = float(settings["fluid"] == ELLIPSOID)
+            read_back.check(TITLE, f"fluid model of {body.name}", ellipsoid, model.geom_fluid[place, 0])
+
+
+def from_outside(scenario: Scenario, settings: Settings) -> Scenario:
+    """The scenario with those forces alone that MuJoCo is not told of in its own words."""
+    if has_tendons(settings):
+        scenario = replace(scenario, springs=())
+    return replace(scenario, fluid=()) if of_fluid(settings) else scenario
+
+
+def _lifted(scenario: Scenario, body: Body) -> float:
+    """The share of its weight that a ball loses in the fluid."""
+    assert scenario.fluid
+    assert isinstance(body.shape, Sphere)
+    return scenario.fluid.density * 4 / 3 * math.pi * body.shape.radius**3 / body.mass
+
+
+def _name(number: int) -> str:
+    return f"spring {number}"

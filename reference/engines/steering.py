@@ -1,0 +1,193 @@
+"""The steering rules of a scenario, asked of an implementation: the force with which each body moves itself.
+
+All engines and the recurrence ask here, so a student's rule steers the bodies of every engine. Each rule is a function
+of the lecture; here is how a scenario is told to it, and how its answer becomes a force.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from reference.arrays import Array
+from reference.engines.implementation import Implementation
+from reference.errors import InvalidInput
+from reference.scene.loads import Steers
+from reference.scene.scenario import Body, Box, Scenario, Sphere
+from reference.scene.settings import Settings
+from reference.scene.steering import Steering
+
+ROUNDING = 1e-9
+"""Share of an interval by which a step may begin too early, in rounding, for the rule to be asked again."""
+STEPS = 4
+"""Steps in an interval of steering, where nothing else asks for shorter ones."""
+
+
+def unhurried(scenario: Scenario, settings: Settings) -> Settings:
+    """The settings with long steps and one sample an interval where bodies are steered.
+
+    No contact is meant to happen there, and between two contacts a step may be as long as the steering allows.
+    """
+    if not scenario.steering:
+        return settings
+    interval = min(steering.interval for steering in scenario.steering)
+    return sampled(scenario, replace(settings, timestep=interval / STEPS))
+
+
+def sampled(scenario: Scenario, settings: Settings) -> Settings:
+    """The settings with one sample an interval where bodies are steered: a body's force changes no more often."""
+    if not scenario.steering:
+        return settings
+    interval = min(steering.interval for steering in scenario.steering)
+    return replace(settings, sample_every=max(1, round(interval / settings.timestep)))
+
+
+def steers_of(scenario: Scenario, implementation: Implementation) -> Steers | None:
+    """What all rules of a scenario ask for together, for one run; None where nothing is steered."""
+    return _Rules(scenario, implementation) if scenario.steering else None
+
+
+class _Rules:
+    """All rules of one run."""
+
+    def __init__(self, scenario: Scenario, implementation: Implementation) -> None:
+        self._rules = [_Rule(scenario, steering, implementation) for steering in scenario.steering]
+
+    def waits(self, time: float) -> bool:
+        """Whether all forces are at this time what they were when they were last asked for."""
+        return not any(rule.is_due(time) for rule in self._rules)
+
+    def __call__(self, time: float, position: Array, velocity: Array) -> Array:
+        force = np.zeros(position.shape)
+        for rule in self._rules:
+            force[rule.places] = rule.held(time, position, velocity)
+        return force
+
+
+class _Rule:
+    """One rule in one run. It is asked at the first step of each interval, and its forces stay until the next."""
+
+    def __init__(self, scenario: Scenario, told: Steering, implementation: Implementation) -> None:
+        self.told, self.function = told, implementation.function
+        self.places = np.array([scenario.index(name) for name in told.bodies])
+        bodies = [scenario.body(name) for name in told.bodies]
+        self.goals, self.mass = np.array(told.goals), np.array([body.mass for body in bodies])
+        self.radius = np.array([_bounding_radius(body) for body in bodies])
+        obstacles = [scenario.body(name) for name in told.obstacles]
+        self.centres = np.array([body.position for body in obstacles]).reshape(-1, 3)
+        self.reaches = np.array([_bounding_radius(body) for body in obstacles])
+        self._asked, self._force = 0, np.zeros((len(bodies), 3))
+
+    def is_due(self, time: float) -> bool:
+        """Whether an interval has begun in which the rule has not been asked yet."""
+        return time >= (self._asked - ROUNDING) * self.told.interval
+
+    def held(self, time: float, position: Array, velocity: Array) -> Array:
+        """The force on each steered body at a time, (n, 3), N."""
+        if self.is_due(time):
+            self._asked = math.floor(time / self.told.interval + ROUNDING) + 1
+            self._force = self._now(position[self.places], velocity[self.places])
+        return self._force
+
+    def _now(self, position: Array, velocity: Array) -> Array:
+        if self.told.rule == "repelling_force":
+            return _in_a_field(self, position, velocity)
+        return self.force(velocity, WANTED[self.told.rule](self, position, velocity), self.told.interval)
+
+    def force(self, velocity: Array, wanted: Array, time: float) -> Array:
+        """The force that would give each body the wanted velocity within so many seconds."""
+        answer = self.function("steering_force")(velocity, wanted, self.mass, time, self.told.max_force)
+        return np.asarray(answer, dtype=np.float64)
+
+    def around(self, position: Array, velocity: Array) -> Array:
+        """Direction of each body to its goal, or around the nearest obstacle."""
+        if not len(self.centres):
+            return np.asarray(self.function("seek")(position, self.goals, 1.0), dtype=np.float64)
+        nearest = np.argmin(self._gaps(position), axis=-1)
+        reach = self.reaches[nearest] + self.radius + self.told.margin
+        answer = self.function("steer_around")(position, velocity, self.goals, self.centres[nearest], reach)
+        return np.asarray(answer, dtype=np.float64)
+
+    def _gaps(self, position: Array) -> Array:
+        """From each body to the bounding sphere of each obstacle, (n, obstacles), m."""
+        between = np.linalg.norm(position[:, None] - self.centres, axis=-1)
+        return np.asarray(between - self.reaches - self.radius[:, None])
+
+    def field(self, position: Array) -> Array:
+        """The repelling forces of all obstacles on each body, (n, 3), N."""
+        away = position[:, None] - self.centres
+        normal = away / np.linalg.norm(away, axis=-1, keepdims=True)
+        strength, reach = self.told.parameter("strength"), self.told.parameter("reach")
+        forces = self.function("repelling_force")(self._gaps(position), normal, strength, reach)
+        return np.asarray(np.sum(forces, axis=1))
+
+
+def _bounding_radius(body: Body) -> float:
+    """Radius of the sphere about its centre that just holds a body, m."""
+    if isinstance(body.shape, Sphere):
+        return body.shape.radius
+    if isinstance(body.shape, Box):
+        return math.hypot(*body.shape.half_extents)
+    raise InvalidInput(
+        f"{body.name} is a {type(body.shape).__name__}; steering knows the size of balls and boxes alone"
+    )
+
+
+# What each rule wants: velocities (n, 3), m/s
+
+
+def _to_the_goal(rule: _Rule, position: Array, velocity: Array) -> Array:
+    answer = rule.function(rule.told.rule)(position, rule.goals, rule.told.max_speed)
+    return np.asarray(answer, dtype=np.float64)
+
+
+def _to_stop_there(rule: _Rule, position: Array, velocity: Array) -> Array:
+    told = rule.told
+    answer = rule.function("arrive")(position, rule.goals, told.max_speed, told.parameter("slowing_radius"))
+    return np.asarray(answer, dtype=np.float64)
+
+
+def _around(rule: _Rule, position: Array, velocity: Array) -> Array:
+    return rule.told.max_speed * rule.around(position, velocity)
+
+
+def _in_a_crowd(rule: _Rule, position: Array, velocity: Array) -> Array:
+    """Discs in the plane, each larger by the margin."""
+    told, preferred = rule.told, _to_stop_there(rule, position, velocity)
+    flat = (values[:, :2] for values in (position, velocity, preferred))
+    radius = rule.radius + told.margin
+    _, wanted = rule.function("crowd_step")(*flat, radius, told.max_speed, told.parameter("horizon"), told.interval)
+    return np.concatenate([wanted, np.zeros((len(position), 1))], axis=-1)
+
+
+def _in_a_flock(rule: _Rule, position: Array, velocity: Array) -> Array:
+    """What separation, alignment and cohesion give, and a share of the turn towards the goal or around an obstacle."""
+    told = rule.told
+    weights = tuple(told.parameter(name) for name in ("separation", "alignment", "cohesion"))
+    limits = told.max_speed, told.parameter("max_acceleration")
+    _, among = rule.function("flock_step")(
+        position, velocity, told.interval, told.parameter("radius"), weights, *limits
+    )
+    turn = told.max_speed * rule.around(position, velocity) - velocity
+    wanted = among + told.interval / told.parameter("response_time") * turn
+    return np.asarray(rule.function("limited")(wanted, told.max_speed), dtype=np.float64)
+
+
+WANTED: Mapping[str, Callable[[_Rule, Array, Array], Array]] = {
+    "seek": _to_the_goal,
+    "flee": _to_the_goal,
+    "arrive": _to_stop_there,
+    "steer_around": _around,
+    "flock_step": _in_a_flock,
+    "crowd_step": _in_a_crowd,
+}
+"""The velocity that each rule wants, from the rule, positions and velocities. A repelling force wants none."""
+
+
+def _in_a_field(rule: _Rule, position: Array, velocity: Array) -> Array:
+    """A body is drawn to its goal, and pushed off by each obstacle that it is near."""
+    wanted = np.asarray(rule.function("seek")(position, rule.goals, rule.told.max_speed), dtype=np.float64)
+    return rule.force(velocity, wanted, rule.told.parameter("response_time")) + rule.field(position)

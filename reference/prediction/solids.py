@@ -1,0 +1,147 @@
+"""Geometry of polyhedra for predictions: plain, slow and apart from what it judges.
+
+Corners of triangles are arrays (f, 3, 3), m. The hull is found by trying every triple of vertices.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+
+import numpy as np
+
+from reference.arrays import Array, Mask
+from reference.scene.scenario import Body
+
+FLAT = 1e-9
+"""Share of a length that counts as zero."""
+
+
+def matrix(body: Body) -> Array:
+    """The body's own axes as columns, in the world."""
+    w, x, y, z = body.orientation
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def in_own_axes(body: Body, point: Array) -> Array:
+    """A point of the world, seen from the body, in its own axes."""
+    return np.asarray((point - np.array(body.position)) @ matrix(body))
+
+
+def hull(points: Array) -> Array:
+    """All triangles of points with every other point behind them: they cover the convex hull, some of it twice."""
+    return _hull(tuple(map(tuple, points.tolist())))
+
+
+@functools.lru_cache(256)
+def _hull(vertices: tuple[tuple[float, ...], ...]) -> Array:
+    points = np.array(vertices)
+    a, b, c = np.moveaxis(points[np.array(list(itertools.combinations(range(len(points)), 3)))], 1, 0)
+    normal = np.cross(b - a, c - a)
+    size = np.ptp(points, axis=0).max()
+    heights = normal @ points.T - np.sum(normal * a, axis=-1, keepdims=True)
+    near = FLAT * size**3
+    behind, before = np.all(heights <= near, axis=1), np.all(heights >= -near, axis=1)
+    found = [np.stack([a, b, c], 1)[behind], np.stack([a, c, b], 1)[before & ~behind]]
+    corners = np.concatenate(found)
+    return np.asarray(corners[np.linalg.norm(_normals(corners), axis=-1) > FLAT * size**2])
+
+
+def _normals(corners: Array) -> Array:
+    return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+
+
+def distances(point: Array, corners: Array) -> Array:
+    """From a point to each triangle, (f,), m: to its nearest edge, or to the foot in its plane if that is within."""
+    a = corners - point
+    edge = np.roll(a, -1, axis=1) - a
+    share = np.clip(-np.sum(a * edge, -1) / np.sum(edge * edge, -1), 0, 1)
+    to_edges = np.min(np.linalg.norm(a + share[..., None] * edge, axis=-1), axis=1)
+    normal = _normals(corners)
+    inwards = np.cross(normal[:, None], edge)
+    over: Mask = np.all(np.sum(inwards * a, -1) <= 0, axis=1)  # the foot is on the inner side of all three edges
+    to_planes = np.abs(np.sum(normal * a[:, 0], -1)) / np.linalg.norm(normal, axis=-1)
+    return np.asarray(np.where(over, to_planes, to_edges))
+
+
+def winding_number(point: Array, corners: Array) -> float:
+    """How often the surface goes round the point: its solid angle, by van Oosterom and Strackee (1983), over 4π."""
+    a, b, c = np.moveaxis(corners - point, 1, 0)
+    x, y, z = (np.linalg.norm(each, axis=-1) for each in (a, b, c))
+    above = np.sum(a * np.cross(b, c), -1)
+    below = x * y * z + np.sum(a * b, -1) * z + np.sum(b * c, -1) * x + np.sum(c * a, -1) * y
+    return float(np.sum(np.arctan2(above, below)) / (2 * np.pi))
+
+
+def in_convex(point: Array, corners: Array) -> bool:
+    """Whether a point is behind all planes."""
+    return bool(np.all(np.sum(_normals(corners) * (point - corners[:, 0]), -1) <= 0))
+
+
+def depth_or_gap(point: Array, corners: Array) -> float:
+    """From a point to a convex solid, m; within it minus the way to the nearest face."""
+    nearest = float(np.min(distances(point, corners)))
+    return -nearest if in_convex(point, corners) else nearest
+
+
+def crossings(start: Array, way: Array, corners: Array) -> Array:
+    """The shares of the way at which it goes through triangles, each once, (k,); borders count."""
+    a, edge_b, edge_c = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    across = np.cross(edge_b, edge_c)
+    slant = across @ way
+    steep = np.abs(slant) > FLAT * np.linalg.norm(across, axis=-1) * np.linalg.norm(way)
+    safe = np.where(steep, slant, 1.0)
+    share = np.sum((a - start) * across, -1) / safe
+    place = start + share[:, None] * way - a
+    squared = np.sum(across * across, -1)
+    u = np.sum(np.cross(place, edge_c) * across, -1) / squared
+    v = np.sum(np.cross(edge_b, place) * across, -1) / squared
+    met: Mask = steep & (u >= -FLAT) & (v >= -FLAT) & (u + v <= 1 + FLAT) & (share >= 0) & (share <= 1)
+    found = np.sort(share[met])
+    return np.asarray(found[np.diff(found, prepend=-1.0) > FLAT])
+
+
+def lies_in_a_face(start: Array, way: Array, corners: Array) -> bool:
+    """Whether a line lies in the plane of a triangle, so that rounding decides whether the two meet."""
+    normal = _normals(corners)
+    heights = np.stack([np.sum(normal * (place - corners[:, 0]), -1) for place in (start, start + way)])
+    near = FLAT * np.linalg.norm(normal, axis=-1) * np.linalg.norm(way)
+    return bool(np.any(np.all(np.abs(heights) <= near, axis=0)))
+
+
+def first_touch(start: Array, way: Array, corners: Array, margin: float) -> float:
+    """The share of the way, from outside, to the first point that is a margin, m, away from a convex solid.
+
+    That solid, rounded off, is the union of its faces moved out, of a cylinder about each edge and of a ball about each
+    vertex. Infinite where the way does not get there.
+    """
+    normal = _normals(corners)
+    moved = corners + margin * (normal / np.linalg.norm(normal, axis=-1, keepdims=True))[:, None]
+    found = [*crossings(start, way, moved).tolist()]
+    if margin > 0:
+        edges = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 3)
+        for a, b in np.unique(edges, axis=0):
+            found += _into_capsule(start - a, way, b - a, margin)
+    return min(found, default=np.inf)
+
+
+def _into_capsule(start: Array, way: Array, edge: Array, radius: float) -> list[float]:
+    """Where a way enters the cylinder about an edge, between its ends, or the ball about its start."""
+    along = edge / np.linalg.norm(edge)
+    found = []
+    for within, p, d in (
+        (lambda x: 0 <= x @ edge <= edge @ edge, start - (start @ along) * along, way - (way @ along) * along),
+        (lambda x: True, start, way),
+    ):
+        a, half_b, c = d @ d, p @ d, p @ p - radius**2
+        if a > 0 and half_b**2 > a * c:
+            share = (-half_b - np.sqrt(half_b**2 - a * c)) / a
+            if 0 <= share <= 1 and within(start + share * way):
+                found.append(float(share))
+    return found

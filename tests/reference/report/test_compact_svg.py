@@ -1,0 +1,40 @@
+"""Figures in fewer bytes show the same."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+
+from reference.report.compact_svg import compact
+
+WAY = np.cumsum(np.random.default_rng(5).normal(size=(400, 2)), axis=0) * 7.31 + 100
+LINE = "M " + "L ".join(f"{x:.2f} {y:.2f} \n" for x, y in WAY)
+SVG = f"""<svg xmlns="http://www.w3.org/2000/svg">
+ <g>
+  <g>
+   <path d="{LINE}" clip-path="url(#clip)"/>
+  </g>
+ </g>
+ <g style="opacity: 1">
+  <text style="font-family: 'DejaVu Sans', sans-serif; text-anchor: end" transform="rotate(-0 1 2)">two  words</text>
+ </g>
+ <clipPath id="clip"/>
+</svg>"""
+
+
+def test_the_points_of_a_long_line_stay_within_a_twentieth_of_a_point():
+    root = ElementTree.fromstring(compact(SVG))
+    start, steps = root.find(".//{*}path").get("d").split("l")
+    numbers = [float(number) for number in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", f"{start} {steps}")]
+    places = np.cumsum(np.reshape(numbers, (-1, 2)), axis=0)
+    kept = np.concatenate([[True], np.any(np.diff(np.rint(WAY * 10), axis=0), axis=1)])
+    np.testing.assert_allclose(places, WAY[kept], atol=0.0551)  # half a tenth, and half a hundredth of the text
+
+
+def test_groups_that_say_nothing_go_and_the_others_stay():
+    root = ElementTree.fromstring(compact(SVG))
+    assert [group.get("style") for group in root.findall(".//{*}g")] == ["opacity: 1"]
+    assert [text.text for text in root.findall(".//{*}text")] == ["two  words"]
+    assert root.find("{*}clipPath").get("id") == "clip"

@@ -1,0 +1,75 @@
+"""Polyhedra and surveys: what is refused, and that a survey's bodies are what its questions are about."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from reference.errors import InvalidInput, UnknownName
+from reference.scene import geometry
+from reference.scene.polyhedron import Polyhedron
+from reference.scene.query import Distance, Inside, Segment
+from reference.scene.scenario import Body, Pair, Sphere
+from reference.scene.survey import at_time, survey
+
+CORNERS = ((0, 0, 0), (2, 0, 0), (0, 3, 0), (0, 0, 4))
+FACES = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))
+SOLID = Body("solid", Polyhedron(CORNERS, FACES), position=(1, 0, 0))
+BALL = Body("ball", Sphere(0.1), 2.0, (5, 0, 0), velocity=(-1, 2, 0))
+ASKED = survey("asked", [("in", Inside(SOLID, (1.2, 0.1, 0.1)))], [Distance(SOLID, BALL)])
+
+
+def test_the_volume_of_a_tetrahedron_is_a_sixth_of_its_edges_product():
+    assert SOLID.shape.volume == pytest.approx(2 * 3 * 4 / 6)
+    assert SOLID.shape.convex_pieces == ((0, 1, 2, 3),)
+
+
+@pytest.mark.parametrize(
+    ("faces", "pieces", "words"),
+    [
+        (FACES[:3], (), "must close"),
+        ((*FACES[:3], (1, 3, 2)), (), "look one way"),
+        (tuple((a, c, b) for a, b, c in FACES), (), "look outwards"),
+        ((*FACES[:3], (1, 2, 4)), (), "different ones of 4 vertices"),
+        (FACES, ((0, 1, 2),), "different ones of 4 vertices"),
+        ((), (), "must close"),
+    ],
+)
+def test_a_surface_that_encloses_nothing_is_refused(faces, pieces, words):
+    with pytest.raises(InvalidInput, match=words):
+        Polyhedron(CORNERS, faces, pieces)
+
+
+def test_a_polyhedron_that_could_move_is_refused_and_so_is_its_gap():
+    with pytest.raises(InvalidInput, match="a polyhedron has mass 1"):
+        replace(SOLID, mass=1.0)
+    with pytest.raises(InvalidInput, match="solid is a mesh"):
+        geometry.gap(BALL, SOLID)
+
+
+def test_a_question_is_about_the_body_that_the_survey_has():
+    moved = replace(ASKED, bodies=(replace(SOLID, position=(9, 9, 9)), BALL))
+    assert dict(moved.questions)["in"].body.position == (9, 9, 9)
+    assert moved.watched[0].body_a.position == (9, 9, 9)
+    with pytest.raises(UnknownName, match="ball"):
+        replace(ASKED, bodies=(SOLID,))
+
+
+def test_a_survey_in_which_something_would_happen_is_refused():
+    pull, twice = {"gravity": (0, 0, -9.81)}, {"questions": ASKED.questions * 2}
+    for change in ({"pairs": (Pair("ball", "solid"),)}, pull, twice):
+        with pytest.raises(InvalidInput, match=r"in a survey nothing|needs a name of its own"):
+            replace(ASKED, **change)
+    with pytest.raises(InvalidInput, match="needs a length"):
+        Segment(SOLID, (1, 2, 3), (1, 2, 3))
+
+
+def test_a_question_has_a_place_and_an_unknown_one_is_refused():
+    assert ASKED.place("in") == 0
+    with pytest.raises(UnknownName, match="question"):
+        ASKED.place("out")
+
+
+def test_a_body_of_a_survey_flies_straight():
+    assert at_time(BALL, 0.5).position == (4.5, 1.0, 0.0)

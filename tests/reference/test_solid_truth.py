@@ -1,0 +1,127 @@
+"""Closed forms for solids, and the geometry of predictions, against exact rationals, sampling and other packages."""
+
+from __future__ import annotations
+
+import itertools
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from oracles import oracle
+
+from reference.catalogue.scenarios.concave_solid import HIGH, INNER_LEFT, LOW, RIGHT, channel, under_the_lid
+from reference.catalogue.scenarios.convex_solid import SOLID
+from reference.prediction import solids
+from reference.prediction.answering import BULLETS_STEPS, on_a_grid
+from reference.solid_truth import chord, lid
+
+RNG = np.random.default_rng(7)
+CHANNEL = channel(0.375)
+BOTH = {"convex": SOLID, "concave": CHANNEL}
+every_solid = pytest.mark.parametrize("solid", BOTH.values(), ids=BOTH)
+
+
+def triangles(solid) -> np.ndarray:
+    return solid.points[np.array(solid.faces)]
+
+
+def places(solid, count: int) -> np.ndarray:
+    low, high = solid.points.min(axis=0) - 0.2, solid.points.max(axis=0) + 0.2
+    return RNG.uniform(low, high, (count, 3))
+
+
+def inside_exactly(point, solid) -> bool:
+    """Parity of the faces that a ray along a skew way crosses, in rationals: no place of the ray is rounded."""
+    start = [Fraction(float(each)) for each in point]
+    end = [x + w for x, w in zip(start, (Fraction(31), Fraction(17), Fraction(97)), strict=True)]
+    crossed = 0
+    for face in triangles(solid).tolist():
+        a, b, c = ([Fraction(each) for each in corner] for corner in face)
+        sides = [volume(a, b, c, start), volume(a, b, c, end)]
+        turns = [volume(start, end, *pair) for pair in ((a, b), (b, c), (c, a))]
+        crossed += sides[0] * sides[1] < 0 and len({turn > 0 for turn in turns}) == 1
+    return crossed % 2 == 1
+
+
+def volume(a, b, c, d) -> Fraction:
+    (x, y, z), (u, v, w), (p, q, r) = ([m - n for m, n in zip(each, d, strict=True)] for each in (a, b, c))
+    return x * (v * r - w * q) - y * (u * r - w * p) + z * (u * q - v * p)
+
+
+@every_solid
+def test_the_winding_number_agrees_with_parity_in_exact_rationals(solid):
+    for point in places(solid, 60):
+        found = solids.winding_number(point, triangles(solid))
+        assert found == pytest.approx(float(inside_exactly(point, solid)), abs=1e-12)
+
+
+@every_solid
+def test_a_distance_is_the_least_to_any_point_of_the_surface(solid):
+    weights = np.array([(i, j, 40 - i - j) for i in range(41) for j in range(41 - i)]) / 40
+    samples = np.einsum("wc,fcx->fwx", weights, triangles(solid)).reshape(-1, 3)
+    for point in places(solid, 20):
+        nearest = np.min(np.linalg.norm(samples - point, axis=-1))
+        found = np.min(solids.distances(point, triangles(solid)))
+        assert found <= nearest + 1e-12
+        assert found == pytest.approx(nearest, abs=0.02)  # the samples are up to 2 cm apart
+
+
+@every_solid
+def test_the_hull_has_the_volume_that_qhull_finds(solid):
+    spatial = oracle("scipy.spatial")
+    hull, inner = solids.hull(solid.points), solid.points.mean(axis=0)
+    assert all(solids.in_convex(point, hull) for point in 0.999 * solid.points + 0.001 * inner)
+    deepest = solids.depth_or_gap(inner, hull)
+    planes = spatial.ConvexHull(solid.points).equations
+    assert deepest == pytest.approx(np.max(planes[:, :3] @ inner + planes[:, 3]), abs=1e-12)
+
+
+def test_a_chord_lies_between_the_places_where_a_sampled_line_is_inside():
+    corners = triangles(SOLID)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    offsets = np.sum(normals * corners[:, 0], -1)
+    for start in places(SOLID, 10):
+        way = 3 * (SOLID.points.mean(axis=0) - start)
+        found = chord(start, way, normals, offsets)
+        shares = np.linspace(-1, 2, 30001)
+        behind = np.all((start + shares[:, None] * way) @ normals.T <= offsets, axis=-1)
+        assert found == pytest.approx(np.count_nonzero(behind) * 1e-4 * np.linalg.norm(way), abs=2e-3)
+    assert chord(np.array([9.0, 9, 9]), np.array([1.0, -1, 0.3]), normals, offsets) == 0
+
+
+def test_the_lid_is_where_the_hull_begins():
+    hull = solids.hull(CHANNEL.points)
+    for x in (-0.1, 0.1, 0.4):
+        height = lid((INNER_LEFT, HIGH), (RIGHT, LOW), x)
+        assert solids.depth_or_gap(np.array([x, 0.0, height]), hull) == pytest.approx(0.0, abs=1e-12)
+        assert under_the_lid(np.array([x, 0.0, height - 1e-6]))
+        assert not under_the_lid(np.array([x, 0.0, height + 1e-6]))
+
+
+def test_the_pieces_of_the_channel_fill_it_and_nothing_else():
+    pieces = [solids.hull(CHANNEL.points[list(piece)]) for piece in CHANNEL.pieces]
+    for point in places(CHANNEL, 200):
+        assert any(solids.in_convex(point, piece) for piece in pieces) == inside_exactly(point, CHANNEL)
+
+
+def test_a_ray_stops_where_the_solid_is_a_margin_away():
+    hull = solids.hull(SOLID.points)
+    for start, end in itertools.product(2 * np.vstack([np.eye(3), -np.eye(3)]), SOLID.points + 1e-3):
+        share = solids.first_touch(start, end - start, hull, 0.02)
+        if np.isfinite(share):
+            touched = start + share * (end - start)
+            assert solids.depth_or_gap(touched, hull) == pytest.approx(0.02, abs=1e-12)
+            earlier = start + 0.99 * share * (end - start)
+            assert solids.depth_or_gap(earlier, hull) > 0.02
+        else:
+            way = [start + part * (end - start) for part in np.linspace(0, 1, 101)]
+            assert min(solids.depth_or_gap(place, hull) for place in way) > 0.019
+
+
+def test_bullets_grid_moves_a_vertex_inwards_by_less_than_a_step():
+    points, step = SOLID.points, np.ptp(SOLID.points, axis=0) / BULLETS_STEPS
+    moved, middle = on_a_grid(points), (points.min(axis=0) + points.max(axis=0)) / 2
+    assert np.all(np.abs(moved - points) < step * (1 + 1e-9))
+    assert np.all(np.abs(moved - middle) <= np.abs(points - middle) + 1e-15)
+    assert np.any(np.abs(moved - points) > 0.3 * step)
