@@ -10,6 +10,7 @@ from reference.comparison.convergence import Errors
 from reference.comparison.curves import Series
 from reference.comparison.error_split import Split
 from reference.comparison.verdicts import Row
+from reference.engines.base import Engine
 from reference.errors import InvalidInput
 from reference.scene.settings import Option
 from reference.viewer.tracks import Track
@@ -60,6 +61,11 @@ class Job:
         if family.grid is None:
             raise InvalidInput(f"{family.name} has no parameters that can be moved")
         return (family.grid.case(**dict(self.at)),) if self.at else family.grid.cases
+
+    def cases_in(self, family: Family, engine: Engine) -> tuple[Case, ...]:
+        """Those of the chosen cases for which the engine has the profile; all, if it has it for none."""
+        chosen = self.chosen(family)
+        return tuple(case for case in chosen if self.profile in engine.profiles(case.scenarios[0])) or chosen
 
     def plots(self, family: Family, case: Case) -> bool:
         """Whether the result has the curve of this case."""

@@ -8,18 +8,27 @@ from typing import Any
 import numpy as np
 
 from reference.engines.ground_box import ground_box, raised
+from reference.engines.sliding_joint import SlidingJoint
 from reference.scene.scenario import Body, Box, HalfSpace, Shape, Sphere
 from reference.scene.settings import Settings
 
 
 def add_body(
-    dart: Any, world: Any, body: Body, settings: Settings, restitution: float, friction: float
+    dart: Any,
+    world: Any,
+    body: Body,
+    settings: Settings,
+    restitution: float,
+    friction: float,
+    sliding: SlidingJoint | None = None,
 ) -> tuple[Any, Any]:
     """Add a skeleton of one body; return its shape, by which a contact names its bodies, and the body."""
     skeleton = dart.dynamics.Skeleton(body.name)
     placed = _placed(body, settings)
     if body.immovable:
         node = _standing(dart, skeleton, placed)
+    elif sliding:
+        node = _sliding(dart, skeleton, sliding)
     else:
         joint, node = skeleton.createFreeJointAndBodyNodePair()
         joint.setTransform(_transform(dart, body))
@@ -54,6 +63,20 @@ def stand(dart: Any, body: Body, shape: Any = None) -> tuple[Any, Any]:
 def _standing(dart: Any, skeleton: Any, placed: Body) -> Any:
     joint, node = skeleton.createWeldJointAndBodyNodePair()
     joint.setTransformFromParentBodyNode(_transform(dart, placed))
+    return node
+
+
+def _sliding(dart: Any, skeleton: Any, sliding: SlidingJoint) -> Any:
+    """A body in a joint along its spring, whose coordinate is the spring's length."""
+    joint, node = skeleton.createPrismaticJointAndBodyNodePair()
+    start = replace(sliding.body, position=tuple(sliding.ends.fixed.tolist()))
+    joint.setTransformFromParentBodyNode(_transform(dart, start))
+    joint.setAxis(sliding.axis)
+    joint.setSpringStiffness(0, sliding.spring.stiffness)
+    joint.setDampingCoefficient(0, sliding.spring.damping)
+    joint.setRestPosition(0, sliding.spring.rest_length)
+    joint.setPosition(0, sliding.ends.length)
+    joint.setVelocity(0, sliding.ends.rate)
     return node
 
 

@@ -11,15 +11,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
 
 from reference.engines import dart_bodies, dart_read_back, dart_surveyor, mixing, surveying
-from reference.engines.base import ANSWERS_IN_SINGLE, AT_STEP, CIRCLE, DART, EXACT, SQUARE, Engine, Method
+from reference.engines.base import (
+    ANSWERS_IN_SINGLE,
+    AT_STEP,
+    CIRCLE,
+    DART,
+    DART_JOINT,
+    EXACT,
+    SQUARE,
+    Engine,
+    Method,
+)
 from reference.engines.dart_read_back import SWEEPS
 from reference.engines.ground_box import from_raised
+from reference.engines.profiles import JOINT, STOCK
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, POSITIVE, Allowed
+from reference.engines.sliding_joint import has_joint, joint_of
 from reference.engines.steering import sampled, unhurried
 from reference.errors import CannotExpress, RunFailed
 from reference.scene import geometry
@@ -29,6 +42,7 @@ from reference.scene.pressed import sweeps_needed
 from reference.scene.query import Distance, Query, Ray
 from reference.scene.scenario import Box, HalfSpace, Scenario, Sphere
 from reference.scene.settings import Move, Option, Settings, steps_per_sample
+from reference.scene.straight_spring import on_one_spring
 from reference.scene.survey import Survey
 from reference.scene.trajectory import Recorder, Trajectory
 
@@ -69,16 +83,25 @@ class Dart(Engine):
         "solver": SOLVERS,
         "solver_tolerance": POSITIVE,
         "solver_iterations": COUNT,
+        "springs": (JOINT,),
         **dart_surveyor.ALLOWED,
     }
+
+    def profiles(self, scenario: Scenario) -> Mapping[str, str]:
+        """`joint`, a sliding joint with a spring, joins where a ball on a spring is all there is."""
+        named = dict(super().profiles(scenario))
+        stock = named.pop(STOCK)
+        return named | ({JOINT: "a sliding joint with a spring"} if on_one_spring(scenario) else {}) | {STOCK: stock}
 
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at DART's default."""
         self.check_profile(scenario, profile)
         if isinstance(scenario, Survey):
             return surveying.settings_of(**dart_surveyor.SETTINGS)
-        if profile == "stock":
+        if profile == STOCK:
             return sampled(scenario, Settings(1e-3))
+        if profile == JOINT:
+            return Settings(1e-3, options={"springs": JOINT})
         boxes = any(isinstance(body.shape, Box) and not body.immovable for body in scenario.bodies)
         options: dict[str, Option] = {
             "detector": "dart",
@@ -120,6 +143,8 @@ class Dart(Engine):
         """DART responds at the step, to the speed that this step has just gained; a ball is pushed where it is cut."""
         if isinstance(scenario, Survey):
             return Method(EXACT, rule=ANSWERS_IN_SINGLE)
+        if has_joint(settings):
+            return Method(AT_STEP, rule=DART_JOINT)
         bouncing = [pair.restitution for pair in scenario.pairs if pair.restitution > 0]
         slowest = REST_SPEED / min(bouncing) if bouncing else 0.0
         # Open Dynamics Engine's detector gives the corner itself, but of a ball a point on the other surface.
@@ -146,9 +171,9 @@ class Dart(Engine):
         steps = self.check_settings(scenario, settings)
         coefficients = self._restitution_and_friction(scenario)
         world = _world(dart, scenario, settings)
-        shapes, bodies = [], []
+        sliding, shapes, bodies = joint_of(scenario, settings), [], []
         for body, pair in zip(scenario.bodies, coefficients, strict=True):
-            shape, node = dart_bodies.add_body(dart, world, body, settings, *pair)
+            shape, node = dart_bodies.add_body(dart, world, body, settings, *pair, sliding)
             shapes.append(shape)
             bodies.append(node)
         apart = world.getConstraintSolver().getCollisionOption().collisionFilter
@@ -157,7 +182,9 @@ class Dart(Engine):
         dart_read_back.check_world(world, bodies, scenario, settings)
         recorder = Recorder(self.name, scenario, settings)
         recorder.sample([number for body in scenario.bodies for number in body.state()])
-        loads = Loads(scenario, steers=self.steers(scenario)) if scenario.forces or scenario.pushes_change else None
+        dart_read_back.check_joint(bodies, sliding)
+        outside = replace(scenario, springs=()) if sliding else scenario
+        loads = Loads(outside, steers=self.steers(scenario)) if outside.forces or outside.pushes_change else None
         for number in range(1, steps + 1):
             if loads:
                 _push(bodies, loads, (number - 1) * settings.timestep)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from reference.engines import read_back
+from reference.engines.sliding_joint import SlidingJoint
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
 
@@ -40,6 +41,19 @@ def check_world(world: Any, bodies: list[Any], scenario: Scenario, settings: Set
         read_back.check_pair(TITLE, "restitution", pair, pair.restitution, restitution)
         friction = min(a.getFrictionCoeff(), b.getFrictionCoeff())
         read_back.check_pair(TITLE, "friction", pair, pair.kinetic_friction, friction)
+
+
+def check_joint(bodies: list[Any], sliding: SlidingJoint | None) -> None:
+    """Refuse a joint that is not the spring. sliding: what DART was told, None where bodies are free."""
+    if not sliding:
+        return
+    joint, spring, ends = bodies[0].getParentJoint(), sliding.spring, sliding.ends
+    read_back.check(TITLE, "axis of the joint", tuple(sliding.axis), tuple(joint.getAxis().ravel()))
+    read_back.check(TITLE, "stiffness of the joint", spring.stiffness, joint.getSpringStiffness(0), "N/m")
+    read_back.check(TITLE, "damping of the joint", spring.damping, joint.getDampingCoefficient(0), "N s/m")
+    read_back.check(TITLE, "rest length of the spring", spring.rest_length, joint.getRestPosition(0), "m")
+    read_back.check(TITLE, "length of the spring", ends.length, joint.getPosition(0), "m")
+    read_back.check(TITLE, "rate of the spring", ends.rate, joint.getVelocity(0), "m/s")
 
 
 def _check_options(world: Any, settings: Settings) -> None:

@@ -9,13 +9,17 @@ import numpy as np
 
 from reference import truth
 from reference.engines import mujoco_read_back
+from reference.engines.sliding_joint import SlidingJoint
 from reference.scene import geometry
 from reference.scene.scenario import Body, Box, HalfSpace, Pair, Shape, Sphere
 from reference.scene.settings import Settings
 
 
-def add_body(mujoco: Any, spec: Any, body: Body, friction: float | None) -> None:
-    """Add a body with its geom; friction: of the geom, None where only the pairs that are listed collide."""
+def add_body(mujoco: Any, spec: Any, body: Body, friction: float | None, *, free: bool = True) -> None:
+    """Add a body with its geom. friction: of the geom, None where only the pairs that are listed collide.
+
+    free: whether a movable body gets all six degrees of freedom; otherwise it still needs a joint.
+    """
     orientation: Any = body.orientation
     if isinstance(body.shape, HalfSpace):
         orientation = geometry.upright_on(np.array(body.shape.normal))
@@ -25,7 +29,8 @@ def add_body(mujoco: Any, spec: Any, body: Body, friction: float | None) -> None
     if friction is not None:
         options = {"friction": [friction, 0.005, 0.0001]}  # the two others are MuJoCo's defaults
     if not body.immovable:
-        frame.add_freejoint()
+        if free:
+            frame.add_freejoint()
         options["mass"] = body.mass
     if body.inertia:
         frame.explicitinertial, frame.mass, frame.inertia = True, body.mass, body.inertia
@@ -66,8 +71,11 @@ def _geom(mujoco: Any, shape: Shape) -> tuple[Any, list[float]]:
     return mujoco.mjtGeom.mjGEOM_PLANE, [0, 0, 1]  # infinite
 
 
-def set_velocity(state: Any, slot: int, body: Body) -> None:
-    """A free joint's velocity: linear in the world frame, angular in the body's own."""
+def set_velocity(state: Any, slot: int, body: Body, joint: SlidingJoint | None) -> None:
+    """A free joint's velocity: linear in the world frame, angular in the body's own; a sliding joint has its rate."""
+    if joint:
+        state.qvel[slot] = joint.ends.rate
+        return
     conjugate = geometry.opposite(np.array(body.orientation))
     state.qvel[6 * slot : 6 * slot + 3] = body.velocity
     state.qvel[6 * slot + 3 : 6 * slot + 6] = geometry.rotate(conjugate, np.array(body.angular_velocity))

@@ -31,14 +31,16 @@ from reference.engines.base import (
     Method,
 )
 from reference.engines.mujoco_own_forces import FLUIDS, TENDONS
-from reference.engines.profiles import SWEPT
+from reference.engines.profiles import JOINT, SWEPT
 from reference.engines.ranges import COUNT_OR_NONE, NOT_NEGATIVE, POSITIVE, SHARE, Allowed, Range
+from reference.engines.sliding_joint import SlidingJoint, has_joint, joint_of
 from reference.scene import geometry, leaping
 from reference.scene.loads import Loads
 from reference.scene.off_centre import may_rub_off_centre, may_strike_off_centre
 from reference.scene.query import Distance, Query, Ray
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Move, Settings
+from reference.scene.straight_spring import on_one_spring
 from reference.scene.survey import Survey
 from reference.scene.trajectory import Recorder, Trajectory
 
@@ -67,13 +69,13 @@ class MuJoCo(Engine):
         "noslip_iterations": COUNT_OR_NONE,
         "margin": NOT_NEGATIVE,
         "margin_steps": NOT_NEGATIVE,
-        "springs": (TENDONS,),
+        "springs": (TENDONS, JOINT),
         "fluid": FLUIDS,
         **mujoco_surveyor.ALLOWED,
     }
 
     def profiles(self, scenario: Scenario) -> Mapping[str, str]:
-        """`spring`, a resolved contact, joins where something falls; `swept` for fast shots, `tendons` for a spring."""
+        """`spring`, a resolved contact, joins where something falls; `swept` for fast shots; a spring has two more."""
         found = {"tuned": "one-step contact"}
         if leaping.may_leap(scenario):  # a spring would give way farther than the wall is thick
             found[SWEPT] = "contact a step ahead"
@@ -81,6 +83,8 @@ class MuJoCo(Engine):
             found["spring"] = "spring–dashpot contact"
         if scenario.in_flight and len(scenario.springs) == 1:  # a mesh of many is told from outside alone
             found[TENDONS] = "a tendon for the spring"
+        if on_one_spring(scenario):
+            found[JOINT] = "a sliding joint with a spring"
         if scenario.in_flight and scenario.fluid and not scenario.springs and not scenario.attractions:
             found |= {name: f"its fluid, {name}" for name in FLUIDS}
         return found | {"stock": "defaults, friction set"}
@@ -112,12 +116,13 @@ class MuJoCo(Engine):
         mujoco_own_forces.check(model, scenario, settings)
         state = mujoco.MjData(model)
         movable = [place for place, body in enumerate(scenario.bodies) if not body.immovable]
+        joint = joint_of(scenario, settings)
         for slot, place in enumerate(movable):
-            mujoco_bodies.set_velocity(state, slot, scenario.bodies[place])
+            mujoco_bodies.set_velocity(state, slot, scenario.bodies[place], joint)
         loads = Loads(mujoco_own_forces.from_outside(scenario, settings), steers=self.steers(scenario))
         recorder = Recorder(self.name, scenario, settings)
         fixed = [list(body.state()) for body in scenario.bodies]
-        recorder.sample(_state(state, movable, fixed))
+        recorder.sample(_state(state, movable, fixed, joint))
         changes = loads.scenario.pushes_change
         at_once = 1 if changes else settings.sample_every
         for number in range(0, steps, at_once):
@@ -126,7 +131,7 @@ class MuJoCo(Engine):
             mujoco.mj_step(model, state, nstep=at_once)
             if (number + at_once) % settings.sample_every:
                 continue
-            recorder.sample(_state(state, movable, fixed))
+            recorder.sample(_state(state, movable, fixed, joint))
             if state.ncon:
                 _keep_contacts(recorder, state.contact)
         return recorder.trajectory(spin_in_body_frame=True)
@@ -172,7 +177,8 @@ class MuJoCo(Engine):
         stock = settings["contact"] == "default"
         friction = self._stock_friction(scenario) if stock else [None] * len(scenario.bodies)
         for body, own_friction in zip(scenario.bodies, friction, strict=True):
-            mujoco_bodies.add_body(mujoco, spec, body, own_friction)
+            free = not has_joint(settings)
+            mujoco_bodies.add_body(mujoco, spec, body, own_friction, free=free)
         if not stock:
             for pair in scenario.pairs:
                 margin = mujoco_read_back.margin_of(scenario, settings)
@@ -195,10 +201,12 @@ def _choice(enumeration: Any, prefix: str, name: str) -> Any:
     return getattr(enumeration, prefix + name.upper())
 
 
-def _state(state: Any, movable: list[int], fixed: list[list[float]]) -> list[float]:
+def _state(state: Any, movable: list[int], fixed: list[list[float]], joint: SlidingJoint | None = None) -> list[float]:
     """The 13 numbers of every body in the scenario's order; the spin stays in the body's frame, as MuJoCo keeps it."""
     numbers = list(fixed)
     poses, velocities = state.qpos.tolist(), state.qvel.tolist()
+    if joint:
+        poses, velocities = joint.as_free(*poses, *velocities)
     for slot, place in enumerate(movable):
         numbers[place] = poses[7 * slot : 7 * slot + 7] + velocities[6 * slot : 6 * slot + 6]
     return [number for values in numbers for number in values]

@@ -1,8 +1,8 @@
 """Springs and fluids in MuJoCo's own words.
 
 A spring is a spatial tendon between two sites, with its stiffness and its damping. MuJoCo computes the force of a
-tendon at the start of a step, as the lab does from outside. Its integrator `Euler` treats the damping of joints
-implicitly, and that of tendons not.
+tendon at the start of a step, as the lab does from outside. The spring of a ball that moves along it alone may also be
+that of a sliding joint. Of that one the integrator `Euler` takes the damping as it will be at the end of the step.
 
 A fluid is a viscosity and a wind, and a share of each body's weight that is taken off for its buoyancy. MuJoCo gets no
 density: with one its models add forces beyond Stokes' law, which grow with the square of the velocity. `ellipsoid`,
@@ -17,11 +17,14 @@ from dataclasses import replace
 from typing import Any
 
 from reference.engines import read_back
+from reference.engines.sliding_joint import SlidingJoint, has_joint, joint_of
 from reference.scene.scenario import Body, Scenario, Sphere
 from reference.scene.settings import Settings
 
 TITLE = "MuJoCo"
 TENDONS = "tendons"
+SLIDE = "slide"
+"""Name of a sliding joint."""
 ELLIPSOID, INERTIA_BOX = FLUIDS = "ellipsoid", "inertia box"
 """Profiles, and values of the options `springs` and `fluid`."""
 DRAG_OF_THE_BOX = math.sqrt(3 / 5)
@@ -33,6 +36,8 @@ def add(spec: Any, scenario: Scenario, settings: Settings) -> None:
     """Add to a model what the settings tell MuJoCo in its own words."""
     if has_tendons(settings):
         add_tendons(spec, scenario)
+    if joint := joint_of(scenario, settings):
+        add_joint(spec, joint)
     if of_fluid(settings):
         fill_with_fluid(spec, scenario, settings)
 
@@ -41,6 +46,8 @@ def check(model: Any, scenario: Scenario, settings: Settings) -> None:
     """Refuse a model that is not what it was told in its own words."""
     if has_tendons(settings):
         check_tendons(model, scenario)
+    if joint := joint_of(scenario, settings):
+        check_joint(model, joint)
     if of_fluid(settings):
         check_fluid(model, scenario, settings)
 
@@ -70,6 +77,23 @@ def check_tendons(model: Any, scenario: Scenario) -> None:
         read_back.check(TITLE, f"damping of {_name(number)}", spring.damping, model.tendon_damping[number])
         rest = (spring.rest_length, spring.rest_length)
         read_back.check(TITLE, f"rest length of {_name(number)}", rest, model.tendon_lengthspring[number])
+
+
+def add_joint(spec: Any, joint: SlidingJoint) -> None:
+    """Let the ball slide along its spring; the coordinate of the joint is the spring's length."""
+    body, spring = spec.body(joint.body.name), joint.spring
+    slide = body.add_joint(name=SLIDE, type=2, axis=joint.axis, ref=joint.ends.length, springref=spring.rest_length)
+    slide.stiffness, slide.damping = [spring.stiffness, 0, 0], [spring.damping, 0, 0]  # linear: no higher powers
+
+
+def check_joint(model: Any, joint: SlidingJoint) -> None:
+    """Refuse a model whose joint is not the spring."""
+    read_back.check(TITLE, "number of degrees of freedom", 1, model.nv)
+    read_back.check(TITLE, "axis of the joint", tuple(joint.axis), model.jnt_axis[0])
+    read_back.check(TITLE, "length of the spring", joint.ends.length, model.qpos0[0], "m")
+    read_back.check(TITLE, "rest length of the spring", joint.spring.rest_length, model.qpos_spring[0], "m")
+    read_back.check(TITLE, "stiffness of the joint", joint.spring.stiffness, model.jnt_stiffness[0], "N/m")
+    read_back.check(TITLE, "damping of the joint", joint.spring.damping, model.dof_damping[0], "N s/m")
 
 
 def of_fluid(settings: Settings) -> bool:
@@ -109,7 +133,7 @@ def check_fluid(model: Any, scenario: Scenario, settings: Settings) -> None:
 
 def from_outside(scenario: Scenario, settings: Settings) -> Scenario:
     """The scenario with those forces alone that MuJoCo is not told of in its own words."""
-    if has_tendons(settings):
+    if has_tendons(settings) or has_joint(settings):
         scenario = replace(scenario, springs=())
     return replace(scenario, fluid=()) if of_fluid(settings) else scenario
 

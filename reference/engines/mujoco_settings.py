@@ -10,12 +10,14 @@ from reference.engines.base import (
     COMPLIANT,
     DIAMOND,
     EXACT,
+    MUJOCO_JOINT,
     MUJOCO_ONE_STEP,
     MUJOCO_SPRING,
     Method,
 )
 from reference.engines.mujoco_own_forces import FLUIDS, TENDONS
-from reference.engines.profiles import SWEPT
+from reference.engines.profiles import JOINT, SWEPT
+from reference.engines.sliding_joint import has_joint
 from reference.engines.steering import sampled, unhurried
 from reference.impact_truth import APART, NEWTON
 from reference.scene import geometry
@@ -34,9 +36,9 @@ def settings_of(scenario: Scenario, profile: str) -> Settings:
     if profile == "stock":
         as_installed = {"contact": "default", "integrator": "Euler", "cone": "pyramidal"}
         return sampled(scenario, Settings(2e-3, options=as_installed))
-    if profile in (TENDONS, *FLUIDS):
+    if profile in (TENDONS, JOINT, *FLUIDS):
         told: dict[str, Option] = {"contact": "default", "integrator": "Euler", "cone": "pyramidal"}
-        return Settings(1e-3, options=told | {"springs" if profile == TENDONS else "fluid": profile})
+        return Settings(1e-3, options=told | {"fluid" if profile in FLUIDS else "springs": profile})
     if profile == "spring":
         # √stiffness · timestep = 0.2 gives some sixteen steps a contact. RK4: Euler is first order here.
         return Settings(
@@ -97,7 +99,8 @@ def method_of(scenario: Scenario, settings: Settings) -> Method:
     passes = settings.options.get("noslip_iterations", 0)
     without_contacts = not scenario.pairs or scenario.steering  # nobody means to touch anybody; then all are one
     in_one_step = settings["contact"] == "one step" or without_contacts
-    rule = MUJOCO_ONE_STEP if in_one_step and settings["integrator"] == "Euler" else ""
+    ours = MUJOCO_JOINT if has_joint(settings) else MUJOCO_ONE_STEP
+    rule = ours if in_one_step and settings["integrator"] == "Euler" else ""
     law, cone = APART if passes else NEWTON, DIAMOND if settings["cone"] == "pyramidal" else CIRCLE
     drag = mujoco_own_forces.drag(settings)
     return Method(AT_STEP, speed_recovery=share, inset=0.5, drag=drag, law=law, rule=rule, cone=cone)

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 EXACT = "exact"
 """By hand: the instant of an impact or of a stop is solved for."""
+JOINT = "joint"
+"""Of an engine: a spring is that of a sliding joint, whose forces it may take as they will be after the step."""
 SLIDE = "slide"
 """By hand: the instant is the slide's T."""
 SPRING = "spring"

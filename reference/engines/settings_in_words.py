@@ -65,6 +65,8 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         " a body by a share of its weight (`gravcomp`).",
         "springs tendons": "A spring is a spatial tendon between two sites (`tendon_stiffness`, `tendon_damping`,"
         " `tendon_lengthspring`).",
+        "springs joint": "The ball slides in a joint along the spring, which is the joint's own (`jnt_stiffness`,"
+        " `dof_damping`, `springref`).",
         "integrator Euler": "Semi-implicit Euler moves the bodies (`integrator` = Euler).",
         "integrator RK4": "The fourth-order Runge–Kutta method moves the bodies (`integrator` = RK4).",
         "integrator": "The method that moves the bodies is {} (`integrator`).",
@@ -97,6 +99,8 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "rays of triangles": "A ray meets the triangles of a mesh (`DARTCollisionDetector`).",
         "distances of triangles": "A gap is that to the nearest triangle of a mesh (`FCLCollisionDetector`).",
         **_INSIDE,
+        "springs joint": "The ball slides in a joint along the spring, which is the joint's own (`PrismaticJoint`,"
+        " `setSpringStiffness`, `setDampingCoefficient`, `setRestPosition`).",
         "split impulse True": "Taking back an overlap adds no speed (`setSplitImpulseEnabled` = True).",
         "split impulse False": "Taking back an overlap adds speed (`setSplitImpulseEnabled` = False).",
         "sleep False": "What is at rest is never put to sleep (`DeactivationOptions.mEnabled` = False).",

@@ -8,7 +8,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.base import BULLET_DAMPED, Method
-from reference.prediction import integrators
+from reference.prediction import integrators, joints
 from reference.prediction.predicted import ROUNDING, Path, Prediction, trajectory_of
 from reference.scene import geometry
 from reference.scene.loads import Loads
@@ -26,6 +26,8 @@ def predict(scenario: Scenario, settings: Settings, method: Method) -> Predictio
     rule names one. A multibody of Bullet's also loses dt 0.04 (1 + v) v of its velocity, and as much of its spin:
     `btMultiBody::computeAccelerationsArticulatedBody…`.
     """
+    if method.rule in joints.RULES:
+        return joints.predict(scenario, settings, method)
     movable = [place for place, body in enumerate(scenario.bodies) if not body.immovable]
     bodies = [scenario.bodies[place] for place in movable]
     if scenario.pairs or not method.rule or not all(isinstance(body.shape, Sphere) for body in bodies):

@@ -42,9 +42,10 @@ def jobs_of(family: Family, engine: str) -> list[Job]:
     found: list[Job] = []
     for profile in family.profiles(load_engine(engine)):
         whole = Job(family.name, engine, profile, with_poses=True)
-        own = replace(whole, cases=tuple(case.name for case in others))
+        beside = [case for case in others if profile in load_engine(engine).profiles(case.scenarios[0])]
+        own = replace(whole, cases=tuple(case.name for case in beside))
         moved = [replace(whole, grid=True)] if grid else []
-        moved += [replace(own, changes=each) for each in _changes(family, others, engine, profile)]
+        moved += [replace(own, changes=each) for each in _changes(family, beside, engine, profile)]
         moved += [replace(whole, grid=True, changes=each) for each in _changes(family, grid, engine, profile)]
         found += [replace(whole, with_studies=True), *moved]
     return found
@@ -76,7 +77,7 @@ def why_stale(family: Family, engine: str, folder: Path | None = None) -> str:
         taken = content["profiles"].get(job.profile)
         if not taken or taken["quantities"] != [quantity.name for quantity in family.quantities]:
             return f"{job.profile} is not recorded, or with other quantities"
-        for case in job.chosen(family):
+        for case in job.cases_in(family, load_engine(engine)):
             own = own_of(case.scenarios[0], job.profile)
             if why := _why_stale(case, job, own, taken["entries"], tracks):
                 at = "".join(f" at a {name} of {value} s" for name, value in job.changes)
@@ -190,7 +191,7 @@ def _entries(result: JobResult) -> dict[str, Entry]:
     for row in result.rows:
         rows.setdefault(row.case, []).append(row)
     digits, found = GRID_DIGITS if _is_moved(job) else None, dict[str, Entry]()
-    for case in job.chosen(catalogue()[job.family]):
+    for case in job.cases_in(catalogue()[job.family], engine):
         own = engine.settings(case.scenarios[0], job.profile)
         settings = own.change(**dict(job.changes))
         name = name_of(case.name, own, settings, job.grid)

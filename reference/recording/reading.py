@@ -64,7 +64,7 @@ def recall(job: Job, folder: Path | None = None) -> JobResult | None:
     made = Made(**content["made"])
     if family.steered and job.implementation != Implementation.source:
         return _steered_by_others(job, family, taken["description"])
-    rows = [row for case in job.chosen(family) for row in _rows(family, case, engine, job, taken)]
+    rows = [row for case in job.cases_in(family, engine) for row in _rows(family, case, engine, job, taken)]
     rows = [
         row
         if row.verdict is Verdict.NOT_AVAILABLE
@@ -98,7 +98,7 @@ def _steered_by_others(job: Job, family: Family, description: str) -> JobResult:
 
 def _series(family: Family, job: Job, folder: Path | None) -> Series | None:
     """The curve of the case that the job plots; None where it plots none, or nothing of today's was recorded."""
-    plotted = [case for case in job.chosen(family) if job.plots(family, case)]
+    plotted = [case for case in job.cases_in(family, load_engine(job.engine)) if job.plots(family, case)]
     if not plotted:
         return None
     known, _ = tracks_of(job.engine, job.family, folder)
@@ -148,7 +148,7 @@ def _track(job: Job, case: Case, known: Mapping[tuple[str, str], Track]) -> Trac
 def _poses(family: Family, job: Job, folder: Path | None) -> Iterator[Track]:
     """The tracks of those cases of a job that have one."""
     known, _ = tracks_of(job.engine, job.family, folder)
-    for case in job.chosen(family):
+    for case in job.cases_in(family, load_engine(job.engine)):
         with contextlib.suppress(CollisionsError):  # the row says why
             yield _track(job, case, known)
 

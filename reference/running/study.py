@@ -160,8 +160,7 @@ def run_job(job: Job) -> JobResult:
     engine.module()  # raises where it cannot be imported, before any case is tried
     asked, rows = Question.of(family, engine), list[Row]()
     series, shown, tracks = None, "", list[Track]()
-    chosen = job.chosen(family)
-    cases = _able(engine, job.profile, chosen) or chosen  # without any, the first one says what is wrong
+    cases = job.cases_in(family, engine)  # where no case has the profile, the first one says so
     told = {case.name: engine.settings(case.scenarios[0], job.profile).change(**dict(job.changes)) for case in cases}
     ran = _together(engine, cases, told)
     for case in cases:

@@ -12,14 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.handwritten.closed_forms import (
-    Form,
-    drive_of,
-    ends_of,
-    form_of,
-    reduced_mass,
-    with_constant_forces,
-)
+from reference.engines.handwritten.closed_forms import Form, form_of, with_constant_forces
 from reference.engines.handwritten.loads import LoadsByHand
 from reference.engines.handwritten.stepping import start
 from reference.engines.implementation import Implementation
@@ -27,6 +20,7 @@ from reference.errors import InvalidInput
 from reference.scene import geometry
 from reference.scene.scenario import Body, Scenario, Sphere
 from reference.scene.settings import Settings
+from reference.scene.straight_spring import drive_of, ends_of, reduced_mass
 from reference.scene.trajectory import Trajectory
 
 INTEGRATORS = {
