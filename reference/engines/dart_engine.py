@@ -16,40 +16,22 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from reference.engines import dart_bodies, dart_read_back, dart_surveyor, mixing, surveying
-from reference.engines.base import (
-    ANSWERS_IN_SINGLE,
-    AT_STEP,
-    CIRCLE,
-    DART,
-    DART_JOINT,
-    EXACT,
-    SQUARE,
-    Engine,
-    Method,
-)
+from reference.engines import dart_bodies, dart_read_back, dart_settings, dart_surveyor, mixing, surveying
+from reference.engines.base import Engine, Method
 from reference.engines.dart_read_back import SWEEPS
 from reference.engines.ground_box import from_raised
 from reference.engines.profiles import JOINT, STOCK
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, POSITIVE, Allowed
-from reference.engines.sliding_joint import has_joint, joint_of
-from reference.engines.steering import sampled, unhurried
+from reference.engines.sliding_joint import joint_of
 from reference.errors import CannotExpress, RunFailed
-from reference.scene import geometry
 from reference.scene.loads import Loads
-from reference.scene.off_centre import may_strike_off_centre
-from reference.scene.pressed import sweeps_needed
 from reference.scene.query import Distance, Query, Ray
-from reference.scene.scenario import Box, HalfSpace, Scenario, Sphere
-from reference.scene.settings import Move, Option, Settings, steps_per_sample
+from reference.scene.scenario import Scenario, Sphere
+from reference.scene.settings import Move, Settings
 from reference.scene.straight_spring import on_one_spring
 from reference.scene.survey import Survey
 from reference.scene.trajectory import Recorder, Trajectory
 
-REST_SPEED = 0.1
-"""DART lets a body rest whose rebound would be slower than this, m/s; a constant of its source."""
-SOFTNESS = 1e-5
-"""Share of the change of speed by which an impact falls short; a constant of DART's source too."""
 LEAST_COEFFICIENT = 1e-3
 """A coefficient up to this counts as zero in DART."""
 LARGEST = 1e150
@@ -96,65 +78,11 @@ class Dart(Engine):
     def settings(self, scenario: Scenario, profile: str) -> Settings:
         """Derive the settings of a profile. An option that is absent is left at DART's default."""
         self.check_profile(scenario, profile)
-        if isinstance(scenario, Survey):
-            return surveying.settings_of(**dart_surveyor.SETTINGS)
-        if profile == STOCK:
-            return sampled(scenario, Settings(1e-3))
-        if profile == JOINT:
-            return Settings(1e-3, options={"springs": JOINT})
-        boxes = any(isinstance(body.shape, Box) and not body.immovable for body in scenario.bodies)
-        options: dict[str, Option] = {
-            "detector": "dart",
-            # Of a box on a plane DART finds one contact point, of a box on a box all four at once.
-            "ground": "box" if boxes else "plane",
-            # Overlap comes back without speed, or what rests would have up to 1 mm/s.
-            "split_impulse": True,
-            "sleep": False,
-        }
-        on_the_ground = any(isinstance(body.shape, HalfSpace) for body in scenario.bodies)
-        if may_strike_off_centre(scenario, smooth=True) and on_the_ground:
-            # Of a corner that digs into a box DART's own detector also gives points where the surfaces cut each other.
-            options["detector"] = "ode"
-        if _boxes_strike(scenario):
-            # Nor does it find where two edges cross: impulses were up to 6 % off.
-            options["detector"] = "fcl"
-        if geometry.leaning(scenario) and boxes:
-            # The default solver, by pivots, has a stack at once; sweeps go from one contact to the next. Its friction
-            # cone is a pyramid, which does not matter where nothing slides.
-            options["solver"] = "dantzig"
-        elif boxes:
-            # Four corners are one more than it takes to carry a box: sweeps converge slowly, and stop near enough.
-            options |= {"solver": "nsgs", "solver_tolerance": 1e-7, "solver_iterations": 200}
-        else:
-            sweeps = max(1000, sweeps_needed(scenario))
-            options |= {"solver": "nsgs", "solver_tolerance": 1e-12, "solver_iterations": sweeps}
-        if not scenario.pairs:
-            return unhurried(scenario, Settings(1e-3, options=options))  # no instant of an impact can be missed
-        if geometry.starts_in_contact(scenario) and not any(pair.restitution for pair in scenario.pairs):
-            if not geometry.leaning(scenario):
-                # At a gap of exactly zero rounding decides whether a ball touches in the first step; on ground that is
-                # so much higher it does.
-                options["margin"] = 1e-9
-            return Settings(1e-3, options=options)
-        # Only a small timestep removes what a step does to an impact: DART takes back hardly any overlap.
-        return unhurried(scenario, Settings(1e-4, steps_per_sample(1e-4), options))
+        return dart_settings.settings_of(scenario, profile)
 
     def method(self, scenario: Scenario, settings: Settings) -> Method:
         """DART responds at the step, to the speed that this step has just gained; a ball is pushed where it is cut."""
-        if isinstance(scenario, Survey):
-            return Method(EXACT, rule=ANSWERS_IN_SINGLE)
-        if has_joint(settings):
-            return Method(AT_STEP, rule=DART_JOINT)
-        bouncing = [pair.restitution for pair in scenario.pairs if pair.restitution > 0]
-        slowest = REST_SPEED / min(bouncing) if bouncing else 0.0
-        # Open Dynamics Engine's detector gives the corner itself, but of a ball a point on the other surface.
-        at_corners = settings.options.get("detector") == "ode" and not any(
-            isinstance(body.shape, Sphere) for body in scenario.bodies
-        )
-        inset = 0.0 if at_corners else 1.0
-        cone = SQUARE if settings.options.get("solver", "dantzig") == "dantzig" else CIRCLE
-        told = Method(AT_STEP, rest_speed=slowest, inset=inset, softness=SOFTNESS, weighed=1.0, rule=DART, cone=cone)
-        return self.steered(scenario, told)
+        return self.steered(scenario, dart_settings.method_of(scenario, settings))
 
     def moves(self, scenario: Scenario, settings: Settings) -> tuple[Move, ...]:
         """A tenth of the friction solver's tolerance; the contact itself has nothing to move."""
@@ -230,13 +158,6 @@ class Dart(Engine):
         if friction is None:
             raise self.cannot(scenario, "it takes the smaller friction of two bodies, and no choice gives all pairs")
         return list(zip(restitution, friction, strict=True))
-
-
-def _boxes_strike(scenario: Scenario) -> bool:
-    """Whether two boxes may strike each other that are apart at the start."""
-    pairs = ((scenario.body(pair.body_a), scenario.body(pair.body_b)) for pair in scenario.pairs)
-    boxes = any(isinstance(a.shape, Box) and isinstance(b.shape, Box) for a, b in pairs)
-    return boxes and not geometry.starts_in_contact(scenario)
 
 
 def _world(dart: Any, scenario: Scenario, settings: Settings) -> Any:

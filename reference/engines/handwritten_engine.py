@@ -42,7 +42,8 @@ from reference.engines.handwritten import (
     world,
     world_settings,
 )
-from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part, planes_met
+from reference.engines.handwritten.scenario_bodies import planes_met
+from reference.engines.handwritten.scenario_kind import Kind, kind, laws_may_part
 from reference.engines.ranges import NOT_NEGATIVE, POSITIVE, Allowed
 from reference.errors import InvalidInput, RunFailed
 from reference.impact_truth import DISSIPATIVE, NEWTON, POISSON, STRONGE

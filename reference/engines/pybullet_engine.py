@@ -28,11 +28,11 @@ from reference.engines import (
     pybullet_read_back,
     pybullet_settings,
     pybullet_spring,
+    pybullet_steps,
     pybullet_surveyor,
     surveying,
 )
 from reference.engines.base import Engine, Method
-from reference.engines.ground_box import from_raised
 from reference.engines.profiles import SWEPT, TUNED
 from reference.engines.pybullet_settings import gravity_of, rest_speed_of
 from reference.engines.ranges import COUNT, NOT_NEGATIVE, POSITIVE, SHARE, Allowed
@@ -55,8 +55,6 @@ WORLD = {
     "cone_friction": "enableConeFriction",  # without it friction is limited along two axes, each by itself
 }
 """Our options for the whole world, and what Bullet calls them."""
-BODY_A, BODY_B, POINT_A, POINT_B, NORMAL, DISTANCE = 1, 2, 5, 6, 7, 8
-"""Fields of a contact or closest point of Bullet's: bodies, a point on each, the normal from B to A, the distance."""
 NEAR_AT_THE_START = 1e-4
 """Gap below which two bodies may touch in the first step, m: ten times the gap at which a contact counts, g dt²."""
 FARTHEST = 1e6
@@ -167,16 +165,16 @@ class PyBullet(Engine):
         places = {number: place for place, number in enumerate(numbers)}
         margin = settings.number("margin") if "margin" in settings.options else 0.0
         recorder = Recorder(self.name, scenario, settings)
-        recorder.sample(_state(bullet, numbers, scenario, here))
+        recorder.sample(pybullet_steps.state(bullet, numbers, scenario, here))
         loads = Loads(scenario, steers=self.steers(scenario)) if scenario.forces or scenario.pushes_change else None
         for step in range(1, steps + 1):
             if loads:
-                _push(bullet, numbers, loads, (step - 1) * settings.timestep, here)
+                pybullet_steps.push(bullet, numbers, loads, (step - 1) * settings.timestep, here)
             bullet.stepSimulation(**here)
             if step % settings.sample_every == 0:
-                recorder.sample(_state(bullet, numbers, scenario, here))
+                recorder.sample(pybullet_steps.state(bullet, numbers, scenario, here))
                 for contact in bullet.getContactPoints(**here):
-                    _keep_contact(recorder, scenario, places, contact, margin)
+                    pybullet_steps.keep_contact(recorder, scenario, places, contact, margin)
         return recorder.trajectory()
 
     def query(self, query: Query) -> float:
@@ -197,7 +195,7 @@ class PyBullet(Engine):
             found = bullet.getClosestPoints(*pair, FARTHEST, **here)
             if not found:
                 raise RunFailed(f"Bullet finds no closest points of {query.body_a.name} and {query.body_b.name}")
-            return float(min(point[DISTANCE] for point in found))
+            return float(min(point[pybullet_steps.DISTANCE] for point in found))
         finally:
             bullet.disconnect(client)
 
@@ -248,49 +246,6 @@ class PyBullet(Engine):
 def _fixed(body: Body) -> Body:
     """The body as one that nothing moves."""
     return replace(body, mass=math.inf, inertia=(), velocity=(0.0, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
-
-
-def _push(bullet: Any, numbers: list[int], loads: Loads, time: float, here: dict[str, int]) -> None:
-    """Let forces and torques act in the next step, after which Bullet forgets them."""
-    scenario = loads.scenario
-    kept = loads.kept(time)
-    if kept is None:
-        state = np.array(_state(bullet, numbers, scenario, here)).reshape(len(numbers), 13)
-        kept = loads.on_bodies(time, *np.split(state, (3, 7, 10), axis=-1))
-    force, torque = kept
-    for place, (number, body) in enumerate(zip(numbers, scenario.bodies, strict=True)):
-        if body.immovable:
-            continue
-        if force[place].any():
-            # In a body's own frame its centre is the origin, but the force would have to be turned; in the world's the
-            # force is as it is, and the centre is asked for.
-            at, _ = bullet.getBasePositionAndOrientation(number, **here)
-            bullet.applyExternalForce(number, -1, force[place].tolist(), at, bullet.WORLD_FRAME, **here)
-        if torque[place].any():
-            bullet.applyExternalTorque(number, -1, torque[place].tolist(), bullet.WORLD_FRAME, **here)
-
-
-def _keep_contact(
-    recorder: Recorder, scenario: Scenario, places: Mapping[int, int], contact: Sequence[Any], margin: float
-) -> None:
-    """Keep a contact of Bullet's; its place is midway between the two surfaces."""
-    middle, normal = (np.array(contact[POINT_A]) + contact[POINT_B]) / 2, np.array(contact[NORMAL])
-    pair = places[contact[BODY_A]], places[contact[BODY_B]]
-    place, separation = from_raised(scenario.bodies, pair, middle, normal, contact[DISTANCE], margin)
-    recorder.contact(*pair, place, contact[NORMAL], separation)
-
-
-def _state(bullet: Any, numbers: list[int], scenario: Scenario, here: dict[str, int]) -> list[float]:
-    """The 13 numbers of every body; Bullet's quaternions are x y z w. What cannot move is where the scenario has it."""
-    state: list[float] = []
-    for number, body in zip(numbers, scenario.bodies, strict=True):
-        if body.immovable:
-            state += body.state()
-            continue
-        position, (x, y, z, w) = bullet.getBasePositionAndOrientation(number, **here)
-        velocity, spin = bullet.getBaseVelocity(number, **here)
-        state += (*position, w, x, y, z, *velocity, *spin)
-    return state
 
 
 ENGINE = PyBullet

@@ -13,7 +13,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.base import BULLET, DART, RESPOND_THEN_STEP, WORLD, Method
-from reference.engines.dart_engine import SOFTNESS
+from reference.engines.dart_settings import SOFTNESS
 from reference.impact_truth import NEWTON, POISSON, STRONGE
 from reference.prediction.axes import bullets_axes, darts_axes
 from reference.prediction.bodies import Bodies, State

@@ -23,7 +23,7 @@ from reference.engines.base import (
     WORLD,
     Method,
 )
-from reference.engines.dart_engine import REST_SPEED, SOFTNESS
+from reference.engines.dart_settings import REST_SPEED, SOFTNESS
 from reference.engines.mujoco_read_back import MOST_DAMPED
 from reference.engines.pybullet_spring import LEAST_DAMPING, MOST_DAMPING_RATIO
 from reference.scene.settings import Settings

@@ -19,7 +19,7 @@ from reference.engines.base import (
     WORLD,
     Method,
 )
-from reference.engines.dart_engine import SOFTNESS
+from reference.engines.dart_settings import SOFTNESS
 from reference.prediction import friction
 from reference.prediction.axes import bullets_axes
 from reference.prediction.bouncing import CORNERS, by_steps

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from reference.comparison.verdicts import Row, Verdict
-from reference.engines.dart_engine import REST_SPEED
+from reference.engines.dart_settings import REST_SPEED
 from reference.engines.handwritten_engine import Handwritten
 from reference.engines.profiles import EXACT
 from reference.engines.pybullet_settings import STOCK_REST_SPEED

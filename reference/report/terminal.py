@@ -16,12 +16,13 @@ from reference.comparison.pairs import Relation
 from reference.comparison.verdicts import Row, Verdict
 from reference.report import agreement, numbers
 from reference.report.agreement import Matrix
+from reference.report.cells import Cell
 from reference.report.formulas import plain
 from reference.report.marks import LEGEND, MARKS, occurring
 from reference.report.overview import Overview, verdict_line
 from reference.report.results_in_words import remarks
 from reference.report.row_text import error_of, left_of
-from reference.report.sections import Cell, Line, Section, recordings
+from reference.report.sections import Line, Section, recordings
 from reference.report.sensitivity import kept_sentence
 from reference.report.worst_first import nearest_to_fail
 

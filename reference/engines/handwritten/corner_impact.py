@@ -21,7 +21,7 @@ from reference.engines.handwritten.impact_response import (
     impulse_function,
 )
 from reference.engines.handwritten.rigid_bodies import RigidBodies
-from reference.engines.handwritten.scenario_kind import box_and_plane, turns_steadily
+from reference.engines.handwritten.scenario_bodies import box_and_plane, turns_steadily
 from reference.engines.handwritten.stepping import policy_of, record, start
 from reference.engines.implementation import Implementation
 from reference.errors import NeedsFunction

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from reference.arrays import Array, Mask
-from reference.engines.handwritten.scenario_kind import planes_met
+from reference.engines.handwritten.scenario_bodies import planes_met
 from reference.engines.handwritten.stepping import start
 from reference.engines.implementation import Implementation
 from reference.scene.scenario import Scenario

@@ -10,8 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from reference.arrays import Array
-from reference.engines.handwritten.slabs import Slabs
-from reference.engines.handwritten.stepping import policy_of, record
+from reference.engines.handwritten.slabs import Slabs, run
 from reference.engines.implementation import Implementation
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
@@ -22,10 +21,7 @@ def break_away(
     engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
 ) -> list[Trajectory]:
     """Boxes flat on a plane that hold at first, break away, and then slide along the push."""
-    slabs = _PushedSlabs(scenarios, settings, implementation)
-    policies = {"exact_root": slabs.step_exactly, "at_step": slabs.step_semi_implicitly}
-    policy = policy_of(policies, settings)
-    return record(engine, scenarios, settings, steps, slabs.states, policy, slabs.events, steady=False)
+    return run(_PushedSlabs, engine, scenarios, settings, steps, implementation, steady=False)
 
 
 class _PushedSlabs(Slabs):

@@ -9,8 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from reference.engines.handwritten.slabs import Slabs
-from reference.engines.handwritten.stepping import policy_of, record
+from reference.engines.handwritten.slabs import Slabs, run
 from reference.engines.implementation import Implementation
 from reference.scene.scenario import Scenario
 from reference.scene.settings import Settings
@@ -21,11 +20,8 @@ def swing(
     engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
 ) -> list[Trajectory]:
     """Boxes flat on a plane that swing on springs along a line, until friction holds them."""
-    slabs = _SwingingSlabs(scenarios, settings, implementation)
-    policies = {"exact_root": slabs.swing_exactly, "at_step": slabs.step_semi_implicitly}
-    policy = policy_of(policies, settings)
-    # The exact motion is one of time, and halts for an instant at each turning point.
-    return record(engine, scenarios, settings, steps, slabs.states, policy, slabs.events, steady=False)
+    # The exact motion is a function of time, and halts for an instant at each turning point.
+    return run(_SwingingSlabs, engine, scenarios, settings, steps, implementation, steady=False)
 
 
 class _SwingingSlabs(Slabs):
@@ -43,8 +39,8 @@ class _SwingingSlabs(Slabs):
         self._stretched = np.sum((self.position - self.balance) * self.line, axis=1)
         self._speed = np.sum(self.velocity * self.line, axis=1)
 
-    def swing_exactly(self, time: float) -> None:
-        """The state at the end of the step, from that at the start of the run."""
+    def step_exactly(self, time: float) -> None:
+        """Take the state at the end of the step from that at the start of the run."""
         swing = self.function("friction_oscillator")
         friction = self.kinetic_friction * self.normal_force
         place, speed = swing(self._stretched, self._speed, self.stiffness, friction, self.mass, time + self.dt)

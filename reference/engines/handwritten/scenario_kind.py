@@ -11,12 +11,21 @@ import numpy as np
 from reference.arrays import Array
 from reference.engines.handwritten.closed_forms import form_of
 from reference.engines.handwritten.mesh_kinds import settles, vibrates
+from reference.engines.handwritten.scenario_bodies import (
+    ROUNDING,
+    along_own_axes,
+    ball_and_other,
+    box_and_plane,
+    face_towards,
+    in_own_axes,
+    movable,
+    planes_met,
+    turns_steadily,
+)
 from reference.scene import geometry
 from reference.scene.forces import GrowingForce
 from reference.scene.scenario import Body, Box, HalfSpace, Scenario, Sphere
 from reference.scene.survey import Survey
-
-_ROUNDING = 1e-9  # a length (m), speed (m/s) or sine below this is zero
 
 
 class Kind(Enum):
@@ -97,10 +106,10 @@ def _over_a_plane(scenario: Scenario) -> Kind | None:
         return None
     if isinstance(body.shape, Sphere):
         along = [np.linalg.norm(np.cross(vector, normal)) for vector in (body.velocity, scenario.gravity)]
-        return None if max(along) > _ROUNDING and _friction(scenario) > 0 else Kind.BOUNCE
+        return None if max(along) > ROUNDING and _friction(scenario) > 0 else Kind.BOUNCE
     place = np.array([body.position]), np.array([body.orientation])
     gap = geometry.separation(scenario, body.name, fixed[0].name, *place)[0]
-    flat = abs(gap) < _ROUNDING and _stands_on_a_face(body, normal) and not _may_tip(scenario, body, normal)
+    flat = abs(gap) < ROUNDING and _stands_on_a_face(body, normal) and not _may_tip(scenario, body, normal)
     return Kind.SLIDE if flat and _slides_straight(scenario, body, normal) else None
 
 
@@ -111,39 +120,29 @@ def _driven(scenario: Scenario) -> Kind | None:
     if _over_a_plane(scenario) is not Kind.SLIDE:
         return None
     normal = np.array(planes_met(scenario)[0].shape.normal)  # type: ignore[union-attr]
-    if float(np.linalg.norm(np.cross(scenario.gravity, normal))) > _ROUNDING:
+    if float(np.linalg.norm(np.cross(scenario.gravity, normal))) > ROUNDING:
         return None
     if scenario.springs:
         return Kind.SWINGING if not scenario.forces and _swings(scenario, normal) else None
     growing = all(isinstance(push, GrowingForce) for push in scenario.forces)
-    along = all(abs(np.dot(push.at(1.0), normal)) < _ROUNDING for push in scenario.forces)
-    return Kind.PUSHED if growing and along and not any(_movable(scenario).velocity) else None
+    along = all(abs(np.dot(push.at(1.0), normal)) < ROUNDING for push in scenario.forces)
+    return Kind.PUSHED if growing and along and not any(movable(scenario).velocity) else None
 
 
 def _swings(scenario: Scenario, normal: Array) -> bool:
     """Whether one spring without a damper swings the box to and fro along one line, on one side of its anchor."""
-    body, spring, pair = _movable(scenario), scenario.springs[0], scenario.pairs[0]
+    body, spring, pair = movable(scenario), scenario.springs[0], scenario.pairs[0]
     at_centre = spring.body_a == body.name and not spring.body_b and not any(spring.point_a)
     if len(scenario.springs) > 1 or not at_centre or spring.damping or pair.static_friction != pair.kinetic_friction:
         return False
     line, velocity = np.subtract(body.position, spring.point_b), np.array(body.velocity)
     length, speed = float(np.linalg.norm(line)), float(np.linalg.norm(velocity))
     aside = max(abs(float(line @ normal)), float(np.linalg.norm(np.cross(velocity, line))))
-    if spring.stiffness == 0 or aside > _ROUNDING:
+    if spring.stiffness == 0 or aside > ROUNDING:
         return False
     return bool(
         np.hypot(length - spring.rest_length, speed * np.sqrt(body.mass / spring.stiffness)) < spring.rest_length
     )
-
-
-def _movable(scenario: Scenario) -> Body:
-    return next(body for body in scenario.bodies if not body.immovable)
-
-
-def planes_met(scenario: Scenario) -> list[Body]:
-    """The bodies that the single movable one collides with, in the order of the pairs."""
-    (movable,) = (body.name for body in scenario.bodies if not body.immovable)
-    return [scenario.body(pair.body_b if pair.body_a == movable else pair.body_a) for pair in scenario.pairs]
 
 
 def _is_between_planes(scenario: Scenario) -> bool:
@@ -178,7 +177,7 @@ def _is_row(scenario: Scenario) -> bool:
     across += [np.cross(ball.velocity, along) for ball in balls]
     neighbours = {frozenset((a.name, b.name)) for a, b in pairwise(balls)}
     listed = {frozenset((pair.body_a, pair.body_b)) for pair in scenario.pairs}
-    return len(balls) > 2 and float(np.max(np.abs(across))) < _ROUNDING and listed == neighbours
+    return len(balls) > 2 and float(np.max(np.abs(across))) < ROUNDING and listed == neighbours
 
 
 def _strikes(scenario: Scenario) -> Kind | None:
@@ -223,26 +222,6 @@ def _is_ball(body: Body) -> bool:
     return isinstance(body.shape, Sphere) and len(set(body.moments_of_inertia())) == 1
 
 
-def ball_and_other(scenario: Scenario) -> tuple[Body, Body]:
-    """Return the two bodies, a ball first if there is one."""
-    first, second = scenario.bodies
-    return (first, second) if isinstance(first.shape, Sphere) else (second, first)
-
-
-def box_and_plane(scenario: Scenario) -> tuple[Body, Body]:
-    """Return the two bodies, the half-space last if there is one."""
-    first, second = scenario.bodies
-    return (second, first) if isinstance(first.shape, HalfSpace) else (first, second)
-
-
-def turns_steadily(body: Body, orientation: Array, spin: Array) -> bool:
-    """Whether a body that nothing pushes keeps its spin (3,), rad/s: it turns about a principal axis, or not at all."""
-    own_spin = geometry.rotate(geometry.opposite(orientation), spin)
-    moments = np.array(body.moments_of_inertia())
-    size = np.linalg.norm(spin) ** 2 * moments.max()
-    return bool(np.linalg.norm(np.cross(own_spin, moments * own_spin)) <= _ROUNDING * size)
-
-
 def _flies_at_a_plane(scenario: Scenario) -> bool:
     """Whether a box without weight, clear of a half-space at the start, keeps its velocity and its spin on the way."""
     box, plane = box_and_plane(scenario)
@@ -250,13 +229,6 @@ def _flies_at_a_plane(scenario: Scenario) -> bool:
         return False
     free = not any(scenario.gravity) and geometry.gap(plane, box) > 0
     return free and turns_steadily(box, np.array(box.orientation), np.array(box.angular_velocity))
-
-
-def face_towards(ball: Body, box: Body) -> Array:
-    """Normal out of the face of the box, (3,), beyond which the ball lies farthest."""
-    along = in_own_axes(box, np.subtract(ball.position, box.position))
-    nearest = int(np.argmax(np.abs(along) - np.array(box.shape.half_extents)))  # type: ignore[union-attr]
-    return geometry.rotate(np.array(box.orientation), np.sign(along[nearest]) * np.eye(3)[nearest])
 
 
 def _straight_at_a_face(scenario: Scenario, ball: Body, box: Body) -> bool:
@@ -267,8 +239,8 @@ def _straight_at_a_face(scenario: Scenario, ball: Body, box: Body) -> bool:
     place = np.abs(in_own_axes(box, np.subtract(ball.position, box.position)))
     beyond = place > np.array(box.shape.half_extents)  # type: ignore[union-attr]
     beside = np.sort(place[~beyond])
-    over_the_face = beyond.sum() == 1 and beside[0] < _ROUNDING
-    return over_the_face and not any(box.angular_velocity) and float(np.max(np.abs(across))) < _ROUNDING
+    over_the_face = beyond.sum() == 1 and beside[0] < ROUNDING
+    return over_the_face and not any(box.angular_velocity) and float(np.max(np.abs(across))) < ROUNDING
 
 
 def _friction(scenario: Scenario) -> float:
@@ -278,7 +250,7 @@ def _friction(scenario: Scenario) -> float:
 
 def _stands_on_a_face(body: Body, normal: Array) -> bool:
     """Whether the normal lies along one of the body's own axes."""
-    return bool(np.sort(_along_own_axes(body, normal))[1] < _ROUNDING)
+    return bool(np.sort(along_own_axes(body, normal))[1] < ROUNDING)
 
 
 def _may_tip(scenario: Scenario, body: Body, normal: Array) -> bool:
@@ -287,18 +259,8 @@ def _may_tip(scenario: Scenario, body: Body, normal: Array) -> bool:
     Friction, at most μ N, acts a height h below the centre. The normal force balances its moment h μ N by moving up to
     μ h ahead, and that must lie within the face whichever way the friction points.
     """
-    up, extents = int(np.argmax(_along_own_axes(body, normal))), np.array(body.shape.half_extents)  # type: ignore[union-attr]
+    up, extents = int(np.argmax(along_own_axes(body, normal))), np.array(body.shape.half_extents)  # type: ignore[union-attr]
     return bool(_friction(scenario) * extents[up] > np.delete(extents, up).min())
-
-
-def _along_own_axes(body: Body, direction: Array) -> Array:
-    """Sizes of a direction's components along the body's own axes, (3,)."""
-    return np.asarray(np.abs(in_own_axes(body, direction)))
-
-
-def in_own_axes(body: Body, vector: Array) -> Array:
-    """A vector of the world in the body's own axes, (3,)."""
-    return geometry.rotate(geometry.opposite(np.array(body.orientation)), vector)
 
 
 def _slides_straight(scenario: Scenario, body: Body, normal: Array) -> bool:
@@ -309,5 +271,5 @@ def _slides_straight(scenario: Scenario, body: Body, normal: Array) -> bool:
     velocity, pushes = np.array(body.velocity), [push.at(0.0) for push in scenario.forces]
     acceleration = np.array(scenario.gravity) + np.sum([*pushes, (0.0, 0.0, 0.0)], axis=0) / body.mass
     pull = acceleration - (acceleration @ normal) * normal
-    leaves = abs(velocity @ normal) > _ROUNDING or acceleration @ normal > 0
-    return not leaves and bool(np.linalg.norm(np.cross(velocity, pull)) < _ROUNDING)
+    leaves = abs(velocity @ normal) > ROUNDING or acceleration @ normal > 0
+    return not leaves and bool(np.linalg.norm(np.cross(velocity, pull)) < ROUNDING)

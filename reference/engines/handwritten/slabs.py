@@ -21,9 +21,22 @@ def slide(
     engine: str, scenarios: Sequence[Scenario], settings: Settings, steps: list[int], implementation: Implementation
 ) -> list[Trajectory]:
     """Boxes flat on a plane that slide in a straight line and stop, or hold."""
-    slabs = Slabs(scenarios, settings, implementation)
-    policies = {"exact_root": slabs.step_exactly, "at_step": slabs.step_semi_implicitly}
-    return record(engine, scenarios, settings, steps, slabs.states, policy_of(policies, settings), slabs.events)
+    return run(Slabs, engine, scenarios, settings, steps, implementation)
+
+
+def run(
+    kind: type[Slabs],
+    engine: str,
+    scenarios: Sequence[Scenario],
+    settings: Settings,
+    steps: list[int],
+    implementation: Implementation,
+    steady: bool = True,
+) -> list[Trajectory]:
+    """Step slabs of one kind together. steady: whether the forces on them depend on their state alone."""
+    slabs = kind(scenarios, settings, implementation)
+    policy = policy_of({"exact_root": slabs.step_exactly, "at_step": slabs.step_semi_implicitly}, settings)
+    return record(engine, scenarios, settings, steps, slabs.states, policy, slabs.events, steady)
 
 
 class Slabs(PointsAndPlanes):

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from reference.arrays import Array, Mask
 from reference.engines.handwritten.impact_response import NEEDS_A_WORLD
-from reference.engines.handwritten.scenario_kind import turns_steadily
+from reference.engines.handwritten.scenario_bodies import turns_steadily
 from reference.engines.handwritten.stepping import checked_impact_times, policy_of, record
 from reference.engines.handwritten.two_bodies import Pairs
 from reference.engines.implementation import Implementation

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -54,7 +55,7 @@ def _run(
     return found
 
 
-class _Mesh:
+class _Mesh(ABC):
     """The nodes of a scenario, its bodies first and then points of the world, and the implementation's mesh of them."""
 
     def __init__(self, scenario: Scenario, settings: Settings, implementation: Implementation) -> None:
@@ -71,9 +72,9 @@ class _Mesh:
         # Springs are the mesh's own; the rest of the forces is added to the weight.
         self._loads = LoadsByHand([replace(scenario, springs=())], implementation)
 
+    @abstractmethod
     def step_exactly(self, time: float) -> None:
-        """Take the state at the end of the step, as far as there is a formula for it."""
-        raise NotImplementedError
+        """Take the state at the end of the step from a formula for this kind of mesh."""
 
     def step_by_forces(self, time: float) -> None:
         """Step with the forces at the start of the step."""

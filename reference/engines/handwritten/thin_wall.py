@@ -11,7 +11,7 @@ import numpy as np
 
 from reference.arrays import Array
 from reference.engines.handwritten.points import Points
-from reference.engines.handwritten.scenario_kind import ball_and_other, face_towards, in_own_axes
+from reference.engines.handwritten.scenario_bodies import ball_and_other, face_towards, in_own_axes
 from reference.engines.handwritten.stepping import checked_impact_times, policy_of, record
 from reference.engines.implementation import Implementation
 from reference.scene.scenario import Scenario

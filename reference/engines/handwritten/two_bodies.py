@@ -19,7 +19,7 @@ from reference.engines.handwritten.impact_response import (
     impulse_function,
 )
 from reference.engines.handwritten.rigid_bodies import RigidBodies
-from reference.engines.handwritten.scenario_kind import ball_and_other, face_towards, in_own_axes
+from reference.engines.handwritten.scenario_bodies import ball_and_other, face_towards, in_own_axes
 from reference.engines.handwritten.stepping import policy_of, record, start
 from reference.engines.implementation import Implementation
 from reference.errors import NeedsFunction, RunFailed

@@ -6,44 +6,33 @@ Nothing here says how a case is run; see `reference.published.drivers`.
 from __future__ import annotations
 
 import functools
+import importlib
 
 from reference.errors import UnknownName
 from reference.published.case import Published
-from reference.published.theirs import (
-    avoidance,
-    bounces,
-    detection,
-    forces,
-    friction,
-    impulse,
-    meshes,
-    polyhedra,
-    sliding,
-    springs,
-    sweeping,
-    world,
-)
 
-_TOPICS = (
-    avoidance,
-    bounces,
-    detection,
-    forces,
-    friction,
-    impulse,
-    meshes,
-    polyhedra,
-    sliding,
-    springs,
-    sweeping,
-    world,
+MODULES = (
+    "avoidance",
+    "bounces",
+    "detection",
+    "forces",
+    "friction",
+    "impulse",
+    "meshes",
+    "polyhedra",
+    "sliding",
+    "springs",
+    "sweeping",
+    "world",
 )
+"""One for each topic; each has its `CASES`."""
 
 
 @functools.cache
 def published_cases() -> dict[str, Published]:
     """All published cases by name, in the order of their numbers."""
-    cases = [case for topic in _TOPICS for case in topic.CASES]
+    topics = [importlib.import_module(f"{__name__}.{name}") for name in MODULES]
+    cases = [case for topic in topics for case in topic.CASES]
     return {case.name: case for case in sorted(cases, key=lambda case: case.number)}
 
 

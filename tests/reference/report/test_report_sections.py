@@ -13,9 +13,10 @@ from reference.comparison.convergence import Errors
 from reference.comparison.results import Job, JobResult
 from reference.comparison.verdicts import ALL_CASES, Row, Verdict
 from reference.report import row_text
+from reference.report.cells import Cell
 from reference.report.marks import LEGEND, MARKS
 from reference.report.overview import columns, verdict_line
-from reference.report.sections import Cell, Line, Section, sections
+from reference.report.sections import Line, Section, sections
 
 REST = catalogue()["ball-to-rest"]
 WORST_FIRST = (
