@@ -25,11 +25,13 @@ HEAD = """# The statements of the lecture
 
 Each statement of Rick Parent's *Collisions* (CIS 682): what the slide says, what is right, the function that puts it
 into code, the tests that fail when its formula is broken and what they are judged by, the scenarios that put it to the
-test in hand-written code and three engines, and a figure. Written by `python docs/statement_table.py` from
+test in hand-written code and three engines, and a figure. `python docs/statement_table.py` writes this page from
 `reference/lecture/functions.py`, the marks in `tests/`, `docs/statement_engines.py` and `docs/figures/`.
 
-Four columns count *scenarios*, each by the worst of its numbers; further down are the numbers of each. By hand that is
-the method `exact`, or `world` where no other method can run the scenario; of an engine it is `tuned`.
+The columns of the four implementations count *scenarios*. The mark of a scenario is that of the worst of its numbers;
+further down, the section of each statement has a count of all its numbers. The hand-written code runs by the method
+`exact`, or by `world` where no other method can run the scenario, and each engine runs with its `tuned` settings. The
+marks mean:
 
 {legend}
 

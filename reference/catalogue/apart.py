@@ -34,8 +34,8 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     },
     "pellets": {
         ("pybullet", STOCK): (
-            "At 1/240 s PyBullet moves a pellet past the wall in one step. It cuts speeds at 100 m/s, damps the flight,"
-            " and gives overlap back as speed."
+            "At 1/240 s PyBullet moves a pellet past the wall in one step. It limits speeds to 100 m/s, damps the"
+            " flight, and gives overlap back as speed."
         ),
         ("mujoco", STOCK): (
             "MuJoCo's contact, as installed, is so soft that the pellet sinks past the middle of the wall and is pushed"
@@ -44,12 +44,12 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     },
     "passing-balls": {
         ("pybullet", STOCK): (
-            "PyBullet, as installed, slows fast balls in flight, so that they come to each other later and at other"
-            " phases of a step. Those that it notices it pushes apart by their overlap, faster than they came."
+            "PyBullet, as installed, slows fast balls in flight, so that they meet later and at other phases of a"
+            " step. Balls whose overlap it notices it pushes apart faster than they came."
         ),
         ("mujoco", STOCK): (
             "MuJoCo's contact, as installed, is so soft that fast balls have passed each other before it has pushed"
-            " them much."
+            " them noticeably."
         ),
     },
     "spinning-rod": {
@@ -57,7 +57,9 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
             "At 1/240 s the rod passes almost every ball in PyBullet. The few that it strikes get a wrong momentum:"
             " damping slows the rod, and overlap comes back as speed."
         ),
-        ("mujoco", STOCK): "MuJoCo's contact, as installed, is so soft that the rod is past the ball before it pushes.",
+        ("mujoco", STOCK): (
+            "MuJoCo's contact, as installed, is so soft that the rod is past the ball before the contact pushes."
+        ),
     },
     "dropped-ball": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
     "one-drop": {("pybullet", STOCK): _EARLY, ("mujoco", STOCK): _NO_RESTITUTION},
@@ -99,12 +101,12 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
         ("dart", STOCK): f"{_ONE_POINT} Some slabs that should hold walk off that way.",
     },
     "break-away": {
-        ("pybullet", STOCK): f"{_DRAG} That holds back what slides; before it does, the slab creeps.",
+        ("pybullet", STOCK): (f"{_DRAG} The damping slows a slab that slides. Before the break-away the slab creeps."),
         ("mujoco", STOCK): (
             "MuJoCo's friction cone, as installed, is a pyramid, weaker between its axes, and it yields a little to any"
-            " pull. The slab creeps, breaks away early, and off the direction of the push."
+            " pull. The slab creeps, breaks away early, and does not slide in the direction of the push."
         ),
-        ("dart", STOCK): f"{_ONE_POINT} It breaks away late, and turns as it slides.",
+        ("dart", STOCK): f"{_ONE_POINT} The slab breaks away late, and turns as it slides.",
     },
     "critical-incline": {
         ("pybullet", STOCK): (
@@ -196,16 +198,15 @@ REASONS: Mapping[str, Mapping[tuple[str, str], str]] = {
     },
     "mass-ratios": {
         ("pybullet", STOCK): (
-            "PyBullet, as installed, makes 50 turns over the contacts of a step, too few for so light a ball, and damps"
-            " the flight."
+            "PyBullet, as installed, makes 50 sweeps in a step, too few for so light a ball, and damps the flight."
         ),
-        ("mujoco", STOCK): "MuJoCo's contact, as installed, is soft: the balls sink in and are still pushed apart.",
+        ("mujoco", STOCK): ("MuJoCo's contact, as installed, is soft: the balls sink in and are pushed apart again."),
         ("dart", STOCK): "DART, as installed, gives overlap back as speed: a hundredth of it in each step.",
     },
     "superball": {
         ("pybullet", STOCK): _EARLY,
         ("mujoco", STOCK): _NO_RESTITUTION,
-        ("dart", STOCK): "DART's friction cone, as installed, is a pyramid, and responds up to a millisecond late.",
+        ("dart", STOCK): "DART's friction cone, as installed, is a pyramid, and DART responds up to 1 ms late.",
     },
     "box-on-edge": {("dart", STOCK): "DART, as installed, leaves the box 1.5 to 3.1 mm deep in the floor."},
     "tipping-box": {

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 _INSIDE: Mapping[str, str] = {
     "inside by rays": "A point is inside if a ray from it crosses the triangles an odd number of times.",
-    "inside by ball": "A point is inside if a ball of 1 µm there overlaps with the solid.",
+    "inside by ball": "A point is inside if a ball with a radius of 1 µm at that point overlaps the solid.",
 }
 _RAISED = "The ground is {m} higher, so that rounding cannot part a body from it."
 SENTENCES: Mapping[str, Mapping[str, str]] = {
@@ -40,15 +40,15 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "margin": _RAISED,
         "rays of triangles": "A ray meets the triangles of a solid (`indices` of `createCollisionShape`).",
         "rays of hull": "A ray meets the convex hull of a solid (`GEOM_MESH` with `vertices` alone).",
-        "distances of hull": "A gap is that to the convex hull of a solid (`GEOM_MESH` with `vertices` alone).",
-        "distances of pieces": "A gap is that to the nearest convex piece of a solid, each of them a hull"
+        "distances of hull": "Gaps are measured to the convex hull of a solid (`GEOM_MESH` with `vertices` alone).",
+        "distances of pieces": "Gaps are measured to the nearest convex piece of a solid; each piece is a hull"
         " (`GEOM_MESH`).",
-        "mesh margin": "A hull is {m} thicker than its vertices say (`collisionMargin`).",
+        "mesh margin": "A hull is thicker than its vertices say, by {m} on every side (`collisionMargin`).",
         **_INSIDE,
         "stiffness": "A contact is a spring of {} N/m for each kilogram, with a dashpot that gives e.",
         "swept inset": "A ball with a radius smaller by {m} is swept along each step, which ends where it touches"
         " (`ccdSweptSphereRadius`).",
-        "sweep from 0": "A step is swept however short its way to the surface is (`allowedCcdPenetration` = 0).",
+        "sweep from 0": "Every step is swept, however little it approaches the surface (`allowedCcdPenetration` = 0).",
         "sweep from": "A step is swept if it goes farther than {m} towards the surface (`allowedCcdPenetration`).",
         "spring of world": "All contacts share the spring (`contactERP` and `globalCFM`).",
         "spring of bodies": "Each body has a spring (`contactStiffness` and `contactDamping`).",
@@ -80,11 +80,11 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "noslip iterations": "After the main solver, {} passes settle friction (`noslip_iterations`).",
         "margin": "A contact counts from a gap of {m} on (`margin`).",
         "rays of triangles": "A ray meets the triangles of a mesh (`mj_ray`).",
-        "distances of hull": "A gap is that to the convex hull of a mesh (`mj_geomDistance`).",
-        "distances of pieces": "A gap is that to the nearest convex piece of a solid, each of them a mesh"
+        "distances of hull": "Gaps are measured to the convex hull of a mesh (`mj_geomDistance`).",
+        "distances of pieces": "Gaps are measured to the nearest convex piece of a solid; each piece is a mesh"
         " (`mj_geomDistance`).",
         **_INSIDE,
-        "margin steps": "A contact counts from a gap on that the fastest body goes in {} timesteps (`margin`).",
+        "margin steps": "A contact begins at a gap that the fastest body crosses in {} timesteps (`margin`).",
         "stiffness": "The spring has {} N/m for each kilogram (`solref`).",
     },
     "dart": {
@@ -97,7 +97,7 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "ground box": "The ground is a large box, on which DART finds all corners of a body at once (`BoxShape`).",
         "margin": _RAISED,
         "rays of triangles": "A ray meets the triangles of a mesh (`DARTCollisionDetector`).",
-        "distances of triangles": "A gap is that to the nearest triangle of a mesh (`FCLCollisionDetector`).",
+        "distances of triangles": "Gaps are measured to the nearest triangle of a mesh (`FCLCollisionDetector`).",
         **_INSIDE,
         "springs joint": "The ball slides in a joint along the spring, which is the joint's own (`PrismaticJoint`,"
         " `setSpringStiffness`, `setDampingCoefficient`, `setRestPosition`).",
@@ -117,7 +117,7 @@ SENTENCES: Mapping[str, Mapping[str, str]] = {
         "policy interpolated": "An impact is resolved at the slide's T, on the straight line between two steps"
         " (`policy` = interpolated).",
         "policy at_step": "An impact is resolved at the end of the step that finds it (`policy` = at_step).",
-        "policy penalty": "From the touch on a spring with a dashpot pushes in every step (`policy` = penalty).",
+        "policy penalty": "While bodies overlap, a spring with a dashpot pushes them apart (`policy` = penalty).",
         "stiffness": "A contact is a spring of {} N/m for each kilogram, with a dashpot that gives e.",
         "policy closed_form": "The motion has a closed form, which gives the state at any time (`policy` ="
         " closed_form).",

@@ -30,8 +30,9 @@ from reference.published.in_engines import springs as springs_in_engines
 
 HANDWRITTEN = "handwritten"
 """The engine that runs the functions of an implementation."""
+STEERS = "no engine chooses velocities; it only moves bodies that are steered"
 NOT_SET_UP = "the lab has not set it up there"
-NO_REST = "a cable of stiff springs swings for minutes, in steps of milliseconds, before its pulls are those at rest"
+NO_REST = "a cable of stiff springs would swing for minutes, in steps of milliseconds, before it comes to rest"
 NO_SPRINGS = {"dart": "its contacts have no spring and no dashpot that one could set"}
 
 
@@ -74,7 +75,7 @@ DRIVERS = {
     "P20": Drivers(forces.glycerol, loaded.glycerol),
     "P21": Drivers(impulse.textbook_bounce, striking.textbook_bounce),
     "P22": Drivers(impulse.elastic_bounce, striking.textbook_bounce),
-    "P23": Drivers(avoidance.half_plane, why_not="no engine steers; it moves what is steered"),
+    "P23": Drivers(avoidance.half_plane, why_not=STEERS),
     "P24": Drivers(polyhedra.neighbouring_points, why_not="no engine says on which side of a line a point lies"),
     "P25": Drivers(forces.sand_grain, loaded.sand_grain),
     "P26": Drivers(bounces.rebounds, bouncing.measured_rebounds),
@@ -83,8 +84,8 @@ DRIVERS = {
     "P29": Drivers(detection.box_below_plane, touching.box_below_plane),
     "P30": Drivers(sweeping.ball_and_cube, touching.ball_and_cube),
     "P31": Drivers(sweeping.primitives, touching.swept_ball),
-    "P32": Drivers(avoidance.lines_of_the_port, why_not="no engine steers; it moves what is steered"),
-    "P33": Drivers(avoidance.permitted, why_not="no engine steers; it moves what is steered"),
+    "P32": Drivers(avoidance.lines_of_the_port, why_not=STEERS),
+    "P33": Drivers(avoidance.permitted, why_not=STEERS),
     "P34": Drivers(polyhedra.star_polyhedra, why_not="no engine counts how often a surface winds round a point"),
     "P35": Drivers(meshes.cable, lacking=NO_REST),
     "P36": Drivers(meshes.shaky_frames, why_not="no engine counts the motions of a frame that cost no energy"),

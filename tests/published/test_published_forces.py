@@ -110,7 +110,7 @@ def test_with_baratis_correlation_the_grain_sinks_exactly_as_in_fluids():
 
 
 @pytest.mark.statement(25, oracle="P39: the figure of eight of Chenciner, Montgomery and Simó")
-def test_three_bodies_are_in_each_others_places_after_a_third_of_their_period(as_published):
+def test_three_bodies_have_changed_places_after_a_third_of_a_period(as_published):
     as_published("P39")
 
 

@@ -31,7 +31,7 @@ def test_star_polyhedra_wind_round_their_centre_as_often_as_published(as_publish
     as_published("P34")
 
 
-def test_parity_takes_the_twice_wound_part_of_a_great_dodecahedron_for_outside():
+def test_parity_calls_a_part_outside_that_is_wound_twice():
     golden = (1 + np.sqrt(5)) / 2
     peaks = np.array([np.roll((0.0, a, b * golden), shift) for a in (1, -1) for b in (1, -1) for shift in range(3)])
     towards_a_peak = np.array([0.3, 0.6, 1.1])[:, None] * peaks[0] + (0.003, 0.002, 0.001)

@@ -13,7 +13,7 @@ from solutions.friction import complementarity_residual, solve_by_pivots
 
 
 @pytest.mark.statement(22, oracle="P37: Irodov's three discs")
-def test_a_disc_that_strikes_two_at_once_recoils_stops_or_goes_on(as_published):
+def test_a_disc_that_strikes_two_at_once_recoils_stops_or_moves_on(as_published):
     found = as_published("P37")["velocity"]
     spread = np.array(published("P37").numbers("spread"))
     # The two are driven off along the lines of centres with w each: momentum v = u + 2 w cos φ, energy v² = u² + 2 w²
@@ -37,7 +37,7 @@ def test_with_the_handbooks_misprint_its_solution_solves_nothing():
 
 
 @pytest.mark.statement(22, oracle="P41: a textbook's ladder")
-def test_a_ladder_at_a_slippery_wall_holds_from_the_coefficient_of_the_textbook_on(as_published):
+def test_a_ladder_holds_from_the_coefficient_of_the_textbook_on(as_published):
     found = as_published("P41")
     # Torques about the foot: the wall's force times the height is the weight times half of the way along the floor
     assert found["wall"] == pytest.approx([200 / math.tan(math.radians(53))], rel=1e-9)

@@ -53,7 +53,7 @@ def test_a_swing_is_the_exponential_of_its_matrix_in_every_regime(damping):
 
 
 @pytest.mark.parametrize("damping", [3.84, 12.8, 25.6])
-def test_after_settling_a_swing_never_is_as_far_off_again(damping):
+def test_a_swing_that_has_settled_stays_within_its_limit(damping):
     numbers = 0.12, 1.0, 64.0, damping, 0.64
     settled = forces_truth.settling(*numbers, 0.006, 2.0)
     assert abs(forces_truth.swing(*numbers, settled)[0]) == pytest.approx(0.006, rel=1e-9)

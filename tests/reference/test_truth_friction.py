@@ -107,7 +107,7 @@ def test_the_creep_of_a_soft_pyramid_balances_all_edges(friction, pull, pressed)
     assert friction_truth.creep_of_a_soft_pyramid(friction, pull, pressed) == pytest.approx(found.x[:2], rel=1e-9)
 
 
-def test_what_a_pyramid_cannot_hold_has_no_creep():
+def test_a_pull_beyond_the_pyramid_has_no_steady_creep():
     with pytest.raises(ValueError, match="is more than the corners of the pyramid hold"):
         friction_truth.creep_of_a_soft_pyramid(0.5, (4.0, 1.0), 9.81)
 
@@ -128,6 +128,6 @@ def test_a_slab_on_a_spring_turns_where_and_when_small_steps_turn(start, velocit
     assert all(abs(place) > dead_band for place in places[:-1])
 
 
-def test_what_rests_in_the_dead_band_never_turns():
+def test_a_slab_at_rest_in_the_dead_band_has_no_turning_point():
     times, _ = friction_truth.turning_points(0.04, 0.0, 10.0, 0.05)
     assert len(times) == 0

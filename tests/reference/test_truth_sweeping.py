@@ -28,7 +28,7 @@ def test_the_share_of_missed_balls_is_that_of_balls_drawn_by_chance(ratio):
     assert sweeping_truth.unturned_balls(0.3 * ratio, 0.3) == pytest.approx(np.mean(first > half), abs=NEAR)
 
 
-def test_the_impulse_of_a_meeting_restores_e_times_the_approach_along_the_centres():
+def test_the_impulse_of_a_meeting_restores_e_times_the_approach():
     mass, other, speed, offset, e = 0.03, 0.012, 40.0, 0.6, 0.5
     impulse = sweeping_truth.impulse_of_a_meeting(speed, offset, e, mass, other)
     closing = 0.8 * speed  # cos α for sin α = 0.6

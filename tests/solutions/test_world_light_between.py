@@ -38,8 +38,8 @@ def test_sweeps_carry_an_impact_through_a_light_ball_of_a_hundredth():
 
 
 @pytest.mark.parametrize(("restitution", "right", "found"), [(0.0, 5.0, 6.83), (0.5, 7.5, 7.70)])
-def test_sweeps_and_what_is_remembered_miss_an_impact_through_a_ten_thousandth(restitution, right, found):
-    """A known limit, docs/world.md: a third of the impulse in a step, which the next steps then give once more."""
+def test_remembered_impulses_spoil_an_impact_through_a_very_light_ball(restitution, right, found):
+    """A known limit, docs/world.md: a step finds a third of the impulse, which the next steps then apply again."""
     last = struck((1e4, 1.0, 1e4), restitution, "sequential")[-1]
     assert last == pytest.approx(found, abs=0.01)
     assert last > 1.02 * right

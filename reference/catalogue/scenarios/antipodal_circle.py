@@ -85,18 +85,21 @@ ANTIPODAL_CIRCLE = Family(
     " two walkers approach each other on one line.",
     expected="Nobody touches anybody. That is checked with the positions, with the contacts that an implementation"
     " reports, and with its own answer for the two walkers that come nearest. Nobody exceeds the top speed, and"
-    " everybody arrives. Theory does not say how near they come or when the last one arrives. The recurrence does:"
-    " `v⁺ = v + F Δt/m`, `x⁺ = x + v⁺ Δt`, where the same function gives the force. Two walkers that start from rest"
-    " and meet exactly head-on stop in front of each other: each has gone half of the gap, and nothing names a side.",
+    " everybody arrives. Theory does not say how near they come or when the last one arrives. The recurrence does: `v⁺"
+    " = v + F Δt/m`, `x⁺ = x + v⁺ Δt`, where the same function gives the force. Two walkers that start from rest and"
+    " meet exactly head-on stop in front of each other: each covers half of the gap, and nothing tells either of them"
+    " on which side to pass.",
     why=(
-        "No contact ever acts here. An engine therefore only has to integrate a force, and all four do that by"
-        " semi-implicit Euler. They agree with the recurrence, and with each other, to 10⁻¹³ m. The least gap is twice"
-        f" the margin, {2e3 * MARGIN:g} mm, because the rule lets two walkers pass as near as that.",
-        "Stock PyBullet damps every velocity. The rule notices this and steers against it, but in each interval the"
-        " walkers lose some speed again. The last of them arrives 0.1 to 0.2 s later.",
+        "No contact ever acts here. An engine therefore only has to integrate a force, and all four implementations do"
+        " that by semi-implicit Euler. They agree with the recurrence, and with each other, to 10⁻¹³ m. The least gap"
+        f" is twice the margin, {2e3 * MARGIN:g} mm, because the rule lets two walkers pass as near as that.",
+        "Stock PyBullet damps every velocity. The rule notices this and makes up for it, but in each interval the"
+        " walkers lose some speed again. The last of them arrives 0.1 to 0.2 s later than in the other"
+        " implementations.",
         "The deadlock is a fault of the rule and not of an engine: in all four implementations the two walkers stop in"
-        " the same places. A goal that lies a few degrees to the right is enough to avoid it. What is left of their gap"
-        " shrinks as `exp(−t/τ)`, so that they stand 2.7 mm short of where they would meet, at any timestep.",
+        " the same places. A goal that lies a few degrees to the right is enough to avoid it. Their gap shrinks as"
+        " `exp(−t/τ)`. At the end of the run they are 2.7 mm short of the place where they would meet, whatever the"
+        " timestep.",
     ),
     cases=(_on_a_circle(1.0), _on_a_circle(0.3), _head_on(1.0)),
     quantities=(clearance(), overlap(), contacts(), arrived(_arrived), left(_left), last_arrival(), speeding()),

@@ -215,22 +215,25 @@ BREAK_AWAY = Family(
     topic="friction",
     statements=(24, 23),
     about=f"A slab of {MASS:g} kg rests on a level floor. A push grows evenly from nothing, along an axis or at 30° to"
-    " the axes, until friction holds the slab no more. In one case static friction is larger than kinetic friction.",
+    " the axes, until friction can no longer hold the slab. In one case static friction is larger than kinetic"
+    " friction.",
     expected="Static friction is as large as the push, up to `μ_s m g`. With a push of `R t` the slab breaks away at"
     " `t = μ_s m g/R`. From then on `μ_k m g` opposes the push, and with the time `τ` since the break-away"
     " the way is `(μ_s − μ_k) g τ²/2 + R τ³/(6 m)`.",
     why=(
         "Tuned engines and stepped code notice the break-away at a step, half a step late on average, and then follow"
         " the law. Exact code solves for the instant.",
-        "PyBullet and DART share friction out among four corners by sweeps. In the step of the break-away these are not"
-        " quite at their end: the speed is then off by up to what the push grows in a step. In the hand-written world a"
-        " corner may even let go one step early, and where static friction is larger, the slab with it.",
-        "MuJoCo creeps below the limit, tuned by some micrometres, because friction turns the slab about its centre and"
-        " the next step's normal forces turn it back: the more, the harder it is pushed. Stock, its friction is a soft"
-        " constraint that yields under any pull, by 0.2 to 0.9 mm here.",
+        "PyBullet and DART distribute friction over the four corners by sweeps. In the step of the break-away the"
+        " sweeps stop before they have converged. The error of the speed is then at most what the growth of the push"
+        " in one step adds to it. In the hand-written world a corner may even let go one step early. Where static"
+        " friction is larger than kinetic friction, the whole slab then breaks away with that corner.",
+        "MuJoCo creeps below the limit. Tuned MuJoCo creeps by some micrometres, because friction turns the slab about"
+        " its centre and the normal forces of the next step turn it back; a harder push turns it farther. The friction"
+        " of stock MuJoCo is a soft constraint that yields under any pull, by 0.2 to 0.9 mm here.",
         "The friction cones of two stock engines are no circles, and a push at 30° shows it. MuJoCo's diamond lets the"
-        " slab go at 73 % of the push, `1/(cos φ + sin φ)`, and it slides off towards 45°, at 43° here. DART's square"
-        " holds it until 115 %, `1/cos φ`, and it slides off along the axis.",
+        " slab go at 73 % of the push that Coulomb's law allows, `1/(cos φ + sin φ)`, and the slab slides off towards"
+        " 45°, here at 43°. DART's square holds the slab up to 115 %, `1/cos φ`, and the slab slides off along the"
+        " axis.",
     ),
     cases=(
         _case(0.3, 20.0),

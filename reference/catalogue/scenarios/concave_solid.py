@@ -123,19 +123,23 @@ CONCAVE_SOLID = Family(
     statements=(9,),
     about="A channel 1 m wide, with walls of unequal height, is asked about points, rays, segments and balls in its"
     " pocket, in its walls and around it.",
-    expected="A point in the pocket is outside. A ray from above goes down to the floor. A segment across lies in the"
-    " solid as long as it is in the two walls. A ball in the pocket has a gap to the nearest wall.",
+    expected="A point in the pocket is outside. A ray from above goes down to the floor. A segment across the channel"
+    " lies in the solid only where it passes through the two walls. A ball in the pocket has a gap to the nearest"
+    " wall.",
     why=(
-        "A convex hull has with any two points all points between them. The hull of the channel has an invisible lid"
-        " from rim to rim, and the pocket below is solid. PyBullet, told the vertices of a mesh and nothing else, makes"
-        " its hull. MuJoCo computes contacts and distances with the hull of every mesh. Both then say that a point in"
-        " the pocket is inside, and that a ball there overlaps with the channel.",
+        "A convex hull that contains two points also contains all points between them. The hull of the channel"
+        " therefore has an invisible lid from rim to rim, and the pocket below the lid is solid. PyBullet makes the"
+        " hull of a mesh if it is given the vertices and nothing else. MuJoCo computes contacts and distances with the"
+        " hull of every mesh. Both then answer that a point in the pocket is inside, and that a ball in the pocket"
+        " overlaps the channel.",
         "In the same model MuJoCo's rays see the triangles, and go down to the floor. A ray and a contact therefore"
         " disagree on where the solid is.",
-        "What helps is to tell the solid in convex pieces, here two walls and a floor. In tuned PyBullet and MuJoCo"
-        " gaps are asked of these, and points by counting how often a ray crosses the triangles.",
-        "DART uses the triangles for everything, so it is right about the pocket and every gap outside. But triangles"
-        " have no inside: a ball that is wholly within the floor gets the gap that it would have outside.",
+        "The remedy is to describe the solid as convex pieces, here two walls and a floor. Tuned PyBullet and MuJoCo"
+        " find gaps from these pieces. To decide whether a point is inside, the lab counts how often a ray from the"
+        " point crosses the triangles.",
+        "DART uses the triangles for everything, so it is right about the pocket and about every gap outside. But"
+        " triangles have no inside: for a ball that is wholly within the floor, DART gives the gap that the ball would"
+        " have outside.",
     ),
     cases=CASES,
     quantities=(

@@ -141,23 +141,25 @@ CONVEX_SOLID = Family(
     title="Questions to a convex solid",
     topic="polyhedra",
     statements=(9, 4),
-    about="An irregular octahedron of about 1 m is asked about points, rays, segments and balls, as it was drawn,"
-    " turned, 20 times smaller, and 1 km from the origin.",
+    about="An irregular octahedron of about 1 m is asked about points, rays, segments and balls, in four poses: as it"
+    " was drawn, turned, 20 times smaller, and 1 km from the origin.",
     expected="A point is inside if it is behind all faces. Each ray and each ball is set up from a place on the solid,"
-    " so that its length or its gap is known. A segment lies in the solid from the last plane that it enters to the"
-    " first that it leaves.",
+    " so that its length or its gap is known. A segment is in the solid from the last plane of a face that it enters"
+    " to the first that it leaves.",
     why=(
-        "Bullet adds a margin of 1 mm to a convex hull. As installed it therefore gives every gap 1 mm short, and stops"
-        " a ray early. Its ray at a hull ends as soon as it is within 1 cm, which is far off for a solid of 5 cm."
-        " Tuned, rays ask the triangles, which have no margin, and gaps ask a hull without one.",
+        "Bullet adds a margin of 1 mm to a convex hull. As installed it therefore gives every gap 1 mm too small and"
+        " stops a ray too early. Its search along a ray ends as soon as it is within 1 cm of a hull, which is a large"
+        " error for a solid of 5 cm. In the tuned settings rays meet the triangles, which have no margin, and gaps are"
+        " measured to a hull without a margin.",
         "Bullet also puts the vertices of a hull on a grid of 10216 steps between the least and the largest coordinate"
-        " along each axis, so that gaps are off by up to `10⁻⁴` of the size of the solid.",
-        "MuJoCo and DART keep the vertices of a mesh in single precision, and lengths are right to `10⁻⁷` of its"
-        " size. MuJoCo ends its search for nearest points at 1 µm.",
-        "DART measures distances to triangles, which have no inside. A ball that is wholly within the solid gets the"
-        " gap that it would have outside, as far from the surface.",
-        "No engine has a question whether a point is inside. Tuned engines count how often a ray from the point crosses"
-        " the triangles; as installed, PyBullet and MuJoCo are asked for the gap of a ball of 1 µm.",
+        " along each axis, so that the error of a gap is up to `10⁻⁴` of the size of the solid.",
+        "MuJoCo and DART keep the vertices of a mesh in single precision, so that lengths are right to `10⁻⁷` of the"
+        " solid's size. MuJoCo ends its search for nearest points when it is within 1 µm.",
+        "DART measures distances to triangles, which have no inside. For a ball that is wholly within the solid, it"
+        " gives the gap that the ball would have outside, equally far from the surface.",
+        "No engine has a function that decides whether a point is inside. With tuned engines the lab counts how often"
+        " a ray from the point crosses the triangles. With stock PyBullet and MuJoCo it asks for the gap of a ball"
+        " with a radius of 1 µm.",
     ),
     cases=_cases("convex-solid", _about_the_solid),
     quantities=(
@@ -185,17 +187,17 @@ SOLID_EDGES = Family(
     statements=(9,),
     about="The same octahedron is asked about points and rays that are"
     f" {1e3 * HAIR:g} mm beside it, and about rays that go to the middle of an edge, to a vertex, or along an edge.",
-    expected="What is beside the solid is outside, however near it is. A ray to an edge or a vertex meets the solid"
+    expected="Everything beside the solid is outside, however near it is. A ray to an edge or a vertex meets the solid"
     " there: no ray slips through between two faces.",
     why=(
-        "Bullet, as installed, makes a hull 1 mm thicker than its vertices say, and takes points and rays that are half"
-        " a millimetre beside the solid for hits. A margin of zero is no way out: without one, many of its rays miss a"
-        " hull altogether. Triangles have no margin.",
+        "Bullet, as installed, makes a hull 1 mm thicker than its vertices say, and reports a hit for points and rays"
+        " that are half a millimetre beside the solid. A margin of zero does not help: without a margin many of its"
+        " rays miss a hull altogether. Triangles have no margin.",
         "A ray that aims at an edge may slip through in MuJoCo and DART: they test each triangle by itself, and"
-        " rounding may put the ray beside both. None slipped through in Bullet. By hand all signs are exact, and the"
-        " border belongs to both triangles.",
-        "A ray along an edge touches the solid, if numbers are exact. In floats the edge itself is rounded, and so"
-        " rounding decides. With its margin Bullet takes all of them for hits.",
+        " rounding may put the ray beside both triangles. No ray slipped through in Bullet. The hand-written code"
+        " computes all signs exactly, and the border belongs to both triangles.",
+        "In exact arithmetic a ray along an edge touches the solid. In floating point the edge itself is rounded, and"
+        " so rounding decides. Because of its margin, Bullet reports a hit for all such rays.",
     ),
     cases=_cases("solid-edges", _about_its_edges),
     quantities=(

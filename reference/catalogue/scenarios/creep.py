@@ -80,21 +80,23 @@ CREEP = Family(
     title="Creep of a slab that friction holds",
     topic="friction",
     statements=(24,),
-    about="A slab is let go on slopes that it should stand on, or lies on the level under a steady push below the limit"
-    f" of friction, once at 30° to the axes. After {DURATION - LATE:g} s one looks whether it still moves.",
-    expected="Static friction is as large as the pull, as long as that is at most `μ N`. So nothing moves.",
+    about="A slab is let go on slopes on which friction should hold it, or lies on level ground under a steady push"
+    f" below the limit of friction, in one case at 30° to the axes. The speed is measured from {DURATION - LATE:g} s"
+    f" to the end, at {DURATION:g} s.",
+    expected="Static friction balances the pull as long as the pull is at most `μ N`. So nothing moves.",
     why=(
-        "Hand-written code sets the velocity to zero. PyBullet and DART, tuned, end any slip within a step, and creep"
-        " by less than a tenth of a micrometre in a second.",
-        "MuJoCo, tuned, creeps for a reason of its own: friction turns the slab, the main solver does not know of that,"
-        " and the corners leave the ground in turn. That makes up to 0.1 mm in a second, in proportion to the"
-        " timestep.",
+        "Hand-written code sets the velocity to zero. Tuned PyBullet and DART end any slip within a step, and creep by"
+        " less than 0.1 µm in a second.",
+        "Tuned MuJoCo creeps for a different reason: friction turns the slab, the main solver does not take that into"
+        " account, and the corners leave the ground in turn. The slab creeps by up to 0.1 mm in a second, in"
+        " proportion to the timestep.",
         "Stock MuJoCo's friction is a dashpot: an edge of its pyramid pushes back only while the slab moves. The speed"
         " at which the dashpots carry the pull has a closed form. With default contacts, on four corners, it is the"
         " pull over the mass times `(1 + μ²) (1 − d) d₁ t_c/(8 d)`. Here `t_c` is 20 ms, and the impedance `d` is 0.9"
-        " and grows with the overlap, to `d₁ = 0.95`. From half of `μ N` on an edge of the pyramid has nothing left to"
-        " give, and the speed becomes up to twice as large. A smaller timestep changes nothing.",
-        "Stock DART rocks on the one contact point that it finds of a box, and walks off, by up to 3 mm in a second.",
+        " and grows with the overlap, to `d₁ = 0.95`. Where the pull exceeds half of `μ N`, one edge of the pyramid"
+        " can no longer push, and the speed becomes up to twice as large. A smaller timestep changes nothing.",
+        "Stock DART finds only one contact point of a box. The slab rocks on it and wanders off by up to 3 mm in a"
+        " second.",
     ),
     cases=(
         *(_on_a_slope(*each) for each in ((1.0, 40.0), (0.7, 30.0), (0.5, 20.0), (0.3, 10.0))),

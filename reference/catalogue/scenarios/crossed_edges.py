@@ -129,26 +129,28 @@ CROSSED_EDGES = Family(
     topic="impulse",
     statements=(17, 18, 20),
     about=f"Two smooth boxes, 60 × 20 × 24 cm and 16 × 50 × 20 cm, approach each other at {CLOSING:g} m/s and meet"
-    f" edge on edge, each edge {100 * ALONG_UPPER:g} and {-100 * ALONG_LOWER:g} cm beside its middle. The upper box"
-    " has 1.7 kg, the lower one m. The edges cross at an angle, all of the scene is tilted by 17°, and the boxes"
-    " pass each other at 0.3 m/s. Nothing has weight or spins before the impact.",
-    expected="The normal is the cross product of the two edges, from the lower box to the upper one. Along it acts"
-    " the impulse `j = (1 + e) u/K`, with `K = 1/M_A + 1/M_B` and what the two boxes turn: `n·(I⁻¹(r × n) × r)`"
-    " for each, where `I⁻¹` is that of the turned box. The angle between the edges does not matter, because each"
-    " box as a whole has been turned about the normal.",
+    f" edge on edge. The edges cross {100 * ALONG_UPPER:g} cm from the middle of the upper one and"
+    f" {-100 * ALONG_LOWER:g} cm from the middle of the lower one. The upper box has a mass of 1.7 kg, the lower box a"
+    " mass m. The whole scene is tilted by 17°, and the upper box also moves along the two edges, at 0.3 and 0.2 m/s."
+    " Nothing has weight, and nothing spins before the impact.",
+    expected="The normal is the cross product of the two edges, from the lower box to the upper one. Along the normal"
+    " acts the impulse `j = (1 + e) u/K`. `K` is `1/M_A + 1/M_B` plus, for each box, a term for its rotation,"
+    " `n·(I⁻¹(r × n) × r)`, where `I⁻¹` is the inverse inertia of the turned box. The angle between the edges does not"
+    " matter, because each box as a whole is turned about the normal.",
     why=(
-        "An implementation that looks for overlap finds it up to a step late. Until then the boxes pass each"
-        " other, the point where the edges cross moves along both of them, and the arms change: 0.08 % of the"
-        " impulse at steps of 1 ms. All implementations do exactly that, by hand as in the engines.",
-        "The point need not be right along the normal, because an impulse along n has the same effect wherever on"
-        " that line it acts. So half the overlap, or none of it, makes no difference here.",
-        "DART finds the crossing of edges only with another detector. With its own it takes corners of what the"
-        " boxes have in common for contacts, and the impulse is up to 6 % too large. The tuned settings take the"
-        " Flexible Collision Library, which is also what DART has as installed.",
-        "MuJoCo cannot do without friction, of which it has at least 10⁻⁵; its impulse leaves the normal by some"
-        " 10⁻⁷ rad. In its spring profile the boxes turn while the contact lasts.",
-        "Stock PyBullet gives the overlap back as speed, and impulses that are 4 to 6 % too large; stock MuJoCo,"
-        " without restitution, has 50 to 83 % of them.",
+        "An implementation that looks for overlap finds it up to a step late. Until then the boxes pass each other,"
+        " the point where the edges cross moves along both of them, and so the arms change. At a timestep of 1 ms this"
+        " changes the impulse by 0.08 %, in the hand-written code exactly as in the engines.",
+        "Where along the normal the contact point lies does not matter, because an impulse along n has the same effect"
+        " anywhere on that line. So it makes no difference whether an implementation puts the point in the middle of"
+        " the overlap or on a surface.",
+        "DART finds the crossing of edges only with another detector. DART's own detector takes corners of the overlap"
+        " for contacts, and the impulse is up to 6 % too large. The tuned settings use the Flexible Collision Library,"
+        " which DART also uses as installed.",
+        "MuJoCo always has friction, with a coefficient of at least 10⁻⁵. Its impulse therefore deviates from the"
+        " normal by some 10⁻⁷ rad. In its spring profile the boxes turn while the contact lasts.",
+        "Stock PyBullet turns the overlap into speed, and its impulses are 4 to 6 % too large. Stock MuJoCo has no"
+        " restitution, and its impulses are 50 to 83 % of the right ones.",
     ),
     cases=(
         _crossed(0.6, 3.1, 111.0),

@@ -131,25 +131,27 @@ DRIVEN_OSCILLATOR = Family(
     title="Driven oscillator: resonance",
     topic="forces",
     statements=(23, 27, 29, 30),
-    about=f"The ball of `oscillator` on its spring, with a quarter of the critical damping, is driven by a force of"
-    f" {FORCE:g} N that oscillates along the spring: with half of its own frequency, with that frequency and with twice"
-    " that. The ball starts in the steady oscillation, so that nothing has to die away. Amplitude and lag are those of"
-    " the last swing.",
-    expected="The steady oscillation `A cos(Ω t − δ)` has the amplitude `A = F/√((k − m Ω²)² + (c Ω)²)` and lags behind"
-    " the force by δ, with `tan δ = c Ω/(k − m Ω²)`: little below resonance, `π/2` at it, and nearly π above. In each"
-    " swing the force does the work `π F A sin δ`, and the damper takes all of it.",
+    about="The ball of `oscillator` on its spring, with a quarter of the critical damping, is driven by a force of"
+    f" {FORCE:g} N that oscillates along the spring: at half its natural frequency, at that frequency and at twice"
+    " that frequency. The ball starts in the steady oscillation, so that nothing has to die away. Amplitude and lag"
+    " are measured over the last period of the force.",
+    expected="The steady oscillation `A cos(Ω t − δ)` has the amplitude `A = F/√((k − m Ω²)² + (c Ω)²)` and lags"
+    " behind the force by δ, with `tan δ = c Ω/(k − m Ω²)`: δ is small below resonance, `π/2` at resonance, and nearly"
+    " π above it. In each period the force does the work `π F A sin δ`, and the damper takes up all of it.",
     why=(
-        "Semi-implicit Euler also ends in a steady oscillation, with another amplitude and another lag. With"
-        " `z = e^(i Ω dt)` and `γ = c dt/m` its complex amplitude is `F dt²/m` over"
-        " `z − 2 + γ + ω² dt² + (1 − γ)/z`. At 1 ms the amplitude is 0.3 % too large at twice the own frequency, and"
-        " the lag 0.3 % too small at resonance. The error is of first order in dt.",
+        "Semi-implicit Euler also reaches a steady oscillation, with a different amplitude and a different lag. With"
+        " `z = e^(i Ω dt)` and `γ = c dt/m` its complex amplitude is `F dt²/m` over `z − 2 + γ + ω² dt² + (1 − γ)/z`."
+        " At 1 ms the amplitude is 0.3 % too large at twice the natural frequency, and the lag is 0.3 % too small at"
+        " resonance. The error is of first order in dt.",
         "The audit of the energy takes the force and the velocity of one sample. In a step method the velocity belongs"
         " to an instant half a step earlier. At resonance the two are in phase, and half a step hardly matters. At"
-        " twice that frequency they are not: the force seems to do 2.4 % less work, and the damper to take 3 % more"
-        " than it gets. Nothing is made from nothing there; the audit has to take both at one instant.",
-        "All engines follow the recurrence to rounding. The force comes from outside in all of them; the spring is a"
-        " tendon in MuJoCo's profile `tendons`.",
-        "Stock PyBullet adds 0.04 (1 + v) v per second to the damping, which takes 1 % of the amplitude at resonance.",
+        " twice that frequency they are not: the force seems to do 2.4 % less work, and the damper seems to take 3 %"
+        " more than it gets. No energy is created. The audit would have to take force and velocity at the same"
+        " instant.",
+        "All engines follow the recurrence to rounding. In all of them the lab applies the force at the start of each"
+        " step. In MuJoCo's profile `tendons` the spring is a tendon of MuJoCo's own.",
+        "Stock PyBullet also damps the velocity by 0.04 (1 + v) v per second, which lowers the amplitude at resonance"
+        " by 1 %.",
     ),
     cases=tuple(_driven(ratio) for ratio in (0.5, 1.0, 2.0)),
     quantities=(

@@ -72,7 +72,7 @@ def _flock(separation: float) -> Case:
 
 
 def _expect_no_overlap(case: Case, settings: Settings, method: Method) -> Expectation:
-    why = "a weak separation is a wish that the other wishes outweigh"
+    why = "the other wishes outweigh a weak separation"
     return Expectation(0.0, ROUNDING, "rounding only: nobody touches anybody", shift_reason=why, size=1.0)
 
 
@@ -117,11 +117,11 @@ FLOCK_PAST_PILLAR = Family(
     " how near they come. The recurrence does, in which the same functions give the force.",
     why=(
         "All implementations agree with the recurrence to 10⁻¹³ m, except for one answer of PyBullet. Its boxes have"
-        " edges that are rounded with a radius of 1 mm, and so PyBullet's distance query finds a boid beside an edge of"
-        " the pillar up to 0.41 mm farther away than it is.",
+        " edges that are rounded with a radius of 1 mm, and so its distance query reports a boid beside an edge of the"
+        " pillar up to 0.41 mm farther away than it is.",
         f"Separation is one wish among others and promises nothing. With a weight of {WEAK:g} m²/s² the other wishes"
         " are stronger, and two boids overlap by 65 mm. Reciprocal avoidance, which steers the walkers of"
-        " `antipodal-circle`, does not choose such velocities in the first place.",
+        " `antipodal-circle`, never chooses such velocities.",
         "Stock PyBullet damps every velocity, so that the flock is slower.",
     ),
     cases=(_flock(SEPARATION), _flock(WEAK)),

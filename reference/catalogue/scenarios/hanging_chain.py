@@ -79,25 +79,25 @@ HANGING_CHAIN = Family(
     title="A hanging chain",
     topic="meshes",
     statements=(28, 29),
-    about="Five unequal masses on six springs between two anchors, one 7 cm higher than the other. A fluid as"
-    " viscous as honey takes the swing out of the chain, and within 1.4 s it rests. The"
-    " end pull is that of the last spring on the right anchor, and the early sag is the depth of the lowest mass after"
-    " 0.1 s.",
+    about="Five unequal masses on six springs between two anchors, one 7 cm higher than the other. A fluid as viscous"
+    " as honey damps the swing of the chain, so that the chain is at rest within 1.4 s. The end pull is the force of"
+    " the last spring on the right anchor, and the early sag is the depth of the lowest mass after 0.1 s.",
     expected="At rest, springs and weights balance at every mass, and no damper has any influence. The shape is the"
-    " valley of the energy `Σ k (L − L0)²/2 + Σ m g z`, which Newton's method finds without a step through time. With"
-    " ever more and ever smaller masses it becomes the elastic catenary.",
+    " minimum of the energy `Σ k (L − L0)²/2 + Σ m g z`, which Newton's method finds without stepping through time."
+    " With more and more, smaller and smaller masses the shape approaches the elastic catenary.",
     why=(
-        "By hand, `static_shape` finds the shape without any motion, and `mesh_step` swings into it. At the start of"
-        " each step the engines are told with which force springs and fluid act on each body. All of them then do the"
-        " same, semi-implicit Euler, and follow its recurrence to 10⁻¹⁴ m also under way, where theory has no figure.",
-        "Stock PyBullet damps every velocity by 4 % a second, which is little beside the honey.",
+        "The hand-written function `static_shape` finds the shape without any motion, and `mesh_step` steps until the"
+        " chain has settled into it. At the start of each step the lab tells the engines with which force springs and"
+        " fluid act on each body. All engines then step by semi-implicit Euler. They follow its recurrence to 10⁻¹⁴ m,"
+        " also on the way to rest, where theory has no figure.",
+        "Stock PyBullet damps every velocity by 4 % a second, which is little compared with the fluid.",
     ),
     cases=(_hung(0.2), _hung(0.3), _hung(0.3, 60.0)),
     quantities=(
         Quantity("sag", "sag", "m", settled.at_end(_sag), settled.expect(_sag, "sag", LEFT), scale=_sag_of),
         Quantity("pull", "end pull", "N", settled.at_end(_pull), settled.expect(_pull, "force", LEFT)),
         Quantity("off", "off shape", "m", settled.off, tolerances.within_a_millimetre),
-        Quantity("under_way", "early sag", "m", settled.early(_sag, UNDER_WAY), None, absent="has no way there"),
+        Quantity("under_way", "early sag", "m", settled.early(_sag, UNDER_WAY), None, absent="takes no steps"),
     ),
     curve=Curve("span=0.3,k=60", "The lowest mass", "height above the left anchor, m", lambda run: _lowest(run)),
     convergence=Convergence("span=0.3,k=60", "sag", (4.0, 2.0, 1.0)),

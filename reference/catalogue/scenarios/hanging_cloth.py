@@ -98,25 +98,27 @@ HANGING_CLOTH = Family(
     title="A cloth that hangs by two corners",
     topic="meshes",
     statements=(28, 29),
-    about="A cloth of 4 × 4 unequal masses, 2.5 cm apart, hangs by two corners, the second one higher and too near for"
-    " the cloth to be straight between them: with structural springs alone, and with shear and bend springs too. It"
-    " swings down in a fluid as viscous as honey. The early depth is that after 0.05 s.",
-    expected="At rest, springs and weights balance at every node. Newton's method finds that valley of the energy"
-    " without a step through time, the same one from the cloth's first shape as from where it swings to. With"
-    " structural springs alone the cloth narrows, and hangs deepest; shear and bend springs keep its width, and the"
+    about="A cloth of 4 × 4 unequal masses, 2.5 cm apart, hangs by two corners. The second corner is higher, and so"
+    " near that the cloth cannot be straight between them. One case has structural springs alone, the other shear and"
+    " bend springs as well. The cloth swings down in a fluid as viscous as honey. The early depth is the depth after"
+    " 0.05 s.",
+    expected="At rest, springs and weights balance at every node. Newton's method finds this minimum of the energy"
+    " without stepping through time, and finds the same minimum from the cloth's first shape and from its last. With"
+    " structural springs alone the cloth narrows and hangs deepest. Shear and bend springs keep its width, and the"
     " slack between the pins becomes a fold.",
     why=(
-        "By hand, `static_shape` finds the shape without any motion, and `mesh_step` swings into it. The engines are"
-        " told the forces at the start of each step, and follow the same recurrence as `mesh_step`.",
-        "The shape is soft: 4 N/m against the swing of a fold, and 200 N/m along a spring. Without bend springs a fold"
-        " may stay for seconds before it finds its place.",
+        "The hand-written function `static_shape` finds the shape without any motion, and `mesh_step` steps until the"
+        " mesh has settled into it. The lab tells the engines the forces at the start of each step, and the engines"
+        " follow the same recurrence as `mesh_step`.",
+        "The shape is soft: the stiffness against the swing of a fold is 4 N/m, and along a spring 200 N/m. Without"
+        " bend springs a fold may need seconds to find its place.",
     ),
     cases=(_hung(1.0), _hung(3.0)),
     quantities=(
         Quantity("depth", "depth", "m", settled.at_end(_depth), settled.expect(_depth, "depth", LEFT), _depth_at_rest),
         Quantity("pull", "pin force", "N", settled.at_end(_pull), settled.expect(_pull, "force", LEFT)),
         Quantity("off", "off shape", "m", settled.off, tolerances.within_a_millimetre),
-        Quantity("early", "early depth", "m", settled.early(_depth, 0.05), None, absent="has no way there"),
+        Quantity("early", "early depth", "m", settled.early(_depth, 0.05), None, absent="takes no steps"),
     ),
     curve=Curve("bend,spread=0.9", "The lowest node", "height above the first pin, m", _lowest),
     convergence=Convergence("bend,spread=0.9", "depth", (2.0, 1.0)),

@@ -89,23 +89,25 @@ JELLY = Family(
     topic="meshes",
     statements=(28, 29),
     about="A block of 2 × 2 × 3 unequal masses on a fixed base, 6 cm high, in a fluid as viscous as honey. Its upper"
-    " masses are pushed aside. Its springs are the edges of the cubes alone, or these and the"
-    " diagonals of the faces. The early lean is that after 0.05 s.",
+    " masses are pushed aside. In one case the springs are the edges of the cubes alone, in the other the edges and"
+    " the diagonals of the faces. The lean is how far the upper masses have moved along the push, and the early lean"
+    " is the lean after 0.05 s.",
     expected="The edges alone leave eight motions of the free masses that stretch no spring: nothing resists the push,"
-    " and the block lies over and comes to hang below its base. With the diagonals of the faces no such motion is left,"
-    " and the block stands and leans. Newton's method on the energy finds both shapes.",
+    " and the block falls over until it hangs below its base. With the diagonals of the faces every motion stretches"
+    " some spring, and the block stands and leans. Newton's method on the energy finds both shapes.",
     why=(
-        "By hand, `static_shape` finds the shape without any motion, and `mesh_step` swings into it. The engines are"
-        " told the forces at the start of each step, and follow the same recurrence as `mesh_step`.",
-        "The lean is larger than the stiffness matrix of the upright block says, since its weight tips what already"
-        " leans: 16.7 mm against 10.0 mm with the diagonals of the faces.",
+        "The hand-written function `static_shape` finds the shape without any motion, and `mesh_step` steps until the"
+        " mesh has settled into it. The lab tells the engines the forces at the start of each step, and the engines"
+        " follow the same recurrence as `mesh_step`.",
+        "The lean is larger than the stiffness matrix of the upright block says, because weight tips a leaning block"
+        " farther: with the diagonals of the faces the lean is 16.7 mm instead of 10.0 mm.",
     ),
     cases=(_pushed(1.0), _pushed(2.0)),
     quantities=(
         Quantity("lean", "lean", "m", settled.at_end(_lean), settled.expect(_lean, "lean", LEFT)),
         Quantity("height", "height", "m", settled.at_end(_height), settled.expect(_height, "height", LEFT)),
         Quantity("off", "off shape", "m", settled.off, tolerances.within_a_millimetre),
-        Quantity("early", "early lean", "m", settled.early(_lean, 0.05), None, absent="has no way there"),
+        Quantity("early", "early lean", "m", settled.early(_lean, 0.05), None, absent="takes no steps"),
     ),
     curve=Curve("edges,push=0.15", "Without internal springs", "height of the upper masses, m", _heights),
     convergence=Convergence("faces,push=0.15", "lean", (2.0, 1.0)),

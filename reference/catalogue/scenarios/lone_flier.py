@@ -125,15 +125,15 @@ LONE_FLIER = Family(
     f" {MAX_SPEED:g} m/s. In the case repelled, a force m (v_wanted − v)/τ draws it to the goal, and the field of"
     " `repelling_force` pushes it off the pillar, which it meets exactly head-on.",
     expected="A flier that steers goes the shortest way, two tangents and the arc between them: `√(L² − r²)` for each"
-    " tangent, and r times the angle that is left. What is left of that way at the end is its length less v t, and the"
-    " gap is the margin. The field has no part to the side of a flier that meets it head-on, so that the flier"
-    " waits in front of the pillar for ever, where `F₀(1 − s/R)²` carries the pull `m v/τ`.",
+    " tangent, and r times the angle that is left. At the end its length less v t is left of that way, and the least"
+    " gap is the margin. The field has no lateral part for a flier that meets it head-on. That flier therefore waits"
+    " in front of the pillar for ever, where `F₀(1 − s/R)²` balances the pull `m v/τ`.",
     why=(
         "The four implementations agree with the recurrence to 10⁻¹³ m. The way of the flier that steers is 0.5 mm"
         " longer than the shortest one: it decides every 50 ms only, and so it flies a polygon around the sphere"
         " instead of an arc. Each side of the polygon touches the sphere, so that the least gap is the margin.",
-        "The flier that is repelled first comes as near as 0.22 m, bounces back, and then waits at 0.37 m. That it"
-        " waits is no fault of an engine, and a smaller timestep does not help: the field offers no way around.",
+        "The flier that is repelled first comes as near as 0.22 m, bounces back, and then waits at 0.37 m. No engine"
+        " is at fault here, and a smaller timestep does not help: the field offers no way around the pillar.",
         "Stock PyBullet damps every velocity. The flier that steers is slower there by 5 mm/s, and has 37 mm more to"
         " fly at the end. The flier that waits is where it should be, because at rest nothing is damped.",
     ),

@@ -102,29 +102,28 @@ MASS_RATIOS = Family(
     topic="impulse",
     statements=(20, 22),
     about=f"A smooth ball flies at {SPEED:g} m/s against a ball of 1 kg, which meets a third one {1e3 * GAP:g} mm"
-    " behind it. The case names the three masses. No impact rebounds, e = 0, and nothing has weight. All balls"
-    " also drift with one velocity, which must not matter. Measured are the velocities along the line of the"
-    " balls.",
-    expected="Balls that do not rebound push each other until none approaches another. Then all move on together,"
-    " and momentum says how fast: `v = m_1 v_0/(m_1 + m_2 + m_3)`, at 10⁴ : 1 : 3000 with 7.69 m/s. Taken one"
-    " after another there is no end to these impacts, which is why no method by hand but the world runs this.",
+    " behind it. The case names the three masses. No impact rebounds, e = 0, and nothing has weight. All balls also"
+    " drift with one velocity, which must not matter. The figures are the velocities along the line of the balls.",
+    expected="Balls that do not rebound push each other until none approaches another. Then all move on together, and"
+    " momentum gives their velocity, `v = m_1 v_0/(m_1 + m_2 + m_3)`: 7.69 m/s at 10⁴ : 1 : 3000. Taken one after"
+    " another these impacts never end. Of the hand-written methods only the world therefore runs this scenario.",
     why=(
-        "A solver that goes from contact to contact has to carry the impulse through the light ball. In one turn"
-        " the ball passes on no more than its own share, `m_2/m_1`, of what is missing. So the number of turns has"
-        " to grow with the ratio of masses. The tuned settings of PyBullet and DART allow 20 turns for each unit"
-        " of that ratio, 200,000 at 10⁴; the hand-written world then solves all contacts at once, and MuJoCo"
+        "A solver that goes from contact to contact has to carry the impulse through the light ball. In one sweep the"
+        " ball passes on no more than its own share, `m_2/m_1`, of the impulse that is missing. So the number of"
+        " sweeps has to grow with the ratio of masses. The tuned settings of PyBullet and DART allow 20 sweeps for"
+        " each unit of that ratio, 200,000 at 10⁴; the hand-written world then solves all contacts at once, and MuJoCo"
         " always does.",
-        "With too few turns each fails in its own way. At 10⁴ : 1 : 3000 PyBullet's 100 turns leave the first ball"
-        " at 9.32 m/s and the last at 2.27: what a step does not find, later steps find slowly. DART's 1000 turns"
-        " throw the last two ahead at 10.20 m/s and leave the first at 6.94, because DART begins a step with the"
-        " impulses of the last one, and gives the impulse of the impact again. The hand-written world in turns,"
-        " which remembers as well, leaves 9.48 and 7.15 m/s.",
-        "MuJoCo's numbers hardly depend on the ratio: its solver is a Newton method for all contacts together."
-        " What is left, up to 0.02 %, is the weak spring that takes overlap back. In the spring profile the"
-        " contacts are 10 mm deep and give 2.5 % back.",
-        "As installed, PyBullet makes 50 turns in steps of 4 ms and leaves the last ball at 0.47 m/s. Stock DART,"
-        " whose solver by pivots has the contacts at once, is within 0.12 m/s at every ratio; it parts the balls"
-        " again by a hundredth of their overlap in each step.",
+        "With too few sweeps each solver fails in its own way. At 10⁴ : 1 : 3000, 100 sweeps of PyBullet leave the"
+        " first ball at 9.32 m/s and the last at 2.27 m/s: later steps find slowly what one step has not found. 1000"
+        " sweeps of DART throw the last two balls ahead at 10.20 m/s and leave the first at 6.94 m/s, because DART"
+        " begins a step with the impulses of the step before and so applies the impulse of the impact again. The"
+        " hand-written world remembers impulses as well, and with sequential sweeps it leaves 9.48 and 7.15 m/s.",
+        "MuJoCo's numbers hardly depend on the ratio: its solver is a Newton method for all contacts together. The"
+        " remaining error of up to 0.02 % comes from the weak spring that takes overlap back. In the spring profile"
+        " the contacts are 10 mm deep, and the outer balls separate at 2.5 % of the first velocity.",
+        "As installed, PyBullet makes 50 sweeps in steps of 4 ms and leaves the last ball at 0.47 m/s. Stock DART has"
+        " a solver by pivots, which solves all contacts at once, and is within 0.12 m/s at every ratio. It moves the"
+        " balls apart by a hundredth of their overlap in each step.",
     ),
     cases=(
         *(_between(ratio) for ratio in (10.0, 100.0, 1e3, 1e4)),

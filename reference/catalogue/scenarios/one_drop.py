@@ -222,31 +222,31 @@ ONE_DROP = Family(
     title="One drop, three responses",
     topic="response",
     statements=(3, 6, 7, 8),
-    about=f"A smooth ball of {MASS:g} kg is let go {HEIGHT:g} m above a slope of 31° and rebounds. One response"
-    " turns its velocity back. Another lets a spring with a dashpot push it out, `k/m = 10⁶ 1/s²` and a damping"
-    " that gives e without weight. The engines have their own. At e = 0.2 the ball is watched until it rests on"
-    f" its way down the slope; every other figure is the mean over {DROPS} drops that reach the slope at evenly"
-    " spread phases of a step.",
-    expected="The velocity along the normal becomes `−e v`, and that along the slope stays: the ball rises to `e²"
-    " h`. A rigid contact takes neither depth nor time. A penalty contact without dashpot is `v √(m/k)` deep and"
-    " lasts `π √(m/k)`, here 1.3 mm and 3.1 ms, and a ball that rests lies `m g/k` deep, here 8.4 µm.",
+    about=f"A smooth ball of {MASS:g} kg is let go {HEIGHT:g} m above a slope of 31° and rebounds. One response turns"
+    " its velocity back. Another lets a spring with a dashpot push it out, with `k/m = 10⁶ 1/s²` and the damping that"
+    " would give e without weight. Each engine has its own response. At e = 0.2 the ball is watched until it rests on"
+    f" its way down the slope; every other figure is the mean over {DROPS} drops that reach the slope at evenly spread"
+    " phases of a step.",
+    expected="The velocity along the normal becomes `−e v`, and the velocity along the slope stays as it is. The ball"
+    " rises to `e² h`. A rigid contact has no depth and takes no time. A penalty contact without a dashpot is `v"
+    " √(m/k)` deep and lasts `π √(m/k)`, here 1.3 mm and 3.1 ms. A ball at rest on it is `m g/k` deep, here 8.4 µm.",
     why=(
-        "A penalty contact cannot give `e² h`. It ends while the ball is still inside, because it must not pull,"
-        " and weight acts all the while. At e = 0.5 its closed form gives 0.2450. The hand-written spring gives"
-        " 0.2423, since its dashpot takes the velocity before each step; PyBullet's takes the velocity after it,"
-        " and gives 0.2462.",
-        "MuJoCo's spring does not feel the weight. Its `solref` says which acceleration the contact shall have,"
-        " and the force that carries the ball comes on top of that. So the ball rebounds to 0.2466, what a spring"
-        " without weight gives. At rest its impedance leaves a ten-thousandth of the depth `m g/k`; the 0.2 µm"
-        " that are measured are its chatter, of about `g dt/2`.",
-        "What accuracy costs: the exact root has rounding errors with 1000 steps a second. Responding at the step"
-        " costs as much, and the rebound at e = 0.5 is 1.5 % off. The spring takes 20,000 steps a second by hand"
-        " and in PyBullet, 5000 in MuJoCo, which looks four times in each; and it is still 1.4 to 3.1 % off,"
-        " mostly for being a spring.",
-        "MuJoCo has no smooth contact: below 10⁻⁵ it takes that for the friction. The ball meets the slope at an"
-        " angle, and loses that share of its velocity along the slope.",
-        "PyBullet and MuJoCo, as installed, rebound to 0.15 and 0 instead of 0.25. DART has no spring; its contact"
-        " is rigid, and the lab's rule gives each of its numbers.",
+        "A penalty contact cannot give `e² h`. It ends while the ball is still inside, because it must not pull, and"
+        " weight acts during the whole contact. At e = 0.5 the closed form of the rebound is 0.2450 of the height. The"
+        " hand-written spring gives 0.2423, because its dashpot uses the velocity before each step. PyBullet's dashpot"
+        " uses the velocity after the step, and gives 0.2462.",
+        "MuJoCo's spring does not feel the weight. Its `solref` sets the acceleration of the contact, and MuJoCo adds"
+        " the force that carries the ball. So the ball rebounds to 0.2466, as on a spring without weight. At rest the"
+        " impedance leaves a ten-thousandth of the depth `m g/k`. The measured depth of 0.2 µm comes from chatter of"
+        " about `g dt/2`.",
+        "Accuracy has its price. The exact root takes 1000 steps a second and has only rounding errors. Responding at"
+        " the step takes as many steps, and the error of the rebound at e = 0.5 is 1.5 %. The spring takes 20,000"
+        " steps a second in the hand-written code and in PyBullet, and 5000 in MuJoCo, which evaluates the force four"
+        " times in each. Its error is still 1.4 to 3.1 %, mostly because it is a spring.",
+        "MuJoCo has no smooth contact: its least coefficient of friction is 10⁻⁵. The ball meets the slope at an"
+        " angle, and this friction takes 10⁻⁵ of the normal impulse from its motion along the slope.",
+        "As installed, PyBullet rebounds to 0.15 of the height and MuJoCo to 0, instead of 0.25. DART has no spring."
+        " Its contact is rigid, and the lab's recurrence gives each of its numbers.",
     ),
     cases=tuple(_dropped(restitution) for restitution in (AT_REST, 0.5, 0.8, 1.0)),
     quantities=_quantities(),

@@ -109,24 +109,25 @@ ORBIT = Family(
     title="Orbit of two unequal bodies",
     topic="forces",
     statements=(23, 25, 30),
-    about="Two bodies attract each other with a force that falls with the square of their distance. They move"
-    f" around each other on an ellipse of the eccentricity e whose half axis is {HALF_AXIS:g} m. The heavier one has m"
-    " times the mass of the lighter one, of 1 kg. Their centre drifts, and nothing lies along an axis.",
-    expected="Each revolution takes `T = 2π √(a³/(G (m_A + m_B)))`, 1 s here. The distance runs between `a (1 − e)` and"
-    " `a (1 + e)`, and the near point stays where it is. Energy and angular momentum are kept.",
+    about="Two bodies attract each other with a force that falls with the square of their distance. They move around"
+    f" each other on an ellipse of the eccentricity e whose semi-major axis is {HALF_AXIS:g} m. The lighter body has a"
+    " mass of 1 kg, the heavier one m times that mass. Their centre of mass drifts, and no vector lies along an axis"
+    " of the world.",
+    expected="Each revolution takes `T = 2π √(a³/(G (m_A + m_B)))`, 1 s here. The distance varies between `a (1 − e)`"
+    " and `a (1 + e)`, and the near point stays where it is. Energy and angular momentum are conserved.",
     why=(
-        "Semi-implicit Euler keeps the angular momentum to rounding: the pull points at the other body, and"
-        " `r⁺ × v⁺ = r × v` in its step. Its energy swings within each revolution and comes back, so that the orbit"
-        " neither widens nor shrinks, however long it lasts.",
-        "The places of its steps are those of velocity Verlet for bodies that set out with `v + a dt/2`. That is"
-        " another ellipse, a little smaller here: a revolution is 0.47 % short at e = 0.5 and 1 ms. With the right"
-        " start velocity Verlet is of second order, and 5 millionths off. Both turn the near point by −0.16 mrad in a"
-        " revolution.",
+        "Semi-implicit Euler conserves the angular momentum to rounding: the pull points at the other body, so that"
+        " `r⁺ × v⁺ = r × v` in each step. The energy oscillates within each revolution and returns to its value, so"
+        " that the orbit neither widens nor shrinks, however long the run is.",
+        "Its positions are those of velocity Verlet for bodies that set out with `v + a dt/2`. They lie on another"
+        " ellipse, which is a little smaller here: a revolution is 0.47 % too short at e = 0.5 and 1 ms. From the"
+        " right initial velocity, velocity Verlet is of second order, and its error is 5 millionths. Both methods turn"
+        " the near point by −0.16 mrad in a revolution.",
         "Explicit Euler adds energy in every step, 16 % in the revolution after the first far point at e = 0.5. The"
         " bodies drift apart, and the next revolution is up to 30 % longer. The Runge–Kutta method is nearest to"
-        " theory, but what energy it loses it never gets back.",
-        "PyBullet, MuJoCo and DART have no attraction between two bodies. All are told of it from outside in every"
-        " step, and all follow the recurrence of semi-implicit Euler to 12 digits.",
+        " theory, but it never regains the energy that it loses.",
+        "PyBullet, MuJoCo and DART have no attraction between two bodies. The lab tells each of them the force in"
+        " every step, and all follow the recurrence of semi-implicit Euler to 12 digits.",
         "Stock PyBullet brakes each body by 0.04 (1 + v) v per second. The orbit shrinks, and the revolutions become"
         " shorter.",
     ),

@@ -157,33 +157,36 @@ OSCILLATOR = Family(
     title="Oscillator: a spring with a damper",
     topic="forces",
     statements=(23, 27, 29, 30),
-    about=f"A ball of {MASS:g} kg hangs on a spring of {STIFFNESS:g} N/m with a damper, which the weight stretches. It"
-    f" starts {STRETCH:g} m beyond the place where all forces are in balance and moves on at {SPEED:g} m/s. The"
-    " damping ratio ζ is that of a weak damper, of the critical one, or of a strong one. The whole scene is tilted"
-    f" against the axes. In one case the other end is a second ball, of {PARTNER:g} kg, and both are thrown.",
+    about=f"A ball of {MASS:g} kg hangs on a spring of {STIFFNESS:g} N/m with a damper, and its weight stretches the"
+    f" spring. It starts {STRETCH:g} m beyond the place where all forces balance and moves away from it at {SPEED:g}"
+    " m/s. The damping ratio ζ is below 1, equal to 1 (critical damping) or above 1. The whole scene is tilted against"
+    f" the axes. In one case a second ball of {PARTNER:g} kg is at the other end of the spring, and both balls are"
+    " thrown.",
     expected="With `β = c/(2 m)` and `ω² = k/m` the stretch is `e^(−β t)` times a cosine and a sine of `t √(ω² − β²)`."
-    " Where `β > ω` the root is imaginary, and the ball creeps back without swinging. The weight only moves the"
-    " place of balance by `m g/k`. Two balls swing with the mass `1/(1/m_A + 1/m_B)`, no matter how they fly"
+    " Where `β > ω` the root is imaginary, and the ball returns slowly without swinging. The weight only moves the"
+    " place of balance by `m g/k`. Two balls swing with the reduced mass `1/(1/m_A + 1/m_B)`, no matter how they fly"
     " and fall.",
     why=(
-        "Semi-implicit Euler takes the force of the start of a step for the whole step. Its places still are a swing,"
-        " whose angle θ per step obeys `2 ρ cos θ = 2 − c dt/m − ω² dt²`, with the factor `ρ = √(1 − c dt/m)` per"
-        " step. Without a damper `cos θ = 1 − ω² dt²/2` and `ρ = 1`: the swing neither grows nor dies, and is 4"
-        " millionths too fast at `ω dt = 0.01`. With a damper the decay is too fast by the share `β dt`.",
-        "The first turn comes half a step early, and about a step with a strong damper. The energy is computed from"
-        " the place and the velocity of one sample, which belong to instants half a step apart. It therefore swings"
-        " about the true energy by a share of up to `ω dt/2`, and nothing is lost.",
-        "All engines and the world by hand follow this recurrence to rounding, and are told of the spring from outside"
-        " in every step. MuJoCo's profile `tendons` has the spring in its own words and gives the same numbers: its"
-        " integrator Euler treats the damping of a joint implicitly, but not that of a tendon. With the"
-        " integrator RK4 its tendons come within 3 parts in 10¹⁰ of theory. Neither PyBullet nor DART has a spring of"
-        " this kind.",
+        "Semi-implicit Euler takes the force of the start of a step for the whole step. Its positions are still a"
+        " damped oscillation, whose angle θ per step obeys `2 ρ cos θ = 2 − c dt/m − ω² dt²`, with the factor `ρ = √(1"
+        " − c dt/m)` per step. Without a damper `cos θ = 1 − ω² dt²/2` and `ρ = 1`: the swing neither grows nor"
+        " decays, and is 4 millionths too fast at `ω dt = 0.01`. With a damper the decay is too fast by the share `β"
+        " dt`.",
+        "The first turn comes half a step early, and with a strong damper about a step early. The energy is computed"
+        " from the position and the velocity of one sample, which belong to instants half a step apart. The computed"
+        " energy therefore oscillates about the true energy by a share of up to `ω dt/2`, and no energy is lost.",
+        "All engines and the hand-written world follow this recurrence to rounding. The lab tells the engines the"
+        " force of the spring in every step. In the profile `tendons` the spring is a tendon of MuJoCo's own, and the"
+        " numbers are the same: its integrator Euler treats the damping of a joint implicitly, but not that of a"
+        " tendon. With the integrator RK4 its tendons come within 3 parts in 10¹⁰ of theory. Neither PyBullet nor DART"
+        " has a spring of this kind.",
         "A ball that moves along its spring alone can also sit in a sliding joint that has the spring: the profile"
         " `joint` of MuJoCo and DART. An engine knows how the forces of its own joints change, and uses that. MuJoCo"
         " takes the damper as it will be at the end of the step, which halves the error at `ζ = 1`. DART takes the"
         " spring so as well. That is backward Euler, which no timestep makes explode; the price is that every step"
         " multiplies an undamped swing by `1/√(1 + ω² dt²)`. At `ω dt = 0.1` a quarter of it is lost in one swing.",
-        "Stock PyBullet brakes every body by 0.04 (1 + v) v per second besides, which the strong damper hides.",
+        "Stock PyBullet also brakes every body by 0.04 (1 + v) v per second, which is hardly noticeable beside the"
+        " strong damper.",
     ),
     cases=(*(_swinging(ratio) for ratio in (0.3, 1.0, 2.0)), _swinging(0.3, True)),
     quantities=(

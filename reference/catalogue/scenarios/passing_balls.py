@@ -132,22 +132,22 @@ PASSING_BALLS = Family(
     f" other without weight, with e = {RESTITUTION:g}. Each figure is the mean over {MEETINGS} meetings. They come at"
     " evenly spread phases of a step, and at offsets that are spread evenly over the area in which the balls touch.",
     expected="As seen from one ball, the other one flies along a straight line. The balls touch wherever this line"
-    " comes nearer to the centre than `R`, the sum of the radii. So none passes, and each two exchange the momentum"
-    " `(1 + e) v cos α/(1/m_A + 1/m_B)`, where `R sin α` is the offset.",
+    " comes nearer to the centre than `R`, the sum of the radii. So no two balls pass through each other, and each"
+    " pair exchanges the momentum `(1 + e) v cos α/(1/m_A + 1/m_B)`, where `R sin α` is the offset.",
     why=(
         "In a step the balls move by `D = v Δt` relative to each other. A test of overlap at the end of each step"
         " misses the share `D²/12R²` of all meetings as long as `D` is at most `2R`, and `1 − 4R/3D` if it is longer."
         " It misses meetings at a large offset first, because such balls overlap for a short time only.",
-        "A meeting that is noticed too late is lost as well: two balls that part already are not pushed. A step must"
-        " end while the balls still approach, on the first half of the way on which they overlap. So a response at the"
-        " ends of steps loses as many meetings as a test of overlap with steps twice as long, `D²/3R²` up to `D = R`"
-        " and then `1 − 2R/3D`. At 40 m/s that is a third of them at 0.5 ms, and two thirds at 1 ms.",
+        "A meeting that is noticed too late is lost as well: two balls that are already moving apart are not pushed. A"
+        " step must end while the balls still approach, on the first half of the way on which they overlap. So a"
+        " response at the ends of steps loses as many meetings as a test of overlap with steps twice as long, `D²/3R²`"
+        " up to `D = R` and then `1 − 2R/3D`. At 40 m/s that is a third of them at 0.5 ms, and two thirds at 1 ms.",
         "Two balls that are noticed in time are still noticed late. Their line of centres has turned, and the impulse"
         " along it is too small. Hand-written code that sweeps one ball past the other, `sweep_sphere_sphere`, finds"
         " every meeting at its instant.",
         "The spring profiles lose meetings for another reason. Their contact gives way by up to `v/ω`, with `ω² = 10⁶`"
-        " 1/s²: that is 10 mm at 10 m/s, and 40 mm at 40 m/s, twice as much as `R`. Fast balls get past each other"
-        " before the spring has turned them.",
+        " 1/s²: that is 10 mm at 10 m/s, and 40 mm at 40 m/s, twice `R`. Fast balls get past each other before the"
+        " spring has turned them.",
     ),
     cases=tuple(_case(speed) for speed in (10.0, 40.0, 120.0)),
     quantities=(

@@ -153,15 +153,15 @@ PELLETS = Family(
     topic="detection",
     statements=(2, 5, 9, 10),
     about=f"A weightless pellet of {1000 * RADIUS:g} mm radius flies straight at a fixed wall that is turned in space,"
-    f" beside its middle. Every figure is the mean over {SHOTS} shots that touch the wall at evenly spread instants of"
-    " a step.",
-    expected="None passes, each comes back with `−e v`, and the way back begins at the touch, at"
-    " `T = t + Δt s0/(s0 − s1)`.",
+    f" and would hit it beside its middle. Every figure is the mean over {SHOTS} shots that touch the wall at evenly"
+    " spread instants of a step.",
+    expected="No pellet passes, each comes back with `−e v`, and it turns back at the instant of the touch, `T = t +"
+    " Δt s0/(s0 − s1)`.",
     why=(
-        "One number decides how many pass a test at the ends of steps: the way of a step, `v Δt`, over the way on which"
-        " a pellet is turned back. That way is `w/2 + r` in an engine, and `w + 2r` by hand. Three times the speed and"
-        " three times the timestep are the same. At 60 m/s and 1 ms, 89 % of the pellets pass a wall of 3 mm, and 82 %"
-        " pass one of 12 mm.",
+        "One number decides how many pellets pass a test at the ends of steps: the length of a step, `v Δt`, divided"
+        " by the length of the path on which a pellet is turned back. That path is `w/2 + r` long in an engine, and `w"
+        " + 2r` in the hand-written code. Tripling the speed has the same effect as tripling the timestep. At 60 m/s"
+        " and 1 ms, 89 % of the pellets pass a wall of 3 mm, and 82 % pass one of 12 mm.",
         "PyBullet has continuous detection (`ccdSweptSphereRadius`), which its profile `swept` uses: a smaller ball is"
         " swept along the step, and the step ends where it meets the wall. No pellet passes, and each comes back with"
         " `−e v`. The rest of the step is lost, because the velocity changes only in the next one. So the pellet is"
@@ -169,9 +169,9 @@ PELLETS = Family(
         "MuJoCo has no continuous detection. In its profile `swept` a contact counts from a gap of `v Δt` on"
         " (`margin`), so that some step ends within it. No pellet passes, but none touches the wall either: each turns"
         " back before it, and so is early, by up to `(1 + e)/e` timesteps.",
-        "DART has neither, and only a smaller timestep helps. Hand-written code asks `overlap_interval` for the first"
-        " instant of the step at which the pellet overlaps the wall. It turns the pellet back there, and goes the rest"
-        " of the step.",
+        "DART has neither continuous detection nor such a margin, and only a smaller timestep helps. The hand-written"
+        " code asks `overlap_interval` for the first instant of the step at which the pellet overlaps the wall. It"
+        " turns the pellet back at that instant, and then moves it for the rest of the step.",
     ),
     cases=tuple(_case(speed, thickness) for speed in SPEEDS for thickness in THICKNESSES),
     quantities=(

@@ -114,18 +114,18 @@ PROJECTILE = Family(
     title="Projectile: range and apex",
     topic="forces",
     statements=(23, 25, 30),
-    about=f"A ball of {MASS:g} kg is thrown obliquely, not along any axis, and meets nothing. It is watched until it is"
-    " back at the height of its launch. In one case a steady force carries it on, aside and up.",
+    about=f"A ball of {MASS:g} kg is thrown obliquely, not along any axis, and meets nothing. The run ends soon after"
+    " it is back at the height of its launch. In one case a steady force carries it on, aside and up.",
     expected="Under a constant acceleration `a` the ball flies along a parabola. It is highest after `v sin θ/g`, at"
     " `(v sin θ)²/(2 g)`, and back after twice that time, at the range `v² sin 2θ/g`. The mass of the ball"
     " matters only where another force than its weight acts.",
     why=(
         "Semi-implicit Euler first adds `g dt` to the velocity and then moves with it. After n steps the ball has"
-        " fallen `g n (n + 1) dt²/2`, which is `g t dt/2` too far. All positions lie on another parabola exactly,"
-        " the one of a ball that sets out with `v − g dt/2`. So the apex comes `dt/2` too early and is `v sin θ dt/2`"
-        " too low, and the range is short by the share `dt/T` of itself, T being the time of flight.",
+        " fallen `g n (n + 1) dt²/2`, which is `g t dt/2` too far. All positions lie on another parabola exactly, the"
+        " one of a ball that sets out with `v − g dt/2`. So the apex comes `dt/2` too early and is `v sin θ dt/2` too"
+        " low. The range is too short by the share `dt/T` of itself, where T is the time of flight.",
         "PyBullet, MuJoCo, DART and the hand-written world agree with this to 14 digits. They agree with each other,"
-        " and all of them are wrong by the same amount: agreement between engines says nothing about the truth.",
+        " and all of them have the same error: agreement between engines does not show that they are right.",
         "Stock PyBullet also brakes a body by 0.04 (1 + v) v per second. At 12 m/s its range is up to 41 % too short.",
     ),
     cases=(*(_thrown(SPEED, angle) for angle in (30.0, 45.0, 60.0, 75.0)), _thrown(SPEED, 60.0, True)),

@@ -162,16 +162,17 @@ FRICTION_OSCILLATOR = Family(
     statements=(24, 23),
     about=f"A slab of {MASS:g} kg swings on a spring over a level floor, along an axis or at 30° to the axes. Friction"
     " brakes it until it sticks.",
-    expected="Friction is constant on each half swing and shifts its centre by `f = μ m g/k`. So a half swing takes"
-    " `π √(m/k)`, as without friction, and each turning point is nearer by `2 f` than the one before it. The slab"
-    " sticks at the first turning point that is no farther than `f` from where the spring is at rest.",
+    expected="Friction is constant on each half swing and shifts its centre by `f = μ m g/k`. So a half swing takes `π"
+    " √(m/k)`, as without friction, and each turning point is nearer by `2 f` than the one before it. The slab sticks"
+    " at the first turning point whose distance from the place where the spring is at rest is at most `f`.",
     why=(
-        "Each implementation is told the spring's force at the start of every step. Semi-implicit Euler keeps the"
-        " frequency with it to second order in `ω dt`.",
-        "At a turning point the stepped code stops for a whole step, because friction may not turn the slab back. The"
-        " engines end the slip in the middle of a step and go on. So the step is a step or so later at the end.",
-        "Stock MuJoCo's soft friction creeps towards the end of the spring for as long as one looks. On the line at 30°"
-        " the cones of stock MuJoCo and stock DART push the slab off its line.",
+        "Each implementation uses the spring's force at the start of every step. With this force semi-implicit Euler"
+        " is right about the frequency to second order in `ω dt`.",
+        "At a turning point the hand-written method `step` stops the slab for a whole step, because friction may not"
+        " turn the slab back. The engines end the slip within a step and continue. So the method `step` is about one"
+        " step later at the end.",
+        "With stock MuJoCo's soft friction the slab creeps towards the place where the spring is at rest, and never"
+        " stops. In the case at 30° the friction cones of stock MuJoCo and stock DART push the slab off its line.",
     ),
     cases=(
         _case(0.5, 300.0, 0.15),

@@ -131,27 +131,27 @@ SINKING_BALL = Family(
     title="Ball that sinks or rises in a thick fluid",
     topic="forces",
     statements=(23, 26, 30),
-    about=f"A ball of {100 * RADIUS:g} cm is let go in a fluid of {DENSITY:g} kg/m³ and {VISCOSITY:g} Pa s, thick"
-    f" enough for Stokes' law. One ball, of {HEAVY:g} kg, sinks; one of {LIGHT:g} kg rises. In a third case the fluid"
-    " streams and carries the ball along.",
-    expected="The velocity tends to `u + 2 (ρ_s − ρ_f) g r²/(9 η)`, with `u` for the velocity of the fluid. What is"
-    " missing of it falls by the factor e in each `τ = m/(6π η r)`. The slide's formula leaves out the fluid's"
-    " density, and so has the light ball sink.",
+    about=f"A ball with a radius of {100 * RADIUS:g} cm is let go in a fluid of {DENSITY:g} kg/m³ and {VISCOSITY:g} Pa"
+    f" s, thick enough for Stokes' law. One ball, of {HEAVY:g} kg, sinks; one of {LIGHT:g} kg rises. In a third case"
+    " the fluid streams and carries the ball along.",
+    expected="The velocity tends to `u + 2 (ρ_s − ρ_f) g r²/(9 η)`, where `u` is the velocity of the fluid. The"
+    " difference from it falls by the factor e in each `τ = m/(6π η r)`. The slide's formula leaves out the fluid's"
+    " density, and so it makes the light ball sink.",
     why=(
-        "The step of semi-implicit Euler keeps the share `1 − dt/τ` of what is missing, instead of `e^(−dt/τ)`. So the"
-        " ball gathers speed too early, by some dt/2, and comes too far, by some dt of its last speed. The last speed"
-        " itself is right, because nothing is missing any more.",
-        "From `dt = 2 τ` on the share is below −1, and the speed explodes. A drag that is handed over from outside"
-        " therefore has a largest timestep, 13 ms for the light ball here.",
-        "MuJoCo knows fluids. In the profile `ellipsoid` its newer model has exactly Stokes' drag, told of the"
-        " viscosity alone (`viscosity`, `wind`, `fluid_ellipsoid`), and `gravcomp` lifts the ball. It gives the same"
-        " numbers as the drag from outside. Its older model, the profile `inertia box`, replaces a body by the box of"
-        " the same inertia. A ball becomes a cube of 1.55 r, whose drag is `√(3/5)` of the right one: it sinks 29 %"
-        " too fast through the fluid.",
+        "A step of semi-implicit Euler multiplies the difference from the final velocity by `1 − dt/τ` instead of"
+        " `e^(−dt/τ)`. So the ball gathers speed about dt/2 too early, and gets too far by about dt times its final"
+        " speed. The final speed itself is right, because there the difference is zero.",
+        "Above `dt = 2 τ` the factor `1 − dt/τ` is below −1, and the speed explodes. A drag that is computed outside"
+        " the engine therefore limits the timestep, here to 13 ms for the light ball.",
+        "MuJoCo has two models of a fluid. The newer one, in the profile `ellipsoid`, gives exactly Stokes' drag if it"
+        " is told the viscosity and not the density (`viscosity`, `wind`, `fluid_ellipsoid`), and `gravcomp` adds the"
+        " lift. It gives the same numbers as the drag that the lab computes. Its older model, the profile `inertia"
+        " box`, replaces a body by the box of the same inertia. A ball becomes a cube of 1.55 r, whose drag is"
+        " `√(3/5)` of the right one: it sinks 29 % too fast through the fluid.",
         "The inertia box depends on how the mass is spread inside. A ball with other moments of inertia sinks at"
         " another speed, although nothing about its surface has changed.",
-        "PyBullet's own `linearDamping` takes d (1 + v) v per second, and DART knows no fluid. Neither knows buoyancy."
-        " Both are told of the fluid from outside.",
+        "PyBullet's own `linearDamping` takes d (1 + v) v per second, and DART has no fluid. Neither has buoyancy. The"
+        " lab tells both of them the force of the fluid in every step.",
     ),
     cases=(_sinking(HEAVY), _sinking(LIGHT), _sinking(HEAVY, streams=True)),
     quantities=(

@@ -98,21 +98,23 @@ SLAB_AT_30_DEGREES = Family(
     title="Slab sent off at 30°: the shape of a friction cone",
     topic="friction",
     statements=(24,),
-    about="A slab is sent off over a level floor at 30° to the axes, and at 15°, 45° and 75°. It should slide straight"
-    " on and stop.",
+    about="A slab is sent off over a level floor at 30° to the axes, and at 15°, 45° and 75°. It should slide along a"
+    " straight line and stop.",
     expected="Friction of `μ m g` opposes the velocity, whatever its direction: Coulomb's cone is a circle. The slab"
     " stops after `v²/(2 μ g)`, in the time `v/(μ g)`, on the line that it set out on.",
     why=(
-        "A cone with edges is easier for a solver, and wrong between its axes. On a diamond the sizes of the two parts"
-        " of friction add up to `μ m g` at most. Friction first opposes the faster of the two parts of the velocity"
-        " alone, and then pulls the slab along the diagonal: it ends at `D (1, sin 2φ)` in place of"
-        " `D (cos φ, sin φ)`. At 30° that is 32 % too far, and a quarter of `D` aside. Stock MuJoCo has this cone.",
-        "On a square each part of friction is at most `μ m g` by itself. Each part of the velocity is braked by itself,"
-        " and the slab ends at `D (cos² φ, sin² φ)`. At 30° that is 21 % short, and 16 % of `D` to the other side."
-        " Stock DART has this cone, and PyBullet with `enableConeFriction=0`.",
-        "At 45° both errors are along the way alone: 41 % too far, and 29 % short.",
-        "Tuned, all have a circle, and stop `v dt/2` short, as the method predicts. Stock PyBullet has one too, but it"
-        " damps every velocity.",
+        "A cone with edges is easier for a solver, and wrong between its axes. With a diamond the magnitudes of the"
+        " two components of friction add up to at most `μ m g`. Friction first opposes only the larger component of"
+        " the velocity, and then acts along the diagonal. The slab ends at `D (1, sin 2φ)` in place of `D (cos φ, sin"
+        " φ)`. Here `D` is the right stopping distance and φ the angle to the axis. At 30° the slab gets 32 % too far,"
+        " and ends a quarter of `D` to one side. Stock MuJoCo has this cone.",
+        "With a square each component of friction is at most `μ m g`. Each component of the velocity is braked by"
+        " itself, and the slab ends at `D (cos² φ, sin² φ)`. At 30° it stops 21 % too early, and 16 % of `D` to the"
+        " other side. Stock DART has this cone, and PyBullet with `enableConeFriction=0`.",
+        "At 45° the slab stays on its line with both cones: it gets 41 % too far with the diamond, and stops 29 % too"
+        " early with the square.",
+        "All tuned engines have a circle, and the slab stops `v dt/2` too early, as the method predicts. Stock"
+        " PyBullet has a circle too, but it damps every velocity.",
     ),
     cases=(
         *(_case(0.4, 2.0, degrees) for degrees in (15.0, 30.0, 45.0, 75.0)),

@@ -125,19 +125,19 @@ SPINNING_ROD = Family(
     about=f"A thin rod spins about its middle without weight and drifts through space. It strikes a ball of"
     f" {1000 * RADIUS:g} mm radius that drifts with it, {1000 * DISTANCE:g} mm from the axis. Every figure is the mean"
     f" over {PASSES} passes that touch the ball at evenly spread instants of a step.",
-    expected="The rod strikes every ball. Its momentum after that is `j = (1 + e) ω a/(1/m + 1/M + a²/I)`, with the arm"
-    " `a = √(d² − c²)`: `c` is half the thickness of the rod and the radius of the ball, and `d` is the distance of the"
-    " ball from the axis.",
+    expected="The rod strikes every ball. The ball then has the momentum `j = (1 + e) ω a/(1/m + 1/M + a²/I)`, with"
+    " the arm `a = √(d² − c²)`: `c` is half the thickness of the rod and the radius of the ball, and `d` is the"
+    " distance of the ball from the axis.",
     why=(
-        "In a step the rod turns by `ω Δt`. It overlaps the ball on an angle of `asin(c/d)` before its middle reaches"
-        " the ball, and on as much behind it. There the two part already, and nothing is pushed. So the rod passes the"
-        " share `1 − asin(c/d)/(ω Δt)` of the balls. Here the angle is 0.57°. At 100 rad/s and 1 ms a step turns by"
-        " 5.7°, and the rod passes 90 % of them.",
+        "In a step the rod turns by `ω Δt`. It overlaps the ball over an angle of `asin(c/d)` before its middle line"
+        " reaches the ball, and over the same angle behind it. Behind it the two are already moving apart, and no"
+        " engine pushes them. So the rod passes the share `1 − asin(c/d)/(ω Δt)` of the balls. Here the angle is"
+        " 0.57°. At 100 rad/s and 1 ms a step turns by 5.7°, and the rod passes 90 % of them.",
         "The centres of the two bodies do not approach each other. PyBullet's continuous detection sweeps bodies along"
         " the way of their centres, and so finds nothing here. Only a smaller timestep helps an engine.",
         "Hand-written code uses conservative advancement, `sweep_convex`. It bounds how fast any point of the rod can"
-        " move towards the ball, and advances the time only as far as the two surely stay apart. That needs no formula"
-        " for the swept volume, which has none, and passes no ball at any timestep.",
+        " move towards the ball, and advances the time only as far as the two surely stay apart. It needs no formula"
+        " for the swept volume, and it misses no ball at any timestep.",
     ),
     cases=tuple(_case(spin) for spin in (20.0, 100.0, 300.0)),
     quantities=(

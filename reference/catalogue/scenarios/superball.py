@@ -140,30 +140,30 @@ SUPERBALL = Family(
     title="Superball between floor and ceiling",
     topic="impulse",
     statements=(12, 14, 16, 18, 24),
-    about=f"A solid ball of {MASS:g} kg is thrown at a rough floor at {DOWN:g} m/s, and at {FORWARD:g} m/s along"
-    " it. It rebounds to a ceiling parallel to the floor, and from there to the floor again. Nothing has weight,"
-    f" the ceiling's restitution is {CEILING:g} e, and the spin ω is about an axis of the floor at 53° to the"
-    " throw. Measured are the speeds along the floor after each impact, ahead and aside, and r ω after the third.",
-    expected="Friction acts against the slip `w` of the ball's surface, with an impulse of at most `μ (1 + e) m"
-    " v`. To end the slip it needs `2/7 m w`, no matter in which direction. A ball without spin that grips goes on"
-    " with 5/7, 15/49 and 45/343 of its speed. A real superball is made of rubber, which also turns the slip back:"
-    " with `4/7 m w` in each impact it would leave with 3/7, −31/49 and −333/343, and so come back to the hand"
-    " (Garwin, American Journal of Physics 37, 1969).",
+    about=f"A solid ball of {MASS:g} kg is thrown at a rough floor at {DOWN:g} m/s, and at {FORWARD:g} m/s along it."
+    " It rebounds to a ceiling parallel to the floor, and from there to the floor again. Nothing has weight, the"
+    f" ceiling's restitution is {CEILING:g} e, and the spin ω is about an axis in the plane of the floor, at 53° to"
+    " the throw. The figures are the speeds along the floor after each impact, the speed to the side after the third,"
+    " and r ω after the third.",
+    expected="Friction acts against the slip `w` of the ball's surface, with an impulse of at most `μ (1 + e) m v`. To"
+    " end the slip it needs `2/7 m w`, no matter in which direction. A ball that starts without spin and grips keeps"
+    " 5/7, 15/49 and 45/343 of its speed after the three impacts. A real superball is made of rubber, which also"
+    " reverses the slip: with an impulse of `4/7 m w` in each impact it would leave with 3/7, −31/49 and −333/343 of"
+    " its speed, and so come back to the hand (Garwin, American Journal of Physics 37, 1969).",
     why=(
         "No implementation brings the ball back. Each has one coefficient of restitution, along the normal, and"
-        " Coulomb's friction ends a slip but never reverses it. So a superball is out of reach of all four, and"
-        " what they are judged by is a ball that grips or slips through.",
+        " Coulomb's friction ends a slip but never reverses it. So none of the four can simulate a superball, and they"
+        " are judged by an ordinary ball, which grips or slips.",
         "Tuned PyBullet gives every number to rounding, because it lets the impulses act where the surfaces lie."
-        " MuJoCo and the hand-written world let them act half-way into the overlap, and DART on the wall. The arm"
-        " of friction is then shorter than r, and the ball keeps some spin. The next wall turns against that spin,"
-        " so that the error grows from impact to impact: in the world, whose step is 1 ms, from 0.6 % of the first"
-        " speed to 3.5 % of the third.",
-        "In MuJoCo's spring profile the dashpot of the pair brakes the slip as gently as it brakes the fall, so"
-        " that a ball which should grip slips through. It goes on with 1.47 m/s after the third impact, where 0.26"
-        " is right.",
-        "As installed, DART limits friction by a pyramid, which turns the ball aside: 0.057 m/s in place of 0.019."
-        " MuJoCo does not rebound. PyBullet loses so much speed in its early contacts that the ball strikes twice"
-        " in the time.",
+        " MuJoCo and the hand-written world let them act half-way into the overlap, and DART on the wall. The arm of"
+        " friction is then shorter than r, and the ball keeps some spin. At the next wall that spin increases the"
+        " slip, so that the error grows from impact to impact: in the world, whose step is 1 ms, from 0.6 % of the"
+        " first speed to 3.5 % of the third.",
+        "In MuJoCo's spring profile the dashpot of the pair brakes the slip as gently as it brakes the fall, so that a"
+        " ball which should grip slips. After the third impact it has 1.47 m/s, where 0.26 m/s is right.",
+        "As installed, DART limits friction by a pyramid, which deflects the ball: to 0.057 m/s instead of 0.019 m/s."
+        " MuJoCo's ball does not rebound. PyBullet makes contact before the surfaces touch, and its ball loses so much"
+        " speed there that it strikes only twice in the time.",
     ),
     cases=(
         _thrown(0.9, 0.6, 0.0),

@@ -111,7 +111,9 @@ def left(expected: Callable[[Case], float] = lambda case: 0.0) -> Quantity:
 
 def last_arrival() -> Quantity:
     """When everybody has arrived."""
-    return Quantity("arrival", "last arrival", "s", crowd.time_to_arrive, None, absent="has nobody arrive")
+    return Quantity(
+        "arrival", "last arrival", "s", crowd.time_to_arrive, None, absent="does not bring all to their goals"
+    )
 
 
 def least_gap(trajectory: Trajectory) -> Array:

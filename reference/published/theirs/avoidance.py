@@ -60,10 +60,11 @@ CASES = (
         },
         tolerance={"point": 3.2e-3, "direction": 3.2e-3},
         reason="the tests accept a squared distance of 1e-5",
-        note="A disc at the origin meets a neighbour of the same radius at rest. Where the present velocity leads to a "
-        "collision, dodgy takes half of the change to the border, as RVO2 does. Where it does not, dodgy takes the "
-        "whole of it and leaves the disc all that is free; RVO2 and the paper (van den Berg, Guy, Lin, Manocha, "
-        "Reciprocal n-body collision avoidance, 2011, section 4) take half there too. Both avoid the collision.",
+        note="A disc at the origin meets a neighbour of the same radius at rest. Where the present velocity leads to a"
+        " collision, dodgy puts the line halfway to the border of the collisions, as RVO2 does. Where it does not,"
+        " dodgy puts the line at that border and so permits every velocity that is free. RVO2 and the paper (van den"
+        " Berg, Guy, Lin, Manocha, Reciprocal n-body collision avoidance, 2011, section 4) put it halfway there too."
+        " Both rules avoid the collision.",
         units={"point": "m/s"},
         labels=dict.fromkeys(
             ("point", "direction"),
@@ -76,7 +77,7 @@ CASES = (
     ),
     Published(
         number=33,
-        title="The permitted velocity nearest to the preferred one, and the least bad where none is permitted",
+        title="The permitted velocity nearest to the preferred one, and the least bad where no velocity is permitted",
         statement=1,
         kind="cross-engine",
         source="dodgy_2d (andriyDev/dodgy), crates/dodgy_2d/src/linear_programming_test.rs, "
@@ -99,8 +100,8 @@ CASES = (
         tolerance={"velocity": 1.2e-7, "least_bad": 3.2e-3},
         reason="numbers in single precision that are equal to the last digit; where nothing is permitted, the test "
         "accepts a squared distance of 1e-5",
-        note="A velocity on the left side of each line is permitted. The least bad one is equally far beyond all "
-        "three lines.",
+        note="A velocity on the left side of each line is permitted. The least bad velocity is equally far beyond all"
+        " three lines.",
         units={"velocity": "m/s", "least_bad": "m/s"},
         labels={
             "velocity": tuple(

@@ -8,7 +8,7 @@ from reference.published.case import Published
 
 _UPRIGHT, _UPSIDE_DOWN = (1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0)
 _ON_ITS_SIDE = (math.sqrt(0.5), math.sqrt(0.5), 0.0, 0.0)
-"""Turns about x of nothing, a half and a quarter, as quaternions wxyz: the three orientations of P29."""
+"""No turn, half a turn and a quarter turn about x, as quaternions wxyz: the three orientations of P29."""
 
 CASES = (
     Published(
@@ -21,8 +21,8 @@ CASES = (
         setup={"speed": 25.0, "angle": 35.0, "below": 20.0, "gravity": 9.8},
         expected={"time": 3.96, "along": 20.5, "upwards": -24.5, "speed": 31.9, "angle": -50.1},
         tolerance={"time": 5e-3, "along": 0.05, "upwards": 0.149, "speed": 0.05, "angle": 0.22},
-        reason="half of the last digit printed. The book goes on with rounded numbers: 14.3 m/s and 3.96 s make "
-        "0.05 + 9.8 × 0.005 m/s more in the vertical velocity, and that makes 0.17° in the angle",
+        reason="half of the last digit printed. The book computes with rounded numbers, 14.3 m/s and 3.96 s. They"
+        " change the vertical velocity by up to 0.05 + 9.8 × 0.005 m/s more, and so the angle by up to 0.17°",
         note="With all digits the vertical velocity is −24.4 m/s and the angle −50.0°: the last digits printed, "
         "−24.5 m/s and −50.1°, are those of the rounded time.",
         units={"time": "s", "along": "m/s", "upwards": "m/s", "speed": "m/s", "angle": "°"},

@@ -5,7 +5,7 @@ from __future__ import annotations
 from reference.published.case import Published
 
 _FASTEST = (-0.93240737, -0.86473146)
-"""Velocity of the body in the middle of P39, and half of it the other way round, that of the two others."""
+"""Velocity of the body in the middle of P39; the two others have half of it, in the opposite direction."""
 _HALF_BACK = (0.93240737 / 2, 0.86473146 / 2)
 _EIGHT = (0.97000436, -0.24308753, -0.97000436, 0.24308753, 0.0, 0.0)
 """Places of the three bodies of P39, x and y of one after another."""
@@ -91,8 +91,8 @@ CASES = (
         setup={"places": _EIGHT, "velocities": (*_HALF_BACK, *_HALF_BACK, *_FASTEST), "period": 6.32591398},
         expected={"after_a_third": (0.0, 0.0, *_EIGHT[:4]), "after_a_period": _EIGHT},
         tolerance={"after_a_third": 5e-7, "after_a_period": 5e-7},
-        reason="eight decimals were printed of places, velocities and the period: 5e-9, and a hundred times that for "
-        "what a period and the passages of the bodies make of it",
+        reason="the source prints places, velocities and the period to eight decimals, which is 5e-9; in a period in"
+        " which the bodies pass each other this error grows up to a hundredfold",
         note="Equal masses with G m = 1, in units of the source. All three are on the same curve: after a third of the "
         "period each is where another was.",
         units={"after_a_third": "m", "after_a_period": "m"},

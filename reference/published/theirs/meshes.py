@@ -18,13 +18,14 @@ CASES = (
             "at_upper_end": 87886.15872988368,
         },
         tolerance={"horizontal": 0.12, "at_lower_end": 0.064, "at_upper_end": 0.064},
-        reason="the test lets its solver stop at Tol = 1e-6, here taken as a share of the ends' two distances; "
-        "this cable changes its pulls by 1073 N a metre along and 631 N a metre of height, and by 287 N across",
-        note="The cable is 130 m long before it stretches and weighs 881.05 N/m; its ends are 89.9 m apart along the "
-        "ground and 59.2 m in height. It hangs below both ends, and the vertical pulls, both downwards, add up to its "
-        "weight. In the source the two forces on the upper end have the opposite sign of ours. Of the seventeen digits "
-        "printed, seven are those of an elastic catenary, which gives 31373.2349, 26650.3387 and 87886.1613 N: where "
-        "their solver stopped, the ends are 5 and 2 µm from their places.",
+        reason="the test lets its solver stop at Tol = 1e-6, here taken as a share of the two distances between the"
+        " ends; the pulls of this cable change by 1073 N for each metre along the ground and by 631 N for each metre"
+        " of height, and each of the two by 287 N for a metre in the direction of the other",
+        note="The cable is 130 m long before it stretches and weighs 881.05 N/m; its ends are 89.9 m apart along the"
+        " ground and 59.2 m in height. It hangs below both ends, and the vertical pulls, both downwards, add up to its"
+        " weight. In the source the two forces on the upper end have the opposite sign of ours. Of the seventeen"
+        " digits printed, seven are those of an elastic catenary, which gives 31373.2349, 26650.3387 and 87886.1613 N."
+        " Where their solver stopped, the ends were still 5 and 2 µm from their places.",
         units={"horizontal": "N", "at_lower_end": "N", "at_upper_end": "N"},
     ),
     Published(
@@ -46,10 +47,11 @@ CASES = (
         expected={"expanded_octahedron": 1.0, "icosahedron": 0.0, "prism": (1.0, 0.0, 0.0)},
         tolerance={"expanded_octahedron": 0.0, "icosahedron": 0.0, "prism": 0.0},
         reason="a count",
-        note="Ways to move that change no bar's length to first order, besides the six of a rigid body. Twelve joints "
-        "need 3 × 12 − 6 = 30 bars and six joints need 12; all these frames have just so many. The vertices of the "
-        "expanded octahedron are the cyclic permutations of (±2, ±1, 0). The prism is two triangles of side √3, one "
-        "above the other and turned, with three vertical and three slanting bars between them.",
+        note="The numbers count the independent motions that change no bar's length to first order, besides the six of"
+        " a rigid body. A rigid frame of twelve joints needs 3 × 12 − 6 = 30 bars, and one of six joints needs 12;"
+        " each of these frames has exactly as many. The vertices of the expanded octahedron are the cyclic"
+        " permutations of (±2, ±1, 0). The prism is two triangles of side √3, one above the other and turned, with"
+        " three vertical and three slanting bars between them.",
         labels={"prism": ("turned by 30°", "turned by 25°", "turned by −60°, a regular one")},
     ),
 )

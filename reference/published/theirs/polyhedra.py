@@ -46,8 +46,8 @@ CASES = (
             1e-12,
         ),
         reason="whole numbers, from a sum of angles",
-        note="Their faces pass through each other. At the centre every density is odd, so that parity agrees that it "
-        "is inside; in a tip of a star the number is smaller. The point is a little off the centre, where no ray "
-        "meets an edge.",
+        note="The faces of these polyhedra pass through each other. At the centre every density is odd, so that parity"
+        " also finds the centre inside. In a tip of a star the number is smaller. The point that is tried lies"
+        " slightly beside the centre, so that no ray meets an edge.",
     ),
 )

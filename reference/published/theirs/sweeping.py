@@ -116,9 +116,10 @@ CASES = (
         },
         reason="the tolerances of the tests; conservative advancement may stop before the touch, for a point and a "
         "triangle by a hundredth of the way",
-        note="Shares of the way. The sphere of radius 0.5 moves 10 m towards what it meets, and both of the other "
-        "moving parts move straight within one step. In one plane, the volume that a point and a triangle or two edges "
-        "span is zero all the time, so that its root does not tell when they meet.",
+        note="The figures are shares of the way. The sphere of radius 0.5 moves 10 m towards what it meets, and both"
+        " of the other moving parts move straight within one step. In one plane, the volume that a point and a"
+        " triangle or two edges span is zero all the time, so that its root does not give the instant at which they"
+        " meet.",
         origin="dart",
         labels={"in_one_plane": ("point and triangle", "edge and edge")},
     ),

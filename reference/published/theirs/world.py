@@ -20,8 +20,8 @@ CASES = (
         expected={"velocity": tuple((square - 2) / (6 - square) for square in _SQUARES)},
         tolerance={"velocity": 1e-12},
         reason="a closed form, and rounding",
-        note="Three equal discs, elastic and without friction; the centres of the two at rest are η diameters apart. "
-        "The disc recoils for η < √2, stops at √2 and goes on above that. Radius, mass and speed are ours.",
+        note="Three equal discs, elastic and without friction; the centres of the two at rest are η diameters apart."
+        " The disc recoils for η < √2, stops at √2 and moves on above that. Radius, mass and speed were chosen by us.",
         units={"velocity": "m/s"},
         labels={"velocity": ("η = 1", "η = 1.2", "η = √2", "η = 1.7")},
     ),
@@ -50,9 +50,9 @@ CASES = (
         },
         tolerance=dict.fromkeys(("triangular", "cottle", "market_1", "market_16", "market_100"), 1e-6),
         reason="the tolerance of Drake's test",
-        note="Find f ≥ 0 with A f + b ≥ 0 and f·(A f + b) = 0. In the first, A has 1 on its diagonal, 2 above and 0 "
-        "below, and b is −1. In the third, b is (50, 50, l, −6). Drake notes that the handbook prints 1 for its last "
-        "entry A₄₄, which is 0: with the 1, none of the printed solutions is one.",
+        note="Find f ≥ 0 with A f + b ≥ 0 and f·(A f + b) = 0. In the first problem, A has 1 on its diagonal, 2 above"
+        " and 0 below, and b is −1. In the third, b is (50, 50, l, −6). Drake notes that the handbook prints 1 for the"
+        " last entry A₄₄, where 0 is right: with the 1, the printed solutions do not solve the problem.",
     ),
     Published(
         number=41,
@@ -79,11 +79,12 @@ CASES = (
             "coefficient": 5e-4,
             "holds": 0.0,
         },
-        reason="half of the last digit printed, with what rounding the wall's force adds to the floor's; for the "
-        "direction the whole digit, as it is cut off; whether it holds is a yes or a no",
-        note="The angle is that of the ladder with the floor; the direction is that of the floor's whole force. The "
-        "wall has no friction. The coefficient is the smallest with which the ladder does not slip, cot β/2. The two "
-        "that are tried are ours. The direction is 69.35°, and 69.36° with the rounded forces: printed as 69.3°.",
+        reason="half of the last digit printed; for the floor's force also what rounding the wall's force adds to it;"
+        " for the direction the whole last digit, because it was cut off; whether the ladder holds is yes or no",
+        note="The angle is that of the ladder with the floor; the direction is that of the floor's whole force. The"
+        " wall has no friction. The coefficient is the smallest with which the ladder does not slip, cot β/2. The two"
+        " coefficients that are tried were chosen by us. The direction is 69.35°, or 69.36° with the rounded forces;"
+        " the book prints 69.3°.",
         units={"floor_normal": "N", "wall": "N", "friction": "N", "floor": "N", "direction": "°"},
         labels={"holds": ("μ = 0.37", "μ = 0.38")},
     ),

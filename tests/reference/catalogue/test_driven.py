@@ -19,7 +19,7 @@ FAMILY, CASE = find("driven-oscillator/Ω=2ω")
 HANDWRITTEN = load_engine("handwritten")
 
 
-def test_steps_drive_the_oscillator_to_the_amplitude_and_lag_of_their_closed_form():
+def test_steps_reach_the_amplitude_and_lag_of_their_closed_form():
     settings = HANDWRITTEN.settings(SCENARIO, "step").change(timestep=4e-3)
     run = HANDWRITTEN.run(SCENARIO, settings)
     amplitude, lag = (FAMILY.quantity(name).measure(run) for name in ("amplitude", "lag"))
@@ -40,7 +40,7 @@ def test_a_drive_that_is_off_by_a_millionth_fails(wrong):
     assert "lag" in {row.quantity for row in rows if row.verdict is Verdict.FAIL}
 
 
-def test_energy_comes_out_where_force_and_velocity_are_of_one_instant():
+def test_energy_balances_where_force_and_velocity_are_of_one_instant():
     run = HANDWRITTEN.run(SCENARIO, HANDWRITTEN.settings(SCENARIO, "exact"))
     assert FAMILY.quantity("balance").measure(run) == pytest.approx(1.0, abs=1e-12)
     amplitude, lag = forces_truth.steady_swing(STIFFNESS, DAMPING, MASS, FORCE, 20.0)

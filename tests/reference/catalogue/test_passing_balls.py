@@ -69,7 +69,7 @@ def overlapped(trajectory: Trajectory) -> bool:
 @pytest.mark.parametrize(
     ("name", "profile"), [("handwritten", "step"), *((n, "tuned") for n in ("pybullet", "mujoco"))]
 )
-def test_a_third_is_never_seen_and_two_thirds_pass_at_a_way_of_two_radii(name, profile, installed):
+def test_two_thirds_pass_where_a_step_is_twice_the_sum_of_the_radii(name, profile, installed):
     engine, case = installed(name), FAMILY.case("v=40")
     settings = engine.settings(case.scenarios[0], profile).change(timestep=1e-3)  # so that D = 2R, and all is sampled
     rows, trajectories = compare_case(FAMILY, case, engine, profile, settings)

@@ -46,7 +46,7 @@ def test_a_discrete_test_loses_what_speed_timestep_and_thickness_say(name, speed
 
 @pytest.mark.parametrize("timestep", [1e-3, *(pytest.param(each, marks=pytest.mark.slow) for each in (2e-4, 2e-3))])
 @pytest.mark.parametrize(("name", "mean"), [("pybullet", 0.5), ("mujoco", -0.5 * (1 + RESTITUTION) / RESTITUTION)])
-def test_no_pellet_passes_a_swept_test_and_the_rest_of_a_step_is_lost_or_gained(name, mean, timestep, installed):
+def test_no_pellet_passes_a_swept_test_and_each_is_late_or_early(name, mean, timestep, installed):
     installed(name)
     rows, _ = rows_of(name, "swept", timestep=timestep)
     assert rows["passed"].measured == 0
@@ -111,7 +111,7 @@ def test_dart_has_no_continuous_detection(installed):
     assert "swept" not in FAMILY.profiles(installed("dart"))
 
 
-def test_only_shots_that_a_millisecond_carries_past_a_wall_have_the_swept_profile():
+def test_only_shots_that_pass_a_wall_in_1_ms_have_the_swept_profile():
     for family in catalogue().values():
         leaps = {leaping.may_leap(scenario) for case in family.cases for scenario in case.scenarios}
         assert leaps == {family is FAMILY}, family.name

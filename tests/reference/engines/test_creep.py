@@ -24,7 +24,7 @@ def speed_of(engine, scenario, profile: str, **changes) -> np.ndarray:
 
 @pytest.mark.parametrize(("mass", "timestep"), [(1.0, 2e-3), (3.7, 5e-4)])
 @pytest.mark.parametrize("pull", [(1.5, 0.9), (3.6, 0.0)])
-def test_stock_mujoco_creeps_with_its_closed_form_whatever_mass_and_timestep(pull, mass, timestep, installed):
+def test_stock_mujoco_creeps_by_its_closed_form_at_any_mass_and_timestep(pull, mass, timestep, installed):
     level = slab_on_plane("pushed", 0.45, 0.0, 0.0, 0.8)
     bodies = tuple(body if body.immovable else replace(body, mass=mass) for body in level.bodies)
     force = Force("slab", (mass * pull[0], mass * pull[1], 0.0))

@@ -99,7 +99,7 @@ def test_a_spring_that_does_not_swing_in_a_line_runs_in_the_world_alone(scenario
     assert list(HANDWRITTEN.profiles(scenario)) == ["world"]
 
 
-def test_a_driven_spring_is_the_limit_of_short_steps_whichever_way_the_force_points():
+def test_a_driven_spring_is_the_limit_of_short_steps_either_way():
     for amplitude in ((3.0, 0.0, -4.0), (-3.0, 0.0, 4.0)):
         drive = OscillatingForce("hung", amplitude, 3.0, 0.4)
         scenario = replace(ON_A_SPRING, forces=(*ON_A_SPRING.forces, drive), duration=0.2)

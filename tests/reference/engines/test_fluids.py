@@ -17,7 +17,7 @@ from reference.scene.forces import Fluid, Spring
 SPINNING = replace(SCENARIO, bodies=(replace(SCENARIO.bodies[0], angular_velocity=(1.0, -2.0, 3.0)),), duration=0.05)
 
 
-def test_the_ellipsoid_model_is_stokes_drag_lift_and_stream_and_slows_a_spin(installed):
+def test_the_ellipsoid_model_has_stokes_drag_on_motion_and_on_spin(installed):
     mujoco = installed("mujoco")
     outside, own = (mujoco.run(SPINNING, mujoco.settings(SPINNING, name)) for name in ("tuned", "ellipsoid"))
     np.testing.assert_allclose(own.positions, outside.positions, atol=1e-14)

@@ -59,7 +59,7 @@ def test_a_cube_of_triangles_answers_like_a_cube(name, installed):
         ("concave-solid", "depth=0.375", {"dart": {"depth"}}),
     ],
 )
-def test_tuned_answers_are_near_theory_but_for_a_ball_among_darts_triangles(family, case, expected, name, installed):
+def test_tuned_answers_are_near_theory_except_for_a_ball_inside_in_dart(family, case, expected, name, installed):
     installed(name)
     rows = job(family, name, "tuned", case).rows
     away = {row.quantity for row in rows if row.verdict not in (Verdict.PASS, Verdict.SHOWN)}

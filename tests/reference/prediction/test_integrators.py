@@ -47,7 +47,7 @@ def test_semi_implicit_euler_is_verlet_with_another_start():
     np.testing.assert_allclose(place, other, atol=1e-13)
 
 
-def test_each_integrator_by_hand_is_judged_by_its_own_recurrence_and_by_no_other():
+def test_each_integrator_by_hand_is_judged_by_its_own_recurrence_alone():
     case = replace(CASE, scenarios=(replace(CASE.scenarios[0], duration=1.0),))
     (scenario,) = case.scenarios
     for profile in ("runge-kutta", "verlet", "explicit", "step"):

@@ -1,4 +1,4 @@
-"""A light ball between heavy ones: solvers that have turns enough, solvers that have not, and where turns end."""
+"""A light ball between heavy ones: solvers with enough sweeps, solvers with too few, and the limit of the sweeps."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ def test_an_impact_through_a_ten_thousandth_follows_the_recurrence(engine, insta
         pytest.param("handwritten", "world", {"response": "sequential"}, 7.15, 9.48, marks=pytest.mark.slow),
     ],
 )
-def test_with_too_few_turns_each_solver_fails_in_its_own_way(engine, profile, change, first, last, installed):
+def test_with_too_few_sweeps_each_solver_fails_in_its_own_way(engine, profile, change, first, last, installed):
     found = installed(engine)
     velocities = along(found.run(LIGHTEST, found.settings(LIGHTEST, profile).change(**change)))
     assert velocities[[0, 2]] == pytest.approx([first, last], abs=0.01)
 
 
-def test_turns_grow_with_the_mass_on_either_side_of_a_light_body():
+def test_sweeps_grow_with_the_mass_on_either_side_of_a_light_body():
     assert sweeps_needed(LIGHTEST) == 20 * 10**4
     first, middle, last = LIGHTEST.bodies
     assert sweeps_needed(replace(LIGHTEST, bodies=(replace(first, mass=2.0), middle, last))) == 20 * 3000
@@ -53,8 +53,8 @@ def test_turns_grow_with_the_mass_on_either_side_of_a_light_body():
     assert sweeps_needed(catalogue()["two-balls"].case("e=1,m=1e+06,b=0.5").scenarios[0]) == 20
 
 
-def test_the_end_of_many_turns_is_found_directly(monkeypatch):
-    """A hundred turns are far from it; ten thousand get there by themselves."""
+def test_the_limit_of_many_sweeps_is_found_directly(monkeypatch):
+    """A hundred sweeps are far from the limit; ten thousand reach it."""
     scenario, engine = FAMILY.case("100 : 1 : 30").scenarios[0], load_engine("handwritten")
     settings = engine.settings(scenario, "world")
     method = engine.method(scenario, settings)

@@ -27,7 +27,7 @@ ENGINES = [
 ]
 
 
-def test_a_real_superball_comes_back_to_the_hand_and_a_gripping_ball_goes_on():
+def test_a_real_superball_comes_back_and_a_gripping_ball_does_not():
     """Garwin, American Journal of Physics 37 (1969) 88: floor, ceiling, floor; all speeds are kept, slips reversed."""
     for turned_back, shares in ((1.0, (147, -217, -333)), (0.0, (245, 105, 45))):
         found = between_walls(THROWN, np.zeros(3), (UP, -UP, UP), (1.0, 1.0, 1.0), 10.0, turned_back)

@@ -33,7 +33,7 @@ def test_the_points_of_a_long_line_stay_within_a_twentieth_of_a_point():
     np.testing.assert_allclose(places, WAY[kept], atol=0.0551)  # half a tenth, and half a hundredth of the text
 
 
-def test_groups_that_say_nothing_go_and_the_others_stay():
+def test_groups_without_content_are_removed_and_others_stay():
     root = ElementTree.fromstring(compact(SVG))
     assert [group.get("style") for group in root.findall(".//{*}g")] == ["opacity: 1"]
     assert [text.text for text in root.findall(".//{*}text")] == ["two  words"]
